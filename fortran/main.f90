@@ -1,0 +1,3 @@
+program litz
+   implicit none
+end program litz

@@ -1,0 +1,202 @@
+!> What a deck describes, resolved: indices instead of names and ids, every default filled in, nothing left to check.
+!>
+!> Node and element indices run from 1 without gaps; `node_id` and `element_id` hold the user's numbers.
+module litz_model
+   use litz_kinds, only: dp
+   implicit none
+   private
+   public :: name_length
+   public :: model_t, material_t, section_t, named_set_t, amplitude_t, interaction_t, contact_pair_t
+   public :: step_t, nodal_value_t, output_request_t, controls_t
+   public :: element_b31, element_b33
+   public :: axis_linear, axis_hermite
+   public :: normal_linear, normal_hertz
+   public :: spot_none, spot_paper, spot_hertz, spot_plastic, spot_film, spot_constant, spot_table
+   public :: solver_block, solver_umfpack, solver_skyline, coupling_default, coupling_monolithic, coupling_updated
+   public :: request_node, request_element, request_contact, request_electrode
+   public :: dof_potential, model_set_index
+
+   !> Longest name of a set, material, ... (longer ones are refused)
+   integer, parameter :: name_length = 80
+
+   integer, parameter :: element_b31 = 1, element_b33 = 2
+
+   !> Abaqus's number of the electric potential among the degrees of freedom of a node (1-3 u, 4-6 rotation)
+   integer, parameter :: dof_potential = 9
+
+   !> Interpolation of the contact axis, theory section 3
+   integer, parameter :: axis_linear = 1, axis_hermite = 2
+   !> Normal contact laws
+   integer, parameter :: normal_linear = 1, normal_hertz = 2
+   !> Contact-spot laws, force -> spot -> conductance; `spot_none`: no current crosses the contact
+   integer, parameter :: spot_none = 0, spot_paper = 1, spot_hertz = 2, spot_plastic = 3, spot_film = 4, &
+      spot_constant = 5, spot_table = 6
+
+   integer, parameter :: solver_block = 1, solver_umfpack = 2, solver_skyline = 3
+   integer, parameter :: coupling_default = 0, coupling_monolithic = 1, coupling_updated = 2
+
+   integer, parameter :: request_node = 1, request_element = 2, request_contact = 3, request_electrode = 4
+
+   type :: named_set_t
+      character(len=:), allocatable :: name
+      !> Internal indices, ascending, without repetition
+      integer, allocatable :: members(:)
+   end type named_set_t
+
+   type :: material_t
+      character(len=:), allocatable :: name
+      !> Young's modulus [Pa] and Poisson's ratio [-]
+      real(dp) :: young = 0, poisson = 0
+      !> Electrical conductivity [S/m]; 0: no electric field in elements of this material
+      real(dp) :: conductivity = 0
+   end type material_t
+
+   type :: section_t
+      character(len=:), allocatable :: element_set
+      !> Index into `materials`
+      integer :: material = 0
+      !> Radius of the round wire that touches others [m]
+      real(dp) :: contact_radius = 0
+      !> Cross-section area [m^2]; second moments about the first and second section axis and torsion constant [m^4]
+      real(dp) :: area = 0, i2 = 0, i3 = 0, j = 0
+      !> Shear stiffnesses along the first and second section axis [N] (used by B31)
+      real(dp) :: ga2 = 0, ga3 = 0
+      !> Approximate direction of the first section axis; 0 0 0: chosen by the program
+      real(dp) :: n1(3) = 0
+      !> Conduction along the current instead of the reference length
+      logical :: current_length = .false.
+   end type section_t
+
+   !> Piecewise linear function of time; constant beyond its ends.
+   type :: amplitude_t
+      character(len=:), allocatable :: name
+      real(dp), allocatable :: time(:), factor(:)
+      !> .true.: total time, .false.: step time
+      logical :: total_time = .false.
+   end type amplitude_t
+
+   type :: interaction_t
+      character(len=:), allocatable :: name
+      integer :: normal_law = normal_hertz
+      !> Penalty stiffness of `normal_linear` [N/m]
+      real(dp) :: penalty = 0
+      !> .true.: penetration beyond the axes is accepted (soft penalties on purpose)
+      logical :: unlimited_penetration = .false.
+      integer :: spot_law = spot_none
+      !> Data of the spot law: hardness [Pa] | film resistivity [ohm m^2] | resistance [ohm] | -
+      real(dp) :: spot_value = 0
+      !> `spot_table`: forces [N], ascending, and resistances [ohm]
+      real(dp), allocatable :: table_force(:), table_resistance(:)
+      !> Interpolation of the axis that touches
+      integer :: axis = axis_hermite
+      !> Add the resistance that the linear voltage inside an element misses, theory section 7
+      logical :: voltage_correction = .true.
+   end type interaction_t
+
+   type :: contact_pair_t
+      !> Indices into `interactions` and `element_sets`; equal sets: contact within the set
+      integer :: interaction = 0, set_bar = 0, set = 0
+      !> Overlap in the reference configuration is meant
+      logical :: interference_fit = .false.
+      !> Where the pair stands in the deck, for messages
+      character(len=:), allocatable :: file
+      integer :: line = 0
+   end type contact_pair_t
+
+   !> A prescribed value or a load at one degree of freedom of one node.
+   type :: nodal_value_t
+      integer :: node = 0
+      !> 1-6 or `dof_potential`
+      integer :: dof = 0
+      real(dp) :: value = 0
+      !> Index into `amplitudes`; 0: ramp over the step
+      integer :: amplitude = 0
+   end type nodal_value_t
+
+   !> A line of *NODE PRINT, *EL PRINT, *CONTACT PRINT or *ELECTRODE PRINT.
+   type :: output_request_t
+      integer :: kind = request_node
+      !> Set the request is for (index into node or element sets); electrodes: the positive one
+      integer :: set = 0
+      !> Electrodes: the negative one
+      integer :: set_2 = 0
+      !> Names of the quantities, such as U, RF, CF, EPOT, RCURR
+      character(len=8), allocatable :: quantities(:)
+      !> .true.: the sum over the set is wanted, not every member
+      logical :: totals = .false.
+   end type output_request_t
+
+   !> *CONTROLS, with the names and meanings of CalculiX.
+   type :: controls_t
+      !> Largest residual relative to the reference flux of the field
+      real(dp) :: r_n = 1.0e-8_dp
+      !> Largest correction relative to the increment of the field; 0: not asked
+      real(dp) :: c_n = 0.0_dp
+      !> Most iterations in an increment before it is cut
+      integer :: i_c = 16
+      !> More iterations than this shrink the next increment
+      integer :: i_l = 10
+      !> Two increments with at most this many let it grow
+      integer :: i_g = 6
+      !> Factors of the increment: after a failed one, after a slow one, after quick ones
+      real(dp) :: d_f = 0.25_dp, d_b = 0.75_dp, d_d = 1.5_dp
+      !> Most cut-backs of one increment
+      integer :: i_a = 8
+      !> Largest nodal rotation in one iteration [rad]
+      real(dp) :: rotation_cap = 0.5_dp
+   end type controls_t
+
+   type :: step_t
+      character(len=:), allocatable :: title
+      logical :: nlgeom = .true.
+      integer :: max_increments = 100
+      !> First, total, smallest and largest increment of time
+      real(dp) :: first = 1, total = 1, smallest = 1.0e-5_dp, largest = 1
+      !> *STATIC, DIRECT: increments of fixed size
+      logical :: direct = .false.
+      !> Prescribed values and loads as they stand in this step, all earlier ones carried over
+      type(nodal_value_t), allocatable :: boundary(:), load(:), current(:)
+      !> Carried over, as Abaqus does, unless the step asks anew
+      type(output_request_t), allocatable :: requests(:)
+      type(controls_t) :: controls
+      integer :: solver = solver_block, coupling = coupling_default
+   end type step_t
+
+   type :: model_t
+      character(len=:), allocatable :: heading
+      !> The deck as it was read, all included files in place
+      character(len=:), allocatable :: deck_text
+      integer :: n_nodes = 0, n_elements = 0
+      integer, allocatable :: node_id(:)
+      !> Reference positions (3, n_nodes) [m]
+      real(dp), allocatable :: x(:, :)
+      integer, allocatable :: element_id(:)
+      !> `element_b31` or `element_b33` (n_elements)
+      integer, allocatable :: element_type(:)
+      !> Node indices (2, n_elements)
+      integer, allocatable :: connectivity(:, :)
+      !> Index into `sections` (n_elements)
+      integer, allocatable :: element_section(:)
+      type(named_set_t), allocatable :: node_sets(:), element_sets(:)
+      type(material_t), allocatable :: materials(:)
+      type(section_t), allocatable :: sections(:)
+      type(amplitude_t), allocatable :: amplitudes(:)
+      type(interaction_t), allocatable :: interactions(:)
+      type(contact_pair_t), allocatable :: contact_pairs(:)
+      type(step_t), allocatable :: steps(:)
+   end type model_t
+
+contains
+
+   !> Index of a set by its name (upper case); 0 when there is none.
+   pure integer function model_set_index(sets, name) result(index)
+      type(named_set_t), intent(in) :: sets(:)
+      character(len=*), intent(in) :: name
+
+      do index = 1, size(sets)
+         if (sets(index)%name == name) return
+      end do
+      index = 0
+   end function model_set_index
+
+end module litz_model

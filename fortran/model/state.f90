@@ -1,0 +1,57 @@
+!> What the analysis knows at one instant: the fields over nodes and elements, and the contacts.
+module litz_state
+   use litz_kinds, only: dp
+   implicit none
+   private
+   public :: state_t, contact_t
+
+   !> One point contact. "Barred" is the first of its two elements; the normal points from the unbarred to the barred.
+   type :: contact_t
+      !> Stays the same while the contact lives, also when it slides to another element
+      integer :: id = 0
+      !> Internal element indices, barred and unbarred, and the position in each, in [-1, 1]
+      integer :: element_bar = 0, element = 0
+      real(dp) :: xi_bar = 0, xi = 0
+      !> Index into the model's contact pairs
+      integer :: pair = 0
+      !> Angle between the axes [rad]
+      real(dp) :: angle = 0
+      !> Gap between the surfaces [m], negative in contact
+      real(dp) :: gap = 0
+      !> Unit normal, and the axis points of the barred and the unbarred wire [m]
+      real(dp) :: normal(3) = 0, point_bar(3) = 0, point(3) = 0
+      !> Contact force [N], pushing the wires apart
+      real(dp) :: force = 0
+      !> Semi-axes of the spot [m]
+      real(dp) :: semi_major = 0, semi_minor = 0
+      !> Contact resistance [ohm] (0 without a spot law), current from barred to unbarred [A], voltage across the spot [V]
+      real(dp) :: resistance = 0, current = 0, voltage_gap = 0
+      !> Heat in the spot [W]
+      real(dp) :: joule_heat = 0
+   end type contact_t
+
+   type :: state_t
+      integer :: step = 0, increment = 0, iterations = 0
+      !> Total time, time in the step, last increment of time
+      real(dp) :: time = 0, step_time = 0, time_increment = 0
+      !> Displacements (3, n_nodes) [m]
+      real(dp), allocatable :: displacement(:, :)
+      !> Rotation matrices of the nodes from the reference (3, 3, n_nodes), and their vectors (3, n_nodes) [rad]
+      real(dp), allocatable :: rotation(:, :, :), rotation_vector(:, :)
+      !> Electric potential (n_nodes) [V]; 0 where there is no such degree of freedom
+      real(dp), allocatable :: potential(:)
+      !> Reactions of supports (6, n_nodes) [N, N m]: what the support does to the structure, applied loads not included
+      real(dp), allocatable :: reaction(:, :)
+      !> Applied loads (6, n_nodes) [N, N m]
+      real(dp), allocatable :: applied_load(:, :)
+      !> Current that enters at nodes of prescribed potential, and applied current (n_nodes) [A]
+      real(dp), allocatable :: reaction_current(:), applied_current(:)
+      !> N, Q2, Q3, T, M2, M3 (6, n_elements) [N, N m]
+      real(dp), allocatable :: section_forces(:, :)
+      !> Current from first to second node (n_elements) [A], heat (n_elements) [W]
+      real(dp), allocatable :: element_current(:), joule_heat(:)
+      !> Active contacts
+      type(contact_t), allocatable :: contacts(:)
+   end type state_t
+
+end module litz_state

@@ -1,0 +1,1 @@
+"""litz: finite elements for beams in electro-mechanical contact."""
