@@ -3,6 +3,8 @@
 !> Node and element indices run from 1 without gaps; `node_id` and `element_id` hold the user's numbers.
 module litz_model
    use litz_kinds, only: dp
+   use litz_laws, only: axis_linear, axis_hermite, normal_linear, normal_hertz, spot_none, spot_paper, spot_hertz, &
+      spot_plastic, spot_film, spot_constant, spot_table
    implicit none
    private
    public :: name_length
@@ -23,14 +25,6 @@ module litz_model
 
    !> Abaqus's number of the electric potential among the degrees of freedom of a node (1-3 u, 4-6 rotation)
    integer, parameter :: dof_potential = 9
-
-   !> Interpolation of the contact axis, theory section 3
-   integer, parameter :: axis_linear = 1, axis_hermite = 2
-   !> Normal contact laws
-   integer, parameter :: normal_linear = 1, normal_hertz = 2
-   !> Contact-spot laws, force -> spot -> conductance; `spot_none`: no current crosses the contact
-   integer, parameter :: spot_none = 0, spot_paper = 1, spot_hertz = 2, spot_plastic = 3, spot_film = 4, &
-      spot_constant = 5, spot_table = 6
 
    integer, parameter :: solver_block = 1, solver_umfpack = 2, solver_skyline = 3
    integer, parameter :: coupling_default = 0, coupling_monolithic = 1, coupling_updated = 2
