@@ -1,0 +1,122 @@
+"""Runs the Fortran program from Python; its exit codes become exceptions that carry its own message."""
+
+import os
+import subprocess
+import sys
+import tempfile
+from importlib.resources import files
+from pathlib import Path
+
+
+class LitzError(Exception):
+    """The program ended with an error; `str(error)` is the program's own message.
+
+    `exit_code` is the program's exit code, `results_path` the result file as far as it was written (or None).
+    """
+
+    exit_code = 5
+
+    def __init__(self, message, results_path=None):
+        super().__init__(message)
+        self.results_path = results_path
+
+
+class InputError(LitzError):
+    """Something in the deck or in the arguments is wrong."""
+
+    exit_code = 1
+
+
+class NotConvergedError(LitzError):
+    """The Newton iteration gave up; the increments before it are in the result file."""
+
+    exit_code = 2
+
+
+class SolverError(LitzError):
+    """The linear equations have no solution."""
+
+    exit_code = 3
+
+
+class FileError(LitzError):
+    """A file could not be read or written."""
+
+    exit_code = 4
+
+
+class InternalError(LitzError):
+    """A defect of the program."""
+
+    exit_code = 5
+
+
+_ERRORS = {error.exit_code: error for error in (InputError, NotConvergedError, SolverError, FileError, InternalError)}
+
+
+def program_path():
+    """The Fortran program: the one the environment variable LITZ_PROGRAM names, or the one in this package."""
+    named = os.environ.get("LITZ_PROGRAM")
+    program = Path(named) if named else Path(str(files("litz") / "_bin" / "litz"))
+    if not os.access(program, os.X_OK):
+        where = "the environment variable LITZ_PROGRAM names it" if named else "reinstall litz, or set LITZ_PROGRAM"
+        raise FileError(f"the program litz is not at {program} ({where})")
+    return program
+
+
+def run(deck, *, output_directory=".", solver=None, threads=None, quiet=True):
+    """Run a deck and return its `litz.Results`.
+
+    deck              path of the .inp file
+    output_directory  where the result files go; made when it is not there
+    solver            "block", "umfpack" or "skyline" in place of what the deck says
+    threads           number of threads
+    quiet             False: print what the program prints, as it comes
+
+    Raises `InputError`, `NotConvergedError`, `SolverError`, `FileError` or `InternalError`, all of them `LitzError`.
+    """
+    deck, output_directory = Path(deck), Path(output_directory)
+    command = [program_path(), "run", deck, "-o", output_directory]
+    if solver is not None:
+        command += ["--solver", str(solver)]
+    if threads is not None:
+        command += ["--threads", str(threads)]
+
+    exit_code, printed, message = _call(command, quiet)
+    results_path = output_directory / (deck.stem + ".vtkhdf")
+    if exit_code != 0:
+        error = _ERRORS.get(exit_code, InternalError)
+        if exit_code < 0:
+            message += f"the program was ended by signal {-exit_code}\n"
+        raise error((message or printed).rstrip(), results_path if results_path.exists() else None)
+
+    from .results import Results
+
+    return Results(results_path)
+
+
+def _call(command, quiet):
+    """Exit code, standard output and standard error of a command; the output is passed on line by line if wanted."""
+    printed = []
+    with tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace") as messages:
+        process = subprocess.Popen(
+            [str(word) for word in command],
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=messages,
+            encoding="utf-8",
+            errors="replace",
+        )
+        try:
+            for line in process.stdout:
+                printed.append(line)
+                if not quiet:
+                    sys.stdout.write(line)
+                    sys.stdout.flush()
+            exit_code = process.wait()
+        finally:
+            process.stdout.close()
+            process.kill()
+            process.wait()
+        messages.seek(0)
+        return exit_code, "".join(printed), messages.read()
