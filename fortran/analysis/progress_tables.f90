@@ -1,0 +1,108 @@
+!> The tables of a run's progress: `.cvg`, a line per iteration, and `.sta`, a line per increment.
+!>
+!> The first line names the columns, with units in brackets; blanks separate the columns, the remark comes last.
+module litz_progress_tables
+   use litz_kinds, only: dp
+   use litz_errors, only: error_t
+   use litz_model, only: model_t
+   use litz_output_files, only: text_file_t
+   implicit none
+   private
+   public :: iteration_report_t, increment_report_t
+   public :: iteration_header, iteration_line, increment_header, increment_line
+   public :: n_fields, field_force, field_moment, field_current
+
+   !> The three fields of the equilibrium, each with its own norm and tolerance
+   integer, parameter :: n_fields = 3, field_force = 1, field_moment = 2, field_current = 3
+
+   !> One Newton iteration.
+   type :: iteration_report_t
+      integer :: step = 0, increment = 0
+      !> 1 for the first try of the increment, one more after each cut-back
+      integer :: attempt = 1
+      integer :: iteration = 0
+      !> Residual norms and their allowed values: force [N], moment [N m], current [A]
+      real(dp) :: residual(n_fields) = 0, allowed(n_fields) = 0
+      !> Largest corrections: displacement [m], rotation [rad], potential [V]
+      real(dp) :: correction(n_fields) = 0
+      !> The nodes where they are (internal indices; 0: none)
+      integer :: correction_node(n_fields) = 0
+      integer :: contacts_active = 0, contacts_new = 0, contacts_lost = 0
+      !> Worst penetration [m], positive
+      real(dp) :: penetration = 0
+   end type iteration_report_t
+
+   !> One increment, converged or given up.
+   type :: increment_report_t
+      integer :: step = 0, increment = 0
+      !> Tries, 1 more than cut-backs; iterations of the last try
+      integer :: attempts = 1, iterations = 0
+      real(dp) :: time = 0, step_time = 0, time_increment = 0
+      !> Last residual norms: force [N], moment [N m], current [A]
+      real(dp) :: residual(n_fields) = 0
+      !> Negative pivots of the last factorisation; -1: not known
+      integer :: negative_pivots = -1
+      integer :: contacts = 0
+      !> What is worth knowing, such as why the increment was cut
+      character(len=:), allocatable :: remark
+   end type increment_report_t
+
+contains
+
+   pure function iteration_header() result(line)
+      character(len=:), allocatable :: line
+      character(len=512) :: buffer
+
+      write (buffer, '(a5, a6, a4, a5, 3(a13, a17), 3(a17, a10), a8, 2a6, a16)') &
+         'step', 'inc', 'att', 'iter', 'force[N]', 'force_allowed', 'moment[Nm]', 'moment_allowed', &
+         'current[A]', 'current_allowed', 'displacement[m]', 'node_u', 'rotation[rad]', 'node_phi', &
+         'potential[V]', 'node_V', 'active', 'new', 'lost', 'penetration[m]'
+      line = trim(buffer)
+   end function iteration_header
+
+   pure function iteration_line(model, report) result(line)
+      type(model_t), intent(in) :: model
+      type(iteration_report_t), intent(in) :: report
+      character(len=:), allocatable :: line
+      character(len=512) :: buffer
+      integer :: i
+
+      write (buffer, '(i5, i6, i4, i5, 3(es13.3e3, es17.3e3), 3(es17.3e3, i10), i8, 2i6, es16.3e3)') &
+         report%step, report%increment, report%attempt, report%iteration, &
+         (report%residual(i), report%allowed(i), i=1, n_fields), &
+         (report%correction(i), user_id(model, report%correction_node(i)), i=1, n_fields), &
+         report%contacts_active, report%contacts_new, report%contacts_lost, report%penetration
+      line = trim(buffer)
+   end function iteration_line
+
+   pure function increment_header() result(line)
+      character(len=:), allocatable :: line
+      character(len=512) :: buffer
+
+      write (buffer, '(a5, a6, a5, a6, 3a15, 3a13, 2a10, 2x, a)') &
+         'step', 'inc', 'att', 'iters', 'time[s]', 'step_time[s]', 'increment[s]', &
+         'force[N]', 'moment[Nm]', 'current[A]', 'neg_piv', 'contacts', 'remark'
+      line = trim(buffer)
+   end function increment_header
+
+   pure function increment_line(report) result(line)
+      type(increment_report_t), intent(in) :: report
+      character(len=:), allocatable :: line
+      character(len=512) :: buffer
+
+      write (buffer, '(i5, i6, i5, i6, 3es15.7, 3es13.3e3, 2i10)') &
+         report%step, report%increment, report%attempts, report%iterations, &
+         report%time, report%step_time, report%time_increment, report%residual, report%negative_pivots, report%contacts
+      line = trim(buffer)
+      if (allocated(report%remark)) line = trim(line//'  '//report%remark)
+   end function increment_line
+
+   pure integer function user_id(model, node)
+      type(model_t), intent(in) :: model
+      integer, intent(in) :: node
+
+      user_id = 0
+      if (node > 0) user_id = model%node_id(node)
+   end function user_id
+
+end module litz_progress_tables

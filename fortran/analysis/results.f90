@@ -1,0 +1,136 @@
+!> All files of a run, behind one type: open, a call per iteration and per increment, close.
+!>
+!>     STEM.vtkhdf              fields over wires            STEM_history.csv   what the deck asked for, over time
+!>     STEM_contacts.vtkhdf     the contacts as points       STEM.sta           a line per increment
+!>     STEM_contacts.csv        the contacts as a table      STEM.cvg           a line per iteration
+!>
+!> Files of an earlier run are replaced when all six can be written, and none of them otherwise.
+module litz_results
+   use litz_errors, only: error_t
+   use litz_model, only: model_t
+   use litz_state, only: state_t
+   use litz_output_files, only: text_file_t, make_directory, check_writable
+   use litz_wire_results, only: wire_results_t
+   use litz_contact_ledger, only: contact_ledger_t
+   use litz_history, only: history_t
+   use litz_progress_tables, only: iteration_report_t, increment_report_t, iteration_header, iteration_line, &
+      increment_header, increment_line
+   implicit none
+   private
+   public :: results_t, iteration_report_t, increment_report_t
+
+   character(len=*), parameter :: endings(6) = [character(len=16) :: '.vtkhdf', '_contacts.vtkhdf', '_contacts.csv', &
+      '_history.csv', '.sta', '.cvg']
+
+   type :: results_t
+      type(wire_results_t), private :: wires
+      type(contact_ledger_t), private :: ledger
+      type(history_t), private :: history
+      type(text_file_t), private :: history_file, status_file, convergence_file
+   contains
+      procedure :: open => results_open
+      procedure :: write_iteration => results_write_iteration
+      procedure :: write_status => results_write_status
+      procedure :: write_increment => results_write_increment
+      procedure :: close => results_close
+   end type results_t
+
+contains
+
+   !> Begins all files, in a directory that is made where it does not exist.
+   subroutine results_open(self, model, output_directory, stem, error)
+      class(results_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      !> Empty: the current directory
+      character(len=*), intent(in) :: output_directory
+      !> Name of the deck without directory and ending
+      character(len=*), intent(in) :: stem
+      type(error_t), allocatable, intent(out) :: error
+      type(error_t), allocatable :: ignored
+      character(len=:), allocatable :: base
+      integer :: i
+
+      base = trim(stem)
+      if (len_trim(output_directory) > 0) then
+         call make_directory(trim(output_directory), error)
+         base = trim(output_directory)//'/'//base
+      end if
+      do i = 1, size(endings)
+         call check_writable(base//trim(endings(i)), error)
+      end do
+      call self%history%build(model, error)
+      call self%wires%open(model, base//'.vtkhdf', error)
+      call self%ledger%open(base//'_contacts.csv', base//'_contacts.vtkhdf', error)
+      call begin_table(self%history_file, base//'_history.csv', self%history%header(), error)
+      call begin_table(self%status_file, base//'.sta', increment_header(), error)
+      call begin_table(self%convergence_file, base//'.cvg', iteration_header(), error)
+      if (allocated(error)) call close_files(self, .false., ignored)
+   end subroutine results_open
+
+   subroutine begin_table(file, path, header, error)
+      type(text_file_t), intent(inout) :: file
+      character(len=*), intent(in) :: path, header
+      type(error_t), allocatable, intent(inout) :: error
+
+      call file%create(path, error)
+      call file%write_line(header, error)
+      call file%flush(error)
+   end subroutine begin_table
+
+   !> A line of the .cvg file.
+   subroutine results_write_iteration(self, model, report, error)
+      class(results_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      type(iteration_report_t), intent(in) :: report
+      type(error_t), allocatable, intent(out) :: error
+
+      call self%convergence_file%write_line(iteration_line(model, report), error)
+      call self%convergence_file%flush(error)
+   end subroutine results_write_iteration
+
+   !> A line of the .sta file.
+   subroutine results_write_status(self, report, error)
+      class(results_t), intent(inout) :: self
+      type(increment_report_t), intent(in) :: report
+      type(error_t), allocatable, intent(out) :: error
+
+      call self%status_file%write_line(increment_line(report), error)
+      call self%status_file%flush(error)
+   end subroutine results_write_status
+
+   !> Fields, contacts and history of a converged increment.
+   subroutine results_write_increment(self, model, state, error)
+      class(results_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      type(state_t), intent(in) :: state
+      type(error_t), allocatable, intent(out) :: error
+
+      call self%history_file%write_line(self%history%line(state), error)
+      call self%history_file%flush(error)
+      call self%ledger%write_table(model, state, error)
+      call self%ledger%write_points(model, state, error)
+      call self%wires%write(model, state, error)
+   end subroutine results_write_increment
+
+   !> Closes all files, also after an error; the result files note whether the run came to its end.
+   subroutine results_close(self, finished, error)
+      class(results_t), intent(inout) :: self
+      logical, intent(in) :: finished
+      type(error_t), allocatable, intent(out) :: error
+
+      call close_files(self, finished, error)
+   end subroutine results_close
+
+   subroutine close_files(self, finished, error)
+      class(results_t), intent(inout) :: self
+      logical, intent(in) :: finished
+      type(error_t), allocatable, intent(inout) :: error
+
+      call self%history_file%close(error)
+      call self%status_file%close(error)
+      call self%convergence_file%close(error)
+      call self%ledger%close(finished, error)
+      call self%wires%close(finished, error)
+   end subroutine close_files
+
+end module litz_results

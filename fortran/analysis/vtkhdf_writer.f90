@@ -1,0 +1,299 @@
+!> A time series of an unstructured grid in the VTKHDF format, version 2, that ParaView and pyvista read.
+!>
+!> Order of calls: `create`, `add_field` for each field, then for each step `write_cells` (once, if the cells stay the
+!> same), `write_points`, `write_field` for each field, `end_step`; at last `close`. A field that is not written at a
+!> step keeps its values. After `end_step` the file on the disk is complete up to that step, whatever happens to the
+!> program.
+!>
+!> Errors are passed through as in `litz_hdf5_helpers`.
+module litz_vtkhdf_writer
+   use litz_kinds, only: dp, int64
+   use litz_errors, only: error_t, fail, exit_internal
+   use litz_hdf5_helpers, only: hid_t, hdf5_rows_t, hdf5_real, hdf5_integer, hdf5_byte, hdf5_start, hdf5_create_file, &
+      hdf5_create_group, hdf5_flush, hdf5_close_file, hdf5_write_attribute
+   implicit none
+   private
+   public :: vtkhdf_file_t, vtkhdf_field_t
+   public :: on_points, on_cells
+   public :: vtk_vertex, vtk_line
+
+   integer, parameter :: on_points = 1, on_cells = 2
+   !> VTK's numbers of the cell types
+   integer, parameter :: vtk_vertex = 1, vtk_line = 3
+
+   !> A field over points or cells.
+   type :: vtkhdf_field_t
+      character(len=:), allocatable :: name
+      !> `on_points` or `on_cells`
+      integer :: place = on_points
+      !> 1 or 3 numbers
+      integer :: components = 1
+      character(len=:), allocatable :: unit, description
+      !> Integers instead of reals
+      logical :: is_integer = .false.
+      type(hdf5_rows_t), private :: rows, offsets
+      !> First row of the values that hold at the present step
+      integer(int64), private :: start = 0
+   end type vtkhdf_field_t
+
+   type :: vtkhdf_file_t
+      character(len=:), allocatable :: path
+      integer(hid_t) :: file = -1
+      integer :: n_steps = 0
+      integer(hid_t), private :: root = -1, steps = -1
+      integer(hid_t), private :: data_group(2) = -1, offset_group(2) = -1
+      type(vtkhdf_field_t), allocatable, private :: fields(:)
+      !> The mesh: points, and for each part (a set of cells) its sizes
+      type(hdf5_rows_t), private :: points, connectivity, cell_offsets, cell_types
+      type(hdf5_rows_t), private :: part_points, part_cells, part_connectivity
+      !> One row per step
+      type(hdf5_rows_t), private :: times, step_part, step_n_parts, step_points, step_cells, step_connectivity
+      !> First rows of the present step's points and of the last part's cells
+      integer(int64), private :: start_points = 0, start_cells = 0, start_connectivity = 0
+   contains
+      procedure :: create => vtkhdf_create
+      procedure :: add_field => vtkhdf_add_field
+      procedure :: write_cells => vtkhdf_write_cells
+      procedure :: write_points => vtkhdf_write_points
+      procedure, private :: write_field_real => vtkhdf_write_field_real
+      procedure, private :: write_field_scalar => vtkhdf_write_field_scalar
+      procedure, private :: write_field_integer => vtkhdf_write_field_integer
+      generic :: write_field => write_field_real, write_field_scalar, write_field_integer
+      procedure :: end_step => vtkhdf_end_step
+      procedure :: close => vtkhdf_close
+   end type vtkhdf_file_t
+
+contains
+
+   !> Begins the file anew with the groups and the datasets of the mesh.
+   subroutine vtkhdf_create(self, path, expected_points, expected_cells, error)
+      class(vtkhdf_file_t), intent(inout) :: self
+      character(len=*), intent(in) :: path
+      !> Usual numbers in a step: a guide for the layout of the file
+      integer, intent(in) :: expected_points, expected_cells
+      type(error_t), allocatable, intent(inout) :: error
+
+      if (allocated(error)) return
+      self%path = path
+      self%n_steps = 0
+      allocate (self%fields(0))
+      call hdf5_start(error)
+      call hdf5_create_file(path, self%file, error)
+      call hdf5_create_group(self%file, 'VTKHDF', self%root, error)
+      call hdf5_write_attribute(self%root, 'Version', [2, 0], error)
+      call hdf5_write_attribute(self%root, 'Type', 'UnstructuredGrid', error)
+      call hdf5_create_group(self%root, 'PointData', self%data_group(on_points), error)
+      call hdf5_create_group(self%root, 'CellData', self%data_group(on_cells), error)
+      call self%points%create(self%root, 'Points', 3, hdf5_real, expected_points, error)
+      call self%connectivity%create(self%root, 'Connectivity', 1, hdf5_integer, 2*expected_cells, error)
+      call self%cell_offsets%create(self%root, 'Offsets', 1, hdf5_integer, expected_cells + 1, error)
+      call self%cell_types%create(self%root, 'Types', 1, hdf5_byte, expected_cells, error)
+      call self%part_points%create(self%root, 'NumberOfPoints', 1, hdf5_integer, 1, error)
+      call self%part_cells%create(self%root, 'NumberOfCells', 1, hdf5_integer, 1, error)
+      call self%part_connectivity%create(self%root, 'NumberOfConnectivityIds', 1, hdf5_integer, 1, error)
+      call create_steps(self, error)
+      call name_file(self, error)
+   end subroutine vtkhdf_create
+
+   subroutine create_steps(self, error)
+      type(vtkhdf_file_t), intent(inout) :: self
+      type(error_t), allocatable, intent(inout) :: error
+
+      call hdf5_create_group(self%root, 'Steps', self%steps, error)
+      call hdf5_write_attribute(self%steps, 'NSteps', 0, error)
+      call hdf5_create_group(self%steps, 'PointDataOffsets', self%offset_group(on_points), error)
+      call hdf5_create_group(self%steps, 'CellDataOffsets', self%offset_group(on_cells), error)
+      call self%times%create(self%steps, 'Values', 1, hdf5_real, 1, error)
+      call self%step_part%create(self%steps, 'PartOffsets', 1, hdf5_integer, 1, error)
+      call self%step_n_parts%create(self%steps, 'NumberOfParts', 1, hdf5_integer, 1, error)
+      call self%step_points%create(self%steps, 'PointOffsets', 1, hdf5_integer, 1, error)
+      call self%step_cells%create(self%steps, 'CellOffsets', 1, hdf5_integer, 1, error)
+      call self%step_connectivity%create(self%steps, 'ConnectivityIdOffsets', 1, hdf5_integer, 1, error)
+   end subroutine create_steps
+
+   !> Declares a field; its unit, description and components become attributes of its dataset.
+   subroutine vtkhdf_add_field(self, place, name, components, unit, description, expected_rows, error, is_integer)
+      class(vtkhdf_file_t), intent(inout) :: self
+      !> `on_points` or `on_cells`
+      integer, intent(in) :: place
+      character(len=*), intent(in) :: name
+      !> 1 (a scalar) or 3 (a vector)
+      integer, intent(in) :: components
+      character(len=*), intent(in) :: unit, description
+      !> Usual number of points or cells in a step
+      integer, intent(in) :: expected_rows
+      type(error_t), allocatable, intent(inout) :: error
+      logical, intent(in), optional :: is_integer
+      type(vtkhdf_field_t) :: field
+
+      if (allocated(error)) return
+      field%name = name
+      field%place = place
+      field%components = components
+      field%unit = unit
+      field%description = description
+      if (present(is_integer)) field%is_integer = is_integer
+      call field%rows%create(self%data_group(place), name, components, merge(hdf5_integer, hdf5_real, field%is_integer), &
+         expected_rows, error)
+      if (.not. allocated(error)) call describe(field, error)
+      call field%offsets%create(self%offset_group(place), name, 1, hdf5_integer, 1, error)
+      self%fields = [self%fields, field]
+      call name_file(self, error)
+   end subroutine vtkhdf_add_field
+
+   subroutine describe(field, error)
+      type(vtkhdf_field_t), intent(in) :: field
+      type(error_t), allocatable, intent(inout) :: error
+
+      call hdf5_write_attribute(field%rows%dataset, 'unit', field%unit, error)
+      call hdf5_write_attribute(field%rows%dataset, 'description', field%description, error)
+      if (field%components == 3) then
+         call hdf5_write_attribute(field%rows%dataset, 'components', 'x, y, z', error)
+      else
+         call hdf5_write_attribute(field%rows%dataset, 'components', 'scalar', error)
+      end if
+   end subroutine describe
+
+   !> The cells from this step on.
+   subroutine vtkhdf_write_cells(self, cell_type, connectivity, n_points, error)
+      class(vtkhdf_file_t), intent(inout) :: self
+      !> `vtk_vertex` or `vtk_line`
+      integer, intent(in) :: cell_type
+      !> (points of a cell, cells), counted from 1
+      integer, intent(in) :: connectivity(:, :)
+      !> Points that belong to the cells
+      integer, intent(in) :: n_points
+      type(error_t), allocatable, intent(inout) :: error
+      integer(int64), allocatable :: flat(:, :)
+      integer :: n_cells, i
+
+      if (allocated(error)) return
+      n_cells = size(connectivity, 2)
+      self%start_cells = self%cell_types%n_rows
+      self%start_connectivity = self%connectivity%n_rows
+      allocate (flat(1, size(connectivity)))
+      flat(1, :) = reshape(connectivity, [size(connectivity)]) - 1
+      call self%connectivity%append(flat, error)
+      flat = reshape([(int(i*size(connectivity, 1), int64), i=0, n_cells)], [1, n_cells + 1])
+      call self%cell_offsets%append(flat, error)
+      flat = reshape([(int(cell_type, int64), i=1, n_cells)], [1, n_cells])
+      call self%cell_types%append(flat, error)
+      call self%part_points%append(int(n_points, int64), error)
+      call self%part_cells%append(int(n_cells, int64), error)
+      call self%part_connectivity%append(size(connectivity, kind=int64), error)
+      call name_file(self, error)
+   end subroutine vtkhdf_write_cells
+
+   !> The positions of this step's points.
+   subroutine vtkhdf_write_points(self, points, error)
+      class(vtkhdf_file_t), intent(inout) :: self
+      !> (3, points) [m]
+      real(dp), intent(in) :: points(:, :)
+      type(error_t), allocatable, intent(inout) :: error
+
+      if (allocated(error)) return
+      self%start_points = self%points%n_rows
+      call self%points%append(points, error)
+      call name_file(self, error)
+   end subroutine vtkhdf_write_points
+
+   !> A vector field at this step.
+   subroutine vtkhdf_write_field_real(self, name, values, error)
+      class(vtkhdf_file_t), intent(inout) :: self
+      character(len=*), intent(in) :: name
+      !> (components, points or cells)
+      real(dp), intent(in) :: values(:, :)
+      type(error_t), allocatable, intent(inout) :: error
+      integer :: i
+
+      call find_field(self, name, i, error)
+      if (allocated(error)) return
+      self%fields(i)%start = self%fields(i)%rows%n_rows
+      call self%fields(i)%rows%append(values, error)
+      call name_file(self, error)
+   end subroutine vtkhdf_write_field_real
+
+   !> A scalar field at this step.
+   subroutine vtkhdf_write_field_scalar(self, name, values, error)
+      class(vtkhdf_file_t), intent(inout) :: self
+      character(len=*), intent(in) :: name
+      !> One value per point or cell
+      real(dp), intent(in) :: values(:)
+      type(error_t), allocatable, intent(inout) :: error
+
+      call self%write_field(name, reshape(values, [1, size(values)]), error)
+   end subroutine vtkhdf_write_field_scalar
+
+   !> A field of integers at this step.
+   subroutine vtkhdf_write_field_integer(self, name, values, error)
+      class(vtkhdf_file_t), intent(inout) :: self
+      character(len=*), intent(in) :: name
+      !> One value per point or cell
+      integer, intent(in) :: values(:)
+      type(error_t), allocatable, intent(inout) :: error
+      integer :: i
+
+      call find_field(self, name, i, error)
+      if (allocated(error)) return
+      self%fields(i)%start = self%fields(i)%rows%n_rows
+      call self%fields(i)%rows%append(reshape(int(values, int64), [1, size(values)]), error)
+      call name_file(self, error)
+   end subroutine vtkhdf_write_field_integer
+
+   !> Completes the step: its offsets, then its data to the disk, and only then the number of steps.
+   subroutine vtkhdf_end_step(self, time, error)
+      class(vtkhdf_file_t), intent(inout) :: self
+      real(dp), intent(in) :: time
+      type(error_t), allocatable, intent(inout) :: error
+      integer :: i
+
+      if (allocated(error)) return
+      call self%times%append(reshape([time], [1, 1]), error)
+      call self%step_part%append(self%part_cells%n_rows - 1_int64, error)
+      call self%step_n_parts%append(1_int64, error)
+      call self%step_points%append(self%start_points, error)
+      call self%step_cells%append(self%start_cells, error)
+      call self%step_connectivity%append(self%start_connectivity, error)
+      do i = 1, size(self%fields)
+         call self%fields(i)%offsets%append(self%fields(i)%start, error)
+      end do
+      call hdf5_flush(self%file, error)
+      if (.not. allocated(error)) self%n_steps = self%n_steps + 1
+      call hdf5_write_attribute(self%steps, 'NSteps', self%n_steps, error)
+      call hdf5_flush(self%file, error)
+      call name_file(self, error)
+   end subroutine vtkhdf_end_step
+
+   subroutine vtkhdf_close(self, error)
+      class(vtkhdf_file_t), intent(inout) :: self
+      type(error_t), allocatable, intent(inout) :: error
+      logical :: known
+
+      known = allocated(error)
+      call hdf5_close_file(self%file, error)
+      if (.not. known) call name_file(self, error)
+   end subroutine vtkhdf_close
+
+   !> Index of a declared field; asking for another is a mistake of the program, not of its user.
+   pure subroutine find_field(self, name, i, error)
+      class(vtkhdf_file_t), intent(in) :: self
+      character(len=*), intent(in) :: name
+      integer, intent(out) :: i
+      type(error_t), allocatable, intent(inout) :: error
+
+      do i = 1, size(self%fields)
+         if (self%fields(i)%name == name) return
+      end do
+      if (.not. allocated(error)) error = fail(exit_internal, 'the field "'//name//'" is written but was not declared')
+   end subroutine find_field
+
+   !> Puts the file into a message that does not name it yet.
+   pure subroutine name_file(self, error)
+      class(vtkhdf_file_t), intent(in) :: self
+      type(error_t), allocatable, intent(inout) :: error
+
+      if (.not. allocated(error)) return
+      if (index(error%message, self%path) == 0) error%message = 'result file "'//self%path//'": '//error%message
+   end subroutine name_file
+
+end module litz_vtkhdf_writer

@@ -1,0 +1,267 @@
+!> The result file of the wires: which fields it holds, and how they come out of the state.
+!>
+!> The points are the current positions, so that the wires and the contacts of `litz_contact_ledger` lie on each other
+!> without a filter; the reference positions are a field.
+module litz_wire_results
+   use litz_kinds, only: dp, pi
+   use litz_errors, only: error_t
+   use litz_model, only: model_t, section_t, named_set_t
+   use litz_state, only: state_t
+   use litz_version, only: version
+   use litz_hdf5_helpers, only: hid_t, hdf5_rows_t, hdf5_real, hdf5_integer, hdf5_create_group, hdf5_flush, &
+      hdf5_write_attribute, hdf5_write_text
+   use litz_vtkhdf_writer, only: vtkhdf_file_t, on_points, on_cells, vtk_line
+   implicit none
+   private
+   public :: wire_results_t, format_version
+
+   !> Of what stands in /litz; the layout of /VTKHDF has its own number
+   integer, parameter :: format_version = 1
+
+   character(len=*), parameter :: unit_system = 'SI (m, N, s, V, A, W, rad), or the consistent set the deck is written in'
+   character(len=*), parameter :: section_force_names(6) = [character(len=16) :: 'axial_force', 'shear_force_2', &
+      'shear_force_3', 'torsion_moment', 'bending_moment_2', 'bending_moment_3']
+   character(len=*), parameter :: section_force_texts(6) = [character(len=48) :: 'axial force N, tension positive', &
+      'shear force Q2 along the first section axis', 'shear force Q3 along the second section axis', &
+      'torsion moment T', 'bending moment M2 about the first section axis', &
+      'bending moment M3 about the second section axis']
+   character(len=*), parameter :: table_names(6) = [character(len=14) :: 'step', 'increment', 'iterations', 'time', &
+      'step_time', 'time_increment']
+
+   type :: wire_results_t
+      type(vtkhdf_file_t), private :: file
+      integer(hid_t), private :: litz_group = -1
+      !> A row per written increment, in the order of `table_names`
+      type(hdf5_rows_t), private :: tables(6)
+   contains
+      procedure :: open => wire_results_open
+      procedure :: write => wire_results_write
+      procedure :: close => wire_results_close
+   end type wire_results_t
+
+contains
+
+   !> Begins the file: the mesh, what does not change over time, and the deck.
+   subroutine wire_results_open(self, model, path, error)
+      class(wire_results_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      character(len=*), intent(in) :: path
+      type(error_t), allocatable, intent(inout) :: error
+
+      call self%file%create(path, model%n_nodes, model%n_elements, error)
+      call self%file%write_cells(vtk_line, model%connectivity, model%n_nodes, error)
+      call add_point_fields(self%file, model%n_nodes, error)
+      call add_cell_fields(self%file, model%n_elements, error)
+      call write_static_fields(self%file, model, error)
+      call write_origin(self, model, error)
+      call write_sets(self%litz_group, 'node_sets', model%node_sets, model%node_id, error)
+      call write_sets(self%litz_group, 'element_sets', model%element_sets, model%element_id, error)
+      call hdf5_flush(self%file%file, error)
+   end subroutine wire_results_open
+
+   subroutine add_point_fields(file, n, error)
+      type(vtkhdf_file_t), intent(inout) :: file
+      !> Number of nodes
+      integer, intent(in) :: n
+      type(error_t), allocatable, intent(inout) :: error
+
+      call file%add_field(on_points, 'displacement', 3, 'm', 'displacement from the reference position', n, error)
+      call file%add_field(on_points, 'rotation', 3, 'rad', 'rotation vector from the reference', n, error)
+      call file%add_field(on_points, 'potential', 1, 'V', 'electric potential', n, error)
+      call file%add_field(on_points, 'reaction_force', 3, 'N', &
+         'force of the supports on the structure, applied loads not included', n, error)
+      call file%add_field(on_points, 'reaction_moment', 3, 'N m', &
+         'moment of the supports on the structure, applied loads not included', n, error)
+      call file%add_field(on_points, 'applied_force', 3, 'N', 'applied load', n, error)
+      call file%add_field(on_points, 'applied_moment', 3, 'N m', 'applied moment', n, error)
+      call file%add_field(on_points, 'reaction_current', 1, 'A', &
+         'current that enters where the potential is prescribed', n, error)
+      call file%add_field(on_points, 'applied_current', 1, 'A', 'applied current, positive into the body', n, error)
+      call file%add_field(on_points, 'reference_position', 3, 'm', 'position before any deformation', n, error)
+      call file%add_field(on_points, 'node_id', 1, '1', 'number of the node in the deck', n, error, &
+         is_integer=.true.)
+   end subroutine add_point_fields
+
+   subroutine add_cell_fields(file, n, error)
+      type(vtkhdf_file_t), intent(inout) :: file
+      !> Number of elements
+      integer, intent(in) :: n
+      type(error_t), allocatable, intent(inout) :: error
+      integer :: i
+
+      do i = 1, 6
+         call file%add_field(on_cells, trim(section_force_names(i)), 1, trim(merge('N  ', 'N m', i <= 3)), &
+            trim(section_force_texts(i)), n, error)
+      end do
+      call file%add_field(on_cells, 'element_current', 1, 'A', 'current from the first to the second node', n, error)
+      call file%add_field(on_cells, 'current_density', 1, 'A/m^2', &
+         'current per area of the cross-section, from the first to the second node', n, error)
+      call file%add_field(on_cells, 'joule_heat', 1, 'W', 'heat from the current in the element', n, error)
+      call file%add_field(on_cells, 'radius', 1, 'm', &
+         'radius that touches other wires; without one, that of a circle with the area of the section', n, error)
+      call file%add_field(on_cells, 'element_id', 1, '1', 'number of the element in the deck', n, error, &
+         is_integer=.true.)
+      call file%add_field(on_cells, 'section', 1, '1', 'number of the *BEAM SECTION in the deck, from 1', n, error, &
+         is_integer=.true.)
+   end subroutine add_cell_fields
+
+   subroutine write_static_fields(file, model, error)
+      type(vtkhdf_file_t), intent(inout) :: file
+      type(model_t), intent(in) :: model
+      type(error_t), allocatable, intent(inout) :: error
+      integer :: i
+
+      call file%write_field('reference_position', model%x, error)
+      call file%write_field('node_id', model%node_id, error)
+      call file%write_field('radius', [(drawn_radius(model%sections(model%element_section(i))), i=1, model%n_elements)], &
+         error)
+      call file%write_field('element_id', model%element_id, error)
+      call file%write_field('section', model%element_section, error)
+   end subroutine write_static_fields
+
+   pure real(dp) function drawn_radius(section)
+      type(section_t), intent(in) :: section
+
+      drawn_radius = section%contact_radius
+      if (drawn_radius <= 0) drawn_radius = sqrt(section%area/pi)
+   end function drawn_radius
+
+   !> The group /litz: where the results come from, and the table of the increments.
+   subroutine write_origin(self, model, error)
+      class(wire_results_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      type(error_t), allocatable, intent(inout) :: error
+      integer(hid_t) :: increments
+      integer :: i
+
+      call hdf5_create_group(self%file%file, 'litz', self%litz_group, error)
+      associate (group => self%litz_group)
+         call hdf5_write_attribute(group, 'format_version', format_version, error)
+         call hdf5_write_attribute(group, 'version', version, error)
+         call hdf5_write_attribute(group, 'unit_system', unit_system, error)
+         call hdf5_write_attribute(group, 'heading', text_or_nothing(model%heading), error)
+         call hdf5_write_attribute(group, 'finished', 0, error)
+         call hdf5_write_text(group, 'deck', text_or_nothing(model%deck_text), error)
+         call hdf5_create_group(group, 'increments', increments, error)
+      end associate
+      do i = 1, 6
+         call self%tables(i)%create(increments, trim(table_names(i)), 1, merge(hdf5_integer, hdf5_real, i <= 3), 1, error)
+         call hdf5_write_attribute(self%tables(i)%dataset, 'unit', merge('1', 's', i <= 3), error)
+      end do
+   end subroutine write_origin
+
+   !> Sets as datasets of the user's numbers, by their names.
+   subroutine write_sets(parent, name, sets, ids, error)
+      integer(hid_t), intent(in) :: parent
+      character(len=*), intent(in) :: name
+      type(named_set_t), allocatable, intent(in) :: sets(:)
+      !> The user's numbers of all nodes or elements
+      integer, intent(in) :: ids(:)
+      type(error_t), allocatable, intent(inout) :: error
+      integer(hid_t) :: group
+      type(hdf5_rows_t) :: rows
+      integer :: i, n
+
+      call hdf5_create_group(parent, name, group, error)
+      if (.not. allocated(sets)) return
+      do i = 1, size(sets)
+         n = size(sets(i)%members)
+         call rows%create(group, link_name(sets(i)%name), 1, hdf5_integer, n, error)
+         call rows%append(reshape(int(ids(sets(i)%members), kind(rows%n_rows)), [1, n]), error)
+      end do
+   end subroutine write_sets
+
+   !> A slash would open a group inside HDF5.
+   pure function link_name(name) result(link)
+      character(len=*), intent(in) :: name
+      character(len=len(name)) :: link
+      integer :: i
+
+      link = name
+      do i = 1, len(name)
+         if (name(i:i) == '/') link(i:i) = '|'
+      end do
+   end function link_name
+
+   pure function text_or_nothing(text) result(copy)
+      character(len=:), allocatable, intent(in) :: text
+      character(len=:), allocatable :: copy
+
+      copy = ''
+      if (allocated(text)) copy = text
+   end function text_or_nothing
+
+   !> Adds an increment.
+   subroutine wire_results_write(self, model, state, error)
+      class(wire_results_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      type(state_t), intent(in) :: state
+      type(error_t), allocatable, intent(inout) :: error
+
+      call self%file%write_points(model%x + state%displacement, error)
+      call write_point_fields(self%file, state, error)
+      call write_cell_fields(self%file, model, state, error)
+      call write_tables(self, state, error)
+      call self%file%end_step(state%time, error)
+   end subroutine wire_results_write
+
+   subroutine write_point_fields(file, state, error)
+      type(vtkhdf_file_t), intent(inout) :: file
+      type(state_t), intent(in) :: state
+      type(error_t), allocatable, intent(inout) :: error
+
+      call file%write_field('displacement', state%displacement, error)
+      call file%write_field('rotation', state%rotation_vector, error)
+      call file%write_field('potential', state%potential, error)
+      call file%write_field('reaction_force', state%reaction(1:3, :), error)
+      call file%write_field('reaction_moment', state%reaction(4:6, :), error)
+      call file%write_field('applied_force', state%applied_load(1:3, :), error)
+      call file%write_field('applied_moment', state%applied_load(4:6, :), error)
+      call file%write_field('reaction_current', state%reaction_current, error)
+      call file%write_field('applied_current', state%applied_current, error)
+   end subroutine write_point_fields
+
+   subroutine write_cell_fields(file, model, state, error)
+      type(vtkhdf_file_t), intent(inout) :: file
+      type(model_t), intent(in) :: model
+      type(state_t), intent(in) :: state
+      type(error_t), allocatable, intent(inout) :: error
+      real(dp) :: area(model%n_elements)
+      integer :: i
+
+      area = model%sections(model%element_section)%area
+      do i = 1, 6
+         call file%write_field(trim(section_force_names(i)), state%section_forces(i, :), error)
+      end do
+      call file%write_field('element_current', state%element_current, error)
+      call file%write_field('current_density', state%element_current/area, error)
+      call file%write_field('joule_heat', state%joule_heat, error)
+   end subroutine write_cell_fields
+
+   subroutine write_tables(self, state, error)
+      class(wire_results_t), intent(inout) :: self
+      type(state_t), intent(in) :: state
+      type(error_t), allocatable, intent(inout) :: error
+      integer :: counts(3), i
+      real(dp) :: times(3)
+
+      counts = [state%step, state%increment, state%iterations]
+      times = [state%time, state%step_time, state%time_increment]
+      do i = 1, 3
+         call self%tables(i)%append(int(counts(i), kind(self%tables(i)%n_rows)), error)
+         call self%tables(3 + i)%append(reshape(times(i:i), [1, 1]), error)
+      end do
+   end subroutine write_tables
+
+   !> Closes the file, and notes whether the run came to its end.
+   subroutine wire_results_close(self, finished, error)
+      class(wire_results_t), intent(inout) :: self
+      logical, intent(in) :: finished
+      type(error_t), allocatable, intent(inout) :: error
+
+      if (self%file%file < 0) return
+      if (finished) call hdf5_write_attribute(self%litz_group, 'finished', 1, error)
+      call self%file%close(error)
+   end subroutine wire_results_close
+
+end module litz_wire_results

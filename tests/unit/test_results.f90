@@ -1,0 +1,171 @@
+!> Writes the result files of a made-up run: two crossed wires, three increments with 0, 2 and 1 contacts.
+!>
+!> Arguments: the output directory (default: results_of_test), and `killed` to leave without closing the files.
+!> The values are simple functions of node, element and increment, which test_results.py reads back.
+program test_results
+   use litz_kinds, only: dp
+   use litz_errors, only: error_t
+   use litz_model, only: model_t, section_t, material_t, named_set_t, step_t, output_request_t, element_b31, &
+      request_node, request_element, request_electrode
+   use litz_state, only: state_t, contact_t
+   use litz_results, only: results_t, iteration_report_t, increment_report_t
+   implicit none
+
+   character(len=*), parameter :: nl = new_line('a')
+   type(model_t) :: model
+   type(state_t) :: state
+   type(results_t) :: results
+   type(error_t), allocatable :: error
+   character(len=512) :: directory, how
+   integer :: increment
+
+   directory = 'results_of_test'
+   how = ''
+   if (command_argument_count() >= 1) call get_command_argument(1, directory)
+   if (command_argument_count() >= 2) call get_command_argument(2, how)
+
+   call make_crossed_wires(model)
+   call results%open(model, directory, 'crossed', error)
+   call stop_on(error)
+   do increment = 1, 3
+      call make_state(model, increment, state)
+      call write_iterations(increment)
+      call results%write_increment(model, state, error)
+      call stop_on(error)
+      call results%write_status(increment_report_t(step=1, increment=increment, attempts=merge(2, 1, increment == 2), &
+         iterations=3, time=state%time, step_time=state%step_time, time_increment=state%time_increment, &
+         residual=[1.0e-9_dp, 1.0e-12_dp, 0.0_dp], negative_pivots=0, contacts=size(state%contacts), &
+         remark=trim(merge('cut back: residual grew', '                       ', increment == 2))), error)
+      call stop_on(error)
+   end do
+   if (how == 'killed') call leave_at_once()
+   call results%close(.true., error)
+   call stop_on(error)
+
+contains
+
+   !> Five nodes and four elements with gappy numbers: a wire along x, and one along y above it.
+   subroutine make_crossed_wires(model)
+      type(model_t), intent(out) :: model
+      integer :: i
+
+      model%heading = 'Two crossed wires'
+      model%deck_text = '*HEADING'//nl//'Two crossed wires, ⌀ 2 mm'//nl
+      model%n_nodes = 6
+      model%n_elements = 4
+      model%node_id = [(10*i, i=1, 6)]
+      model%x = reshape([-1.0_dp, 0.0_dp, 0.0_dp, 0.0_dp, 0.0_dp, 0.0_dp, 1.0_dp, 0.0_dp, 0.0_dp, &
+         0.0_dp, -1.0_dp, 0.02_dp, 0.0_dp, 0.0_dp, 0.02_dp, 0.0_dp, 1.0_dp, 0.02_dp], [3, 6])
+      model%element_id = [(100 + i, i=1, 4)]
+      model%element_type = [(element_b31, i=1, 4)]
+      model%connectivity = reshape([1, 2, 2, 3, 4, 5, 5, 6], [2, 4])
+      model%element_section = [1, 1, 2, 2]
+      allocate (model%materials(1))
+      model%materials(1)%conductivity = 5.0e7_dp
+      allocate (model%sections(2))
+      model%sections%material = 1
+      model%sections%area = 4.0e-4_dp
+      model%sections(1)%contact_radius = 0.01_dp
+      model%node_sets = [named_set_t('LEFT', [1]), named_set_t('BACK', [6]), named_set_t('ENDS', [1, 3])]
+      model%element_sets = [named_set_t('LOWER', [1, 2])]
+      model%steps = two_steps()
+   end subroutine make_crossed_wires
+
+   !> The second step asks for other columns than the first; the history holds both.
+   function two_steps() result(steps)
+      type(step_t) :: steps(2)
+      type(output_request_t) :: ends, totals, elements, electrodes
+
+      ends = output_request_t(request_node, 3, 0, [character(len=8) :: 'U', 'RF'], .false.)
+      totals = output_request_t(request_node, 3, 0, [character(len=8) :: 'RF', 'U'], .true.)
+      elements = output_request_t(request_element, 1, 0, [character(len=8) :: 'SF', 'EPG'], .false.)
+      electrodes = output_request_t(request_electrode, 1, 2, [character(len=8) ::], .false.)
+      allocate (steps(1)%requests, source=[ends, totals])
+      allocate (steps(2)%requests, source=[ends, elements, electrodes])
+   end function two_steps
+
+   subroutine make_state(model, increment, state)
+      type(model_t), intent(in) :: model
+      integer, intent(in) :: increment
+      type(state_t), intent(out) :: state
+      integer :: i, j, n
+
+      n = model%n_nodes
+      state%step = 1
+      state%increment = increment
+      state%iterations = 3
+      state%time_increment = 0.25_dp
+      state%time = increment*0.25_dp
+      state%step_time = state%time
+      state%displacement = increment*1.0e-3_dp*reshape([((i + 10*j, i=1, 3), j=1, n)], [3, n])
+      state%rotation_vector = increment*1.0e-2_dp*reshape([((i + 10*j, i=1, 3), j=1, n)], [3, n])
+      state%potential = [(increment*real(j, dp), j=1, n)]
+      state%reaction = increment*reshape([((i + 10.0_dp*j, i=1, 6), j=1, n)], [6, n])
+      state%applied_load = -state%reaction
+      state%reaction_current = [(increment*2.0_dp*j, j=1, n)]
+      state%applied_current = [(0.0_dp, j=1, n)]
+      state%section_forces = increment*reshape([((i + 10.0_dp*j, i=1, 6), j=1, 4)], [6, 4])
+      state%element_current = [(increment*3.0_dp*j, j=1, 4)]
+      state%joule_heat = [(increment*4.0_dp*j, j=1, 4)]
+      state%contacts = made_up_contacts(increment)
+   end subroutine make_state
+
+   !> None, then contacts 1 and 2, then contact 2 alone, which has slid to another element.
+   function made_up_contacts(increment) result(contacts)
+      integer, intent(in) :: increment
+      type(contact_t), allocatable :: contacts(:)
+      type(contact_t) :: contact
+
+      contact = contact_t(id=1, element_bar=1, element=3, xi_bar=0.5_dp, xi=-0.5_dp, pair=1, angle=1.5_dp, gap=-1.0e-6_dp, &
+         normal=[0.0_dp, 0.0_dp, -1.0_dp], point_bar=[0.0_dp, 0.0_dp, 0.0_dp], point=[0.0_dp, 0.0_dp, 0.02_dp], &
+         force=10.0_dp*increment, semi_major=2.0e-5_dp, semi_minor=1.0e-5_dp, resistance=1.0e-3_dp, current=5.0_dp, &
+         voltage_gap=5.0e-3_dp, joule_heat=2.5e-2_dp)
+      allocate (contacts(0))
+      if (increment == 1) return
+      if (increment == 2) contacts = [contact]
+      contact%id = 2
+      contact%element = merge(3, 4, increment == 2)
+      contacts = [contacts, contact]
+   end function made_up_contacts
+
+   subroutine write_iterations(increment)
+      integer, intent(in) :: increment
+      type(iteration_report_t) :: report
+      integer :: i
+
+      do i = 1, 3
+         report%step = 1
+         report%increment = increment
+         report%iteration = i
+         report%residual = 10.0_dp**(-2**i)*[1.0_dp, 0.1_dp, 0.01_dp]
+         report%allowed = [1.0e-7_dp, 1.0e-8_dp, 1.0e-9_dp]
+         report%correction = report%residual
+         report%correction_node = [i, i + 1, 0]
+         report%contacts_active = increment - 1
+         report%penetration = 1.0e-6_dp
+         call results%write_iteration(model, report, error)
+         call stop_on(error)
+      end do
+   end subroutine write_iterations
+
+   !> Ends the program as a signal would: nothing is flushed or closed.
+   subroutine leave_at_once()
+      interface
+         subroutine c_exit(status) bind(c, name='_exit')
+            use, intrinsic :: iso_c_binding, only: c_int
+            integer(c_int), value :: status
+         end subroutine c_exit
+      end interface
+
+      call c_exit(0)
+   end subroutine leave_at_once
+
+   subroutine stop_on(error)
+      type(error_t), allocatable, intent(in) :: error
+
+      if (.not. allocated(error)) return
+      write (*, '(a)') error%text()
+      error stop
+   end subroutine stop_on
+
+end program test_results
