@@ -13,7 +13,8 @@ module litz_contact_ledger
    private
    public :: contact_ledger_t
 
-   character(len=*), parameter :: header = 'step,increment,time [s],id,element_bar,element,xi_bar,xi,angle [rad],gap [m],'// &
+   character(len=*), parameter :: header = &
+      'step,increment,time [s],id,element_bar,element,xi_bar,xi,angle [rad],gap [m],'// &
       'force [N],normal_x,normal_y,normal_z,point_bar_x [m],point_bar_y [m],point_bar_z [m],'// &
       'point_x [m],point_y [m],point_z [m],semi_major [m],semi_minor [m],resistance [ohm],current [A],'// &
       'voltage_gap [V],joule_heat [W],status'

@@ -88,7 +88,7 @@ contains
       ! closing the file closes its groups and datasets
       if (status == 0) call h5pset_fclose_degree_f(access, H5F_CLOSE_STRONG_F, status)
       if (status == 0) call h5fcreate_f(path, H5F_ACC_TRUNC_F, file, status, access_prp=access)
-      if (status /= 0) error = fail(exit_files, 'HDF5 cannot create "'//path//'": is the file in use, or the disk full?')
+      if (status /= 0) error = fail(exit_files, 'HDF5 cannot create "'//path//'": is it in use, or the disk full?')
       call h5pclose_f(access, ignored)
    end subroutine hdf5_create_file
 

@@ -120,12 +120,14 @@ contains
       type(history_t), intent(inout) :: self
       type(model_t), intent(in) :: model
       type(output_request_t), intent(in) :: request
-      character(len=*), parameter :: names(3) = ['voltage   ', 'current   ', 'resistance'], units(3) = ['V  ', 'A  ', 'ohm']
+      character(len=*), parameter :: names(3) = ['voltage   ', 'current   ', 'resistance']
+      character(len=*), parameter :: units(3) = ['V  ', 'A  ', 'ohm']
       integer :: i
 
       associate (plus => model%node_sets(request%set), minus => model%node_sets(request%set_2))
          do i = 1, 3
-            call add_column(self, column_t(trim(names(i))//' '//plus%name//' to '//minus%name//' ['//trim(units(i))//']', &
+            call add_column(self, column_t( &
+               trim(names(i))//' '//plus%name//' to '//minus%name//' ['//trim(units(i))//']', &
                electrode_voltage + i - 1, 1, the_one, plus%members, minus%members))
          end do
       end associate
@@ -178,7 +180,8 @@ contains
          if (request%kind == request_node) write (who, '(a, i0)') ' node ', model%node_id(members(i))
          if (request%kind == request_element) write (who, '(a, i0)') ' element ', model%element_id(members(i))
          do component = 1, quantities(q)%components
-            call append_column(self, column_t(component_name(q, component)//trim(who)//' ['//component_unit(q, component)//']', &
+            call append_column(self, column_t( &
+               component_name(q, component)//trim(who)//' ['//component_unit(q, component)//']', &
                q, component, the_one, members(i:i), [integer ::]))
          end do
       end do

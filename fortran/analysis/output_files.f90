@@ -63,7 +63,8 @@ contains
 
       if (allocated(error)) return
       inquire (file=path, exist=was_there)
-      open (newunit=unit, file=path, status='unknown', action='readwrite', position='append', iostat=status, iomsg=reason)
+      open (newunit=unit, file=path, status='unknown', action='readwrite', position='append', &
+         iostat=status, iomsg=reason)
       if (status /= 0) then
          error = cannot_write(path, reason)
       else if (was_there) then

@@ -53,8 +53,8 @@ contains
       character(len=:), allocatable :: line
       character(len=512) :: buffer
 
-      write (buffer, '(a5, a6, a4, a5, 3(a13, a17), 3(a17, a10), a8, 2a6, a16)') &
-         'step', 'inc', 'att', 'iter', 'force[N]', 'force_allowed', 'moment[Nm]', 'moment_allowed', &
+      write (buffer, '(a5, 3a10, 3(a13, a17), 3(a17, a10), a8, 2a6, a16)') &
+         'step', 'increment', 'attempt', 'iteration', 'force[N]', 'force_allowed', 'moment[Nm]', 'moment_allowed', &
          'current[A]', 'current_allowed', 'displacement[m]', 'node_u', 'rotation[rad]', 'node_phi', &
          'potential[V]', 'node_V', 'active', 'new', 'lost', 'penetration[m]'
       line = trim(buffer)
@@ -67,7 +67,7 @@ contains
       character(len=512) :: buffer
       integer :: i
 
-      write (buffer, '(i5, i6, i4, i5, 3(es13.3e3, es17.3e3), 3(es17.3e3, i10), i8, 2i6, es16.3e3)') &
+      write (buffer, '(i5, 3i10, 3(es13.3e3, es17.3e3), 3(es17.3e3, i10), i8, 2i6, es16.3e3)') &
          report%step, report%increment, report%attempt, report%iteration, &
          (report%residual(i), report%allowed(i), i=1, n_fields), &
          (report%correction(i), user_id(model, report%correction_node(i)), i=1, n_fields), &
@@ -79,9 +79,9 @@ contains
       character(len=:), allocatable :: line
       character(len=512) :: buffer
 
-      write (buffer, '(a5, a6, a5, a6, 3a15, 3a13, 2a10, 2x, a)') &
-         'step', 'inc', 'att', 'iters', 'time[s]', 'step_time[s]', 'increment[s]', &
-         'force[N]', 'moment[Nm]', 'current[A]', 'neg_piv', 'contacts', 'remark'
+      write (buffer, '(a5, a10, a9, a11, 2a15, a19, 3a13, a16, a10, 2x, a)') &
+         'step', 'increment', 'attempts', 'iterations', 'time[s]', 'step_time[s]', 'time_increment[s]', &
+         'force[N]', 'moment[Nm]', 'current[A]', 'negative_pivots', 'contacts', 'remark'
       line = trim(buffer)
    end function increment_header
 
@@ -90,7 +90,7 @@ contains
       character(len=:), allocatable :: line
       character(len=512) :: buffer
 
-      write (buffer, '(i5, i6, i5, i6, 3es15.7, 3es13.3e3, 2i10)') &
+      write (buffer, '(i5, i10, i9, i11, 2es15.7, es19.7, 3es13.3e3, i16, i10)') &
          report%step, report%increment, report%attempts, report%iterations, &
          report%time, report%step_time, report%time_increment, report%residual, report%negative_pivots, report%contacts
       line = trim(buffer)

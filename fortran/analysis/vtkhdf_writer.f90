@@ -133,8 +133,8 @@ contains
       field%unit = unit
       field%description = description
       if (present(is_integer)) field%is_integer = is_integer
-      call field%rows%create(self%data_group(place), name, components, merge(hdf5_integer, hdf5_real, field%is_integer), &
-         expected_rows, error)
+      call field%rows%create(self%data_group(place), name, components, &
+         merge(hdf5_integer, hdf5_real, field%is_integer), expected_rows, error)
       if (.not. allocated(error)) call describe(field, error)
       call field%offsets%create(self%offset_group(place), name, 1, hdf5_integer, 1, error)
       self%fields = [self%fields, field]

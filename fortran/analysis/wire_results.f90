@@ -18,7 +18,8 @@ module litz_wire_results
    !> Of what stands in /litz; the layout of /VTKHDF has its own number
    integer, parameter :: format_version = 1
 
-   character(len=*), parameter :: unit_system = 'SI (m, N, s, V, A, W, rad), or the consistent set the deck is written in'
+   character(len=*), parameter :: unit_system = &
+      'SI (m, N, s, V, A, W, rad), or the consistent set the deck is written in'
    character(len=*), parameter :: section_force_names(6) = [character(len=16) :: 'axial_force', 'shear_force_2', &
       'shear_force_3', 'torsion_moment', 'bending_moment_2', 'bending_moment_3']
    character(len=*), parameter :: section_force_texts(6) = [character(len=48) :: 'axial force N, tension positive', &
@@ -113,8 +114,8 @@ contains
 
       call file%write_field('reference_position', model%x, error)
       call file%write_field('node_id', model%node_id, error)
-      call file%write_field('radius', [(drawn_radius(model%sections(model%element_section(i))), i=1, model%n_elements)], &
-         error)
+      call file%write_field('radius', &
+         [(drawn_radius(model%sections(model%element_section(i))), i=1, model%n_elements)], error)
       call file%write_field('element_id', model%element_id, error)
       call file%write_field('section', model%element_section, error)
    end subroutine write_static_fields
@@ -145,7 +146,8 @@ contains
          call hdf5_create_group(group, 'increments', increments, error)
       end associate
       do i = 1, 6
-         call self%tables(i)%create(increments, trim(table_names(i)), 1, merge(hdf5_integer, hdf5_real, i <= 3), 1, error)
+         call self%tables(i)%create(increments, trim(table_names(i)), 1, &
+            merge(hdf5_integer, hdf5_real, i <= 3), 1, error)
          call hdf5_write_attribute(self%tables(i)%dataset, 'unit', merge('1', 's', i <= 3), error)
       end do
    end subroutine write_origin

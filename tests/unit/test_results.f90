@@ -116,7 +116,8 @@ contains
       type(contact_t), allocatable :: contacts(:)
       type(contact_t) :: contact
 
-      contact = contact_t(id=1, element_bar=1, element=3, xi_bar=0.5_dp, xi=-0.5_dp, pair=1, angle=1.5_dp, gap=-1.0e-6_dp, &
+      contact = contact_t(id=1, element_bar=1, element=3, xi_bar=0.5_dp, xi=-0.5_dp, pair=1, angle=1.5_dp, &
+         gap=-1.0e-6_dp, &
          normal=[0.0_dp, 0.0_dp, -1.0_dp], point_bar=[0.0_dp, 0.0_dp, 0.0_dp], point=[0.0_dp, 0.0_dp, 0.02_dp], &
          force=10.0_dp*increment, semi_major=2.0e-5_dp, semi_minor=1.0e-5_dp, resistance=1.0e-3_dp, current=5.0_dp, &
          voltage_gap=5.0e-3_dp, joule_heat=2.5e-2_dp)

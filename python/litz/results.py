@@ -1,0 +1,293 @@
+"""The results of a run as numpy arrays."""
+
+import warnings
+from collections.abc import Mapping
+from functools import cached_property
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from .run import FileError
+from .tables import Table, read_aligned, read_csv, unknown_name
+
+_FORMAT_VERSION = 1
+_GROUPS = ("PointData", "CellData")
+
+
+class Results:
+    """What a run has written; every array is read when it is asked for.
+
+    Parameters
+    ----------
+    path : path
+        The result file `STEM.vtkhdf`, the same without ending, the deck `STEM.inp` (the results beside it or in the
+        current directory), or a directory with the results of one run.
+
+    Notes
+    -----
+    An argument `increment` counts the increments in the file from 0, or from the end with -1, -2, ... as Python does;
+    `index(step, increment)` finds the one of a given number.
+
+    Examples
+    --------
+    >>> results = litz.Results("crossing.vtkhdf")
+    >>> results.field("potential")                   # at the last increment
+    >>> results.history["resistance PLUS to MINUS"]  # over time
+    >>> results.contacts_at(-1)["force"]
+    """
+
+    def __init__(self, path: str | Path):
+        self.path = _find(Path(path))
+        with self._open() as file:
+            version = int(file["litz"].attrs["format_version"])
+            if version > _FORMAT_VERSION:
+                raise FileError(
+                    f"{self.path} has format {version}, this litz reads up to {_FORMAT_VERSION}: it was written by a newer litz"
+                )
+        if not self.finished:
+            end = f"ends at time {self.times[-1]:g}" if len(self.times) else "has no increment"
+            warnings.warn(f"{self.path}: the run did not finish (or still runs); it {end}", stacklevel=2)
+
+    def __repr__(self) -> str:
+        state = "finished" if self.finished else "not finished"
+        return f"<Results {self.path}: {len(self.nodes)} nodes, {len(self.elements)} elements, {len(self.times)} increments, {state}>"
+
+    def _open(self) -> h5py.File:
+        try:
+            return h5py.File(self.path, "r", locking=False)
+        except OSError as error:
+            raise FileError(f"cannot read {self.path}: {error}") from None
+
+    # Where the results come from
+
+    @property
+    def finished(self) -> bool:
+        """The run came to its end."""
+        with self._open() as file:
+            return bool(file["litz"].attrs["finished"])
+
+    @cached_property
+    def heading(self) -> str:
+        """The *HEADING of the deck."""
+        with self._open() as file:
+            return _text(file["litz"].attrs["heading"])
+
+    @cached_property
+    def version(self) -> str:
+        """The version of litz that has run."""
+        with self._open() as file:
+            return _text(file["litz"].attrs["version"])
+
+    @cached_property
+    def deck(self) -> str:
+        """The text of the deck, with its included files."""
+        with self._open() as file:
+            return _text(file["litz/deck"][()])
+
+    # Time
+
+    @property
+    def times(self) -> np.ndarray:
+        """Total time of each increment, (n_increments) [s]."""
+        with self._open() as file:
+            return file["VTKHDF/Steps/Values"][: _n_steps(file)]
+
+    @property
+    def steps(self) -> np.ndarray:
+        """Number of the step of each increment, (n_increments)."""
+        return self._increment_table("step")
+
+    @property
+    def increments(self) -> np.ndarray:
+        """Number of each increment in its step, (n_increments)."""
+        return self._increment_table("increment")
+
+    def _increment_table(self, name: str) -> np.ndarray:
+        with self._open() as file:
+            return file[f"litz/increments/{name}"][: _n_steps(file)]
+
+    def index(self, step: int, increment: int) -> int:
+        """Index of an increment, given the numbers of its step and of itself in the step."""
+        found = np.flatnonzero((self.steps == step) & (self.increments == increment))
+        if not len(found):
+            raise KeyError(f"increment {increment} of step {step} is not in {self.path}")
+        return int(found[0])
+
+    # Mesh
+
+    @cached_property
+    def nodes(self) -> np.ndarray:
+        """Reference positions of the nodes, (n_nodes, 3) [m]."""
+        return self._static("VTKHDF/PointData/reference_position")
+
+    @cached_property
+    def node_ids(self) -> np.ndarray:
+        """Numbers of the nodes in the deck, (n_nodes)."""
+        return self._static("VTKHDF/PointData/node_id")
+
+    @cached_property
+    def elements(self) -> np.ndarray:
+        """Rows of `nodes` that each element joins, (n_elements, 2)."""
+        return self._static("VTKHDF/Connectivity").reshape(-1, 2)
+
+    @cached_property
+    def element_ids(self) -> np.ndarray:
+        """Numbers of the elements in the deck, (n_elements)."""
+        return self._static("VTKHDF/CellData/element_id")
+
+    @cached_property
+    def radius(self) -> np.ndarray:
+        """Radius of the wire at each element, (n_elements) [m]."""
+        return self._static("VTKHDF/CellData/radius")
+
+    @cached_property
+    def node_sets(self) -> dict[str, np.ndarray]:
+        """Node numbers of each node set."""
+        return self._sets("litz/node_sets")
+
+    @cached_property
+    def element_sets(self) -> dict[str, np.ndarray]:
+        """Element numbers of each element set."""
+        return self._sets("litz/element_sets")
+
+    def _static(self, name: str) -> np.ndarray:
+        with self._open() as file:
+            return file[name][()]
+
+    def _sets(self, name: str) -> dict[str, np.ndarray]:
+        with self._open() as file:
+            return {key.replace("|", "/"): members[()] for key, members in file[name].items()}
+
+    # Fields
+
+    @cached_property
+    def fields(self) -> dict[str, str]:
+        """Description of each field by its name."""
+        return {name: attributes["description"] for name, attributes in self._attributes.items()}
+
+    @cached_property
+    def units(self) -> Mapping[str, str]:
+        """Unit of each field by its name; of the columns of tables: `history.units` and the like."""
+        return {name: attributes["unit"] for name, attributes in self._attributes.items()}
+
+    @cached_property
+    def _attributes(self) -> dict[str, dict[str, str]]:
+        with self._open() as file:
+            return {
+                name: {key: _text(value) for key, value in dataset.attrs.items()}
+                for group in _GROUPS
+                for name, dataset in file["VTKHDF"][group].items()
+            }
+
+    def field(self, name: str, increment: int | None = -1) -> np.ndarray:
+        """A field over nodes or elements.
+
+        Parameters
+        ----------
+        name : str
+            One of `fields`.
+        increment : int, optional
+            Index of the increment; None: all of them, stacked along a new first axis.
+
+        Returns
+        -------
+        ndarray
+            (n_nodes or n_elements) for a scalar, (..., 3) for a vector, in the unit that `units` has for it.
+        """
+        if name not in self._attributes:
+            raise KeyError(unknown_name("field", name, self._attributes))
+        with self._open() as file:
+            group = next(group for group in _GROUPS if name in file["VTKHDF"][group])
+            n_rows = len(self.nodes) if group == "PointData" else len(self.elements)
+            data = file["VTKHDF"][group][name]
+            starts = file[f"VTKHDF/Steps/{group}Offsets/{name}"]
+            if increment is not None:
+                start = starts[self._checked(increment, file)]
+                return data[start : start + n_rows]
+            return np.array([data[start : start + n_rows] for start in starts[: _n_steps(file)]])
+
+    def positions(self, increment: int = -1) -> np.ndarray:
+        """Current positions of the nodes, (n_nodes, 3) [m]."""
+        return self.nodes + self.field("displacement", increment)
+
+    def _checked(self, increment: int, file: h5py.File) -> int:
+        n = _n_steps(file)
+        if not -n <= increment < n:
+            raise IndexError(f"increment {increment} is not in {self.path}, which has {n} increments")
+        return increment % n
+
+    # Tables
+
+    @property
+    def history(self) -> Table:
+        """The columns that the deck asked for, over all increments."""
+        return read_csv(self._beside("_history.csv"))
+
+    @property
+    def contacts(self) -> Table:
+        """The contact ledger: a row for each contact at each increment."""
+        return read_csv(self._beside("_contacts.csv"))
+
+    def contacts_at(self, increment: int = -1) -> Table:
+        """The contacts at one increment."""
+        ledger = self.contacts
+        with self._open() as file:
+            increment = self._checked(increment, file)
+        return ledger.where((ledger["step"] == self.steps[increment]) & (ledger["increment"] == self.increments[increment]))
+
+    def contact(self, contact_id: int) -> Table:
+        """One contact over its life."""
+        ledger = self.contacts
+        rows = ledger.where(ledger["id"] == contact_id)
+        if not rows.n_rows:
+            raise KeyError(f"there is no contact {contact_id}; there are {np.unique(ledger['id'])}")
+        return rows
+
+    @property
+    def status(self) -> Table:
+        """The .sta table: a row per increment, also of those that were cut back."""
+        return read_aligned(self._beside(".sta"))
+
+    @property
+    def convergence(self) -> Table:
+        """The .cvg table: a row per iteration."""
+        return read_aligned(self._beside(".cvg"))
+
+    def _beside(self, ending: str) -> Path:
+        return self.path.with_name(self.path.stem + ending)
+
+    def summary(self) -> str:
+        """A page of text about the run: what was run, how it went, and the last increment in numbers."""
+        from .summary import summary
+
+        return summary(self)
+
+
+def _find(path: Path) -> Path:
+    """The result file of the wires that a path stands for."""
+    if path.is_dir():
+        found = sorted(file for file in path.glob("*.vtkhdf") if not file.stem.endswith("_contacts"))
+        if len(found) == 1:
+            return found[0]
+        what = "several: " + ", ".join(file.name for file in found) if found else "none"
+        raise FileError(f"the directory {path} should have one result file (.vtkhdf); there are {what}")
+    if path.suffix == ".vtkhdf":
+        candidates = [path]
+    elif path.suffix == ".inp":
+        candidates = [path.with_suffix(".vtkhdf"), Path(path.stem + ".vtkhdf")]
+    else:
+        candidates = [path.with_name(path.name + ".vtkhdf")]
+    for candidate in candidates:
+        if candidate.is_file():
+            return candidate
+    raise FileError(f"there is no result file {' or '.join(dict.fromkeys(map(str, candidates)))}: has the deck been run?")
+
+
+def _n_steps(file: h5py.File) -> int:
+    return int(file["VTKHDF/Steps"].attrs["NSteps"])
+
+
+def _text(value: bytes | str) -> str:
+    text = value.decode("utf-8", errors="replace") if isinstance(value, bytes) else str(value)
+    return text.rstrip("\0")

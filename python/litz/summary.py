@@ -1,0 +1,82 @@
+"""A page of text about a run."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from .results import Results
+
+_MOST_ROWS = 30
+
+
+def summary(results: "Results") -> str:
+    """What was run, the increments as a table, and the last increment in numbers."""
+    parts = [_origin(results), _increments(results)]
+    if len(results.times):
+        parts.append(_last_increment(results))
+    return "\n\n".join(parts) + "\n"
+
+
+def _origin(results: "Results") -> str:
+    state = "finished" if results.finished else "NOT FINISHED"
+    heading = results.heading.strip() or "(no heading)"
+    return (
+        f"{heading}\n{results.path}, litz {results.version}, {state}\n"
+        f"{len(results.nodes)} nodes, {len(results.elements)} elements, {len(results.times)} increments in the file"
+    )
+
+
+def _increments(results: "Results") -> str:
+    """One line per line of the .sta file; the middle is left out of a long one."""
+    status = results.status
+    heads = ("step", "increment", "attempts", "iterations", "time", "time_increment", "force", "contacts", "remark")
+    rows = [heads, tuple(f"[{status.units[head]}]" if status.units[head] else "" for head in heads)]
+    picked = range(status.n_rows)
+    if status.n_rows > _MOST_ROWS:
+        half = _MOST_ROWS // 2
+        picked = [*range(half), None, *range(status.n_rows - half, status.n_rows)]
+    for i in picked:
+        rows.append(("...",) * len(heads) if i is None else tuple(_cell(status[head][i]) for head in heads))
+    return _aligned(rows)
+
+
+def _last_increment(results: "Results") -> str:
+    size = np.linalg.norm(results.field("displacement"), axis=1)
+    potential = results.field("potential")
+    contacts = results.contacts_at(-1)
+    entering = results.field("reaction_current") + results.field("applied_current")
+    heat_wires, heat_contacts = results.field("joule_heat").sum(), contacts["joule_heat"].sum()
+    lines = [
+        f"at time {results.times[-1]:g} s (step {results.steps[-1]}, increment {results.increments[-1]}):",
+        f"  largest displacement   {size.max():12.5g} m    at node {results.node_ids[size.argmax()]}",
+        f"  potential              {potential.min():12.5g} V    to {potential.max():.5g} V",
+        f"  contacts               {contacts.n_rows:12d}",
+    ]
+    if contacts.n_rows:
+        force = contacts["force"]
+        lines.append(f"  contact forces         {force.min():12.5g} N    to {force.max():.5g} N, sum {force.sum():.5g} N")
+    if heat_wires + heat_contacts > 0:
+        lines += [
+            f"  electric power in      {potential @ entering:12.5g} W",
+            f"  Joule heat             {heat_wires + heat_contacts:12.5g} W    "
+            f"(wires {heat_wires:.5g} W, contacts {heat_contacts:.5g} W)",
+        ]
+    history = results.history
+    lines += [f"  {name}  {history[name][-1]:.8g} ohm" for name in history if name.startswith("resistance ")]
+    return "\n".join(lines)
+
+
+def _cell(value) -> str:
+    if isinstance(value, np.floating):
+        return f"{value:.4g}"
+    return str(value)
+
+
+def _aligned(rows: list[tuple[str, ...]]) -> str:
+    """Columns flush right, the last one flush left."""
+    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
+    return "\n".join(
+        "  ".join([*(cell.rjust(width) for cell, width in zip(row[:-1], widths[:-1], strict=True)), row[-1]]).rstrip()
+        for row in rows
+    )

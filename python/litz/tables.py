@@ -1,0 +1,104 @@
+"""The text tables of a run (.csv, .sta, .cvg) as numpy arrays by column name."""
+
+import difflib
+import re
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+import numpy as np
+
+from .run import FileError
+
+_INTEGER_COLUMNS = frozenset(
+    "step increment attempt attempts iteration iterations id element element_bar "
+    "node_u node_phi node_V active new lost negative_pivots contacts".split()
+)
+_TEXT_COLUMNS = frozenset(["status", "remark"])
+
+
+class Table(Mapping):
+    """Columns of equal length, by name: `table["time"]`.
+
+    Attributes
+    ----------
+    units : dict of str
+        Unit of each column, "" where it has none.
+    n_rows : int
+    """
+
+    def __init__(self, columns: Mapping[str, np.ndarray], units: Mapping[str, str]):
+        self._columns = dict(columns)
+        self.units = dict(units)
+        self.n_rows = len(next(iter(self._columns.values()), ()))
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        try:
+            return self._columns[name]
+        except KeyError:
+            raise KeyError(unknown_name("column", name, self._columns)) from None
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._columns)
+
+    def __len__(self) -> int:
+        return len(self._columns)
+
+    def __repr__(self) -> str:
+        return f"<Table of {self.n_rows} rows: {', '.join(self)}>"
+
+    def where(self, mask: np.ndarray) -> "Table":
+        """The rows for which `mask` (n_rows) is true, or those it names by index."""
+        return Table({name: values[mask] for name, values in self._columns.items()}, self.units)
+
+
+def unknown_name(what: str, name: str, known) -> str:
+    """Message for a name that is not there: the nearest one, and all there are."""
+    known = list(known)
+    nearest = difflib.get_close_matches(str(name), known, n=1)
+    hint = f"; did you mean {nearest[0]!r}?" if nearest else ""
+    listed = ", ".join(known[:40]) + (", ..." if len(known) > 40 else "")
+    return f"there is no {what} {name!r}{hint} There are: {listed or 'none'}"
+
+
+def read_csv(path: Path) -> Table:
+    """A table with commas between the columns and units in brackets after their names."""
+    return _read(path, ",")
+
+
+def read_aligned(path: Path) -> Table:
+    """A table with blanks between the columns; a remark in the last column may hold blanks itself."""
+    return _read(path, None)
+
+
+def _read(path: Path, separator: str | None) -> Table:
+    try:
+        text = path.read_text(encoding="utf-8", errors="replace")
+    except OSError as error:
+        raise FileError(f"cannot read {path}: {error.strerror}") from None
+    # what follows the last line end is a line that a running or killed program has not completed
+    lines = text[: text.rfind("\n") + 1].splitlines()
+    if not lines:
+        raise FileError(f"{path} is empty: the run that wrote it ended before its first line")
+    heads = [_name_and_unit(head) for head in lines[0].split(separator)]
+    names = [name for name, _ in heads]
+    rows = lines[1:]
+
+    columns: dict[str, np.ndarray] = {}
+    n_numbers = len(names) - (names[-1] in _TEXT_COLUMNS)
+    numbers = np.empty((0, n_numbers))
+    try:
+        if rows:
+            numbers = np.loadtxt(rows, delimiter=separator, usecols=range(n_numbers), ndmin=2, comments=None)
+    except ValueError as error:
+        raise FileError(f"{path} is not a table that litz has written: {error}") from None
+    for i, name in enumerate(names[:n_numbers]):
+        columns[name] = numbers[:, i].astype(int) if name in _INTEGER_COLUMNS else numbers[:, i]
+    if n_numbers < len(names):
+        cells = [row.split(separator, n_numbers) for row in rows]
+        columns[names[-1]] = np.array([row[n_numbers].strip() if len(row) > n_numbers else "" for row in cells], dtype=str)
+    return Table(columns, dict(heads))
+
+
+def _name_and_unit(head: str) -> tuple[str, str]:
+    match = re.fullmatch(r"(.*?)\s*\[(.*)\]", head.strip())
+    return (match[1], match[2]) if match else (head.strip(), "")
