@@ -1,0 +1,193 @@
+!> The electric-mechanical beam-to-beam contact element as a user element: nodal positions, tangents and voltages in,
+!> the 28x28 tangent and the residual out.
+!>
+!> Source: the paper, "FE discretisation". Unknowns in its order `{ub (12), u (12), Vb (2), V (2)}`, each node
+!> `ux uy uz phix phiy phiz`, and its block structure `K = [K_mm 0; K_me K_ee]`, `R = [R_m; R_e]`. Residual: internal
+!> minus external forces [N], moments [N m] and currents leaving the nodes [A]; Newton solves `K dq = -R`.
+!>
+!> The steps, each its own kernel: closest points, kinematics, normal force, spot, mechanics, electricity.
+module litz_contact_em
+   use litz_kinds, only: dp
+   use litz_laws, only: normal_hertz, spot_hertz, spot_film
+   use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
+   use litz_normal_law, only: normal_force_of_ellipse, normal_ok
+   use litz_contact_spot, only: contact_spot_of_ellipse, spot_ok, spot_bad_table
+   use litz_axis, only: axis_shape
+   use litz_closest_points, only: closest_points, closest_inside, closest_beyond, closest_parallel, closest_not_unique
+   use litz_contact_kinematics, only: contact_kinematics_t, contact_kinematics, kinematics_ok, kinematics_parallel
+   use litz_contact_mechanics, only: contact_mechanics, form_spin
+   use litz_contact_electricity, only: contact_electricity_t, contact_electricity, coupling_tangent
+   use litz_rotation_forms, only: spin_to_rotation_vectors
+   implicit none
+   private
+   public :: contact_em, contact_em_t
+   public :: contact_active, contact_open, contact_beyond, contact_parallel, contact_not_unique, &
+      contact_not_converged, contact_unknown_law, contact_bad_table
+
+   !> The wires touch
+   integer, parameter :: contact_active = 0
+   !> The wires do not touch: `k` and `r` are zero
+   integer, parameter :: contact_open = 1
+   !> The closest points lie beyond an end of an element: `k` and `r` are zero
+   integer, parameter :: contact_beyond = 2
+   !> Failures; `k` and `r` are zero. Wires that overlap and are parallel there
+   integer, parameter :: contact_parallel = -1
+   !> Wires that overlap, with two closest pairs of points or a whole line of them
+   integer, parameter :: contact_not_unique = -2
+   !> The closest points were not found: coincident nodes, or numbers that are not finite
+   integer, parameter :: contact_not_converged = -3
+   integer, parameter :: contact_unknown_law = -4
+   integer, parameter :: contact_bad_table = -5
+
+   !> What is known of the contact besides `k` and `r`; zero where it is not active, except the places and the gap.
+   type :: contact_em_t
+      !> Places in the barred and the unbarred element
+      real(dp) :: xi_bar = 0, xi = 0
+      !> Gap between the surfaces [m], negative in contact
+      real(dp) :: gap = 0
+      !> Unit normal from the unbarred to the barred axis (until they pass each other)
+      real(dp) :: normal(3) = 0
+      !> Angle between the tangents [rad]
+      real(dp) :: angle = 0
+      !> +1 or -1: the orientation to be remembered, see contact_kinematics
+      integer :: side = 0
+      !> Contact force [N], pushing the wires apart
+      real(dp) :: force = 0
+      !> Semi-axes of the spot [m]
+      real(dp) :: semi_major = 0, semi_minor = 0
+      !> Resistance of the spot [ohm] (0: no electric contact), current from barred to unbarred [A], voltage across the
+      !> spot [V]
+      real(dp) :: resistance = 0, current = 0, voltage_gap = 0
+      type(contact_kinematics_t) :: kinematics
+      type(contact_electricity_t) :: electricity
+   end type contact_em_t
+
+contains
+
+   !> Tangent and residual of one pair of elements.
+   pure subroutine contact_em(x, t, length, v, radius, young, poisson, resistivity, normal_law, eps_n, spot_law, &
+      law_value, table_force, table_resistance, axis, side, series_resistance, k, r, contact, info, rotation_vectors)
+      !> Nodal positions [m] and unit tangents (3, 4): barred 1, barred 2, 1, 2
+      real(dp), intent(in) :: x(3, 4), t(3, 4)
+      !> Reference lengths (2) [m]: barred, unbarred
+      real(dp), intent(in) :: length(2)
+      !> Nodal voltages (4) [V]
+      real(dp), intent(in) :: v(4)
+      !> Radii (2) [m], Young's moduli (2) [Pa], Poisson's ratios (2) [-], resistivities (2) [ohm m]
+      real(dp), intent(in) :: radius(2), young(2), poisson(2), resistivity(2)
+      !> `normal_linear` with penalty stiffness `eps_n` [N/m], or `normal_hertz`
+      integer, intent(in) :: normal_law
+      real(dp), intent(in) :: eps_n
+      !> One of `spot_...` with its data, see contact_spot
+      integer, intent(in) :: spot_law
+      real(dp), intent(in) :: law_value, table_force(:), table_resistance(:)
+      !> `axis_linear` or `axis_hermite`
+      integer, intent(in) :: axis
+      !> Remembered orientation +1 or -1, or 0, see contact_kinematics
+      integer, intent(in) :: side
+      !> rho L0/(4 A) (2) [ohm], see contact_electricity; 0: the paper's linear voltage
+      real(dp), intent(in) :: series_resistance(2)
+      !> Tangent (28, 28) and residual (28); rotations are spins
+      real(dp), intent(out) :: k(28, 28), r(28)
+      type(contact_em_t), intent(out) :: contact
+      !> One of the constants above
+      integer, intent(out) :: info
+      !> Rotation vectors of the nodes (3, 4) [rad], when rotations are additive changes of these instead
+      real(dp), intent(in), optional :: rotation_vectors(3, 4)
+      type(hertz_ellipse_t) :: ellipse
+      real(dp) :: dforce_dgap, dforce_dangle, k_mm(24, 24)
+      real(dp) :: approach, conductance, dconductance_dforce, dconductance_dangle
+      integer :: law_info
+
+      k = 0
+      r = 0
+      call find_contact(x, t, length, axis, radius, side, contact, info)
+      if (info /= contact_active) return
+
+      ! the force ...
+      if (normal_law == normal_hertz .or. spot_law == spot_hertz .or. spot_law == spot_film) then
+         call hertz_ellipse(radius, young, poisson, contact%angle, ellipse, law_info)
+         info = contact_parallel
+         if (law_info /= hertz_ok) return
+      end if
+      info = contact_unknown_law
+      call normal_force_of_ellipse(normal_law, eps_n, contact%gap, ellipse, contact%force, dforce_dgap, dforce_dangle, &
+         law_info)
+      if (law_info /= normal_ok) return
+
+      ! ... makes the spot ...
+      call contact_spot_of_ellipse(spot_law, contact%force, radius, young, poisson, resistivity, ellipse, law_value, &
+         table_force, table_resistance, contact%semi_major, contact%semi_minor, approach, conductance, &
+         dconductance_dforce, dconductance_dangle, law_info)
+      if (law_info == spot_bad_table) info = contact_bad_table
+      if (law_info /= spot_ok) return
+      info = contact_active
+
+      ! ... and the spot carries the current
+      call contact_mechanics(contact%kinematics, t, contact%force, -dforce_dgap, contact%force, form_spin, k_mm, r(1:24), &
+         dforce_dangle)
+      call contact_electricity(contact%kinematics, v, conductance, dconductance_dforce*dforce_dgap, &
+         dconductance_dangle + dconductance_dforce*dforce_dangle, series_resistance, contact%electricity)
+      k(1:24, 1:24) = k_mm
+      k(25:28, 1:24) = coupling_tangent(contact%electricity, contact%kinematics)
+      k(25:28, 25:28) = contact%electricity%k_ee
+      r(25:28) = contact%electricity%r_e
+      if (present(rotation_vectors)) call spin_to_rotation_vectors(k, r, rotation_vectors, [4, 10, 16, 22])
+
+      if (conductance > 0) contact%resistance = 1/conductance
+      contact%current = contact%electricity%current
+      contact%voltage_gap = contact%electricity%voltage_gap
+   end subroutine contact_em
+
+   !> Closest points and kinematics; `info` is `contact_active` when the wires overlap within both elements.
+   pure subroutine find_contact(x, t, length, axis, radius, side, contact, info)
+      real(dp), intent(in) :: x(3, 4), t(3, 4), length(2)
+      integer, intent(in) :: axis
+      real(dp), intent(in) :: radius(2)
+      integer, intent(in) :: side
+      type(contact_em_t), intent(out) :: contact
+      integer, intent(out) :: info
+      integer :: status, kinematics_info
+
+      call closest_points(x, t, length, axis, contact%xi_bar, contact%xi, status)
+      contact%gap = distance_at(x, t, length, axis, contact%xi_bar, contact%xi) - sum(radius)
+      select case (status)
+      case (closest_inside)
+         call contact_kinematics(x, t, length, axis, radius, contact%xi_bar, contact%xi, side, contact%kinematics, &
+            kinematics_info)
+         info = contact_not_unique
+         if (kinematics_info == kinematics_parallel) info = contact_parallel
+         if (kinematics_info /= kinematics_ok) return
+         contact%gap = contact%kinematics%gap
+         contact%normal = contact%kinematics%normal
+         contact%angle = contact%kinematics%angle
+         contact%side = contact%kinematics%side
+         info = contact_active
+         if (contact%gap >= 0) info = contact_open
+      case (closest_beyond)
+         info = contact_beyond
+      case (closest_parallel, closest_not_unique)
+         ! wires that do not touch need no unique closest points
+         info = contact_open
+         if (contact%gap < 0) info = merge(contact_parallel, contact_not_unique, status == closest_parallel)
+      case default
+         info = contact_not_converged
+      end select
+   end subroutine find_contact
+
+   !> Distance of two axis points [m].
+   pure real(dp) function distance_at(x, t, length, axis, xi_bar, xi) result(distance)
+      real(dp), intent(in) :: x(3, 4), t(3, 4), length(2)
+      integer, intent(in) :: axis
+      real(dp), intent(in) :: xi_bar, xi
+      real(dp), dimension(4) :: h, h1, h2, hb
+      real(dp) :: w(3)
+
+      call axis_shape(axis, length(2), xi, h, h1, h2)
+      call axis_shape(axis, length(1), xi_bar, hb, h1, h2)
+      w = hb(1)*(x(:, 1) - x(:, 3)) + hb(2)*t(:, 1) + hb(3)*(x(:, 2) - x(:, 3)) + hb(4)*t(:, 2) &
+         - (h(2)*t(:, 3) + h(3)*(x(:, 4) - x(:, 3)) + h(4)*t(:, 4))
+      distance = norm2(w)
+   end function distance_at
+
+end module litz_contact_em

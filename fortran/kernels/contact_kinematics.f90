@@ -1,0 +1,182 @@
+!> Gap, normal and angle of a pair of axes at their closest points, and how they change with the 24 mechanical unknowns.
+!>
+!> Source: theory section 4. The unknowns are the displacements and the spins of the nodes barred 1, barred 2, 1, 2:
+!> `ux uy uz phix phiy phiz` each. A nodal tangent turns with its node, `delta t = dtheta x t`, so that
+!> `v . (s delta t) = s (t x v) . dtheta`: this is how each row below comes by its rotation entries.
+!>
+!> With `w = xb - x` and `T = [-x', xb']`, the closest points fulfil `T^T w = 0`. Rows over the unknowns `p`:
+!> `B = T^T S` (how `w` changes along the tangents), `Q = [-n^T S1; n^T Sb1]` (how the tangents change along `n`), where
+!> `S dp = dw`, `S1 dp = dx'`, `Sb1 dp = dxb'` at fixed xi. Matrices in (xi, xib): `G = T^T T`,
+!> `H = diag(-n.x'', n.xb'')` and `M = G + d H`, `d` the distance. Linearised: `M dxi = -(B + d Q) dp`.
+!>
+!> The second variation of the gap, `d2g = (S^T Pn S - C^T M^-1 C)/d` with `C = B + d Q`, is formed with
+!> `S^T Pn S = B^T G^-1 B` and `(G^-1 - M^-1)/d = G^-1 H M^-1` as
+!> `d2g = B^T (G^-1 H M^-1) B - Q^T M^-1 B - B^T M^-1 Q - d Q^T M^-1 Q`, which has no division by the distance and so
+!> holds also where the axes meet or have passed each other. It has rank 4.
+module litz_contact_kinematics
+   use litz_kinds, only: dp
+   use litz_rotations, only: cross
+   use litz_axis, only: axis_shape
+   use litz_closest_points, only: parallel_sine
+   implicit none
+   private
+   public :: contact_kinematics_t, contact_kinematics
+   public :: kinematics_ok, kinematics_parallel, kinematics_singular
+
+   integer, parameter :: kinematics_ok = 0
+   !> The sine of the crossing angle is below `parallel_sine` of litz_closest_points
+   integer, parameter :: kinematics_parallel = -1
+   !> The distance has no strict minimum at the given points: a slight move would send them anywhere
+   integer, parameter :: kinematics_singular = -2
+
+   type :: contact_kinematics_t
+      !> Where it was evaluated
+      real(dp) :: xi_bar = 0, xi = 0
+      !> Axis points of the barred and the unbarred wire (3) [m]
+      real(dp) :: point_bar(3) = 0, point(3) = 0
+      !> Unit normal, from the unbarred to the barred axis until they pass each other
+      real(dp) :: normal(3) = 0
+      !> d = n . (xb - x) [m], negative after the axes have passed each other; g = d - (rb + r) [m]
+      real(dp) :: distance = 0, gap = 0
+      !> The orientation in use, +1 or -1: to be remembered while the contact lives
+      integer :: side = 0
+      !> Angle between the tangents x' and xb' [rad], in (0, pi), and its cosine
+      real(dp) :: angle = 0, cos_angle = 0
+      !> First variations: rows over the unknowns
+      real(dp) :: dgap(24) = 0, dxi_bar(24) = 0, dxi(24) = 0, dcos_angle(24) = 0, dangle(24) = 0
+      !> Second variation of the gap: rows of B and Q, and `G^-1 H M^-1`, `M^-1` between them, in the order (xi, xib)
+      real(dp) :: b(24, 2) = 0, q(24, 2) = 0, between_b(2, 2) = 0, between_q(2, 2) = 0
+      !> How much of each nodal tangent is in w (barred 1, barred 2, 1, 2) [m]
+      real(dp) :: tangent_weight(4) = 0
+   end type contact_kinematics_t
+
+contains
+
+   !> Everything at given closest points.
+   pure subroutine contact_kinematics(x, t, length, axis, radius, xi_bar, xi, side, kinematics, info)
+      !> Nodal positions [m] and unit tangents (3, 4): barred 1, barred 2, 1, 2
+      real(dp), intent(in) :: x(3, 4), t(3, 4)
+      !> Reference lengths (2) [m], and radii (2) [m]: barred, unbarred
+      real(dp), intent(in) :: length(2)
+      !> `axis_linear` or `axis_hermite` of litz_laws
+      integer, intent(in) :: axis
+      real(dp), intent(in) :: radius(2)
+      !> The closest points, from `closest_points`
+      real(dp), intent(in) :: xi_bar, xi
+      !> +1 or -1: sign of `w . (x' x xb')` when the contact began, which keeps the sign of the gap when the axes pass
+      !> each other; 0: the present sign (+1 where the axes meet exactly)
+      integer, intent(in) :: side
+      type(contact_kinematics_t), intent(out) :: kinematics
+      !> One of the constants above; `kinematics` is complete only with `kinematics_ok`
+      integer, intent(out) :: info
+      real(dp), dimension(4) :: h, h1, h2, hb, hb1, hb2
+      real(dp), dimension(3) :: w, x1, x2, xb1, xb2, n
+      real(dp) :: sine, g(2, 2), curvature(2), m(2, 2), g_inverse(2, 2)
+
+      call axis_shape(axis, length(2), xi, h, h1, h2)
+      call axis_shape(axis, length(1), xi_bar, hb, hb1, hb2)
+      x1 = on_axis(h1, x(:, 3:4), t(:, 3:4))
+      x2 = on_axis(h2, x(:, 3:4), t(:, 3:4))
+      xb1 = on_axis(hb1, x(:, 1:2), t(:, 1:2))
+      xb2 = on_axis(hb2, x(:, 1:2), t(:, 1:2))
+      ! measured from one node, so that the distance does not suffer from far-away origins
+      w = on_axis(hb, x(:, 1:2) - spread(x(:, 3), 2, 2), t(:, 1:2)) &
+         - on_axis(h, x(:, 3:4) - spread(x(:, 3), 2, 2), t(:, 3:4))
+
+      n = cross(x1, xb1)
+      sine = norm2(n)
+      kinematics%xi_bar = xi_bar
+      kinematics%xi = xi
+      kinematics%point = on_axis(h, x(:, 3:4), t(:, 3:4))
+      kinematics%point_bar = kinematics%point + w
+      kinematics%angle = atan2(sine, dot_product(x1, xb1))
+      kinematics%cos_angle = dot_product(x1, xb1)/(norm2(x1)*norm2(xb1))
+      info = kinematics_parallel
+      if (.not. sine > parallel_sine*norm2(x1)*norm2(xb1)) return
+
+      kinematics%side = side
+      if (side == 0) kinematics%side = merge(1, -1, dot_product(w, n) >= 0)
+      n = kinematics%side*n/sine
+      kinematics%normal = n
+      kinematics%distance = dot_product(w, n)                                              ! d
+      kinematics%gap = kinematics%distance - sum(radius)                                   ! g = d - (rb + r)
+
+      g = reshape([dot_product(x1, x1), -dot_product(x1, xb1), -dot_product(x1, xb1), dot_product(xb1, xb1)], [2, 2])
+      curvature = [-dot_product(n, x2), dot_product(n, xb2)]                               ! H
+      m = g
+      m(1, 1) = m(1, 1) + kinematics%distance*curvature(1)
+      m(2, 2) = m(2, 2) + kinematics%distance*curvature(2)                                 ! M = G + d H
+      info = kinematics_singular
+      if (.not. abs(m(1, 1)*m(2, 2) - m(1, 2)*m(2, 1)) > parallel_sine**2*g(1, 1)*g(2, 2)) return
+      info = kinematics_ok
+      g_inverse = inverse(g)
+      kinematics%between_q = inverse(m)
+      kinematics%between_b = matmul(g_inverse, spread(curvature, 2, 2)*kinematics%between_q)
+
+      kinematics%tangent_weight = [hb(2), hb(4), -h(2), -h(4)]
+      kinematics%dgap = [row(hb, t(:, 1:2), n), row(h, t(:, 3:4), -n)]                      ! dg = n^T S
+      kinematics%b(:, 1) = [row(hb, t(:, 1:2), -x1), row(h, t(:, 3:4), x1)]                 ! B
+      kinematics%b(:, 2) = [row(hb, t(:, 1:2), xb1), row(h, t(:, 3:4), -xb1)]
+      kinematics%q(13:24, 1) = row(h1, t(:, 3:4), -n)                                      ! Q
+      kinematics%q(1:12, 2) = row(hb1, t(:, 1:2), n)
+      call add_moves(kinematics)
+      call add_angle(kinematics, t, x1, x2, xb1, xb2, h1, hb1)
+   end subroutine contact_kinematics
+
+   !> How the closest points move: `dxi = -M^-1 (B + d Q)`.
+   pure subroutine add_moves(kinematics)
+      type(contact_kinematics_t), intent(inout) :: kinematics
+      real(dp) :: c(24, 2)
+
+      c = kinematics%b + kinematics%distance*kinematics%q
+      associate (m_inverse => kinematics%between_q)
+         kinematics%dxi = -m_inverse(1, 1)*c(:, 1) - m_inverse(1, 2)*c(:, 2)
+         kinematics%dxi_bar = -m_inverse(2, 1)*c(:, 1) - m_inverse(2, 2)*c(:, 2)
+      end associate
+   end subroutine add_moves
+
+   !> How the angle changes: through the unit tangents `e`, by the nodes and by the move of the closest points.
+   pure subroutine add_angle(kinematics, t, x1, x2, xb1, xb2, h1, hb1)
+      type(contact_kinematics_t), intent(inout) :: kinematics
+      real(dp), intent(in) :: t(3, 4)
+      real(dp), dimension(3), intent(in) :: x1, x2, xb1, xb2
+      real(dp), dimension(4), intent(in) :: h1, hb1
+      real(dp), dimension(3) :: e, eb, v, vb
+
+      e = x1/norm2(x1)
+      eb = xb1/norm2(xb1)
+      v = (eb - kinematics%cos_angle*e)/norm2(x1)                                          ! dcos/dx'
+      vb = (e - kinematics%cos_angle*eb)/norm2(xb1)                                        ! dcos/dxb'
+      kinematics%dcos_angle = dot_product(v, x2)*kinematics%dxi + dot_product(vb, xb2)*kinematics%dxi_bar
+      kinematics%dcos_angle(1:12) = kinematics%dcos_angle(1:12) + row(hb1, t(:, 1:2), vb)
+      kinematics%dcos_angle(13:24) = kinematics%dcos_angle(13:24) + row(h1, t(:, 3:4), v)
+      kinematics%dangle = -kinematics%dcos_angle/sin(kinematics%angle)
+   end subroutine add_angle
+
+   !> Position, or a derivative of it, with the weights of x1, t1, x2, t2.
+   pure function on_axis(weight, x, t) result(point)
+      real(dp), intent(in) :: weight(4), x(3, 2), t(3, 2)
+      real(dp) :: point(3)
+
+      point = weight(1)*x(:, 1) + weight(2)*t(:, 1) + weight(3)*x(:, 2) + weight(4)*t(:, 2)
+   end function on_axis
+
+   !> The row `v^T S` of one element over its 12 unknowns.
+   pure function row(weight, t, v) result(r)
+      real(dp), intent(in) :: weight(4), t(3, 2), v(3)
+      real(dp) :: r(12)
+
+      r(1:3) = weight(1)*v
+      r(4:6) = weight(2)*cross(t(:, 1), v)
+      r(7:9) = weight(3)*v
+      r(10:12) = weight(4)*cross(t(:, 2), v)
+   end function row
+
+   pure function inverse(a) result(b)
+      real(dp), intent(in) :: a(2, 2)
+      real(dp) :: b(2, 2)
+
+      b = reshape([a(2, 2), -a(2, 1), -a(1, 2), a(1, 1)], [2, 2])/(a(1, 1)*a(2, 2) - a(1, 2)*a(2, 1))
+   end function inverse
+
+end module litz_contact_kinematics

@@ -1,0 +1,124 @@
+!> The exact elliptic Hertz contact of two round wires that cross at an angle: the part that depends on geometry and
+!> elasticity only, shared by the contact-spot laws and the normal law.
+!>
+!> Source: theory section 6, `HERTZ`. For a force `F`: semi-major axis `a = ca F^(1/3)`, semi-minor axis
+!> `b = ratio a`, approach `delta = cd F^(2/3)`.
+module litz_hertz
+   use litz_kinds, only: dp, pi
+   use litz_elliptic, only: elliptic_t, elliptic_integrals_complementary
+   implicit none
+   private
+   public :: hertz_ellipse_t, hertz_ellipse, effective_modulus
+   public :: hertz_ok, hertz_parallel
+
+   integer, parameter :: hertz_ok = 0
+   !> The axes are parallel: the spot would be infinitely long
+   integer, parameter :: hertz_parallel = -1
+
+   type :: hertz_ellipse_t
+      !> b/a in (0, 1]
+      real(dp) :: ratio = 1
+      !> ca [m N^(-1/3)] and cd [m N^(-2/3)]
+      real(dp) :: semi_major = 0, approach = 0
+      !> E* [Pa]
+      real(dp) :: modulus = 0
+      !> Derivatives with respect to the angle, per radian: of cd, and of log(a b). Both are smooth and vanish at 90
+      !> degrees, where a and b of equal wires change places and have no derivative of their own.
+      real(dp) :: dapproach_dangle = 0, dlog_area_dangle = 0
+   end type hertz_ellipse_t
+
+   !> Newton on the ratio equation stops at this change of log(b/a); it converges quadratically, so that the error left
+   !> is of the order of its square
+   real(dp), parameter :: ratio_tolerance = 1.0e-9_dp
+   integer, parameter :: max_iterations = 20
+
+contains
+
+   !> `1/E* = (1-nu^2)/E + (1-nub^2)/Eb`.
+   pure real(dp) function effective_modulus(young, poisson) result(modulus)
+      !> Young's moduli (2) [Pa] and Poisson's ratios (2) [-]: barred, unbarred
+      real(dp), intent(in) :: young(2), poisson(2)
+
+      modulus = 1/((1 - poisson(1)**2)/young(1) + (1 - poisson(2)**2)/young(2))
+   end function effective_modulus
+
+   !> Ratio and coefficients of the ellipse, and their derivatives with respect to the angle.
+   pure subroutine hertz_ellipse(radius, young, poisson, angle, ellipse, info)
+      !> Wire radii (2) [m]: barred, unbarred
+      real(dp), intent(in) :: radius(2)
+      !> Young's moduli (2) [Pa] and Poisson's ratios (2) [-]: barred, unbarred
+      real(dp), intent(in) :: young(2), poisson(2)
+      !> Angle between the tangents [rad], in (0, pi)
+      real(dp), intent(in) :: angle
+      type(hertz_ellipse_t), intent(out) :: ellipse
+      !> `hertz_ok` or `hertz_parallel`
+      integer, intent(out) :: info
+      type(elliptic_t) :: f
+      real(dp) :: mean_curvature, product, q, c, dc_dangle, a_curvature, log_slope, dratio_dc, dlog_major_dc, ca
+
+      info = hertz_parallel
+      ! c = (B-A)/(A+B) and q = 1 - c^2 = 4 A B/(A+B)^2, each without a cancellation
+      product = 4*radius(1)*radius(2)/sum(radius)**2
+      q = product*sin(angle)**2
+      if (.not. q > tiny(q)) return
+      info = hertz_ok
+      c = sqrt(((radius(1) - radius(2))/sum(radius))**2 + product*cos(angle)**2)
+      mean_curvature = (1/radius(1) + 1/radius(2))/2                                                       ! A + B
+      a_curvature = mean_curvature*q/(2*(1 + c))                                                           ! A
+      ellipse%modulus = effective_modulus(young, poisson)
+
+      call solve_ratio(q, c, ellipse%ratio, log_slope, f)
+      ca = (3*f%d/(2*pi*a_curvature*ellipse%modulus))**(1.0_dp/3)               ! a^3 = 3F(K-E)/(2 pi m A E*)
+      ellipse%semi_major = ca
+      ellipse%approach = 3*f%k/(2*pi*ca*ellipse%modulus)                        ! delta = 3F K/(2 pi a E*)
+
+      ! c = 0 needs equal wires at 90 degrees, where everything that is returned is stationary
+      if (c <= 0) return
+      dc_dangle = -product*sin(angle)*cos(angle)/c
+      dratio_dc = -2/(q*log_slope)                                              ! d log(b/a)/dc
+      dlog_major_dc = ((f%c/f%d - 1)*dratio_dc + 1/(1 - c))/3                   ! d log(a)/dc
+      ellipse%dlog_area_dangle = (2*dlog_major_dc + dratio_dc)*dc_dangle
+      ! The complementary energy (3/5) F delta is stationary in the ellipse, so only the curvatures vary:
+      ! (3/5) F d(delta) = F <x^2> dA + F <y^2> dB, with the mean squares a^2/5 and b^2/5 of Hertz's pressure
+      ellipse%dapproach_dangle = -mean_curvature*ca**2*f%m/6*dc_dangle
+   end subroutine hertz_ellipse
+
+   !> The ratio `b/a` from `B/A = (E - m1 K)/(m1 (K - E))`, with `m1 = (b/a)^2`.
+   !>
+   !> In logarithms, `log(A/B) = log(m1 D/B)` is an increasing, concave and almost straight function of `log(b/a)`: its
+   !> slope `1 + C/D + m1 C/B` falls from 2 for a line to 3/2 for a circle. Newton's method therefore never passes the
+   !> solution after its first step and needs no other safeguard.
+   pure subroutine solve_ratio(q, c, ratio, slope, f)
+      !> `4 A B/(A+B)^2` and `(B-A)/(A+B)`
+      real(dp), intent(in) :: q, c
+      !> b/a
+      real(dp), intent(out) :: ratio
+      !> d log(A/B)/d log(b/a), and the integrals, at the solution
+      real(dp), intent(out) :: slope
+      type(elliptic_t), intent(out) :: f
+      real(dp) :: target_value, s, step
+      integer :: iteration
+
+      target_value = log(q) - 2*log(1 + c)                                      ! log(A/B) = log(q/(1+c)^2)
+      s = start_of_ratio(target_value)
+      do iteration = 1, max_iterations
+         f = elliptic_integrals_complementary(exp(2*s))
+         slope = 1 + f%c/f%d + f%m1*f%c/f%b
+         step = (target_value - log(f%m1*f%d/f%b))/slope
+         s = min(s + step, 0.0_dp)
+         if (abs(step) <= ratio_tolerance) exit
+      end do
+      ratio = exp(s)
+      f = elliptic_integrals_complementary(ratio**2)
+      slope = 1 + f%c/f%d + f%m1*f%c/f%b
+   end subroutine solve_ratio
+
+   !> The asymptote `A/B = (b/a)^2 (log(4 a/b) - 1)` of a slender spot, solved roughly, meets `(b/a)^(3/2)` of a round one.
+   pure real(dp) function start_of_ratio(target_value) result(s)
+      real(dp), intent(in) :: target_value
+
+      s = 2*target_value/3
+      if (s < -1) s = (target_value - log(log(4.0_dp) - s - 1))/2
+   end function start_of_ratio
+
+end module litz_hertz
