@@ -5,6 +5,7 @@ module litz_model
    use litz_kinds, only: dp
    use litz_laws, only: axis_linear, axis_hermite, normal_linear, normal_hertz, spot_none, spot_paper, spot_hertz, &
       spot_plastic, spot_film, spot_constant, spot_table
+   use litz_solver_names, only: solver_default, solver_block, solver_umfpack, solver_skyline
    implicit none
    private
    public :: name_length
@@ -14,7 +15,8 @@ module litz_model
    public :: axis_linear, axis_hermite
    public :: normal_linear, normal_hertz
    public :: spot_none, spot_paper, spot_hertz, spot_plastic, spot_film, spot_constant, spot_table
-   public :: solver_block, solver_umfpack, solver_skyline, coupling_default, coupling_monolithic, coupling_updated
+   public :: solver_default, solver_block, solver_umfpack, solver_skyline
+   public :: coupling_default, coupling_monolithic, coupling_updated
    public :: request_node, request_element, request_contact, request_electrode
    public :: dof_potential, model_set_index
 
@@ -26,7 +28,6 @@ module litz_model
    !> Abaqus's number of the electric potential among the degrees of freedom of a node (1-3 u, 4-6 rotation)
    integer, parameter :: dof_potential = 9
 
-   integer, parameter :: solver_block = 1, solver_umfpack = 2, solver_skyline = 3
    integer, parameter :: coupling_default = 0, coupling_monolithic = 1, coupling_updated = 2
 
    integer, parameter :: request_node = 1, request_element = 2, request_contact = 3, request_electrode = 4
@@ -153,7 +154,7 @@ module litz_model
       !> Carried over, as Abaqus does, unless the step asks anew
       type(output_request_t), allocatable :: requests(:)
       type(controls_t) :: controls
-      integer :: solver = solver_block, coupling = coupling_default
+      integer :: solver = solver_default, coupling = coupling_default
    end type step_t
 
    type :: model_t

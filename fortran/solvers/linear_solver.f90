@@ -1,10 +1,10 @@
 !> The one interface of all linear solvers: analyse a pattern once, factor values, solve.
 module litz_linear_solver
    use litz_kinds, only: dp
-   use litz_errors, only: error_t
+   use litz_errors, only: error_t, fail, exit_internal
    implicit none
    private
-   public :: linear_solver_t, csr_matrix_t, system_matrix_t
+   public :: linear_solver_t, csr_matrix_t, system_matrix_t, check_right_side
 
    !> Compressed sparse rows; columns ascending within a row, indices from 1.
    type :: csr_matrix_t
@@ -26,8 +26,13 @@ module litz_linear_solver
    end type system_matrix_t
 
    type, abstract :: linear_solver_t
-      !> Negative pivots met in the last factorisation of `mm`; -1: the solver cannot tell
+      !> Negative eigenvalues of a symmetric `mm`, counted by the pivots of the last `factor`: 0 where it is positive
+      !> definite (stable equilibrium); -1: the solver cannot tell, or `mm` is not symmetric
       integer :: negative_pivots = -1
+      !> .false.: there are at least so many
+      logical :: negative_pivots_exact = .true.
+      !> Equation at which the last call gave up, mechanics first, then electricity (`n_m + i`); 0: none is to blame
+      integer :: failed_equation = 0
    contains
       !> Symbolic work; call again only when the pattern has changed
       procedure(analyse_interface), deferred :: analyse
@@ -51,7 +56,8 @@ module litz_linear_solver
          type(system_matrix_t), intent(in) :: matrix
          type(error_t), allocatable, intent(out) :: error
       end subroutine analyse_interface
-      !> A singular matrix is an error with code `exit_solver` that names the equation where it was found
+      !> A singular matrix is an error with code `exit_solver` that names the equation where it was found. One that is
+      !> so only to working precision may pass here and be found by `solve`.
       subroutine factor_interface(self, matrix, error)
          import :: linear_solver_t, system_matrix_t, error_t
          class(linear_solver_t), intent(inout) :: self
@@ -78,5 +84,19 @@ module litz_linear_solver
          character(len=:), allocatable :: name
       end function name_interface
    end interface
+
+contains
+
+   !> The right-hand side of a block must be as long as the block has rows.
+   subroutine check_right_side(block, b, error)
+      type(csr_matrix_t), intent(in) :: block
+      real(dp), intent(in) :: b(:)
+      type(error_t), allocatable, intent(out) :: error
+      character(len=80) :: lengths
+
+      if (size(b) == block%n_rows) return
+      write (lengths, '(i0, a, i0, a)') size(b), ' values for ', block%n_rows, ' equations'
+      error = fail(exit_internal, 'linear solver: a right-hand side of '//trim(lengths))
+   end subroutine check_right_side
 
 end module litz_linear_solver

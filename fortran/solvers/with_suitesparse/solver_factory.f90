@@ -1,0 +1,50 @@
+!> Creates the solver a deck or the command line asks for; this build has all of them.
+module litz_solver_factory
+   use litz_errors, only: error_t, fail, exit_internal
+   use litz_linear_solver, only: linear_solver_t
+   use litz_solver_names, only: solver_default, solver_block, solver_umfpack, solver_skyline
+   use litz_block_triangular, only: block_solver_t
+   use litz_umfpack, only: umfpack_solver_t
+   use litz_skyline, only: skyline_solver_t
+   use litz_blas_threads, only: default_blas_threads
+   implicit none
+   private
+   public :: create_solver, resolved_solver, available_solvers
+
+contains
+
+   subroutine create_solver(kind, solver, error)
+      !> One of the constants of litz_solver_names
+      integer, intent(in) :: kind
+      class(linear_solver_t), allocatable, intent(out) :: solver
+      type(error_t), allocatable, intent(out) :: error
+
+      call default_blas_threads()
+      select case (resolved_solver(kind))
+      case (solver_block)
+         allocate (block_solver_t :: solver)
+      case (solver_umfpack)
+         allocate (umfpack_solver_t :: solver)
+      case (solver_skyline)
+         allocate (skyline_solver_t :: solver)
+      case default
+         error = fail(exit_internal, 'linear solver: there is no solver of this kind')
+      end select
+   end subroutine create_solver
+
+   !> The solver that is meant: the default of this build where nobody chose.
+   pure integer function resolved_solver(kind)
+      integer, intent(in) :: kind
+
+      resolved_solver = kind
+      if (kind == solver_default) resolved_solver = solver_block
+   end function resolved_solver
+
+   !> For `litz --version`.
+   pure function available_solvers() result(text)
+      character(len=:), allocatable :: text
+
+      text = 'BLOCK (CHOLMOD, UMFPACK), UMFPACK, SKYLINE'
+   end function available_solvers
+
+end module litz_solver_factory
