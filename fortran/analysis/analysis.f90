@@ -1,47 +1,390 @@
-!> The analysis of a model from its first step to its last, and the checks that need the geometry.
+!> A run from the resolved model to the closed result files: steps, increments, cut-backs.
 module litz_analysis
-   use litz_errors, only: error_t, fail, exit_internal
-   use litz_model, only: model_t
+   use, intrinsic :: iso_fortran_env, only: output_unit
+   use litz_kinds, only: dp, pi
+   use litz_capture, only: start_state, capture_state
+   use litz_contact_pairs, only: contact_point_t, prepare_contact, find_candidates, locate_points
+   use litz_element_library, only: prepare_elements
+   use litz_equations, only: number_equations
+   use litz_errors, only: error_t, fail, exit_input, exit_not_converged
+   use litz_loading, only: start_loading, load_targets, next_break_point
+   use litz_model, only: model_t, step_t, solver_block, coupling_default, coupling_monolithic, coupling_updated, &
+      request_contact
+   use litz_newton, only: problem_t, outcome_t, solve_increment
+   use litz_results, only: results_t, iteration_report_t, increment_report_t
+   use litz_solver_factory, only: create_solver
+   use litz_step_control, only: step_control_t
+   use litz_wires, only: build_wires
+!$ use omp_lib, only: omp_set_num_threads
    implicit none
    private
    public :: run_options_t, run_analysis, check_model
 
-   !> What the command line asks for beyond the deck.
+   !> Wires may overlap in the reference by this fraction of the smaller radius without being an interference fit
+   real(dp), parameter :: allowed_overlap = 0.01_dp
+   !> Below this crossing angle [rad] a point contact does not describe the line in which wires touch
+   real(dp), parameter :: shallow_angle = 10*pi/180
+
    type :: run_options_t
-      !> The deck as the user named it; result files carry its stem
       character(len=:), allocatable :: deck_path
-      !> Existing directory for the result files
+      !> Empty: the current directory
       character(len=:), allocatable :: output_directory
-      !> One of the solver constants of `litz_model`; 0: as the deck says
+      !> One of the solver constants of the model; 0: as the deck says
       integer :: solver = 0
-      !> Number of threads; 0: the default of OpenMP
+      !> 0: as the environment says
       integer :: threads = 0
-      !> No progress in the terminal
+      !> No progress on the terminal
       logical :: quiet = .false.
    end type run_options_t
 
 contains
 
-   !> Run all steps and write the result files.
+   !> Run all steps.
    subroutine run_analysis(model, options, error)
       type(model_t), intent(in) :: model
       type(run_options_t), intent(in) :: options
-      !> Carries the exit code; not allocated when every step has finished
       type(error_t), allocatable, intent(out) :: error
+      type(problem_t) :: problem
+      type(results_t) :: results
+      real(dp), allocatable :: overlap(:)
+      type(error_t), allocatable :: close_error
+      integer :: i
 
-      error = fail(exit_internal, 'The analysis of "'//options%deck_path//'" is not part of this build')
-      if (model%n_elements == 0) error = fail(exit_internal, 'The model has no elements')
+!$    if (options%threads > 0) call omp_set_num_threads(options%threads)
+      call prepare_problem(model, problem)
+      call find_initial_overlap(problem, overlap, error)
+      if (allocated(error)) return
+      call results%open(model, options%output_directory, deck_stem(options%deck_path), error)
+      if (allocated(error)) return
+      if (.not. options%quiet) call print_header(model)
+      call results%write_increment(model, problem%state, error)
+      do i = 1, size(model%steps)
+         if (allocated(error)) exit
+         call run_step(problem, model%steps(i), i, overlap, options, results, error)
+         overlap = 0
+      end do
+      call results%close(.not. allocated(error), close_error)
+      if (.not. allocated(error) .and. allocated(close_error)) call move_alloc(close_error, error)
    end subroutine run_analysis
 
-   !> Search the contacts of the reference configuration once, and say what was found.
+   !> What can be told without solving: wires, and the crossings at the start.
    subroutine check_model(model, report, error)
       type(model_t), intent(in) :: model
-      !> Lines for the user, each ended by a new-line character
       character(len=:), allocatable, intent(out) :: report
       type(error_t), allocatable, intent(out) :: error
+      type(problem_t) :: problem
+      real(dp), allocatable :: overlap(:)
+      character(len=200) :: line
+      integer :: i
 
-      report = ''
-      if (model%n_elements == 0) error = fail(exit_internal, 'The model has no elements')
+      call prepare_problem(model, problem)
+      call find_initial_overlap(problem, overlap, error)
+      if (allocated(error)) return
+      write (line, '(a, i0)') 'wires (chains of elements): ', problem%wires%n_wires
+      report = trim(line)//new_line('a')
+      if (.not. problem%contact%present) return
+      write (line, '(a, i0, a, i0, a)') 'contact search: ', size(problem%contact%candidates, 2), &
+         ' pairs of elements are near, ', size(problem%contact%points), ' crossings within reach'
+      report = report//trim(line)//new_line('a')
+      do i = 1, min(20, size(problem%contact%points))
+         associate (point => problem%contact%points(i))
+            write (line, '(a, i0, a, i0, a, f6.2, a, es11.3, a)') '  elements ', model%element_id(point%element_bar), &
+               ' and ', model%element_id(point%element), ': crossing angle ', &
+               min(point%kinematics%angle, pi - point%kinematics%angle)*180/pi, ' degrees, gap ', point%gap, ' m'
+            report = report//trim(line)//new_line('a')
+         end associate
+      end do
    end subroutine check_model
+
+   subroutine prepare_problem(model, problem)
+      type(model_t), intent(in) :: model
+      type(problem_t), intent(out) :: problem
+
+      problem%model = model
+      call build_wires(model, problem%wires)
+      call prepare_elements(model, problem%wires, problem%elements)
+      call prepare_contact(model, problem%elements, problem%contact)
+      call start_state(problem)
+   end subroutine prepare_problem
+
+   !> Largest overlap of the reference configuration for each pair that is meant as an interference fit; error for others.
+   subroutine find_initial_overlap(problem, overlap, error)
+      type(problem_t), intent(inout) :: problem
+      real(dp), allocatable, intent(out) :: overlap(:)
+      type(error_t), allocatable, intent(out) :: error
+      integer :: i, n_refused, worst
+      character(len=400) :: text
+
+      allocate (overlap(size(problem%model%contact_pairs)), source=0.0_dp)
+      if (.not. problem%contact%present) return
+      associate (model => problem%model, contact => problem%contact, state => problem%state)
+         call find_candidates(model, problem%wires, problem%elements, model%x, model%x, contact)
+         call locate_points(model, problem%wires, problem%elements, model%x, model%x, state%rotation, contact%skin, &
+            contact)
+         n_refused = 0
+         worst = 0
+         do i = 1, size(contact%points)
+            associate (point => contact%points(i))
+               if (model%contact_pairs(point%pair)%interference_fit) then
+                  overlap(point%pair) = max(overlap(point%pair), -point%gap)
+               else if (-point%gap > allowed_overlap*minval(radii(point))) then
+                  n_refused = n_refused + 1
+                  if (worst == 0) worst = i
+                  if (point%gap < contact%points(worst)%gap) worst = i
+               end if
+            end associate
+         end do
+         if (n_refused == 0) return
+         associate (point => contact%points(worst), pair => model%contact_pairs(contact%points(worst)%pair))
+            write (text, '(a, i0, a, i0, a, es9.2, a, f0.1, a, i0, a)') 'the wires of elements ', &
+               model%element_id(point%element_bar), ' and ', model%element_id(point%element), &
+               ' overlap at the start by', -point%gap, ' m, that is ', -100*point%gap/minval(radii(point)), &
+               ' % of the smaller radius (allowed: 1 %; ', n_refused, &
+               ' crossings overlap in all); move the wires apart, or add INTERFERENCE FIT to *CONTACT PAIR'
+            error = fail(exit_input, trim(text))
+            error%file = pair%file
+            error%line = pair%line
+         end associate
+      end associate
+
+   contains
+
+      pure function radii(point)
+         type(contact_point_t), intent(in) :: point
+         real(dp) :: radii(2)
+
+         radii = problem%elements%radius([point%element_bar, point%element])
+      end function radii
+
+   end subroutine find_initial_overlap
+
+   subroutine run_step(problem, step, number, overlap, options, results, error)
+      type(problem_t), intent(inout) :: problem
+      type(step_t), intent(in) :: step
+      integer, intent(in) :: number
+      !> Interference that this step resolves, one per contact pair [m]
+      real(dp), intent(in) :: overlap(:)
+      type(run_options_t), intent(in) :: options
+      type(results_t), intent(inout) :: results
+      type(error_t), allocatable, intent(out) :: error
+      type(step_control_t) :: control
+      real(dp) :: step_time, start_time
+      character(len=120) :: text
+
+      call begin_step(problem, step, options, error)
+      if (allocated(error)) return
+      call control%start(step)
+      problem%state%step = number
+      problem%state%increment = 0
+      start_time = problem%state%time
+      step_time = 0
+      do while (step_time < step%total*(1 - 1.0e-9_dp))
+         if (problem%state%increment >= step%max_increments) then
+            write (text, '(a, i0, a, i0, a, es10.3, a, es10.3)') 'step ', number, ': the ', step%max_increments, &
+               ' increments of INC= are used up at step time', step_time, ' of', step%total
+            error = fail(exit_not_converged, trim(text))
+            return
+         end if
+         call run_increment(problem, step, overlap, control, start_time, step_time, options, results, error)
+         if (allocated(error)) return
+      end do
+   end subroutine run_step
+
+   !> Supports, solver and equations of the step.
+   subroutine begin_step(problem, step, options, error)
+      type(problem_t), intent(inout) :: problem
+      type(step_t), intent(in) :: step
+      type(run_options_t), intent(in) :: options
+      type(error_t), allocatable, intent(out) :: error
+      logical :: in_beam(problem%model%n_nodes), in_conductor(problem%model%n_nodes)
+      integer :: e, kind
+
+      call start_loading(step, problem%state, problem%loading)
+      in_beam = .false.
+      in_conductor = .false.
+      do e = 1, problem%model%n_elements
+         in_beam(problem%model%connectivity(:, e)) = .true.
+         if (problem%elements%resistivity(e) > 0) in_conductor(problem%model%connectivity(:, e)) = .true.
+      end do
+      call number_equations(problem%loading%fixed, in_beam, in_conductor, problem%equations)
+      kind = merge(options%solver, step%solver, options%solver > 0)
+      if (allocated(problem%solver)) deallocate (problem%solver)
+      call create_solver(kind, problem%solver, error)
+      if (allocated(error)) return
+      problem%coupling = step%coupling
+      if (problem%coupling == coupling_default) then
+         problem%coupling = merge(coupling_updated, coupling_monolithic, kind == solver_block)
+      end if
+      problem%pattern_changed = .true.
+   end subroutine begin_step
+
+   !> One increment with its cut-backs.
+   subroutine run_increment(problem, step, overlap, control, start_time, step_time, options, results, error)
+      type(problem_t), intent(inout) :: problem
+      type(step_t), intent(in) :: step
+      real(dp), intent(in) :: overlap(:)
+      type(step_control_t), intent(inout) :: control
+      real(dp), intent(in) :: start_time
+      real(dp), intent(inout) :: step_time
+      type(run_options_t), intent(in) :: options
+      type(results_t), intent(inout) :: results
+      type(error_t), allocatable, intent(out) :: error
+      type(contact_point_t), allocatable :: converged_points(:)
+      type(iteration_report_t) :: report
+      type(outcome_t) :: outcome
+      real(dp) :: break_point, increment, target
+      integer :: attempt
+
+      report%step = problem%state%step
+      report%increment = problem%state%increment + 1
+      break_point = next_break_point(problem%model, step, step_time, start_time + step_time)
+      allocate (converged_points, source=problem%contact%points)
+      attempt = 0
+      do
+         attempt = attempt + 1
+         increment = control%propose(step_time, break_point)
+         target = step_time + increment
+         report%attempt = attempt
+         call load_targets(problem%model, step, target, start_time + target, problem%loading)
+         problem%contact%clearance = overlap*max(0.0_dp, 1 - target/step%total)
+         call solve_increment(problem, step, report, results, outcome, error)
+         if (allocated(error)) return
+         if (outcome%converged) exit
+         call report_increment(problem, outcome, attempt, increment, target, start_time, options, results, error)
+         if (allocated(error)) return
+         problem%contact%points = converged_points
+         if (.not. control%cut(step, increment, attempt)) then
+            error = not_converged(problem, step, report, step_time, increment, outcome%reason)
+            return
+         end if
+      end do
+      step_time = target
+      problem%state%increment = report%increment
+      problem%state%iterations = outcome%iterations
+      problem%state%step_time = step_time
+      problem%state%time = start_time + step_time
+      problem%state%time_increment = increment
+      call capture_state(problem)
+      call report_increment(problem, outcome, attempt, increment, step_time, start_time, options, results, error)
+      if (allocated(error)) return
+      call results%write_increment(problem%model, problem%state, error)
+      call control%accept(step, outcome%iterations)
+   end subroutine run_increment
+
+   !> A line of the .sta file, and of the terminal.
+   subroutine report_increment(problem, outcome, attempt, increment, step_time, start_time, options, results, error)
+      type(problem_t), intent(in) :: problem
+      type(outcome_t), intent(in) :: outcome
+      integer, intent(in) :: attempt
+      real(dp), intent(in) :: increment, step_time, start_time
+      type(run_options_t), intent(in) :: options
+      type(results_t), intent(inout) :: results
+      type(error_t), allocatable, intent(out) :: error
+      type(increment_report_t) :: report
+      character(len=160) :: line
+
+      report%step = outcome%last%step
+      report%increment = outcome%last%increment
+      report%attempts = attempt
+      report%iterations = outcome%iterations
+      report%time = start_time + step_time
+      report%step_time = step_time
+      report%time_increment = increment
+      report%residual = outcome%last%residual
+      report%negative_pivots = outcome%negative_pivots
+      report%contacts = outcome%last%contacts_active
+      report%remark = remark_of(problem, outcome)
+      call results%write_status(report, error)
+      if (options%quiet) return
+      write (line, '(i5, i6, i5, i6, 2es13.5, i10, es13.5)') report%step, report%increment, attempt, &
+         outcome%iterations, report%time, increment, report%contacts, sum(problem%contact%points%force)
+      write (output_unit, '(a, 2x, a)') trim(line), report%remark
+      call print_contacts(problem, outcome)
+   end subroutine report_increment
+
+   subroutine print_header(model)
+      type(model_t), intent(in) :: model
+
+      if (allocated(model%heading)) write (output_unit, '(a)') trim(model%heading)
+      write (output_unit, '(a)') ' step   inc  att iters     time [s]  increment [s]  contacts  sum of F [N]'
+   end subroutine print_header
+
+   !> The lines that *CONTACT PRINT asks for.
+   subroutine print_contacts(problem, outcome)
+      type(problem_t), intent(in) :: problem
+      type(outcome_t), intent(in) :: outcome
+      integer :: i
+
+      if (.not. outcome%converged) return
+      if (.not. any(problem%model%steps(problem%state%step)%requests%kind == request_contact)) return
+      do i = 1, size(problem%state%contacts)
+         associate (contact => problem%state%contacts(i), id => problem%model%element_id)
+            write (output_unit, '(6x, a, i0, a, i0, a, i0, a, es11.4, a, es11.4, a, es11.4, a, es11.4, a)') &
+               'contact ', contact%id, ' (elements ', id(contact%element_bar), ', ', id(contact%element), &
+               '): gap ', contact%gap, ' m, force ', contact%force, ' N, resistance ', contact%resistance, &
+               ' ohm, current ', contact%current, ' A'
+         end associate
+      end do
+   end subroutine print_contacts
+
+   !> What a user should know of an increment, in words; empty when there is nothing.
+   function remark_of(problem, outcome) result(remark)
+      type(problem_t), intent(in) :: problem
+      type(outcome_t), intent(in) :: outcome
+      character(len=:), allocatable :: remark
+      character(len=120) :: text
+      integer :: n
+
+      remark = ''
+      if (.not. outcome%converged) then
+         remark = 'cut: '//outcome%reason
+         return
+      end if
+      if (outcome%negative_pivots > 0) remark = 'negative pivots: beyond a critical load; '
+      n = count(problem%contact%points%closed .and. sin(problem%contact%points%kinematics%angle) < sin(shallow_angle))
+      if (n > 0) then
+         write (text, '(i0, a)') n, ' contacts cross at less than 10 degrees, where point contact is not valid; '
+         remark = remark//trim(text)//' '
+      end if
+      if (problem%contact%n_parallel > 0) then
+         write (text, '(i0, a)') problem%contact%n_parallel, ' near pairs of elements are parallel: their contact is not found;'
+         remark = remark//trim(text)//' '
+      end if
+      if (outcome%at_round_off) remark = remark//'accepted at the limit of round-off'
+   end function remark_of
+
+   function not_converged(problem, step, report, step_time, increment, reason) result(error)
+      type(problem_t), intent(in) :: problem
+      type(step_t), intent(in) :: step
+      type(iteration_report_t), intent(in) :: report
+      real(dp), intent(in) :: step_time, increment
+      character(len=*), intent(in) :: reason
+      type(error_t) :: error
+      character(len=400) :: text
+
+      write (text, '(a, i0, a, i0, a, es10.3, a, es10.3, 3a)') 'step ', report%step, ', increment ', &
+         report%increment, ' did not converge from step time', step_time, ' with an increment of', increment, ': ', &
+         reason, '. '
+      if (step%direct) then
+         text = trim(text)//' Increments of *STATIC, DIRECT are not cut.'
+      else
+         text = trim(text)//' A smaller increment is below the smallest of *STATIC or over the cut-backs allowed.'
+      end if
+      if (problem%state%increment > 0 .or. report%step > 1) then
+         text = trim(text)//' The results hold all increments before.'
+      end if
+      error = fail(exit_not_converged, trim(text))
+   end function not_converged
+
+   !> File name without directory and ending.
+   pure function deck_stem(path) result(stem)
+      character(len=*), intent(in) :: path
+      character(len=:), allocatable :: stem
+      integer :: dot
+
+      stem = path(index(path, '/', back=.true.) + 1:)
+      dot = index(stem, '.', back=.true.)
+      if (dot > 1) stem = stem(:dot - 1)
+   end function deck_stem
 
 end module litz_analysis

@@ -1,0 +1,127 @@
+!> The converged iterate as a state: fields for the results and the start of the next increment.
+module litz_capture
+   use litz_kinds, only: dp, pi
+   use litz_contact_pairs, only: contact_point_t
+   use litz_newton, only: problem_t
+   use litz_rotations, only: identity3, rotation_log
+   use litz_state, only: state_t, contact_t
+   implicit none
+   private
+   public :: start_state, capture_state
+
+contains
+
+   !> The undeformed model without voltages, and arrays of the iteration.
+   subroutine start_state(problem)
+      type(problem_t), intent(inout) :: problem
+      integer :: n, m
+
+      n = problem%model%n_nodes
+      m = problem%model%n_elements
+      associate (state => problem%state, iterate => problem%iterate)
+         allocate (state%displacement(3, n), state%rotation_vector(3, n), state%reaction(6, n), &
+            state%applied_load(6, n), source=0.0_dp)
+         allocate (state%potential(n), state%reaction_current(n), state%applied_current(n), source=0.0_dp)
+         allocate (state%section_forces(6, m), source=0.0_dp)
+         allocate (state%element_current(m), state%joule_heat(m), source=0.0_dp)
+         allocate (state%contacts(0))
+         state%rotation = spread(identity3, 3, n)
+         allocate (iterate%sigma(6, m), iterate%strain(6, m), iterate%section_forces(6, m), iterate%b(6, 12, m), &
+            source=0.0_dp)
+         allocate (iterate%element_current(m), iterate%joule_heat(m), source=0.0_dp)
+      end associate
+   end subroutine start_state
+
+   !> Take over what has converged.
+   subroutine capture_state(problem)
+      type(problem_t), intent(inout) :: problem
+      logical :: mechanical_fixed(6), potential_fixed
+      integer :: node
+
+      associate (state => problem%state, iterate => problem%iterate, loading => problem%loading, &
+         internal => problem%forces%internal)
+         state%displacement = iterate%x - problem%model%x
+         state%rotation = iterate%rotation
+         state%potential = iterate%potential
+         state%section_forces = iterate%section_forces
+         state%element_current = iterate%element_current
+         state%joule_heat = iterate%joule_heat
+         state%applied_load = loading%load(1:6, :)
+         state%applied_current = loading%load(7, :)
+         do node = 1, problem%model%n_nodes
+            state%rotation_vector(:, node) = nearest_rotation_vector(state%rotation(:, :, node), &
+               state%rotation_vector(:, node))
+            mechanical_fixed = loading%fixed(1:6, node)
+            potential_fixed = loading%fixed(7, node)
+            state%reaction(:, node) = merge(internal(1:6, node) - loading%load(1:6, node), 0.0_dp, mechanical_fixed)
+            state%reaction_current(node) = merge(internal(7, node) - loading%load(7, node), 0.0_dp, potential_fixed)
+         end do
+         loading%converged_value = loading%value
+      end associate
+      call capture_contacts(problem)
+   end subroutine capture_state
+
+   !> The rotation vector of a matrix that is nearest to the last one, so that it goes on past pi.
+   pure function nearest_rotation_vector(rotation, last) result(vector)
+      real(dp), intent(in) :: rotation(3, 3), last(3)
+      real(dp) :: vector(3)
+      real(dp) :: angle, axis(3)
+
+      vector = rotation_log(rotation)
+      angle = norm2(vector)
+      if (angle > 0) then
+         axis = vector/angle
+      else if (norm2(last) > pi) then
+         axis = last/norm2(last)
+      else
+         return
+      end if
+      vector = (angle + 2*pi*anint((dot_product(axis, last) - angle)/(2*pi)))*axis
+   end function nearest_rotation_vector
+
+   !> Closed contacts, each with an identity that it keeps while it lives.
+   subroutine capture_contacts(problem)
+      type(problem_t), intent(inout) :: problem
+      integer :: i, m
+
+      associate (contact => problem%contact, state => problem%state)
+         deallocate (state%contacts)
+         allocate (state%contacts(count(contact%points%closed)))
+         m = 0
+         do i = 1, size(contact%points)
+            if (.not. contact%points(i)%closed) cycle
+            if (contact%points(i)%id == 0) then
+               contact%last_id = contact%last_id + 1
+               contact%points(i)%id = contact%last_id
+            end if
+            m = m + 1
+            state%contacts(m) = contact_of_point(contact%points(i))
+         end do
+      end associate
+   end subroutine capture_contacts
+
+   pure function contact_of_point(point) result(contact)
+      type(contact_point_t), intent(in) :: point
+      type(contact_t) :: contact
+
+      contact%id = point%id
+      contact%element_bar = point%element_bar
+      contact%element = point%element
+      contact%xi_bar = point%xi_bar
+      contact%xi = point%xi
+      contact%pair = point%pair
+      contact%angle = min(point%kinematics%angle, pi - point%kinematics%angle)
+      contact%gap = point%gap
+      contact%normal = point%kinematics%normal
+      contact%point_bar = point%kinematics%point_bar
+      contact%point = point%kinematics%point
+      contact%force = point%force
+      contact%semi_major = point%semi_major
+      contact%semi_minor = point%semi_minor
+      if (point%conductance > 0) contact%resistance = 1/point%conductance
+      contact%current = point%current
+      contact%voltage_gap = point%voltage_gap
+      contact%joule_heat = point%current*point%voltage_gap
+   end function contact_of_point
+
+end module litz_capture

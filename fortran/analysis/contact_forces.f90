@@ -1,0 +1,215 @@
+!> Forces and currents of the crossings, and their part of the system.
+!>
+!> The contact force is an independent variable of the iteration (theory section 9): the law is linearised as
+!> `delta(F)`, whether a point is active follows from the predicted gap, and the geometric stiffness takes the
+!> independent force. The converged force is that of the law at the true gap.
+module litz_contact_forces
+   use litz_kinds, only: dp
+   use litz_assembly, only: iterate_t, forces_t, add_mechanical, add_electric, add_coupling
+   use litz_contact_electricity, only: contact_electricity_t, contact_electricity, coupling_tangent
+   use litz_contact_mechanics, only: contact_mechanics, form_hessian
+   use litz_contact_pairs, only: contact_set_t, contact_point_t, pair_geometry
+   use litz_contact_spot, only: contact_spot_of_ellipse
+   use litz_element_library, only: elements_t
+   use litz_equations, only: equations_t
+   use litz_hertz, only: hertz_ellipse
+   use litz_linear_solver, only: system_matrix_t
+   use litz_model, only: model_t, normal_hertz, spot_none, spot_hertz, spot_film
+   use litz_normal_law, only: normal_force_of_ellipse, hertz_approach_of_ellipse
+   use litz_wires, only: wires_t
+   implicit none
+   private
+   public :: apply_normal_law, assemble_contacts, predict_contacts, materials_of
+
+   !> At first touch the Hertz law is linearised about the force of an overlap of at most this fraction of the radius
+   real(dp), parameter :: first_overlap = 1.0e-3_dp
+   !> A predicted force that is not positive although the gap closes is replaced by this fraction of the last one
+   real(dp), parameter :: force_floor = 0.1_dp
+
+contains
+
+   !> Radius, Young's modulus, Poisson's ratio and resistivity of both wires, barred first.
+   pure subroutine materials_of(model, elements, point, radius, young, poisson, resistivity)
+      type(model_t), intent(in) :: model
+      type(elements_t), intent(in) :: elements
+      type(contact_point_t), intent(in) :: point
+      real(dp), intent(out) :: radius(2), young(2), poisson(2), resistivity(2)
+      integer :: i, pair(2)
+
+      pair = [point%element_bar, point%element]
+      do i = 1, 2
+         associate (material => model%materials(model%sections(model%element_section(pair(i)))%material))
+            young(i) = material%young
+            poisson(i) = material%poisson
+         end associate
+      end do
+      radius = elements%radius(pair)
+      resistivity = elements%resistivity(pair)
+   end subroutine materials_of
+
+   !> Force of every point at its present gap, and the force and stiffness this iteration linearises about.
+   subroutine apply_normal_law(model, elements, contact)
+      type(model_t), intent(in) :: model
+      type(elements_t), intent(in) :: elements
+      type(contact_set_t), intent(inout) :: contact
+      integer :: i
+
+      !$omp parallel do schedule(static)
+      do i = 1, size(contact%points)
+         call linearise(contact%points(i))
+      end do
+      !$omp end parallel do
+
+   contains
+
+      subroutine linearise(point)
+         type(contact_point_t), intent(inout) :: point
+         real(dp) :: radius(2), young(2), poisson(2), resistivity(2), slope, dforce_dangle, delta, ddelta_dforce, limit
+         integer :: info
+
+         point%closed = point%gap < 0
+         point%active = merge(point%predicted_gap < 0, point%closed, point%predicted)
+         point%force = 0
+         point%stiffness = 0
+         point%iteration_force = 0
+         if (.not. (point%active .or. point%closed)) then
+            point%mixed_force = 0
+            return
+         end if
+         call materials_of(model, elements, point, radius, young, poisson, resistivity)
+         associate (law => model%interactions(model%contact_pairs(point%pair)%interaction))
+            if (law%normal_law == normal_hertz .or. law%spot_law == spot_hertz .or. law%spot_law == spot_film) then
+               call hertz_ellipse(radius, young, poisson, point%kinematics%angle, point%ellipse, info)
+            end if
+            call normal_force_of_ellipse(law%normal_law, law%penalty, point%gap, point%ellipse, point%force, slope, &
+               dforce_dangle, info)
+            if (.not. point%active) then
+               point%mixed_force = 0
+            else if (law%normal_law == normal_hertz) then
+               if (point%mixed_force <= 0) then
+                  call normal_force_of_ellipse(law%normal_law, law%penalty, -first_overlap*minval(radius), &
+                     point%ellipse, limit, slope, dforce_dangle, info)
+                  point%mixed_force = limit
+                  if (point%closed) point%mixed_force = min(point%force, limit)
+               end if
+               call hertz_approach_of_ellipse(point%mixed_force, point%ellipse, delta, ddelta_dforce)
+               point%stiffness = 1/ddelta_dforce
+               point%iteration_force = point%mixed_force + point%stiffness*(-point%gap - delta)
+            else
+               point%stiffness = law%penalty
+               point%iteration_force = -law%penalty*point%gap
+            end if
+         end associate
+      end subroutine linearise
+
+   end subroutine apply_normal_law
+
+   !> Add all points to the system: mechanics, and where a current can cross, the paper's electric blocks.
+   subroutine assemble_contacts(model, wires, elements, equations, increment, iterate, contact, matrix, forces)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(equations_t), intent(in) :: equations
+      real(dp), intent(in) :: increment(:, :)
+      type(iterate_t), intent(in) :: iterate
+      type(contact_set_t), intent(inout) :: contact
+      type(system_matrix_t), intent(inout) :: matrix
+      type(forces_t), intent(inout) :: forces
+      integer :: i
+
+      do i = 1, size(contact%points)
+         associate (point => contact%points(i))
+            point%conductance = 0
+            point%current = 0
+            point%voltage_gap = 0
+            point%semi_major = 0
+            point%semi_minor = 0
+            if (.not. (point%active .or. point%closed)) cycle
+            call add_point(point)
+         end associate
+      end do
+
+   contains
+
+      subroutine add_point(point)
+         type(contact_point_t), intent(inout) :: point
+         real(dp) :: k(24, 24), r(24), x(3, 4), t(3, 4), length(2), geometric_force
+         integer :: nodes(4), a
+
+         nodes = [model%connectivity(:, point%element_bar), model%connectivity(:, point%element)]
+         call pair_geometry(model, wires, elements, point%element_bar, point%element, iterate%x, iterate%rotation, &
+            x, t, length)
+         geometric_force = max(point%mixed_force, 0.0_dp)
+         call contact_mechanics(point%kinematics, t, point%force, point%stiffness, geometric_force, form_hessian, k, r)
+         call add_mechanical(equations, nodes, k, r, increment, matrix, forces)
+         forces%stiffness(1) = max(forces%stiffness(1), point%stiffness)
+         forces%stiffness(2) = max(forces%stiffness(2), point%stiffness*maxval(length))
+         ! the row of the gap is linear in the force: what this iteration linearises about differs from the law's
+         associate (difference => point%iteration_force - point%force)
+            do a = 1, 4
+               forces%iteration(1:6, nodes(a)) = forces%iteration(1:6, nodes(a)) &
+                  - difference*point%kinematics%dgap(6*a - 5:6*a)
+            end do
+         end associate
+         if (point%closed .and. all(elements%resistivity([point%element_bar, point%element]) > 0)) then
+            call add_current(point, nodes)
+         end if
+      end subroutine add_point
+
+      subroutine add_current(point, nodes)
+         type(contact_point_t), intent(inout) :: point
+         integer, intent(in) :: nodes(4)
+         real(dp) :: radius(2), young(2), poisson(2), resistivity(2), approach, dg_dforce, dg_dangle, series(2)
+         real(dp) :: force, dforce_dgap, dforce_dangle
+         type(contact_electricity_t) :: electricity
+         integer :: info, pair(2)
+
+         pair = [point%element_bar, point%element]
+         associate (law => model%interactions(model%contact_pairs(point%pair)%interaction))
+            if (law%spot_law == spot_none) return
+            call materials_of(model, elements, point, radius, young, poisson, resistivity)
+            call contact_spot_of_ellipse(law%spot_law, point%force, radius, young, poisson, resistivity, &
+               point%ellipse, law%spot_value, law%table_force, law%table_resistance, point%semi_major, &
+               point%semi_minor, approach, point%conductance, dg_dforce, dg_dangle, info)
+            call normal_force_of_ellipse(law%normal_law, law%penalty, point%gap, point%ellipse, force, dforce_dgap, &
+               dforce_dangle, info)
+            series = 0
+            if (law%voltage_correction) series = resistivity*elements%length(pair)/(4*elements%area(pair))
+         end associate
+         call contact_electricity(point%kinematics, iterate%potential(nodes), point%conductance, &
+            dg_dforce*dforce_dgap, dg_dangle + dg_dforce*dforce_dangle, series, electricity)
+         point%current = electricity%current
+         point%voltage_gap = electricity%voltage_gap
+         call add_electric(equations, nodes, electricity%k_ee, electricity%r_e, increment, matrix, forces)
+         call add_coupling(equations, nodes, coupling_tangent(electricity, point%kinematics), increment, matrix, forces)
+      end subroutine add_current
+
+   end subroutine assemble_contacts
+
+   !> Take each point's force and gap along with the step `eta dq` of the unknowns.
+   subroutine predict_contacts(model, eta, step, contact)
+      type(model_t), intent(in) :: model
+      !> Fraction of the step that is taken, and the step (7, n_nodes)
+      real(dp), intent(in) :: eta, step(:, :)
+      type(contact_set_t), intent(inout) :: contact
+      real(dp) :: dgap, force
+      integer :: i, a, nodes(4)
+
+      do i = 1, size(contact%points)
+         associate (point => contact%points(i))
+            nodes = [model%connectivity(:, point%element_bar), model%connectivity(:, point%element)]
+            dgap = 0
+            do a = 1, 4
+               dgap = dgap + dot_product(point%kinematics%dgap(6*a - 5:6*a), step(1:6, nodes(a)))
+            end do
+            point%predicted = .true.
+            point%predicted_gap = point%gap + eta*dgap
+            if (.not. point%active) cycle
+            force = (1 - eta)*point%mixed_force + eta*(point%iteration_force - point%stiffness*dgap)
+            if (force <= 0 .and. point%predicted_gap < 0) force = force_floor*point%mixed_force
+            point%mixed_force = max(force, 0.0_dp)
+         end associate
+      end do
+   end subroutine predict_contacts
+
+end module litz_contact_forces

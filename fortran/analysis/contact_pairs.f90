@@ -1,0 +1,441 @@
+!> Which crossings there are: candidates from the broad phase, points from the closest points of the curves.
+!>
+!> A crossing belongs to the pair of wires, not of elements: when it slides over a node, the point of the next
+!> element takes over its memory. The memory includes the side on which one wire passes the other, so that the gap
+!> keeps its sign when a step has pushed the axes through each other.
+module litz_contact_pairs
+   use litz_kinds, only: dp, int64
+   use litz_closest_points, only: closest_points, end_tolerance, closest_inside, closest_beyond, closest_not_unique, &
+      closest_parallel, closest_not_converged
+   use litz_contact_kinematics, only: contact_kinematics_t, contact_kinematics, kinematics_ok
+   use litz_contact_search, only: overlapping_boxes, segment_distance
+   use litz_element_library, only: elements_t
+   use litz_hertz, only: hertz_ellipse_t
+   use litz_model, only: model_t, axis_hermite
+   use litz_rotations, only: cross
+   use litz_wires, only: wires_t
+   implicit none
+   private
+   public :: contact_point_t, contact_set_t
+   public :: prepare_contact, find_candidates, locate_points, pair_geometry
+
+   !> Elements of one wire nearer along it than this many contact radii do not touch each other
+   real(dp), parameter :: self_contact_distance = 8.0_dp
+
+   !> A crossing of two wires, open or closed.
+   type :: contact_point_t
+      integer :: id = 0
+      !> Elements (barred first), positions in them, and the model's contact pair
+      integer :: element_bar = 0, element = 0, pair = 0
+      real(dp) :: xi_bar = 0, xi = 0
+      !> Arc lengths along the two wires [m]
+      real(dp) :: arc_bar = 0, arc = 0
+      !> Orientation of (tangent, barred tangent, barred minus unbarred point) along the wires, +1 or -1
+      integer :: side = 0
+      type(contact_kinematics_t) :: kinematics
+      !> .false.: the axes are nearly parallel there, or touch along a line
+      logical :: regular = .true.
+      !> Hertz ellipse at the present angle, where a law needs it
+      type(hertz_ellipse_t) :: ellipse
+      !> The last iteration predicted the gap and the force of this point [m, N]
+      logical :: predicted = .false.
+      real(dp) :: predicted_gap = 0, mixed_force = 0
+      !> Gap that the law sees: of the geometry, plus what is left of an interference fit [m]
+      real(dp) :: gap = 0
+      !> In contact as the iteration takes it (prediction) and as it is
+      logical :: active = .false., closed = .false.
+      !> Law at the present gap [N, N/m], and the force that this iteration linearises about
+      real(dp) :: force = 0, stiffness = 0, iteration_force = 0
+      !> Spot [m], conductance [S], current [A], voltage across the spot [V]
+      real(dp) :: semi_major = 0, semi_minor = 0, conductance = 0, current = 0, voltage_gap = 0
+   end type contact_point_t
+
+   type :: contact_set_t
+      logical :: present = .false.
+      !> Element belongs to the barred / the unbarred set of each contact pair (n_elements, n_pairs)
+      logical, allocatable :: in_bar(:, :), in_set(:, :)
+      !> Barred element, unbarred element, contact pair (3, n_candidates), in the order of the smaller, then the larger element
+      integer, allocatable :: candidates(:, :)
+      !> Positions of the nodes when the candidates were collected (3, n_nodes)
+      real(dp), allocatable :: x_collected(:, :)
+      !> Largest surface distance of a candidate [m]
+      real(dp) :: skin = 0
+      type(contact_point_t), allocatable :: points(:)
+      !> Candidates that overlap although their axes run parallel: point contact cannot describe them
+      integer :: n_parallel = 0
+      integer :: last_id = 0
+      !> Clearance that stands for the interference left at this time, one per contact pair [m]
+      real(dp), allocatable :: clearance(:)
+   end type contact_set_t
+
+contains
+
+   subroutine prepare_contact(model, elements, contact)
+      type(model_t), intent(in) :: model
+      type(elements_t), intent(in) :: elements
+      type(contact_set_t), intent(out) :: contact
+      integer :: p
+
+      allocate (contact%points(0), contact%candidates(3, 0))
+      allocate (contact%clearance(size(model%contact_pairs)), source=0.0_dp)
+      contact%present = size(model%contact_pairs) > 0
+      if (.not. contact%present) return
+      allocate (contact%in_bar(model%n_elements, size(model%contact_pairs)), source=.false.)
+      allocate (contact%in_set, source=contact%in_bar)
+      do p = 1, size(model%contact_pairs)
+         associate (pair => model%contact_pairs(p))
+            contact%in_bar(model%element_sets(pair%set_bar)%members, p) = .true.
+            contact%in_set(model%element_sets(pair%set)%members, p) = .true.
+         end associate
+      end do
+      contact%skin = maxval(elements%radius, mask=any(contact%in_bar .or. contact%in_set, 2))
+   end subroutine prepare_contact
+
+   !> Collect the element pairs that are near in the present positions, or were passed since the increment began.
+   subroutine find_candidates(model, wires, elements, x_start, x, contact)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> Positions at the start of the increment and now (3, n_nodes) [m]
+      real(dp), intent(in) :: x_start(:, :), x(:, :)
+      type(contact_set_t), intent(inout) :: contact
+      integer, allocatable :: member(:), pairs(:, :), found(:, :)
+      real(dp), allocatable :: lower(:, :), upper(:, :)
+      real(dp) :: margin, corners(3, 4)
+      integer :: i, n, e, n_found, roles(2), pair
+
+      member = pack([(e, e=1, model%n_elements)], any(contact%in_bar .or. contact%in_set, 2))
+      n = size(member)
+      allocate (lower(3, n), upper(3, n))
+      do i = 1, n
+         associate (e => member(i))
+            ! a cubic with unit end tangents stays within a third of its length of its end points
+            margin = elements%radius(e) + contact%skin/2 + elements%length(e)*sagitta_bound(wires, e)
+            corners(:, 1:2) = x(:, model%connectivity(:, e))
+            corners(:, 3:4) = x_start(:, model%connectivity(:, e))
+            lower(:, i) = minval(corners, 2) - margin
+            upper(:, i) = maxval(corners, 2) + margin
+         end associate
+      end do
+      call overlapping_boxes(lower, upper, pairs)
+      allocate (found(3, size(pairs, 2)))
+      n_found = 0
+      do i = 1, size(pairs, 2)
+         call assign_roles(model, wires, elements, contact, member(pairs(1, i)), member(pairs(2, i)), roles, pair)
+         if (pair == 0) cycle
+         if (.not. may_touch(roles(1), roles(2))) cycle
+         n_found = n_found + 1
+         found(:, n_found) = [roles, pair]
+      end do
+      contact%candidates = found(:, :n_found)
+      contact%x_collected = x
+
+   contains
+
+      !> Whether the axes come, or have come since the increment began, within the skin of touching.
+      logical function may_touch(a, b)
+         integer, intent(in) :: a, b
+
+         may_touch = segment_distance(x(:, model%connectivity(:, a)), x(:, model%connectivity(:, b))) &
+            <= elements%radius(a) + elements%radius(b) + contact%skin + leeway(a) + leeway(b)
+      end function may_touch
+
+      !> How far the axis may leave its chord, and how far it has moved since the increment began [m].
+      real(dp) function leeway(e)
+         integer, intent(in) :: e
+
+         associate (node => model%connectivity(:, e))
+            leeway = elements%length(e)*sagitta_bound(wires, e) + sqrt(maxval(sum((x(:, node) - x_start(:, node))**2, 1)))
+         end associate
+      end function leeway
+
+   end subroutine find_candidates
+
+   !> How far the axis of an element may leave its chord, as a fraction of its length.
+   pure real(dp) function sagitta_bound(wires, e) result(bound)
+      type(wires_t), intent(in) :: wires
+      integer, intent(in) :: e
+
+      associate (axes => wires%triads0(:, :, :, e))
+         ! twice the reference sagitta of an arc with these end tangents, and room for bending in the increment
+         bound = 0.05_dp + acos(min(1.0_dp, max(-1.0_dp, dot_product(axes(:, 1, 1), axes(:, 1, 2)))))/4
+      end associate
+   end function sagitta_bound
+
+   !> Which element is the barred one, and by which contact pair they may touch (the last one that names both); 0: none.
+   pure subroutine assign_roles(model, wires, elements, contact, a, b, roles, pair)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(contact_set_t), intent(in) :: contact
+      integer, intent(in) :: a, b
+      integer, intent(out) :: roles(2), pair
+      real(dp) :: separation
+      logical :: forward, backward
+
+      roles = 0
+      pair = 0
+      if (any(model%connectivity(:, a) == model%connectivity(1, b)) .or. &
+         any(model%connectivity(:, a) == model%connectivity(2, b))) return
+      if (wires%wire(a) == wires%wire(b)) then
+         separation = abs(wires%arc(a) - wires%arc(b)) - (elements%length(a) + elements%length(b))/2
+         if (separation < self_contact_distance*max(elements%radius(a), elements%radius(b))) return
+      end if
+      do pair = size(model%contact_pairs), 1, -1
+         forward = contact%in_bar(a, pair) .and. contact%in_set(b, pair)
+         backward = contact%in_bar(b, pair) .and. contact%in_set(a, pair)
+         if (.not. (forward .or. backward)) cycle
+         ! within one set the wire decides, so that the roles outlive a hand-over
+         if (forward .and. backward) then
+            forward = wires%wire(a) < wires%wire(b) .or. &
+               (wires%wire(a) == wires%wire(b) .and. wires%arc(a) < wires%arc(b))
+         end if
+         roles = merge([a, b], [b, a], forward)
+         return
+      end do
+   end subroutine assign_roles
+
+   !> Find the crossings in the present configuration; points carry on the memory of those of the last call.
+   subroutine locate_points(model, wires, elements, x_start, x, rotation, reach, contact)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      real(dp), intent(in) :: x_start(:, :), x(:, :), rotation(:, :, :)
+      !> Crossings with a larger gap are left out [m]
+      real(dp), intent(in) :: reach
+      type(contact_set_t), intent(inout) :: contact
+      type(contact_point_t), allocatable :: old(:)
+      real(dp), allocatable :: xi(:, :)
+      integer, allocatable :: status(:), origin(:)
+      integer :: c, n
+
+      n = size(contact%candidates, 2)
+      allocate (xi(2, n), status(n))
+      !$omp parallel do schedule(dynamic, 64)
+      do c = 1, n
+         call closest(c, xi(:, c), status(c))
+      end do
+      !$omp end parallel do
+      contact%n_parallel = count(status == closest_parallel)
+      call move_alloc(contact%points, old)
+      call collect
+      call match_points(wires, elements, old, contact%points, origin)
+      !$omp parallel do schedule(static)
+      do c = 1, size(contact%points)
+         call inherit(contact%points(c), origin(c))
+      end do
+      !$omp end parallel do
+      contact%n_parallel = contact%n_parallel + count(.not. contact%points%regular .and. contact%points%gap < 0)
+      if (.not. all(contact%points%regular)) contact%points = pack(contact%points, contact%points%regular)
+
+   contains
+
+      subroutine closest(c, xi_c, status_c)
+         integer, intent(in) :: c
+         real(dp), intent(out) :: xi_c(2)
+         integer, intent(out) :: status_c
+         real(dp) :: xe(3, 4), t(3, 4), length(2), distance
+
+         associate (eb => contact%candidates(1, c), e => contact%candidates(2, c), &
+            axis => model%interactions(model%contact_pairs(contact%candidates(3, c))%interaction)%axis)
+            call pair_geometry(model, wires, elements, eb, e, x, rotation, xe, t, length)
+            distance = norm2(sum(xe(:, 1:2), 2) - sum(xe(:, 3:4), 2))/2 - sum(length)
+            if (distance > elements%radius(eb) + elements%radius(e) + reach) then
+               xi_c = 0
+               status_c = closest_beyond
+               return
+            end if
+            call closest_points(xe, t, length, axis, xi_c(1), xi_c(2), status_c)
+            if (status_c == closest_parallel) then
+               distance = norm2(on_chord(xe(:, 1:2), xi_c(1)) - on_chord(xe(:, 3:4), xi_c(2)))
+               if (distance > elements%radius(eb) + elements%radius(e)) status_c = closest_beyond
+            end if
+            if (status_c == closest_not_unique .and. all(abs(xi_c) <= 1 + end_tolerance)) status_c = closest_inside
+         end associate
+      end subroutine closest
+
+      pure function on_chord(ends, xi_e) result(point)
+         real(dp), intent(in) :: ends(3, 2), xi_e
+         real(dp) :: point(3)
+
+         point = (1 - xi_e)/2*ends(:, 1) + (1 + xi_e)/2*ends(:, 2)
+      end function on_chord
+
+      subroutine collect
+         logical, allocatable :: keep(:)
+         integer :: k, m
+
+         allocate (keep(n))
+         do k = 1, n
+            keep(k) = status(k) == closest_inside
+            if (keep(k)) keep(k) = .not. claimed_before(k)
+         end do
+         allocate (contact%points(count(keep)))
+         m = 0
+         do k = 1, n
+            if (.not. keep(k)) cycle
+            m = m + 1
+            associate (point => contact%points(m))
+               point%element_bar = contact%candidates(1, k)
+               point%element = contact%candidates(2, k)
+               point%pair = contact%candidates(3, k)
+               point%xi_bar = xi(1, k)
+               point%xi = xi(2, k)
+               point%arc_bar = arc_at(point%element_bar, point%xi_bar)
+               point%arc = arc_at(point%element, point%xi)
+            end associate
+         end do
+      end subroutine collect
+
+      !> A point on a node may be found by both elements there: the first one keeps it.
+      logical function claimed_before(k)
+         integer, intent(in) :: k
+         integer :: other, j
+         real(dp) :: tolerance
+
+         claimed_before = .false.
+         if (all(abs(xi(:, k)) < 1 - 2*end_tolerance)) return
+         do other = 1, k - 1
+            if (status(other) /= closest_inside) cycle
+            do j = 1, 2
+               if (wires%wire(contact%candidates(j, k)) /= wires%wire(contact%candidates(j, other))) exit
+               tolerance = 4*end_tolerance*elements%length(contact%candidates(j, k))
+               if (abs(arc_at(contact%candidates(j, k), xi(j, k)) &
+                  - arc_at(contact%candidates(j, other), xi(j, other))) > tolerance) exit
+            end do
+            claimed_before = j > 2
+            if (claimed_before) return
+         end do
+      end function claimed_before
+
+      pure real(dp) function arc_at(e, xi_e)
+         integer, intent(in) :: e
+         real(dp), intent(in) :: xi_e
+
+         arc_at = wires%arc(e) + wires%direction(e)*xi_e*elements%length(e)/2
+      end function arc_at
+
+      subroutine inherit(point, from)
+         type(contact_point_t), intent(inout) :: point
+         integer, intent(in) :: from
+         real(dp) :: xe(3, 4), t(3, 4), length(2)
+         integer :: info, orientation
+
+         if (from > 0) then
+            point%id = old(from)%id
+            point%side = old(from)%side
+            point%predicted = old(from)%predicted
+            point%predicted_gap = old(from)%predicted_gap
+            point%mixed_force = old(from)%mixed_force
+         end if
+         associate (eb => point%element_bar, e => point%element, &
+            axis => model%interactions(model%contact_pairs(point%pair)%interaction)%axis)
+            orientation = wires%direction(eb)*wires%direction(e)
+            if (point%side == 0) then
+               point%side = orientation*side_at_start(eb, e, axis)
+            end if
+            call pair_geometry(model, wires, elements, eb, e, x, rotation, xe, t, length)
+            call contact_kinematics(xe, t, length, axis, elements%radius([eb, e]), point%xi_bar, point%xi, &
+               orientation*point%side, point%kinematics, info)
+            point%regular = info == kinematics_ok
+            if (point%side == 0) point%side = orientation*point%kinematics%side
+            point%gap = point%kinematics%gap + contact%clearance(point%pair)
+         end associate
+      end subroutine inherit
+
+      !> Side on which a crossing without memory began the increment; 0 if it was not one then.
+      integer function side_at_start(eb, e, axis) result(side)
+         integer, intent(in) :: eb, e, axis
+         real(dp) :: xe(3, 4), t(3, 4), length(2), xi_start(2), volume
+         integer :: status_start
+
+         side = 0
+         call pair_geometry(model, wires, elements, eb, e, x_start, rotation, xe, t, length)
+         t(:, 1:2) = spread(xe(:, 2) - xe(:, 1), 2, 2)/norm2(xe(:, 2) - xe(:, 1))
+         t(:, 3:4) = spread(xe(:, 4) - xe(:, 3), 2, 2)/norm2(xe(:, 4) - xe(:, 3))
+         call closest_points(xe, t, length, axis, xi_start(1), xi_start(2), status_start)
+         if (status_start == closest_parallel .or. status_start == closest_not_converged .or. any(abs(xi_start) > 1.5_dp)) return
+         volume = dot_product(xe(:, 1) - xe(:, 3), cross(t(:, 3), t(:, 1)))
+         side = merge(1, -1, volume >= 0)
+      end function side_at_start
+
+   end subroutine locate_points
+
+   !> Nodal positions and tangents, barred element first, as the kernels want them.
+   pure subroutine pair_geometry(model, wires, elements, eb, e, x, rotation, xe, t, length)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      integer, intent(in) :: eb, e
+      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      real(dp), intent(out) :: xe(3, 4), t(3, 4), length(2)
+      integer :: side
+
+      do side = 1, 2
+         associate (node_bar => model%connectivity(side, eb), node => model%connectivity(side, e))
+            xe(:, side) = x(:, node_bar)
+            xe(:, 2 + side) = x(:, node)
+            t(:, side) = matmul(rotation(:, :, node_bar), wires%triads0(:, 1, side, eb))
+            t(:, 2 + side) = matmul(rotation(:, :, node), wires%triads0(:, 1, side, e))
+         end associate
+      end do
+      length = elements%length([eb, e])
+   end subroutine pair_geometry
+
+   !> For each point the one of the last call that it continues; 0: none.
+   !>
+   !> First by the pair of elements; what is left by the nearest place on the same two wires (a hand-over).
+   subroutine match_points(wires, elements, old, points, origin)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(contact_point_t), intent(in) :: old(:), points(:)
+      integer, allocatable, intent(out) :: origin(:)
+      logical :: taken(size(old))
+      integer(int64) :: key
+      integer :: i, j
+      real(dp) :: distance, nearest
+
+      allocate (origin(size(points)), source=0)
+      taken = .false.
+      j = 1
+      do i = 1, size(points)
+         key = pair_key(points(i))
+         do while (j <= size(old))
+            if (pair_key(old(j)) >= key) exit
+            j = j + 1
+         end do
+         if (j > size(old)) exit
+         if (pair_key(old(j)) == key) then
+            origin(i) = j
+            taken(j) = .true.
+         end if
+      end do
+      if (all(taken)) return
+      do i = 1, size(points)
+         if (origin(i) /= 0) cycle
+         nearest = elements%length(points(i)%element_bar) + elements%length(points(i)%element)
+         do j = 1, size(old)
+            if (taken(j)) cycle
+            if (wires%wire(old(j)%element_bar) /= wires%wire(points(i)%element_bar)) cycle
+            if (wires%wire(old(j)%element) /= wires%wire(points(i)%element)) cycle
+            distance = abs(old(j)%arc_bar - points(i)%arc_bar) + abs(old(j)%arc - points(i)%arc)
+            if (distance < nearest) then
+               nearest = distance
+               origin(i) = j
+            end if
+         end do
+         if (origin(i) > 0) taken(origin(i)) = .true.
+      end do
+
+   contains
+
+      pure integer(int64) function pair_key(point)
+         type(contact_point_t), intent(in) :: point
+
+         pair_key = int(min(point%element_bar, point%element), int64)*size(wires%wire) &
+            + max(point%element_bar, point%element)
+      end function pair_key
+
+   end subroutine match_points
+
+end module litz_contact_pairs

@@ -1,0 +1,191 @@
+!> Prescribed values and loads as functions of time.
+!>
+!> Without an amplitude a value ramps over the step from what it was at the start of the step; what a step no longer
+!> names ramps to zero (loads) or is set free (prescribed values). Source: Abaqus's rules for static steps.
+module litz_loading
+   use litz_kinds, only: dp
+   use litz_model, only: model_t, step_t, nodal_value_t, amplitude_t, dof_potential
+   use litz_rotations, only: rotation_exp, rotation_log
+   use litz_state, only: state_t
+   implicit none
+   private
+   public :: loading_t, start_loading, load_targets, prescribed_increment, next_break_point
+
+   !> Index of the potential among the seven unknowns of a node
+   integer, parameter, public :: slot_potential = 7
+
+   type :: loading_t
+      !> .true. where the value is prescribed (7, n_nodes): ux uy uz phix phiy phiz V
+      logical, allocatable :: fixed(:, :)
+      !> Values at the start of the step, of prescribed unknowns and of loads (7, n_nodes)
+      real(dp), allocatable :: start_value(:, :), start_load(:, :)
+      !> Values at the time last asked for (7, n_nodes) [m, rad, V] and [N, N m, A]
+      real(dp), allocatable :: value(:, :), load(:, :)
+      !> Values at the last converged increment (7, n_nodes)
+      real(dp), allocatable :: converged_value(:, :)
+   end type loading_t
+
+contains
+
+   pure integer function slot(dof)
+      integer, intent(in) :: dof
+
+      slot = merge(slot_potential, dof, dof == dof_potential)
+   end function slot
+
+   !> Begin a step: which unknowns are prescribed, and from what value everything ramps.
+   subroutine start_loading(step, state, loading)
+      type(step_t), intent(in) :: step
+      type(state_t), intent(in) :: state
+      type(loading_t), intent(inout) :: loading
+      integer :: i, n
+
+      n = size(state%potential)
+      if (.not. allocated(loading%load)) then
+         allocate (loading%load(7, n), source=0.0_dp)
+         allocate (loading%fixed(7, n), loading%value(7, n), loading%start_value(7, n), &
+            loading%converged_value(7, n), loading%start_load(7, n))
+      end if
+      loading%start_load = loading%load
+      loading%start_value(1:3, :) = state%displacement
+      loading%start_value(4:6, :) = state%rotation_vector
+      loading%start_value(slot_potential, :) = state%potential
+      loading%value = loading%start_value
+      loading%converged_value = loading%start_value
+      loading%fixed = .false.
+      do i = 1, size(step%boundary)
+         loading%fixed(slot(step%boundary(i)%dof), step%boundary(i)%node) = .true.
+      end do
+   end subroutine start_loading
+
+   !> Values and loads at a step time.
+   subroutine load_targets(model, step, step_time, total_time, loading)
+      type(model_t), intent(in) :: model
+      type(step_t), intent(in) :: step
+      real(dp), intent(in) :: step_time, total_time
+      type(loading_t), intent(inout) :: loading
+      real(dp) :: ramp
+      integer :: i
+
+      ramp = step_time/step%total
+      do i = 1, size(step%boundary)
+         associate (item => step%boundary(i))
+            loading%value(slot(item%dof), item%node) = value_at(item, loading%start_value(slot(item%dof), item%node))
+         end associate
+      end do
+      loading%load = (1 - ramp)*loading%start_load
+      do i = 1, size(step%load)
+         call set_load(step%load(i))
+      end do
+      do i = 1, size(step%current)
+         call set_load(step%current(i))
+      end do
+
+   contains
+
+      pure real(dp) function value_at(item, start) result(value)
+         type(nodal_value_t), intent(in) :: item
+         real(dp), intent(in) :: start
+
+         if (item%amplitude == 0) then
+            value = start + ramp*(item%value - start)
+         else
+            associate (amplitude => model%amplitudes(item%amplitude))
+               value = item%value*factor_at(amplitude, merge(total_time, step_time, amplitude%total_time))
+            end associate
+         end if
+      end function value_at
+
+      subroutine set_load(item)
+         type(nodal_value_t), intent(in) :: item
+
+         loading%load(slot(item%dof), item%node) = value_at(item, loading%start_load(slot(item%dof), item%node))
+      end subroutine set_load
+
+   end subroutine load_targets
+
+   !> What the first iteration of an increment must add to each prescribed unknown (7, n_nodes).
+   !>
+   !> Where all three rotations of a node are prescribed they are its rotation vector; a single one is the angle
+   !> about a fixed axis, added up over the increments.
+   pure subroutine prescribed_increment(loading, state, increment)
+      type(loading_t), intent(in) :: loading
+      type(state_t), intent(in) :: state
+      real(dp), intent(out) :: increment(:, :)
+      integer :: node
+
+      increment = 0
+      do node = 1, size(increment, 2)
+         associate (fixed => loading%fixed(:, node), target => loading%value(:, node))
+            where (fixed(1:3)) increment(1:3, node) = target(1:3) - state%displacement(:, node)
+            if (all(fixed(4:6))) then
+               increment(4:6, node) = rotation_log(matmul(rotation_exp(target(4:6)), &
+                  transpose(state%rotation(:, :, node))))
+            else
+               where (fixed(4:6)) increment(4:6, node) = target(4:6) - loading%converged_value(4:6, node)
+            end if
+            if (fixed(slot_potential)) then
+               increment(slot_potential, node) = target(slot_potential) - state%potential(node)
+            end if
+         end associate
+      end do
+   end subroutine prescribed_increment
+
+   !> Piecewise linear value of an amplitude, constant beyond its ends.
+   pure real(dp) function factor_at(amplitude, time) result(factor)
+      type(amplitude_t), intent(in) :: amplitude
+      real(dp), intent(in) :: time
+      integer :: i
+
+      associate (t => amplitude%time, a => amplitude%factor)
+         i = count(t <= time)
+         if (i == 0) then
+            factor = a(1)
+         else if (i == size(t)) then
+            factor = a(i)
+         else
+            factor = a(i) + (a(i + 1) - a(i))*(time - t(i))/(t(i + 1) - t(i))
+         end if
+      end associate
+   end function factor_at
+
+   !> The first corner of an amplitude used in this step after `step_time`, or the end of the step [s of step time]:
+   !> no increment passes over it, so that peaks are met.
+   real(dp) function next_break_point(model, step, step_time, total_time) result(next)
+      type(model_t), intent(in) :: model
+      type(step_t), intent(in) :: step
+      real(dp), intent(in) :: step_time, total_time
+      logical :: used(size(model%amplitudes))
+      real(dp) :: shift, margin
+      integer :: i, k
+
+      used = .false.
+      call mark(step%boundary)
+      call mark(step%load)
+      call mark(step%current)
+      next = step%total
+      margin = 1.0e-9_dp*step%total
+      do i = 1, size(used)
+         if (.not. used(i)) cycle
+         associate (amplitude => model%amplitudes(i))
+            shift = merge(total_time - step_time, 0.0_dp, amplitude%total_time)
+            do k = 1, size(amplitude%time)
+               if (amplitude%time(k) - shift > step_time + margin) next = min(next, amplitude%time(k) - shift)
+            end do
+         end associate
+      end do
+
+   contains
+
+      subroutine mark(items)
+         type(nodal_value_t), intent(in) :: items(:)
+         integer :: j
+
+         do j = 1, size(items)
+            if (items(j)%amplitude > 0) used(items(j)%amplitude) = .true.
+         end do
+      end subroutine mark
+
+   end function next_break_point
+
+end module litz_loading

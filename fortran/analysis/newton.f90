@@ -1,0 +1,430 @@
+!> One increment: the Newton iteration to equilibrium at given loads and prescribed values.
+!>
+!> Section forces and contact forces are independent variables of the iteration, which makes it converge in few steps
+!> from far away; the residual that decides is always the true one. Source: theory section 9.
+module litz_newton
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use litz_kinds, only: dp
+   use litz_assembly, only: iterate_t, forces_t, clear_system, assemble_beams, assemble_conductors, &
+      assemble_load_stiffness
+   use litz_contact_forces, only: apply_normal_law, assemble_contacts, predict_contacts
+   use litz_contact_pairs, only: contact_set_t, find_candidates, locate_points
+   use litz_element_library, only: elements_t
+   use litz_equations, only: equations_t, build_system
+   use litz_errors, only: error_t, exit_solver
+   use litz_grounding, only: ground_floating_conductors
+   use litz_linear_solver, only: linear_solver_t, system_matrix_t
+   use litz_loading, only: loading_t, prescribed_increment, slot_potential
+   use litz_model, only: model_t, step_t, coupling_monolithic
+   use litz_results, only: results_t, iteration_report_t
+   use litz_rotations, only: rotation_exp
+   use litz_state, only: state_t
+   use litz_wires, only: wires_t
+   implicit none
+   private
+   public :: problem_t, outcome_t, solve_increment
+
+   !> Everything an increment works on.
+   type :: problem_t
+      type(model_t) :: model
+      type(wires_t) :: wires
+      type(elements_t) :: elements
+      type(contact_set_t) :: contact
+      type(loading_t) :: loading
+      type(state_t) :: state
+      type(iterate_t) :: iterate
+      type(equations_t) :: equations
+      type(system_matrix_t) :: matrix
+      type(forces_t) :: forces
+      class(linear_solver_t), allocatable :: solver
+      integer :: coupling = coupling_monolithic
+      !> The pattern must be built and analysed before the next solve
+      logical :: pattern_changed = .true.
+   end type problem_t
+
+   type :: outcome_t
+      logical :: converged = .false.
+      integer :: iterations = 0
+      !> Why it was given up, in words
+      character(len=:), allocatable :: reason
+      type(iteration_report_t) :: last
+      !> The tolerance that ended the iteration was that of round-off in one of the fields
+      logical :: at_round_off = .false.
+      !> Negative pivots of the last factorisation; -1: not known
+      integer :: negative_pivots = -1
+   end type outcome_t
+
+contains
+
+   !> Bring the iterate from the last converged state to equilibrium with the loading's present targets.
+   subroutine solve_increment(problem, step, report, results, outcome, error)
+      type(problem_t), intent(inout) :: problem
+      type(step_t), intent(in) :: step
+      !> Step, increment and attempt are given
+      type(iteration_report_t), intent(in) :: report
+      type(results_t), intent(inout) :: results
+      type(outcome_t), intent(out) :: outcome
+      !> A result that could not be written, or an input error met on the way; not: an increment that failed
+      type(error_t), allocatable, intent(out) :: error
+      real(dp) :: increment(7, problem%model%n_nodes), correction(7, problem%model%n_nodes), x_start(3, problem%model%n_nodes)
+      type(error_t), allocatable :: solver_error
+
+      call start_iterate(problem)
+      x_start = problem%iterate%x
+      call prescribed_increment(problem%loading, problem%state, increment)
+      if (problem%coupling /= coupling_monolithic) then
+         problem%iterate%potential = problem%iterate%potential + increment(slot_potential, :)
+         increment(slot_potential, :) = 0
+      end if
+      outcome%last = report
+      do
+         call evaluate(problem, x_start, increment, error)
+         if (allocated(error)) return
+         call measure_residual(problem, step, outcome%last, outcome%at_round_off)
+         call count_contacts(problem%contact, outcome%last)
+         if (problem%coupling /= coupling_monolithic .and. (.not. any(abs(increment) > 0))) then
+            if (mechanics_converged(outcome%last)) then
+               call update_potentials(problem, x_start, increment, outcome%last, solver_error, error)
+               if (allocated(error)) return
+               if (allocated(solver_error)) then
+                  call give_up(outcome, solver_error%message)
+                  return
+               end if
+               call measure_residual(problem, step, outcome%last, outcome%at_round_off)
+            end if
+         end if
+         call results%write_iteration(problem%model, outcome%last, error)
+         if (allocated(error)) return
+         if (.not. all(ieee_is_finite(outcome%last%residual))) then
+            call give_up(outcome, 'the iteration left the range of finite numbers')
+            return
+         end if
+         if ((.not. any(abs(increment) > 0)) .and. all(outcome%last%residual <= outcome%last%allowed)) then
+            if (corrections_small(step, problem, x_start, outcome%last)) exit
+         end if
+         if (outcome%iterations >= step%controls%i_c) then
+            call give_up(outcome, worst_field(outcome%last))
+            return
+         end if
+         call solve_step(problem, increment, correction, solver_error)
+         if (allocated(solver_error)) then
+            call give_up(outcome, solver_error%message)
+            return
+         end if
+         outcome%iterations = outcome%iterations + 1
+         outcome%last%iteration = outcome%iterations
+         outcome%negative_pivots = problem%solver%negative_pivots
+         call update(problem, step, correction, any(abs(increment(1:6, :)) > 0), outcome%last)
+         increment = 0
+      end do
+      call refuse_crossed_axes(problem, outcome)
+   end subroutine solve_increment
+
+   subroutine give_up(outcome, reason)
+      type(outcome_t), intent(inout) :: outcome
+      character(len=*), intent(in) :: reason
+
+      outcome%converged = .false.
+      outcome%reason = reason
+   end subroutine give_up
+
+   !> The iterate takes over the converged state; contacts forget the predictions of the last iteration.
+   subroutine start_iterate(problem)
+      type(problem_t), intent(inout) :: problem
+
+      problem%iterate%x = problem%model%x + problem%state%displacement
+      problem%iterate%rotation = problem%state%rotation
+      problem%iterate%potential = problem%state%potential
+      problem%iterate%sigma_from_strain = .true.
+      problem%contact%points%predicted = .false.
+      problem%contact%points%mixed_force = problem%contact%points%force
+   end subroutine start_iterate
+
+   !> Contact search, forces and tangent at the present iterate.
+   subroutine evaluate(problem, x_start, increment, error)
+      type(problem_t), intent(inout) :: problem
+      real(dp), intent(in) :: x_start(:, :), increment(:, :)
+      type(error_t), allocatable, intent(out) :: error
+
+      associate (model => problem%model, wires => problem%wires, elements => problem%elements, &
+         iterate => problem%iterate, contact => problem%contact)
+         if (contact%present) then
+            call refresh_candidates(problem, x_start)
+            call locate_points(model, wires, elements, x_start, iterate%x, iterate%rotation, contact%skin, contact)
+            call apply_normal_law(model, elements, contact)
+         end if
+         if (problem%pattern_changed) call rebuild_pattern(problem, error)
+         if (allocated(error)) return
+         call clear_system(model%n_nodes, problem%matrix, problem%forces)
+         call assemble_beams(model, wires, elements, problem%equations, increment, iterate, problem%matrix, &
+            problem%forces)
+         call assemble_conductors(model, elements, problem%equations, increment, iterate, problem%matrix, &
+            problem%forces)
+         call assemble_contacts(model, wires, elements, problem%equations, increment, iterate, contact, &
+            problem%matrix, problem%forces)
+         call assemble_load_stiffness(problem%equations, problem%loading%load, problem%forces, problem%matrix)
+         call ground_floating_conductors(model, elements, contact, problem%equations, &
+            problem%loading%fixed(slot_potential, :), problem%loading%load(slot_potential, :), problem%matrix, error)
+      end associate
+   end subroutine evaluate
+
+   !> New candidates when a node has moved half the skin since they were collected.
+   subroutine refresh_candidates(problem, x_start)
+      type(problem_t), intent(inout) :: problem
+      real(dp), intent(in) :: x_start(:, :)
+
+      associate (contact => problem%contact, x => problem%iterate%x)
+         if (allocated(contact%x_collected)) then
+            if (maxval(sum((x - contact%x_collected)**2, 1)) < (contact%skin/2)**2) return
+         end if
+         call find_candidates(problem%model, problem%wires, problem%elements, x_start, x, contact)
+         problem%pattern_changed = .true.
+      end associate
+   end subroutine refresh_candidates
+
+   !> Pattern of the system and the solver's symbolic work.
+   subroutine rebuild_pattern(problem, error)
+      type(problem_t), intent(inout) :: problem
+      type(error_t), allocatable, intent(out) :: error
+      integer, allocatable :: start(:), nodes(:)
+      integer :: n_elements, n_candidates, i
+
+      n_elements = problem%model%n_elements
+      n_candidates = size(problem%contact%candidates, 2)
+      allocate (start(n_elements + n_candidates + 1), nodes(2*n_elements + 4*n_candidates))
+      do i = 1, n_elements
+         start(i) = 2*i - 1
+         nodes(2*i - 1:2*i) = problem%model%connectivity(:, i)
+      end do
+      do i = 1, n_candidates
+         start(n_elements + i) = 2*n_elements + 4*i - 3
+         nodes(2*n_elements + 4*i - 3:2*n_elements + 4*i) = reshape( &
+            problem%model%connectivity(:, problem%contact%candidates(1:2, i)), [4])
+      end do
+      start(size(start)) = size(nodes) + 1
+      call build_system(start, nodes, problem%equations, problem%matrix)
+      call problem%solver%analyse(problem%matrix, error)
+      problem%pattern_changed = .false.
+   end subroutine rebuild_pattern
+
+   !> True residual over the free unknowns, field by field, and what is allowed.
+   subroutine measure_residual(problem, step, report, at_round_off)
+      type(problem_t), intent(in) :: problem
+      type(step_t), intent(in) :: step
+      type(iteration_report_t), intent(inout) :: report
+      !> A field is accepted for round-off only, above its own tolerance
+      logical, intent(out) :: at_round_off
+      real(dp) :: reference(3), round_off(3), extent
+      integer :: node
+
+      report%residual = 0
+      associate (internal => problem%forces%internal, load => problem%loading%load, equations => problem%equations)
+         do node = 1, size(internal, 2)
+            associate (free => equations%mechanical(:, node) > 0, r => abs(internal(:, node) - load(:, node)))
+               report%residual(1) = largest(report%residual(1), r(1:3), free(1:3))
+               report%residual(2) = largest(report%residual(2), r(4:6), free(4:6))
+               report%residual(3) = largest(report%residual(3), r(7:7), [equations%electric(node) > 0])
+            end associate
+         end do
+         reference = max(problem%forces%reference, &
+            [maxval(abs(load(1:3, :))), maxval(abs(load(4:6, :))), maxval(abs(load(7, :)))])
+      end associate
+      extent = maxval(abs(problem%iterate%x))
+      round_off = 3*epsilon(1.0_dp)*[problem%forces%stiffness(1)*extent, problem%forces%stiffness(2)*extent, &
+         problem%forces%conductance*maxval(abs(problem%iterate%potential))]
+      report%allowed = max(step%controls%r_n*reference, round_off)
+      at_round_off = any(report%residual > step%controls%r_n*reference)
+   end subroutine measure_residual
+
+   !> Larger of a value and the masked entries; a value that is not a number wins.
+   pure real(dp) function largest(value, entries, mask)
+      real(dp), intent(in) :: value, entries(:)
+      logical, intent(in) :: mask(:)
+      integer :: i
+
+      largest = value
+      do i = 1, size(entries)
+         if (mask(i) .and. .not. entries(i) <= largest) largest = entries(i)
+      end do
+   end function largest
+
+   pure logical function mechanics_converged(report)
+      type(iteration_report_t), intent(in) :: report
+
+      mechanics_converged = all(report%residual(1:2) <= report%allowed(1:2))
+   end function mechanics_converged
+
+   !> The second criterion of *CONTROLS, asked for with a non-zero C_n.
+   pure logical function corrections_small(step, problem, x_start, report)
+      type(step_t), intent(in) :: step
+      type(problem_t), intent(in) :: problem
+      real(dp), intent(in) :: x_start(:, :)
+      type(iteration_report_t), intent(in) :: report
+
+      corrections_small = step%controls%c_n <= 0 .or. &
+         report%correction(1) <= step%controls%c_n*maxval(abs(problem%iterate%x - x_start))
+   end function corrections_small
+
+   subroutine count_contacts(contact, report)
+      type(contact_set_t), intent(in) :: contact
+      type(iteration_report_t), intent(inout) :: report
+      integer :: i
+
+      report%contacts_active = count(contact%points%closed)
+      report%contacts_new = count(contact%points%closed .and. contact%points%predicted .and. &
+         contact%points%predicted_gap >= 0)
+      report%contacts_lost = count(.not. contact%points%closed .and. contact%points%predicted .and. &
+         contact%points%predicted_gap < 0)
+      report%penetration = 0
+      do i = 1, size(contact%points)
+         report%penetration = max(report%penetration, -contact%points(i)%gap)
+      end do
+   end subroutine count_contacts
+
+   !> Voltages with the conductances of the new displacements: exact in one linear solve.
+   subroutine update_potentials(problem, x_start, increment, report, solver_error, error)
+      type(problem_t), intent(inout) :: problem
+      real(dp), intent(in) :: x_start(:, :), increment(:, :)
+      type(iteration_report_t), intent(inout) :: report
+      type(error_t), allocatable, intent(out) :: solver_error, error
+      real(dp) :: b(problem%equations%n_electric), x(problem%equations%n_electric)
+      integer :: node
+
+      if (problem%equations%n_electric > 0 .and. report%residual(3) > report%allowed(3)) then
+         do node = 1, problem%model%n_nodes
+            if (problem%equations%electric(node) > 0) b(problem%equations%electric(node)) = &
+               problem%loading%load(slot_potential, node) - problem%forces%internal(slot_potential, node)
+         end do
+         call problem%solver%factor_electric(problem%matrix, solver_error)
+         if (.not. allocated(solver_error)) call problem%solver%solve_electric(problem%matrix, b, x, solver_error)
+         if (allocated(solver_error)) return
+         do node = 1, problem%model%n_nodes
+            if (problem%equations%electric(node) > 0) problem%iterate%potential(node) = &
+               problem%iterate%potential(node) + x(problem%equations%electric(node))
+         end do
+         report%correction(3) = maxval(abs(x))
+         call evaluate(problem, x_start, increment, error)
+      end if
+   end subroutine update_potentials
+
+   !> Factor and solve for the correction of all unknowns (7, n_nodes), prescribed ones included.
+   subroutine solve_step(problem, increment, correction, error)
+      type(problem_t), intent(inout) :: problem
+      real(dp), intent(in) :: increment(:, :)
+      real(dp), intent(out) :: correction(:, :)
+      type(error_t), allocatable, intent(out) :: error
+      real(dp) :: b_m(problem%equations%n_mechanical), x_m(problem%equations%n_mechanical)
+      real(dp) :: b_e(problem%equations%n_electric), x_e(problem%equations%n_electric)
+      real(dp) :: rhs(7)
+      integer :: node, i
+
+      do node = 1, problem%model%n_nodes
+         rhs = problem%loading%load(:, node) - problem%forces%internal(:, node) - problem%forces%iteration(:, node) &
+            - problem%forces%prescribed(:, node)
+         do i = 1, 6
+            if (problem%equations%mechanical(i, node) > 0) b_m(problem%equations%mechanical(i, node)) = rhs(i)
+         end do
+         if (problem%equations%electric(node) > 0) b_e(problem%equations%electric(node)) = rhs(7)
+      end do
+      call problem%solver%factor(problem%matrix, error)
+      if (allocated(error)) return
+      x_e = 0
+      if (problem%coupling == coupling_monolithic) then
+         call problem%solver%solve(problem%matrix, b_m, b_e, x_m, x_e, error)
+      else
+         call problem%solver%solve_mechanical(problem%matrix, b_m, x_m, error)
+      end if
+      if (allocated(error)) return
+      correction = increment
+      do node = 1, problem%model%n_nodes
+         do i = 1, 6
+            if (problem%equations%mechanical(i, node) > 0) correction(i, node) = x_m(problem%equations%mechanical(i, node))
+         end do
+         if (problem%equations%electric(node) > 0) correction(7, node) = x_e(problem%equations%electric(node))
+      end do
+   end subroutine solve_step
+
+   !> `q <- q + eta dq`, `sigma <- (1 - eta) sigma + eta C (e + B dq)`, contact forces likewise. Source: theory section 9.
+   subroutine update(problem, step, correction, prescribed, report)
+      type(problem_t), intent(inout) :: problem
+      type(step_t), intent(in) :: step
+      real(dp), intent(in) :: correction(:, :)
+      !> The step carries prescribed motion: it is taken whole, and the section forces are not believed
+      logical, intent(in) :: prescribed
+      type(iteration_report_t), intent(inout) :: report
+      real(dp) :: eta, rotation, dq(12)
+      integer :: node, e
+
+      rotation = sqrt(maxval(sum(correction(4:6, :)**2, 1)))
+      eta = 1
+      if (.not. prescribed .and. rotation > step%controls%rotation_cap) eta = step%controls%rotation_cap/rotation
+      associate (iterate => problem%iterate, elements => problem%elements)
+         !$omp parallel do schedule(static) private(dq)
+         do e = 1, problem%model%n_elements
+            dq = reshape(correction(1:6, problem%model%connectivity(:, e)), [12])
+            iterate%sigma(:, e) = (1 - eta)*iterate%sigma(:, e) + eta*elements%rigidity(:, e)* &
+               (iterate%strain(:, e) + matmul(iterate%b(:, :, e), dq))
+         end do
+         !$omp end parallel do
+         iterate%sigma_from_strain = prescribed
+         call predict_contacts(problem%model, eta, correction, problem%contact)
+         iterate%x = iterate%x + eta*correction(1:3, :)
+         do node = 1, problem%model%n_nodes
+            if (any(abs(correction(4:6, node)) > 0)) iterate%rotation(:, :, node) = &
+               matmul(rotation_exp(eta*correction(4:6, node)), iterate%rotation(:, :, node))
+         end do
+         iterate%potential = iterate%potential + eta*correction(7, :)
+      end associate
+      call largest_column(eta*correction(1:3, :), report%correction(1), report%correction_node(1))
+      call largest_column(eta*correction(4:6, :), report%correction(2), report%correction_node(2))
+      call largest_column(eta*correction(7:7, :), report%correction(3), report%correction_node(3))
+   end subroutine update
+
+   pure subroutine largest_column(values, largest_norm, column)
+      real(dp), intent(in) :: values(:, :)
+      real(dp), intent(out) :: largest_norm
+      integer, intent(out) :: column
+
+      column = maxloc(sum(values**2, 1), 1)
+      largest_norm = norm2(values(:, column))
+   end subroutine largest_column
+
+   !> A converged state with two axes on the wrong side of each other is none, unless the deck allows it.
+   subroutine refuse_crossed_axes(problem, outcome)
+      type(problem_t), intent(in) :: problem
+      type(outcome_t), intent(inout) :: outcome
+      integer :: i
+      character(len=16) :: first, second
+
+      outcome%converged = .true.
+      do i = 1, size(problem%contact%points)
+         associate (point => problem%contact%points(i), model => problem%model)
+            if (model%interactions(model%contact_pairs(point%pair)%interaction)%unlimited_penetration) cycle
+            if (point%closed .and. point%kinematics%distance <= 0) then
+               write (first, '(i0)') model%element_id(point%element_bar)
+               write (second, '(i0)') model%element_id(point%element)
+               call give_up(outcome, 'the wires of elements '//trim(first)//' and '//trim(second)// &
+                  ' went through each other''s axis; a stiffer contact or smaller increments are needed')
+               return
+            end if
+         end associate
+      end do
+   end subroutine refuse_crossed_axes
+
+   !> Why the iteration limit was met: the field that is farthest from its tolerance.
+   function worst_field(report) result(text)
+      type(iteration_report_t), intent(in) :: report
+      character(len=:), allocatable :: text
+      character(len=8), parameter :: names(3) = ['force  ', 'moment ', 'current']
+      character(len=4), parameter :: units(3) = ['N   ', 'N m ', 'A   ']
+      character(len=120) :: buffer
+      integer :: field
+
+      field = maxloc(report%residual/max(report%allowed, tiny(1.0_dp)), 1)
+      write (buffer, '(3a, es9.2, 1x, 2a, es9.2, a, i0, a)') 'the largest ', trim(names(field)), ' residual is', &
+         report%residual(field), trim(units(field)), ', allowed are', report%allowed(field), ', after ', &
+         report%iteration, ' iterations'
+      text = trim(buffer)
+   end function worst_field
+
+end module litz_newton

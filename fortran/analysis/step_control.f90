@@ -1,0 +1,78 @@
+!> How large the next increment of time is. Source: the rules and names of CalculiX's *CONTROLS.
+module litz_step_control
+   use litz_kinds, only: dp
+   use litz_model, only: step_t
+   implicit none
+   private
+   public :: step_control_t
+
+   type :: step_control_t
+      !> Increment wanted next
+      real(dp) :: wanted = 0
+      !> Quick increments in a row
+      integer :: quick = 0
+   contains
+      procedure :: start
+      procedure :: propose
+      procedure :: accept
+      procedure :: cut
+   end type step_control_t
+
+contains
+
+   pure subroutine start(self, step)
+      class(step_control_t), intent(inout) :: self
+      type(step_t), intent(in) :: step
+
+      self%wanted = min(step%first, step%total)
+      self%quick = 0
+   end subroutine start
+
+   !> The increment to try at a step time, not over the next break point, and without leaving a crumb before it.
+   pure real(dp) function propose(self, step_time, break_point) result(increment)
+      class(step_control_t), intent(in) :: self
+      real(dp), intent(in) :: step_time, break_point
+      real(dp) :: left
+
+      left = break_point - step_time
+      increment = self%wanted
+      if (increment > left*(1 - 1.0e-6_dp)) then
+         increment = left
+      else if (increment > left/2) then
+         increment = left/2
+      end if
+   end function propose
+
+   !> After a converged increment.
+   pure subroutine accept(self, step, iterations)
+      class(step_control_t), intent(inout) :: self
+      type(step_t), intent(in) :: step
+      integer, intent(in) :: iterations
+
+      if (step%direct) return
+      if (iterations <= step%controls%i_g) then
+         self%quick = self%quick + 1
+      else
+         self%quick = 0
+      end if
+      if (iterations > step%controls%i_l) then
+         self%wanted = self%wanted*step%controls%d_b
+      else if (self%quick >= 2) then
+         self%wanted = self%wanted*step%controls%d_d
+      end if
+      self%wanted = min(step%largest, max(step%smallest, self%wanted))
+   end subroutine accept
+
+   !> After a failed increment; `.false.`: it cannot get smaller.
+   logical function cut(self, step, failed_increment, attempts) result(possible)
+      class(step_control_t), intent(inout) :: self
+      type(step_t), intent(in) :: step
+      real(dp), intent(in) :: failed_increment
+      integer, intent(in) :: attempts
+
+      self%quick = 0
+      self%wanted = failed_increment*step%controls%d_f
+      possible = .not. step%direct .and. attempts <= step%controls%i_a .and. self%wanted >= step%smallest
+   end function cut
+
+end module litz_step_control

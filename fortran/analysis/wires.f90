@@ -1,0 +1,193 @@
+!> Wires: chains of elements, and the smooth reference directions along them.
+!>
+!> Two elements that meet at a node, alone and nearly straight on, continue one another: they share the tangent and
+!> the section axes there, so that the Hermite axis has no kink and a contact can slide from one to the next.
+module litz_wires
+   use litz_kinds, only: dp, pi
+   use litz_model, only: model_t
+   use litz_rotations, only: cross
+   implicit none
+   private
+   public :: wires_t, build_wires
+
+   !> A sharper angle between two elements [rad] is a corner, not a smooth wire (20 degrees, as in Abaqus)
+   real(dp), parameter :: corner_angle = 20*pi/180
+
+   type :: wires_t
+      integer :: n_wires = 0
+      !> Wire of each element (n_elements)
+      integer, allocatable :: wire(:)
+      !> Element that continues this one beyond its first and second node (2, n_elements); 0: the wire ends
+      integer, allocatable :: next(:, :)
+      !> +1: the element runs along its wire, -1: against it (n_elements)
+      integer, allocatable :: direction(:)
+      !> Arc length along the wire at the middle of each element [m] (n_elements)
+      real(dp), allocatable :: arc(:)
+      !> Reference triads at both ends of each element, columns tangent, first and second section axis
+      !> (3, 3, 2, n_elements)
+      real(dp), allocatable :: triads0(:, :, :, :)
+   end type wires_t
+
+contains
+
+   subroutine build_wires(model, wires)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(out) :: wires
+      real(dp), allocatable :: chord(:, :), length(:)
+      integer :: e
+
+      allocate (chord(3, model%n_elements), length(model%n_elements))
+      do e = 1, model%n_elements
+         associate (node => model%connectivity(:, e))
+            chord(:, e) = model%x(:, node(2)) - model%x(:, node(1))
+         end associate
+         length(e) = norm2(chord(:, e))
+         chord(:, e) = chord(:, e)/length(e)
+      end do
+      call join_elements(model, chord, wires)
+      call number_wires(length, wires)
+      call nodal_triads(model, chord, length, wires)
+   end subroutine build_wires
+
+   !> Which element continues which.
+   pure subroutine join_elements(model, chord, wires)
+      type(model_t), intent(in) :: model
+      real(dp), intent(in) :: chord(:, :)
+      type(wires_t), intent(inout) :: wires
+      !> The first two element ends at each node, as +-element (- : its first node), and how many there are
+      integer, allocatable :: ends(:, :), n_ends(:)
+      integer :: e, side, node, a, b
+      real(dp) :: cosine
+
+      allocate (ends(2, model%n_nodes), n_ends(model%n_nodes), source=0)
+      do e = 1, model%n_elements
+         do side = 1, 2
+            node = model%connectivity(side, e)
+            n_ends(node) = n_ends(node) + 1
+            if (n_ends(node) <= 2) ends(n_ends(node), node) = merge(-e, e, side == 1)
+         end do
+      end do
+      allocate (wires%next(2, model%n_elements), source=0)
+      do node = 1, model%n_nodes
+         if (n_ends(node) /= 2) cycle
+         a = ends(1, node)
+         b = ends(2, node)
+         if (abs(a) == abs(b)) cycle
+         ! directions into the node along one element and out of it along the other
+         cosine = -sign(1, a)*sign(1, b)*dot_product(chord(:, abs(a)), chord(:, abs(b)))
+         if (cosine < cos(corner_angle)) cycle
+         wires%next(merge(1, 2, a < 0), abs(a)) = abs(b)
+         wires%next(merge(1, 2, b < 0), abs(b)) = abs(a)
+      end do
+   end subroutine join_elements
+
+   !> Walk each chain from one of its ends (from any element where it is closed).
+   subroutine number_wires(length, wires)
+      real(dp), intent(in) :: length(:)
+      type(wires_t), intent(inout) :: wires
+      integer :: e, n, pass
+
+      n = size(length)
+      allocate (wires%wire(n), wires%direction(n), source=0)
+      allocate (wires%arc(n), source=0.0_dp)
+      do pass = 1, 2
+         do e = 1, n
+            if (wires%wire(e) /= 0) cycle
+            if (pass == 1 .and. all(wires%next(:, e) /= 0)) cycle
+            call walk(e)
+         end do
+      end do
+
+   contains
+
+      subroutine walk(start)
+         integer, intent(in) :: start
+         integer :: current, from, exit_side
+         real(dp) :: s
+
+         wires%n_wires = wires%n_wires + 1
+         current = start
+         exit_side = merge(2, 1, wires%next(1, start) == 0 .or. wires%next(2, start) /= 0)
+         s = 0
+         do
+            wires%wire(current) = wires%n_wires
+            wires%direction(current) = merge(1, -1, exit_side == 2)
+            wires%arc(current) = s + length(current)/2
+            s = s + length(current)
+            from = current
+            current = wires%next(exit_side, from)
+            if (current == 0) exit
+            if (wires%wire(current) /= 0) exit
+            ! two elements joined at both ends form a ring: the side that is not the one just left stays free
+            exit_side = merge(2, 1, entered_at_first(from, exit_side, current))
+         end do
+      end subroutine walk
+
+      !> Whether going out of `from` by `side` leads into the first node of `to`.
+      pure logical function entered_at_first(from, side, to)
+         integer, intent(in) :: from, side, to
+
+         if (wires%next(1, to) == from .and. wires%next(2, to) == from) then
+            entered_at_first = side == 2
+         else
+            entered_at_first = wires%next(1, to) == from
+         end if
+      end function entered_at_first
+
+   end subroutine number_wires
+
+   !> Tangents at the nodes from a parabola through three neighbours (at the end of a wire: the circle that goes on),
+   !> section axes perpendicular to them.
+   pure subroutine nodal_triads(model, chord, length, wires)
+      type(model_t), intent(in) :: model
+      real(dp), intent(in) :: chord(:, :), length(:)
+      type(wires_t), intent(inout) :: wires
+      integer :: e, side, other, sense
+      logical :: free(2)
+      real(dp) :: tangent(3, 2), mean(3)
+
+      allocate (wires%triads0(3, 3, 2, model%n_elements))
+      do e = 1, model%n_elements
+         do side = 1, 2
+            other = wires%next(side, e)
+            free(side) = other == 0
+            tangent(:, side) = chord(:, e)
+            if (free(side)) cycle
+            sense = wires%direction(e)*wires%direction(other)
+            mean = chord(:, e)*length(other) + sense*chord(:, other)*length(e)
+            tangent(:, side) = mean/norm2(mean)
+         end do
+         do side = 1, 2
+            if (free(side) .and. .not. free(3 - side)) then
+               tangent(:, side) = 2*dot_product(tangent(:, 3 - side), chord(:, e))*chord(:, e) - tangent(:, 3 - side)
+            end if
+         end do
+         do side = 1, 2
+            wires%triads0(:, :, side, e) = triad(tangent(:, side), first_axis(model%sections(model%element_section(e))%n1, chord(:, e)))
+         end do
+      end do
+   end subroutine nodal_triads
+
+   !> The direction asked for, or Abaqus's default (0, 0, -1), or (0, 1, 0) for an element nearly along z.
+   pure function first_axis(n1, chord) result(axis)
+      real(dp), intent(in) :: n1(3), chord(3)
+      real(dp) :: axis(3)
+
+      axis = n1
+      if (any(abs(n1) > 0)) return
+      axis = [0.0_dp, 0.0_dp, -1.0_dp]
+      if (abs(chord(3)) > 0.9_dp) axis = [0.0_dp, 1.0_dp, 0.0_dp]
+   end function first_axis
+
+   !> Right-handed triad with the given tangent and a first axis as near as possible to `n1`.
+   pure function triad(tangent, n1) result(axes)
+      real(dp), intent(in) :: tangent(3), n1(3)
+      real(dp) :: axes(3, 3), first(3)
+
+      first = n1 - dot_product(n1, tangent)*tangent
+      axes(:, 1) = tangent
+      axes(:, 2) = first/norm2(first)
+      axes(:, 3) = cross(axes(:, 1), axes(:, 2))
+   end function triad
+
+end module litz_wires
