@@ -7,8 +7,8 @@ module litz_block_triangular
    use litz_sparse_pattern, only: csr_add_product
    use litz_equilibration, only: equilibrate
    use litz_scaled_factor, only: scaled_factor_t
-   use litz_cholmod_factor, only: cholmod_factor_t
-   use litz_umfpack_factor, only: umfpack_factor_t
+   use litz_cholmod, only: cholmod_factor_t
+   use litz_umfpack, only: umfpack_factor_t
    implicit none
    private
    public :: block_solver_t
@@ -37,7 +37,6 @@ module litz_block_triangular
       procedure :: solve => block_solver_solve
       procedure :: solve_mechanical => block_solver_solve_mechanical
       procedure :: solve_electric => block_solver_solve_electric
-      procedure, nopass :: name => block_solver_name
    end type block_solver_t
 
 contains
@@ -190,11 +189,5 @@ contains
       self%failed_equation = self%electric%failed_equation
       if (self%failed_equation > 0) self%failed_equation = self%electric%offset + self%failed_equation
    end subroutine set_electric_failure
-
-   function block_solver_name() result(name)
-      character(len=:), allocatable :: name
-
-      name = 'block triangular'
-   end function block_solver_name
 
 end module litz_block_triangular

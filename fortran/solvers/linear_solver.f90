@@ -2,6 +2,7 @@
 module litz_linear_solver
    use litz_kinds, only: dp
    use litz_errors, only: error_t, fail, exit_internal
+   use litz_solver_names, only: solver_default, solver_keyword
    implicit none
    private
    public :: linear_solver_t, csr_matrix_t, system_matrix_t, check_right_side
@@ -26,6 +27,8 @@ module litz_linear_solver
    end type system_matrix_t
 
    type, abstract :: linear_solver_t
+      !> One of the constants of litz_solver_names
+      integer :: kind = solver_default
       !> Negative eigenvalues of a symmetric `mm`, counted by the pivots of the last `factor`: 0 where it is positive
       !> definite (stable equilibrium); -1: the solver cannot tell, or `mm` is not symmetric
       integer :: negative_pivots = -1
@@ -46,7 +49,8 @@ module litz_linear_solver
       procedure(solve_part_interface), deferred :: solve_mechanical
       !> `ee x = b`
       procedure(solve_part_interface), deferred :: solve_electric
-      procedure(name_interface), deferred, nopass :: name
+      !> What the user writes after NAME=
+      procedure :: name => linear_solver_name
    end type linear_solver_t
 
    abstract interface
@@ -80,12 +84,16 @@ module litz_linear_solver
          real(dp), intent(out) :: x(:)
          type(error_t), allocatable, intent(out) :: error
       end subroutine solve_part_interface
-      function name_interface() result(name)
-         character(len=:), allocatable :: name
-      end function name_interface
    end interface
 
 contains
+
+   pure function linear_solver_name(self) result(name)
+      class(linear_solver_t), intent(in) :: self
+      character(len=:), allocatable :: name
+
+      name = trim(solver_keyword(self%kind))
+   end function linear_solver_name
 
    !> The right-hand side of a block must be as long as the block has rows.
    subroutine check_right_side(block, b, error)

@@ -1,4 +1,4 @@
-!> The system `[mm 0; me ee]` solved as one unsymmetric matrix; which factorisation does it is up to the extensions.
+!> The system `[mm 0; me ee]` solved as one unsymmetric matrix; any library can do it.
 module litz_monolithic
    use litz_kinds, only: dp
    use litz_errors, only: error_t
@@ -9,13 +9,12 @@ module litz_monolithic
    use litz_sparse_factor, only: sparse_factor_t
    implicit none
    private
-   public :: monolithic_solver_t
+   public :: create_monolithic
 
-   type, abstract, extends(linear_solver_t) :: monolithic_solver_t
+   type, extends(linear_solver_t) :: monolithic_solver_t
       type(scaled_factor_t) :: whole, electric
       integer :: n_m = 0
    contains
-      procedure(new_factor_interface), deferred, nopass :: new_factor
       procedure :: analyse => monolithic_analyse
       procedure :: factor => monolithic_factor
       procedure :: factor_electric => monolithic_factor_electric
@@ -24,15 +23,20 @@ module litz_monolithic
       procedure :: solve_electric => monolithic_solve_electric
    end type monolithic_solver_t
 
-   abstract interface
-      !> An empty factorisation of the kind the solver is named after.
-      subroutine new_factor_interface(factor)
-         import :: sparse_factor_t
-         class(sparse_factor_t), allocatable, intent(out) :: factor
-      end subroutine new_factor_interface
-   end interface
-
 contains
+
+   !> The solver from two empty factorisations of one library.
+   subroutine create_monolithic(whole, electric, solver)
+      !> Come back not allocated
+      class(sparse_factor_t), allocatable, intent(inout) :: whole, electric
+      class(linear_solver_t), allocatable, intent(out) :: solver
+      type(monolithic_solver_t), allocatable :: monolithic
+
+      allocate (monolithic)
+      call move_alloc(whole, monolithic%whole%backend)
+      call move_alloc(electric, monolithic%electric%backend)
+      call move_alloc(monolithic, solver)
+   end subroutine create_monolithic
 
    subroutine monolithic_analyse(self, matrix, error)
       class(monolithic_solver_t), intent(inout) :: self
@@ -41,8 +45,6 @@ contains
       type(csr_matrix_t) :: whole
 
       self%n_m = matrix%mm%n_rows
-      call self%new_factor(self%whole%backend)
-      call self%new_factor(self%electric%backend)
       call join(matrix, whole)
       call self%whole%analyse(whole, 0, error)
       if (allocated(error)) return

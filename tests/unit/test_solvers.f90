@@ -11,7 +11,7 @@ program test_solvers
    use litz_solver_names, only: solver_default, solver_block, solver_umfpack, solver_skyline, solver_keyword
    use litz_solver_factory, only: create_solver, resolved_solver, available_solvers
    use litz_sparse_pattern, only: pattern_from_cliques, csr_position
-   use litz_skyline_factor, only: skyline_factor_t
+   use litz_skyline, only: skyline_factor_t
    implicit none
 
    interface
@@ -97,6 +97,7 @@ contains
       call check(.not. allocated(error), 'the skyline solver is always there')
       call create_solver(solver_default, solver, error)
       call check(.not. allocated(error), 'the default solver is always there')
+      call check(solver%kind == resolved_solver(solver_default), 'the default solver knows its name')
       call check(resolved_solver(solver_umfpack) == solver_umfpack, 'a choice stands')
       call create_solver(99, solver, error)
       call check(allocated(error), 'there is no solver 99')

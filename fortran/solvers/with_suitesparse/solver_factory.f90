@@ -4,8 +4,10 @@ module litz_solver_factory
    use litz_linear_solver, only: linear_solver_t
    use litz_solver_names, only: solver_default, solver_block, solver_umfpack, solver_skyline
    use litz_block_triangular, only: block_solver_t
-   use litz_umfpack, only: umfpack_solver_t
-   use litz_skyline, only: skyline_solver_t
+   use litz_monolithic, only: create_monolithic
+   use litz_sparse_factor, only: sparse_factor_t
+   use litz_umfpack, only: umfpack_factor_t
+   use litz_skyline, only: skyline_factor_t
    use litz_blas_threads, only: default_blas_threads
    implicit none
    private
@@ -18,18 +20,22 @@ contains
       integer, intent(in) :: kind
       class(linear_solver_t), allocatable, intent(out) :: solver
       type(error_t), allocatable, intent(out) :: error
+      class(sparse_factor_t), allocatable :: whole, electric
 
       call default_blas_threads()
       select case (resolved_solver(kind))
       case (solver_block)
          allocate (block_solver_t :: solver)
       case (solver_umfpack)
-         allocate (umfpack_solver_t :: solver)
+         allocate (umfpack_factor_t :: whole, electric)
+         call create_monolithic(whole, electric, solver)
       case (solver_skyline)
-         allocate (skyline_solver_t :: solver)
+         allocate (skyline_factor_t :: whole, electric)
+         call create_monolithic(whole, electric, solver)
       case default
          error = fail(exit_internal, 'linear solver: there is no solver of this kind')
       end select
+      if (allocated(solver)) solver%kind = resolved_solver(kind)
    end subroutine create_solver
 
    !> The solver that is meant: the default of this build where nobody chose.

@@ -1,7 +1,7 @@
 !> Supernodal Cholesky factorisation by CHOLMOD of a symmetric positive definite matrix.
 !>
 !> Source: Y. Chen, T. A. Davis, W. W. Hager, S. Rajamanickam, ACM TOMS 35 (2008) 22.
-module litz_cholmod_factor
+module litz_cholmod
    use, intrinsic :: iso_c_binding, only: c_ptr, c_null_ptr, c_associated, c_int, c_int64_t, c_double
    use litz_kinds, only: dp
    use litz_errors, only: error_t, fail, exit_solver
@@ -162,4 +162,4 @@ contains
       self%handle = c_null_ptr
    end subroutine cholmod_finalise
 
-end module litz_cholmod_factor
+end module litz_cholmod
