@@ -12,7 +12,7 @@ module litz_analysis
       request_contact
    use litz_newton, only: problem_t, outcome_t, solve_increment
    use litz_results, only: results_t, iteration_report_t, increment_report_t
-   use litz_solver_factory, only: create_solver
+   use litz_solver_factory, only: create_solver, resolved_solver
    use litz_step_control, only: step_control_t
    use litz_wires, only: build_wires
 !$ use omp_lib, only: omp_set_num_threads
@@ -207,7 +207,7 @@ contains
          if (problem%elements%resistivity(e) > 0) in_conductor(problem%model%connectivity(:, e)) = .true.
       end do
       call number_equations(problem%loading%fixed, in_beam, in_conductor, problem%equations)
-      kind = merge(options%solver, step%solver, options%solver > 0)
+      kind = resolved_solver(merge(options%solver, step%solver, options%solver > 0))
       if (allocated(problem%solver)) deallocate (problem%solver)
       call create_solver(kind, problem%solver, error)
       if (allocated(error)) return
