@@ -8,7 +8,7 @@ module litz_contact_pairs
    use litz_closest_points, only: closest_points, end_tolerance, closest_inside, closest_beyond, closest_not_unique, &
       closest_parallel, closest_not_converged
    use litz_contact_kinematics, only: contact_kinematics_t, contact_kinematics, kinematics_ok
-   use litz_contact_search, only: overlapping_boxes, segment_distance
+   use litz_contact_search, only: near_segments
    use litz_element_library, only: elements_t
    use litz_hertz, only: hertz_ellipse_t
    use litz_model, only: model_t, axis_hermite
@@ -100,55 +100,31 @@ contains
       real(dp), intent(in) :: x_start(:, :), x(:, :)
       type(contact_set_t), intent(inout) :: contact
       integer, allocatable :: member(:), pairs(:, :), found(:, :)
-      real(dp), allocatable :: lower(:, :), upper(:, :)
-      real(dp) :: margin, corners(3, 4)
-      integer :: i, n, e, n_found, roles(2), pair
+      real(dp), allocatable :: reach(:)
+      integer :: i, e, n_found, roles(2), pair
 
       member = pack([(e, e=1, model%n_elements)], any(contact%in_bar .or. contact%in_set, 2))
-      n = size(member)
-      allocate (lower(3, n), upper(3, n))
-      do i = 1, n
-         associate (e => member(i))
-            ! a cubic with unit end tangents stays within a third of its length of its end points
-            margin = elements%radius(e) + contact%skin/2 + elements%length(e)*sagitta_bound(wires, e)
-            corners(:, 1:2) = x(:, model%connectivity(:, e))
-            corners(:, 3:4) = x_start(:, model%connectivity(:, e))
-            lower(:, i) = minval(corners, 2) - margin
-            upper(:, i) = maxval(corners, 2) + margin
+      allocate (reach(size(member)))
+      do i = 1, size(member)
+         associate (e => member(i), node => model%connectivity(:, member(i)))
+            ! what the axis may leave its chord by, and what it has moved since the increment began, count as thickness
+            reach(i) = elements%radius(e) + contact%skin/2 + elements%length(e)*sagitta_bound(wires, e) &
+               + sqrt(maxval(sum((x(:, node) - x_start(:, node))**2, 1)))
          end associate
       end do
-      call overlapping_boxes(lower, upper, pairs)
+      associate (first => model%connectivity(1, member), second => model%connectivity(2, member))
+         call near_segments(x(:, first), x(:, second), reach, pairs)
+      end associate
       allocate (found(3, size(pairs, 2)))
       n_found = 0
       do i = 1, size(pairs, 2)
          call assign_roles(model, wires, elements, contact, member(pairs(1, i)), member(pairs(2, i)), roles, pair)
          if (pair == 0) cycle
-         if (.not. may_touch(roles(1), roles(2))) cycle
          n_found = n_found + 1
          found(:, n_found) = [roles, pair]
       end do
       contact%candidates = found(:, :n_found)
       contact%x_collected = x
-
-   contains
-
-      !> Whether the axes come, or have come since the increment began, within the skin of touching.
-      logical function may_touch(a, b)
-         integer, intent(in) :: a, b
-
-         may_touch = segment_distance(x(:, model%connectivity(:, a)), x(:, model%connectivity(:, b))) &
-            <= elements%radius(a) + elements%radius(b) + contact%skin + leeway(a) + leeway(b)
-      end function may_touch
-
-      !> How far the axis may leave its chord, and how far it has moved since the increment began [m].
-      real(dp) function leeway(e)
-         integer, intent(in) :: e
-
-         associate (node => model%connectivity(:, e))
-            leeway = elements%length(e)*sagitta_bound(wires, e) + sqrt(maxval(sum((x(:, node) - x_start(:, node))**2, 1)))
-         end associate
-      end function leeway
-
    end subroutine find_candidates
 
    !> How far the axis of an element may leave its chord, as a fraction of its length.

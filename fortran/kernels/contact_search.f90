@@ -1,17 +1,46 @@
-!> Broad phase of the contact search: all pairs of boxes that overlap, in a time that grows like their number.
+!> Broad phase of the contact search: all pairs of straight segments that come near each other, in a time that grows
+!> like their number.
 !>
-!> The boxes are sorted into the cells of a regular grid; a pair that shares several cells is reported in one of
+!> Boxes around the segments find the pairs whose true distance is worth computing. The boxes are sorted into the cells of a regular grid; a pair that shares several cells is reported in one of
 !> them only, the cell of the lower corner of its common region.
 module litz_contact_search
    use litz_kinds, only: dp
    implicit none
    private
-   public :: overlapping_boxes, segment_distance
+   public :: near_segments, overlapping_boxes, segment_distance
 
    !> Most grid cells per box: bounds the memory of the grid when a few boxes lie far away from the rest
    integer, parameter :: cells_per_box = 4
 
 contains
+
+   !> Pairs `(i, j)`, `i < j`, of segments whose distance is at most the sum of their reaches, sorted by i, then j.
+   pure subroutine near_segments(a, b, reach, pairs)
+      !> End points (3, n) [m]
+      real(dp), intent(in) :: a(:, :), b(:, :)
+      !> Half the distance at which two such segments are near (n) [m]: radius and half a skin
+      real(dp), intent(in) :: reach(:)
+      !> (2, number of pairs)
+      integer, allocatable, intent(out) :: pairs(:, :)
+      integer, allocatable :: boxes(:, :)
+      logical, allocatable :: near(:)
+      integer :: i, n
+
+      call overlapping_boxes(min(a, b) - spread(reach, 1, 3), max(a, b) + spread(reach, 1, 3), boxes)
+      allocate (near(size(boxes, 2)))
+      do n = 1, size(boxes, 2)
+         associate (p => boxes(1, n), q => boxes(2, n))
+            near(n) = segment_distance(a(:, p), b(:, p), a(:, q), b(:, q)) <= reach(p) + reach(q)
+         end associate
+      end do
+      allocate (pairs(2, count(near)))
+      i = 0
+      do n = 1, size(boxes, 2)
+         if (.not. near(n)) cycle
+         i = i + 1
+         pairs(:, i) = boxes(:, n)
+      end do
+   end subroutine near_segments
 
    !> Pairs `(i, j)`, `i < j`, of closed axis-parallel boxes that have a point in common, sorted by i, then j.
    pure subroutine overlapping_boxes(lower, upper, pairs)
@@ -160,14 +189,14 @@ contains
    !> Least distance between two straight segments, also where they are parallel or have no length.
    !>
    !> Source: minimum of a convex quadratic over the unit square, by clamping one parameter after the other.
-   pure real(dp) function segment_distance(a, b) result(distance)
-      !> End points (3, 2) [m]
-      real(dp), intent(in) :: a(3, 2), b(3, 2)
+   pure real(dp) function segment_distance(a1, a2, b1, b2) result(distance)
+      !> End points (3) [m]
+      real(dp), intent(in) :: a1(3), a2(3), b1(3), b2(3)
       real(dp) :: u(3), v(3), w(3), uu, uv, vv, uw, vw, s, t, determinant
 
-      u = a(:, 2) - a(:, 1)
-      v = b(:, 2) - b(:, 1)
-      w = a(:, 1) - b(:, 1)
+      u = a2 - a1
+      v = b2 - b1
+      w = a1 - b1
       uu = dot_product(u, u)
       uv = dot_product(u, v)
       vv = dot_product(v, v)

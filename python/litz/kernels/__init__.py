@@ -10,6 +10,7 @@ from litz.kernels.beams import (
     beam_b33_strains,
     conductor,
 )
+from litz.kernels.search import contact_search
 
 __all__ = [
     "Beam",
@@ -20,4 +21,5 @@ __all__ = [
     "beam_b33",
     "beam_b33_strains",
     "conductor",
+    "contact_search",
 ]

@@ -1,0 +1,98 @@
+"""The broad phase finds every pair of near elements, none twice, none that is far."""
+
+import numpy as np
+import pytest
+
+from litz import kernels
+
+
+def segment_distances(p0, p1, q0, q1):
+    """Least distance of segments p and q, by a bounded minimisation over both parameters in closed form."""
+    best = np.inf
+    u, v, w = p1 - p0, q1 - q0, p0 - q0
+    a, b, c, d, e = u @ u, u @ v, v @ v, u @ w, v @ w
+    candidates = []
+    if a * c - b * b > 1e-14 * a * c:
+        candidates.append(((b * e - c * d) / (a * c - b * b), (a * e - b * d) / (a * c - b * b)))
+    for s in (0.0, 1.0):
+        candidates.append((s, (b * s + e) / c))
+    for t in (0.0, 1.0):
+        candidates.append(((b * t - d) / a, t))
+    for s, t in candidates:
+        s, t = np.clip(s, 0, 1), np.clip(t, 0, 1)
+        best = min(best, np.linalg.norm(w + s * u - t * v))
+    return best
+
+
+def random_pile(rng, n, *, long_element):
+    """Elements of mixed radii and lengths in a box, some joined end to end; one may be as long as the box."""
+    start = rng.uniform(0, 1, (n, 3))
+    direction = rng.normal(size=(n, 3))
+    length = rng.uniform(0.02, 0.3, n)
+    if long_element:
+        length[0] = 3.0
+    end = start + direction / np.linalg.norm(direction, axis=1)[:, None] * length[:, None]
+    x = np.vstack([start, end])
+    connectivity = np.stack([np.arange(n), n + np.arange(n)], axis=1)
+    connectivity[1::5, 0] = connectivity[0:-1:5, 1][: len(connectivity[1::5])]
+    return x, connectivity, rng.uniform(0.002, 0.05, n)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_random_piles_agree_with_brute_force(seed):
+    rng = np.random.default_rng(seed)
+    x, connectivity, radius = random_pile(rng, 120, long_element=seed % 2 == 0)
+    skin = 0.01
+    expected = []
+    for i in range(len(connectivity)):
+        for j in range(i + 1, len(connectivity)):
+            if set(connectivity[i]) & set(connectivity[j]):
+                continue
+            ends = [*x[connectivity[i]], *x[connectivity[j]]]
+            if segment_distances(*ends) <= radius[i] + radius[j] + skin:
+                expected.append([i, j])
+    found = kernels.contact_search(x, connectivity, radius, skin=skin)
+    assert found.tolist() == expected
+    assert len(expected) > 50
+
+
+def test_parallel_elements_side_by_side_are_a_pair():
+    x = [[0, 0, 0], [1, 0, 0], [0.5, 0.1, 0], [1.5, 0.1, 0]]
+    assert kernels.contact_search(x, [[0, 1], [2, 3]], [0.05, 0.051]).tolist() == [[0, 1]]
+    assert kernels.contact_search(x, [[0, 1], [2, 3]], [0.05, 0.049]).tolist() == []
+
+
+def test_elements_far_apart_do_not_need_a_grid_as_large_as_the_space_between_them():
+    x = np.array([[0, 0, 0], [1, 0, 0], [0.5, -1, 0.1], [0.5, 1, 0.1], [1e9, 0, 0], [1e9, 1, 0]])
+    assert kernels.contact_search(x, [[0, 1], [2, 3], [4, 5]], [0.1, 0.1, 0.1]).tolist() == [[0, 1]]
+
+
+def test_joined_elements_are_no_pair():
+    x = [[0, 0, 0], [1, 0, 0], [1, 1, 0]]
+    assert len(kernels.contact_search(x, [[0, 1], [1, 2]], [0.1, 0.1])) == 0
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"x": [[0, 0], [1, 0]]}, r"shape \(n, 3\)"),
+        ({"connectivity": [[0, 9], [2, 3]]}, "outside 0 to 3"),
+        ({"connectivity": [[0.5, 1.0], [2.0, 3.0]]}, "integers"),
+        ({"radius": [0.1]}, "one value for each of the 2"),
+        ({"radius": [0.1, -0.1]}, "positive"),
+        ({"radius": [0.1, np.nan]}, "positive"),
+        ({"skin": -1.0}, "skin"),
+    ],
+)
+def test_bad_input_is_refused_in_words(change, message):
+    arguments = {
+        "x": [[-1, 0, 0], [1, 0, 0], [0, -1, 0.3], [0, 1, 0.3]],
+        "connectivity": [[0, 1], [2, 3]],
+        "radius": [0.1, 0.1],
+        "skin": 0.0,
+        **change,
+    }
+    with pytest.raises(ValueError, match=message):
+        kernels.contact_search(
+            arguments["x"], arguments["connectivity"], arguments["radius"], skin=arguments["skin"]
+        )
