@@ -5,8 +5,9 @@ import sys
 
 _PYTHON_HELP = """
 Commands of the Python package:
-  litz table DIR|FILE                  the history of a run as a table
-  litz plot DIR|FILE [-o PICTURE.png]  a picture of the wires, coloured by voltage, and of resistance over force
+  litz summary RESULTS                    what was run, the increments, the contacts and the last increment in numbers
+  litz plot RESULTS [-o PICTURE.png]      a picture of the wires
+RESULTS is a result file (.vtkhdf), a deck (.inp) that was run here, or a directory with the results of one run.
 """
 
 
@@ -15,7 +16,7 @@ def main(arguments=None):
     from .run import LitzError
 
     arguments = sys.argv[1:] if arguments is None else list(arguments)
-    commands = {"table": _table, "plot": _plot}
+    commands = {"summary": _summary, "plot": _plot}
     try:
         if arguments and arguments[0] in commands:
             return commands[arguments[0]](arguments[1:])
@@ -40,9 +41,23 @@ def _run_program(arguments):
     os.execv(program, [program, *arguments])
 
 
-def _table(arguments):
-    raise SystemExit("not yet")
+def _parser(command, description):
+    """A parser of arguments that ends as the program does: with exit code 1 when they are wrong."""
+    import argparse
+
+    class Parser(argparse.ArgumentParser):
+        def error(self, message):
+            self.print_usage(sys.stderr)
+            self.exit(1, f"error: {message}\n")
+
+    parser = Parser(prog=f"litz {command}", description=description)
+    parser.add_argument("results", metavar="RESULTS", help="result file, deck that was run, or directory with results")
+    return parser
 
 
-def _plot(arguments):
-    raise SystemExit("not yet")
+def _summary(arguments):
+    from .results import Results
+
+    options = _parser("summary", "What was run, how it went, and the last increment in numbers.").parse_args(arguments)
+    print(Results(options.results).summary(), end="")
+    return 0
