@@ -28,14 +28,18 @@ contains
       real(dp), intent(in) :: a(3)
       real(dp) :: s(3, 3)
 
-      s = reshape([0.0_dp, a(3), -a(2), -a(3), 0.0_dp, a(1), a(2), -a(1), 0.0_dp], [3, 3])
+      s(:, 1) = [0.0_dp, a(3), -a(2)]
+      s(:, 2) = [-a(3), 0.0_dp, a(1)]
+      s(:, 3) = [a(2), -a(1), 0.0_dp]
    end function skew
 
    pure function outer(a, b) result(c)
       real(dp), intent(in) :: a(3), b(3)
       real(dp) :: c(3, 3)
 
-      c = spread(a, 2, 3)*spread(b, 1, 3)
+      c(:, 1) = a*b(1)
+      c(:, 2) = a*b(2)
+      c(:, 3) = a*b(3)
    end function outer
 
    !> Coefficients of `exp(v) = 1 + c1 v^ + c2 v^ v^` and `T(v) = 1 + c2 v^ + c3 v^ v^`, with their derivatives

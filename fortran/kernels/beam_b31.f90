@@ -76,7 +76,7 @@ contains
       section_forces = stiffness*strain
       energy = length/2*dot_product(section_forces, strain)
 
-      call chord_rotation_rows(q, b(1:3, :), b(4:6, :))
+      b = chord_rotation_rows(q)
       b(4:6, :) = b(4:6, :)/length
       r = chord_rotation_residual(q, length*section_forces(1:3), section_forces(4:6))
 

@@ -25,14 +25,15 @@ module litz_beam_b33
    private
    public :: beam_b33, beam_b33_reference, beam_b33_rigidities
 
-   integer :: i
+   integer :: power
 
    !> Below this square of `g/gamma1` the functions of (1) come from their power series, which lose less than round-off
    real(dp), parameter :: series_slope_squared = 0.04_dp
    integer, parameter :: terms = 12
    !> `atan(t)/t = sum_n (-t^2)^n/(2n + 1)`; columns are powers of `-t^2`, rows are what `arc_functions` describes
    real(dp), parameter :: series(3, 0:terms) = reshape([( &
-      1.0_dp/(2*i + 1), -2.0_dp*(i + 1)/(2*i + 3), 4.0_dp*(i + 1)*(i + 2)/(2*i + 5), i=0, terms)], [3, terms + 1])
+      1.0_dp/(2*power + 1), -2.0_dp*(power + 1)/(2*power + 3), 4.0_dp*(power + 1)*(power + 2)/(2*power + 5), &
+      power=0, terms)], [3, terms + 1])
 
    !> The functions `omega/g` of (1), and what follows from it
    type :: arc_t
@@ -101,7 +102,8 @@ contains
       real(dp), intent(in), optional :: sigma(6)
       type(chord_rotation_t) :: q
       type(arc_t) :: arc
-      real(dp) :: c(6), s(6), by_gamma(3, 3), bow(3), c_gamma(3, 3), c_psi(3, 3)
+      integer :: i
+      real(dp) :: c(6), s(6), by_gamma(3, 3), bow(3), n(3), m(3), c_gamma(3, 3), c_psi(3, 3)
 
       q = chord_rotation(x, triads, length)
       arc = arc_functions(q%gamma)
@@ -112,20 +114,38 @@ contains
 
       by_gamma = strains_by_gamma(q%gamma, arc)
       bow = [0.0_dp, q%psi(2), q%psi(3)]/12
-      call chord_rotation_rows(q, b(1:3, :), b(4:6, :))
-      b(1:3, :) = matmul(by_gamma, b(1:3, :))
-      b(1, :) = b(1, :) + matmul(bow, b(4:6, :))
-      b(4:6, :) = b(4:6, :)/length
-      r = chord_rotation_residual(q, length*matmul(section_forces(1:3), by_gamma), &
-         section_forces(4:6) + length*section_forces(1)*bow)
+      b = chord_rotation_rows(q)
+      do i = 1, 12
+         b(1:3, i) = by_gamma(:, 1)*b(1, i) + by_gamma(:, 2)*b(2, i) + by_gamma(:, 3)*b(3, i)
+         b(1, i) = b(1, i) + dot_product(bow, b(4:6, i))
+         b(4:6, i) = b(4:6, i)/length
+      end do
+      call by_gamma_and_psi(section_forces, n, m)
+      r = chord_rotation_residual(q, n, m)
 
       s = section_forces
       if (present(sigma)) s = sigma
-      c_gamma = matmul(transpose(by_gamma), matmul(diagonal(c(1:3)), by_gamma)) &
-         + strains_by_gamma_twice(q%gamma, arc, s(1:3))
-      c_psi = diagonal(c(4:6))/length + length*(c(1)*outer(bow, bow) + s(1)/12*diagonal([0.0_dp, 1.0_dp, 1.0_dp]))
-      k = chord_rotation_tangent(q, length*matmul(s(1:3), by_gamma), s(4:6) + length*s(1)*bow, &
-         length*c_gamma, c_psi, length*c(1)*outer(by_gamma(1, :), bow))
+      call by_gamma_and_psi(s, n, m)
+      c_gamma = strains_by_gamma_twice(q%gamma, arc, by_gamma, s(1:3))
+      do i = 1, 3
+         c_gamma = c_gamma + c(i)*outer(by_gamma(i, :), by_gamma(i, :))
+      end do
+      c_psi = diagonal(c(4:6))/length + length*(c(1)*outer(bow, bow) + diagonal([0.0_dp, s(1), s(1)])/12)
+      k = chord_rotation_tangent(q, n, m, length*c_gamma, c_psi, length*c(1)*outer(by_gamma(1, :), bow))
+
+   contains
+
+      !> Derivatives of the energy by gamma and psi from section forces: the chain rule through (2), (3).
+      pure subroutine by_gamma_and_psi(forces, n, m)
+         real(dp), intent(in) :: forces(6)
+         real(dp), intent(out) :: n(3), m(3)
+         integer :: j
+
+         do j = 1, 3
+            n(j) = length*dot_product(forces(1:3), by_gamma(:, j))
+         end do
+         m = forces(4:6) + length*forces(1)*bow
+      end subroutine by_gamma_and_psi
    end subroutine beam_b33
 
    !> Source: (2), (3).
@@ -190,15 +210,16 @@ contains
    !>     by gamma1 twice      2 gamma1 (t.gamma)/lambda^4
    !>     by gamma1, gamma_k   -t_k/lambda^2 + 2 (t.gamma) gamma_k/lambda^4
    !>     by gamma_k, gamma_l  kappa (t_k gamma_l + gamma_k t_l + delta_kl t.gamma) + tau (t.gamma) gamma_k gamma_l
-   pure function strains_by_gamma_twice(gamma, arc, s) result(h)
+   pure function strains_by_gamma_twice(gamma, arc, rows, s) result(h)
       real(dp), intent(in) :: gamma(3)
       type(arc_t), intent(in) :: arc
+      !> The first derivatives, from `strains_by_gamma`
+      real(dp), intent(in) :: rows(3, 3)
       real(dp), intent(in) :: s(3)
       real(dp) :: h(3, 3)
-      real(dp) :: rows(3, 3), t(2), t_gamma
+      real(dp) :: t(2), t_gamma
       integer :: k
 
-      rows = strains_by_gamma(gamma, arc)
       t = s(2:3) + s(1)/5*arc%rho*gamma(2:3)
       t_gamma = dot_product(t, gamma(2:3))
 

@@ -98,11 +98,13 @@ contains
       !> Reference length [m]
       real(dp), intent(in) :: length
       type(chord_rotation_t) :: q
-      real(dp) :: c(6)
+      real(dp) :: c(6), relative(3, 3), half(3, 3)
 
       q%length = length
-      q%psi = rotation_log(matmul(transpose(triads(:, :, 1)), triads(:, :, 2)))  ! (1)
-      q%mid = matmul(triads(:, :, 1), rotation_exp(q%psi/2))                     ! (2)
+      relative = matmul(transpose(triads(:, :, 1)), triads(:, :, 2))
+      q%psi = rotation_log(relative)                                             ! (1)
+      half = rotation_exp(q%psi/2)
+      q%mid = matmul(triads(:, :, 1), half)                                      ! (2)
       q%chord = (x(:, 2) - x(:, 1))/length
       q%gamma = matmul(q%chord, q%mid)                                           ! (3)
       q%turn = matmul(q%mid, q%psi)
@@ -140,11 +142,11 @@ contains
       end if
    end function coefficients
 
-   !> Derivatives of `gamma` and `psi` by the twelve unknowns.
-   pure subroutine chord_rotation_rows(q, gamma_rows, psi_rows)
+   !> Derivatives of `gamma` and `psi`, components in the mid triad, by the twelve unknowns.
+   pure function chord_rotation_rows(q) result(rows)
       type(chord_rotation_t), intent(in) :: q
-      !> Derivatives (component in the mid triad, unknown); unknowns: displacements, spins of node 1, then node 2
-      real(dp), intent(out) :: gamma_rows(3, 12), psi_rows(3, 12)
+      !> Three rows of `gamma`, three of `psi` (6, 12); unknowns: displacement and spin of node 1, then of node 2
+      real(dp) :: rows(6, 12)
       real(dp) :: by_mu(3), by_r(3)
       integer :: a
 
@@ -152,18 +154,18 @@ contains
          associate (axis => q%mid(:, a))
             by_mu = cross(axis, q%chord)                    ! axis . (gamma x mu)
             by_r = q%w/2*cross(q%turn, by_mu)               ! through mu = s - W r/2
-            gamma_rows(a, 1:3) = -axis/q%length             ! (6)
-            gamma_rows(a, 4:6) = by_mu/2 - by_r
-            gamma_rows(a, 7:9) = axis/q%length
-            gamma_rows(a, 10:12) = by_mu/2 + by_r
+            rows(a, 1:3) = -axis/q%length                   ! (6)
+            rows(a, 4:6) = by_mu/2 - by_r
+            rows(a, 7:9) = axis/q%length
+            rows(a, 10:12) = by_mu/2 + by_r
             by_r = q%f*axis + q%h*q%psi(a)*q%turn           ! (4)
-            psi_rows(a, 1:3) = 0
-            psi_rows(a, 4:6) = -by_r
-            psi_rows(a, 7:9) = 0
-            psi_rows(a, 10:12) = by_r
+            rows(3 + a, 1:3) = 0
+            rows(3 + a, 4:6) = -by_r
+            rows(3 + a, 7:9) = 0
+            rows(3 + a, 10:12) = by_r
          end associate
       end do
-   end subroutine chord_rotation_rows
+   end function chord_rotation_rows
 
    !> Gradient of an energy whose derivatives by `gamma` and `psi` are `n` and `m`.
    pure function chord_rotation_residual(q, n, m) result(r)
@@ -204,7 +206,7 @@ contains
       real(dp), intent(in), optional :: c_gamma_psi(3, 3)
       !> Tangent in the Hessian form (12, 12) [N/m, N, N m]
       real(dp) :: k(12, 12)
-      real(dp), dimension(3, 3) :: turn_by_r, chord_by_mu, n_skew, half_w, cg_by_mu
+      real(dp), dimension(3, 3) :: turn_by_r, chord_by_mu, n_skew, half_w, cg_by_mu, cg_psi, cp_by_r
       real(dp), dimension(3, 3) :: k_dd, k_ds, k_dr, k_ss, k_sr, k_rr
       real(dp) :: n_global(3), m_global(3), c(3), p(3), psi_m, c_psi_dot, v(3)
 
@@ -230,11 +232,14 @@ contains
       k_dr = 0
       k_sr = (skew(p) + q%w/2*(outer(c, q%turn) - c_psi_dot*identity3))/2
       if (present(c_gamma_psi)) then
-         k_dr = matmul(to_global(q%mid, c_gamma_psi), turn_by_r)
+         cg_psi = to_global(q%mid, c_gamma_psi)
+         k_dr = matmul(cg_psi, turn_by_r)
          k_sr = k_sr - matmul(chord_by_mu, k_dr)
          k_dr = k_dr/q%length
       end if
-      k_rr = matmul(turn_by_r, matmul(to_global(q%mid, c_psi), turn_by_r)) + symmetric_outer(q%turn, v) &
+      cp_by_r = to_global(q%mid, c_psi)
+      cp_by_r = matmul(cp_by_r, turn_by_r)
+      k_rr = matmul(turn_by_r, cp_by_r) + symmetric_outer(q%turn, v) &
          + q%f*q%h*psi_m*identity3
 
       ! over (D, s, r): mu = s - half_w r                                                                       (5)
@@ -281,14 +286,19 @@ contains
       real(dp), intent(in) :: entries(3)
       real(dp) :: c(3, 3)
 
-      c = reshape([entries(1), 0.0_dp, 0.0_dp, 0.0_dp, entries(2), 0.0_dp, 0.0_dp, 0.0_dp, entries(3)], [3, 3])
+      c = 0
+      c(1, 1) = entries(1)
+      c(2, 2) = entries(2)
+      c(3, 3) = entries(3)
    end function diagonal
 
    pure function outer(a, b) result(c)
       real(dp), intent(in) :: a(3), b(3)
       real(dp) :: c(3, 3)
 
-      c = spread(a, 2, 3)*spread(b, 1, 3)
+      c(:, 1) = a*b(1)
+      c(:, 2) = a*b(2)
+      c(:, 3) = a*b(3)
    end function outer
 
    !> Symmetric part of `a b^T`.
