@@ -76,7 +76,8 @@ contains
       integer(c_int), intent(out) :: info
       type(contact_kinematics_t) :: kinematics
       call core_contact_kinematics(x, t, length, axis, radius, xi_bar, xi, side, kinematics, info)
-      values = [kinematics%distance, kinematics%gap, kinematics%angle, kinematics%cos_angle, real(kinematics%side, c_double)]
+      values = [kinematics%distance, kinematics%gap, kinematics%angle, kinematics%cos_angle, &
+         real(kinematics%side, c_double)]
       normal = kinematics%normal
       rows(:, 1) = kinematics%dgap
       rows(:, 2) = kinematics%dxi_bar
@@ -105,8 +106,8 @@ contains
    ! k_me: the five parts of the coupling block
    ! rotation_vectors are looked at when has_rotation_vectors /= 0.
    subroutine contact_em(x, t, length, v, radius, young, poisson, resistivity, normal_law, eps_n, spot_law, law_value, &
-      n_table, table_force, table_resistance, axis, side, series_resistance, has_rotation_vectors, rotation_vectors, k, r, &
-      numbers, normal, k_me, info)
+      n_table, table_force, table_resistance, axis, side, series_resistance, has_rotation_vectors, rotation_vectors, &
+      k, r, numbers, normal, k_me, info)
       real(c_double), intent(in) :: x(3, 4), t(3, 4), length(2), v(4)
       real(c_double), intent(in) :: radius(2), young(2), poisson(2), resistivity(2)
       integer(c_int), intent(in) :: normal_law, spot_law, n_table, axis, side, has_rotation_vectors
@@ -117,7 +118,8 @@ contains
       type(contact_em_t) :: contact
       if (has_rotation_vectors /= 0) then
          call core_contact_em(x, t, length, v, radius, young, poisson, resistivity, normal_law, eps_n, spot_law, &
-            law_value, table_force, table_resistance, axis, side, series_resistance, k, r, contact, info, rotation_vectors)
+            law_value, table_force, table_resistance, axis, side, series_resistance, k, r, contact, info, &
+            rotation_vectors)
       else
          call core_contact_em(x, t, length, v, radius, young, poisson, resistivity, normal_law, eps_n, spot_law, &
             law_value, table_force, table_resistance, axis, side, series_resistance, k, r, contact, info)

@@ -39,7 +39,7 @@ module litz_closest_points
    real(dp), parameter :: smallest_eigenvalue = 1.0e-10_dp
    integer, parameter :: max_iterations = 60, max_halvings = 30
    !> Grid points along each axis in the search for other minima
-   integer, parameter :: n_grid = 13
+   integer, parameter :: n_grid = 17
 
    !> One point of the search: where, how far, gradient and matrix.
    type :: point_t
@@ -67,13 +67,17 @@ contains
       integer, intent(out) :: status
       !> Places (barred, unbarred) of an earlier solution: the minimum next to it is the one wanted
       real(dp), intent(in), optional :: start(2)
-      real(dp) :: p(3, 0:3), p_bar(3, 0:3), origin(3)
+      real(dp) :: p(3, 0:3), p_bar(3, 0:3), relative(3, 4)
       type(point_t) :: point
       logical :: unique
+      integer :: i
 
-      origin = x(:, 3)
-      p_bar = axis_polynomial(axis, length(1), x(:, 1:2) - spread(origin, 2, 2), t(:, 1:2))
-      p = axis_polynomial(axis, length(2), x(:, 3:4) - spread(origin, 2, 2), t(:, 3:4))
+      ! measured from one node, so that the points do not suffer from far-away origins
+      do i = 1, 4
+         relative(:, i) = x(:, i) - x(:, 3)
+      end do
+      p_bar = axis_polynomial(axis, length(1), relative(:, 1:2), t(:, 1:2))
+      p = axis_polynomial(axis, length(2), relative(:, 3:4), t(:, 3:4))
 
       unique = .true.
       if (present(start)) then
@@ -310,7 +314,8 @@ contains
       end do
       do j = 1, n_grid
          do i = 1, n_grid
-            if (f(i, j) > minval(f(i - 1:i + 1, j - 1:j + 1))) cycle
+            ! neighbours along the axes only: valleys that run across the grid hide a minimum from the diagonal ones
+            if (f(i, j) > min(f(i - 1, j), f(i + 1, j), f(i, j - 1), f(i, j + 1))) cycle
             call minimise(p_bar, p, [grid_xi(i), grid_xi(j)], 1.0_dp, point)
             if (.not. point%converged) cycle
             if (maxval(abs(point%xi - best%xi)) < 1.0e-6_dp) cycle

@@ -41,6 +41,7 @@ contains
       real(dp), intent(in) :: series_resistance(2)
       type(contact_electricity_t), intent(out) :: electricity
       real(dp) :: g, g_v, current, share, slope_bar, slope
+      integer :: j
 
       associate (xi_bar => kinematics%xi_bar, xi => kinematics%xi, n_v => electricity%n_v, s => series_resistance)
          n_v = [(1 - xi_bar)/2, (1 + xi_bar)/2, -(1 - xi)/2, -(1 + xi)/2]
@@ -55,7 +56,9 @@ contains
          electricity%current = current
          electricity%voltage_gap = share*g_v
          electricity%r_e = current*n_v                                                      ! R_e = I N_V
-         electricity%k_ee = g*spread(n_v, 2, 4)*spread(n_v, 1, 4)                           ! K_ee = G N_V N_V^T
+         do j = 1, 4
+            electricity%k_ee(:, j) = g*n_v*n_v(j)                                           ! K_ee = G N_V N_V^T
+         end do
          electricity%me1 = g*(slope_bar*kinematics%dxi_bar - slope*kinematics%dxi)          ! G (Vb' dxib - V' dxi)
          electricity%me2 = g_v*share**2*dconductance_dgap*kinematics%dgap                   ! (dI/dg) dg
          electricity%me4 = g_v*share**2*dconductance_dangle*kinematics%dangle               ! (dI/dangle) dangle
@@ -73,7 +76,8 @@ contains
 
       row = electricity%me1 + electricity%me2 + electricity%me4 + electricity%me5
       do j = 1, 24
-         k_me(:, j) = electricity%n_v*row(j) + k_me3_column(electricity%current, kinematics%dxi_bar(j), kinematics%dxi(j))
+         k_me(:, j) = electricity%n_v*row(j) &
+            + k_me3_column(electricity%current, kinematics%dxi_bar(j), kinematics%dxi(j))
       end do
    end function coupling_tangent
 

@@ -124,8 +124,8 @@ contains
       info = contact_active
 
       ! ... and the spot carries the current
-      call contact_mechanics(contact%kinematics, t, contact%force, -dforce_dgap, contact%force, form_spin, k_mm, r(1:24), &
-         dforce_dangle)
+      call contact_mechanics(contact%kinematics, t, contact%force, -dforce_dgap, contact%force, form_spin, k_mm, &
+         r(1:24), dforce_dangle)
       call contact_electricity(contact%kinematics, v, conductance, dconductance_dforce*dforce_dgap, &
          dconductance_dangle + dconductance_dforce*dforce_dangle, series_resistance, contact%electricity)
       k(1:24, 1:24) = k_mm
@@ -145,7 +145,7 @@ contains
       integer, intent(in) :: axis
       real(dp), intent(in) :: radius(2)
       integer, intent(in) :: side
-      type(contact_em_t), intent(out) :: contact
+      type(contact_em_t), intent(inout) :: contact
       integer, intent(out) :: info
       integer :: status, kinematics_info
 

@@ -71,7 +71,8 @@ contains
       integer, intent(out) :: info
       real(dp), dimension(4) :: h, h1, h2, hb, hb1, hb2
       real(dp), dimension(3) :: w, x1, x2, xb1, xb2, n
-      real(dp) :: sine, g(2, 2), curvature(2), m(2, 2), g_inverse(2, 2)
+      real(dp) :: sine, g(2, 2), curvature(2), m(2, 2), g_inverse(2, 2), relative(3, 4)
+      integer :: i
 
       call axis_shape(axis, length(2), xi, h, h1, h2)
       call axis_shape(axis, length(1), xi_bar, hb, hb1, hb2)
@@ -80,8 +81,10 @@ contains
       xb1 = on_axis(hb1, x(:, 1:2), t(:, 1:2))
       xb2 = on_axis(hb2, x(:, 1:2), t(:, 1:2))
       ! measured from one node, so that the distance does not suffer from far-away origins
-      w = on_axis(hb, x(:, 1:2) - spread(x(:, 3), 2, 2), t(:, 1:2)) &
-         - on_axis(h, x(:, 3:4) - spread(x(:, 3), 2, 2), t(:, 3:4))
+      do i = 1, 4
+         relative(:, i) = x(:, i) - x(:, 3)
+      end do
+      w = on_axis(hb, relative(:, 1:2), t(:, 1:2)) - on_axis(h, relative(:, 3:4), t(:, 3:4))
 
       n = cross(x1, xb1)
       sine = norm2(n)
@@ -101,7 +104,8 @@ contains
       kinematics%distance = dot_product(w, n)                                              ! d
       kinematics%gap = kinematics%distance - sum(radius)                                   ! g = d - (rb + r)
 
-      g = reshape([dot_product(x1, x1), -dot_product(x1, xb1), -dot_product(x1, xb1), dot_product(xb1, xb1)], [2, 2])
+      g(:, 1) = [dot_product(x1, x1), -dot_product(x1, xb1)]
+      g(:, 2) = [-dot_product(x1, xb1), dot_product(xb1, xb1)]                             ! G = T^T T
       curvature = [-dot_product(n, x2), dot_product(n, xb2)]                               ! H
       m = g
       m(1, 1) = m(1, 1) + kinematics%distance*curvature(1)
@@ -111,7 +115,9 @@ contains
       info = kinematics_ok
       g_inverse = inverse(g)
       kinematics%between_q = inverse(m)
-      kinematics%between_b = matmul(g_inverse, spread(curvature, 2, 2)*kinematics%between_q)
+      do i = 1, 2
+         kinematics%between_b(:, i) = matmul(g_inverse, curvature*kinematics%between_q(:, i))
+      end do
 
       kinematics%tangent_weight = [hb(2), hb(4), -h(2), -h(4)]
       kinematics%dgap = [row(hb, t(:, 1:2), n), row(h, t(:, 3:4), -n)]                      ! dg = n^T S
@@ -176,7 +182,9 @@ contains
       real(dp), intent(in) :: a(2, 2)
       real(dp) :: b(2, 2)
 
-      b = reshape([a(2, 2), -a(2, 1), -a(1, 2), a(1, 1)], [2, 2])/(a(1, 1)*a(2, 2) - a(1, 2)*a(2, 1))
+      b(:, 1) = [a(2, 2), -a(2, 1)]
+      b(:, 2) = [-a(1, 2), a(1, 1)]
+      b = b/(a(1, 1)*a(2, 2) - a(1, 2)*a(2, 1))
    end function inverse
 
 end module litz_contact_kinematics

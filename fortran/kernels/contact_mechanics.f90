@@ -75,11 +75,13 @@ contains
       integer, intent(in) :: form
       real(dp), intent(inout) :: k(24, 24)
       real(dp) :: f(3), block(3, 3)
-      integer :: node, i
+      integer :: node, i, j
 
       do node = 1, 4
          f = -geometric_force*kinematics%tangent_weight(node)*kinematics%normal
-         block = spread(t(:, node), 2, 3)*spread(f, 1, 3)
+         do j = 1, 3
+            block(:, j) = t(:, node)*f(j)
+         end do
          if (form == form_hessian) block = (block + transpose(block))/2
          block = block - dot_product(t(:, node), f)*identity3
          i = 6*node - 2

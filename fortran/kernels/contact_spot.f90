@@ -72,7 +72,8 @@ contains
          end if
       end if
       call contact_spot_of_ellipse(law, force, radius, young, poisson, resistivity, ellipse, law_value, table_force, &
-         table_resistance, semi_major, semi_minor, approach, conductance, dconductance_dforce, dconductance_dangle, info)
+         table_resistance, semi_major, semi_minor, approach, conductance, dconductance_dforce, dconductance_dangle, &
+         info)
    end subroutine contact_spot
 
    !> The same where the Hertz ellipse is already known (HERTZ and FILM; no other law looks at it).

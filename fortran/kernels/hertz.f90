@@ -113,7 +113,8 @@ contains
       slope = 1 + f%c/f%d + f%m1*f%c/f%b
    end subroutine solve_ratio
 
-   !> The asymptote `A/B = (b/a)^2 (log(4 a/b) - 1)` of a slender spot, solved roughly, meets `(b/a)^(3/2)` of a round one.
+   !> `A/B = (b/a)^(3/2)` of a nearly round spot, or the asymptote `(b/a)^2 (log(4 a/b) - 1)` of a slender one, solved
+   !> roughly.
    pure real(dp) function start_of_ratio(target_value) result(s)
       real(dp), intent(in) :: target_value
 

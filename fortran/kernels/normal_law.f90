@@ -19,7 +19,8 @@ module litz_normal_law
 contains
 
    !> Force and its derivatives; all 0 when the gap is open.
-   pure subroutine normal_force(law, penalty, gap, radius, young, poisson, angle, force, dforce_dgap, dforce_dangle, info)
+   pure subroutine normal_force(law, penalty, gap, radius, young, poisson, angle, force, dforce_dgap, dforce_dangle, &
+      info)
       !> `normal_linear` or `normal_hertz` of litz_laws
       integer, intent(in) :: law
       !> LINEAR: penalty stiffness eps [N/m]; else not used

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-#: How far the products of the columns of a triad may be from 0 and 1
+#: How far the products of the columns of a triad, and the length of a tangent, may be from 0 and 1
 TRIAD_TOLERANCE = 1e-8
 
 
@@ -54,3 +54,35 @@ def element(name: str, value: ArrayLike) -> NDArray[np.float64]:
     if not np.linalg.norm(result[1] - result[0]) > 0:
         raise ValueError(f"{name}: the two nodes coincide at {result[0]}, so the element has no length")
     return result
+
+
+def pair(name: str, value: ArrayLike) -> NDArray[np.float64]:
+    """Return `value` as two finite numbers, barred and unbarred; one number serves both."""
+    return np.full(2, number(name, value)) if np.ndim(value) == 0 else array(name, value, (2,))
+
+
+def positive_pair(name: str, value: ArrayLike) -> NDArray[np.float64]:
+    """Return `value` as two numbers greater than zero; one number serves both."""
+    result = pair(name, value)
+    if (result <= 0).any():
+        raise ValueError(f"{name} must be greater than 0, but holds {result.min():g}")
+    return result
+
+
+def unit_vectors(name: str, value: ArrayLike, shape: tuple[int, int]) -> NDArray[np.float64]:
+    """Return `value` as rows of unit length."""
+    result = array(name, value, shape)
+    for i, length in enumerate(np.linalg.norm(result, axis=1)):
+        if abs(length - 1) > TRIAD_TOLERANCE:
+            raise ValueError(
+                f"{name}[{i}] must have unit length, not {length:.10g} (allowed is an error of {TRIAD_TOLERANCE:.0e})"
+            )
+    return result
+
+
+def choice(name: str, value: str, allowed: dict[str, int]) -> int:
+    """Return the number that stands for one of the `allowed` names."""
+    if not isinstance(value, str) or value not in allowed:
+        names = ", ".join(f'"{key}"' for key in allowed)
+        raise ValueError(f"{name} must be one of {names}, not {value!r}")
+    return allowed[value]

@@ -1,0 +1,101 @@
+!> Time of the contact element: tangent and residual of one pair, on one core.
+!>
+!> Build and run: `ninja -C build verification/contact_em_performance && build/verification/contact_em_performance`.
+program contact_em_performance
+   use litz_kinds, only: dp, int64, pi
+   use litz_laws, only: axis_linear, axis_hermite, normal_linear, normal_hertz, spot_paper, spot_hertz
+   use litz_rotations, only: rotation_exp
+   use litz_closest_points, only: closest_points
+   use litz_contact_em, only: contact_em, contact_em_t, contact_active
+   implicit none
+   integer, parameter :: n_pairs = 512, repetitions = 200, rounds = 7
+   real(dp), parameter :: length(2) = [2.0e-3_dp, 2.2e-3_dp], radius(2) = [1.0e-4_dp, 1.5e-4_dp]
+   real(dp), parameter :: young(2) = [120.0e9_dp, 70.0e9_dp], poisson(2) = [0.34_dp, 0.33_dp]
+   real(dp), parameter :: resistivity(2) = [1.7e-8_dp, 2.7e-8_dp], v(4) = [0.1_dp, 0.09_dp, 0.01_dp, 0.0_dp]
+   real(dp) :: x(3, 4, n_pairs), t(3, 4, n_pairs)
+
+   call make_pairs()
+   write (*, '(a)') 'Tangent and residual of a contact pair, closest points included; best of several rounds'
+   write (*, '(a)') 'axis     normal law  spot law   microseconds   pairs per second'
+   call report_element('hermite  LINEAR      PAPER   ', axis_hermite, normal_linear, spot_paper)
+   call report_element('hermite  HERTZ       HERTZ   ', axis_hermite, normal_hertz, spot_hertz)
+   call report_element('linear   LINEAR      PAPER   ', axis_linear, normal_linear, spot_paper)
+   call report_element('linear   HERTZ       HERTZ   ', axis_linear, normal_hertz, spot_hertz)
+   call report_closest_points()
+
+contains
+
+   !> Slightly bent wires that overlap by a tenth to a fifth of a radius, at all angles from 20 degrees.
+   subroutine make_pairs()
+      real(dp) :: u(8), s(2), directions(3, 2), bend(3)
+      integer :: pair, node, beam, n_seed
+
+      call random_seed(size=n_seed)
+      call random_seed(put=[(1000 + 37*node, node=1, n_seed)])
+      do pair = 1, n_pairs
+         call random_number(u)
+         s = 1.6_dp*u(1:2) - 0.8_dp
+         directions(:, 1) = [1.0_dp, 0.0_dp, 0.0_dp]
+         directions(:, 2) = [cos(pi*(1 + 7*u(3))/9), sin(pi*(1 + 7*u(3))/9), 0.0_dp]
+         do node = 1, 4
+            beam = (node + 1)/2
+            x(:, node, pair) = directions(:, beam)*length(beam)/2*(real(2*node - 4*beam + 1, dp) - s(beam))
+            if (beam == 1) x(3, node, pair) = sum(radius) - 0.1_dp*radius(1)*(1 + u(4))
+            bend = 0.02_dp*(u(5:7) - 0.5_dp)*real(2*node - 4*beam + 1, dp)
+            t(:, node, pair) = matmul(rotation_exp(bend), directions(:, beam))
+         end do
+      end do
+   end subroutine make_pairs
+
+   subroutine report_element(title, axis, normal_law, spot_law)
+      character(len=*), intent(in) :: title
+      integer, intent(in) :: axis, normal_law, spot_law
+      type(contact_em_t) :: contact
+      real(dp) :: k(28, 28), r(28), checksum, best
+      integer(int64) :: start, finish, rate
+      integer :: round, repetition, pair, info, n_active
+
+      best = huge(best)
+      checksum = 0
+      do round = 1, rounds
+         n_active = 0
+         call system_clock(start, rate)
+         do repetition = 1, repetitions
+            do pair = 1, n_pairs
+               call contact_em(x(:, :, pair), t(:, :, pair), length, v, radius, young, poisson, resistivity, &
+                  normal_law, 1.0e6_dp, spot_law, 0.0_dp, [1.0_dp], [1.0_dp], axis, 0, [0.0_dp, 0.0_dp], k, r, contact, info)
+               checksum = checksum + k(1, 1) + r(28)
+               if (info == contact_active) n_active = n_active + 1
+            end do
+         end do
+         call system_clock(finish)
+         best = min(best, real(finish - start, dp)/real(rate, dp)/(n_pairs*repetitions))
+      end do
+      write (*, '(a,f17.3,es19.3,a,f6.1,a)') title, 1.0e6_dp*best, 1/best, '   (', &
+         100.0_dp*n_active/(n_pairs*repetitions), ' % in contact)'
+      if (.not. abs(checksum) < huge(checksum)) error stop 'the results are not finite'
+   end subroutine report_element
+
+   subroutine report_closest_points()
+      real(dp) :: xi_bar, xi, checksum, best
+      integer(int64) :: start, finish, rate
+      integer :: round, repetition, pair, status
+
+      best = huge(best)
+      checksum = 0
+      do round = 1, rounds
+         call system_clock(start, rate)
+         do repetition = 1, repetitions
+            do pair = 1, n_pairs
+               call closest_points(x(:, :, pair), t(:, :, pair), length, axis_hermite, xi_bar, xi, status)
+               checksum = checksum + xi_bar + xi
+            end do
+         end do
+         call system_clock(finish)
+         best = min(best, real(finish - start, dp)/real(rate, dp)/(n_pairs*repetitions))
+      end do
+      write (*, '(a,f17.3,es19.3)') 'hermite  closest points alone', 1.0e6_dp*best, 1/best
+      if (.not. abs(checksum) < huge(checksum)) error stop 'the results are not finite'
+   end subroutine report_closest_points
+
+end program contact_em_performance
