@@ -1,0 +1,1 @@
+"""The cases: one short script each, with `measure(workspace)` and `draw(values, path)`."""

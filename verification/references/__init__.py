@@ -1,0 +1,1 @@
+"""Reference solutions that do not use litz."""
