@@ -94,7 +94,7 @@ contains
       weakest = self%backend%failed_equation
       if (weakest == 0) weakest = minloc(abs(self%backend%pivot), dim=1)
       if (self%backend%failed_equation > 0 .or. .not. abs(self%backend%pivot(weakest)) > smallest_pivot) then
-         call give_up(self, weakest, 'has no stiffness of its own left when the others are eliminated', error)
+         call give_up(self, weakest, 'has a vanishing pivot: the matrix is singular', error)
       end if
    end subroutine factor_backend
 
@@ -121,7 +121,7 @@ contains
       if (allocated(error)) return
       if (.not. maxval(abs(correction)) <= largest_correction*maxval(abs(x))) then
          call give_up(self, maxloc(abs(correction), dim=1), &
-            'moves without resistance: the matrix is singular to working precision', error)
+            'is undetermined: the matrix is singular to working precision', error)
          return
       end if
       x = self%column_scale*(x + correction)
