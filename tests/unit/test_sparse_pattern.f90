@@ -114,7 +114,7 @@ contains
       call pattern_from_cliques(n, [(2*i - 1, i=1, n)], [(label(i), label(i + 1), i=1, n - 1)], graph)
       call reverse_cuthill_mckee(graph, order)
       position(order) = [(i, i=1, n)]
-      call check(all(abs(position(label(2:)) - position(label(:n - 1))) == 1), 'neighbours of a chain stand side by side')
+      call check(all(abs(position(label(2:)) - position(label(:n - 1))) == 1), 'neighbours stand side by side')
    end subroutine a_shuffled_chain_is_put_in_order
 
    subroutine loose_parts_are_all_ordered()
