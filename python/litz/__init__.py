@@ -2,7 +2,7 @@
 
     results = litz.run("deck.inp")           run a deck, read its results
     results = litz.Results("deck.vtkhdf")    read the results of an earlier run
-    litz.plot(results, "deck.png")           make a picture
+    litz.plot(results)                       make a picture of them
 
 `litz.kernels` has the elements and contact laws one by one, `litz.closed_forms` exact solutions to compare with.
 """

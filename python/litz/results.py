@@ -172,6 +172,12 @@ class Results:
         return {name: attributes["unit"] for name, attributes in self._attributes.items()}
 
     @cached_property
+    def point_fields(self) -> frozenset[str]:
+        """Names of the fields over nodes; the others are over elements."""
+        with self._open() as file:
+            return frozenset(file["VTKHDF/PointData"])
+
+    @cached_property
     def _attributes(self) -> dict[str, dict[str, str]]:
         with self._open() as file:
             return {
@@ -198,8 +204,7 @@ class Results:
         if name not in self._attributes:
             raise KeyError(unknown_name("field", name, self._attributes))
         with self._open() as file:
-            group = next(group for group in _GROUPS if name in file["VTKHDF"][group])
-            n_rows = len(self.nodes) if group == "PointData" else len(self.elements)
+            group, n_rows = ("PointData", len(self.nodes)) if name in self.point_fields else ("CellData", len(self.elements))
             data = file["VTKHDF"][group][name]
             starts = file[f"VTKHDF/Steps/{group}Offsets/{name}"]
             if increment is not None:

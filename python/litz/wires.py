@@ -1,0 +1,126 @@
+"""The wires behind the elements: which elements follow each other, and their smooth axes."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+# Two elements that meet at a sharper angle than this are joined by a kink, not by a smooth curve.
+_SHARPEST_BEND = np.radians(50.0)
+
+
+@dataclass(frozen=True)
+class Wire:
+    """Elements that follow each other without a branch.
+
+    Attributes
+    ----------
+    nodes : ndarray
+        Rows of the nodes along the wire, (n + 1); in a closed wire the last is the first.
+    elements : ndarray
+        Rows of the elements, (n).
+    signs : ndarray
+        +1 where the element points along the wire, -1 where against it, (n).
+    """
+
+    nodes: np.ndarray
+    elements: np.ndarray
+    signs: np.ndarray
+
+
+def find_wires(elements: np.ndarray) -> list[Wire]:
+    """Chains of elements between free ends and branches, and closed rings, in the order of their first elements.
+
+    Parameters
+    ----------
+    elements : ndarray
+        Rows of the two nodes of each element, (n_elements, 2).
+    """
+    at_node: dict[int, list[int]] = {}
+    for element, ends in enumerate(elements):
+        for node in ends:
+            at_node.setdefault(int(node), []).append(element)
+    left = dict.fromkeys(range(len(elements)))
+    starts = [int(node) for pair in elements for node in pair if len(at_node[int(node)]) != 2]
+
+    wires = []
+    for node in starts:
+        wires += [_follow(node, element, elements, at_node, left) for element in at_node[node] if element in left]
+    while left:
+        element = next(iter(left))
+        wires.append(_follow(int(elements[element, 0]), element, elements, at_node, left))
+    return sorted(wires, key=lambda wire: wire.elements.min())
+
+
+def _follow(node: int, element: int, elements: np.ndarray, at_node: dict, left: dict) -> Wire:
+    """The wire that leaves a node through an element; its elements are taken out of `left`."""
+    nodes, chain, signs = [node], [], []
+    while element is not None:
+        del left[element]
+        first, second = (int(end) for end in elements[element])
+        signs.append(1 if first == node else -1)
+        node = second if first == node else first
+        chain.append(element)
+        nodes.append(node)
+        onward = [other for other in at_node[node] if other in left] if len(at_node[node]) == 2 else []
+        element = onward[0] if onward else None
+    if signs[chain.index(min(chain))] < 0:
+        nodes, chain, signs = nodes[::-1], chain[::-1], [-sign for sign in signs[::-1]]
+    return Wire(np.array(nodes), np.array(chain), np.array(signs))
+
+
+def end_tangents(nodes: np.ndarray, wire: Wire) -> np.ndarray:
+    """Unit tangents of the reference axis at both ends of each element of a wire, along the wire, (n, 2, 3).
+
+    At a node between two elements both share the mean direction, at a free end the one that continues the curve as a
+    circle would.
+    """
+    chords = np.diff(nodes[wire.nodes], axis=0)
+    chords /= np.linalg.norm(chords, axis=1, keepdims=True)
+    tangents = np.repeat(chords[:, None], 2, axis=1)
+    closed = len(chords) > 2 and wire.nodes[0] == wire.nodes[-1]
+    for before in range(len(chords) - (not closed)):
+        after = (before + 1) % len(chords)
+        if chords[before] @ chords[after] > np.cos(_SHARPEST_BEND):
+            mean = chords[before] + chords[after]
+            tangents[before, 1] = tangents[after, 0] = mean / np.linalg.norm(mean)
+    if not closed:
+        tangents[0, 0] = 2 * (chords[0] @ tangents[0, 1]) * chords[0] - tangents[0, 1]
+        tangents[-1, 1] = 2 * (chords[-1] @ tangents[-1, 0]) * chords[-1] - tangents[-1, 0]
+    return tangents
+
+
+def rotate(vectors: np.ndarray, rotations: np.ndarray) -> np.ndarray:
+    """Vectors (n, 3) turned by rotation vectors (n, 3)."""
+    angle = np.linalg.norm(rotations, axis=1, keepdims=True)
+    axis = np.divide(rotations, angle, out=np.zeros_like(rotations), where=angle > 0)
+    along = np.sum(axis * vectors, axis=1, keepdims=True) * axis
+    return along + np.cos(angle) * (vectors - along) + np.sin(angle) * np.cross(axis, vectors)
+
+
+def element_curves(nodes: np.ndarray, displacement: np.ndarray, rotation: np.ndarray, wires: list[Wire], n_elements: int):
+    """What the Hermite axis of each element needs, in the element's own direction.
+
+    Returns
+    -------
+    positions, slopes : ndarray
+        Current positions of the two ends and their derivatives with respect to xi, (n_elements, 2, 3).
+    """
+    positions, slopes = np.zeros((n_elements, 2, 3)), np.zeros((n_elements, 2, 3))
+    current = nodes + displacement
+    for wire in wires:
+        pairs = np.stack([wire.nodes[:-1], wire.nodes[1:]], axis=1)
+        half_length = np.linalg.norm(np.diff(nodes[wire.nodes], axis=0), axis=1)[:, None, None] / 2
+        tangents = end_tangents(nodes, wire)
+        turned = rotate(tangents.reshape(-1, 3), rotation[pairs.ravel()]).reshape(tangents.shape) * half_length
+        against = wire.signs < 0
+        positions[wire.elements] = np.where(against[:, None, None], current[pairs][:, ::-1], current[pairs])
+        slopes[wire.elements] = np.where(against[:, None, None], -turned[:, ::-1], turned)
+    return positions, slopes
+
+
+def hermite(positions: np.ndarray, slopes: np.ndarray, xi: np.ndarray) -> np.ndarray:
+    """Points of cubic curves, one xi in [-1, 1] for each: (n, 2, 3), (n, 2, 3), (n) -> (n, 3)."""
+    xi = np.asarray(xi, dtype=float)[:, None]
+    h1, h2 = (2 - 3 * xi + xi**3) / 4, (2 + 3 * xi - xi**3) / 4
+    g1, g2 = (1 - xi - xi**2 + xi**3) / 4, (-1 - xi + xi**2 + xi**3) / 4
+    return h1 * positions[:, 0] + h2 * positions[:, 1] + g1 * slopes[:, 0] + g2 * slopes[:, 1]
