@@ -1,5 +1,6 @@
 """What the tests share: the built program."""
 
+import importlib.resources
 import importlib.util
 import os
 import subprocess
@@ -15,8 +16,6 @@ def find_program() -> Path:
         return Path(named)
     if importlib.util.find_spec("litz") is None:
         pytest.fail("No litz program: set LITZ_PROGRAM to it, or install the package")
-    import importlib.resources
-
     return Path(str(importlib.resources.files("litz") / "_bin" / "litz"))
 
 

@@ -4,8 +4,8 @@
 !> one check at its end. The error stack that HDF5 would print is turned off; the messages are made here.
 module litz_hdf5_helpers
    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_loc, c_null_char, c_ptr
-   use hdf5, only: hid_t, hsize_t, size_t, h5open_f, h5eset_auto_f, &
-      h5fcreate_f, h5fflush_f, h5fclose_f, h5gcreate_f, &
+   use hdf5, only: hid_t, hsize_t, size_t, h5open_f, h5dont_atexit_f, h5eset_auto_f, &
+      h5fcreate_f, h5fflush_f, h5fclose_f, h5fget_name_f, h5gcreate_f, &
       h5pcreate_f, h5pclose_f, h5pset_chunk_f, h5pset_fclose_degree_f, &
       h5screate_f, h5screate_simple_f, h5sclose_f, h5sselect_hyperslab_f, &
       h5acreate_f, h5aopen_f, h5awrite_f, h5aclose_f, h5aexists_f, &
@@ -69,6 +69,8 @@ contains
       if (allocated(error)) return
       ! so that ParaView and h5py can look into the file while the run goes on; the user's own setting prevails
       ignored = c_setenv('HDF5_USE_FILE_LOCKING'//c_null_char, 'FALSE'//c_null_char, 0_c_int)
+      ! HDF5 would try once more, when the program ends, to write what did not fit on the disk, and crash
+      call h5dont_atexit_f(status)
       call h5open_f(status)
       if (status == 0) call h5eset_auto_f(0, status)
       if (status /= 0) error = fail(exit_files, 'the HDF5 library does not start')
@@ -88,7 +90,7 @@ contains
       ! closing the file closes its groups and datasets
       if (status == 0) call h5pset_fclose_degree_f(access, H5F_CLOSE_STRONG_F, status)
       if (status == 0) call h5fcreate_f(path, H5F_ACC_TRUNC_F, file, status, access_prp=access)
-      if (status /= 0) error = fail(exit_files, 'HDF5 cannot create "'//path//'": is it in use, or the disk full?')
+      if (status /= 0) error = cannot_write(path, 'it cannot be created')
       call h5pclose_f(access, ignored)
    end subroutine hdf5_create_file
 
@@ -102,7 +104,7 @@ contains
       group = -1
       if (allocated(error)) return
       call h5gcreate_f(parent, name, group, status)
-      if (status /= 0) error = cannot_write('group', name)
+      if (status /= 0) error = cannot_write(file_name(parent), 'it fails at the group "'//name//'"')
    end subroutine hdf5_create_group
 
    !> Brings everything written so far to the disk.
@@ -113,20 +115,22 @@ contains
 
       if (allocated(error)) return
       call h5fflush_f(file, H5F_SCOPE_GLOBAL_F, status)
-      if (status /= 0) error = fail(exit_files, 'HDF5 cannot bring the results to the disk: is it full?')
+      if (status /= 0) error = cannot_write(file_name(file), 'the data do not reach the disk')
    end subroutine hdf5_flush
 
    !> Closes the file, also after an error.
    subroutine hdf5_close_file(file, error)
       integer(hid_t), intent(inout) :: file
       type(error_t), allocatable, intent(inout) :: error
+      character(len=:), allocatable :: path
       integer :: status
 
       if (file < 0) return
+      path = file_name(file)
       call h5fclose_f(file, status)
       file = -1
       if (status /= 0 .and. .not. allocated(error)) then
-         error = fail(exit_files, 'HDF5 cannot close the result file properly: is the disk full?')
+         error = cannot_write(path, 'it cannot be closed properly')
       end if
    end subroutine hdf5_close_file
 
@@ -186,7 +190,7 @@ contains
       call h5screate_f(H5S_SCALAR_F, space, status)
       call h5dcreate_f(parent, name, type, space, dataset, status)
       if (status == 0) call h5dwrite_f(dataset, type, c_loc(buffer), status)
-      if (status /= 0) error = cannot_write('dataset', name)
+      if (status /= 0) error = cannot_write(file_name(parent), 'it fails at the dataset "'//name//'"')
       call h5dclose_f(dataset, ignored)
       call h5sclose_f(space, ignored)
       call h5tclose_f(type, ignored)
@@ -222,7 +226,7 @@ contains
       call h5pcreate_f(H5P_DATASET_CREATE_F, creation, status)
       call h5pset_chunk_f(creation, rank, chunk(3 - rank:), status)
       call h5dcreate_f(parent, name, stored_type(storage), space, self%dataset, status, creation)
-      if (status /= 0) error = cannot_write('dataset', name)
+      if (status /= 0) error = cannot_write(file_name(parent), 'it fails at the dataset "'//name//'"')
       call h5pclose_f(creation, ignored)
       call h5sclose_f(space, ignored)
    end subroutine rows_create
@@ -278,13 +282,13 @@ contains
       call h5dset_extent_f(self%dataset, total(first:), status)
       if (status == 0) call h5dget_space_f(self%dataset, file_space, status)
       if (status /= 0) then
-         error = cannot_write('dataset', self%name)
+         error = cannot_write(file_name(self%dataset), 'it fails at the dataset "'//self%name//'"')
          return
       end if
       call h5sselect_hyperslab_f(file_space, H5S_SELECT_SET_F, start(first:), count(first:), status)
       call h5screate_simple_f(rank, count(first:), memory_space, status)
       call h5dwrite_f(self%dataset, memory_type, buffer, status, memory_space, file_space)
-      if (status /= 0) error = cannot_write('dataset', self%name)
+      if (status /= 0) error = cannot_write(file_name(self%dataset), 'it fails at the dataset "'//self%name//'"')
       call h5sclose_f(memory_space, ignored)
       call h5sclose_f(file_space, ignored)
       self%n_rows = self%n_rows + n_new
@@ -316,7 +320,7 @@ contains
          call h5sclose_f(space, ignored)
       end if
       if (status == 0) call h5awrite_f(attribute, memory_type, buffer, status)
-      if (status /= 0) error = cannot_write('attribute', name)
+      if (status /= 0) error = cannot_write(file_name(object), 'it fails at the attribute "'//name//'"')
       call h5aclose_f(attribute, ignored)
    end subroutine write_attribute
 
@@ -356,11 +360,24 @@ contains
       end select
    end function stored_type
 
-   pure function cannot_write(what, name) result(error)
-      character(len=*), intent(in) :: what, name
+   !> Path of the file that an object is in.
+   function file_name(object) result(name)
+      integer(hid_t), intent(in) :: object
+      character(len=:), allocatable :: name
+      character(len=4096) :: buffer
+      integer(size_t) :: length
+      integer :: status
+
+      buffer = ''
+      call h5fget_name_f(object, buffer, length, status)
+      name = trim(buffer)
+   end function file_name
+
+   pure function cannot_write(path, what) result(error)
+      character(len=*), intent(in) :: path, what
       type(error_t) :: error
 
-      error = fail(exit_files, 'HDF5 cannot write the '//what//' "'//name//'": is the disk full?')
+      error = fail(exit_files, 'cannot write "'//path//'": HDF5 says that '//what//'; is the disk full?')
    end function cannot_write
 
 end module litz_hdf5_helpers

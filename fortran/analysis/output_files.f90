@@ -1,18 +1,20 @@
 !> Text files and directories of the results. What cannot be written is an error in words, never a stop.
 !>
-!> Every procedure passes `error` through and does nothing more once it is allocated.
+!> Every procedure passes `error` through and does nothing more once it is allocated. The files are those of C, because
+!> the library of gfortran does not tell when a disk is full: neither `write` nor `flush` nor `close` then has an error.
 module litz_output_files
-   use, intrinsic :: iso_c_binding, only: c_char, c_int, c_null_char
+   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_int, c_null_char, c_null_ptr, c_ptr
    use litz_errors, only: error_t, fail, exit_files
    implicit none
    private
    public :: text_file_t, make_directory, check_writable
 
+   character(len=*), parameter :: refused = 'the system refuses; is the disk full?'
+
    !> A text file that is written line by line.
    type :: text_file_t
       character(len=:), allocatable :: path
-      integer, private :: unit = 0
-      logical, private :: is_open = .false.
+      type(c_ptr), private :: file = c_null_ptr
    contains
       procedure :: create => text_file_create
       procedure :: write_line => text_file_write_line
@@ -27,6 +29,30 @@ module litz_output_files
          character(kind=c_char), intent(in) :: path(*)
          integer(c_int), value :: mode
       end function c_mkdir
+
+      type(c_ptr) function c_fopen(path, mode) bind(c, name='fopen')
+         import :: c_char, c_ptr
+         character(kind=c_char), intent(in) :: path(*), mode(*)
+      end function c_fopen
+
+      !> Negative when it fails
+      integer(c_int) function c_fputs(text, file) bind(c, name='fputs')
+         import :: c_char, c_int, c_ptr
+         character(kind=c_char), intent(in) :: text(*)
+         type(c_ptr), value :: file
+      end function c_fputs
+
+      !> Not 0 when it fails
+      integer(c_int) function c_fflush(file) bind(c, name='fflush')
+         import :: c_int, c_ptr
+         type(c_ptr), value :: file
+      end function c_fflush
+
+      !> Not 0 when it fails
+      integer(c_int) function c_fclose(file) bind(c, name='fclose')
+         import :: c_int, c_ptr
+         type(c_ptr), value :: file
+      end function c_fclose
    end interface
 
 contains
@@ -79,51 +105,41 @@ contains
       class(text_file_t), intent(inout) :: self
       character(len=*), intent(in) :: path
       type(error_t), allocatable, intent(inout) :: error
-      integer :: status
-      character(len=256) :: reason
 
       if (allocated(error)) return
       self%path = path
-      open (newunit=self%unit, file=path, status='replace', action='write', iostat=status, iomsg=reason)
-      self%is_open = status == 0
-      if (status /= 0) error = cannot_write(path, reason)
+      self%file = c_fopen(path//c_null_char, 'w'//c_null_char)
+      if (.not. c_associated(self%file)) error = cannot_write(path, refused)
    end subroutine text_file_create
 
    subroutine text_file_write_line(self, line, error)
       class(text_file_t), intent(in) :: self
       character(len=*), intent(in) :: line
       type(error_t), allocatable, intent(inout) :: error
-      integer :: status
-      character(len=256) :: reason
 
       if (allocated(error)) return
-      write (self%unit, '(a)', iostat=status, iomsg=reason) line
-      if (status /= 0) error = cannot_write(self%path, reason)
+      if (c_fputs(line//new_line('a')//c_null_char, self%file) < 0) error = cannot_write(self%path, refused)
    end subroutine text_file_write_line
 
    !> Brings the lines written so far to the disk, for readers that look on, and in case the run is killed.
    subroutine text_file_flush(self, error)
       class(text_file_t), intent(in) :: self
       type(error_t), allocatable, intent(inout) :: error
-      integer :: status
-      character(len=256) :: reason
 
       if (allocated(error)) return
-      flush (self%unit, iostat=status, iomsg=reason)
-      if (status /= 0) error = cannot_write(self%path, reason)
+      if (c_fflush(self%file) /= 0) error = cannot_write(self%path, refused)
    end subroutine text_file_flush
 
    !> Closes the file, also after an error.
    subroutine text_file_close(self, error)
       class(text_file_t), intent(inout) :: self
       type(error_t), allocatable, intent(inout) :: error
-      integer :: status
-      character(len=256) :: reason
+      integer(c_int) :: status
 
-      if (.not. self%is_open) return
-      close (self%unit, iostat=status, iomsg=reason)
-      self%is_open = .false.
-      if (status /= 0 .and. .not. allocated(error)) error = cannot_write(self%path, reason)
+      if (.not. c_associated(self%file)) return
+      status = c_fclose(self%file)
+      self%file = c_null_ptr
+      if (status /= 0 .and. .not. allocated(error)) error = cannot_write(self%path, refused)
    end subroutine text_file_close
 
    pure function cannot_write(path, reason) result(error)

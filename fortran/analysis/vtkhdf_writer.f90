@@ -37,7 +37,6 @@ module litz_vtkhdf_writer
    end type vtkhdf_field_t
 
    type :: vtkhdf_file_t
-      character(len=:), allocatable :: path
       integer(hid_t) :: file = -1
       integer :: n_steps = 0
       integer(hid_t), private :: root = -1, steps = -1
@@ -74,7 +73,6 @@ contains
       type(error_t), allocatable, intent(inout) :: error
 
       if (allocated(error)) return
-      self%path = path
       self%n_steps = 0
       allocate (self%fields(0))
       call hdf5_start(error)
@@ -92,7 +90,6 @@ contains
       call self%part_cells%create(self%root, 'NumberOfCells', 1, hdf5_integer, 1, error)
       call self%part_connectivity%create(self%root, 'NumberOfConnectivityIds', 1, hdf5_integer, 1, error)
       call create_steps(self, error)
-      call name_file(self, error)
    end subroutine vtkhdf_create
 
    subroutine create_steps(self, error)
@@ -138,7 +135,6 @@ contains
       if (.not. allocated(error)) call describe(field, error)
       call field%offsets%create(self%offset_group(place), name, 1, hdf5_integer, 1, error)
       self%fields = [self%fields, field]
-      call name_file(self, error)
    end subroutine vtkhdf_add_field
 
    subroutine describe(field, error)
@@ -181,7 +177,6 @@ contains
       call self%part_points%append(int(n_points, int64), error)
       call self%part_cells%append(int(n_cells, int64), error)
       call self%part_connectivity%append(size(connectivity, kind=int64), error)
-      call name_file(self, error)
    end subroutine vtkhdf_write_cells
 
    !> The positions of this step's points.
@@ -194,7 +189,6 @@ contains
       if (allocated(error)) return
       self%start_points = self%points%n_rows
       call self%points%append(points, error)
-      call name_file(self, error)
    end subroutine vtkhdf_write_points
 
    !> A vector field at this step.
@@ -206,11 +200,11 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       integer :: i
 
+      if (allocated(error)) return
       call find_field(self, name, i, error)
       if (allocated(error)) return
       self%fields(i)%start = self%fields(i)%rows%n_rows
       call self%fields(i)%rows%append(values, error)
-      call name_file(self, error)
    end subroutine vtkhdf_write_field_real
 
    !> A scalar field at this step.
@@ -233,11 +227,11 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       integer :: i
 
+      if (allocated(error)) return
       call find_field(self, name, i, error)
       if (allocated(error)) return
       self%fields(i)%start = self%fields(i)%rows%n_rows
       call self%fields(i)%rows%append(reshape(int(values, int64), [1, size(values)]), error)
-      call name_file(self, error)
    end subroutine vtkhdf_write_field_integer
 
    !> Completes the step: its offsets, then its data to the disk, and only then the number of steps.
@@ -261,17 +255,13 @@ contains
       if (.not. allocated(error)) self%n_steps = self%n_steps + 1
       call hdf5_write_attribute(self%steps, 'NSteps', self%n_steps, error)
       call hdf5_flush(self%file, error)
-      call name_file(self, error)
    end subroutine vtkhdf_end_step
 
    subroutine vtkhdf_close(self, error)
       class(vtkhdf_file_t), intent(inout) :: self
       type(error_t), allocatable, intent(inout) :: error
-      logical :: known
 
-      known = allocated(error)
       call hdf5_close_file(self%file, error)
-      if (.not. known) call name_file(self, error)
    end subroutine vtkhdf_close
 
    !> Index of a declared field; asking for another is a mistake of the program, not of its user.
@@ -284,16 +274,7 @@ contains
       do i = 1, size(self%fields)
          if (self%fields(i)%name == name) return
       end do
-      if (.not. allocated(error)) error = fail(exit_internal, 'the field "'//name//'" is written but was not declared')
+      error = fail(exit_internal, 'the field "'//name//'" is written but was not declared')
    end subroutine find_field
-
-   !> Puts the file into a message that does not name it yet.
-   pure subroutine name_file(self, error)
-      class(vtkhdf_file_t), intent(in) :: self
-      type(error_t), allocatable, intent(inout) :: error
-
-      if (.not. allocated(error)) return
-      if (index(error%message, self%path) == 0) error%message = 'result file "'//self%path//'": '//error%message
-   end subroutine name_file
 
 end module litz_vtkhdf_writer

@@ -75,7 +75,9 @@ def _history_of_one_unit(axes: Axes, table: Table, names: list[str], unit: str) 
     factor, symbol = engineering(np.concatenate([table[name] for name in names]), unit)
     for i, name in enumerate(names):
         legend = name if i < _MOST_LINES else None
-        axes.plot(table["time"], factor * table[name], **_marker(table.n_rows), color=_colour(i, len(names)), label=legend)
+        axes.plot(
+            table["time"], factor * table[name], **_marker(table.n_rows), color=_colour(i, len(names)), label=legend
+        )
     if len(names) > _MOST_LINES:
         axes.plot([], [], " ", label=f"and {len(names) - _MOST_LINES} more")
     axes.set_ylabel(label(names[0].split()[0], symbol) if len(names) == 1 else f"[{symbol}]")
@@ -98,7 +100,14 @@ def resistance_over_force(axes: Axes, results: "Results", increment: int) -> Non
         for i, contact in enumerate(ids):
             one = shown["id"] == contact
             order = np.argsort(force[one])
-            axes.plot(force[one][order], ohms[one][order], "o-", markersize=4, color=_colour(i, len(ids)), label=f"contact {contact}")
+            axes.plot(
+                force[one][order],
+                ohms[one][order],
+                "o-",
+                markersize=4,
+                color=_colour(i, len(ids)),
+                label=f"contact {contact}",
+            )
         if len(ids) > 1:
             axes.legend(loc="upper right")
     else:
@@ -132,7 +141,15 @@ def _power_lines(axes: Axes, force: np.ndarray, ohms: np.ndarray) -> None:
     ends = np.array([force.min(), force.max()])
     limits = axes.get_ylim()
     for power, text, style in ((-1 / 3, "−1/3 (Hertz)", "--"), (-1 / 2, "−1/2 (plastic)", ":")):
-        axes.plot(ends, there * (ends / middle) ** power, style, color="#888888", linewidth=1.0, zorder=1, label=f"slope {text}")
+        axes.plot(
+            ends,
+            there * (ends / middle) ** power,
+            style,
+            color="#888888",
+            linewidth=1.0,
+            zorder=1,
+            label=f"slope {text}",
+        )
     axes.set_ylim(limits)
     axes.legend(loc="best")
 
@@ -140,7 +157,9 @@ def _power_lines(axes: Axes, force: np.ndarray, ohms: np.ndarray) -> None:
 def residual_of_last_increment(axes: Axes, results: "Results", increment: int) -> None:
     """All fields over their allowed values, for the increment that is shown."""
     table = results.convergence
-    one = table.where((table["step"] == results.steps[increment]) & (table["increment"] == results.increments[increment]))
+    one = table.where(
+        (table["step"] == results.steps[increment]) & (table["increment"] == results.increments[increment])
+    )
     axes.set_title("Convergence of this increment")
     if not one.n_rows:
         _nothing(axes, "No iterations are recorded")
@@ -150,9 +169,24 @@ def residual_of_last_increment(axes: Axes, results: "Results", increment: int) -
         allowed = one[f"{name}_allowed"]
         ratio = np.divide(one[name], allowed, out=np.zeros(one.n_rows), where=allowed > 0)
         if ratio.any():
-            axes.semilogy(one["iteration"], np.where(ratio > 0, ratio, np.nan), "o-", markersize=4, color=_colour(i, 3), label=name)
+            axes.semilogy(
+                one["iteration"],
+                np.where(ratio > 0, ratio, np.nan),
+                "o-",
+                markersize=4,
+                color=_colour(i, 3),
+                label=name,
+            )
     axes.axhline(1.0, color="#888888", linestyle="--", linewidth=1.0)
-    axes.annotate("allowed", (1.0, 1.0), xycoords=("axes fraction", "data"), ha="right", va="bottom", color="#666666", fontsize="small")
+    axes.annotate(
+        "allowed",
+        (1.0, 1.0),
+        xycoords=("axes fraction", "data"),
+        ha="right",
+        va="bottom",
+        color="#666666",
+        fontsize="small",
+    )
     axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     axes.set_xlabel("iteration")
     axes.set_ylabel("residual / allowed")
@@ -173,7 +207,9 @@ def residual_lines(axes: Axes, table: Table, name: str) -> None:
         failed = attempt < last_attempt[step, increment]
         text = f"{step}.{increment}" + (f", try {attempt}" if last_attempt[step, increment] > 1 else "")
         style = {"linestyle": ":", "marker": "x"} if failed else {"linestyle": "-", "marker": "o"}
-        axes.semilogy(rows["iteration"], size, markersize=4, linewidth=1.3, color=colour, label=text if few else None, **style)
+        axes.semilogy(
+            rows["iteration"], size, markersize=4, linewidth=1.3, color=colour, label=text if few else None, **style
+        )
         axes.semilogy(rows["iteration"], rows[f"{name}_allowed"], "--", color=colour, linewidth=0.9, alpha=0.8)
     axes.set_title(f"{name.capitalize()} residual, dashed: allowed")
     axes.set_ylabel(f"norm [{engineering(np.zeros(1), table.units[name])[1]}]")
@@ -187,7 +223,9 @@ def _name_increments(figure: Figure, all_axes: np.ndarray, table: Table) -> None
         all_axes[0].legend(title="step.increment", loc="upper left", bbox_to_anchor=(1.0, 1.0))
         return
     n = len(np.unique(np.stack([table["step"], table["increment"], table["attempt"]], axis=1), axis=0))
-    bar = figure.colorbar(mpl.cm.ScalarMappable(mpl.colors.Normalize(1, n), _gradient()), ax=list(all_axes), pad=0.02, aspect=40)
+    bar = figure.colorbar(
+        mpl.cm.ScalarMappable(mpl.colors.Normalize(1, n), _gradient()), ax=list(all_axes), pad=0.02, aspect=40
+    )
     bar.set_label("tries of increments, in the order of the run")
 
 
@@ -200,7 +238,9 @@ def contact_number(axes: Axes, results: "Results") -> None:
     """Number of contacts over time."""
     axes.set_title("Number of contacts")
     times, counts = _per_increment(results, np.ones(results.contacts.n_rows))
-    axes.plot(times, counts, drawstyle="steps-post" if len(times) > 1 else "default", **_marker(len(times)), color=_ONE_COLOUR)
+    axes.plot(
+        times, counts, drawstyle="steps-post" if len(times) > 1 else "default", **_marker(len(times)), color=_ONE_COLOUR
+    )
     axes.yaxis.set_major_locator(MaxNLocator(integer=True))
     axes.set_ylim(bottom=0)
     axes.set_xlabel("time [s]")
@@ -236,14 +276,24 @@ def forces_over_time(axes: Axes, results: "Results", increment: int) -> None:
     if len(ids) <= _MOST_LINES:
         for i, contact in enumerate(ids):
             one = ledger.where(ledger["id"] == contact)
-            axes.plot(one["time"], factor * one["force"], **_marker(one.n_rows), color=_colour(i, len(ids)), label=f"contact {contact}")
+            axes.plot(
+                one["time"],
+                factor * one["force"],
+                **_marker(one.n_rows),
+                color=_colour(i, len(ids)),
+                label=f"contact {contact}",
+            )
         if len(ids) > 1:
             axes.legend(loc="best", ncols=2 if len(ids) > 6 else 1)
     else:
         times = np.unique(ledger["time"])
-        spread = np.array([np.percentile(factor * ledger["force"][ledger["time"] == t], (0, 25, 50, 75, 100)) for t in times])
+        spread = np.array(
+            [np.percentile(factor * ledger["force"][ledger["time"] == t], (0, 25, 50, 75, 100)) for t in times]
+        )
         axes.fill_between(times, spread[:, 0], spread[:, 4], color=_ONE_COLOUR, alpha=0.15, linewidth=0, label="all")
-        axes.fill_between(times, spread[:, 1], spread[:, 3], color=_ONE_COLOUR, alpha=0.35, linewidth=0, label="half of them")
+        axes.fill_between(
+            times, spread[:, 1], spread[:, 3], color=_ONE_COLOUR, alpha=0.35, linewidth=0, label="half of them"
+        )
         axes.plot(times, spread[:, 2], **_marker(len(times)), color=_ONE_COLOUR, label="median")
         axes.legend(loc="best")
     axes.set_ylim(bottom=0)
@@ -259,7 +309,14 @@ def spot_sizes(axes: Axes, results: "Results", increment: int) -> None:
     force_factor, force_unit = engineering(now["force"], "N")
     factor, unit = engineering(now["semi_major"], "m")
     for i, name in enumerate(("semi_major", "semi_minor")):
-        axes.plot(force_factor * now["force"], factor * now[name], "o", markersize=5, color=_colour(i, 3), label=label(name, ""))
+        axes.plot(
+            force_factor * now["force"],
+            factor * now[name],
+            "o",
+            markersize=5,
+            color=_colour(i, 3),
+            label=label(name, ""),
+        )
     axes.margins(0.08)
     axes.set_ylim(bottom=0)
     axes.set_xlabel(label("force", force_unit))
@@ -318,7 +375,10 @@ def current_along_wires(axes: Axes, results: "Results", increment: int) -> None:
 def _per_increment(results: "Results", values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Times of the increments, and the sum of a quantity over the contacts at each."""
     ledger, times = results.contacts, results.times
-    sums = [values[(ledger["step"] == s) & (ledger["increment"] == i)].sum() for s, i in zip(results.steps, results.increments, strict=True)]
+    sums = [
+        values[(ledger["step"] == s) & (ledger["increment"] == i)].sum()
+        for s, i in zip(results.steps, results.increments, strict=True)
+    ]
     return times, np.array(sums)
 
 

@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 
 from . import charts
 from .results import Results
+from .run import FileError
 from .tables import unknown_name
 from .wire_picture import COLOURS, draw_frame, draw_wires, make_scene
 
@@ -62,7 +63,7 @@ def plot(
     increment : int
         Index of the increment that is shown, -1 the last.
     field : str, optional
-        What colours the wires, one of `Results.fields`; default: the potential, or the displacement where there is none.
+        What colours the wires, one of `Results.fields`; default: the potential, or where there is none the displacement.
     scale : float
         Factor on the displacements of the drawn wires.
     spots : str, optional
@@ -83,7 +84,7 @@ def plot(
         raise ValueError(f'spots may be "current", "force" or "none", not {spots!r}')
     results = results if isinstance(results, Results) else Results(results)
     if not len(results.times):
-        raise ValueError(f"{results.path} has no increment yet: there is nothing to draw")
+        raise FileError(f"{results.path} has no increment yet: there is nothing to draw")
     path = Path(filename) if filename else results.path.with_name(f"{results.path.stem}_{kind}.png")
     seen = {"field": field, "scale": scale, "spots": spots, "reference": reference, "view": view}
     with mpl.rc_context(_STYLE):
@@ -125,7 +126,9 @@ def _wires_into(figure: Figure, results: Results, increment: int, seen: dict, bo
         notes.append("grey: axes before the deformation")
     if seen["scale"] != 1.0:
         notes.append(f"displacements times {seen['scale']:g}")
-    figure.text(left + 0.48 * width, bottom - 0.17 * inch, "\n".join(notes), va="top", fontsize="small", linespacing=1.5)
+    figure.text(
+        left + 0.48 * width, bottom - 0.17 * inch, "\n".join(notes), va="top", fontsize="small", linespacing=1.5
+    )
 
 
 def _chart(draw: Callable, size: tuple[float, float]) -> Callable[[Results, int, dict], Figure]:

@@ -1,7 +1,7 @@
 """Draws tubes with VTK into a picture, as a program of its own.
 
-`litz.wire_picture` starts it by `python render_wires.py JOB.npz PICTURE.png`: where no OpenGL is installed, VTK ends the
-whole process, which must not be the user's.
+`litz.wire_picture` starts it by `python render_wires.py JOB.npz PICTURE.png`: where no OpenGL is installed, VTK ends
+the whole process, which must not be the user's.
 """
 
 import sys
@@ -42,7 +42,10 @@ def main(job_path: str, picture_path: str) -> None:
 
 def polylines(points: np.ndarray, starts: np.ndarray) -> pv.PolyData:
     """Lines through points; `starts` has the first point of each and, at its end, the number of points."""
-    cells = [np.concatenate(([stop - start], np.arange(start, stop))) for start, stop in zip(starts[:-1], starts[1:], strict=True)]
+    cells = [
+        np.concatenate(([stop - start], np.arange(start, stop)))
+        for start, stop in zip(starts[:-1], starts[1:], strict=True)
+    ]
     lines = pv.PolyData()
     lines.points = points
     lines.lines = np.concatenate(cells)

@@ -43,7 +43,8 @@ class Results:
             version = int(file["litz"].attrs["format_version"])
             if version > _FORMAT_VERSION:
                 raise FileError(
-                    f"{self.path} has format {version}, this litz reads up to {_FORMAT_VERSION}: it was written by a newer litz"
+                    f"{self.path} was written by a newer litz: "
+                    f"it has format {version}, this litz reads up to {_FORMAT_VERSION}"
                 )
         if not self.finished:
             end = f"ends at time {self.times[-1]:g}" if len(self.times) else "has no increment"
@@ -51,7 +52,8 @@ class Results:
 
     def __repr__(self) -> str:
         state = "finished" if self.finished else "not finished"
-        return f"<Results {self.path}: {len(self.nodes)} nodes, {len(self.elements)} elements, {len(self.times)} increments, {state}>"
+        sizes = f"{len(self.nodes)} nodes, {len(self.elements)} elements, {len(self.times)} increments"
+        return f"<Results {self.path}: {sizes}, {state}>"
 
     def _open(self) -> h5py.File:
         try:
@@ -204,7 +206,9 @@ class Results:
         if name not in self._attributes:
             raise KeyError(unknown_name("field", name, self._attributes))
         with self._open() as file:
-            group, n_rows = ("PointData", len(self.nodes)) if name in self.point_fields else ("CellData", len(self.elements))
+            group, n_rows = (
+                ("PointData", len(self.nodes)) if name in self.point_fields else ("CellData", len(self.elements))
+            )
             data = file["VTKHDF"][group][name]
             starts = file[f"VTKHDF/Steps/{group}Offsets/{name}"]
             if increment is not None:
@@ -239,7 +243,9 @@ class Results:
         ledger = self.contacts
         with self._open() as file:
             increment = self._checked(increment, file)
-        return ledger.where((ledger["step"] == self.steps[increment]) & (ledger["increment"] == self.increments[increment]))
+        return ledger.where(
+            (ledger["step"] == self.steps[increment]) & (ledger["increment"] == self.increments[increment])
+        )
 
     def contact(self, contact_id: int) -> Table:
         """One contact over its life."""
@@ -286,7 +292,9 @@ def _find(path: Path) -> Path:
     for candidate in candidates:
         if candidate.is_file():
             return candidate
-    raise FileError(f"there is no result file {' or '.join(dict.fromkeys(map(str, candidates)))}: has the deck been run?")
+    raise FileError(
+        f"there is no result file {' or '.join(dict.fromkeys(map(str, candidates)))}: has the deck been run?"
+    )
 
 
 def _n_steps(file: h5py.File) -> int:

@@ -55,7 +55,9 @@ def _last_increment(results: "Results") -> str:
     ]
     if contacts.n_rows:
         force = contacts["force"]
-        lines.append(f"  contact forces         {force.min():12.5g} N    to {force.max():.5g} N, sum {force.sum():.5g} N")
+        lines.append(
+            f"  contact forces         {force.min():12.5g} N    to {force.max():.5g} N, sum {force.sum():.5g} N"
+        )
     if heat_wires + heat_contacts > 0:
         lines += [
             f"  electric power in      {potential @ entering:12.5g} W",

@@ -95,7 +95,9 @@ def _read(path: Path, separator: str | None) -> Table:
         columns[name] = numbers[:, i].astype(int) if name in _INTEGER_COLUMNS else numbers[:, i]
     if n_numbers < len(names):
         cells = [row.split(separator, n_numbers) for row in rows]
-        columns[names[-1]] = np.array([row[n_numbers].strip() if len(row) > n_numbers else "" for row in cells], dtype=str)
+        columns[names[-1]] = np.array(
+            [row[n_numbers].strip() if len(row) > n_numbers else "" for row in cells], dtype=str
+        )
     return Table(columns, dict(heads))
 
 

@@ -132,7 +132,10 @@ def _sample(positions: np.ndarray, slopes: np.ndarray, wires: list, n: int) -> t
     xi = np.linspace(-1, 1, n + 1)
     points, starts = [], [0]
     for wire in wires:
-        inner = [_element_points(positions, slopes, *element, xi[:-1]) for element in zip(wire.elements, wire.signs, strict=True)]
+        inner = [
+            _element_points(positions, slopes, *element, xi[:-1])
+            for element in zip(wire.elements, wire.signs, strict=True)
+        ]
         last = _element_points(positions, slopes, wire.elements[-1], wire.signs[-1], xi[-1:])
         points += [*inner, last]
         starts.append(starts[-1] + n * len(wire.elements) + 1)
@@ -193,7 +196,11 @@ def aim(scene: Scene, aspect: float, view: np.ndarray | None) -> Camera:
         up = along
     else:
         toward = np.asarray(view, dtype=float)
-        up = np.array([0.0, 0.0, 1.0]) if np.hypot(*toward[:2]) > 1e-3 * np.linalg.norm(toward) else np.array([0.0, 1.0, 0.0])
+        up = (
+            np.array([0.0, 0.0, 1.0])
+            if np.hypot(*toward[:2]) > 1e-3 * np.linalg.norm(toward)
+            else np.array([0.0, 1.0, 0.0])
+        )
     toward = toward / np.linalg.norm(toward)
     right = np.cross(up, toward)
     right /= np.linalg.norm(right)
@@ -252,7 +259,9 @@ def _render(scene: Scene, camera: Camera, pixels: np.ndarray) -> np.ndarray:
         except subprocess.TimeoutExpired:
             raise RenderingError(f"VTK has made no picture within {_LONGEST_RENDERING:g} s") from None
         if done.returncode < 0:
-            raise RenderingError(f"VTK ended by signal {-done.returncode} (is OpenGL missing? apt-get install libosmesa6)")
+            raise RenderingError(
+                f"VTK ended by signal {-done.returncode} (is OpenGL missing? apt-get install libosmesa6)"
+            )
         if done.returncode or not picture.is_file():
             last = (done.stderr.strip().splitlines() or ["no message"])[-1]
             raise RenderingError(f"VTK has made no picture: {last}")
@@ -278,7 +287,11 @@ def _draw_flat(axes: Axes, scene: Scene, camera: Camera, points_per_metre: float
     shaded = np.clip(colour[order] * shade[:, None], 0, 1)
     axes.add_collection(
         LineCollection(
-            segments[order], colors=shaded, linewidths=np.maximum(width[order] * thickness, 0.4), zorder=2, capstyle="butt",
+            segments[order],
+            colors=shaded,
+            linewidths=np.maximum(width[order] * thickness, 0.4),
+            zorder=2,
+            capstyle="butt",
         )  # fmt: skip
     )
     for start, stop in zip(scene.reference_starts[:-1], scene.reference_starts[1:], strict=True):
@@ -294,8 +307,17 @@ def _draw_spots(axes: Axes, scene: Scene, camera: Camera) -> None:
     size = 2 * scene.spot_radius[order]
     axes.add_collection(
         EllipseCollection(
-            size, size, np.zeros_like(size), units="xy", offsets=camera.project(scene.spots)[order, :2],
-            offset_transform=axes.transData, facecolors=SPOT_COLOUR, edgecolors="white", linewidths=0.5, alpha=0.8, zorder=4,
+            size,
+            size,
+            np.zeros_like(size),
+            units="xy",
+            offsets=camera.project(scene.spots)[order, :2],
+            offset_transform=axes.transData,
+            facecolors=SPOT_COLOUR,
+            edgecolors="white",
+            linewidths=0.5,
+            alpha=0.8,
+            zorder=4,
         )  # fmt: skip
     )
 

@@ -97,7 +97,9 @@ def rotate(vectors: np.ndarray, rotations: np.ndarray) -> np.ndarray:
     return along + np.cos(angle) * (vectors - along) + np.sin(angle) * np.cross(axis, vectors)
 
 
-def element_curves(nodes: np.ndarray, displacement: np.ndarray, rotation: np.ndarray, wires: list[Wire], n_elements: int):
+def element_curves(
+    nodes: np.ndarray, displacement: np.ndarray, rotation: np.ndarray, wires: list[Wire], n_elements: int
+):
     """What the Hermite axis of each element needs, in the element's own direction.
 
     Returns

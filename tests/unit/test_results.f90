@@ -1,6 +1,9 @@
 !> Writes the result files of a made-up run: two crossed wires, three increments with 0, 2 and 1 contacts.
 !>
-!> Arguments: the output directory (default: results_of_test), and `killed` to leave without closing the files.
+!> Arguments: the output directory (default: results_of_test), and one of
+!>    killed    leave without closing the files
+!>    waiting   wait for a line of input before closing them
+!>    limited   take a limit on the size of files for a full disk, not for a signal to end by
 !> The values are simple functions of node, element and increment, which test_results.py reads back.
 program test_results
    use litz_kinds, only: dp
@@ -24,6 +27,7 @@ program test_results
    if (command_argument_count() >= 1) call get_command_argument(1, directory)
    if (command_argument_count() >= 2) call get_command_argument(2, how)
 
+   if (how == 'limited') call ignore_file_size_signal()
    call make_crossed_wires(model)
    call results%open(model, directory, 'crossed', error)
    call stop_on(error)
@@ -39,6 +43,7 @@ program test_results
       call stop_on(error)
    end do
    if (how == 'killed') call leave_at_once()
+   if (how == 'waiting') read (*, *)
    call results%close(.true., error)
    call stop_on(error)
 
@@ -160,6 +165,23 @@ contains
 
       call c_exit(0)
    end subroutine leave_at_once
+
+   !> In place of the handler that the library of gfortran sets up.
+   subroutine ignore_file_size_signal()
+      use, intrinsic :: iso_c_binding, only: c_int, c_intptr_t
+      integer(c_int), parameter :: sigxfsz = 25
+      integer(c_intptr_t), parameter :: sig_ign = 1
+      integer(c_intptr_t) :: before
+      interface
+         integer(c_intptr_t) function c_signal(number, handler) bind(c, name='signal')
+            use, intrinsic :: iso_c_binding, only: c_int, c_intptr_t
+            integer(c_int), value :: number
+            integer(c_intptr_t), value :: handler
+         end function c_signal
+      end interface
+
+      before = c_signal(sigxfsz, sig_ign)
+   end subroutine ignore_file_size_signal
 
    subroutine stop_on(error)
       type(error_t), allocatable, intent(in) :: error
