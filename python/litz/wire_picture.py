@@ -24,6 +24,9 @@ COLOURS = "viridis"
 SPOT_COLOUR = "#e8502a"
 _MOST_POINTS = 150_000
 _LONGEST_RENDERING = 300.0
+# Radii that are still seen, as parts of half the width of the picture: of a wire, and of the largest contact spot
+_LEAST_RADIUS = 0.0015
+_LEAST_SPOT = 0.007
 
 
 @dataclass
@@ -87,7 +90,7 @@ def make_scene(
     ends, name = _end_values(results, field, increment)
     factor, unit = engineering(ends, results.units[field])
 
-    n = int(np.clip(_MOST_POINTS // len(elements), 2, 12))
+    n = int(np.clip(_MOST_POINTS // len(elements), 2, 24))
     curves = element_curves(results.nodes, displacement, rotation, wires, len(elements))
     points, starts = _sample(*curves, wires, n)
     still = np.zeros_like(displacement)
@@ -190,7 +193,10 @@ def aim(scene: Scene, aspect: float, view: np.ndarray | None) -> Camera:
     shown = np.concatenate([scene.points, scene.reference])
     if view is None:
         extent = np.ptp(shown, axis=0)
-        across, along, towards = np.eye(3)[np.argsort(-extent, kind="stable")]
+        order = np.argsort(-extent, kind="stable")
+        if extent[order[0]] < 1.5 * extent[order[1]]:
+            order[:2] = np.sort(order[:2])
+        across, along, _ = np.eye(3)[order]
         towards = np.cross(across, along)
         toward = towards - 0.55 * along + 0.3 * across
         up = along
@@ -248,7 +254,7 @@ def _render(scene: Scene, camera: Camera, pixels: np.ndarray) -> np.ndarray:
     with tempfile.TemporaryDirectory() as folder:
         job, picture = Path(folder, "job.npz"), Path(folder, "picture.png")
         np.savez(
-            job, points=scene.points, starts=scene.starts, radius=scene.radius, value=scene.value,
+            job, points=scene.points, starts=scene.starts, radius=np.maximum(scene.radius, _LEAST_RADIUS * camera.half_width), value=scene.value,
             reference=scene.reference, reference_starts=scene.reference_starts,
             colours=COLOURS, limits=scene.limits, size=np.round(pixels), sides=24 if len(scene.points) < 50_000 else 12,
             centre=camera.centre, toward=camera.toward, up=camera.up, half_height=camera.half_height, distance=distance,
@@ -278,7 +284,7 @@ def _draw_flat(axes: Axes, scene: Scene, camera: Camera, points_per_metre: float
     depth = (flat[first, 2] + flat[first + 1, 2]) / 2
     norm = mpl.colors.Normalize(*scene.limits)
     colour = mpl.colormaps[COLOURS](norm((scene.value[first] + scene.value[first + 1]) / 2))[:, :3]
-    width = 2 * scene.radius[first] * points_per_metre
+    width = 2 * np.maximum(scene.radius[first], _LEAST_RADIUS * camera.half_width) * points_per_metre
 
     layers = [(1.0, 0.55), (0.8, 0.8), (0.55, 1.0), (0.25, 1.25)]
     order = np.repeat(np.argsort(depth), len(layers))
@@ -304,7 +310,8 @@ def _draw_spots(axes: Axes, scene: Scene, camera: Camera) -> None:
     if not len(scene.spots):
         return
     order = np.argsort(-scene.spot_radius)
-    size = 2 * scene.spot_radius[order]
+    enlarged = max(1.0, _LEAST_SPOT * camera.half_width / scene.spot_radius.max())
+    size = 2 * enlarged * scene.spot_radius[order]
     axes.add_collection(
         EllipseCollection(
             size,

@@ -1,0 +1,197 @@
+"""Pictures: they are made for every kind, show what the results hold, and survive a machine without OpenGL."""
+
+import stat
+import warnings
+
+import matplotlib as mpl
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+from matplotlib.image import imread
+
+import litz
+from litz import charts, plots, wire_picture
+from litz.quantities import engineering, label
+
+KINDS = ("overview", "wires", "resistance", "residuals", "contacts", "currents", "history")
+
+
+def coloured(picture):
+    """Pixels that are neither white nor grey, (n, 3)."""
+    pixels = picture[..., :3].reshape(-1, 3)
+    return pixels[np.ptp(pixels, axis=1) > 0.15]
+
+
+def near(pixels, colour, distance=0.15):
+    """Number of pixels of about the hue of a colour, whatever light falls on them."""
+    direction = np.array(mpl.colors.to_rgb(colour)) / np.linalg.norm(mpl.colors.to_rgb(colour))
+    cosine = pixels @ direction / np.linalg.norm(pixels, axis=1)
+    return np.count_nonzero(cosine > np.cos(distance))
+
+
+def orange(pixels):
+    """Number of pixels in the colour of the contact spots."""
+    return np.count_nonzero((pixels[:, 0] > 0.8) & (pixels[:, 1] < 0.65) & (pixels[:, 2] < 0.55))
+
+
+@pytest.fixture
+def without_opengl(monkeypatch, tmp_path):
+    """Where VTK would draw, a program ends by the signal that VTK without OpenGL ends by."""
+    program = tmp_path / "crash"
+    program.write_text("#!/bin/sh\nkill -SEGV $$\n")
+    program.chmod(program.stat().st_mode | stat.S_IXUSR)
+    monkeypatch.setattr(wire_picture.sys, "executable", str(program))
+
+
+class TestPictures:
+    @pytest.mark.parametrize("kind", KINDS)
+    def test_every_kind_makes_a_picture_with_something_on_it(self, results, tmp_path, kind):
+        with warnings.catch_warnings():
+            # on a machine without OpenGL the picture is drawn without it, and says so
+            warnings.filterwarnings("ignore", message=".*drawn by matplotlib alone")
+            path = litz.plot(results, kind, tmp_path / "picture.png")
+        picture = imread(path)
+        assert picture.shape[0] > 500 and picture.shape[1] > 900
+        assert len(coloured(picture)) > 1e-3 * picture.shape[0] * picture.shape[1]
+
+    def test_the_wires_have_the_colours_of_the_whole_scale_and_a_spot(self, results, tmp_path):
+        with warnings.catch_warnings():
+            warnings.filterwarnings("ignore", message=".*drawn by matplotlib alone")
+            picture = imread(litz.plot(results, "wires", tmp_path / "picture.png"))
+        # above the colour bar
+        above = coloured(picture[: int(0.85 * len(picture))])
+        for part in (0.0, 0.25, 0.5, 0.75, 1.0):
+            assert near(above, mpl.colormaps["viridis"](part)) > 50
+        assert orange(above) > 20
+
+    def test_without_opengl_matplotlib_draws_the_wires_and_a_warning_says_so(self, results, tmp_path, without_opengl):
+        with pytest.warns(UserWarning, match="VTK ended by signal 11.*drawn by matplotlib alone"):
+            picture = imread(litz.plot(results, "wires", tmp_path / "picture.png"))
+        above = coloured(picture[: int(0.85 * len(picture))])
+        for part in (0.0, 0.25, 0.5, 0.75, 1.0):
+            assert near(above, mpl.colormaps["viridis"](part)) > 50
+        assert orange(above) > 20
+
+    def test_the_picture_goes_beside_the_results_by_default(self, writer, tmp_path):
+        import subprocess
+
+        subprocess.run([writer, tmp_path], check=True)
+        assert litz.plot(tmp_path / "crossed", "residuals") == tmp_path / "crossed_residuals.png"
+        assert (tmp_path / "crossed_residuals.png").stat().st_size > 10_000
+
+    def test_vector_formats(self, results, tmp_path):
+        assert litz.plot(results, "residuals", tmp_path / "picture.pdf").read_bytes().startswith(b"%PDF")
+
+    def test_wrong_arguments_are_answered_in_words(self, results):
+        with pytest.raises(ValueError, match="did you mean 'residuals'"):
+            litz.plot(results, "residual")
+        with pytest.raises(ValueError, match='may be "current", "force" or "none"'):
+            litz.plot(results, "wires", spots="voltage")
+        with pytest.raises(KeyError, match="did you mean 'potential'"):
+            litz.plot(results, "wires", field="potentials")
+
+    def test_every_kind_is_documented(self):
+        assert set(plots._KINDS) == set(KINDS)
+        for kind in KINDS:
+            assert f'"{kind}"' in litz.plot.__doc__
+
+
+class TestScene:
+    def test_colours_are_the_field_along_the_wires(self, results):
+        scene = wire_picture.make_scene(results, 0, None, 1.0, None, True)
+        assert scene.title == "potential [V]"
+        assert scene.limits == (1, 6)
+        np.testing.assert_array_equal(scene.value[[0, scene.starts[1] - 1, scene.starts[1], -1]], [1, 3, 4, 6])
+
+    def test_points_run_through_the_current_nodes(self, results):
+        scene = wire_picture.make_scene(results, -1, None, 1.0, None, True)
+        current = results.positions(-1)
+        ends = [0, scene.starts[1] - 1, scene.starts[1], -1]
+        np.testing.assert_allclose(scene.points[ends], current[[0, 2, 3, 5]], atol=1e-14)
+        np.testing.assert_allclose(scene.reference[ends], results.nodes[[0, 2, 3, 5]], atol=1e-14)
+
+    def test_displacements_are_scaled(self, results):
+        scene = wire_picture.make_scene(results, -1, None, 10.0, None, True)
+        np.testing.assert_allclose(scene.points[0], results.nodes[0] + 10 * results.field("displacement")[0])
+
+    def test_a_vector_field_is_shown_by_its_length_in_a_readable_unit(self, results):
+        scene = wire_picture.make_scene(results, -1, "displacement", 1.0, None, True)
+        assert scene.title == "displacement, magnitude [mm]"
+        assert scene.limits[1] == pytest.approx(1e3 * np.linalg.norm(results.field("displacement"), axis=1).max())
+
+    def test_spots_by_force(self, results):
+        scene = wire_picture.make_scene(results, 1, None, 1.0, "force", True)
+        assert scene.spot_text.startswith("2 contacts: area of a disc by its force")
+        assert "largest 20 N" in scene.spot_text
+        assert len(wire_picture.make_scene(results, 1, None, 1.0, "none", True).spots) == 0
+
+    def test_everything_is_inside_the_picture(self, results):
+        scene = wire_picture.make_scene(results, -1, None, 1.0, None, True)
+        for view in (None, (1, 0, 0), (0, 0, 1), (1, 2, 3), (0, 0, -1)):
+            camera = wire_picture.aim(scene, 1.5, view)
+            seen = camera.project(np.concatenate([scene.points, scene.reference]))
+            assert np.abs(seen[:, 0]).max() < camera.half_width
+            assert np.abs(seen[:, 1]).max() < camera.half_height
+            frame = np.stack([camera.right, camera.up, camera.toward])
+            np.testing.assert_allclose(frame @ frame.T, np.eye(3), atol=1e-14)
+            assert np.linalg.det(frame) == pytest.approx(1)
+
+
+class TestCharts:
+    def test_residual_lines_hold_the_norms_and_the_allowed_values(self, results):
+        axes = Figure().add_subplot()
+        charts.residual_lines(axes, results.convergence, "force")
+        solid = [line for line in axes.lines if line.get_linestyle() == "-"]
+        dashed = [line for line in axes.lines if line.get_linestyle() == "--"]
+        assert len(solid) == len(dashed) == 3
+        np.testing.assert_array_equal(solid[0].get_ydata(), [1e-2, 1e-4, 1e-8])
+        np.testing.assert_array_equal(dashed[0].get_ydata(), [1e-7] * 3)
+        assert axes.get_yscale() == "log"
+
+    def test_the_resistance_chart_is_logarithmic_with_a_line_for_each_contact(self, results):
+        axes = Figure().add_subplot()
+        charts.resistance_over_force(axes, results, -1)
+        assert (axes.get_xscale(), axes.get_yscale()) == ("log", "log")
+        lines = {line.get_label(): line for line in axes.lines}
+        np.testing.assert_allclose(lines["contact 2"].get_xdata(), [20, 30])
+        np.testing.assert_allclose(lines["contact 2"].get_ydata(), [1, 1])
+        assert axes.get_ylabel() == "resistance [mΩ]"
+
+    def test_the_number_of_contacts_is_zero_where_there_are_none(self, results):
+        axes = Figure().add_subplot()
+        charts.contact_number(axes, results)
+        np.testing.assert_array_equal(axes.lines[0].get_ydata(), [0, 2, 1])
+
+    def test_currents_are_counted_along_the_wire(self, results):
+        axes = Figure().add_subplot()
+        charts.current_per_wire(axes, results, -1)
+        np.testing.assert_allclose([bar.get_height() for bar in axes.patches], [(9 + 18) / 2, (27 + 36) / 2])
+
+    def test_the_history_has_a_chart_for_each_unit(self, results):
+        figure = Figure()
+        charts.history(figure, results, -1)
+        assert len(figure.axes) == len({results.history.units[name] for name in results.history} - {"", "s"})
+
+
+class TestQuantities:
+    @pytest.mark.parametrize(
+        ("values", "unit", "expected"),
+        [
+            ([0.009], "V", (1e3, "mV")),
+            ([1.0], "V", (1.0, "V")),
+            ([-2500.0, 10.0], "N", (1e-3, "kN")),
+            ([3e-5], "ohm", (1e6, "µΩ")),
+            ([0.5], "s", (1.0, "s")),
+            ([1e-4], "1", (1.0, "")),
+            ([0.0], "A", (1.0, "A")),
+            ([np.inf, np.nan, 2e-3], "ohm", (1e3, "mΩ")),
+            ([1e30], "W", (1e-12, "TW")),
+        ],
+    )
+    def test_prefixes(self, values, unit, expected):
+        factor, symbol = engineering(np.array(values), unit)
+        assert (factor, symbol) == (pytest.approx(expected[0]), expected[1])
+
+    def test_labels(self):
+        assert label("axial_force", "kN") == "axial force [kN]"
+        assert label("xi_bar", "") == "xi bar"
