@@ -57,7 +57,7 @@ contains
          electricity%voltage_gap = share*g_v
          electricity%r_e = current*n_v                                                      ! R_e = I N_V
          do j = 1, 4
-            electricity%k_ee(:, j) = g*n_v*n_v(j)                                           ! K_ee = G N_V N_V^T
+            electricity%k_ee(:, j) = g*(n_v*n_v(j))                                         ! K_ee = G N_V N_V^T
          end do
          electricity%me1 = g*(slope_bar*kinematics%dxi_bar - slope*kinematics%dxi)          ! G (Vb' dxib - V' dxi)
          electricity%me2 = g_v*share**2*dconductance_dgap*kinematics%dgap                   ! (dI/dg) dg

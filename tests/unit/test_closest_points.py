@@ -182,8 +182,9 @@ def test_parallel(axis, angle, shift, apart, least):
     t = np.array([[1, 0, 0], [1, 0, 0], direction, direction])
     found = closest_points(x, t, STRAIGHT_LENGTH, axis=axis)
     assert found.status == "parallel"
-    points = [point_on_axis(x[i : i + 2], t[i : i + 2], 2.0, axis, xi)[0] for i, xi in ((0, found.xi_bar), (2, found.xi))]
-    assert np.linalg.norm(points[0] - points[1]) == pytest.approx(least, abs=1e-3)
+    bar = point_on_axis(x[:2], t[:2], 2.0, axis, found.xi_bar)[0]
+    unbarred = point_on_axis(x[2:], t[2:], 2.0, axis, found.xi)[0]
+    assert np.linalg.norm(bar - unbarred) == pytest.approx(least, abs=1e-3)
 
 
 def parabola_and_upright(height, aside=0.0):

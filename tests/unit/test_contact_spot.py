@@ -110,7 +110,8 @@ def test_barber_s_identity_links_conductance_and_contact_stiffness(wires, angle,
     )
     assert info == 0
     assert found == pytest.approx(force, rel=1e-14)
-    assert spot.conductance * modulus(**wires) * wires["resistivity"].sum() / 2 == pytest.approx(-dforce_dgap, rel=1e-14)
+    stiffness = spot.conductance * modulus(**wires) * wires["resistivity"].sum() / 2
+    assert stiffness == pytest.approx(-dforce_dgap, rel=1e-14)
 
 
 @pytest.mark.parametrize(

@@ -293,8 +293,8 @@ def contact_em(
     ContactEM
         `K` (28, 28), `R` (28,), `active`, `xi_bar`, `xi`, `gap`, `normal` (3,), `force`, `spot_radius`, `resistance`,
         `current`, `voltage_gap`. Unknowns in the order {ub (12), u (12), Vb (2), V (2)}, each node
-        ``ux uy uz phix phiy phiz``. `R` is internal minus external; Newton solves ``K dq = -R``. A pair that is open, or
-        whose closest points lie beyond the elements' ends, has zeros and ``active=False``.
+        ``ux uy uz phix phiy phiz``. `R` is internal minus external; Newton solves ``K dq = -R``. A pair that is open,
+        or whose closest points lie beyond the elements' ends, has zeros and ``active=False``.
 
     Raises
     ------

@@ -1,0 +1,575 @@
+"""The contact element: every block of its tangent against differences of its residual, and what must hold exactly.
+
+Noise of the differences: the gap is known to about 1e-16 of the positions, the electric residual goes with the cube
+root of the gap. A step of 2 % of the overlap leaves a truncation of 1e-10 (sixth order) and a round-off of
+1e-16/step, 1e-9 at the shallowest overlap below; 1e-8 of the largest entry of a block covers both. Near parallel axes
+a small turn moves the closest points far, and an overlap beyond the axes is no small length: there the step is smaller.
+"""
+
+import numpy as np
+import pytest
+from derivatives import derivative, rotation, skew
+
+from litz import _core
+from litz.kernels import closest_points, contact_coupling, contact_em, contact_spot
+
+TOLERANCE = 1e-8
+N_CONFIGURATIONS = 200
+
+SPOT_LAWS = [
+    dict(spot_law="paper"),
+    dict(spot_law="hertz"),
+    dict(spot_law="plastic", hardness=3.0),
+    dict(spot_law="paper"),
+    dict(spot_law="hertz"),
+    dict(spot_law="film", film_resistivity=0.02),
+    dict(spot_law="constant", resistance=0.7),
+    dict(spot_law="table"),
+    dict(spot_law="none"),
+]
+
+MM, ME, EE, UPPER = np.s_[:24, :24], np.s_[24:, :24], np.s_[24:, 24:], np.s_[:24, 24:]
+
+
+class Pair:
+    """Two random elements in contact; lengths, radii, moduli and voltages of order one."""
+
+    def __init__(
+        self,
+        seed,
+        *,
+        degrees=(25, 155),
+        places=(0.0, 0.8),
+        overlap=(0.05, 0.3),
+        bend=0.15,
+        spread=1.5,
+        through=False,
+        no_voltage=False,
+        laws=None,
+        step=0.02,
+    ):
+        self.rng = rng = np.random.default_rng(seed)
+        self.length = rng.uniform(1.5, 2.5, 2)
+        ratio = spread ** rng.uniform(-1, 1, 4)
+        self.properties = dict(
+            radius=np.array([0.1, 0.1 * ratio[0]]),
+            young=np.array([3.0, 3.0 * ratio[1]]),
+            poisson=np.array([0.3, 0.3 / max(1, ratio[2])]),
+            resistivity=np.array([0.5, 0.5 * ratio[3]]),
+        )
+        self.laws = dict(SPOT_LAWS[seed % len(SPOT_LAWS)] if laws is None else laws)
+        if "normal_law" not in self.laws:
+            self.laws |= dict(normal_law="hertz") if seed % 5 == 0 else dict(eps_n=2.0)
+        if seed % 2 == 0:
+            self.laws["series_resistance"] = rng.uniform(0.05, 0.5, 2)
+        self.axis = "linear" if seed % 4 == 1 else "hermite"
+        while not self.shape(degrees, places, bend):
+            pass
+        reach = self.properties["radius"].sum()
+        depth = rng.uniform(*overlap) * (reach if through else self.properties["radius"].min())
+        self.push_together(reach - depth)
+        turn, origin = rotation(rng.normal(size=3)), rng.uniform(-1, 1, 3)
+        self.x, self.t = self.x @ turn.T + origin, self.t @ turn.T
+        if through:
+            self.laws["side"] = int(self.side_before)
+        self.v = rng.normal(size=4)
+        if self.laws["spot_law"] == "table":
+            # the present force away from the pairs, where the second derivative of the table jumps
+            force = self.evaluate(spot_law="none").force
+            self.laws["table"] = [force * np.array([0.1, 0.7, 3.0, 20.0]), [20.0, 3.0, 1.5, 0.2]]
+        if no_voltage:
+            self.balance()
+        self.step = step * depth
+
+    def balance(self):
+        """Shift the voltages of the unbarred beam until the contact has none."""
+        result = self.evaluate()
+        n_v = np.array([1 - result.xi_bar, 1 + result.xi_bar, -(1 - result.xi), -(1 + result.xi)]) / 2
+        self.v[2:] += n_v @ self.v
+
+    def shape(self, degrees, places, bend):
+        """Try one crossing; whether its closest points lie where they are wanted."""
+        rng = self.rng
+        angle = np.radians(rng.uniform(*degrees))
+        directions = np.array([[1, 0, 0], [np.cos(angle), np.sin(angle), 0]])
+        place = rng.uniform(*places, 2) * rng.choice([-1, 1], 2)
+        self.x, self.t = np.empty((4, 3)), np.empty((4, 3))
+        for node in range(4):
+            beam, end = divmod(node, 2)
+            self.x[node] = directions[beam] * self.length[beam] / 2 * (2 * end - 1 - place[beam])
+            self.t[node] = rotation(rng.uniform(-bend, bend, 3)) @ directions[beam]
+        self.x[:2, 2] += rng.choice([-1, 1]) * 0.1
+        found = closest_points(self.x, self.t, self.length, axis=self.axis)
+        self.places = found[:2]
+        low, high = places
+        return found.status == "inside" and all(low <= abs(xi) <= high + 0.1 * (1 - high) for xi in self.places)
+
+    def push_together(self, distance):
+        """Move the unbarred beam along the common normal until the axes have this distance (negative: passed)."""
+        radius = self.properties["radius"]
+        values, normal, _, info = _core.f2py_contact.contact_kinematics(
+            self.x.T, self.t.T, self.length, 1 if self.axis == "linear" else 2, radius, *self.places, 0
+        )
+        assert info == 0
+        self.side_before = values[4]
+        self.x[2:] += (values[0] - distance) * normal
+
+    def evaluate(self, *, x=None, t=None, v=None, rotation_vectors=None, **changes):
+        return contact_em(
+            self.x if x is None else x,
+            self.t if t is None else t,
+            self.length,
+            self.v if v is None else v,
+            axis=self.axis,
+            rotation_vectors=rotation_vectors,
+            **{**self.properties, **self.laws, **changes},
+        )
+
+    def moved(self, dq):
+        """Positions, tangents and voltages after displacements, rotations by a vector, and voltages `dq` (28,)."""
+        q = dq[:24].reshape(4, 6)
+        t = np.array([turned(t, theta) for t, theta in zip(self.t, q[:, 3:], strict=True)])
+        return dict(x=self.x + q[:, :3], t=t, v=self.v + dq[24:])
+
+    def residual(self, dq):
+        result = self.evaluate(**self.moved(dq))
+        assert result.active
+        return result.R
+
+
+def turned(t, theta):
+    """`exp(theta) t` by Rodrigues' formula."""
+    angle = np.linalg.norm(theta)
+    if angle == 0:
+        return t
+    n = theta / angle
+    return np.cos(angle) * t + np.sin(angle) * np.cross(n, t) + (1 - np.cos(angle)) * (n @ t) * n
+
+
+CLASSES = {
+    "perpendicular": dict(degrees=(90, 90)),
+    "oblique": dict(degrees=(25, 155)),
+    "5 degrees from parallel": dict(degrees=(5, 5), bend=0.003, step=0.003),
+    "strongly pre-rotated": dict(degrees=(60, 120), bend=0.9),
+    "near element ends": dict(places=(0.96, 0.99), bend=0.05),
+    "shallow": dict(overlap=(1e-3, 1e-2)),
+    "deep": dict(overlap=(0.6, 1.2)),
+    "axes passed each other": dict(overlap=(1.1, 1.8), through=True, step=0.003),
+    "zero voltage difference": dict(no_voltage=True),
+    "unequal materials and radii": dict(spread=10.0),
+}
+
+
+def block_errors(k, numeric):
+    """Largest difference in each block relative to its largest entry (a block that is zero must be exactly so)."""
+    errors = {}
+    for name, block in (("K_mm", MM), ("K_me", ME), ("K_ee", EE), ("upper right", UPPER)):
+        size = np.abs(k[block]).max()
+        errors[name] = np.abs(k[block] - numeric[block]).max() / (size or 1)
+    return errors
+
+
+@pytest.mark.parametrize("name", CLASSES)
+def test_tangent_is_the_derivative_of_the_residual_by_spins(name):
+    for seed in range(N_CONFIGURATIONS):
+        pair = Pair(seed, **CLASSES[name])
+        result = pair.evaluate()
+        assert result.active, seed
+        numeric = derivative(pair.residual, np.zeros(28), pair.step)
+        errors = block_errors(result.K, numeric)
+        assert max(errors.values()) < TOLERANCE, (seed, pair.laws, errors)
+
+
+@pytest.mark.parametrize("name", ["oblique", "strongly pre-rotated", "axes passed each other"])
+def test_tangent_is_the_derivative_of_the_residual_by_rotation_vectors(name):
+    # rotation vectors up to beyond a half turn, from starting tangents that are not known to the element
+    for seed in range(N_CONFIGURATIONS // 2):
+        pair = Pair(seed, **CLASSES[name])
+        phi = pair.rng.uniform(-2.5, 2.5, (4, 3))
+        start = np.array([turned(t, -p) for t, p in zip(pair.t, phi, strict=True)])
+
+        def residual(dq, pair=pair, phi=phi, start=start):
+            q = dq[:24].reshape(4, 6)
+            vectors = phi + q[:, 3:]
+            t = np.array([turned(s, p) for s, p in zip(start, vectors, strict=True)])
+            return pair.evaluate(x=pair.x + q[:, :3], t=t, v=pair.v + dq[24:], rotation_vectors=vectors).R
+
+        result = pair.evaluate(rotation_vectors=phi)
+        errors = block_errors(result.K, derivative(residual, np.zeros(28), pair.step))
+        assert max(errors.values()) < TOLERANCE, (seed, pair.laws, errors)
+
+
+@pytest.mark.parametrize("name", CLASSES)
+def test_residual_of_the_penalty_law_is_the_gradient_of_its_energy(name):
+    laws = dict(spot_law="paper", eps_n=2.0, normal_law="linear")
+    for seed in range(20):
+        pair = Pair(seed, laws=laws, **CLASSES[name])
+
+        def energy(dq, pair=pair):
+            return pair.evaluate(**pair.moved(dq)).gap ** 2  # eps_n = 2: Pi = eps g^2/2
+
+        r = pair.evaluate().R[:24]
+        gradient = derivative(energy, np.zeros(28), pair.step)[:24]
+        assert np.abs(r - gradient).max() < TOLERANCE * np.abs(r).max(), seed
+
+
+PAIRS = [pytest.param(name, seed, id=f"{name} {seed}") for name in CLASSES for seed in range(12)]
+
+
+@pytest.mark.parametrize(("name", "seed"), PAIRS)
+class TestWhatHoldsExactly:
+    @pytest.fixture
+    def pair(self, name, seed):
+        return Pair(seed, **CLASSES[name])
+
+    def test_forces_moments_and_currents_are_in_equilibrium(self, pair):
+        result = pair.evaluate()
+        nodes = result.R[:24].reshape(4, 6)
+        forces, moments = nodes[:, :3], nodes[:, 3:]
+        assert np.abs(forces.sum(axis=0)).max() < 1e-14 * result.force
+        total = (np.cross(pair.x, forces) + moments).sum(axis=0)
+        assert np.abs(total).max() < 1e-13 * result.force
+        assert abs(result.R[24:].sum()) <= 1e-15 * abs(result.current) * 4
+
+    def test_rigid_motions_are_in_the_null_space_of_the_tangent_up_to_the_turning_of_the_residual(self, pair):
+        result = pair.evaluate()
+        k, r = result.K, result.R
+        size = np.abs(k[MM]).max()
+        for axis in np.eye(3):
+            translation, spin = np.zeros((4, 6)), np.zeros((4, 6))
+            translation[:, :3] = axis
+            spin[:, :3] = np.cross(axis, pair.x)
+            spin[:, 3:] = axis
+            turned_r = np.cross(axis, r[:24].reshape(8, 3)).ravel()
+            assert np.abs(k[:, :24] @ translation.ravel()).max() < 1e-12 * max(size, np.abs(k[ME]).max())
+            assert np.abs(k[:24, :24] @ spin.ravel() - turned_r).max() < 1e-12 * size
+            assert np.abs(k[24:, :24] @ spin.ravel()).max() <= 1e-12 * max(1e-3, np.abs(k[ME]).max())
+
+    def test_a_rigid_motion_turns_the_forces_and_changes_nothing_else(self, pair):
+        result = pair.evaluate()
+        turn, shift = rotation([0.7, -1.9, 0.4]), np.array([0.3, -0.2, 0.5])
+        moved = pair.evaluate(x=pair.x @ turn.T + shift, t=pair.t @ turn.T)
+        expected = result.R[:24].reshape(8, 3) @ turn.T
+        noise = 1e-13 * (1 + 0.1 / abs(result.gap))
+        assert np.abs(moved.R[:24].reshape(8, 3) - expected).max() < noise * result.force
+        assert moved.R[24:] == pytest.approx(result.R[24:], abs=noise * np.abs(result.R[24:]).max() + 1e-15)
+        assert moved.gap == pytest.approx(result.gap, abs=1e-14)
+        assert moved.normal == pytest.approx(turn @ result.normal, abs=1e-13)
+
+    def test_swapping_the_beams_gives_the_same_element_permuted(self, pair):
+        result = pair.evaluate()
+        order = np.r_[12:24, 0:12, 26, 27, 24, 25]
+        beams = [2, 3, 0, 1]
+        swapped_pair = dict(x=pair.x[beams], t=pair.t[beams], v=pair.v[beams])
+        properties = {key: value[::-1] for key, value in pair.properties.items()}
+        series = pair.laws.get("series_resistance", np.zeros(2))[::-1]
+        length, pair.length = pair.length, pair.length[::-1]
+        # w and x' x xb' both change sign, so the side is the same
+        swapped = pair.evaluate(**swapped_pair, **properties, series_resistance=series)
+        pair.length = length
+        noise = 1e-11 * (1 + 0.1 / abs(result.gap))
+        for block in (MM, ME, EE):
+            k, other = result.K[block], swapped.K[np.ix_(order, order)][block]
+            assert np.abs(k - other).max() <= noise * np.abs(k).max()
+        assert swapped.R[order] == pytest.approx(result.R, abs=noise * np.abs(result.R).max())
+        assert swapped.normal == pytest.approx(-result.normal, abs=1e-12)
+        assert swapped.current == pytest.approx(-result.current, abs=noise * abs(result.current) + 1e-15)
+        assert swapped[3:6] == pytest.approx((result.xi, result.xi_bar, result.gap), abs=1e-11)
+
+    def test_the_force_is_normal_to_both_axes(self, pair):
+        result = pair.evaluate()
+        force_bar = result.R[:12].reshape(2, 6)[:, :3].sum(axis=0)
+        assert force_bar == pytest.approx(-result.force * result.normal, abs=1e-14 * result.force)
+        for beam, xi in enumerate((result.xi_bar, result.xi)):
+            length, x, t = pair.length[beam], pair.x[2 * beam :][:2], pair.t[2 * beam :][:2]
+            tangent = (x[1] - x[0]) / 2
+            if pair.axis == "hermite":
+                tangent = (3 - 3 * xi**2) / 4 * (x[1] - x[0]) + length / 8 * (
+                    (-1 - 2 * xi + 3 * xi**2) * t[0] + (-1 + 2 * xi + 3 * xi**2) * t[1]
+                )
+            assert abs(tangent @ result.normal) < 1e-14 * np.linalg.norm(tangent) * 10
+
+    def test_the_mechanics_does_not_feel_the_voltages(self, pair):
+        result = pair.evaluate()
+        assert not result.K[UPPER].any()
+        other = pair.evaluate(v=10 * pair.v + 3)
+        assert (other.K[MM] == result.K[MM]).all()
+        assert (other.R[:24] == result.R[:24]).all()
+
+    def test_the_electric_field_is_linear_in_the_voltages(self, pair):
+        result = pair.evaluate()
+        assert result.R[24:] == pytest.approx(result.K[EE] @ pair.v, abs=1e-13 * np.abs(result.K[EE]).max())
+        assert (result.K[EE] == result.K[EE].T).all()
+        assert np.abs(result.K[EE].sum(axis=0)).max() <= 1e-15 * np.abs(result.K[EE]).max() * 4
+
+    def test_the_parts_of_the_coupling_add_up(self, pair):
+        result = pair.evaluate()
+        parts = contact_coupling(
+            pair.x, pair.t, pair.length, pair.v, axis=pair.axis, **pair.properties, **pair.laws
+        )
+        size = max(np.abs(part).max() for part in parts)
+        assert np.abs(sum(parts) - result.K[ME]).max() <= 1e-14 * size
+        angle_matters = pair.laws["spot_law"] in ("hertz", "film") or pair.laws.get("normal_law") == "hertz"
+        if not angle_matters:
+            assert not parts.K_me4.any()
+        if "series_resistance" not in pair.laws:
+            assert not parts.K_me5.any()
+
+    def test_the_reported_quantities_belong_together(self, pair):
+        result = pair.evaluate()
+        assert result.current == pytest.approx(result.R[24:26].sum(), rel=1e-13, abs=1e-15)
+        assert result.voltage_gap == pytest.approx(result.current * result.resistance, rel=1e-14) or (
+            pair.laws["spot_law"] == "none"
+        )
+        if pair.laws.get("normal_law") != "hertz":
+            assert result.force == pytest.approx(-2.0 * result.gap, rel=1e-14)
+
+
+@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("name", ["oblique", "strongly pre-rotated", "axes passed each other"])
+class TestFormsOfTheMechanicalTangent:
+    force, stiffness = 1.3, 2.1
+
+    @pytest.fixture
+    def mechanics(self, name, seed):
+        pair = Pair(seed, **CLASSES[name])
+        found = closest_points(pair.x, pair.t, pair.length, axis=pair.axis)
+
+        def evaluate(form, geometric_force=self.force, dforce_dangle=0.0, stiffness=self.stiffness):
+            k, r, info = _core.f2py_contact.contact_mechanics(
+                pair.x.T, pair.t.T, pair.length, 1 if pair.axis == "linear" else 2, pair.properties["radius"],
+                *found[:2], pair.laws.get("side", 0), self.force, stiffness, geometric_force, form, dforce_dangle,
+            )  # fmt: skip
+            assert info == 0
+            return k, r
+
+        return evaluate
+
+    def test_hessian_form_is_symmetric(self, mechanics):
+        k, _ = mechanics(form=2)
+        assert np.abs(k - k.T).max() < 1e-13 * np.abs(k).max()
+
+    def test_spin_form_differs_by_half_the_moments(self, mechanics):
+        k_spin, r = mechanics(form=1)
+        k_hessian, same_r = mechanics(form=2)
+        assert (r == same_r).all()
+        for node in range(4):
+            block = np.s_[6 * node + 3 : 6 * node + 6]
+            k_spin[block, block] += skew(r[block]) / 2
+        assert np.abs(k_spin - k_hessian).max() < 1e-14 * np.abs(k_hessian).max()
+
+    def test_geometric_force_acts_on_the_geometric_part_only(self, mechanics):
+        # K is linear in it, what is left without it is the rank one of the stiffness, R does not see it
+        k0, r0 = mechanics(2, geometric_force=0.0)
+        k1, r1 = mechanics(2, geometric_force=1.0)
+        k3, _ = mechanics(2, geometric_force=3.0)
+        b = -r0 / self.force
+        assert (r0 == r1).all()
+        assert np.abs(k0 - self.stiffness * np.outer(b, b)).max() < 1e-14 * np.abs(k0).max()
+        assert np.abs(k3 - k0 - 3 * (k1 - k0)).max() < 1e-13 * np.abs(k3).max()
+
+
+@pytest.mark.parametrize("name", CLASSES)
+def test_variations_of_gap_places_and_angle(name):
+    for seed in range(20):
+        pair = Pair(seed, **CLASSES[name])
+        axis, radius, side = 1 if pair.axis == "linear" else 2, pair.properties["radius"], pair.laws.get("side", 0)
+
+        def kinematics(dq, pair=pair, axis=axis, radius=radius, side=side):
+            moved = pair.moved(dq)
+            places = closest_points(moved["x"], moved["t"], pair.length, axis=pair.axis)[:2]
+            return places, _core.f2py_contact.contact_kinematics(
+                moved["x"].T, moved["t"].T, pair.length, axis, radius, *places, side
+            )
+
+        def values(dq, kinematics=kinematics):
+            places, ((_, gap, angle, cos_angle, _), _, _, info) = kinematics(dq)
+            assert info == 0
+            return np.array([gap, *places, cos_angle, angle])
+
+        rows = kinematics(np.zeros(28))[1][2].T
+        numeric = derivative(values, np.zeros(28), 1e-3 * min(1, abs(values(np.zeros(28))[4])))[:, :24]
+        errors = np.abs(rows - numeric).max(axis=1) / np.abs(rows).max(axis=1)
+        assert errors.max() < TOLERANCE, (seed, errors)
+
+
+class TestByHand:
+    """Straight wires of length 2 along x and y that cross in their middles."""
+
+    length = np.array([2.0, 2.0])
+    t = np.eye(3)[[0, 0, 1, 1]]
+    v = np.array([1.0, 0.6, 0.2, 0.0])
+    wires = dict(radius=0.1, young=2.0, poisson=0.0, resistivity=3.0)
+
+    def x(self, height, place_bar=0.0, place=0.0):
+        bar = [[-1 - place_bar, 0, height], [1 - place_bar, 0, height]]
+        return np.array([*bar, [0, -1 - place, 0], [0, 1 - place, 0]])
+
+    def evaluate(self, height, place_bar=0.0, place=0.0, **changes):
+        options = {"eps_n": 5.0, **self.wires, **changes}
+        return contact_em(self.x(height, place_bar, place), self.t, self.length, self.v, **options)
+
+    @pytest.mark.parametrize("axis", ["linear", "hermite"])
+    def test_perpendicular_crossing(self, axis):
+        result = self.evaluate(0.15, axis=axis)
+        force = 5.0 * 0.05
+        moment = force * 2.0 / 8 if axis == "hermite" else 0
+        up = np.array([0, 0, 1.0])
+        # the barred wire above is pushed up: internal minus external forces point down there
+        expected = np.concatenate([-force / 2 * up, [0, moment, 0], -force / 2 * up, [0, -moment, 0]])
+        expected = np.concatenate([expected, force / 2 * up, [moment, 0, 0], force / 2 * up, [-moment, 0, 0]])
+        assert result.R[:24] == pytest.approx(expected, abs=1e-15)
+        assert result.normal == pytest.approx(up)
+        assert (result.xi_bar, result.xi) == pytest.approx((0, 0), abs=1e-15)
+        assert result.gap == pytest.approx(-0.05)
+        # the paper's spot: r* = r/2, E* = E/2 = 1, R = rho/(2a); Vb = 0.8, V = 0.1
+        a = (3 * force * 0.05 / 4) ** (1 / 3)
+        assert result.spot_radius == pytest.approx(a)
+        assert result.resistance == pytest.approx(3.0 / (2 * a))
+        assert result.voltage_gap == pytest.approx(0.7)
+        assert result.current == pytest.approx(0.7 * 2 * a / 3.0)
+        assert result.R[24:] == pytest.approx(result.current * np.array([0.5, 0.5, -0.5, -0.5]))
+
+    def test_hertz_force_and_spot_are_those_of_the_spot_law(self):
+        result = self.evaluate(0.19, eps_n=None, normal_law="hertz", spot_law="hertz")
+        spot = contact_spot(result.force, angle=np.pi / 2, **self.wires)
+        assert spot.approach == pytest.approx(0.01, rel=1e-13)
+        assert (result.spot_radius, result.resistance) == pytest.approx((spot.semi_major, 1 / spot.conductance))
+
+    @pytest.mark.parametrize("height", [0.2, 0.201, 5.0])
+    def test_open(self, height):
+        result = self.evaluate(height + 1e-15)
+        assert result.active is False
+        assert not result.K.any()
+        assert not result.R.any()
+        assert (result.force, result.spot_radius, result.resistance, result.current, result.voltage_gap) == (0,) * 5
+        assert result.gap == pytest.approx(height - 0.2, abs=1e-14)
+
+    @pytest.mark.parametrize("place", [1.01, 1.4, 3.0, -1.01])
+    def test_beyond_an_end(self, place):
+        for places in (dict(place_bar=place), dict(place=place), dict(place=place, place_bar=-place)):
+            result = self.evaluate(0.15, **places)
+            assert result.active is False
+            assert not result.K.any()
+            assert not result.R.any()
+
+    def test_series_resistance_replaces_what_the_linear_voltage_misses(self):
+        # a wire of resistance W with a current fed in at xi: seen from there its ends, grounded, are in parallel, (1 -
+        # xi^2) W/4. With linear voltage and grounded nodes the element shows no resistance at all: s = W/4 is what is
+        # missing, rho L0/(4 A)
+        xi, s = 0.3, 0.8
+        bare = self.evaluate(0.15, place_bar=xi)
+        result = self.evaluate(0.15, place_bar=xi, series_resistance=[s, 0.5])
+        total = bare.resistance + s * (1 - xi**2) + 0.5
+        assert bare.xi_bar == pytest.approx(xi)
+        assert result.current == pytest.approx(bare.voltage_gap / total)
+        assert result.voltage_gap == pytest.approx(result.current * bare.resistance)
+        assert result.resistance == bare.resistance
+
+    def test_constant_voltages_let_no_current_flow_and_couple_nothing(self):
+        result = contact_em(self.x(0.15), self.t, self.length, np.full(4, 0.7), eps_n=5.0, **self.wires)
+        assert np.abs(result.R[24:]).max() < 1e-16
+        assert np.abs(result.K[ME]).max() < 1e-15
+
+
+class TestSide:
+    """A wire pushed down through another one: with its side remembered, the gap goes on falling."""
+
+    hand = TestByHand()
+
+    def evaluate(self, height, side):
+        return self.hand.evaluate(height, side=side)
+
+    @pytest.mark.parametrize("height", [0.15, 0.01, 1e-9, 0.0, -1e-9, -0.01, -0.15])
+    def test_gap_and_force_go_on_through_the_axis(self, height):
+        # x' x xb' of the unbarred along y and the barred along x points down: the barred wire began above, side -1
+        result = self.evaluate(height, side=-1)
+        assert result.active
+        assert result.gap == pytest.approx(height - 0.2, abs=1e-15)
+        assert result.normal == pytest.approx([0, 0, 1])
+        assert result.force == pytest.approx(5.0 * (0.2 - height))
+
+    def test_tangent_is_a_smooth_function_of_the_height_through_the_axis(self):
+        # with the penalty law it is a polynomial: force times at most the square of the distance
+        heights = np.linspace(-0.15, 0.15, 7)
+        k = np.array([self.evaluate(h, side=-1).K[MM].ravel() for h in heights])
+        fit = np.polynomial.polynomial.polyfit(heights[[0, 2, 4, 6]], k[[0, 2, 4, 6]], 3)
+        others = np.polynomial.polynomial.polyval(heights[[1, 3, 5]], fit).T
+        assert np.abs(others - k[[1, 3, 5]]).max() < 1e-12 * np.abs(k).max()
+
+    def test_without_a_side_the_wire_is_pushed_out_on_the_other_side(self):
+        result = self.evaluate(-0.15, side=0)
+        assert result.normal == pytest.approx([0, 0, -1])
+        assert result.gap == pytest.approx(-0.05)
+
+    def test_the_wrong_side_is_taken_at_its_word(self):
+        assert self.evaluate(0.15, side=1).gap == pytest.approx(-0.35)
+
+
+class TestWiresWithoutAPointContact:
+    length = [2.0, 2.0]
+    wires = dict(radius=0.1, young=2.0, poisson=0.0, resistivity=3.0, eps_n=5.0)
+
+    def evaluate(self, apart):
+        x = np.array([[-1, 0, apart], [1, 0, apart], [-1, 0, 0], [1, 0, 0]], dtype=float)
+        return contact_em(x, np.eye(3)[[0, 0, 0, 0]], self.length, np.zeros(4), **self.wires)
+
+    def test_parallel_and_apart_is_open(self):
+        result = self.evaluate(0.3)
+        assert result.active is False
+        assert result.gap == pytest.approx(0.1)
+
+    def test_parallel_and_overlapping_is_refused(self):
+        with pytest.raises(ValueError, match="overlap where their axes are parallel"):
+            self.evaluate(0.15)
+
+    @pytest.mark.parametrize("radius", [0.3, 0.5])
+    def test_two_closest_pairs_are_refused_when_they_overlap(self, radius):
+        # the parabola of the tests of closest points; both pairs are sqrt(0.5) apart
+        slopes = np.array([[1, -2, 0], [1, 2, 0]]) / np.sqrt(5)
+        x = np.array([[-1, 1, 0], [1, 1, 0], [0, 0.75, -0.5], [0, 0.75, 0.5]])
+        t = np.vstack([slopes, [[0, 0, 1], [0, 0, 1]]])
+        arguments = (x, t, [2 * np.sqrt(5), 1.0], np.zeros(4))
+        if 2 * radius < np.sqrt(0.5):
+            assert contact_em(*arguments, **{**self.wires, "radius": radius}).active is False
+        else:
+            with pytest.raises(ValueError, match="not unique"):
+                contact_em(*arguments, **{**self.wires, "radius": radius})
+
+    def test_coincident_nodes_are_refused(self):
+        x = np.array([[0, 0, 0], [0, 0, 0], [0, -1, 0.1], [0, 1, 0.1]], dtype=float)
+        with pytest.raises(ValueError, match="do two nodes of an element coincide"):
+            contact_em(x, np.eye(3)[[0, 0, 1, 1]], self.length, np.zeros(4), axis="linear", **self.wires)
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (dict(x=np.zeros(12)), r"x must have shape \(4, 3\), not \(12,\)"),
+        (dict(x=np.full((4, 3), np.inf)), "x must be finite"),
+        (dict(t=np.zeros((4, 3))), "unit length"),
+        (dict(length=[2.0, -2.0]), "length must be greater than 0"),
+        (dict(v=[0.0, np.nan, 0.0, 0.0]), "v must be finite"),
+        (dict(v=0.0), r"v must have shape \(4,\)"),
+        (dict(radius=0.0), "radius must be greater than 0"),
+        (dict(young=[1.0, 0.0]), "young must be greater than 0"),
+        (dict(poisson=0.5), "poisson must be between -1 and 0.5"),
+        (dict(poisson=-1.0), "poisson must be between -1 and 0.5"),
+        (dict(resistivity=-1.0), "resistivity must be greater than 0"),
+        (dict(eps_n=0.0), "eps_n must be greater than 0"),
+        (dict(eps_n=None), "needs eps_n"),
+        (dict(normal_law="hertz"), "the Hertz law has no penalty"),
+        (dict(normal_law="penalty"), 'normal_law must be one of "linear", "hertz"'),
+        (dict(axis="cubic"), 'axis must be one of "linear", "hermite"'),
+        (dict(spot_law="Paper"), 'spot_law must be one of "none", "paper"'),
+        (dict(spot_law="film"), "needs film_resistivity"),
+        (dict(side=2), "side must be -1, 0 or 1"),
+        (dict(series_resistance=[-1.0, 0.0]), "series_resistance must not be negative"),
+        (dict(rotation_vectors=np.zeros(3)), r"rotation_vectors must have shape \(4, 3\)"),
+    ],
+)
+def test_bad_input_is_refused_in_words(change, words):
+    hand = TestByHand()
+    good = dict(x=hand.x(0.15), t=hand.t, length=hand.length, v=hand.v, eps_n=5.0, **hand.wires)
+    with pytest.raises(ValueError, match=words):
+        contact_em(**{**good, **change})
