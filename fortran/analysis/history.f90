@@ -126,9 +126,8 @@ contains
 
       associate (plus => model%node_sets(request%set), minus => model%node_sets(request%set_2))
          do i = 1, 3
-            call add_column(self, column_t( &
-               trim(names(i))//' '//plus%name//' to '//minus%name//' ['//trim(units(i))//']', &
-               electrode_voltage + i - 1, 1, the_one, plus%members, minus%members))
+            call add_column(self, trim(names(i))//' '//plus%name//' to '//minus%name//' ['//trim(units(i))//']', &
+               electrode_voltage + i - 1, 1, the_one, plus%members, minus%members)
          end do
       end associate
    end subroutine add_electrodes
@@ -152,9 +151,9 @@ contains
       end if
       reduction = merge(the_sum, the_mean, quantities(q)%is_extensive)
       do component = 1, quantities(q)%components
-         call add_column(self, column_t(component_name(q, component)//trim(merge(' sum  ', ' mean ', &
+         call add_column(self, component_name(q, component)//trim(merge(' sum  ', ' mean ', &
             quantities(q)%is_extensive))//' '//set_name//' ['//component_unit(q, component)//']', &
-            q, component, reduction, members, [integer ::]))
+            q, component, reduction, members)
       end do
    end subroutine add_totals
 
@@ -180,9 +179,8 @@ contains
          if (request%kind == request_node) write (who, '(a, i0)') ' node ', model%node_id(members(i))
          if (request%kind == request_element) write (who, '(a, i0)') ' element ', model%element_id(members(i))
          do component = 1, quantities(q)%components
-            call append_column(self, column_t( &
-               component_name(q, component)//trim(who)//' ['//component_unit(q, component)//']', &
-               q, component, the_one, members(i:i), [integer ::]))
+            call append_column(self, component_name(q, component)//trim(who)//' ['//component_unit(q, component)//']', &
+               q, component, the_one, members(i:i))
          end do
       end do
    end subroutine add_members
@@ -212,20 +210,26 @@ contains
    end function component_unit
 
    !> Adds a column unless one of that name is there.
-   subroutine add_column(self, column)
+   subroutine add_column(self, name, quantity, component, reduction, members, members_2)
       type(history_t), intent(inout) :: self
-      type(column_t), intent(in) :: column
+      character(len=*), intent(in) :: name
+      !> As in `column_t`
+      integer, intent(in) :: quantity, component, reduction, members(:)
+      integer, intent(in), optional :: members_2(:)
       integer :: i
 
       do i = 1, self%n_columns
-         if (self%columns(i)%name == column%name) return
+         if (self%columns(i)%name == name) return
       end do
-      call append_column(self, column)
+      call append_column(self, name, quantity, component, reduction, members, members_2)
    end subroutine add_column
 
-   subroutine append_column(self, column)
+   subroutine append_column(self, name, quantity, component, reduction, members, members_2)
       type(history_t), intent(inout) :: self
-      type(column_t), intent(in) :: column
+      character(len=*), intent(in) :: name
+      !> As in `column_t`
+      integer, intent(in) :: quantity, component, reduction, members(:)
+      integer, intent(in), optional :: members_2(:)
       type(column_t), allocatable :: grown(:)
 
       if (self%n_columns == size(self%columns)) then
@@ -234,7 +238,14 @@ contains
          call move_alloc(grown, self%columns)
       end if
       self%n_columns = self%n_columns + 1
-      self%columns(self%n_columns) = column
+      associate (column => self%columns(self%n_columns))
+         column%name = name
+         column%quantity = quantity
+         column%component = component
+         column%reduction = reduction
+         column%members = members
+         if (present(members_2)) column%members_2 = members_2
+      end associate
    end subroutine append_column
 
    function history_header(self) result(line)

@@ -1,7 +1,7 @@
 """The results of a run as numpy arrays."""
 
 import warnings
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import cached_property
 from pathlib import Path
 
@@ -39,6 +39,7 @@ class Results:
 
     def __init__(self, path: str | Path):
         self.path = _find(Path(path))
+        self._tables: dict[str, tuple[int, Table]] = {}
         with self._open() as file:
             version = int(file["litz"].attrs["format_version"])
             if version > _FORMAT_VERSION:
@@ -231,12 +232,12 @@ class Results:
     @property
     def history(self) -> Table:
         """The columns that the deck asked for, over all increments."""
-        return read_csv(self._beside("_history.csv"))
+        return self._table("_history.csv", read_csv)
 
     @property
     def contacts(self) -> Table:
         """The contact ledger: a row for each contact at each increment."""
-        return read_csv(self._beside("_contacts.csv"))
+        return self._table("_contacts.csv", read_csv)
 
     def contacts_at(self, increment: int = -1) -> Table:
         """The contacts at one increment."""
@@ -258,15 +259,23 @@ class Results:
     @property
     def status(self) -> Table:
         """The .sta table: a row per increment, also of those that were cut back."""
-        return read_aligned(self._beside(".sta"))
+        return self._table(".sta", read_aligned)
 
     @property
     def convergence(self) -> Table:
         """The .cvg table: a row per iteration."""
-        return read_aligned(self._beside(".cvg"))
+        return self._table(".cvg", read_aligned)
 
-    def _beside(self, ending: str) -> Path:
-        return self.path.with_name(self.path.stem + ending)
+    def _table(self, ending: str, read: Callable[[Path], Table]) -> Table:
+        """A table beside the result file; read again when it has grown, as that of a run that goes on."""
+        path = self.path.with_name(self.path.stem + ending)
+        try:
+            size = path.stat().st_size
+        except OSError as error:
+            raise FileError(f"cannot read {path}: {error.strerror}") from None
+        if self._tables.get(ending, (None, None))[0] != size:
+            self._tables[ending] = (size, read(path))
+        return self._tables[ending][1]
 
     def summary(self) -> str:
         """A page of text about the run: what was run, how it went, and the last increment in numbers."""

@@ -300,6 +300,15 @@ class TestResults:
         (tmp_path / "cut.cvg").write_text(whole[:-5])
         assert read_aligned(tmp_path / "cut.cvg").n_rows == 8
 
+    def test_a_table_that_has_grown_is_read_again(self, written, tmp_path):
+        shutil.copytree(written, tmp_path, dirs_exist_ok=True)
+        lines = (tmp_path / "crossed_history.csv").read_text().splitlines(keepends=True)
+        (tmp_path / "crossed_history.csv").write_text("".join(lines[:3]))
+        results = litz.Results(tmp_path)
+        assert results.history.n_rows == 2
+        (tmp_path / "crossed_history.csv").write_text("".join(lines))
+        assert results.history.n_rows == 3
+
 
 class TestWhenThingsGoWrong:
     def test_a_killed_run_leaves_readable_files(self, writer, tmp_path):
