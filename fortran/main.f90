@@ -1,3 +1,158 @@
+!> The program: arguments, call, exit code. The only place that prints errors and stops.
 program litz
+   use, intrinsic :: iso_fortran_env, only: output_unit, error_unit, compiler_version
+   use hdf5, only: h5open_f, h5get_libversion_f
+   use litz_analysis, only: run_options_t, run_analysis, check_model
+   use litz_blas_threads, only: blas_name
+   use litz_command_line, only: command_t, read_command, help_text, action_run, action_check, action_keywords, &
+      action_version
+   use litz_deck_reader, only: read_deck
+   use litz_errors, only: error_t, error_list_t, fail, exit_success, exit_input
+   use litz_keyword_reference, only: keyword_list, keyword_page, keyword_markdown
+   use litz_keyword_table, only: keyword_table
+   use litz_keywords, only: keyword_table_t
+   use litz_model, only: model_t
+   use litz_model_summary, only: model_summary
+   use litz_output_files, only: make_directory
+   use litz_solver_factory, only: available_solvers
+   use litz_text, only: shown, squeezed, nearest_word
+   use litz_version, only: version
    implicit none
+   type(command_t) :: command
+   type(error_t), allocatable :: error
+
+   call read_command(command, error)
+   if (allocated(error)) call end_with(error)
+   select case (command%action)
+   case (action_run)
+      call run(command)
+   case (action_check)
+      call check(command)
+   case (action_keywords)
+      call print_keywords(command)
+   case (action_version)
+      call print_version()
+   case default
+      call print_text(help_text())
+   end select
+
+contains
+
+   subroutine run(command)
+      type(command_t), intent(in) :: command
+      type(model_t) :: model
+      type(run_options_t) :: options
+      type(error_t), allocatable :: error
+
+      call read_model(command%argument, model)
+      call make_directory(command%output_directory, error)
+      if (allocated(error)) call end_with(error)
+      options%deck_path = command%argument
+      options%output_directory = command%output_directory
+      options%solver = command%solver
+      options%threads = command%threads
+      options%quiet = command%quiet
+      call run_analysis(model, options, error)
+      if (allocated(error)) call end_with(error)
+   end subroutine run
+
+   subroutine check(command)
+      type(command_t), intent(in) :: command
+      type(model_t) :: model
+      type(error_t), allocatable :: error
+      character(len=:), allocatable :: report
+
+      call read_model(command%argument, model)
+      call print_text(model_summary(model))
+      call check_model(model, report, error)
+      call print_text(report)
+      if (allocated(error)) call end_with(error)
+   end subroutine check
+
+   !> The model of a deck. Warnings are printed; errors end the program.
+   subroutine read_model(path, model)
+      character(len=*), intent(in) :: path
+      type(model_t), intent(out) :: model
+      type(error_list_t) :: errors, warnings
+
+      call read_deck(path, model, errors, warnings)
+      call print_error_text(warnings%text())
+      if (errors%count == 0) return
+      call print_error_text(errors%text())
+      call stop_with(errors%items(1)%code)
+   end subroutine read_model
+
+   subroutine print_keywords(command)
+      type(command_t), intent(in) :: command
+      type(keyword_table_t) :: table
+      character(len=:), allocatable :: message, nearest
+      integer :: index
+
+      table = keyword_table()
+      if (command%markdown) then
+         call print_text(keyword_markdown(table))
+      else if (len(command%argument) == 0) then
+         call print_text(keyword_list(table))
+      else
+         index = table%find(command%argument)
+         if (index == 0) then
+            message = 'unknown keyword '//shown(command%argument)
+            nearest = nearest_word(squeezed(command%argument), table%names())
+            if (len(nearest) > 0) message = message//'; did you mean *'//nearest//'?'
+            call end_with(fail(exit_input, message))
+         end if
+         call print_text(keyword_page(table%keywords(index)))
+      end if
+   end subroutine print_keywords
+
+   subroutine print_version()
+      integer :: major, minor, release, status
+
+      call h5open_f(status)
+      call h5get_libversion_f(major, minor, release, status)
+      write (output_unit, '(2a)') 'litz ', version
+      write (output_unit, '(2a)') 'compiler: ', compiler_version()
+      write (output_unit, '(a, i0, 2(".", i0))') 'HDF5: ', major, minor, release
+      write (output_unit, '(2a)') 'BLAS: ', blas_name()
+      write (output_unit, '(2a)') 'solvers: ', available_solvers()
+   end subroutine print_version
+
+   subroutine print_text(text)
+      !> Lines, each ended by a new-line character
+      character(len=*), intent(in) :: text
+
+      write (output_unit, '(a)', advance='no') text
+   end subroutine print_text
+
+   subroutine print_error_text(text)
+      character(len=*), intent(in) :: text
+
+      flush (output_unit)
+      write (error_unit, '(a)', advance='no') text
+   end subroutine print_error_text
+
+   !> Print an error and end with its exit code.
+   subroutine end_with(error)
+      type(error_t), intent(in) :: error
+
+      call print_error_text(error%text())
+      call stop_with(error%code)
+   end subroutine end_with
+
+   subroutine stop_with(code)
+      integer, intent(in) :: code
+
+      interface
+         subroutine c_exit(status) bind(c, name='exit')
+            use, intrinsic :: iso_c_binding, only: c_int
+            integer(c_int), value :: status
+         end subroutine c_exit
+      end interface
+
+      if (code == exit_success) return
+      flush (output_unit)
+      flush (error_unit)
+      call c_exit(code)
+   end subroutine stop_with
+
 end program litz

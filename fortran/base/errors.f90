@@ -8,6 +8,9 @@ module litz_errors
    public :: error_t, error_list_t, fail
    public :: exit_success, exit_input, exit_not_converged, exit_solver, exit_files, exit_internal
 
+   !> Most errors that a list keeps, and most that it shows
+   integer, parameter :: most_kept = 1000, most_shown = 50
+
    integer, parameter :: exit_success = 0
    integer, parameter :: exit_input = 1
    integer, parameter :: exit_not_converged = 2
@@ -28,15 +31,26 @@ module litz_errors
       !> First column and number of columns that the caret marks
       integer :: column = 0
       integer :: width = 1
+      !> Where the caret goes in `card` when that is only a part of a long line; 0: at `column`
+      integer :: caret = 0
+      !> How the file came to be read: a line `included from file:line` per level, or empty
+      character(len=:), allocatable :: origin
+      !> Worth a look, but no reason to stop
+      logical :: is_warning = .false.
+      !> Place in the order of reading, by which a list of errors is sorted
+      integer :: order = 0
    contains
       procedure :: text => error_text
    end type error_t
 
+   !> Errors beyond the first thousand are counted only, so that a hopeless file costs no memory.
    type :: error_list_t
       integer :: count = 0
+      integer :: not_kept = 0
       type(error_t), allocatable :: items(:)
    contains
       procedure :: add => error_list_add
+      procedure :: sort => error_list_sort
       procedure :: text => error_list_text
    end type error_list_t
 
@@ -57,6 +71,10 @@ contains
       type(error_t), intent(in) :: error
       type(error_t), allocatable :: grown(:)
 
+      if (self%count == most_kept) then
+         self%not_kept = self%not_kept + 1
+         return
+      end if
       if (.not. allocated(self%items)) allocate (self%items(8))
       if (self%count == size(self%items)) then
          allocate (grown(2*self%count))
@@ -67,15 +85,31 @@ contains
       self%items(self%count) = error
    end subroutine error_list_add
 
+   !> In the order of reading; errors of the same line stay as they were found.
+   pure subroutine error_list_sort(self)
+      class(error_list_t), intent(inout) :: self
+      type(error_t) :: item
+      integer :: i, j
+
+      do i = 2, self%count
+         item = self%items(i)
+         do j = i - 1, 1, -1
+            if (self%items(j)%order <= item%order) exit
+            self%items(j + 1) = self%items(j)
+         end do
+         self%items(j + 1) = item
+      end do
+   end subroutine error_list_sort
+
    !> The message as the user sees it: the text, `file:line:column`, the line itself and a caret below.
    pure function error_text(self) result(text)
       class(error_t), intent(in) :: self
       character(len=:), allocatable :: text
       character(len=12) :: number, margin
       character(len=1), parameter :: nl = new_line('a')
-      integer :: digits
+      integer :: digits, caret
 
-      text = 'error: '//self%message//nl
+      text = trim(merge('warning', 'error  ', self%is_warning))//': '//self%message//nl
       if (.not. allocated(self%file)) return
       write (number, '(i0)') self%line
       digits = len_trim(number)
@@ -86,23 +120,31 @@ contains
          text = text//':'//trim(number)
       end if
       text = text//nl
+      if (allocated(self%origin)) text = text//self%origin
       if (.not. allocated(self%card)) return
       write (number, '(i0)') self%line
       text = text//margin(:digits)//' |'//nl//trim(number)//' | '//self%card//nl
       if (self%column > 0) then
-         text = text//margin(:digits)//' | '//repeat(' ', self%column - 1)//repeat('^', max(1, self%width))//nl
+         caret = merge(self%caret, self%column, self%caret > 0)
+         text = text//margin(:digits)//' | '//repeat(' ', caret - 1)//repeat('^', max(1, self%width))//nl
       end if
    end function error_text
 
    pure function error_list_text(self) result(text)
       class(error_list_t), intent(in) :: self
       character(len=:), allocatable :: text
-      integer :: i
+      character(len=12) :: number
+      integer :: i, not_shown
 
       text = ''
-      do i = 1, self%count
+      do i = 1, min(self%count, most_shown)
          text = text//self%items(i)%text()
       end do
+      not_shown = self%count - min(self%count, most_shown) + self%not_kept
+      if (not_shown > 0) then
+         write (number, '(i0)') not_shown
+         text = text//'and '//trim(number)//' more errors'//new_line('a')
+      end if
    end function error_list_text
 
 end module litz_errors

@@ -153,6 +153,8 @@ module litz_model
       type(nodal_value_t), allocatable :: boundary(:), load(:), current(:)
       !> Carried over, as Abaqus does, unless the step asks anew
       type(output_request_t), allocatable :: requests(:)
+      !> Fields are written at every n-th increment, and at the last of the step
+      integer :: output_frequency = 1
       type(controls_t) :: controls
       integer :: solver = solver_default, coupling = coupling_default
    end type step_t

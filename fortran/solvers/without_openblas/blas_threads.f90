@@ -2,7 +2,7 @@
 module litz_blas_threads
    implicit none
    private
-   public :: set_blas_threads, default_blas_threads
+   public :: set_blas_threads, default_blas_threads, blas_name
 
 contains
 
@@ -17,5 +17,12 @@ contains
    !> Without effect.
    subroutine default_blas_threads()
    end subroutine default_blas_threads
+
+   !> For `litz --version`.
+   pure function blas_name() result(name)
+      character(len=:), allocatable :: name
+
+      name = 'BLAS of the system'
+   end function blas_name
 
 end module litz_blas_threads

@@ -1,0 +1,255 @@
+!> What the user asks the program to do.
+module litz_command_line
+   use litz_errors, only: error_t, fail, exit_input
+   use litz_numbers, only: parse_integer, number_ok
+   use litz_solver_names, only: solver_keyword
+   use litz_text, only: upper, shown, join_words, nearest_word, word_length
+   implicit none
+   private
+   public :: command_t, read_command, help_text
+   public :: action_run, action_check, action_keywords, action_version, action_help
+
+   integer, parameter :: action_help = 0, action_run = 1, action_check = 2, action_keywords = 3, action_version = 4
+
+   character(len=word_length), parameter :: commands(*) = [character(len=word_length) :: 'run', 'check', 'keywords', &
+      'help', '--help', '--version']
+   character(len=word_length), parameter :: run_options(*) = [character(len=word_length) :: '-o', '--output', '--solver', &
+      '--threads', '--quiet']
+   character(len=word_length), parameter :: keywords_options(*) = [character(len=word_length) :: '--markdown']
+   character(len=word_length), parameter :: no_options(0) = [character(len=word_length) ::]
+
+   type :: command_t
+      integer :: action = action_help
+      !> Deck, or keyword
+      character(len=:), allocatable :: argument
+      !> Directory for result files
+      character(len=:), allocatable :: output_directory
+      !> 0: as the deck says
+      integer :: solver = 0
+      !> 0: as OpenMP says
+      integer :: threads = 0
+      logical :: quiet = .false., markdown = .false.
+   end type command_t
+
+contains
+
+   !> Understand the arguments of the program.
+   subroutine read_command(command, error)
+      type(command_t), intent(out) :: command
+      type(error_t), allocatable, intent(out) :: error
+      character(len=:), allocatable :: word
+      integer :: next
+
+      command%argument = ''
+      command%output_directory = '.'
+      if (command_argument_count() == 0) return
+      next = 1
+      word = argument(next)
+      next = next + 1
+      select case (word)
+      case ('run')
+         command%action = action_run
+         call read_rest(command, next, run_options, 'run', error)
+      case ('check')
+         command%action = action_check
+         call read_rest(command, next, no_options, 'check', error)
+      case ('keywords')
+         command%action = action_keywords
+         call read_keyword(command, next, error)
+      case ('--version', '-V')
+         command%action = action_version
+         call read_rest(command, next, no_options, word, error)
+      case ('help', '--help', '-h')
+         command%action = action_help
+      case default
+         error = unknown_command(word)
+      end select
+      if (allocated(error)) return
+      if ((command%action == action_run .or. command%action == action_check) .and. len(command%argument) == 0) then
+         error = fail(exit_input, 'litz '//word//' needs a deck: litz '//word//' deck.inp')
+      end if
+   end subroutine read_command
+
+   function argument(i) result(word)
+      integer, intent(in) :: i
+      character(len=:), allocatable :: word
+      integer :: length
+
+      call get_command_argument(i, length=length)
+      allocate (character(len=length) :: word)
+      if (length > 0) call get_command_argument(i, word)
+   end function argument
+
+   function unknown_command(word) result(error)
+      character(len=*), intent(in) :: word
+      type(error_t) :: error
+      character(len=:), allocatable :: message, nearest
+
+      message = 'unknown command '//shown(word)
+      nearest = nearest_word(word, commands)
+      if (len(nearest) > 0) then
+         message = message//'; did you mean litz '//nearest//'?'
+      else if (index(word, '.inp') > 0) then
+         message = message//'; did you mean litz run '//word//'?'
+      else
+         message = message//'; there is '//join_words(commands, 'and')
+      end if
+      error = fail(exit_input, message)
+   end function unknown_command
+
+   !> Options and the one argument that is not an option.
+   subroutine read_rest(command, next, allowed, name, error)
+      type(command_t), intent(inout) :: command
+      !> First argument to read
+      integer, intent(inout) :: next
+      character(len=*), intent(in) :: allowed(:)
+      !> Of the command, for messages
+      character(len=*), intent(in) :: name
+      type(error_t), allocatable, intent(out) :: error
+      character(len=:), allocatable :: word
+
+      do while (next <= command_argument_count() .and. .not. allocated(error))
+         word = argument(next)
+         next = next + 1
+         if (index(word, '-') == 1 .and. len(word) > 1) then
+            call read_option(command, word, next, allowed, name, error)
+         else if (len(command%argument) == 0 .and. command%action /= action_version) then
+            command%argument = word
+         else
+            error = fail(exit_input, 'litz '//name//' does not know what to do with '//shown(word))
+         end if
+      end do
+   end subroutine read_rest
+
+   !> `--option value` or `--option=value`
+   subroutine read_option(command, word, next, allowed, name, error)
+      type(command_t), intent(inout) :: command
+      character(len=*), intent(in) :: word
+      integer, intent(inout) :: next
+      character(len=*), intent(in) :: allowed(:)
+      character(len=*), intent(in) :: name
+      type(error_t), allocatable, intent(out) :: error
+      character(len=:), allocatable :: option, value
+      integer :: equals
+
+      equals = index(word, '=')
+      option = word
+      if (equals > 0) option = word(:equals - 1)
+      if (.not. any(allowed == option)) then
+         error = unknown_option(option, allowed, name)
+         return
+      end if
+      select case (option)
+      case ('--quiet', '--markdown')
+         if (equals > 0) error = fail(exit_input, 'the option '//option//' takes no value')
+         command%quiet = command%quiet .or. option == '--quiet'
+         command%markdown = command%markdown .or. option == '--markdown'
+         return
+      end select
+      if (equals > 0) then
+         value = word(equals + 1:)
+      else if (next <= command_argument_count()) then
+         value = argument(next)
+         next = next + 1
+      else
+         value = ''
+      end if
+      if (len(value) == 0) then
+         error = fail(exit_input, 'the option '//option//' needs a value')
+         return
+      end if
+      select case (option)
+      case ('-o', '--output')
+         command%output_directory = value
+      case ('--solver')
+         call read_solver(value, command%solver, error)
+      case ('--threads')
+         call read_threads(value, command%threads, error)
+      end select
+   end subroutine read_option
+
+   function unknown_option(option, allowed, name) result(error)
+      character(len=*), intent(in) :: option
+      character(len=*), intent(in) :: allowed(:)
+      character(len=*), intent(in) :: name
+      type(error_t) :: error
+      character(len=:), allocatable :: message, nearest
+
+      message = 'unknown option '//shown(option)//' of litz '//name
+      nearest = nearest_word(option, allowed)
+      if (len(nearest) > 0) then
+         message = message//'; did you mean '//nearest//'?'
+      else if (size(allowed) == 0) then
+         message = message//', which has no options'
+      else
+         message = message//'; there is '//join_words(allowed, 'and')
+      end if
+      error = fail(exit_input, message)
+   end function unknown_option
+
+   subroutine read_solver(value, solver, error)
+      character(len=*), intent(in) :: value
+      !> A constant of litz_solver_names
+      integer, intent(out) :: solver
+      type(error_t), allocatable, intent(out) :: error
+      character(len=:), allocatable :: nearest
+
+      do solver = 1, size(solver_keyword)
+         if (solver_keyword(solver) == upper(value)) return
+      end do
+      solver = 0
+      nearest = nearest_word(value, solver_keyword)
+      if (len(nearest) > 0) nearest = '; did you mean '//nearest//'?'
+      error = fail(exit_input, 'unknown solver '//shown(value)//'; there is '//join_words(solver_keyword, 'and')//nearest)
+   end subroutine read_solver
+
+   subroutine read_threads(value, threads, error)
+      character(len=*), intent(in) :: value
+      integer, intent(out) :: threads
+      type(error_t), allocatable, intent(out) :: error
+      integer :: status
+
+      call parse_integer(value, threads, status)
+      if (status /= number_ok .or. threads < 1) then
+         threads = 0
+         error = fail(exit_input, 'the number of threads must be a whole number of at least 1; found '//shown(value))
+      end if
+   end subroutine read_threads
+
+   !> `litz keywords`, with a keyword that may be several words and may begin with an asterisk.
+   subroutine read_keyword(command, next, error)
+      type(command_t), intent(inout) :: command
+      integer, intent(inout) :: next
+      type(error_t), allocatable, intent(out) :: error
+      character(len=:), allocatable :: word
+
+      do while (next <= command_argument_count() .and. .not. allocated(error))
+         word = argument(next)
+         next = next + 1
+         if (index(word, '-') == 1) then
+            call read_option(command, word, next, keywords_options, 'keywords', error)
+         else
+            if (index(word, '*') == 1) word = word(2:)
+            command%argument = command%argument//word
+         end if
+      end do
+   end subroutine read_keyword
+
+   pure function help_text() result(text)
+      character(len=:), allocatable :: text
+      character(len=1), parameter :: nl = new_line('a')
+
+      text = 'litz - beams and wires in electro-mechanical contact'//nl//nl// &
+         '  litz run DECK.inp [-o DIR] [--solver S] [--threads N] [--quiet]'//nl// &
+         '      run all steps; result files go to DIR, which is made where it is missing,'//nl// &
+         '      or to the current directory; S is BLOCK, UMFPACK or SKYLINE'//nl// &
+         '  litz check DECK.inp'//nl// &
+         '      read and check the deck, print the model, stop'//nl// &
+         '  litz keywords [NAME | --markdown]'//nl// &
+         '      what a deck can say: a list, one keyword, or the whole reference'//nl// &
+         '  litz --version'//nl// &
+         '      version, compiler, libraries'//nl//nl// &
+         'Exit codes: 0 every step finished, 1 input, 2 not converged, 3 linear solver, 4 files, 5 internal.'//nl
+   end function help_text
+
+end module litz_command_line

@@ -1,0 +1,254 @@
+!> Checks of every card against the keyword table: the keyword itself, its place in the deck, its parameters, and the
+!> number of its data lines. What the values mean is left to the readers.
+module litz_card_checks
+   use litz_kinds, only: dp
+   use litz_text, only: squeezed, to_text, join_words, nearest_word, word_length
+   use litz_deck, only: token_t
+   use litz_keywords, only: parameter_spec_t, place_model, place_step, place_begins_step, kind_flag, kind_choice
+   use litz_keyword_table, only: not_in_this_version
+   use litz_reader, only: reader_t, fail_at, check_value, applies
+   implicit none
+   private
+   public :: check_cards
+
+contains
+
+   !> Fill `spec` and `step` of the reader, and report what is wrong about keywords and parameters.
+   subroutine check_cards(self)
+      type(reader_t), intent(inout) :: self
+      integer :: card
+      !> Name of the keyword that later ones may belong to
+      character(len=:), allocatable :: parent
+
+      associate (n => self%deck%n_cards)
+         allocate (self%spec(n), self%step(n), source=0)
+         do card = 1, n
+            self%spec(card) = self%table%find(self%deck%text(self%deck%cards(card)%name))
+            if (self%spec(card) == 0) call unknown_keyword(self, card)
+         end do
+         call check_steps(self)
+         parent = ''
+         do card = 1, n
+            if (self%spec(card) == 0) cycle
+            call check_parent(self, card, parent)
+            call check_parameters(self, card)
+            call check_data_lines(self, card)
+         end do
+      end associate
+   end subroutine check_cards
+
+   subroutine unknown_keyword(self, card)
+      type(reader_t), intent(inout) :: self
+      integer, intent(in) :: card
+      character(len=:), allocatable :: word, nearest, message
+      type(token_t) :: token
+      integer :: i
+
+      token = self%deck%cards(card)%name
+      word = squeezed(self%deck%text(token))
+      token%first = token%first - 1
+      do i = 1, size(not_in_this_version)
+         if (squeezed(trim(not_in_this_version(i))) == word) then
+            call fail_at(self, token, '*'//trim(not_in_this_version(i))// &
+               ' is not a keyword of this version of litz;'// &
+               ' `litz keywords` lists those there are')
+            return
+         end if
+      end do
+      message = 'unknown keyword '//self%deck%shown(self%deck%cards(card)%name)
+      nearest = nearest_word(word, self%table%names())
+      if (len(nearest) > 0) then
+         message = message//'; did you mean *'//nearest//'?'
+      else
+         message = message//'; `litz keywords` lists those there are'
+      end if
+      call fail_at(self, token, message)
+   end subroutine unknown_keyword
+
+   !> Model part first, then steps, each from *STEP to *END STEP. Cards out of place are not read further.
+   subroutine check_steps(self)
+      type(reader_t), intent(inout) :: self
+      integer :: card, step_card
+      logical :: in_step
+
+      in_step = .false.
+      step_card = 0
+      do card = 1, self%deck%n_cards
+         if (in_step) self%step(card) = self%n_steps
+         if (self%spec(card) == 0) cycle
+         associate (keyword => self%table%keywords(self%spec(card)))
+            select case (keyword%place)
+            case (place_begins_step)
+               if (in_step) call fail_at(self, self%deck%cards(card)%name, '*STEP within the step that begins in '// &
+                  self%deck%place(self%deck%cards(step_card)%name%line)//'; *END STEP is missing')
+               in_step = .true.
+               step_card = card
+               self%n_steps = self%n_steps + 1
+               self%step(card) = self%n_steps
+            case (place_step)
+               if (.not. in_step) then
+                  call fail_at(self, self%deck%cards(card)%name, '*'//trim(keyword%name)// &
+                     ' belongs into a step, between *STEP and *END STEP')
+                  self%spec(card) = 0
+               end if
+               if (keyword%name == 'END STEP') in_step = .false.
+            case (place_model)
+               if (self%n_steps > 0) then
+                  call fail_at(self, self%deck%cards(card)%name, '*'//trim(keyword%name)// &
+                     ' belongs into the model part, before the first *STEP')
+                  self%spec(card) = 0
+               end if
+            case default
+               if (self%n_steps > 0 .and. .not. in_step) then
+                  call fail_at(self, self%deck%cards(card)%name, '*'//trim(keyword%name)// &
+                     ' stands between two steps; it belongs into the model part or into a step')
+                  self%spec(card) = 0
+               end if
+            end select
+         end associate
+      end do
+      if (in_step) call fail_at(self, self%deck%cards(step_card)%name, '*END STEP of this step is missing')
+      if (self%n_steps == 0 .and. self%deck%n_lines > 0) call fail_at(self, &
+         self%deck%end_of_line(self%deck%n_lines), 'the deck ends without any *STEP, so there is nothing to run')
+   end subroutine check_steps
+
+   !> Keywords such as *ELASTIC must stand in the group of the keyword they belong to.
+   subroutine check_parent(self, card, parent)
+      type(reader_t), intent(inout) :: self
+      integer, intent(in) :: card
+      character(len=:), allocatable, intent(inout) :: parent
+
+      associate (keyword => self%table%keywords(self%spec(card)))
+         if (len_trim(keyword%after) == 0) then
+            parent = trim(keyword%name)
+         else if (parent /= trim(keyword%after)) then
+            call fail_at(self, self%deck%cards(card)%name, '*'//trim(keyword%name)//' must follow the *'// &
+               trim(keyword%after)//' it belongs to, before any other keyword')
+            self%spec(card) = 0
+         end if
+      end associate
+   end subroutine check_parent
+
+   subroutine check_parameters(self, card)
+      type(reader_t), intent(inout) :: self
+      integer, intent(in) :: card
+      integer :: i, j, index
+      integer, allocatable :: seen(:)
+
+      if (self%spec(card) == 0) return
+      associate (keyword => self%table%keywords(self%spec(card)), given => self%deck%cards(card)%parameters)
+         allocate (seen(size(keyword%parameters)), source=0)
+         do i = 1, size(given)
+            index = keyword%find_parameter(self%deck%text(given(i)%name))
+            if (index == 0) then
+               call unknown_parameter(self, card, given(i)%name)
+            else if (seen(index) > 0) then
+               call fail_at(self, given(i)%name, 'the parameter '//trim(keyword%parameters(index)%name)// &
+                  ' is given twice')
+            else
+               seen(index) = i
+               call check_parameter(self, card, i, keyword%parameters(index))
+            end if
+         end do
+         do j = 1, size(seen)
+            if (seen(j) > 0 .or. .not. keyword%parameters(j)%required) cycle
+            call fail_at(self, self%deck%cards(card)%name, '*'//trim(keyword%name)//' needs the parameter '// &
+               parameter_words(keyword%parameters(j)))
+         end do
+      end associate
+   end subroutine check_parameters
+
+   subroutine unknown_parameter(self, card, token)
+      type(reader_t), intent(inout) :: self
+      integer, intent(in) :: card
+      type(token_t), intent(in) :: token
+      character(len=word_length), allocatable :: names(:)
+      character(len=:), allocatable :: message, nearest
+      integer :: i
+
+      associate (keyword => self%table%keywords(self%spec(card)))
+         allocate (names(size(keyword%parameters)))
+         do i = 1, size(names)
+            names(i) = keyword%parameters(i)%name
+         end do
+         message = 'unknown parameter '//self%deck%shown(token)//' of *'//trim(keyword%name)
+         nearest = nearest_word(squeezed(self%deck%text(token)), names)
+         if (len(nearest) > 0) then
+            message = message//'; did you mean '//nearest//'?'
+         else if (size(names) == 0) then
+            message = message//', which has no parameters'
+         else
+            message = message//'; allowed: '//join_words(names, 'and')
+         end if
+      end associate
+      call fail_at(self, token, message)
+   end subroutine unknown_parameter
+
+   !> Value there or not, and of the right kind.
+   subroutine check_parameter(self, card, i, spec)
+      type(reader_t), intent(inout) :: self
+      integer, intent(in) :: card, i
+      type(parameter_spec_t), intent(in) :: spec
+      integer :: whole
+      real(dp) :: real_value
+      logical :: ok
+
+      associate (given => self%deck%cards(card)%parameters(i))
+         if (spec%kind == kind_flag) then
+            if (given%has_value) call fail_at(self, given%value, 'the parameter '//trim(spec%name)//' takes no value')
+         else if (.not. given%has_value .and. spec%value_optional) then
+            return
+         else if (.not. given%has_value .or. given%value%last < given%value%first) then
+            call fail_at(self, given%name, 'the parameter '//trim(spec%name)//' needs a value: '//parameter_words(spec))
+         else
+            call check_value(self, given%value, spec%kind, spec%limit, spec%choices, 'the parameter '// &
+               trim(spec%name), &
+               whole, real_value, ok)
+         end if
+      end associate
+   end subroutine check_parameter
+
+   !> `NAME=...` as the user should write it.
+   pure function parameter_words(spec) result(words)
+      type(parameter_spec_t), intent(in) :: spec
+      character(len=:), allocatable :: words
+
+      words = trim(spec%name)//'='
+      if (spec%kind == kind_choice) then
+         words = words//trim(spec%choices)
+      else
+         words = words//'... ('//trim(spec%help)//')'
+      end if
+   end function parameter_words
+
+   !> Too few lines, or more than the keyword takes.
+   subroutine check_data_lines(self, card)
+      type(reader_t), intent(inout) :: self
+      integer, intent(in) :: card
+      integer :: i, n, needed, most
+      logical :: unlimited
+
+      if (self%spec(card) == 0) return
+      needed = 0
+      most = 0
+      unlimited = .false.
+      associate (keyword => self%table%keywords(self%spec(card)), this => self%deck%cards(card))
+         n = this%last_data - this%first_data + 1
+         do i = 1, size(keyword%data)
+            if (.not. applies(self, card, keyword%data(i))) cycle
+            if (keyword%data(i)%required) needed = max(needed, keyword%data(i)%first)
+            most = max(most, keyword%data(i)%last)
+            unlimited = unlimited .or. keyword%data(i)%last == 0
+         end do
+         if (n < needed) then
+            call fail_at(self, this%name, 'a data line is missing: *'//trim(keyword%name)//' needs '// &
+               merge('at least ', '         ', unlimited .or. most > needed)//to_text(needed))
+         else if (n > most .and. .not. unlimited) then
+            call fail_at(self, self%deck%line_token(this%first_data + most), 'more data lines than *'// &
+               trim(keyword%name)//' takes, which is '//to_text(most))
+            this%last_data = this%first_data + most - 1
+         end if
+      end associate
+   end subroutine check_data_lines
+
+end module litz_card_checks

@@ -1,0 +1,127 @@
+!> From a deck to a model: everything checked, all errors of the deck in one pass.
+module litz_deck_reader
+   use litz_errors, only: error_t, error_list_t
+   use litz_deck_scanner, only: scan_deck
+   use litz_keyword_table, only: keyword_table
+   use litz_model, only: model_t
+   use litz_reader, only: reader_t, fail_at, keyword_of
+   use litz_card_checks, only: check_cards
+   use litz_read_mesh, only: read_mesh
+   use litz_sets, only: read_sets
+   use litz_read_properties, only: read_materials, read_sections, read_amplitudes, report_unused
+   use litz_read_contact, only: read_interactions, read_contact_pairs
+   use litz_read_steps, only: read_steps
+   use litz_model_checks, only: finding_t, check_connections
+   implicit none
+   private
+   public :: read_deck
+
+contains
+
+   !> The model of a deck. It is complete when `errors` is empty.
+   subroutine read_deck(path, model, errors, warnings)
+      character(len=*), intent(in) :: path
+      type(model_t), intent(out) :: model
+      type(error_list_t), intent(out) :: errors, warnings
+      type(reader_t) :: self
+
+      call scan_deck(path, self%deck, model%deck_text, self%errors)
+      if (self%deck%n_sources > 0) then
+         self%table = keyword_table()
+         call read_cards(self, model)
+         if (self%errors%count == 0) call report_findings(self, model, warnings)
+         call warn_about_spare_nodes(self, model, warnings)
+      end if
+      errors = self%errors
+      call errors%sort()
+   end subroutine read_deck
+
+   !> In the order in which one part needs another, whatever their order in the deck.
+   subroutine read_cards(self, model)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(inout) :: model
+
+      call check_cards(self)
+      if (self%deck%n_lines == 0) then
+         call self%errors%add(error_t(message='the deck is empty', file=self%deck%sources(1)%path))
+         return
+      end if
+      call read_heading(self, model)
+      call read_mesh(self, model)
+      call read_sets(self, model)
+      call read_materials(self, model)
+      call read_sections(self, model)
+      call read_amplitudes(self, model)
+      call read_interactions(self, model)
+      call read_contact_pairs(self, model)
+      if (self%errors%count == 0 .and. model%n_elements == 0) call fail_at(self, &
+         self%deck%end_of_line(self%deck%n_lines), 'the deck has no *ELEMENT')
+      call read_steps(self, model)
+      call report_unused(self, self%materials, 'material')
+      call report_unused(self, self%amplitudes, 'amplitude')
+      call report_unused(self, self%interactions, 'surface interaction')
+   end subroutine read_cards
+
+   subroutine read_heading(self, model)
+      type(reader_t), intent(in) :: self
+      type(model_t), intent(inout) :: model
+      integer :: card, line
+
+      model%heading = ''
+      do card = 1, self%deck%n_cards
+         if (keyword_of(self, card) /= 'HEADING') cycle
+         do line = self%deck%cards(card)%first_data, self%deck%cards(card)%last_data
+            if (len(model%heading) > 0) model%heading = model%heading//new_line('a')
+            model%heading = model%heading//self%deck%text(self%deck%line_token(line))
+         end do
+      end do
+   end subroutine read_heading
+
+   !> What the checks of the whole model found, at the line of the element it is about.
+   subroutine report_findings(self, model, warnings)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      type(error_list_t), intent(inout) :: warnings
+      type(finding_t), allocatable :: findings(:)
+      type(error_t) :: error
+      integer :: i
+
+      call check_connections(model, findings)
+      do i = 1, size(findings)
+         error = self%deck%error_at(self%deck%line_token(self%element_line(findings(i)%element)), findings(i)%message)
+         error%is_warning = findings(i)%is_warning
+         if (error%is_warning) then
+            call warnings%add(error)
+         else
+            call self%errors%add(error)
+         end if
+      end do
+   end subroutine report_findings
+
+   !> Nodes of no element do nothing; the user may have meant more elements.
+   subroutine warn_about_spare_nodes(self, model, warnings)
+      type(reader_t), intent(in) :: self
+      type(model_t), intent(in) :: model
+      type(error_list_t), intent(inout) :: warnings
+      logical, allocatable :: spare(:)
+      type(error_t) :: error
+      character(len=12) :: number
+      integer :: e, first
+
+      if (self%errors%count > 0) return
+      allocate (spare(model%n_nodes), source=.true.)
+      do e = 1, model%n_elements
+         spare(model%connectivity(:, e)) = .false.
+      end do
+      if (.not. any(spare)) return
+      first = findloc(spare, .true., 1)
+      write (number, '(i0)') model%node_id(first)
+      error = self%deck%error_at(self%deck%line_token(self%node_line(first)), 'node '//trim(number)// &
+         ' belongs to no element')
+      write (number, '(i0)') count(spare) - 1
+      if (count(spare) > 1) error%message = error%message//', nor do '//trim(number)//' others'
+      error%is_warning = .true.
+      call warnings%add(error)
+   end subroutine warn_about_spare_nodes
+
+end module litz_deck_reader

@@ -1,0 +1,567 @@
+!> From files to cards: comments, continued keyword lines, parameters, and *INCLUDE wherever it stands.
+!>
+!> Abaqus's rules: `**` begins a comment, a keyword line that ends with a comma goes on in the next line, blanks and
+!> case do not matter, `"..."` keeps blanks and commas together.
+module litz_deck_scanner
+   use, intrinsic :: iso_c_binding, only: c_char, c_ptr, c_null_char, c_null_ptr, c_associated, c_size_t, c_f_pointer
+   use litz_kinds, only: int64
+   use litz_errors, only: error_t, error_list_t, fail, exit_files
+   use litz_deck, only: deck_t, source_t, line_t, token_t, parameter_t, card_t, no_token
+   use litz_text, only: squeezed, shown, to_text
+   implicit none
+   private
+   public :: scan_deck
+
+   !> Most files in one chain of includes, and most in all
+   integer, parameter :: deepest_include = 100, most_includes = 10000
+   !> Positions in a text are default integers
+   integer(int64), parameter :: largest_text = 2000000000_int64
+   character(len=1), parameter :: newline = achar(10), return_character = achar(13), tab = achar(9)
+   !> What some editors write before UTF-8 text
+   character(len=3), parameter :: byte_order_mark = char(239)//char(187)//char(191)
+
+   !> A range of a source that goes into the copy of the deck, or words of our own.
+   type :: piece_t
+      integer :: source = 0, first = 1, last = 0
+      character(len=:), allocatable :: words
+   end type piece_t
+
+   type :: scanner_t
+      integer(int64) :: total_length = 0
+      !> Position in the source being read, and the number of the line there
+      integer :: position = 1, number = 0
+      type(piece_t), allocatable :: pieces(:)
+      integer :: n_pieces = 0
+      !> Data before the first keyword have been reported
+      logical :: told_stray_data = .false.
+   end type scanner_t
+
+   interface
+      function c_realpath(path, resolved) bind(c, name='realpath') result(pointer)
+         import :: c_char, c_ptr
+         character(kind=c_char), intent(in) :: path(*)
+         type(c_ptr), value :: resolved
+         type(c_ptr) :: pointer
+      end function c_realpath
+      pure integer(c_size_t) function c_strlen(string) bind(c, name='strlen')
+         import :: c_ptr, c_size_t
+         type(c_ptr), value, intent(in) :: string
+      end function c_strlen
+      subroutine c_free(pointer) bind(c, name='free')
+         import :: c_ptr
+         type(c_ptr), value :: pointer
+      end subroutine c_free
+   end interface
+
+contains
+
+   !> Read a deck with all it includes. Errors of form go to `errors`; what can be read is read.
+   subroutine scan_deck(path, deck, whole_text, errors)
+      character(len=*), intent(in) :: path
+      type(deck_t), intent(out) :: deck
+      !> The deck in one text, included files in place of their *INCLUDE lines
+      character(len=:), allocatable, intent(out) :: whole_text
+      type(error_list_t), intent(inout) :: errors
+      type(scanner_t) :: scanner
+      type(error_t), allocatable :: error
+
+      allocate (deck%sources(4), deck%lines(1024), deck%cards(64), scanner%pieces(16))
+      call open_source(deck, scanner, path, 0, 0, error)
+      if (allocated(error)) then
+         error%message = 'the deck '//error%message
+         error%code = exit_files
+         call errors%add(error)
+         whole_text = ''
+         return
+      end if
+      call scan_source(deck, scanner, deck%n_sources, errors)
+      call join_pieces(deck, scanner, whole_text)
+   end subroutine scan_deck
+
+   !> Read a whole file into a new source.
+   subroutine open_source(deck, scanner, path, parent, parent_line, error)
+      type(deck_t), intent(inout) :: deck
+      type(scanner_t), intent(inout) :: scanner
+      character(len=*), intent(in) :: path
+      integer, intent(in) :: parent, parent_line
+      type(error_t), allocatable, intent(out) :: error
+      type(source_t), allocatable :: grown(:)
+      character(len=:), allocatable :: text
+      integer :: i
+
+      call read_file(path, largest_text - scanner%total_length, text, error)
+      if (allocated(error)) return
+      if (deck%n_sources == size(deck%sources)) then
+         allocate (grown(2*deck%n_sources))
+         do i = 1, deck%n_sources
+            grown(i)%path = deck%sources(i)%path
+            grown(i)%real_path = deck%sources(i)%real_path
+            call move_alloc(deck%sources(i)%text, grown(i)%text)
+            grown(i)%parent = deck%sources(i)%parent
+            grown(i)%parent_line = deck%sources(i)%parent_line
+         end do
+         call move_alloc(grown, deck%sources)
+      end if
+      deck%n_sources = deck%n_sources + 1
+      scanner%total_length = scanner%total_length + len(text)
+      associate (source => deck%sources(deck%n_sources))
+         source%path = path
+         source%real_path = real_path(path)
+         call move_alloc(text, source%text)
+         source%parent = parent
+         source%parent_line = parent_line
+      end associate
+   end subroutine open_source
+
+   subroutine read_file(path, largest, text, error)
+      character(len=*), intent(in) :: path
+      !> Most bytes that may be read
+      integer(int64), intent(in) :: largest
+      character(len=:), allocatable, intent(out) :: text
+      type(error_t), allocatable, intent(out) :: error
+      character(len=200) :: reason
+      integer(int64) :: length
+      integer :: unit, iostat
+      logical :: exists
+
+      inquire (file=path, exist=exists)
+      if (.not. exists) then
+         error = fail(exit_files, 'file '//shown(path)//' does not exist')
+         return
+      end if
+      reason = 'it is not a readable file'
+      open (newunit=unit, file=path, access='stream', form='unformatted', status='old', action='read', &
+         iostat=iostat, iomsg=reason)
+      if (iostat == 0) then
+         inquire (unit=unit, size=length)
+         if (length > largest) then
+            reason = 'decks of more than 2 GB are not supported'
+            iostat = 1
+         else if (length < 0) then
+            iostat = 1
+         else
+            allocate (character(len=int(length)) :: text)
+            if (length > 0) read (unit, iostat=iostat, iomsg=reason) text
+         end if
+         close (unit)
+      end if
+      if (iostat /= 0) error = fail(exit_files, 'file '//shown(path)//' cannot be read: '//trim(reason))
+   end subroutine read_file
+
+   !> The path without symbolic links and dots, or as it is where the system cannot tell.
+   function real_path(path) result(resolved)
+      character(len=*), intent(in) :: path
+      character(len=:), allocatable :: resolved
+      type(c_ptr) :: pointer
+      character(kind=c_char), pointer :: characters(:)
+      integer :: i
+
+      resolved = path
+      pointer = c_realpath(path//c_null_char, c_null_ptr)
+      if (.not. c_associated(pointer)) return
+      call c_f_pointer(pointer, characters, [c_strlen(pointer)])
+      resolved = repeat(' ', size(characters))
+      do i = 1, size(characters)
+         resolved(i:i) = characters(i)
+      end do
+      call c_free(pointer)
+   end function real_path
+
+   !> The lines of one source, in order; an included file is read where it stands.
+   recursive subroutine scan_source(deck, scanner, source, errors)
+      type(deck_t), intent(inout) :: deck
+      type(scanner_t), intent(inout) :: scanner
+      integer, intent(in) :: source
+      type(error_list_t), intent(inout) :: errors
+      type(card_t) :: card
+      type(line_t) :: line
+      integer :: copied_to, keyword_start, saved_position, saved_number, n_lines
+      logical :: found
+
+      scanner%position = 1
+      scanner%number = 0
+      copied_to = 0
+      do
+         call next_line(deck, scanner, source, line, found)
+         if (.not. found) exit
+         keyword_start = line%start
+         n_lines = deck%n_lines
+         call append_line(deck, line)
+         if (deck%sources(source)%text(line%first:line%first) /= '*') then
+            call add_data_line(deck, scanner, errors)
+            cycle
+         end if
+         call read_card(deck, scanner, source, card, errors)
+         if (squeezed(deck%text(card%name)) /= 'INCLUDE') then
+            call append_card(deck, card)
+            cycle
+         end if
+         call append_piece(scanner, piece_t(source, copied_to + 1, keyword_start - 1))
+         saved_position = scanner%position
+         saved_number = scanner%number
+         call include_file(deck, scanner, source, card, n_lines, errors)
+         scanner%position = saved_position
+         scanner%number = saved_number
+         copied_to = saved_position - 1
+      end do
+      call append_piece(scanner, piece_t(source, copied_to + 1, len(deck%sources(source)%text)))
+   end subroutine scan_source
+
+   !> The next line that is neither blank nor a comment.
+   subroutine next_line(deck, scanner, source, line, found)
+      type(deck_t), intent(in) :: deck
+      type(scanner_t), intent(inout) :: scanner
+      integer, intent(in) :: source
+      type(line_t), intent(out) :: line
+      logical, intent(out) :: found
+      integer :: length, line_end
+
+      associate (text => deck%sources(source)%text)
+         length = len(text)
+         if (scanner%position == 1 .and. starts_with_mark(text)) scanner%position = 4
+         do while (scanner%position <= length)
+            line_end = index(text(scanner%position:), newline) + scanner%position - 2
+            if (line_end < scanner%position - 1) line_end = length
+            scanner%number = scanner%number + 1
+            line = line_t(source, scanner%number, scanner%position, scanner%position, line_end)
+            scanner%position = line_end + 2
+            call trim_line(text, line)
+            if (line%first > line%last) cycle
+            if (line%first < line%last) then
+               if (text(line%first:line%first + 1) == '**') cycle
+            end if
+            found = .true.
+            return
+         end do
+      end associate
+      found = .false.
+   end subroutine next_line
+
+   pure logical function starts_with_mark(text)
+      character(len=*), intent(in) :: text
+
+      starts_with_mark = .false.
+      if (len(text) >= 3) starts_with_mark = text(:3) == byte_order_mark
+   end function starts_with_mark
+
+   pure subroutine trim_line(text, line)
+      character(len=*), intent(in) :: text
+      type(line_t), intent(inout) :: line
+
+      do while (line%first <= line%last)
+         if (.not. is_blank(text(line%first:line%first))) exit
+         line%first = line%first + 1
+      end do
+      do while (line%last >= line%first)
+         if (.not. is_blank(text(line%last:line%last))) exit
+         line%last = line%last - 1
+      end do
+   end subroutine trim_line
+
+   pure logical function is_blank(character)
+      character(len=1), intent(in) :: character
+
+      is_blank = character == ' ' .or. character == tab .or. character == return_character
+   end function is_blank
+
+   !> The last line is data: of the last card, or of none.
+   subroutine add_data_line(deck, scanner, errors)
+      type(deck_t), intent(inout) :: deck
+      type(scanner_t), intent(inout) :: scanner
+      type(error_list_t), intent(inout) :: errors
+
+      if (deck%n_cards > 0) then
+         deck%cards(deck%n_cards)%last_data = deck%n_lines
+      else if (.not. scanner%told_stray_data) then
+         scanner%told_stray_data = .true.
+         call errors%add(deck%error_at(deck%line_token(deck%n_lines), &
+            'data before the first keyword; a deck begins with a keyword line such as *HEADING'))
+      end if
+   end subroutine add_data_line
+
+   !> The keyword and its parameters, from the last line on and over its continuations.
+   subroutine read_card(deck, scanner, source, card, errors)
+      type(deck_t), intent(inout) :: deck
+      type(scanner_t), intent(inout) :: scanner
+      integer, intent(in) :: source
+      type(card_t), intent(out) :: card
+      type(error_list_t), intent(inout) :: errors
+      type(token_t), allocatable :: fields(:)
+      type(scanner_t) :: ahead
+      type(line_t) :: line
+      integer :: i, n, first_field
+      logical :: found
+
+      allocate (card%parameters(0))
+      call split_keyword_line(deck, deck%n_lines, fields, n, errors)
+      card%name = fields(1)
+      card%name%first = card%name%first + 1
+      do while (card%name%first <= card%name%last)
+         if (.not. is_blank(deck%sources(source)%text(card%name%first:card%name%first))) exit
+         card%name%first = card%name%first + 1
+      end do
+      first_field = 2
+      do
+         do i = first_field, n
+            if (fields(i)%last >= fields(i)%first) call append_parameter(deck, card, fields(i))
+         end do
+         line = deck%lines(deck%n_lines)
+         if (deck%sources(source)%text(line%last:line%last) /= ',') exit
+         ahead%position = scanner%position
+         ahead%number = scanner%number
+         call next_line(deck, ahead, source, line, found)
+         if (found) found = deck%sources(source)%text(line%first:line%first) /= '*'
+         if (.not. found) then
+            call errors%add(deck%error_at(token_t(deck%n_lines, deck%lines(deck%n_lines)%last, &
+               deck%lines(deck%n_lines)%last), 'the keyword line ends with a comma, but no line continues it'))
+            exit
+         end if
+         scanner%position = ahead%position
+         scanner%number = ahead%number
+         call append_line(deck, line)
+         call split_keyword_line(deck, deck%n_lines, fields, n, errors)
+         first_field = 1
+      end do
+      card%first_data = deck%n_lines + 1
+      card%last_data = deck%n_lines
+   end subroutine read_card
+
+   !> Split at commas; a quote that is not closed is an error.
+   subroutine split_keyword_line(deck, line, fields, n, errors)
+      type(deck_t), intent(in) :: deck
+      integer, intent(in) :: line
+      type(token_t), allocatable, intent(inout) :: fields(:)
+      integer, intent(out) :: n
+      type(error_list_t), intent(inout) :: errors
+      integer :: i, quote, n_quotes
+
+      call deck%split(line, fields, n)
+      n_quotes = 0
+      quote = 0
+      associate (range => deck%lines(line), text => deck%sources(deck%lines(line)%source)%text)
+         do i = range%first, range%last
+            if (text(i:i) /= '"') cycle
+            n_quotes = n_quotes + 1
+            quote = i
+         end do
+      end associate
+      if (mod(n_quotes, 2) == 1) then
+         call errors%add(deck%error_at(token_t(line, quote, quote), 'this quotation mark is never closed'))
+      end if
+   end subroutine split_keyword_line
+
+   !> `NAME`, `NAME=value` or `NAME="value"`
+   pure subroutine append_parameter(deck, card, field)
+      type(deck_t), intent(in) :: deck
+      type(card_t), intent(inout) :: card
+      type(token_t), intent(in) :: field
+      type(parameter_t) :: parameter
+      type(line_t) :: range
+      integer :: equals
+
+      associate (text => deck%sources(deck%lines(field%line)%source)%text)
+         equals = index(text(field%first:field%last), '=')
+         parameter%name = field
+         parameter%has_value = equals > 0
+         if (parameter%has_value) then
+            equals = equals + field%first - 1
+            range%first = field%first
+            range%last = equals - 1
+            call trim_line(text, range)
+            parameter%name = token_t(field%line, range%first, range%last)
+            range%first = equals + 1
+            range%last = field%last
+            call trim_line(text, range)
+            if (range%last > range%first) then
+               if (text(range%first:range%first) == '"' .and. text(range%last:range%last) == '"') then
+                  range%first = range%first + 1
+                  range%last = range%last - 1
+               end if
+            end if
+            parameter%value = token_t(field%line, range%first, range%last)
+         end if
+      end associate
+      card%parameters = [card%parameters, parameter]
+   end subroutine append_parameter
+
+   !> Read what an *INCLUDE names, in place of the line.
+   recursive subroutine include_file(deck, scanner, source, card, n_lines, errors)
+      type(deck_t), intent(inout) :: deck
+      type(scanner_t), intent(inout) :: scanner
+      integer, intent(in) :: source
+      type(card_t), intent(in) :: card
+      !> Number of lines of the deck before the *INCLUDE, which is taken out again
+      integer, intent(in) :: n_lines
+      type(error_list_t), intent(inout) :: errors
+      type(token_t) :: name
+      type(error_t), allocatable :: error
+      character(len=:), allocatable :: path
+      integer :: parent_line
+
+      parent_line = deck%lines(card%name%line)%number
+      call included_name(deck, card, name, errors)
+      if (name%line > 0) then
+         path = relative_to(deck%sources(source)%path, deck%text(name))
+         call check_chain(deck, source, name, path, errors, error)
+         if (.not. allocated(error)) then
+            call open_source(deck, scanner, path, source, parent_line, error)
+            if (allocated(error)) call errors%add(deck%error_at(name, 'the included '//error%message))
+         end if
+      end if
+      deck%n_lines = n_lines
+      if (name%line == 0 .or. allocated(error)) return
+      call append_piece(scanner, piece_t(words='** included: '//path//newline))
+      call scan_source(deck, scanner, deck%n_sources, errors)
+      call append_piece(scanner, piece_t(words=newline))
+   end subroutine include_file
+
+   !> The value of INPUT=, or `no_token` after an error.
+   subroutine included_name(deck, card, name, errors)
+      type(deck_t), intent(in) :: deck
+      type(card_t), intent(in) :: card
+      type(token_t), intent(out) :: name
+      type(error_list_t), intent(inout) :: errors
+      integer :: i
+
+      name = no_token
+      do i = 1, size(card%parameters)
+         associate (parameter => card%parameters(i))
+            if (squeezed(deck%text(parameter%name)) /= 'INPUT') then
+               call errors%add(deck%error_at(parameter%name, 'unknown parameter '//deck%shown(parameter%name)// &
+                  ' of *INCLUDE; allowed: INPUT'))
+            else if (parameter%value%last >= parameter%value%first .and. parameter%has_value) then
+               name = parameter%value
+            end if
+         end associate
+      end do
+      if (name%line == 0) call errors%add(deck%error_at(card%name, '*INCLUDE needs INPUT=file'))
+   end subroutine included_name
+
+   !> Refuse circles, chains that are too deep, and too many files.
+   subroutine check_chain(deck, source, name, path, errors, error)
+      type(deck_t), intent(in) :: deck
+      integer, intent(in) :: source
+      type(token_t), intent(in) :: name
+      character(len=*), intent(in) :: path
+      type(error_list_t), intent(inout) :: errors
+      type(error_t), allocatable, intent(out) :: error
+      character(len=:), allocatable :: resolved
+      integer :: ancestor, depth
+
+      resolved = real_path(path)
+      ancestor = source
+      depth = 1
+      do while (ancestor > 0)
+         if (deck%sources(ancestor)%real_path == resolved) then
+            error = deck%error_at(name, 'the file '//shown(path)//' includes itself, directly or through others')
+            exit
+         end if
+         depth = depth + 1
+         ancestor = deck%sources(ancestor)%parent
+      end do
+      if (depth > deepest_include) error = deck%error_at(name, 'included files are nested more than '// &
+         to_text(deepest_include)//' deep')
+      if (deck%n_sources >= most_includes) error = deck%error_at(name, 'more than '//to_text(most_includes)// &
+         ' files are included')
+      if (allocated(error)) call errors%add(error)
+   end subroutine check_chain
+
+   !> A path relative to the directory of the file that names it.
+   pure function relative_to(file, path) result(full)
+      character(len=*), intent(in) :: file, path
+      character(len=:), allocatable :: full
+
+      full = path
+      if (path(1:1) /= '/') full = file(:index(file, '/', back=.true.))//path
+   end function relative_to
+
+   pure subroutine append_line(deck, line)
+      type(deck_t), intent(inout) :: deck
+      type(line_t), intent(in) :: line
+      type(line_t), allocatable :: grown(:)
+
+      if (deck%n_lines == size(deck%lines)) then
+         allocate (grown(2*deck%n_lines))
+         grown(:deck%n_lines) = deck%lines
+         call move_alloc(grown, deck%lines)
+      end if
+      deck%n_lines = deck%n_lines + 1
+      deck%lines(deck%n_lines) = line
+   end subroutine append_line
+
+   pure subroutine append_card(deck, card)
+      type(deck_t), intent(inout) :: deck
+      type(card_t), intent(inout) :: card
+      type(card_t), allocatable :: grown(:)
+      integer :: i
+
+      if (deck%n_cards == size(deck%cards)) then
+         allocate (grown(2*deck%n_cards))
+         do i = 1, deck%n_cards
+            call move_card(deck%cards(i), grown(i))
+         end do
+         call move_alloc(grown, deck%cards)
+      end if
+      deck%n_cards = deck%n_cards + 1
+      call move_card(card, deck%cards(deck%n_cards))
+   end subroutine append_card
+
+   pure subroutine move_card(from, to)
+      type(card_t), intent(inout) :: from, to
+
+      to%name = from%name
+      to%first_data = from%first_data
+      to%last_data = from%last_data
+      call move_alloc(from%parameters, to%parameters)
+   end subroutine move_card
+
+   pure subroutine append_piece(scanner, piece)
+      type(scanner_t), intent(inout) :: scanner
+      type(piece_t), intent(in) :: piece
+      type(piece_t), allocatable :: grown(:)
+
+      if (scanner%n_pieces == size(scanner%pieces)) then
+         allocate (grown(2*scanner%n_pieces))
+         grown(:scanner%n_pieces) = scanner%pieces
+         call move_alloc(grown, scanner%pieces)
+      end if
+      scanner%n_pieces = scanner%n_pieces + 1
+      scanner%pieces(scanner%n_pieces) = piece
+   end subroutine append_piece
+
+   pure subroutine join_pieces(deck, scanner, text)
+      type(deck_t), intent(in) :: deck
+      type(scanner_t), intent(in) :: scanner
+      character(len=:), allocatable, intent(out) :: text
+      integer :: i, length, at
+
+      length = 0
+      do i = 1, scanner%n_pieces
+         length = length + piece_length(scanner%pieces(i))
+      end do
+      allocate (character(len=length) :: text)
+      at = 0
+      do i = 1, scanner%n_pieces
+         associate (piece => scanner%pieces(i))
+            length = piece_length(piece)
+            if (piece%source == 0) then
+               text(at + 1:at + length) = piece%words
+            else
+               text(at + 1:at + length) = deck%sources(piece%source)%text(piece%first:piece%last)
+            end if
+            at = at + length
+         end associate
+      end do
+   end subroutine join_pieces
+
+   pure integer function piece_length(piece) result(length)
+      type(piece_t), intent(in) :: piece
+
+      if (piece%source == 0) then
+         length = len(piece%words)
+      else
+         length = max(0, piece%last - piece%first + 1)
+      end if
+   end function piece_length
+
+end module litz_deck_scanner

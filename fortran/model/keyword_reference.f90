@@ -1,0 +1,204 @@
+!> The reference of the deck, from the keyword table: for the terminal and as Markdown.
+module litz_keyword_reference
+   use litz_text, only: to_text, words_of, join_words
+   use litz_keywords, only: keyword_table_t, keyword_t, parameter_spec_t, data_spec_t, field_spec_t, place_model, &
+      place_step, place_both, kind_flag, kind_integer, kind_real, kind_choice, kind_name, kind_file, kind_text, &
+      limit_none, limit_unused, limit_words
+   implicit none
+   private
+   public :: keyword_list, keyword_page, keyword_markdown
+
+   character(len=1), parameter :: nl = new_line('a')
+
+contains
+
+   !> One line per keyword.
+   pure function keyword_list(table) result(text)
+      type(keyword_table_t), intent(in) :: table
+      character(len=:), allocatable :: text
+      integer :: i
+
+      text = ''
+      do i = 1, table%n
+         associate (keyword => table%keywords(i))
+            text = text//'*'//keyword%name//first_sentence(trim(keyword%help))//nl
+         end associate
+      end do
+   end function keyword_list
+
+   pure function first_sentence(help) result(sentence)
+      character(len=*), intent(in) :: help
+      character(len=:), allocatable :: sentence
+      integer :: stop_at
+
+      stop_at = index(help, '. ')
+      if (stop_at == 0) stop_at = len(help)
+      sentence = help(:stop_at)
+   end function first_sentence
+
+   !> Everything about one keyword, for the terminal.
+   pure function keyword_page(keyword) result(text)
+      type(keyword_t), intent(in) :: keyword
+      character(len=:), allocatable :: text
+      integer :: i, j
+
+      text = '*'//trim(keyword%name)//' - '//place_words(keyword)//nl//trim(keyword%help)//nl
+      if (size(keyword%parameters) > 0) text = text//'Parameters:'//nl
+      do i = 1, size(keyword%parameters)
+         text = text//'  '//parameter_form(keyword%parameters(i))//': '//parameter_help(keyword%parameters(i))//nl
+      end do
+      do i = 1, size(keyword%data)
+         associate (form => keyword%data(i))
+            text = text//line_title(form)//': '//line_form(form)//nl
+            do j = 1, size(form%fields)
+               text = text//'  '//trim(form%fields(j)%name)//': '//field_help(form%fields(j))//nl
+            end do
+         end associate
+      end do
+   end function keyword_page
+
+   !> The whole reference as Markdown.
+   pure function keyword_markdown(table) result(text)
+      type(keyword_table_t), intent(in) :: table
+      character(len=:), allocatable :: text
+      integer :: i
+
+      text = '# Deck reference'//nl//nl// &
+         'Written by `litz keywords --markdown` from the table that also drives the checks of the reader.'//nl//nl// &
+         'A line `** ...` is a comment. Case and blanks around commas do not matter. A keyword line that ends'// &
+         ' with a comma goes on in the next line. Units are SI.'//nl
+      do i = 1, table%n
+         text = text//nl//markdown_section(table%keywords(i))
+      end do
+   end function keyword_markdown
+
+   pure function markdown_section(keyword) result(text)
+      type(keyword_t), intent(in) :: keyword
+      character(len=:), allocatable :: text
+      integer :: i, j
+
+      text = '## \*'//trim(keyword%name)//nl//nl//'*'//place_words(keyword)//'.* '//trim(keyword%help)//nl
+      if (size(keyword%parameters) > 0) text = text//nl//'| parameter | meaning |'//nl//'|---|---|'//nl
+      do i = 1, size(keyword%parameters)
+         text = text//'| `'//escaped(parameter_form(keyword%parameters(i)))//'` | '// &
+            parameter_help(keyword%parameters(i))//' |'//nl
+      end do
+      do i = 1, size(keyword%data)
+         associate (form => keyword%data(i))
+            text = text//nl//line_title(form)//': `'//line_form(form)//'`'//nl//nl//'| value | meaning |'//nl// &
+               '|---|---|'//nl
+            do j = 1, size(form%fields)
+               text = text//'| `'//trim(form%fields(j)%name)//'` | '//field_help(form%fields(j))//' |'//nl
+            end do
+         end associate
+      end do
+   end function markdown_section
+
+   !> A bar would end the cell of a table.
+   pure function escaped(text) result(cell)
+      character(len=*), intent(in) :: text
+      character(len=:), allocatable :: cell
+      integer :: i
+
+      cell = ''
+      do i = 1, len(text)
+         if (text(i:i) == '|') cell = cell//'\'
+         cell = cell//text(i:i)
+      end do
+   end function escaped
+
+   pure function place_words(keyword) result(words)
+      type(keyword_t), intent(in) :: keyword
+      character(len=:), allocatable :: words
+
+      select case (keyword%place)
+      case (place_model)
+         words = 'model part'
+      case (place_step)
+         words = 'in a step'
+      case (place_both)
+         words = 'model part or in a step'
+      case default
+         words = 'after the model part'
+      end select
+      if (len_trim(keyword%after) > 0) words = words//', after *'//trim(keyword%after)
+   end function place_words
+
+   pure function parameter_form(parameter) result(form)
+      type(parameter_spec_t), intent(in) :: parameter
+      character(len=:), allocatable :: form
+
+      form = trim(parameter%name)
+      select case (parameter%kind)
+      case (kind_choice)
+         form = form//'='//trim(parameter%choices)
+      case (kind_name)
+         form = form//'=name'
+      case (kind_file)
+         form = form//'=file'
+      case (kind_integer, kind_real)
+         form = form//'=number'
+      end select
+   end function parameter_form
+
+   pure function parameter_help(parameter) result(help)
+      type(parameter_spec_t), intent(in) :: parameter
+      character(len=:), allocatable :: help
+
+      help = trim(parameter%help)
+      if (parameter%limit /= limit_none) help = help//'; '//limit_words(parameter%limit)
+      if (parameter%required) help = help//'; required'
+      if (len_trim(parameter%default) > 0) help = help//'; default '//trim(parameter%default)
+   end function parameter_help
+
+   pure function line_title(form) result(title)
+      type(data_spec_t), intent(in) :: form
+      character(len=:), allocatable :: title
+
+      if (form%last == 0) then
+         title = 'Data lines'
+      else
+         title = 'Data line '//to_text(form%first)
+      end if
+      if (len_trim(form%when) > 0) title = title//' ('//when_words()//')'
+      if (.not. form%required) title = title//', optional'
+
+   contains
+
+      pure function when_words()
+         character(len=:), allocatable :: when_words
+
+         when_words = trim(form%when)
+         if (when_words == 'GENERATE=YES') when_words = 'with GENERATE'
+         if (when_words == 'GENERATE=NO') when_words = 'without GENERATE'
+      end function when_words
+
+   end function line_title
+
+   pure function line_form(form) result(line)
+      type(data_spec_t), intent(in) :: form
+      character(len=:), allocatable :: line
+      integer :: i
+
+      line = ''
+      do i = 1, size(form%fields)
+         if (i > 1) line = line//', '
+         line = line//trim(form%fields(i)%name)
+      end do
+      if (form%repeats /= 1) line = line//', '//line//', ...'
+      if (form%repeats > 1) line = line//' (at most '//to_text(form%repeats*size(form%fields))//' values)'
+   end function line_form
+
+   pure function field_help(field) result(help)
+      type(field_spec_t), intent(in) :: field
+      character(len=:), allocatable :: help
+
+      help = trim(field%help)
+      if (field%kind == kind_choice) help = help//'; '//join_words(words_of(field%choices), 'or')
+      if (len_trim(field%unit) > 0) help = help//' ['//trim(field%unit)//']'
+      if (field%limit /= limit_none .and. field%limit /= limit_unused) help = help//'; '//limit_words(field%limit)
+      if (.not. field%required .and. index(help, 'left out') == 0 .and. index(help, 'empty') == 0) help = help// &
+         '; optional'
+   end function field_help
+
+end module litz_keyword_reference

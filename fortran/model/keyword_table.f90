@@ -1,0 +1,395 @@
+!> The one definition of the deck's dialect: every keyword with its parameters and data lines.
+!>
+!> Meanings are those of Abaqus, or of CalculiX for *CONTROLS, unless the help text says otherwise.
+module litz_keyword_table
+   use litz_keywords, only: keyword_table_t, keyword_t, field_spec_t, &
+      place_model, place_step, place_both, place_begins_step, kind_text, &
+      limit_none, limit_positive, limit_not_negative, limit_poisson, limit_zero, limit_unused, &
+      field, integer_field, real_field, choice_field, name_field, item_field, flag, choice, name, number, count_of, file
+   implicit none
+   private
+   public :: keyword_table, not_in_this_version
+
+   character(len=*), parameter :: node_quantities = 'U|UR|RF|RM|CF|CM|EPOT|RCURR|CECUR'
+   character(len=*), parameter :: element_quantities = 'SF|EPG|JOULE'
+
+   !> Keywords of Abaqus and CalculiX that a user may expect, and that litz does not have
+   character(len=32), parameter :: not_in_this_version(*) = [character(len=32) :: &
+      'FRICTION', 'DLOAD', 'RESTART', 'DYNAMIC', 'FREQUENCY', 'BUCKLE', 'DENSITY', 'EXPANSION', 'PLASTIC', &
+      'TEMPERATURE', 'INITIAL CONDITIONS', 'EQUATION', 'MPC', 'RIGID BODY', 'SURFACE', 'TIE', 'COUPLING', &
+      'BEAM GENERAL SECTION', 'SOLID SECTION', 'SHELL SECTION', 'ORIENTATION', 'TRANSFORM', 'PART', 'ASSEMBLY', &
+      'INSTANCE', 'OUTPUT', 'NODE OUTPUT', 'ELEMENT OUTPUT', 'CONTACT OUTPUT', 'MONITOR', 'NGEN', 'NFILL', 'ELGEN', &
+      'PREPRINT', 'PHYSICAL CONSTANTS', 'CFLUX', 'DFLUX', 'HEAT TRANSFER', 'COUPLED TEMPERATURE-DISPLACEMENT']
+
+contains
+
+   !> All keywords, in the order in which a deck usually has them.
+   pure function keyword_table() result(table)
+      type(keyword_table_t) :: table
+
+      allocate (table%keywords(40))
+      call add_general(table)
+      call add_mesh(table)
+      call add_properties(table)
+      call add_contact(table)
+      call add_step(table)
+      call add_loads(table)
+      call add_output(table)
+      call add_solution(table)
+   end function keyword_table
+
+   pure subroutine add_general(table)
+      type(keyword_table_t), intent(inout) :: table
+      type(keyword_t) :: k
+
+      call begin(k, 'HEADING', place_model, 'Lines that say what the deck is about; they go into the result files.')
+      call k%add_data([text_field('text', 'any text')], required=.false., last=0)
+      call finish(table, k)
+
+      call begin(k, 'INCLUDE', place_both, &
+         'Reads another file in place of this line. A path that does not begin with /'// &
+         ' is relative to the directory of the file that holds the line. Data lines may stand in a file of their own.')
+      call k%add(file('INPUT', 'the file to read'))
+      call finish(table, k)
+   end subroutine add_general
+
+   pure subroutine add_mesh(table)
+      type(keyword_table_t), intent(inout) :: table
+      type(keyword_t) :: k
+
+      call begin(k, 'NODE', place_model, 'Nodes. Numbers may have gaps and come in any order.')
+      call k%add(name('NSET', 'node set that these nodes are added to'))
+      call k%add_data([integer_field('id', 'number of the node', limit_positive), real_field('x', 'm', 'position'), &
+         real_field('y', 'm', 'position'), real_field('z', 'm', 'position')], last=0)
+      call finish(table, k)
+
+      call begin(k, 'ELEMENT', place_model, 'Straight beam elements of two nodes. B31: geometrically exact, shear'// &
+         ' flexible. B33: Euler-Bernoulli, cubic, corotational. Elements of a material with conductivity conduct.')
+      call k%add(choice('TYPE', 'B31|B33', 'kind of beam', required=.true.))
+      call k%add(name('ELSET', 'element set that these elements are added to'))
+      call k%add_data([integer_field('id', 'number of the element', limit_positive), integer_field('n1', 'first node', &
+         limit_positive), integer_field('n2', 'second node', limit_positive)], last=0)
+      call finish(table, k)
+
+      call begin(k, 'NSET', place_model, &
+         'A node set, or more members for one. Sets are named before they are used in'// &
+         ' another set.')
+      call k%add(name('NSET', 'name of the set', required=.true.))
+      call k%add(flag('GENERATE', 'data lines hold ranges: first, last, step'))
+      call add_set_data(k, 'node')
+      call finish(table, k)
+
+      call begin(k, 'ELSET', place_model, 'An element set, or more members for one.')
+      call k%add(name('ELSET', 'name of the set', required=.true.))
+      call k%add(flag('GENERATE', 'data lines hold ranges: first, last, step'))
+      call add_set_data(k, 'element')
+      call finish(table, k)
+   end subroutine add_mesh
+
+   pure subroutine add_set_data(k, what)
+      type(keyword_t), intent(inout) :: k
+      character(len=*), intent(in) :: what
+
+      call k%add_data([item_field(what, 'number of a '//what//', or name of another set; any number of them')], &
+         when='GENERATE=NO', last=0, repeats=0)
+      call k%add_data([integer_field('first', 'first '//what, limit_positive), &
+         integer_field('last', 'last '//what, limit_positive), &
+         integer_field('step', 'step of the numbers, 1 when left out; numbers that do not exist are passed over', &
+         limit_positive, required=.false.)], when='GENERATE=YES', last=0)
+   end subroutine add_set_data
+
+   pure subroutine add_properties(table)
+      type(keyword_table_t), intent(inout) :: table
+      type(keyword_t) :: k
+
+      call begin(k, 'MATERIAL', place_model, 'Begins a material; *ELASTIC and *ELECTRICAL CONDUCTIVITY follow it.')
+      call k%add(name('NAME', 'name of the material', required=.true.))
+      call finish(table, k)
+
+      call begin(k, 'ELASTIC', place_model, 'Linear elastic, isotropic.', after='MATERIAL')
+      call k%add(choice('TYPE', 'ISOTROPIC', 'kind of elasticity', default='ISOTROPIC'))
+      call k%add_data([real_field('E', 'Pa', 'Young''s modulus', limit_positive), &
+         real_field('nu', '-', 'Poisson''s ratio', limit_poisson)])
+      call finish(table, k)
+
+      call begin(k, 'ELECTRICAL CONDUCTIVITY', place_model, &
+         'Makes the elements of this material conductors: their nodes'// &
+         ' have a potential, degree of freedom 9. Without it a wire is an insulator.', after='MATERIAL')
+      call k%add_data([real_field('sigma', 'S/m', 'electrical conductivity', limit_positive)])
+      call finish(table, k)
+
+      call begin(k, 'BEAM SECTION', place_model, &
+         'Cross-section and material of all elements of a set. Every element has'// &
+         ' exactly one. CIRC: solid round wire, shear factor 6(1+nu)/(7+6nu). GENERAL: given'// &
+         ' stiffnesses, shear factor 1.')
+      call k%add(name('ELSET', 'the elements', required=.true.))
+      call k%add(name('MATERIAL', 'their material', required=.true.))
+      call k%add(choice('SECTION', 'CIRC|GENERAL', 'shape of the cross-section', required=.true.))
+      call k%add(number('CONTACT RADIUS', &
+         'radius of the round surface that touches others [m]; CIRC: the radius when'// &
+         ' left out; GENERAL: needed for elements in a contact pair', limit_positive))
+      call k%add(choice('CONDUCTION', 'REFERENCE LENGTH|CURRENT LENGTH', &
+         'length that the resistance of an element is taken over (own word of litz)', default='REFERENCE LENGTH'))
+      call k%add_data([real_field('radius', 'm', 'radius of the wire', limit_positive)], when='SECTION=CIRC')
+      call k%add_data([real_field('A', 'm^2', 'area', limit_positive), &
+         real_field('I11', 'm^4', 'second moment for bending about the first axis n1', limit_positive), &
+         real_field('I12', 'm^4', 'n1 and n2 are principal axes', limit_zero), &
+         real_field('I22', 'm^4', 'second moment for bending about the second axis n2', limit_positive), &
+         real_field('J', 'm^4', 'torsion constant', limit_positive)], when='SECTION=GENERAL')
+      call k%add_data([real_field('n1x', '-', 'direction of the first axis n1; chosen by litz without this line'), &
+         real_field('n1y', '-', 'its second component'), real_field('n1z', '-', 'its third component')], first=2, required=.false.)
+      call finish(table, k)
+
+      call begin(k, 'TRANSVERSE SHEAR STIFFNESS', place_model, &
+         'Shear stiffnesses of B31 elements in place of those of'// &
+         ' the section.', after='BEAM SECTION')
+      call k%add_data([real_field('GA2', 'N', 'for shear along n1', limit_positive), &
+         real_field('GA3', 'N', 'for shear along n2', limit_positive)])
+      call finish(table, k)
+
+      call begin(k, 'AMPLITUDE', place_both, 'A factor over time, linear between the points and constant beyond them.')
+      call k%add(name('NAME', 'name of the amplitude', required=.true.))
+      call k%add(choice('TIME', 'STEP TIME|TOTAL TIME', 'what the times are counted from', default='STEP TIME'))
+      call k%add_data([real_field('t', 's', 'time; ascending'), real_field('a', '-', 'factor at that time')], &
+         last=0, repeats=4)
+      call finish(table, k)
+   end subroutine add_properties
+
+   pure subroutine add_contact(table)
+      type(keyword_table_t), intent(inout) :: table
+      type(keyword_t) :: k
+
+      call begin(k, 'SURFACE INTERACTION', place_model, 'Begins the laws of a contact; *SURFACE BEHAVIOR and *GAP'// &
+         ' ELECTRICAL CONDUCTANCE follow it.')
+      call k%add(name('NAME', 'name of the interaction', required=.true.))
+      call k%add(choice('AXIS', 'HERMITE|LINEAR', 'interpolation of the wire axes that touch (own word of litz)', &
+         default='HERMITE'))
+      call finish(table, k)
+
+      call begin(k, 'SURFACE BEHAVIOR', place_model, 'Contact force over penetration. LINEAR: a penalty. HERTZ: the'// &
+         ' elastic approach of two wires, no data; the default when the keyword is left out.', &
+         after='SURFACE INTERACTION')
+      call k%add(choice('PRESSURE-OVERCLOSURE', 'LINEAR|HERTZ', 'the law', required=.true.))
+      call k%add(choice('PENETRATION', 'LIMITED|UNLIMITED', &
+         'UNLIMITED: soft penalties are meant, deep penetration is no'// &
+         ' error (own word of litz)', default='LIMITED'))
+      call k%add_data([real_field('penalty', 'N/m', 'contact force per penetration', limit_positive)], &
+         when='PRESSURE-OVERCLOSURE=LINEAR')
+      call finish(table, k)
+
+      call begin(k, 'GAP ELECTRICAL CONDUCTANCE', place_model, &
+         'Resistance of the contact spot. PAPER: circular spot of the'// &
+         ' paper by Boso, Litewka, Schrefler and Wriggers. HERTZ: elliptic Hertz spot with Holm''s constriction'// &
+         ' resistance. PLASTIC: spot area is force/hardness. FILM: HERTZ with a film in series. CONSTANT: given'// &
+         ' resistance. TABLE: resistance over force. Without this keyword no current crosses.', &
+         after='SURFACE INTERACTION')
+      call k%add(choice('LAW', 'PAPER|HERTZ|PLASTIC|FILM|CONSTANT|TABLE', 'the law of the spot (own word of litz)', &
+         required=.true.))
+      call k%add(choice('VOLTAGE', 'CORRECTED|LINEAR', &
+         'CORRECTED adds the resistance that the linear voltage within an'// &
+         ' element misses', default='CORRECTED'))
+      call k%add_data([real_field('H', 'Pa', 'hardness', limit_positive)], when='LAW=PLASTIC')
+      call k%add_data([real_field('sigma_f', 'ohm m^2', 'film resistance times area', limit_positive)], when='LAW=FILM')
+      call k%add_data([real_field('R_c', 'ohm', 'resistance of a contact', limit_positive)], when='LAW=CONSTANT')
+      call k%add_data([real_field('F', 'N', 'contact force; ascending', limit_positive), &
+         real_field('R', 'ohm', 'resistance of a contact at that force', limit_positive)], when='LAW=TABLE', last=0)
+      call finish(table, k)
+
+      call begin(k, 'CONTACT PAIR', place_model, &
+         'Wires that may touch. All crossings between the two sets are searched;'// &
+         ' with one set, those within it.')
+      call k%add(name('INTERACTION', 'the laws of the contact', required=.true.))
+      call k%add(flag('INTERFERENCE FIT', 'wires that overlap at the start are meant to'))
+      call k%add_data([name_field('ELSET_A', 'first element set'), name_field('ELSET_B', 'second element set', &
+         required=.false.)])
+      call finish(table, k)
+   end subroutine add_contact
+
+   pure subroutine add_step(table)
+      type(keyword_table_t), intent(inout) :: table
+      type(keyword_t) :: k
+
+      call begin(k, 'STEP', place_begins_step, &
+         'Begins a step. Steps follow each other and keep what they do not redefine:'// &
+         ' prescribed values, loads, output requests, controls, solver.')
+      call k%add(name('NAME', 'name of the step'))
+      call k%add(choice('NLGEOM', 'YES|NO', 'large displacements; litz always has them, NO is refused', default='YES', &
+         value_optional=.true.))
+      call k%add(count_of('INC', 'most increments of the step', '100'))
+      call k%add_data([text_field('title', 'any text')], required=.false., last=0)
+      call finish(table, k)
+
+      call begin(k, 'STATIC', place_step, 'Equilibrium of forces, moments and currents. Increments of time adapt'// &
+         ' themselves; values without an amplitude ramp over the step.')
+      call k%add(flag('DIRECT', 'increments of fixed size'))
+      call k%add_data([real_field('first', 's', 'first increment, the whole step when left out', limit_positive, &
+         .false.), &
+         real_field('total', 's', 'time of the step, 1 when left out', limit_positive, .false.), &
+         real_field('smallest', 's', 'smallest increment, 1e-5 of the step when left out', limit_positive, .false.), &
+         real_field('largest', 's', 'largest increment, the whole step when left out', limit_positive, .false.)], &
+         required=.false.)
+      call finish(table, k)
+
+      call begin(k, 'END STEP', place_step, 'Ends a step.')
+      call finish(table, k)
+   end subroutine add_step
+
+   pure subroutine add_loads(table)
+      type(keyword_table_t), intent(inout) :: table
+      type(keyword_t) :: k
+
+      call begin(k, 'BOUNDARY', place_both, &
+         'Prescribed displacements (1-3), rotations (4-6) and potentials (9). Before the'// &
+         ' first step only zero values. ENCASTRE (1-6) and PINNED (1-3) may stand in place of the degrees of freedom.')
+      call add_op(k, 'prescribed values')
+      call k%add_data([item_field('node', 'number of a node or name of a node set'), &
+         name_field('first', 'first degree of freedom, ENCASTRE or PINNED'), &
+         integer_field('last', 'last degree of freedom, the first when left out', limit_positive, required=.false.), &
+         real_field('value', 'm, rad, V', 'prescribed value, 0 when left out', required=.false.)], last=0)
+      call finish(table, k)
+
+      call begin(k, 'CLOAD', place_step, &
+         'Concentrated forces (1-3) and moments (4-6), of fixed direction. Lines for the'// &
+         ' same node and direction add up.')
+      call add_op(k, 'loads')
+      call k%add_data([item_field('node', 'number of a node or name of a node set'), &
+         integer_field('dof', 'direction, 1-6', limit_positive), real_field('value', 'N, N m', 'force or moment')], &
+         last=0)
+      call finish(table, k)
+
+      call begin(k, 'CECURRENT', place_step, &
+         'Concentrated currents, positive into the body. Lines for the same node add up.')
+      call add_op(k, 'currents')
+      call k%add_data([item_field('node', 'number of a node or name of a node set'), &
+         integer_field('dof', '9 or empty', limit_positive, required=.false.), real_field('value', 'A', 'current')], &
+         last=0)
+      call finish(table, k)
+   end subroutine add_loads
+
+   pure subroutine add_op(k, what)
+      type(keyword_t), intent(inout) :: k
+      character(len=*), intent(in) :: what
+
+      call k%add(choice('OP', 'MOD|NEW', 'MOD changes or adds to the '//what//' of earlier steps, NEW removes them', &
+         default='MOD'))
+      call k%add(name('AMPLITUDE', 'factor over time; without it the value ramps over the step'))
+   end subroutine add_op
+
+   pure subroutine add_output(table)
+      type(keyword_table_t), intent(inout) :: table
+      type(keyword_t) :: k
+
+      call begin(k, 'NODE PRINT', place_step, 'Asks for quantities of nodes in the history file.')
+      call k%add(name('NSET', 'the nodes', required=.true.))
+      call k%add(choice('TOTALS', 'YES|NO|ONLY', 'sums over the set: besides the nodes, not at all, or alone', &
+         default='NO'))
+      call k%add_data([choice_field('quantity', node_quantities, &
+         'displacement U, rotation UR, reaction force RF and'// &
+         ' moment RM, applied force CF and moment CM, potential EPOT, current at supports RCURR, applied CECUR')], &
+         last=0, repeats=0)
+      call finish(table, k)
+
+      call begin(k, 'EL PRINT', place_step, 'Asks for quantities of elements in the history file.')
+      call k%add(name('ELSET', 'the elements', required=.true.))
+      call k%add(choice('TOTALS', 'YES|NO|ONLY', 'sums over the set: besides the elements, not at all, or alone', &
+         default='NO'))
+      call k%add_data([choice_field('quantity', element_quantities, &
+         'section forces SF, current EPG, Joule heat JOULE')], &
+         last=0, repeats=0)
+      call finish(table, k)
+
+      call begin(k, 'CONTACT PRINT', place_step, &
+         'Asks for a line about the contacts at every increment in the terminal; the'// &
+         ' contact ledger is always written.')
+      call finish(table, k)
+
+      call begin(k, 'ELECTRODE PRINT', place_step, &
+         'Asks for voltage, current and resistance between two sets of nodes in the'// &
+         ' history file (own word of litz).')
+      call k%add_data([name_field('NSET_A', 'positive electrode'), name_field('NSET_B', 'negative electrode')], last=0)
+      call finish(table, k)
+
+      call begin(k, 'NODE FILE', place_step, 'Fields are always written to the result file; this sets how often.')
+      call k%add(count_of('FREQUENCY', 'every n-th increment, and the last of the step', '1'))
+      call k%add_data([choice_field('quantity', node_quantities, 'all are written, whichever are named')], &
+         required=.false., last=0, repeats=0)
+      call finish(table, k)
+
+      call begin(k, 'EL FILE', place_step, 'As *NODE FILE.')
+      call k%add(count_of('FREQUENCY', 'every n-th increment, and the last of the step', '1'))
+      call k%add_data([choice_field('quantity', element_quantities, 'all are written, whichever are named')], &
+         required=.false., last=0, repeats=0)
+      call finish(table, k)
+   end subroutine add_output
+
+   pure subroutine add_solution(table)
+      type(keyword_table_t), intent(inout) :: table
+      type(keyword_t) :: k
+
+      call begin(k, 'CONTROLS', place_step, 'Convergence and increments, with CalculiX''s names and places. FIELD:'// &
+         ' convergence. TIME INCREMENTATION: counts of iterations, then factors. ROTATION: cap on an iteration'// &
+         ' (own word of litz). Places left empty keep what they have.')
+      call k%add(choice('PARAMETERS', 'FIELD|TIME INCREMENTATION|ROTATION', 'what the data are', required=.true.))
+      call k%add_data([real_field('R_n', '-', 'largest residual over the reference of its field', limit_positive, &
+         .false.), &
+         real_field('C_n', '-', 'largest correction over the increment; 0: not asked', limit_not_negative, .false.)], &
+         when='PARAMETERS=FIELD')
+      call k%add_data([unused('I_0'), unused('I_R'), unused('I_P'), &
+         integer_field('I_C', 'most iterations before the increment is cut', limit_positive, .false.), &
+         integer_field('I_L', 'more iterations than this shrink the next increment', limit_positive, .false.), &
+         integer_field('I_G', 'two increments of at most this many let it grow', limit_positive, .false.), &
+         unused('I_S'), integer_field('I_A', 'most cut-backs of one increment', limit_positive, .false.)], &
+         when='PARAMETERS=TIME INCREMENTATION')
+      call k%add_data([real_field('D_f', '-', 'factor of the increment after a failed one', limit_positive, .false.), &
+         unused('D_C'), real_field('D_B', '-', 'factor after a slow one', limit_positive, .false.), unused('D_A'), &
+         unused('D_S'), unused('D_H'), real_field('D_D', '-', 'factor after quick ones', limit_positive, .false.)], &
+         when='PARAMETERS=TIME INCREMENTATION', first=2, required=.false.)
+      call k%add_data([real_field('cap', 'rad', 'largest rotation of a node in one iteration', limit_positive)], &
+         when='PARAMETERS=ROTATION')
+      call finish(table, k)
+
+      call begin(k, 'SOLVER', place_step, &
+         'Linear solver of this step and the later ones (own word of litz). MONOLITHIC:'// &
+         ' voltages come from the same linear step as displacements. UPDATED: from the new displacements.')
+      call k%add(choice('NAME', 'BLOCK|UMFPACK|SKYLINE', 'the solver', required=.true.))
+      call k%add(choice('COUPLING', 'MONOLITHIC|UPDATED', 'when voltages are solved'))
+      call finish(table, k)
+   end subroutine add_solution
+
+   pure subroutine begin(k, name, place, help, after)
+      type(keyword_t), intent(out) :: k
+      character(len=*), intent(in) :: name, help
+      integer, intent(in) :: place
+      character(len=*), intent(in), optional :: after
+
+      k%name = name
+      k%place = place
+      k%help = help
+      if (present(after)) k%after = after
+      allocate (k%parameters(0), k%data(0))
+   end subroutine begin
+
+   pure subroutine finish(table, k)
+      type(keyword_table_t), intent(inout) :: table
+      type(keyword_t), intent(in) :: k
+
+      table%n = table%n + 1
+      table%keywords(table%n) = k
+   end subroutine finish
+
+   pure function text_field(name, help) result(spec)
+      character(len=*), intent(in) :: name, help
+      type(field_spec_t) :: spec
+
+      spec = field(name, kind_text, '', help)
+   end function text_field
+
+   !> A place of CalculiX's that litz has no use for.
+   pure function unused(name) result(spec)
+      character(len=*), intent(in) :: name
+      type(field_spec_t) :: spec
+
+      spec = real_field(name, '', 'not used by litz, leave empty', limit_unused, .false.)
+   end function unused
+
+end module litz_keyword_table

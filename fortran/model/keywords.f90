@@ -1,0 +1,320 @@
+!> How a keyword is described: its parameters, its data lines, its place in the deck, and what it means.
+!>
+!> The descriptions themselves are the table of litz_keyword_table. They drive the checks of the reader, the hints
+!> after a misspelling, and the reference of the deck.
+module litz_keywords
+   use litz_kinds, only: dp
+   use litz_text, only: squeezed, word_length
+   implicit none
+   private
+   public :: keyword_t, parameter_spec_t, data_spec_t, field_spec_t, keyword_table_t
+   public :: place_model, place_step, place_both, place_begins_step
+   public :: kind_flag, kind_integer, kind_real, kind_choice, kind_name, kind_item, kind_file, kind_text
+   public :: limit_none, limit_positive, limit_not_negative, limit_poisson, limit_zero, limit_unused, limit_words
+   public :: within_limit
+   public :: field, integer_field, real_field, choice_field, name_field, item_field, flag, choice, name, number, &
+      count_of, file
+
+   !> Where a keyword may stand
+   integer, parameter :: place_model = 1, place_step = 2, place_both = 3, place_begins_step = 4
+
+   !> What a value is. `kind_item`: the number of a node or element, or the name of a set; `kind_text`: a free line
+   integer, parameter :: kind_flag = 1, kind_integer = 2, kind_real = 3, kind_choice = 4, kind_name = 5, &
+      kind_item = 6, &
+      kind_file = 7, kind_text = 8
+
+   !> What a number must satisfy. `limit_unused`: the place must stay empty
+   integer, parameter :: limit_none = 0, limit_positive = 1, limit_not_negative = 2, limit_poisson = 3, &
+      limit_zero = 4, &
+      limit_unused = 5
+
+   type :: parameter_spec_t
+      character(len=24) :: name = ''
+      integer :: kind = kind_flag
+      !> `kind_choice`: the words allowed, separated by bars
+      character(len=120) :: choices = ''
+      logical :: required = .false.
+      !> `kind_choice`, `kind_real`: the word alone, without a value, is allowed
+      logical :: value_optional = .false.
+      integer :: limit = limit_none
+      character(len=24) :: default = ''
+      character(len=200) :: help = ''
+   end type parameter_spec_t
+
+   !> One value of a data line.
+   type :: field_spec_t
+      character(len=16) :: name = ''
+      integer :: kind = kind_real
+      character(len=12) :: unit = ''
+      integer :: limit = limit_none
+      character(len=120) :: choices = ''
+      logical :: required = .true.
+      character(len=120) :: help = ''
+   end type field_spec_t
+
+   !> One or several data lines of the same form.
+   type :: data_spec_t
+      !> `PARAMETER=VALUE` under which the form holds, or empty
+      character(len=48) :: when = ''
+      !> First and last line of this form; last 0: any number
+      integer :: first = 1, last = 1
+      !> The first of these lines must be there
+      logical :: required = .true.
+      !> How often the fields may repeat on a line; 0: any number of times
+      integer :: repeats = 1
+      type(field_spec_t), allocatable :: fields(:)
+   end type data_spec_t
+
+   type :: keyword_t
+      character(len=28) :: name = ''
+      integer :: place = place_model
+      !> The keyword it belongs to and must follow, or empty
+      character(len=28) :: after = ''
+      type(parameter_spec_t), allocatable :: parameters(:)
+      type(data_spec_t), allocatable :: data(:)
+      character(len=600) :: help = ''
+   contains
+      procedure :: find_parameter => keyword_find_parameter
+      procedure :: add => keyword_add_parameter
+      procedure :: add_data => keyword_add_data
+   end type keyword_t
+
+   type :: keyword_table_t
+      integer :: n = 0
+      type(keyword_t), allocatable :: keywords(:)
+   contains
+      procedure :: find => table_find
+      procedure :: names => table_names
+   end type keyword_table_t
+
+contains
+
+   !> Index of a keyword, however it is written; 0 when it is not in the table.
+   pure integer function table_find(self, name) result(index)
+      class(keyword_table_t), intent(in) :: self
+      character(len=*), intent(in) :: name
+      character(len=:), allocatable :: wanted
+
+      wanted = squeezed(name)
+      do index = 1, self%n
+         if (squeezed(trim(self%keywords(index)%name)) == wanted) return
+      end do
+      index = 0
+   end function table_find
+
+   pure function table_names(self) result(names)
+      class(keyword_table_t), intent(in) :: self
+      character(len=word_length), allocatable :: names(:)
+      integer :: i
+
+      allocate (names(self%n))
+      do i = 1, self%n
+         names(i) = self%keywords(i)%name
+      end do
+   end function table_names
+
+   !> Index of a parameter, however it is written; 0 when there is none.
+   pure integer function keyword_find_parameter(self, name) result(index)
+      class(keyword_t), intent(in) :: self
+      character(len=*), intent(in) :: name
+      character(len=:), allocatable :: wanted
+
+      wanted = squeezed(name)
+      do index = 1, size(self%parameters)
+         if (squeezed(trim(self%parameters(index)%name)) == wanted) return
+      end do
+      index = 0
+   end function keyword_find_parameter
+
+   pure subroutine keyword_add_parameter(self, parameter)
+      class(keyword_t), intent(inout) :: self
+      type(parameter_spec_t), intent(in) :: parameter
+
+      self%parameters = [self%parameters, parameter]
+   end subroutine keyword_add_parameter
+
+   pure subroutine keyword_add_data(self, fields, when, first, last, required, repeats)
+      class(keyword_t), intent(inout) :: self
+      type(field_spec_t), intent(in) :: fields(:)
+      character(len=*), intent(in), optional :: when
+      integer, intent(in), optional :: first, last
+      logical, intent(in), optional :: required
+      integer, intent(in), optional :: repeats
+      type(data_spec_t) :: spec
+      type(data_spec_t), allocatable :: grown(:)
+      integer :: i, n
+
+      if (present(when)) spec%when = when
+      if (present(first)) spec%first = first
+      spec%last = spec%first
+      if (present(last)) spec%last = last
+      if (present(required)) spec%required = required
+      if (present(repeats)) spec%repeats = repeats
+      spec%fields = fields
+      n = size(self%data)
+      allocate (grown(n + 1))
+      do i = 1, n
+         grown(i) = self%data(i)
+      end do
+      grown(n + 1) = spec
+      call move_alloc(grown, self%data)
+   end subroutine keyword_add_data
+
+   pure logical function within_limit(value, limit)
+      real(dp), intent(in) :: value
+      integer, intent(in) :: limit
+
+      select case (limit)
+      case (limit_positive)
+         within_limit = value > 0
+      case (limit_not_negative)
+         within_limit = value >= 0
+      case (limit_poisson)
+         within_limit = value > -1 .and. value < 0.5_dp
+      case (limit_zero)
+         within_limit = .not. abs(value) > 0
+      case (limit_unused)
+         within_limit = .false.
+      case default
+         within_limit = .true.
+      end select
+   end function within_limit
+
+   pure function limit_words(limit) result(words)
+      integer, intent(in) :: limit
+      character(len=:), allocatable :: words
+
+      select case (limit)
+      case (limit_positive)
+         words = 'greater than 0'
+      case (limit_not_negative)
+         words = '0 or greater'
+      case (limit_poisson)
+         words = 'between -1 and 0.5'
+      case (limit_zero)
+         words = '0'
+      case (limit_unused)
+         words = 'left empty, litz does not use it'
+      case default
+         words = ''
+      end select
+   end function limit_words
+
+   ! Short constructors, so that the table reads like a table.
+
+   pure type(field_spec_t) function field(name, kind, unit, help, limit, required, choices) result(spec)
+      character(len=*), intent(in) :: name, unit, help
+      integer, intent(in) :: kind
+      integer, intent(in), optional :: limit
+      logical, intent(in), optional :: required
+      character(len=*), intent(in), optional :: choices
+
+      spec%name = name
+      spec%kind = kind
+      spec%unit = unit
+      spec%help = help
+      if (present(limit)) spec%limit = limit
+      if (present(required)) spec%required = required
+      if (present(choices)) spec%choices = choices
+   end function field
+
+   pure type(field_spec_t) function integer_field(name, help, limit, required) result(spec)
+      character(len=*), intent(in) :: name, help
+      integer, intent(in), optional :: limit
+      logical, intent(in), optional :: required
+
+      spec = field(name, kind_integer, '', help, limit, required)
+   end function integer_field
+
+   pure type(field_spec_t) function real_field(name, unit, help, limit, required) result(spec)
+      character(len=*), intent(in) :: name, unit, help
+      integer, intent(in), optional :: limit
+      logical, intent(in), optional :: required
+
+      spec = field(name, kind_real, unit, help, limit, required)
+   end function real_field
+
+   pure type(field_spec_t) function choice_field(name, choices, help) result(spec)
+      character(len=*), intent(in) :: name, choices, help
+
+      spec = field(name, kind_choice, '', help, choices=choices)
+   end function choice_field
+
+   pure type(field_spec_t) function name_field(name, help, required) result(spec)
+      character(len=*), intent(in) :: name, help
+      logical, intent(in), optional :: required
+
+      spec = field(name, kind_name, '', help, required=required)
+   end function name_field
+
+   pure type(field_spec_t) function item_field(name, help) result(spec)
+      character(len=*), intent(in) :: name, help
+
+      spec = field(name, kind_item, '', help)
+   end function item_field
+
+   pure type(parameter_spec_t) function flag(name, help) result(spec)
+      character(len=*), intent(in) :: name, help
+
+      spec%name = name
+      spec%help = help
+   end function flag
+
+   pure type(parameter_spec_t) function choice(name, choices, help, required, default, value_optional) result(spec)
+      character(len=*), intent(in) :: name, choices, help
+      logical, intent(in), optional :: required, value_optional
+      character(len=*), intent(in), optional :: default
+
+      spec%name = name
+      spec%kind = kind_choice
+      spec%choices = choices
+      spec%help = help
+      if (present(required)) spec%required = required
+      if (present(default)) spec%default = default
+      if (present(value_optional)) spec%value_optional = value_optional
+   end function choice
+
+   pure type(parameter_spec_t) function name(parameter, help, required) result(spec)
+      character(len=*), intent(in) :: parameter, help
+      logical, intent(in), optional :: required
+
+      spec%name = parameter
+      spec%kind = kind_name
+      spec%help = help
+      if (present(required)) spec%required = required
+   end function name
+
+   !> A real number.
+   pure type(parameter_spec_t) function number(name, help, limit, default) result(spec)
+      character(len=*), intent(in) :: name, help
+      integer, intent(in) :: limit
+      character(len=*), intent(in), optional :: default
+
+      spec%name = name
+      spec%kind = kind_real
+      spec%limit = limit
+      spec%help = help
+      if (present(default)) spec%default = default
+   end function number
+
+   !> A whole number of at least 1.
+   pure type(parameter_spec_t) function count_of(name, help, default) result(spec)
+      character(len=*), intent(in) :: name, help, default
+
+      spec%name = name
+      spec%kind = kind_integer
+      spec%limit = limit_positive
+      spec%help = help
+      spec%default = default
+   end function count_of
+
+   pure type(parameter_spec_t) function file(name, help) result(spec)
+      character(len=*), intent(in) :: name, help
+
+      spec%name = name
+      spec%kind = kind_file
+      spec%required = .true.
+      spec%help = help
+   end function file
+
+end module litz_keywords

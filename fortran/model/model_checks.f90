@@ -1,0 +1,274 @@
+!> Checks of the whole model before anything is solved: beams that nothing holds, and conductors without a path to a
+!> prescribed potential. Both would make the equations singular.
+module litz_model_checks
+   use litz_kinds, only: dp
+   use litz_laws, only: spot_none
+   use litz_model, only: model_t, step_t, dof_potential
+   use litz_parts, only: parts_t, find_parts, part_words, join, find_root
+   use litz_rigid_modes, only: add_support, free_modes, modes_in_words
+   use litz_text, only: to_text
+   implicit none
+   private
+   public :: finding_t, check_connections
+
+   type :: finding_t
+      character(len=:), allocatable :: message
+      !> The element it is about
+      integer :: element = 0
+      logical :: is_warning = .false.
+   end type finding_t
+
+contains
+
+   subroutine check_connections(model, findings)
+      !> Without errors of its own
+      type(model_t), intent(in) :: model
+      type(finding_t), allocatable, intent(out) :: findings(:)
+      integer :: n
+
+      allocate (findings(16))
+      n = 0
+      call check_beams(model, findings, n)
+      call check_conductors(model, findings, n)
+      findings = findings(:n)
+   end subroutine check_connections
+
+   pure subroutine add(findings, n, message, element, is_warning)
+      type(finding_t), allocatable, intent(inout) :: findings(:)
+      integer, intent(inout) :: n
+      character(len=*), intent(in) :: message
+      integer, intent(in) :: element
+      logical, intent(in) :: is_warning
+      type(finding_t), allocatable :: grown(:)
+      integer :: i
+
+      if (n == size(findings)) then
+         allocate (grown(2*n))
+         do i = 1, n
+            call move_alloc(findings(i)%message, grown(i)%message)
+            grown(i)%element = findings(i)%element
+            grown(i)%is_warning = findings(i)%is_warning
+         end do
+         call move_alloc(grown, findings)
+      end if
+      n = n + 1
+      findings(n)%message = message
+      findings(n)%element = element
+      findings(n)%is_warning = is_warning
+   end subroutine add
+
+   !> ` in step 2`, or nothing for the first
+   pure function step_words(step) result(words)
+      integer, intent(in) :: step
+      character(len=:), allocatable :: words
+
+      words = ''
+      if (step > 1) words = ' in step '//to_text(step)
+   end function step_words
+
+   !> Every connected part needs supports against its six rigid motions. Where contacts may hold it, this is a warning.
+   subroutine check_beams(model, findings, n)
+      type(model_t), intent(in) :: model
+      type(finding_t), allocatable, intent(inout) :: findings(:)
+      integer, intent(inout) :: n
+      type(parts_t) :: parts
+      real(dp), allocatable :: centre(:, :), length(:), supports(:, :, :)
+      logical, allocatable :: included(:), told(:), in_contact(:)
+      real(dp) :: modes(6, 6)
+      integer :: step, part, n_free
+
+      allocate (included(model%n_elements), source=.true.)
+      call find_parts(model, included, parts)
+      call measure_parts(model, parts, centre, length)
+      allocate (in_contact, source=parts_in_contact(model, parts))
+      allocate (told(parts%n), source=.false.)
+      do step = 1, size(model%steps)
+         supports = support_matrices(model, model%steps(step), parts, centre, length)
+         do part = 1, parts%n
+            if (told(part)) cycle
+            call free_modes(supports(:, :, part), n_free, modes)
+            if (n_free == 0) cycle
+            told(part) = .true.
+            call add(findings, n, beam_words(), parts%first_element(part), in_contact(part))
+         end do
+      end do
+
+   contains
+
+      function beam_words() result(words)
+         character(len=:), allocatable :: words
+
+         if (n_free == 6) then
+            words = 'nothing holds '//part_words(model, parts, part)//step_words(step)// &
+               ': no displacement or rotation of its nodes is prescribed'
+         else
+            words = part_words(model, parts, part)//' can still move'//step_words(step)//': '// &
+               modes_in_words(n_free, modes, centre(:, part), length(part))
+         end if
+         if (in_contact(part)) then
+            words = words//'; only contacts can hold it'
+         else
+            words = words//'; *BOUNDARY must prevent that'
+         end if
+      end function beam_words
+
+   end subroutine check_beams
+
+   !> Centre of the nodes of each part, and the largest distance from it.
+   pure subroutine measure_parts(model, parts, centre, length)
+      type(model_t), intent(in) :: model
+      type(parts_t), intent(in) :: parts
+      real(dp), allocatable, intent(out) :: centre(:, :), length(:)
+      integer, allocatable :: n_nodes(:)
+      integer :: node, part
+
+      allocate (centre(3, parts%n), length(parts%n), source=0.0_dp)
+      allocate (n_nodes(parts%n), source=0)
+      do node = 1, model%n_nodes
+         part = parts%of_node(node)
+         if (part == 0) cycle
+         n_nodes(part) = n_nodes(part) + 1
+         centre(:, part) = centre(:, part) + model%x(:, node)
+      end do
+      do part = 1, parts%n
+         centre(:, part) = centre(:, part)/n_nodes(part)
+      end do
+      do node = 1, model%n_nodes
+         part = parts%of_node(node)
+         if (part > 0) length(part) = max(length(part), norm2(model%x(:, node) - centre(:, part)))
+      end do
+   end subroutine measure_parts
+
+   !> The prescribed displacements and rotations of a step as conditions on the rigid motions of each part.
+   pure function support_matrices(model, step, parts, centre, length) result(matrices)
+      type(model_t), intent(in) :: model
+      type(step_t), intent(in) :: step
+      type(parts_t), intent(in) :: parts
+      real(dp), intent(in) :: centre(:, :), length(:)
+      real(dp), allocatable :: matrices(:, :, :)
+      integer :: i, part
+
+      allocate (matrices(6, 6, parts%n), source=0.0_dp)
+      do i = 1, size(step%boundary)
+         associate (item => step%boundary(i))
+            part = parts%of_node(item%node)
+            if (item%dof == dof_potential .or. part == 0) cycle
+            call add_support(matrices(:, :, part), item%dof, (model%x(:, item%node) - centre(:, part))/length(part))
+         end associate
+      end do
+   end function support_matrices
+
+   !> Parts with an element in some contact pair.
+   pure function parts_in_contact(model, parts) result(in_contact)
+      type(model_t), intent(in) :: model
+      type(parts_t), intent(in) :: parts
+      logical :: in_contact(parts%n)
+      integer :: i
+
+      in_contact = .false.
+      do i = 1, size(model%contact_pairs)
+         call mark(model%element_sets(model%contact_pairs(i)%set_bar)%members)
+         call mark(model%element_sets(model%contact_pairs(i)%set)%members)
+      end do
+
+   contains
+
+      pure subroutine mark(members)
+         integer, intent(in) :: members(:)
+
+         in_contact(parts%of_element(members)) = .true.
+      end subroutine mark
+
+   end function parts_in_contact
+
+   !> Every connected conductor needs a prescribed potential. Where contacts may lead to one, this is a warning.
+   subroutine check_conductors(model, findings, n)
+      type(model_t), intent(in) :: model
+      type(finding_t), allocatable, intent(inout) :: findings(:)
+      integer, intent(inout) :: n
+      type(parts_t) :: parts
+      logical, allocatable :: included(:), told(:), held(:), group_held(:)
+      integer, allocatable :: group(:)
+      integer :: e, step, part, i
+      logical :: by_contacts
+
+      allocate (included(model%n_elements))
+      do e = 1, model%n_elements
+         included(e) = model%materials(model%sections(model%element_section(e))%material)%conductivity > 0
+      end do
+      call find_parts(model, included, parts)
+      allocate (group, source=groups_by_contact(model, parts))
+      allocate (told(parts%n), source=.false.)
+      do step = 1, size(model%steps)
+         allocate (held(parts%n), group_held(parts%n), source=.false.)
+         associate (boundary => model%steps(step)%boundary)
+            do i = 1, size(boundary)
+               part = parts%of_node(boundary(i)%node)
+               if (boundary(i)%dof == dof_potential .and. part > 0) held(part) = .true.
+            end do
+         end associate
+         do part = 1, parts%n
+            if (held(part)) group_held(group(part)) = .true.
+         end do
+         do part = 1, parts%n
+            if (held(part) .or. told(part)) cycle
+            told(part) = .true.
+            by_contacts = group_held(group(part))
+            call add(findings, n, conductor_words(), parts%first_element(part), by_contacts)
+         end do
+         deallocate (held, group_held)
+      end do
+
+   contains
+
+      function conductor_words() result(words)
+         character(len=:), allocatable :: words
+
+         words = 'the conductor '//part_words(model, parts, part)
+         if (by_contacts) then
+            words = words//' has no prescribed potential'//step_words(step)//'; only contacts can connect it to one'
+         else
+            words = words//' has no path to a prescribed potential'//step_words(step)// &
+               ': prescribe degree of freedom 9 at one of its nodes'
+         end if
+      end function conductor_words
+
+   end subroutine check_conductors
+
+   !> Parts that contacts with a spot law may join carry the same number.
+   function groups_by_contact(model, parts) result(group)
+      type(model_t), intent(in) :: model
+      type(parts_t), intent(in) :: parts
+      integer :: group(parts%n)
+      integer :: i, part, anchor
+
+      group = [(part, part=1, parts%n)]
+      do i = 1, size(model%contact_pairs)
+         associate (pair => model%contact_pairs(i))
+            if (model%interactions(pair%interaction)%spot_law == spot_none) cycle
+            anchor = 0
+            call join_members(model%element_sets(pair%set_bar)%members)
+            call join_members(model%element_sets(pair%set)%members)
+         end associate
+      end do
+      do part = 1, parts%n
+         group(part) = find_root(group, part)
+      end do
+
+   contains
+
+      subroutine join_members(members)
+         integer, intent(in) :: members(:)
+         integer :: k, this
+
+         do k = 1, size(members)
+            this = parts%of_element(members(k))
+            if (this == 0) cycle
+            if (anchor == 0) anchor = this
+            call join(group, anchor, this)
+         end do
+      end subroutine join_members
+
+   end function groups_by_contact
+
+end module litz_model_checks

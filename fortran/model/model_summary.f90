@@ -1,0 +1,239 @@
+!> The resolved model in words, for `litz check`.
+module litz_model_summary
+   use litz_kinds, only: dp
+   use litz_laws, only: axis_hermite, normal_linear, spot_none, spot_plastic, spot_film, spot_constant, spot_table
+   use litz_model, only: model_t, step_t, interaction_t, output_request_t, named_set_t, nodal_value_t, &
+      element_b31, coupling_default, coupling_monolithic, request_node, request_element, request_contact, dof_potential
+   use litz_parts, only: parts_t, find_parts
+   use litz_solver_names, only: solver_default, solver_keyword
+   use litz_text, only: to_text, plural
+   implicit none
+   private
+   public :: model_summary
+
+   character(len=1), parameter :: nl = new_line('a')
+   !> Most sets that are listed one by one
+   integer, parameter :: most_sets = 40
+   character(len=8), parameter :: spot_names(6) = [character(len=8) :: 'PAPER', 'HERTZ', 'PLASTIC', 'FILM', &
+      'CONSTANT', &
+      'TABLE']
+
+contains
+
+   pure function model_summary(model) result(text)
+      type(model_t), intent(in) :: model
+      character(len=:), allocatable :: text
+      type(parts_t) :: parts
+      logical, allocatable :: included(:)
+      integer :: i
+
+      allocate (included(model%n_elements), source=.true.)
+      call find_parts(model, included, parts)
+      text = ''
+      if (len(model%heading) > 0) text = model%heading//nl
+      text = text//plural(model%n_nodes, 'node')//', '//plural(model%n_elements, 'element')//' ('// &
+         to_text(count(model%element_type == element_b31))//' B31, '// &
+         to_text(count(model%element_type /= element_b31))//' B33), '//plural(parts%n, 'connected part')//nl
+      do i = 1, size(model%materials)
+         text = text//material_line(i)
+      end do
+      do i = 1, size(model%sections)
+         text = text//section_lines(model, i)
+      end do
+      text = text//set_lines('node set', model%node_sets)//set_lines('element set', model%element_sets)
+      do i = 1, size(model%amplitudes)
+         associate (this => model%amplitudes(i))
+            text = text//'amplitude '//this%name//': '//plural(size(this%time), 'point')//', '// &
+               trim(merge('total time', 'step time ', this%total_time))//nl
+         end associate
+      end do
+      do i = 1, size(model%contact_pairs)
+         text = text//pair_line(model, i)
+      end do
+      do i = 1, size(model%steps)
+         text = text//step_lines(model, i)
+      end do
+
+   contains
+
+      pure function material_line(m) result(line)
+         integer, intent(in) :: m
+         character(len=:), allocatable :: line
+
+         associate (this => model%materials(m))
+            line = 'material '//this%name//': E = '//to_text(this%young)//' Pa, nu = '//to_text(this%poisson)
+            if (this%conductivity > 0) then
+               line = line//', sigma = '//to_text(this%conductivity)//' S/m'//nl
+            else
+               line = line//', insulator'//nl
+            end if
+         end associate
+      end function material_line
+
+   end function model_summary
+
+   pure function section_lines(model, s) result(text)
+      type(model_t), intent(in) :: model
+      integer, intent(in) :: s
+      character(len=:), allocatable :: text
+
+      associate (this => model%sections(s))
+         text = 'section of '//this%element_set//' ('//plural(count(model%element_section == s), 'element')//', '// &
+            model%materials(this%material)%name//'): A = '//to_text(this%area)//' m^2, I2 = '//to_text(this%i2)// &
+            ' m^4, I3 = '//to_text(this%i3)//' m^4, J = '//to_text(this%j)//' m^4, GA2 = '//to_text(this%ga2)// &
+            ' N, GA3 = '//to_text(this%ga3)//' N'
+         if (this%contact_radius > 0) text = text//', contact radius '//to_text(this%contact_radius)//' m'
+         if (norm2(this%n1) > 0) text = text//', n1 = ('//to_text(this%n1(1))//', '//to_text(this%n1(2))//', '// &
+            to_text(this%n1(3))//')'
+         if (this%current_length) text = text//', conduction over the current length'
+      end associate
+      text = text//nl
+   end function section_lines
+
+   pure function set_lines(what, sets) result(text)
+      character(len=*), intent(in) :: what
+      type(named_set_t), intent(in) :: sets(:)
+      character(len=:), allocatable :: text
+      integer :: i
+
+      text = ''
+      do i = 1, min(size(sets), most_sets)
+         text = text//what//' '//sets(i)%name//': '//plural(size(sets(i)%members), 'member')//nl
+      end do
+      if (size(sets) > most_sets) text = text//'and '//to_text(size(sets) - most_sets)//' more '//what//'s'//nl
+   end function set_lines
+
+   pure function pair_line(model, p) result(line)
+      type(model_t), intent(in) :: model
+      integer, intent(in) :: p
+      character(len=:), allocatable :: line
+
+      associate (pair => model%contact_pairs(p))
+         line = 'contact pair '//model%element_sets(pair%set_bar)%name
+         if (pair%set == pair%set_bar) then
+            line = line//' within itself: '
+         else
+            line = line//' with '//model%element_sets(pair%set)%name//': '
+         end if
+         line = line//interaction_words(model%interactions(pair%interaction))
+         if (pair%interference_fit) line = line//', interference fit'
+      end associate
+      line = line//nl
+   end function pair_line
+
+   pure function interaction_words(interaction) result(words)
+      type(interaction_t), intent(in) :: interaction
+      character(len=:), allocatable :: words
+
+      words = interaction%name//', '//trim(merge('Hermite', 'linear ', interaction%axis == axis_hermite))//' axis, '
+      if (interaction%normal_law == normal_linear) then
+         words = words//'penalty '//to_text(interaction%penalty)//' N/m'
+      else
+         words = words//'Hertz force'
+      end if
+      if (interaction%unlimited_penetration) words = words//', unlimited penetration'
+      if (interaction%spot_law == spot_none) then
+         words = words//', no current'
+         return
+      end if
+      words = words//', spot '//trim(spot_names(interaction%spot_law))
+      select case (interaction%spot_law)
+      case (spot_plastic)
+         words = words//' with hardness '//to_text(interaction%spot_value)//' Pa'
+      case (spot_film)
+         words = words//' with film '//to_text(interaction%spot_value)//' ohm m^2'
+      case (spot_constant)
+         words = words//' of '//to_text(interaction%spot_value)//' ohm'
+      case (spot_table)
+         words = words//' of '//plural(size(interaction%table_force), 'point')
+      end select
+      words = words//', '//trim(merge('corrected', 'linear   ', interaction%voltage_correction))//' voltage'
+   end function interaction_words
+
+   pure function step_lines(model, s) result(text)
+      type(model_t), intent(in) :: model
+      integer, intent(in) :: s
+      character(len=:), allocatable :: text
+      integer :: i
+
+      associate (step => model%steps(s))
+         text = 'step '//to_text(s)
+         if (len(step%title) > 0) text = text//' ('//step%title//')'
+         text = text//': time '//to_text(step%total)//' s, '
+         if (step%direct) then
+            text = text//'increments of '//to_text(step%first)//' s'
+         else
+            text = text//'increments first '//to_text(step%first)//', smallest '//to_text(step%smallest)// &
+               ', largest '// &
+               to_text(step%largest)//' s'
+         end if
+         text = text//', at most '//to_text(step%max_increments)//solver_words(step)//nl
+         text = text//value_lines('prescribed', step%boundary)//value_lines('loads', step%load)// &
+            value_lines('currents', step%current)
+         do i = 1, size(step%requests)
+            text = text//request_line(model, step%requests(i))
+         end do
+      end associate
+   end function step_lines
+
+   pure function solver_words(step) result(words)
+      type(step_t), intent(in) :: step
+      character(len=:), allocatable :: words
+
+      words = ''
+      if (step%solver /= solver_default) words = ', solver '//trim(solver_keyword(step%solver))
+      if (step%coupling /= coupling_default) words = words//', coupling '// &
+         trim(merge('monolithic', 'updated   ', step%coupling == coupling_monolithic))
+   end function solver_words
+
+   !> How many values for each degree of freedom, and their range.
+   pure function value_lines(what, items) result(text)
+      character(len=*), intent(in) :: what
+      type(nodal_value_t), intent(in) :: items(:)
+      character(len=:), allocatable :: text
+      integer :: dof, n, i
+      real(dp) :: lowest, highest
+
+      text = ''
+      do dof = 1, dof_potential
+         n = 0
+         lowest = huge(lowest)
+         highest = -huge(highest)
+         do i = 1, size(items)
+            if (items(i)%dof /= dof) cycle
+            n = n + 1
+            lowest = min(lowest, items(i)%value)
+            highest = max(highest, items(i)%value)
+         end do
+         if (n == 0) cycle
+         text = text//'  '//what//' at degree of freedom '//to_text(dof)//': '//plural(n, 'node')//', '//to_text(lowest)
+         if (highest > lowest) text = text//' to '//to_text(highest)
+         text = text//nl
+      end do
+   end function value_lines
+
+   pure function request_line(model, request) result(line)
+      type(model_t), intent(in) :: model
+      type(output_request_t), intent(in) :: request
+      character(len=:), allocatable :: line
+      integer :: i
+
+      select case (request%kind)
+      case (request_node)
+         line = '  output of node set '//model%node_sets(request%set)%name//':'
+      case (request_element)
+         line = '  output of element set '//model%element_sets(request%set)%name//':'
+      case (request_contact)
+         line = '  output of contacts in the terminal'
+      case default
+         line = '  output between electrodes '//model%node_sets(request%set)%name//' and '// &
+            model%node_sets(request%set_2)%name
+      end select
+      do i = 1, size(request%quantities)
+         line = line//' '//trim(request%quantities(i))
+      end do
+      if (request%totals) line = line//' (sums)'
+      line = line//nl
+   end function request_line
+
+end module litz_model_summary

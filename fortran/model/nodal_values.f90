@@ -1,0 +1,385 @@
+!> Prescribed values, loads and currents: from data lines to the complete list that holds in a step.
+module litz_nodal_values
+   use litz_kinds, only: dp
+   use litz_text, only: to_text
+   use litz_numbers, only: parse_integer, number_ok
+   use litz_deck, only: token_t
+   use litz_model, only: model_t, nodal_value_t, amplitude_t, dof_potential
+   use litz_reader, only: reader_t, fail_at, read_line, parameter_of, choice_of, keyword_of, name_of, find_definition
+   use litz_sets, only: find_item
+   implicit none
+   private
+   public :: value_list_t, kind_boundary, kind_load, kind_current, start_list, begin_step, read_nodal_values, &
+      nodes_with_potential
+
+   integer, parameter :: kind_boundary = 1, kind_load = 2, kind_current = 3
+
+   !> The list of one kind as it stands while the deck is read.
+   type :: value_list_t
+      integer :: kind = kind_boundary
+      type(nodal_value_t), allocatable :: items(:)
+      integer :: n = 0
+      !> Line of the deck that set each item last, 0: an earlier step
+      integer, allocatable :: line(:)
+      !> Item of each degree of freedom, 0: none (7, n_nodes); the seventh is the potential
+      integer, allocatable :: item(:, :)
+      !> OP of the cards of this step: 0 none yet, 1 MOD, 2 NEW
+      integer :: op = 0
+      !> .true. before the first step
+      logical :: model_part = .true.
+      !> Nodes of some element, and of a conducting one (n_nodes)
+      logical, allocatable :: has_element(:), has_potential(:)
+   end type value_list_t
+
+contains
+
+   pure subroutine start_list(list, kind, model)
+      type(value_list_t), intent(out) :: list
+      integer, intent(in) :: kind
+      type(model_t), intent(in) :: model
+      integer :: e, k
+
+      list%kind = kind
+      allocate (list%items(16), list%line(16))
+      allocate (list%item(7, model%n_nodes), source=0)
+      list%has_potential = nodes_with_potential(model)
+      allocate (list%has_element(model%n_nodes), source=.false.)
+      do e = 1, model%n_elements
+         do k = 1, 2
+            if (model%connectivity(k, e) > 0) list%has_element(model%connectivity(k, e)) = .true.
+         end do
+      end do
+   end subroutine start_list
+
+   !> Nodes of conducting elements.
+   pure function nodes_with_potential(model) result(has_potential)
+      type(model_t), intent(in) :: model
+      logical :: has_potential(model%n_nodes)
+      integer :: e, k
+
+      has_potential = .false.
+      do e = 1, model%n_elements
+         if (.not. conducts(model, e)) cycle
+         do k = 1, 2
+            if (model%connectivity(k, e) > 0) has_potential(model%connectivity(k, e)) = .true.
+         end do
+      end do
+   end function nodes_with_potential
+
+   !> Elements whose section or material is in error count as conductors, so that no second error follows.
+   pure logical function conducts(model, element)
+      type(model_t), intent(in) :: model
+      integer, intent(in) :: element
+
+      conducts = .true.
+      if (model%element_section(element) == 0) return
+      associate (section => model%sections(model%element_section(element)))
+         if (section%material > 0) conducts = model%materials(section%material)%conductivity > 0
+      end associate
+   end function conducts
+
+   !> Carry the list into a new step. What followed an amplitude in step time keeps the value of the step's end.
+   !> Source: Abaqus's rules for conditions that a step does not name.
+   pure subroutine begin_step(list, model, previous_total)
+      type(value_list_t), intent(inout) :: list
+      type(model_t), intent(in) :: model
+      !> Time of the previous step [s]
+      real(dp), intent(in) :: previous_total
+      integer :: i
+
+      list%model_part = .false.
+      list%op = 0
+      list%line(:list%n) = 0
+      do i = 1, list%n
+         associate (item => list%items(i))
+            if (item%amplitude == 0) cycle
+            associate (amplitude => model%amplitudes(item%amplitude))
+               if (amplitude%total_time .or. size(amplitude%time) == 0) cycle
+               item%value = item%value*factor_at(amplitude, previous_total)
+            end associate
+            item%amplitude = 0
+         end associate
+      end do
+   end subroutine begin_step
+
+   !> Piecewise linear, constant beyond the ends.
+   pure real(dp) function factor_at(amplitude, time) result(factor)
+      type(amplitude_t), intent(in) :: amplitude
+      real(dp), intent(in) :: time
+      integer :: i
+
+      associate (t => amplitude%time, a => amplitude%factor)
+         i = count(t <= time)
+         if (i == 0) then
+            factor = a(1)
+         else if (i == size(t)) then
+            factor = a(i)
+         else
+            factor = a(i) + (a(i + 1) - a(i))*(time - t(i))/(t(i + 1) - t(i))
+         end if
+      end associate
+   end function factor_at
+
+   !> All data lines of a *BOUNDARY, *CLOAD or *CECURRENT.
+   subroutine read_nodal_values(self, model, card, list)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      integer, intent(in) :: card
+      type(value_list_t), intent(inout) :: list
+      type(token_t) :: amplitude_name
+      integer :: line, amplitude, first, last, node, set
+      logical :: ok
+
+      call apply_op(self, card, list)
+      amplitude = 0
+      amplitude_name = parameter_of(self, card, 'AMPLITUDE')
+      if (amplitude_name%line > 0) call find_definition(self, self%amplitudes, 'amplitude', amplitude_name, amplitude)
+      if (list%model_part .and. amplitude > 0) call fail_at(self, amplitude_name, &
+         'an amplitude has no meaning before the first step, where all values are zero')
+      do line = self%deck%cards(card)%first_data, self%deck%cards(card)%last_data
+         call read_line(self, card, line, ok)
+         if (.not. ok) cycle
+         call find_item(self, 'node', self%node_sets, self%nodes, 1, node, set)
+         call find_dofs(self, list%kind, first, last, ok)
+         if (.not. ok) cycle
+         if (list%model_part .and. abs(self%values%real(4)) > 0) then
+            call fail_at(self, self%values%token(4), 'before the first step only zero values can be prescribed; '// &
+               'put this *BOUNDARY into a step')
+         else if (node > 0) then
+            call set_values(self, model, list, [node], first, last, amplitude)
+         else if (set > 0) then
+            call set_values(self, model, list, model%node_sets(set)%members, first, last, amplitude)
+         end if
+      end do
+   end subroutine read_nodal_values
+
+   !> OP=NEW removes what earlier steps left; within a step all cards must agree.
+   subroutine apply_op(self, card, list)
+      type(reader_t), intent(inout) :: self
+      integer, intent(in) :: card
+      type(value_list_t), intent(inout) :: list
+      type(token_t) :: token
+      integer :: op, i
+
+      token = parameter_of(self, card, 'OP')
+      if (list%model_part .and. token%line > 0) then
+         call fail_at(self, token, 'OP has no meaning before the first step')
+         return
+      end if
+      op = merge(2, 1, choice_of(self, card, 'OP') == 'NEW')
+      if (list%op > 0 .and. op /= list%op) then
+         if (token%line == 0) token = self%deck%cards(card)%name
+         call fail_at(self, token, 'all *'//keyword_of(self, card)// &
+            ' of a step must have the same OP; this one has OP='// &
+            trim(merge('NEW', 'MOD', op == 2))//', an earlier one OP='//trim(merge('NEW', 'MOD', list%op == 2)))
+      else if (op == 2 .and. list%op == 0) then
+         do i = 1, list%n
+            list%item(slot(list%items(i)%dof), list%items(i)%node) = 0
+         end do
+         list%n = 0
+      end if
+      if (list%op == 0) list%op = op
+   end subroutine apply_op
+
+   pure integer function slot(dof)
+      integer, intent(in) :: dof
+
+      slot = merge(7, dof, dof == dof_potential)
+   end function slot
+
+   !> The degrees of freedom that the line names.
+   subroutine find_dofs(self, kind, first, last, ok)
+      type(reader_t), intent(inout) :: self
+      integer, intent(in) :: kind
+      integer, intent(out) :: first, last
+      logical, intent(out) :: ok
+
+      select case (kind)
+      case (kind_boundary)
+         call find_boundary_dofs(self, first, last, ok)
+      case (kind_load)
+         first = self%values%whole(2)
+         last = first
+         ok = first <= 6
+         if (.not. ok) call fail_at(self, self%values%token(2), 'forces and moments act in directions 1-6; found '// &
+            to_text(first)//trim(merge('; currents are given by *CECURRENT', repeat(' ', 34), first == dof_potential)))
+      case default
+         first = dof_potential
+         last = first
+         ok = .not. self%values%given(2) .or. self%values%whole(2) == dof_potential
+         if (.not. ok) call fail_at(self, self%values%token(2), 'a current enters at degree of freedom 9; found '// &
+            to_text(self%values%whole(2)))
+      end select
+   end subroutine find_dofs
+
+   subroutine find_boundary_dofs(self, first, last, ok)
+      type(reader_t), intent(inout) :: self
+      integer, intent(out) :: first, last
+      logical, intent(out) :: ok
+      integer :: status
+
+      first = 1
+      last = 0
+      ok = .true.
+      associate (values => self%values)
+         select case (name_of(self, values%token(2)))
+         case ('ENCASTRE')
+            last = 6
+         case ('PINNED')
+            last = 3
+         end select
+         if (last > 0) then
+            ok = values%n == 2
+            if (.not. ok) call fail_at(self, values%token(3), 'nothing follows '//self%deck%text(values%token(2))// &
+               ', which prescribes zero values')
+            return
+         end if
+         call parse_integer(self%deck%text(values%token(2)), first, status)
+         if (status /= number_ok) then
+            ok = .false.
+            call fail_at(self, values%token(2), &
+               'value 2 must be a degree of freedom (1-3 displacement, 4-6 rotation,'// &
+               ' 9 electric potential), ENCASTRE or PINNED; found '//self%deck%shown(values%token(2)))
+            return
+         end if
+         last = merge(values%whole(3), first, values%given(3))
+         call check_dof(values%token(2), first)
+         if (ok .and. values%given(3)) call check_dof(values%token(3), last)
+         if (ok .and. last < first) then
+            ok = .false.
+            call fail_at(self, values%token(3), 'the last degree of freedom, '//to_text(last)// &
+               ', is smaller than the first, '//to_text(first))
+         else if (ok .and. first <= 6 .and. last > 6) then
+            ok = .false.
+            call fail_at(self, values%token(3), &
+               'a range must not reach from displacements or rotations to the potential; '// &
+               'use two lines')
+         end if
+      end associate
+
+   contains
+
+      subroutine check_dof(token, dof)
+         type(token_t), intent(in) :: token
+         integer, intent(in) :: dof
+
+         if ((dof >= 1 .and. dof <= 6) .or. dof == dof_potential) return
+         ok = .false.
+         call fail_at(self, token, 'degree of freedom '//to_text(dof)// &
+            ' does not exist; there are 1-3 (displacement),'// &
+            ' 4-6 (rotation) and 9 (electric potential)')
+      end subroutine check_dof
+
+   end subroutine find_boundary_dofs
+
+   !> Put a value into the list for all nodes and degrees of freedom that the line names.
+   subroutine set_values(self, model, list, nodes, first, last, amplitude)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      type(value_list_t), intent(inout) :: list
+      integer, intent(in) :: nodes(:)
+      integer, intent(in) :: first, last, amplitude
+      type(nodal_value_t) :: value
+      integer :: i, dof
+      logical :: ok
+
+      value%amplitude = amplitude
+      value%value = self%values%real(merge(4, 3, list%kind == kind_boundary))
+      do i = 1, size(nodes)
+         value%node = nodes(i)
+         ok = list%has_element(nodes(i))
+         if (.not. ok) then
+            call fail_at(self, self%values%token(1), node_words(self, model, nodes(i), nodes)//' belongs to no element')
+            return
+         end if
+         ok = first /= dof_potential .or. list%has_potential(nodes(i))
+         if (.not. ok) then
+            call fail_at(self, self%values%token(1), node_words(self, model, nodes(i), nodes)// &
+               ' has no electric potential: '// &
+               'no material of its elements has *ELECTRICAL CONDUCTIVITY')
+            return
+         end if
+         do dof = first, last
+            value%dof = dof
+            call set_value(self, model, list, value, ok)
+            if (.not. ok) return
+         end do
+      end do
+   end subroutine set_values
+
+   !> `node 7`, or `node 7 of WIRE`
+   pure function node_words(self, model, node, nodes) result(words)
+      type(reader_t), intent(in) :: self
+      type(model_t), intent(in) :: model
+      integer, intent(in) :: node
+      integer, intent(in) :: nodes(:)
+      character(len=:), allocatable :: words
+
+      words = 'node '//to_text(model%node_id(node))
+      if (size(nodes) > 1) words = words//' of '//name_of(self, self%values%token(1))
+   end function node_words
+
+   !> One value: new, in place of that of an earlier step, or together with others of this step.
+   subroutine set_value(self, model, list, value, ok)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      type(value_list_t), intent(inout) :: list
+      type(nodal_value_t), intent(in) :: value
+      logical, intent(out) :: ok
+      integer :: at
+
+      ok = .true.
+      at = list%item(slot(value%dof), value%node)
+      if (at == 0) then
+         call append(list, value)
+         at = list%n
+         list%item(slot(value%dof), value%node) = at
+      else if (list%line(at) == 0) then
+         list%items(at) = value
+      else
+         call join_values(list%items(at))
+      end if
+      list%line(at) = self%values%token(1)%line
+
+   contains
+
+      !> The same degree of freedom again in this step.
+      subroutine join_values(item)
+         type(nodal_value_t), intent(inout) :: item
+
+         if (list%kind == kind_boundary) then
+            ok = item%amplitude == value%amplitude .and. .not. abs(item%value - value%value) > 0
+            if (.not. ok) call fail_at(self, self%values%token(1), 'degree of freedom '//to_text(value%dof)// &
+               ' of node '// &
+               to_text(model%node_id(value%node))//' is prescribed twice with different values; first in '// &
+               self%deck%place(list%line(at)))
+         else
+            ok = item%amplitude == value%amplitude
+            if (.not. ok) call fail_at(self, self%values%token(1), 'node '//to_text(model%node_id(value%node))// &
+               ' has loads of different amplitudes in the same direction; the other is in '// &
+               self%deck%place(list%line(at)))
+            item%value = item%value + value%value
+         end if
+      end subroutine join_values
+
+   end subroutine set_value
+
+   pure subroutine append(list, value)
+      type(value_list_t), intent(inout) :: list
+      type(nodal_value_t), intent(in) :: value
+      type(nodal_value_t), allocatable :: items(:)
+      integer, allocatable :: line(:)
+
+      if (list%n == size(list%items)) then
+         allocate (items(2*list%n), line(2*list%n))
+         items(:list%n) = list%items
+         line(:list%n) = list%line
+         call move_alloc(items, list%items)
+         call move_alloc(line, list%line)
+      end if
+      list%n = list%n + 1
+      list%items(list%n) = value
+      list%line(list%n) = 0
+   end subroutine append
+
+end module litz_nodal_values

@@ -1,0 +1,198 @@
+!> *SURFACE INTERACTION and *CONTACT PAIR with what belongs to them.
+module litz_read_contact
+   use litz_text, only: to_text
+   use litz_deck, only: token_t
+   use litz_laws, only: axis_linear, normal_linear, normal_hertz, spot_none, spot_paper, spot_hertz, spot_plastic, &
+      spot_film, spot_constant, spot_table
+   use litz_model, only: model_t, interaction_t, contact_pair_t
+   use litz_reader, only: reader_t, fail_at, read_line, parameter_of, choice_of, has_flag, keyword_of, add_definition, &
+      find_definition
+   use litz_sets, only: find_set
+   implicit none
+   private
+   public :: read_interactions, read_contact_pairs
+
+contains
+
+   subroutine read_interactions(self, model)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(inout) :: model
+      type(interaction_t), allocatable :: grown(:)
+      type(token_t) :: token
+      integer :: card, index
+      logical :: has_behavior
+
+      allocate (model%interactions(0))
+      index = 0
+      has_behavior = .false.
+      do card = 1, self%deck%n_cards
+         select case (keyword_of(self, card))
+         case ('SURFACE INTERACTION')
+            index = 0
+            has_behavior = .false.
+            token = parameter_of(self, card, 'NAME')
+            if (token%last >= token%first) call add_definition(self, self%interactions, 'surface interaction', token, &
+               index)
+            if (index == 0) cycle
+            allocate (grown(index))
+            grown(:index - 1) = model%interactions
+            grown(index)%name = self%interactions%names%name(index)
+            if (choice_of(self, card, 'AXIS') == 'LINEAR') grown(index)%axis = axis_linear
+            call move_alloc(grown, model%interactions)
+         case ('SURFACE BEHAVIOR')
+            if (has_behavior) call fail_at(self, self%deck%cards(card)%name, &
+               'this surface interaction has two *SURFACE BEHAVIOR')
+            has_behavior = .true.
+            if (index > 0) call read_behavior(self, card, model%interactions(index))
+         case ('GAP ELECTRICAL CONDUCTANCE')
+            if (index == 0) cycle
+            if (model%interactions(index)%spot_law /= spot_none) call fail_at(self, self%deck%cards(card)%name, &
+               'this surface interaction has two *GAP ELECTRICAL CONDUCTANCE')
+            call read_spot_law(self, card, model%interactions(index))
+         end select
+      end do
+   end subroutine read_interactions
+
+   subroutine read_behavior(self, card, interaction)
+      type(reader_t), intent(inout) :: self
+      integer, intent(in) :: card
+      type(interaction_t), intent(inout) :: interaction
+      logical :: ok
+
+      interaction%normal_law = merge(normal_linear, normal_hertz, choice_of(self, card, &
+         'PRESSURE-OVERCLOSURE') == 'LINEAR')
+      interaction%unlimited_penetration = choice_of(self, card, 'PENETRATION') == 'UNLIMITED'
+      if (interaction%normal_law == normal_hertz .or. .not. has_data(self, card)) return
+      call read_line(self, card, self%deck%cards(card)%first_data, ok)
+      if (ok) interaction%penalty = self%values%real(1)
+   end subroutine read_behavior
+
+   pure logical function has_data(self, card)
+      type(reader_t), intent(in) :: self
+      integer, intent(in) :: card
+
+      has_data = self%deck%cards(card)%last_data >= self%deck%cards(card)%first_data
+   end function has_data
+
+   subroutine read_spot_law(self, card, interaction)
+      type(reader_t), intent(inout) :: self
+      integer, intent(in) :: card
+      type(interaction_t), intent(inout) :: interaction
+      logical :: ok
+
+      interaction%voltage_correction = choice_of(self, card, 'VOLTAGE') == 'CORRECTED'
+      select case (choice_of(self, card, 'LAW'))
+      case ('PAPER')
+         interaction%spot_law = spot_paper
+      case ('HERTZ')
+         interaction%spot_law = spot_hertz
+      case ('PLASTIC')
+         interaction%spot_law = spot_plastic
+      case ('FILM')
+         interaction%spot_law = spot_film
+      case ('CONSTANT')
+         interaction%spot_law = spot_constant
+      case ('TABLE')
+         interaction%spot_law = spot_table
+         call read_table(self, card, interaction)
+         return
+      end select
+      if (.not. has_data(self, card)) return
+      call read_line(self, card, self%deck%cards(card)%first_data, ok)
+      if (ok) interaction%spot_value = self%values%real(1)
+   end subroutine read_spot_law
+
+   !> Resistance over force, forces ascending.
+   subroutine read_table(self, card, interaction)
+      type(reader_t), intent(inout) :: self
+      integer, intent(in) :: card
+      type(interaction_t), intent(inout) :: interaction
+      integer :: line, n
+      logical :: ok
+
+      associate (this => self%deck%cards(card))
+         n = max(0, this%last_data - this%first_data + 1)
+         allocate (interaction%table_force(n), interaction%table_resistance(n))
+         n = 0
+         do line = this%first_data, this%last_data
+            call read_line(self, card, line, ok)
+            if (.not. ok) cycle
+            if (n > 0) then
+               if (self%values%real(1) <= interaction%table_force(n)) call fail_at(self, self%values%token(1), &
+                  'the forces of the table must ascend; '//to_text(self%values%real(1))//' follows '// &
+                  to_text(interaction%table_force(n)))
+            end if
+            n = n + 1
+            interaction%table_force(n) = self%values%real(1)
+            interaction%table_resistance(n) = self%values%real(2)
+         end do
+      end associate
+      interaction%table_force = interaction%table_force(:n)
+      interaction%table_resistance = interaction%table_resistance(:n)
+   end subroutine read_table
+
+   subroutine read_contact_pairs(self, model)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(inout) :: model
+      type(contact_pair_t), allocatable :: grown(:)
+      type(contact_pair_t) :: pair
+      integer :: card
+      logical :: ok
+
+      allocate (model%contact_pairs(0))
+      do card = 1, self%deck%n_cards
+         if (keyword_of(self, card) /= 'CONTACT PAIR') cycle
+         pair = contact_pair_t()
+         call find_definition(self, self%interactions, 'surface interaction', parameter_of(self, card, 'INTERACTION'), &
+            pair%interaction)
+         pair%interference_fit = has_flag(self, card, 'INTERFERENCE FIT')
+         if (.not. has_data(self, card)) cycle
+         call read_line(self, card, self%deck%cards(card)%first_data, ok)
+         if (.not. ok) cycle
+         call find_set(self, 'element', self%element_sets, self%values%token(1), pair%set_bar)
+         pair%set = pair%set_bar
+         if (self%values%n > 1) call find_set(self, 'element', self%element_sets, self%values%token(2), pair%set)
+         if (pair%set_bar == 0 .or. pair%set == 0) cycle
+         pair%line = self%deck%lines(self%deck%cards(card)%first_data)%number
+         pair%file = self%deck%sources(self%deck%lines(self%deck%cards(card)%first_data)%source)%path
+         call check_pair(self, model, pair)
+         allocate (grown(size(model%contact_pairs) + 1))
+         grown(:size(model%contact_pairs)) = model%contact_pairs
+         grown(size(grown)) = pair
+         call move_alloc(grown, model%contact_pairs)
+      end do
+   end subroutine read_contact_pairs
+
+   !> Not the same pair twice, and a radius for every element.
+   subroutine check_pair(self, model, pair)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      type(contact_pair_t), intent(in) :: pair
+      integer :: i, k, sets(2)
+
+      do i = 1, size(model%contact_pairs)
+         associate (other => model%contact_pairs(i))
+            if (.not. ((other%set_bar == pair%set_bar .and. other%set == pair%set) .or. &
+               (other%set_bar == pair%set .and. other%set == pair%set_bar))) cycle
+            call fail_at(self, self%values%token(1), 'this contact pair is given twice; first in '//other%file//':'// &
+               to_text(other%line))
+            exit
+         end associate
+      end do
+      sets = [pair%set_bar, pair%set]
+      do k = 1, merge(1, 2, pair%set == pair%set_bar)
+         associate (members => model%element_sets(sets(k))%members)
+            do i = 1, size(members)
+               if (model%element_section(members(i)) == 0) cycle
+               associate (section => model%sections(model%element_section(members(i))))
+                  if (section%contact_radius > 0 .or. .not. section%area > 0) cycle
+                  call fail_at(self, self%values%token(k), 'element '//to_text(model%element_id(members(i)))// &
+                     ' can touch others here, but its *BEAM SECTION of '//section%element_set//' has no CONTACT RADIUS')
+                  exit
+               end associate
+            end do
+         end associate
+      end do
+   end subroutine check_pair
+
+end module litz_read_contact

@@ -1,0 +1,96 @@
+!> *CONTROLS and *SOLVER.
+module litz_read_controls
+   use litz_kinds, only: dp
+   use litz_text, only: to_text
+   use litz_model, only: step_t, controls_t, coupling_monolithic, coupling_updated
+   use litz_solver_names, only: solver_block, solver_umfpack, solver_skyline
+   use litz_reader, only: reader_t, fail_at, read_line, choice_of
+   implicit none
+   private
+   public :: read_controls, read_solver
+
+contains
+
+   subroutine read_controls(self, card, controls)
+      type(reader_t), intent(inout) :: self
+      integer, intent(in) :: card
+      type(controls_t), intent(inout) :: controls
+      integer :: line
+      logical :: ok
+
+      do line = self%deck%cards(card)%first_data, self%deck%cards(card)%last_data
+         call read_line(self, card, line, ok)
+         select case (choice_of(self, card, 'PARAMETERS'))
+         case ('FIELD')
+            call take_real(1, controls%r_n)
+            call take_real(2, controls%c_n)
+         case ('TIMEINCREMENTATION')
+            if (line == self%deck%cards(card)%first_data) then
+               call take_whole(4, controls%i_c)
+               call take_whole(5, controls%i_l)
+               call take_whole(6, controls%i_g)
+               call take_whole(8, controls%i_a)
+            else
+               call take_factor(1, controls%d_f, below_one=.true.)
+               call take_factor(3, controls%d_b, below_one=.true.)
+               call take_factor(7, controls%d_d, below_one=.false.)
+            end if
+         case ('ROTATION')
+            call take_real(1, controls%rotation_cap)
+         end select
+      end do
+
+   contains
+
+      subroutine take_real(i, value)
+         integer, intent(in) :: i
+         real(dp), intent(inout) :: value
+
+         if (self%values%given(i)) value = self%values%real(i)
+      end subroutine take_real
+
+      subroutine take_whole(i, value)
+         integer, intent(in) :: i
+         integer, intent(inout) :: value
+
+         if (self%values%given(i)) value = self%values%whole(i)
+      end subroutine take_whole
+
+      !> A factor that shrinks increments, or one that lets them grow.
+      subroutine take_factor(i, value, below_one)
+         integer, intent(in) :: i
+         real(dp), intent(inout) :: value
+         logical, intent(in) :: below_one
+
+         call take_real(i, value)
+         if (.not. self%values%given(i)) return
+         if (below_one .and. value >= 1) call fail_at(self, self%values%token(i), &
+            'this factor shrinks increments, so it must be smaller than 1; found '//to_text(value))
+         if (.not. below_one .and. value < 1) call fail_at(self, self%values%token(i), &
+            'this factor lets increments grow, so it must be 1 or greater; found '//to_text(value))
+      end subroutine take_factor
+
+   end subroutine read_controls
+
+   subroutine read_solver(self, card, step)
+      type(reader_t), intent(in) :: self
+      integer, intent(in) :: card
+      type(step_t), intent(inout) :: step
+
+      select case (choice_of(self, card, 'NAME'))
+      case ('BLOCK')
+         step%solver = solver_block
+      case ('UMFPACK')
+         step%solver = solver_umfpack
+      case ('SKYLINE')
+         step%solver = solver_skyline
+      end select
+      select case (choice_of(self, card, 'COUPLING'))
+      case ('MONOLITHIC')
+         step%coupling = coupling_monolithic
+      case ('UPDATED')
+         step%coupling = coupling_updated
+      end select
+   end subroutine read_solver
+
+end module litz_read_controls

@@ -1,0 +1,196 @@
+!> *NODE PRINT, *EL PRINT, *CONTACT PRINT, *ELECTRODE PRINT, *NODE FILE and *EL FILE.
+!>
+!> A step that asks for a kind of output replaces all requests of that kind; the others are carried over.
+module litz_read_requests
+   use litz_text, only: to_text, words_of, word_length
+   use litz_deck, only: token_t
+   use litz_model, only: model_t, step_t, output_request_t, request_node, request_element, request_contact, &
+      request_electrode
+   use litz_reader, only: reader_t, fail_at, read_line, parameter_of, choice_of, integer_parameter, keyword_of
+   use litz_sets, only: find_set
+   use litz_nodal_values, only: nodes_with_potential
+   implicit none
+   private
+   public :: request_list_t, begin_requests, read_request
+
+   type :: request_list_t
+      type(output_request_t), allocatable :: items(:)
+      !> Kinds that this step has asked for
+      logical :: asked(4) = .false.
+   end type request_list_t
+
+contains
+
+   pure subroutine begin_requests(list)
+      type(request_list_t), intent(inout) :: list
+
+      if (.not. allocated(list%items)) allocate (list%items(0))
+      list%asked = .false.
+   end subroutine begin_requests
+
+   subroutine read_request(self, model, card, list, step)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      integer, intent(in) :: card
+      type(request_list_t), intent(inout) :: list
+      type(step_t), intent(inout) :: step
+      type(output_request_t) :: request
+
+      allocate (request%quantities(0))
+      select case (keyword_of(self, card))
+      case ('NODE PRINT')
+         request%kind = request_node
+         call read_print(self, card, 'NSET', list, request)
+      case ('EL PRINT')
+         request%kind = request_element
+         call read_print(self, card, 'ELSET', list, request)
+      case ('CONTACT PRINT')
+         request%kind = request_contact
+         call add_request(list, request)
+      case ('ELECTRODE PRINT')
+         request%kind = request_electrode
+         call read_electrodes(self, model, card, list, request)
+      case default
+         step%output_frequency = integer_parameter(self, card, 'FREQUENCY', step%output_frequency)
+         call check_quantities(self, card)
+      end select
+   end subroutine read_request
+
+   pure subroutine add_request(list, request)
+      type(request_list_t), intent(inout) :: list
+      type(output_request_t), intent(in) :: request
+      type(output_request_t), allocatable :: grown(:)
+      integer :: i, n
+
+      if (.not. list%asked(request%kind)) then
+         n = 0
+         do i = 1, size(list%items)
+            if (list%items(i)%kind == request%kind) cycle
+            n = n + 1
+            list%items(n) = list%items(i)
+         end do
+         list%asked(request%kind) = .true.
+      else
+         n = size(list%items)
+      end if
+      allocate (grown(n + 1))
+      do i = 1, n
+         grown(i) = list%items(i)
+      end do
+      grown(n + 1) = request
+      call move_alloc(grown, list%items)
+   end subroutine add_request
+
+   !> *NODE PRINT or *EL PRINT: members, sums, or both.
+   subroutine read_print(self, card, parameter, list, request)
+      type(reader_t), intent(inout) :: self
+      integer, intent(in) :: card
+      !> NSET or ELSET
+      character(len=*), intent(in) :: parameter
+      type(request_list_t), intent(inout) :: list
+      type(output_request_t), intent(inout) :: request
+      integer :: line
+      logical :: ok
+
+      if (parameter == 'NSET') then
+         call find_set(self, 'node', self%node_sets, parameter_of(self, card, parameter), request%set)
+      else
+         call find_set(self, 'element', self%element_sets, parameter_of(self, card, parameter), request%set)
+      end if
+      do line = self%deck%cards(card)%first_data, self%deck%cards(card)%last_data
+         call read_line(self, card, line, ok)
+         call add_quantities(self, card, request)
+      end do
+      if (request%set == 0 .or. size(request%quantities) == 0) return
+      if (choice_of(self, card, 'TOTALS') /= 'ONLY') call add_request(list, request)
+      request%totals = .true.
+      if (choice_of(self, card, 'TOTALS') /= 'NO') call add_request(list, request)
+   end subroutine read_print
+
+   !> The quantities of the line read last.
+   subroutine add_quantities(self, card, request)
+      type(reader_t), intent(inout) :: self
+      integer, intent(in) :: card
+      type(output_request_t), intent(inout) :: request
+      character(len=word_length), allocatable :: words(:)
+      character(len=8), allocatable :: grown(:)
+      character(len=8) :: quantity
+      integer :: i
+
+      allocate (words, source=words_of(self%table%keywords(self%spec(card))%data(1)%fields(1)%choices))
+      do i = 1, self%values%n
+         if (.not. self%values%given(i)) cycle
+         quantity = words(self%values%whole(i))(:8)
+         if (any(request%quantities == quantity)) then
+            call fail_at(self, self%values%token(i), 'the quantity '//trim(quantity)//' is asked for twice')
+         else
+            allocate (grown(size(request%quantities) + 1))
+            grown(:size(request%quantities)) = request%quantities
+            grown(size(grown)) = quantity
+            call move_alloc(grown, request%quantities)
+         end if
+      end do
+   end subroutine add_quantities
+
+   !> The quantities of *NODE FILE and *EL FILE only have to exist.
+   subroutine check_quantities(self, card)
+      type(reader_t), intent(inout) :: self
+      integer, intent(in) :: card
+      integer :: line
+      logical :: ok
+
+      do line = self%deck%cards(card)%first_data, self%deck%cards(card)%last_data
+         call read_line(self, card, line, ok)
+      end do
+   end subroutine check_quantities
+
+   subroutine read_electrodes(self, model, card, list, request)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      integer, intent(in) :: card
+      type(request_list_t), intent(inout) :: list
+      type(output_request_t), intent(inout) :: request
+      logical, allocatable :: has_potential(:), positive(:)
+      integer :: line, i
+      logical :: ok
+
+      allocate (has_potential, source=nodes_with_potential(model))
+      do line = self%deck%cards(card)%first_data, self%deck%cards(card)%last_data
+         call read_line(self, card, line, ok)
+         if (.not. ok) cycle
+         call find_set(self, 'node', self%node_sets, self%values%token(1), request%set)
+         call find_set(self, 'node', self%node_sets, self%values%token(2), request%set_2)
+         if (request%set == 0 .or. request%set_2 == 0) cycle
+         call check_electrode(self%values%token(1), model%node_sets(request%set)%members)
+         call check_electrode(self%values%token(2), model%node_sets(request%set_2)%members)
+         allocate (positive(model%n_nodes), source=.false.)
+         positive(model%node_sets(request%set)%members) = .true.
+         do i = 1, size(model%node_sets(request%set_2)%members)
+            associate (node => model%node_sets(request%set_2)%members(i))
+               if (.not. positive(node)) cycle
+               call fail_at(self, self%values%token(2), 'node '//to_text(model%node_id(node))//' is in both electrodes')
+               exit
+            end associate
+         end do
+         deallocate (positive)
+         call add_request(list, request)
+      end do
+
+   contains
+
+      subroutine check_electrode(token, members)
+         type(token_t), intent(in) :: token
+         integer, intent(in) :: members(:)
+         integer :: k
+
+         do k = 1, size(members)
+            if (has_potential(members(k))) cycle
+            call fail_at(self, token, 'node '//to_text(model%node_id(members(k)))//' of '//self%deck%text(token)// &
+               ' has no electric potential')
+            return
+         end do
+      end subroutine check_electrode
+
+   end subroutine read_electrodes
+
+end module litz_read_requests

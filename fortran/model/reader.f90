@@ -1,0 +1,498 @@
+!> What all parts of the deck reader share: the deck, the errors found so far, names and numbers already known, and
+!> the values of one data line after another, checked against the keyword table.
+module litz_reader
+   use litz_kinds, only: dp
+   use litz_errors, only: error_list_t
+   use litz_text, only: upper, squeezed, to_text, words_of, join_words, nearest_word, word_length
+   use litz_numbers, only: parse_integer, parse_real, number_ok, number_not_one, number_not_finite, number_too_large
+   use litz_lookup, only: id_map_t, name_map_t
+   use litz_deck, only: deck_t, token_t, no_token
+   use litz_keywords, only: keyword_table_t, parameter_spec_t, data_spec_t, field_spec_t, kind_flag, kind_integer, &
+      kind_real, &
+      kind_choice, kind_name, kind_item, kind_text, limit_words, within_limit
+   use litz_model, only: name_length
+   implicit none
+   private
+   public :: reader_t, values_t, set_builder_t, definitions_t
+   public :: fail_at, read_line, applies, names_hint, name_of, parameter_of, has_flag, choice_of, name_parameter, &
+      real_parameter, &
+      integer_parameter, keyword_of, check_value, find_definition, add_definition
+
+   !> After this many errors no more hints are searched for
+   integer, parameter :: most_hints = 100
+
+   !> The values of one data line. Entries beyond `n`, and those that are not `given`, are 0.
+   type :: values_t
+      integer :: n = 0
+      type(token_t), allocatable :: token(:)
+      logical, allocatable :: given(:)
+      !> Numbers; a choice is the number of its word
+      integer, allocatable :: whole(:)
+      real(dp), allocatable :: real(:)
+   end type values_t
+
+   !> Sets while they grow.
+   type :: set_builder_t
+      type(name_map_t) :: names
+      !> First entry of each set, 0: none
+      integer, allocatable :: head(:)
+      !> Members of all sets in the order of reading, repetitions included, and the next entry of the same set
+      integer, allocatable :: member(:), next(:)
+      integer :: n = 0
+   end type set_builder_t
+
+   !> Names of materials, amplitudes or interactions, with the line of each and whether anything refers to it.
+   type :: definitions_t
+      type(name_map_t) :: names
+      type(token_t), allocatable :: token(:)
+      logical, allocatable :: used(:)
+      !> Something referred to a name that does not exist; then what seems unused may only be misspelled
+      logical :: missed = .false.
+   end type definitions_t
+
+   type :: reader_t
+      type(deck_t) :: deck
+      type(error_list_t) :: errors
+      type(keyword_table_t) :: table
+      !> Index into the table (n_cards), 0: not to be read; number of the step (n_cards), 0: model part
+      integer, allocatable :: spec(:), step(:)
+      integer :: n_steps = 0
+      type(id_map_t) :: nodes, elements
+      !> Line of the deck that defines each node and element
+      integer, allocatable :: node_line(:), element_line(:)
+      !> The position of the node could be read
+      logical, allocatable :: node_ok(:)
+      type(set_builder_t) :: node_sets, element_sets
+      type(definitions_t) :: materials, amplitudes, interactions
+      !> Some *BEAM SECTION names no set that exists, so that elements without section are no news
+      logical :: missed_section = .false.
+      !> Values of the data line read last
+      type(values_t) :: values
+      !> The form of data line read last: card, and index into the data lines of its keyword
+      integer :: form_card = 0, form = 0
+   end type reader_t
+
+contains
+
+   !> Record an error that points at a token.
+   subroutine fail_at(self, token, message)
+      type(reader_t), intent(inout) :: self
+      type(token_t), intent(in) :: token
+      character(len=*), intent(in) :: message
+
+      call self%errors%add(self%deck%error_at(token, message))
+   end subroutine fail_at
+
+   !> The keyword of a card as the table has it.
+   pure function keyword_of(self, card) result(keyword)
+      type(reader_t), intent(in) :: self
+      integer, intent(in) :: card
+      character(len=:), allocatable :: keyword
+
+      keyword = ''
+      if (self%spec(card) > 0) keyword = trim(self%table%keywords(self%spec(card))%name)
+   end function keyword_of
+
+   !> A name as it is stored and compared: capitals.
+   pure function name_of(self, token) result(name)
+      type(reader_t), intent(in) :: self
+      type(token_t), intent(in) :: token
+      character(len=:), allocatable :: name
+
+      name = upper(self%deck%text(token))
+   end function name_of
+
+   ! Parameters. What was wrong about them has been reported by litz_card_checks.
+
+   !> The value of a parameter; `no_token` when the card does not have it.
+   pure type(token_t) function parameter_of(self, card, name) result(token)
+      type(reader_t), intent(in) :: self
+      integer, intent(in) :: card
+      character(len=*), intent(in) :: name
+      integer :: i
+
+      token = no_token
+      associate (parameters => self%deck%cards(card)%parameters)
+         do i = 1, size(parameters)
+            if (squeezed(self%deck%text(parameters(i)%name)) /= squeezed(name)) cycle
+            token = parameters(i)%name
+            if (parameters(i)%has_value) token = parameters(i)%value
+         end do
+      end associate
+   end function parameter_of
+
+   pure logical function has_flag(self, card, name)
+      type(reader_t), intent(in) :: self
+      integer, intent(in) :: card
+      character(len=*), intent(in) :: name
+      type(token_t) :: token
+
+      token = parameter_of(self, card, name)
+      has_flag = token%line > 0
+   end function has_flag
+
+   !> The word chosen, without blanks; the default when there is none or a wrong one.
+   pure function choice_of(self, card, name) result(word)
+      type(reader_t), intent(in) :: self
+      integer, intent(in) :: card
+      character(len=*), intent(in) :: name
+      character(len=:), allocatable :: word
+      character(len=word_length), allocatable :: words(:)
+      type(token_t) :: token
+      integer :: i
+
+      associate (keyword => self%table%keywords(self%spec(card)))
+         associate (parameter => keyword%parameters(keyword%find_parameter(name)))
+            token = parameter_of(self, card, name)
+            if (parameter%kind == kind_flag) then
+               word = trim(merge('YES', 'NO ', token%line > 0))
+               return
+            end if
+            if (token%line > 0) then
+               word = squeezed(self%deck%text(token))
+               allocate (words, source=words_of(parameter%choices))
+               do i = 1, size(words)
+                  if (squeezed(trim(words(i))) == word) return
+               end do
+            end if
+            word = squeezed(trim(parameter%default))
+         end associate
+      end associate
+   end function choice_of
+
+   !> The value of a parameter as a name; empty when there is none.
+   pure function name_parameter(self, card, name) result(value)
+      type(reader_t), intent(in) :: self
+      integer, intent(in) :: card
+      character(len=*), intent(in) :: name
+      character(len=:), allocatable :: value
+
+      value = name_of(self, parameter_of(self, card, name))
+   end function name_parameter
+
+   pure real(dp) function real_parameter(self, card, name, default) result(value)
+      type(reader_t), intent(in) :: self
+      integer, intent(in) :: card
+      character(len=*), intent(in) :: name
+      real(dp), intent(in) :: default
+      real(dp) :: number
+      integer :: status
+
+      value = default
+      call parse_real(self%deck%text(parameter_of(self, card, name)), number, status)
+      if (status == number_ok) value = number
+   end function real_parameter
+
+   pure integer function integer_parameter(self, card, name, default) result(value)
+      type(reader_t), intent(in) :: self
+      integer, intent(in) :: card
+      character(len=*), intent(in) :: name
+      integer, intent(in) :: default
+      integer :: status, number
+
+      value = default
+      call parse_integer(self%deck%text(parameter_of(self, card, name)), number, status)
+      if (status == number_ok) value = number
+   end function integer_parameter
+
+   ! Data lines.
+
+   !> Read and check the values of a data line; whatever is wrong is reported.
+   subroutine read_line(self, card, line, ok)
+      type(reader_t), intent(inout) :: self
+      integer, intent(in) :: card
+      !> Index into the lines of the deck
+      integer, intent(in) :: line
+      !> .false.: something was reported; values that were not understood are not `given`
+      logical, intent(out) :: ok
+      integer :: i, n_fields, n_allowed
+      logical :: value_ok
+
+      call find_form(self, card, line)
+      call self%deck%split(line, self%values%token, self%values%n)
+      call prepare_values(self%values)
+      ok = self%form > 0
+      if (.not. ok) return
+      associate (form => self%table%keywords(self%spec(card))%data(self%form), n => self%values%n)
+         n_fields = size(form%fields)
+         if (form%fields(1)%kind == kind_text) return
+         n_allowed = n_fields*form%repeats
+         if (n > n_allowed .and. n_allowed > 0) then
+            call fail_at(self, self%values%token(n_allowed + 1), 'too many values: *'//keyword_of(self, card)// &
+               ' takes '//merge('at most ', '        ', form%repeats > 1)//to_text(n_allowed)//' on this line: '// &
+               form_words(form))
+            ok = .false.
+            n = n_allowed
+         end if
+         do i = 1, n
+            call read_value(self, form%fields(mod(i - 1, n_fields) + 1), i, value_ok)
+            ok = ok .and. value_ok
+         end do
+         if (mod(n, n_fields) /= 0 .or. n == 0) call check_missing(self, form, line, ok)
+      end associate
+   end subroutine read_line
+
+   !> The form that the table gives for this line of the card.
+   pure subroutine find_form(self, card, line)
+      type(reader_t), intent(inout) :: self
+      integer, intent(in) :: card, line
+      integer :: ordinal, i
+
+      associate (keyword => self%table%keywords(self%spec(card)))
+         if (self%form_card == card .and. self%form > 0) then
+            if (keyword%data(self%form)%last == 0) return
+         end if
+         ordinal = line - self%deck%cards(card)%first_data + 1
+         self%form_card = card
+         self%form = 0
+         do i = 1, size(keyword%data)
+            associate (form => keyword%data(i))
+               if (ordinal < form%first .or. (form%last > 0 .and. ordinal > form%last)) cycle
+               if (.not. applies(self, card, form)) cycle
+               self%form = i
+               return
+            end associate
+         end do
+      end associate
+   end subroutine find_form
+
+   !> .true. when the parameters of the card ask for this form of data line.
+   pure logical function applies(self, card, form)
+      type(reader_t), intent(in) :: self
+      integer, intent(in) :: card
+      type(data_spec_t), intent(in) :: form
+      integer :: equals
+
+      equals = index(form%when, '=')
+      applies = equals == 0
+      if (equals > 0) applies = choice_of(self, card, form%when(:equals - 1)) == squeezed(trim(form%when(equals + 1:)))
+   end function applies
+
+   pure subroutine prepare_values(values)
+      type(values_t), intent(inout) :: values
+      integer :: n
+
+      n = size(values%token)
+      if (allocated(values%real)) then
+         if (size(values%real) < n) deallocate (values%real, values%whole, values%given)
+      end if
+      if (.not. allocated(values%real)) allocate (values%real(n), values%whole(n), values%given(n))
+      n = min(n, max(values%n, 16))
+      values%real(:n) = 0
+      values%whole(:n) = 0
+      values%given(:n) = .false.
+   end subroutine prepare_values
+
+   !> Take one value; an empty one is complained about when it is needed.
+   subroutine read_value(self, field, i, ok)
+      type(reader_t), intent(inout) :: self
+      type(field_spec_t), intent(in) :: field
+      integer, intent(in) :: i
+      logical, intent(out) :: ok
+      integer :: whole
+      real(dp) :: real_value
+
+      associate (token => self%values%token(i))
+         ok = .true.
+         if (token%last < token%first) then
+            if (field%required) then
+               call fail_at(self, token, 'value '//to_text(i)//', '//field_words(field)//', is missing')
+               ok = .false.
+            end if
+            return
+         end if
+         call check_value(self, token, field%kind, field%limit, field%choices, 'value '//to_text(i)//', '// &
+            field_words(field), whole, real_value, ok)
+         self%values%whole(i) = whole
+         self%values%real(i) = real_value
+         self%values%given(i) = ok
+      end associate
+   end subroutine read_value
+
+   !> Understand a value, of a data line or a parameter, or say what is wrong about it.
+   subroutine check_value(self, token, kind, limit, choices, what, whole, real_value, ok)
+      type(reader_t), intent(inout) :: self
+      type(token_t), intent(in) :: token
+      integer, intent(in) :: kind, limit
+      character(len=*), intent(in) :: choices
+      !> Subject of the message
+      character(len=*), intent(in) :: what
+      integer, intent(out) :: whole
+      real(dp), intent(out) :: real_value
+      logical, intent(out) :: ok
+      integer :: status
+
+      whole = 0
+      real_value = 0
+      ok = .true.
+      associate (text => self%deck%sources(self%deck%lines(token%line)%source)%text(token%first:token%last))
+         select case (kind)
+         case (kind_integer)
+            call parse_integer(text, whole, status)
+            real_value = real(whole, dp)
+            call check_number('a whole number')
+         case (kind_real)
+            call parse_real(text, real_value, status)
+            call check_number('a number')
+         case (kind_choice)
+            call check_choice(self, token, choices, what, whole, ok)
+         case (kind_name, kind_item)
+            if (len(text) > name_length) then
+               call fail_at(self, token, what//', is longer than '//to_text(name_length)//' characters')
+               ok = .false.
+            end if
+            if (kind == kind_item) call parse_integer(text, whole, status)
+         end select
+      end associate
+
+   contains
+
+      subroutine check_number(noun)
+         character(len=*), intent(in) :: noun
+
+         ok = .false.
+         select case (status)
+         case (number_ok)
+            ok = within_limit(real_value, limit)
+            if (.not. ok) call fail_at(self, token, what//', is '//self%deck%shown(token)//'; it must be '// &
+               limit_words(limit))
+         case (number_not_one)
+            call fail_at(self, token, what//', must be '//noun//'; found '//self%deck%shown(token)//hint())
+         case (number_not_finite)
+            call fail_at(self, token, what//', must be a finite number; found '//self%deck%shown(token))
+         case (number_too_large)
+            call fail_at(self, token, what//', is too large for this program; found '//self%deck%shown(token))
+         case default
+            call fail_at(self, token, what//', is too small to be told from 0; found '//self%deck%shown(token))
+         end select
+      end subroutine check_number
+
+      function hint()
+         character(len=:), allocatable :: hint
+
+         hint = ''
+         if (scan(trim(self%deck%text(token)), ' ;'//achar(9)) > 0) hint = ' (values are separated by commas)'
+      end function hint
+
+   end subroutine check_value
+
+   subroutine check_choice(self, token, choices, what, chosen, ok)
+      type(reader_t), intent(inout) :: self
+      type(token_t), intent(in) :: token
+      character(len=*), intent(in) :: choices, what
+      !> Number of the word
+      integer, intent(out) :: chosen
+      logical, intent(out) :: ok
+      character(len=word_length), allocatable :: words(:)
+      character(len=:), allocatable :: word, nearest
+
+      allocate (words, source=words_of(choices))
+      word = squeezed(self%deck%text(token))
+      ok = .true.
+      do chosen = 1, size(words)
+         if (squeezed(trim(words(chosen))) == word) return
+      end do
+      chosen = 0
+      ok = .false.
+      nearest = nearest_word(word, words)
+      if (len(nearest) > 0) nearest = '; did you mean '//nearest//'?'
+      call fail_at(self, token, what//', must be '//join_words(words, 'or')//'; found '//self%deck%shown(token)// &
+         nearest)
+   end subroutine check_choice
+
+   !> Complain about required values behind the last one.
+   subroutine check_missing(self, form, line, ok)
+      type(reader_t), intent(inout) :: self
+      type(data_spec_t), intent(in) :: form
+      integer, intent(in) :: line
+      logical, intent(inout) :: ok
+      integer :: i
+
+      do i = mod(self%values%n, size(form%fields)) + 1, size(form%fields)
+         if (.not. form%fields(i)%required) cycle
+         call fail_at(self, self%deck%end_of_line(line), 'value '//to_text(self%values%n + i - &
+            mod(self%values%n, size(form%fields)))//', '//field_words(form%fields(i))// &
+            ', is missing; the line holds '// &
+            form_words(form))
+         ok = .false.
+         return
+      end do
+   end subroutine check_missing
+
+   pure function field_words(field) result(words)
+      type(field_spec_t), intent(in) :: field
+      character(len=:), allocatable :: words
+
+      words = trim(field%name)
+      if (len_trim(field%help) > 0 .and. index(field%help, ';') == 0) words = words//' ('//trim(field%help)//')'
+   end function field_words
+
+   pure function form_words(form) result(words)
+      type(data_spec_t), intent(in) :: form
+      character(len=:), allocatable :: words
+      integer :: i
+
+      words = ''
+      do i = 1, size(form%fields)
+         if (i > 1) words = words//', '
+         words = words//trim(form%fields(i)%name)
+      end do
+      if (form%repeats /= 1) words = words//', '//words//', ...'
+   end function form_words
+
+   ! Definitions by name.
+
+   !> A new name of a material, amplitude or interaction; `index` is 0 when it is there already.
+   subroutine add_definition(self, definitions, what, token, index)
+      type(reader_t), intent(inout) :: self
+      type(definitions_t), intent(inout) :: definitions
+      character(len=*), intent(in) :: what
+      !> The name
+      type(token_t), intent(in) :: token
+      integer, intent(out) :: index
+      integer :: before
+
+      if (.not. allocated(definitions%token)) allocate (definitions%token(0), definitions%used(0))
+      before = definitions%names%n
+      call definitions%names%put(name_of(self, token), index)
+      if (definitions%names%n > before) then
+         definitions%token = [definitions%token, token]
+         definitions%used = [definitions%used, .false.]
+      else
+         call fail_at(self, token, 'the '//what//' '//self%deck%shown(token)//' is defined twice; first in '// &
+            self%deck%place(definitions%token(index)%line))
+         index = 0
+      end if
+   end subroutine add_definition
+
+   !> Look a name up and mark it as used; 0 and an error when it does not exist.
+   subroutine find_definition(self, definitions, what, token, index)
+      type(reader_t), intent(inout) :: self
+      type(definitions_t), intent(inout) :: definitions
+      character(len=*), intent(in) :: what
+      type(token_t), intent(in) :: token
+      integer, intent(out) :: index
+
+      index = definitions%names%get(name_of(self, token))
+      if (index > 0) then
+         definitions%used(index) = .true.
+      else
+         definitions%missed = .true.
+         if (token%last < token%first) return
+         call fail_at(self, token, 'there is no '//what//' '//self%deck%shown(token)// &
+            names_hint(self, definitions%names, token))
+      end if
+   end subroutine find_definition
+
+   !> What else the user may have meant.
+   pure function names_hint(self, names, token) result(hint)
+      type(reader_t), intent(in) :: self
+      type(name_map_t), intent(in) :: names
+      type(token_t), intent(in) :: token
+      character(len=:), allocatable :: hint
+
+      hint = ''
+      if (self%errors%count < most_hints) hint = names%hint(name_of(self, token))
+   end function names_hint
+
+end module litz_reader

@@ -1,0 +1,141 @@
+!> Which rigid motions a set of supports leaves to a body, and in words.
+module litz_rigid_modes
+   use litz_kinds, only: dp
+   use litz_rotations, only: cross
+   use litz_text, only: to_text
+   implicit none
+   private
+   public :: add_support, free_modes, modes_in_words
+
+   !> Supports restrain a motion when its eigenvalue is larger than this part of the largest
+   real(dp), parameter :: rank_tolerance = 1.0e-10_dp
+   !> Components of a direction smaller than this are round-off
+   real(dp), parameter :: direction_tolerance = 1.0e-5_dp
+
+   interface
+      !> LAPACK: eigenvalues and eigenvectors of a real symmetric matrix
+      pure subroutine dsyev(jobz, uplo, n, a, lda, w, work, lwork, info)
+         import :: dp
+         character(len=1), intent(in) :: jobz, uplo
+         integer, intent(in) :: n, lda, lwork
+         real(dp), intent(inout) :: a(lda, *)
+         real(dp), intent(out) :: w(*), work(*)
+         integer, intent(out) :: info
+      end subroutine dsyev
+   end interface
+
+contains
+
+   !> Add one prescribed degree of freedom to the matrix of supports, `sum of c c^T` with `c . (t, L theta) = 0` the
+   !> condition on the translation `t` and the rotation `theta` of the body.
+   pure subroutine add_support(matrix, dof, arm)
+      real(dp), intent(inout) :: matrix(6, 6)
+      !> 1-3 displacement, 4-6 rotation
+      integer, intent(in) :: dof
+      !> Position of the node from the centre of the body, over its size L [-]
+      real(dp), intent(in) :: arm(3)
+      real(dp) :: c(6), axis(3)
+
+      c = 0
+      c(dof) = 1
+      if (dof <= 3) then
+         axis = 0
+         axis(dof) = 1
+         ! u_i = t_i + (theta x r) . e_i = t_i + theta . (r x e_i)
+         c(4:6) = cross(arm, axis)
+      end if
+      matrix = matrix + spread(c, 2, 6)*spread(c, 1, 6)
+   end subroutine add_support
+
+   !> Basis of the motions that no support restrains.
+   pure subroutine free_modes(matrix, n, modes)
+      real(dp), intent(in) :: matrix(6, 6)
+      integer, intent(out) :: n
+      !> Columns: t, L theta; the first `n` are set
+      real(dp), intent(out) :: modes(6, 6)
+      real(dp) :: eigenvalues(6), work(64)
+      integer :: info
+
+      modes = matrix
+      call dsyev('V', 'U', 6, modes, 6, eigenvalues, work, size(work), info)
+      n = count(eigenvalues <= rank_tolerance*max(1.0_dp, eigenvalues(6)))
+      if (info /= 0) n = 0
+      call simplify(modes(:, :n))
+   end subroutine free_modes
+
+   !> Gauss-Jordan elimination, rotations first, so that the basis has as many pure translations as there are, and
+   !> motions along and about single axes where that is possible.
+   pure subroutine simplify(modes)
+      real(dp), intent(inout) :: modes(:, :)
+      integer, parameter :: order(6) = [4, 5, 6, 1, 2, 3]
+      real(dp) :: column(6)
+      integer :: k, row, done, best, j
+
+      done = 0
+      do k = 1, 6
+         row = order(k)
+         if (done == size(modes, 2)) exit
+         best = done + maxloc(abs(modes(row, done + 1:)), 1)
+         if (abs(modes(row, best)) < direction_tolerance) cycle
+         done = done + 1
+         column = modes(:, best)/modes(row, best)
+         modes(:, best) = modes(:, done)
+         modes(:, done) = column
+         do j = 1, size(modes, 2)
+            if (j /= done) modes(:, j) = modes(:, j) - modes(row, j)*column
+         end do
+      end do
+   end subroutine simplify
+
+   !> `translation along x, rotation about the x direction through (0, 0, 0)`
+   pure function modes_in_words(n, modes, centre, length) result(words)
+      integer, intent(in) :: n
+      real(dp), intent(in) :: modes(6, 6)
+      !> Centre [m] and size [m] of the body
+      real(dp), intent(in) :: centre(3), length
+      character(len=:), allocatable :: words
+      integer :: i
+
+      words = ''
+      do i = 1, n
+         if (i > 1) words = words//', '
+         words = words//mode_words(modes(1:3, i), modes(4:6, i)/length, centre, length)
+      end do
+   end function modes_in_words
+
+   pure function mode_words(translation, rotation, centre, length) result(words)
+      real(dp), intent(in) :: translation(3), rotation(3), centre(3), length
+      character(len=:), allocatable :: words
+      real(dp) :: point(3), axis(3), advance
+
+      if (norm2(rotation)*length <= direction_tolerance*norm2(translation)) then
+         words = 'translation along '//direction_words(translation/norm2(translation))
+         return
+      end if
+      axis = rotation/norm2(rotation)
+      ! the point that does not move: t + theta x r = 0 across the axis
+      point = centre + cross(axis, translation)/norm2(rotation)
+      where (abs(point) < direction_tolerance*length) point = 0
+      words = 'rotation about '//direction_words(axis)//' through ('//to_text(point(1))//', '//to_text(point(2))// &
+         ', '// &
+         to_text(point(3))//')'
+      advance = dot_product(axis, translation)
+      if (abs(advance) > direction_tolerance*norm2(rotation)*length) words = words//' with translation along it'
+   end function mode_words
+
+   pure function direction_words(direction) result(words)
+      real(dp), intent(in) :: direction(3)
+      character(len=:), allocatable :: words
+      character(len=1), parameter :: names(3) = ['x', 'y', 'z']
+      real(dp) :: d(3)
+
+      if (maxval(abs(direction)) > 1 - direction_tolerance**2) then
+         words = names(maxloc(abs(direction), 1))
+      else
+         d = direction
+         where (abs(d) < direction_tolerance) d = 0
+         words = 'the direction ('//to_text(d(1))//', '//to_text(d(2))//', '//to_text(d(3))//')'
+      end if
+   end function direction_words
+
+end module litz_rigid_modes

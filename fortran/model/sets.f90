@@ -1,0 +1,254 @@
+!> Sets of nodes and elements: growing while the deck is read, then sorted lists of indices.
+module litz_sets
+   use litz_text, only: to_text
+   use litz_numbers, only: parse_integer, number_not_one
+   use litz_sorting, only: sort_integers
+   use litz_deck, only: token_t
+   use litz_lookup, only: id_map_t
+   use litz_model, only: model_t, named_set_t
+   use litz_reader, only: reader_t, set_builder_t, fail_at, read_line, parameter_of, has_flag, name_of, keyword_of, &
+      names_hint
+   implicit none
+   private
+   public :: open_set, add_member, read_sets, find_set, find_item
+
+contains
+
+   !> The set of a name, new or not; 0 after an error.
+   subroutine open_set(self, builder, token, set)
+      type(reader_t), intent(inout) :: self
+      type(set_builder_t), intent(inout) :: builder
+      !> The name; empty when the card has none
+      type(token_t), intent(in) :: token
+      integer, intent(out) :: set
+      integer, allocatable :: grown(:)
+      integer :: number, status
+
+      set = 0
+      if (token%last < token%first) return
+      call parse_integer(self%deck%text(token), number, status)
+      if (status /= number_not_one) then
+         call fail_at(self, token, 'the name of a set must not be a number; found '//self%deck%shown(token))
+         return
+      end if
+      call builder%names%put(name_of(self, token), set)
+      if (.not. allocated(builder%head)) then
+         allocate (builder%head(64), builder%member(1024), builder%next(1024))
+         builder%head = 0
+      end if
+      if (set > size(builder%head)) then
+         allocate (grown(2*size(builder%head)), source=0)
+         grown(:size(builder%head)) = builder%head
+         call move_alloc(grown, builder%head)
+      end if
+   end subroutine open_set
+
+   pure subroutine add_member(builder, set, member)
+      type(set_builder_t), intent(inout) :: builder
+      !> 0: nothing is done
+      integer, intent(in) :: set
+      integer, intent(in) :: member
+      integer, allocatable :: grown(:)
+
+      if (set == 0) return
+      if (builder%n == size(builder%member)) then
+         allocate (grown(2*builder%n))
+         grown(:builder%n) = builder%member
+         call move_alloc(grown, builder%member)
+         allocate (grown(2*builder%n))
+         grown(:builder%n) = builder%next
+         call move_alloc(grown, builder%next)
+      end if
+      builder%n = builder%n + 1
+      builder%member(builder%n) = member
+      builder%next(builder%n) = builder%head(set)
+      builder%head(set) = builder%n
+   end subroutine add_member
+
+   !> *NSET and *ELSET, and all sets into the model.
+   subroutine read_sets(self, model)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(inout) :: model
+      integer :: card
+
+      do card = 1, self%deck%n_cards
+         select case (keyword_of(self, card))
+         case ('NSET')
+            call read_set(self, card, 'node', self%node_sets, self%nodes, model%node_id)
+         case ('ELSET')
+            call read_set(self, card, 'element', self%element_sets, self%elements, model%element_id)
+         end select
+      end do
+      call finish_sets(self%node_sets, model%n_nodes, model%node_sets)
+      call finish_sets(self%element_sets, model%n_elements, model%element_sets)
+   end subroutine read_sets
+
+   subroutine read_set(self, card, what, builder, map, ids)
+      type(reader_t), intent(inout) :: self
+      integer, intent(in) :: card
+      !> `node` or `element`
+      character(len=*), intent(in) :: what
+      type(set_builder_t), intent(inout) :: builder
+      type(id_map_t), intent(in) :: map
+      !> The user's numbers by index
+      integer, intent(in) :: ids(:)
+      integer :: line, set
+      logical :: ok
+
+      call open_set(self, builder, parameter_of(self, card, keyword_of(self, card)), set)
+      associate (this => self%deck%cards(card))
+         do line = this%first_data, this%last_data
+            call read_line(self, card, line, ok)
+            if (has_flag(self, card, 'GENERATE')) then
+               if (ok) call generate_members(self, what, builder, set, map, ids)
+            else
+               call list_members(self, what, builder, set, map)
+            end if
+         end do
+      end associate
+   end subroutine read_set
+
+   !> A line of numbers and names of other sets.
+   subroutine list_members(self, what, builder, set, map)
+      type(reader_t), intent(inout) :: self
+      character(len=*), intent(in) :: what
+      type(set_builder_t), intent(inout) :: builder
+      integer, intent(in) :: set
+      type(id_map_t), intent(in) :: map
+      integer :: i, other, entry, index
+
+      do i = 1, self%values%n
+         if (.not. self%values%given(i)) cycle
+         call find_item(self, what, builder, map, i, index, other)
+         if (index > 0) call add_member(builder, set, index)
+         if (other == 0 .or. other == set) cycle
+         entry = builder%head(other)
+         do while (entry > 0)
+            call add_member(builder, set, builder%member(entry))
+            entry = builder%next(entry)
+         end do
+      end do
+   end subroutine list_members
+
+   !> `first, last, step`. Gaps in the numbering are passed over, but a range with nothing in it is an error.
+   subroutine generate_members(self, what, builder, set, map, ids)
+      type(reader_t), intent(inout) :: self
+      character(len=*), intent(in) :: what
+      type(set_builder_t), intent(inout) :: builder
+      integer, intent(in) :: set
+      type(id_map_t), intent(in) :: map
+      integer, intent(in) :: ids(:)
+      integer :: first, last, step, i, n, n_before
+
+      first = self%values%whole(1)
+      last = self%values%whole(2)
+      step = merge(self%values%whole(3), 1, self%values%given(3))
+      if (last < first) then
+         call fail_at(self, self%values%token(2), 'the last number of the range, '//to_text(last)// &
+            ', is smaller than the first, '//to_text(first))
+         return
+      end if
+      n_before = builder%n
+      n = (last - first)/step
+      if (n <= size(ids)) then
+         do i = 0, n
+            if (map%get(first + i*step) > 0) call add_member(builder, set, map%get(first + i*step))
+         end do
+      else
+         do i = 1, size(ids)
+            if (ids(i) >= first .and. ids(i) <= last) then
+               if (mod(ids(i) - first, step) == 0) call add_member(builder, set, i)
+            end if
+         end do
+      end if
+      if (builder%n == n_before .and. set > 0) call fail_at(self, self%values%token(1), 'there is no '//what// &
+         ' with a number in this range')
+   end subroutine generate_members
+
+   !> What value `i` of the line names: an index by its number, or a set by its name. Both 0 after an error.
+   subroutine find_item(self, what, builder, map, i, index, set)
+      type(reader_t), intent(inout) :: self
+      character(len=*), intent(in) :: what
+      type(set_builder_t), intent(in) :: builder
+      type(id_map_t), intent(in) :: map
+      integer, intent(in) :: i
+      integer, intent(out) :: index, set
+      integer :: number, status
+
+      index = 0
+      set = 0
+      associate (token => self%values%token(i))
+         call parse_integer(self%deck%text(token), number, status)
+         if (status == number_not_one) then
+            call find_set(self, what, builder, token, set)
+         else
+            index = map%get(self%values%whole(i))
+            if (index == 0) call fail_at(self, token, 'there is no '//what//' '//self%deck%text(token))
+         end if
+      end associate
+   end subroutine find_item
+
+   !> A set by its name; 0 and an error when there is none.
+   subroutine find_set(self, what, builder, token, set)
+      type(reader_t), intent(inout) :: self
+      !> `node` or `element`
+      character(len=*), intent(in) :: what
+      type(set_builder_t), intent(in) :: builder
+      type(token_t), intent(in) :: token
+      integer, intent(out) :: set
+
+      set = 0
+      if (token%last < token%first) return
+      set = builder%names%get(name_of(self, token))
+      if (set > 0) return
+      call fail_at(self, token, 'there is no '//what//' set '//self%deck%shown(token)//other_kind()// &
+         names_hint(self, builder%names, token))
+
+   contains
+
+      !> A set of this name, but of the other kind.
+      function other_kind()
+         character(len=:), allocatable :: other_kind
+
+         other_kind = ''
+         if (what == 'node' .and. self%element_sets%names%get(name_of(self, token)) > 0) then
+            other_kind = ' (there is an element set of this name)'
+         else if (what == 'element' .and. self%node_sets%names%get(name_of(self, token)) > 0) then
+            other_kind = ' (there is a node set of this name)'
+         end if
+      end function other_kind
+
+   end subroutine find_set
+
+   !> Sort the members of each set and drop repetitions.
+   pure subroutine finish_sets(builder, n_items, sets)
+      type(set_builder_t), intent(in) :: builder
+      !> Number of nodes or elements
+      integer, intent(in) :: n_items
+      type(named_set_t), allocatable, intent(out) :: sets(:)
+      !> The last set that each node or element was put into
+      integer, allocatable :: put_into(:), members(:)
+      integer :: set, n, entry
+
+      allocate (sets(builder%names%n), members(n_items))
+      allocate (put_into(n_items), source=0)
+      do set = 1, size(sets)
+         n = 0
+         entry = builder%head(set)
+         do while (entry > 0)
+            associate (member => builder%member(entry))
+               if (put_into(member) /= set) then
+                  put_into(member) = set
+                  n = n + 1
+                  members(n) = member
+               end if
+            end associate
+            entry = builder%next(entry)
+         end do
+         call sort_integers(members(:n))
+         sets(set)%name = builder%names%name(set)
+         sets(set)%members = members(:n)
+      end do
+   end subroutine finish_sets
+
+end module litz_sets
