@@ -1,0 +1,84 @@
+"""Small decks that several tests change in one place."""
+
+#: Two copper-like wires of 1 mm radius cross in the middle of their middle elements.
+#: Placeholders: gap [m], behavior (card and data of the normal law), spot (card of the spot law), push [m],
+#: static (data line), extra (cards of the step).
+CROSSED = """\
+*HEADING
+crossed wires of a test
+*NODE, NSET=LOWER
+ 1, -0.05, 0, 0
+ 2, -0.02, 0, 0
+ 3, -0.006, 0, 0
+ 4, 0.004, 0, 0
+ 5, 0.02, 0, 0
+ 6, 0.05, 0, 0
+*NODE, NSET=UPPER
+ 11, 0, -0.05, {height}
+ 12, 0, -0.02, {height}
+ 13, 0, -0.005, {height}
+ 14, 0, 0.006, {height}
+ 15, 0, 0.02, {height}
+ 16, 0, 0.05, {height}
+*NSET, NSET=LOWER_ENDS
+ 1, 6
+*NSET, NSET=UPPER_ENDS
+ 11, 16
+*ELEMENT, TYPE={element}, ELSET=LOWER
+ 1, 1, 2
+ 2, 2, 3
+ 3, 3, 4
+ 4, 4, 5
+ 5, 5, 6
+*ELEMENT, TYPE={element}, ELSET=UPPER
+ 11, 11, 12
+ 12, 12, 13
+ 13, 13, 14
+ 14, 14, 15
+ 15, 15, 16
+*ELSET, ELSET=WIRES
+ LOWER, UPPER
+*MATERIAL, NAME=COPPER
+*ELASTIC
+ 120e9, 0.34
+*ELECTRICAL CONDUCTIVITY
+ 58.823529411764706e6
+*BEAM SECTION, ELSET=WIRES, MATERIAL=COPPER, SECTION=CIRC
+ 1e-3
+*SURFACE INTERACTION, NAME=SPOT
+{behavior}
+{spot}
+*CONTACT PAIR, INTERACTION=SPOT{pair}
+ LOWER, UPPER
+*BOUNDARY
+ LOWER_ENDS, 1, 6
+*STEP, INC=200
+*STATIC
+ {static}
+*BOUNDARY
+ UPPER_ENDS, 1, 2
+ UPPER_ENDS, 4, 6
+ UPPER_ENDS, 3, 3, {push}
+ 1, 9, 9, 1e-3
+ 11, 9, 9, 0
+{extra}
+*END STEP
+"""
+
+DEFAULTS = {
+    "height": "2e-3",
+    "element": "B33",
+    "behavior": "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ",
+    "spot": "*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ",
+    "pair": "",
+    "static": "1, 1, 1e-3, 1",
+    "push": "-1e-4",
+    "extra": "",
+}
+
+
+def crossed(**changes):
+    """Text of the crossed wires, with some placeholders changed."""
+    unknown = set(changes) - set(DEFAULTS)
+    assert not unknown, f"no such placeholder: {unknown}"
+    return CROSSED.format(**{**DEFAULTS, **changes})

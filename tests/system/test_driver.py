@@ -1,0 +1,207 @@
+"""What the driver promises of every run: rates, invariants, refusals, independence of solver and threads."""
+
+import numpy as np
+import pytest
+from decks import crossed
+
+from litz import Results
+
+SOFT = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR{}\n 1e3"
+
+
+@pytest.fixture
+def run(litz, tmp_path):
+    """Run a deck given as text; return the finished process and, where there are files, the results."""
+
+    def run_text(text, *arguments, name="deck", env=None):
+        deck = tmp_path / f"{name}.inp"
+        deck.write_text(text)
+        process = litz("run", deck, "-o", tmp_path / name, *arguments, env=env)
+        path = tmp_path / name / f"{name}.vtkhdf"
+        return process, Results(path) if path.exists() else None
+
+    return run_text
+
+
+def residual_history(results, name, attempt=1):
+    """Residuals of the last increment, iteration by iteration."""
+    table = results.convergence
+    last = table["inc"].max()
+    rows = (table["inc"] == last) & (table["att"] == attempt)
+    return table[name][rows], table[name + "_allowed"][rows]
+
+
+def observed_order(residual, allowed, base):
+    """Order of the last step that does not end in round-off, from three residuals in a row."""
+    orders = []
+    for a, b, c in zip(residual, residual[1:], residual[2:], strict=False):
+        if a < base and c > 1e-2 * allowed[0]:
+            orders.append(np.log(c / b) / np.log(b / a))
+    return orders
+
+
+@pytest.mark.parametrize("behavior", ["HERTZ", "LINEAR\n 1e7"])
+@pytest.mark.parametrize("element", ["B31", "B33"])
+def test_newton_converges_quadratically(run, element, behavior):
+    """Force and current of the monolithic step: each residual at most a constant times the square of the last one."""
+    text = crossed(
+        element=element,
+        behavior=f"*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE={behavior}",
+        push="-2e-3",
+        static="1, 1, 1e-3, 1",
+        extra="*SOLVER, NAME=UMFPACK, COUPLING=MONOLITHIC",
+    )
+    process, results = run(text)
+    assert process.returncode == 0, process.stderr
+    residual, allowed = residual_history(results, "force")
+    assert residual[-1] <= allowed[-1]
+    # from the first residual below a hundredth of the largest one, the digits at least double, down to round-off
+    start = np.flatnonzero(residual < 1e-2 * residual.max())[0]
+    for before, after, bound in zip(residual[start:], residual[start + 1 :], allowed[start + 1 :], strict=False):
+        assert after <= max(before * np.sqrt(before / residual.max()), bound)
+    assert len(residual) <= 12
+
+
+def test_forces_currents_and_power_balance(run):
+    process, results = run(crossed(push="-5e-4"))
+    assert process.returncode == 0, process.stderr
+    force = results.field("reaction_force")
+    scale = np.abs(force).max()
+    assert np.abs(force.sum(axis=0)).max() < 1e-7 * scale
+    moment = results.field("reaction_moment") + np.cross(results.positions(), force)
+    assert np.abs(moment.sum(axis=0)).max() < 1e-7 * np.abs(moment).max()
+    current = results.field("reaction_current")
+    assert abs(current.sum()) < 1e-9 * np.abs(current).max()
+    assert np.abs(current).max() > 0.1
+    heat = results.field("joule_heat").sum() + results.contacts_at(-1)["joule_heat"].sum()
+    # the correction of the voltage inside elements dissipates too: I^2 times the resistance it adds in series
+    contact = results.contacts_at(-1)
+    series = sum(
+        1 / 58.823529411764706e6 * length * (1 - xi**2) / (4 * np.pi * 1e-6)
+        for length, xi in ((0.01, contact["xi_bar"][0]), (0.011, contact["xi"][0]))
+    )
+    heat += contact["current"][0] ** 2 * series
+    power = (results.field("potential") * current).sum()
+    assert power == pytest.approx(heat, rel=1e-9)
+
+
+def test_voltages_scale_the_currents_and_leave_the_mechanics_alone(run):
+    _, small = run(crossed(), name="small")
+    _, large = run(crossed().replace("1, 9, 9, 1e-3", "1, 9, 9, 7e-3"), name="large")
+    assert large.contacts["current"][-1] == pytest.approx(7 * small.contacts["current"][-1], rel=1e-9)
+    assert large.contacts["force"][-1] == small.contacts["force"][-1]
+
+
+@pytest.mark.parametrize("solver", ["SKYLINE", "UMFPACK"])
+def test_solvers_give_the_same_iterates(run, solver):
+    """The monolithic step, iteration by iteration: corrections agree until they are round-off themselves."""
+    extra = "*SOLVER, NAME={}, COUPLING=MONOLITHIC"
+    _, block = run(crossed(extra=extra.format("BLOCK"), static="0.25, 1, 1e-3, 0.25"), name="block")
+    _, other = run(crossed(extra=extra.format(solver), static="0.25, 1, 1e-3, 0.25"), name="other")
+    assert block.convergence["iter"].tolist() == other.convergence["iter"].tolist()
+    for column in ("displacement", "rotation", "potential"):
+        scale = block.convergence[column].max()
+        np.testing.assert_allclose(other.convergence[column], block.convergence[column], rtol=1e-6, atol=1e-9 * scale)
+    for name in ("displacement", "rotation", "potential"):
+        scale = np.abs(block.field(name)).max()
+        np.testing.assert_allclose(other.field(name), block.field(name), rtol=0, atol=1e-10 * scale)
+
+
+def test_results_do_not_depend_on_the_number_of_threads(run):
+    import os
+
+    text = crossed(static="0.2, 1, 1e-3, 0.2")
+    files = []
+    for threads in (1, 2):
+        process, results = run(text, "--threads", str(threads), name=f"threads{threads}", env=dict(os.environ))
+        assert process.returncode == 0, process.stderr
+        files.append(results)
+    for name in ("displacement", "rotation", "potential", "reaction_force"):
+        assert np.array_equal(files[0].field(name, None), files[1].field(name, None))
+
+
+def test_wires_pushed_through_each_other_are_refused(run):
+    """A contact too soft for its load would let the axes pass: every increment that does is cut, then the run fails."""
+    process, results = run(crossed(behavior=SOFT.format(""), push="-8e-3", static="0.25, 1, 0.05, 0.25"))
+    assert process.returncode == 2
+    assert "went through each other's axis" in process.stderr
+    assert "elements 3 and 13" in process.stderr or "elements 13 and 3" in process.stderr
+    assert not results.finished
+    assert (results.contacts["gap"] > -2e-3).all()
+
+
+def test_penetration_beyond_the_axes_can_be_allowed_and_keeps_its_sign(run):
+    process, results = run(
+        crossed(behavior=SOFT.format(", PENETRATION=UNLIMITED"), push="-8e-3", static="0.25, 1, 0.05, 0.25")
+    )
+    assert process.returncode == 0, process.stderr
+    last = results.contacts_at(-1)
+    assert last["gap"][0] < -2e-3
+    assert last["force"][0] == pytest.approx(-1e3 * last["gap"][0], rel=1e-12)
+    # the upper wire is still pushed up and the lower one down
+    force = results.field("reaction_force")
+    ends = results.node_sets["LOWER_ENDS"]
+    assert force[ends, 2].sum() > 0
+
+
+def test_an_increment_that_cannot_converge_ends_the_run_and_keeps_what_was_reached(run):
+    process, results = run(
+        crossed(static="0.25, 1, 0.2, 0.25", extra="*CONTROLS, PARAMETERS=TIME INCREMENTATION\n , , , 1")
+    )
+    assert process.returncode == 2
+    assert "step 1, increment 1 did not converge" in process.stderr
+    assert not results.finished
+    assert len(results.times) == 1
+
+
+def test_wires_that_overlap_at_the_start_are_refused(litz, tmp_path):
+    deck = tmp_path / "deck.inp"
+    text = crossed(height="1.9e-3")
+    deck.write_text(text)
+    for command in ("run", "check"):
+        process = litz(command, deck, cwd=tmp_path)
+        assert process.returncode == 1
+        assert "overlap at the start by 1.00E-04 m" in process.stderr
+        assert "INTERFERENCE FIT" in process.stderr
+        line = 1 + text.splitlines().index("*CONTACT PAIR, INTERACTION=SPOT")
+        assert f"deck.inp:{line}" in process.stderr
+    assert not (tmp_path / "deck.vtkhdf").exists()
+
+
+def test_an_interference_fit_is_resolved_over_the_first_step(run):
+    process, results = run(
+        crossed(height="1.9e-3", pair=", INTERFERENCE FIT", push="0", static="0.25, 1, 1e-3, 0.25")
+    )
+    assert process.returncode == 0, process.stderr
+    force = results.contacts["force"]
+    assert (np.diff(force) > 0).all()
+    _, pressed = run(crossed(height="2e-3", push="-1e-4"), name="pressed")
+    # pushing supports by the overlap is the same small-displacement problem
+    assert force[-1] == pytest.approx(pressed.contacts["force"][-1], rel=2e-3)
+
+
+def test_a_contact_keeps_its_force_and_identity_over_the_nodes(litz, tmp_path, request):
+    """The slider of input 03: force, gap and angle change smoothly, element boundaries included."""
+    deck = request.config.rootpath / "inputs" / "03_large_sliding.inp"
+    process = litz("run", deck, "-o", tmp_path)
+    assert process.returncode == 0, process.stderr
+    contacts = Results(tmp_path / "03_large_sliding.vtkhdf").contacts
+    drag = contacts.where(contacts["step"] == 2)
+    elements = drag["element_bar"] + drag["element"]
+    assert len(np.unique(elements)) >= 5
+    assert len(np.unique(contacts["id"])) == 1
+    assert len(drag["force"]) == len(np.unique(drag["increment"]))
+    second_difference = np.abs(np.diff(drag["force"], 2)) / drag["force"][1:-1]
+    handed_over = np.flatnonzero(np.diff(elements) != 0)
+    elsewhere = np.delete(second_difference, np.clip(np.r_[handed_over - 1, handed_over], 0, len(second_difference) - 1))
+    assert second_difference.max() <= 2 * elsewhere.max()
+
+
+def test_a_conductor_that_loses_contact_keeps_its_potential_without_current(run):
+    """The upper wire floats while the contact is open: no singular system, no current."""
+    process, results = run(
+        crossed(push="1e-4", static="0.5, 1, 1e-3, 0.5").replace(" 11, 9, 9, 0\n", "")
+    )
+    assert process.returncode == 0, process.stderr
+    assert np.abs(results.field("element_current")).max() < 1e-12
+    assert results.field("potential")[results.node_sets["LOWER"]] == pytest.approx(1e-3)
