@@ -107,7 +107,8 @@ contains
       call start_state(problem)
    end subroutine prepare_problem
 
-   !> Largest overlap of the reference configuration for each pair that is meant as an interference fit; error for others.
+   !> Largest overlap of the reference configuration for each pair that is meant as an interference fit; an error for
+   !> any other pair.
    subroutine find_initial_overlap(problem, overlap, error)
       type(problem_t), intent(inout) :: problem
       real(dp), allocatable, intent(out) :: overlap(:)
@@ -343,11 +344,12 @@ contains
       if (outcome%negative_pivots > 0) remark = 'negative pivots: beyond a critical load; '
       n = count(problem%contact%points%closed .and. sin(problem%contact%points%kinematics%angle) < sin(shallow_angle))
       if (n > 0) then
-         write (text, '(i0, a)') n, ' contacts cross at less than 10 degrees, where point contact is not valid; '
+         write (text, '(i0, a)') n, ' contacts cross at less than 10 degrees, where point contact is not valid;'
          remark = remark//trim(text)//' '
       end if
       if (problem%contact%n_parallel > 0) then
-         write (text, '(i0, a)') problem%contact%n_parallel, ' near pairs of elements are parallel: their contact is not found;'
+         write (text, '(i0, a)') problem%contact%n_parallel, &
+            ' overlapping pairs of elements are parallel: their contact is not found;'
          remark = remark//trim(text)//' '
       end if
       if (outcome%at_round_off) remark = remark//'accepted at the limit of round-off'

@@ -6,6 +6,7 @@ module litz_assembly
    use litz_equations, only: equations_t, block_offset
    use litz_linear_solver, only: csr_matrix_t, system_matrix_t
    use litz_model, only: model_t
+   use litz_parallel, only: worth_threads
    use litz_rotations, only: skew
    use litz_wires, only: wires_t
    implicit none
@@ -15,7 +16,7 @@ module litz_assembly
    public :: add_mechanical, add_electric, add_coupling, prescribed_product
 
    !> Elements evaluated between two scatters: parallel evaluation, serial scatter, one result for any thread count
-   integer, parameter :: chunk = 256
+   integer, parameter :: chunk = 4096
 
    !> The unknowns as they stand in the iteration.
    type :: iterate_t
@@ -83,12 +84,14 @@ contains
       type(iterate_t), intent(inout) :: iterate
       type(system_matrix_t), intent(inout) :: matrix
       type(forces_t), intent(inout) :: forces
-      real(dp) :: k(12, 12, chunk), r(12, chunk), energy(chunk)
+      real(dp), allocatable :: k(:, :, :), r(:, :), energy(:)
       integer :: first, last, e
 
+      last = min(chunk, model%n_elements)
+      allocate (k(12, 12, last), r(12, last), energy(last))
       do first = 1, model%n_elements, chunk
          last = min(model%n_elements, first + chunk - 1)
-         !$omp parallel do schedule(static)
+         !$omp parallel do schedule(static) if (last - first >= worth_threads)
          do e = first, last
             call evaluate(e, k(:, :, e - first + 1), r(:, e - first + 1), energy(e - first + 1))
          end do

@@ -16,6 +16,7 @@ module litz_contact_forces
    use litz_linear_solver, only: system_matrix_t
    use litz_model, only: model_t, normal_hertz, spot_none, spot_hertz, spot_film
    use litz_normal_law, only: normal_force_of_ellipse, hertz_approach_of_ellipse
+   use litz_parallel, only: worth_threads
    use litz_wires, only: wires_t
    implicit none
    private
@@ -54,7 +55,7 @@ contains
       type(contact_set_t), intent(inout) :: contact
       integer :: i
 
-      !$omp parallel do schedule(static)
+      !$omp parallel do schedule(static) if (size(contact%points) >= worth_threads)
       do i = 1, size(contact%points)
          call linearise(contact%points(i))
       end do

@@ -5,13 +5,14 @@
 !> keeps its sign when a step has pushed the axes through each other.
 module litz_contact_pairs
    use litz_kinds, only: dp, int64
-   use litz_closest_points, only: closest_points, end_tolerance, closest_inside, closest_beyond, closest_not_unique, &
-      closest_parallel, closest_not_converged
+   use litz_closest_points, only: closest_points, end_tolerance, search_limit, closest_inside, closest_beyond, &
+      closest_not_unique, closest_parallel, closest_not_converged
    use litz_contact_kinematics, only: contact_kinematics_t, contact_kinematics, kinematics_ok
    use litz_contact_search, only: near_segments
    use litz_element_library, only: elements_t
    use litz_hertz, only: hertz_ellipse_t
    use litz_model, only: model_t, axis_hermite
+   use litz_parallel, only: worth_threads
    use litz_rotations, only: cross
    use litz_wires, only: wires_t
    implicit none
@@ -54,7 +55,7 @@ module litz_contact_pairs
       logical :: present = .false.
       !> Element belongs to the barred / the unbarred set of each contact pair (n_elements, n_pairs)
       logical, allocatable :: in_bar(:, :), in_set(:, :)
-      !> Barred element, unbarred element, contact pair (3, n_candidates), in the order of the smaller, then the larger element
+      !> Barred element, unbarred element, contact pair (3, n_candidates); sorted by the smaller, then the larger element
       integer, allocatable :: candidates(:, :)
       !> Positions of the nodes when the candidates were collected (3, n_nodes)
       real(dp), allocatable :: x_collected(:, :)
@@ -187,7 +188,7 @@ contains
 
       n = size(contact%candidates, 2)
       allocate (xi(2, n), status(n))
-      !$omp parallel do schedule(dynamic, 64)
+      !$omp parallel do schedule(dynamic, 64) if (n >= worth_threads)
       do c = 1, n
          call closest(c, xi(:, c), status(c))
       end do
@@ -196,7 +197,7 @@ contains
       call move_alloc(contact%points, old)
       call collect
       call match_points(wires, elements, old, contact%points, origin)
-      !$omp parallel do schedule(static)
+      !$omp parallel do schedule(static) if (size(contact%points) >= worth_threads)
       do c = 1, size(contact%points)
          call inherit(contact%points(c), origin(c))
       end do
@@ -330,7 +331,8 @@ contains
          t(:, 1:2) = spread(xe(:, 2) - xe(:, 1), 2, 2)/norm2(xe(:, 2) - xe(:, 1))
          t(:, 3:4) = spread(xe(:, 4) - xe(:, 3), 2, 2)/norm2(xe(:, 4) - xe(:, 3))
          call closest_points(xe, t, length, axis, xi_start(1), xi_start(2), status_start)
-         if (status_start == closest_parallel .or. status_start == closest_not_converged .or. any(abs(xi_start) > 1.5_dp)) return
+         if (status_start == closest_parallel .or. status_start == closest_not_converged) return
+         if (any(abs(xi_start) >= search_limit)) return
          volume = dot_product(xe(:, 1) - xe(:, 3), cross(t(:, 3), t(:, 1)))
          side = merge(1, -1, volume >= 0)
       end function side_at_start

@@ -16,6 +16,7 @@ module litz_newton
    use litz_linear_solver, only: linear_solver_t, system_matrix_t
    use litz_loading, only: loading_t, prescribed_increment, slot_potential
    use litz_model, only: model_t, step_t, coupling_monolithic
+   use litz_parallel, only: worth_threads
    use litz_results, only: results_t, iteration_report_t
    use litz_rotations, only: rotation_exp
    use litz_state, only: state_t
@@ -54,6 +55,9 @@ module litz_newton
       integer :: negative_pivots = -1
    end type outcome_t
 
+   !> A residual that only round-off excuses is told of above this fraction of the reference
+   real(dp), parameter :: worth_telling = 1.0e-6_dp
+
 contains
 
    !> Bring the iterate from the last converged state to equilibrium with the loading's present targets.
@@ -66,7 +70,8 @@ contains
       type(outcome_t), intent(out) :: outcome
       !> A result that could not be written, or an input error met on the way; not: an increment that failed
       type(error_t), allocatable, intent(out) :: error
-      real(dp) :: increment(7, problem%model%n_nodes), correction(7, problem%model%n_nodes), x_start(3, problem%model%n_nodes)
+      real(dp) :: increment(7, problem%model%n_nodes), correction(7, problem%model%n_nodes)
+      real(dp) :: x_start(3, problem%model%n_nodes)
       type(error_t), allocatable :: solver_error
 
       call start_iterate(problem)
@@ -233,7 +238,7 @@ contains
       round_off = 3*epsilon(1.0_dp)*[problem%forces%stiffness(1)*extent, problem%forces%stiffness(2)*extent, &
          problem%forces%conductance*maxval(abs(problem%iterate%potential))]
       report%allowed = max(step%controls%r_n*reference, round_off)
-      at_round_off = any(report%residual > step%controls%r_n*reference)
+      at_round_off = any(report%residual > max(step%controls%r_n, worth_telling)*reference)
    end subroutine measure_residual
 
    !> Larger of a value and the masked entries; a value that is not a number wins.
@@ -338,13 +343,16 @@ contains
       correction = increment
       do node = 1, problem%model%n_nodes
          do i = 1, 6
-            if (problem%equations%mechanical(i, node) > 0) correction(i, node) = x_m(problem%equations%mechanical(i, node))
+            associate (equation => problem%equations%mechanical(i, node))
+               if (equation > 0) correction(i, node) = x_m(equation)
+            end associate
          end do
          if (problem%equations%electric(node) > 0) correction(7, node) = x_e(problem%equations%electric(node))
       end do
    end subroutine solve_step
 
-   !> `q <- q + eta dq`, `sigma <- (1 - eta) sigma + eta C (e + B dq)`, contact forces likewise. Source: theory section 9.
+   !> `q <- q + eta dq`, `sigma <- (1 - eta) sigma + eta C (e + B dq)`, contact forces likewise.
+   !> Source: theory section 9.
    subroutine update(problem, step, correction, prescribed, report)
       type(problem_t), intent(inout) :: problem
       type(step_t), intent(in) :: step
@@ -359,7 +367,7 @@ contains
       eta = 1
       if (.not. prescribed .and. rotation > step%controls%rotation_cap) eta = step%controls%rotation_cap/rotation
       associate (iterate => problem%iterate, elements => problem%elements)
-         !$omp parallel do schedule(static) private(dq)
+         !$omp parallel do schedule(static) private(dq) if (problem%model%n_elements >= worth_threads)
          do e = 1, problem%model%n_elements
             dq = reshape(correction(1:6, problem%model%connectivity(:, e)), [12])
             iterate%sigma(:, e) = (1 - eta)*iterate%sigma(:, e) + eta*elements%rigidity(:, e)* &

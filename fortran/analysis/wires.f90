@@ -163,7 +163,9 @@ contains
             end if
          end do
          do side = 1, 2
-            wires%triads0(:, :, side, e) = triad(tangent(:, side), first_axis(model%sections(model%element_section(e))%n1, chord(:, e)))
+            associate (n1 => model%sections(model%element_section(e))%n1)
+               wires%triads0(:, :, side, e) = triad(tangent(:, side), first_axis(n1, chord(:, e)))
+            end associate
          end do
       end do
    end subroutine nodal_triads

@@ -1,8 +1,9 @@
 !> Broad phase of the contact search: all pairs of straight segments that come near each other, in a time that grows
 !> like their number.
 !>
-!> Boxes around the segments find the pairs whose true distance is worth computing. The boxes are sorted into the cells of a regular grid; a pair that shares several cells is reported in one of
-!> them only, the cell of the lower corner of its common region.
+!> Boxes around the segments find the pairs whose true distance is worth computing. They are sorted into the cells of a
+!> regular grid; a pair that shares several cells is reported in one of them only, the cell of the lower corner of its
+!> common region.
 module litz_contact_search
    use litz_kinds, only: dp
    implicit none
