@@ -6,6 +6,7 @@
 !>
 !> Files of an earlier run are replaced when all six can be written, and none of them otherwise.
 module litz_results
+   use litz_kinds, only: dp
    use litz_errors, only: error_t
    use litz_model, only: model_t
    use litz_state, only: state_t
@@ -98,7 +99,8 @@ contains
       call self%status_file%flush(error)
    end subroutine results_write_status
 
-   !> Fields, contacts and history of a converged increment.
+   !> History and contact ledger of a converged increment; the fields, and the contacts as points, as often as the step
+   !> wants them.
    subroutine results_write_increment(self, model, state, error)
       class(results_t), intent(inout) :: self
       type(model_t), intent(in) :: model
@@ -108,9 +110,25 @@ contains
       call self%history_file%write_line(self%history%line(state), error)
       call self%history_file%flush(error)
       call self%ledger%write_table(model, state, error)
-      call self%ledger%write_points(model, state, error)
-      call self%wires%write(model, state, error)
+      if (wants_fields(model, state)) then
+         call self%ledger%write_points(model, state, error)
+         call self%wires%write(model, state, error)
+      end if
    end subroutine results_write_increment
+
+   !> At every n-th increment of a step, at its last, and at the start.
+   pure logical function wants_fields(model, state)
+      type(model_t), intent(in) :: model
+      type(state_t), intent(in) :: state
+      real(dp), parameter :: round_off = 1.0e-9_dp
+
+      wants_fields = .true.
+      if (state%step == 0) return
+      associate (step => model%steps(state%step))
+         wants_fields = mod(state%increment, step%output_frequency) == 0 .or. &
+            state%step_time >= step%total*(1 - round_off)
+      end associate
+   end function wants_fields
 
    !> Closes all files, also after an error; the result files note whether the run came to its end.
    subroutine results_close(self, finished, error)

@@ -281,7 +281,8 @@ contains
 
       call begin(k, 'NODE PRINT', place_step, 'Asks for quantities of nodes in the history file.')
       call k%add(name('NSET', 'the nodes', required=.true.))
-      call k%add(choice('TOTALS', 'YES|NO|ONLY', 'sums over the set: besides the nodes, not at all, or alone', &
+      call k%add(choice('TOTALS', 'YES|NO|ONLY', &
+         'sums over the set (means of U, UR, EPOT): besides the nodes, not at all, or alone', &
          default='NO'))
       call k%add_data([choice_field('quantity', node_quantities, &
          'displacement U, rotation UR, reaction force RF and'// &
@@ -291,7 +292,8 @@ contains
 
       call begin(k, 'EL PRINT', place_step, 'Asks for quantities of elements in the history file.')
       call k%add(name('ELSET', 'the elements', required=.true.))
-      call k%add(choice('TOTALS', 'YES|NO|ONLY', 'sums over the set: besides the elements, not at all, or alone', &
+      call k%add(choice('TOTALS', 'YES|NO|ONLY', &
+         'sum of JOULE, means of SF and EPG: besides the elements, not at all, or alone', &
          default='NO'))
       call k%add_data([choice_field('quantity', element_quantities, &
          'section forces SF, current EPG, Joule heat JOULE')], &

@@ -3,6 +3,7 @@
 !> Arguments: the output directory (default: results_of_test), and one of
 !>    killed    leave without closing the files
 !>    waiting   wait for a line of input before closing them
+!>    seldom    write fields at every second increment only
 !>    limited   take a limit on the size of files for a full disk, not for a signal to end by
 !> The values are simple functions of node, element and increment, which test_results.py reads back.
 program test_results
@@ -29,6 +30,7 @@ program test_results
 
    if (how == 'limited') call ignore_file_size_signal()
    call make_crossed_wires(model)
+   if (how == 'seldom') model%steps(1)%output_frequency = 2
    call results%open(model, directory, 'crossed', error)
    call stop_on(error)
    do increment = 1, 3
@@ -73,21 +75,23 @@ contains
       model%sections(1)%contact_radius = 0.01_dp
       model%node_sets = [named_set_t('LEFT', [1]), named_set_t('BACK', [6]), named_set_t('ENDS', [1, 3])]
       model%element_sets = [named_set_t('LOWER', [1, 2])]
-      model%steps = two_steps()
+      allocate (model%steps(2))
+      call ask_for_history(model%steps)
    end subroutine make_crossed_wires
 
    !> The second step asks for other columns than the first; the history holds both.
-   function two_steps() result(steps)
-      type(step_t) :: steps(2)
+   subroutine ask_for_history(steps)
+      type(step_t), intent(inout) :: steps(:)
       type(output_request_t) :: ends, totals, elements, electrodes
 
       ends = output_request_t(request_node, 3, 0, [character(len=8) :: 'U', 'RF'], .false.)
       totals = output_request_t(request_node, 3, 0, [character(len=8) :: 'RF', 'U'], .true.)
       elements = output_request_t(request_element, 1, 0, [character(len=8) :: 'SF', 'EPG'], .false.)
       electrodes = output_request_t(request_electrode, 1, 2, [character(len=8) ::], .false.)
+      steps%total = 0.75_dp
       allocate (steps(1)%requests, source=[ends, totals])
       allocate (steps(2)%requests, source=[ends, elements, electrodes])
-   end function two_steps
+   end subroutine ask_for_history
 
    subroutine make_state(model, increment, state)
       type(model_t), intent(in) :: model

@@ -309,6 +309,18 @@ class TestResults:
         (tmp_path / "crossed_history.csv").write_text("".join(lines))
         assert results.history.n_rows == 3
 
+    def test_fields_at_every_second_increment(self, writer, tmp_path):
+        subprocess.run([writer, tmp_path, "seldom"], check=True)
+        results = litz.Results(tmp_path)
+        # the step ends at 0.75, so that its third increment is its last
+        np.testing.assert_array_equal(results.increments, [2, 3])
+        np.testing.assert_array_equal(results.times, [0.5, 0.75])
+        np.testing.assert_array_equal(results.field("reaction_force", increment=None), [vector(2), vector(3)])
+        assert results.history.n_rows == results.status.n_rows == N_INCREMENTS
+        assert [results.contacts_at(i).n_rows for i in range(2)] == [2, 1]
+        _, grid = read_step(tmp_path / "crossed_contacts.vtkhdf", 1)
+        np.testing.assert_array_equal(array(grid.GetPointData(), "id"), [2])
+
 
 class TestWhenThingsGoWrong:
     def test_a_killed_run_leaves_readable_files(self, writer, tmp_path):
