@@ -6,7 +6,9 @@ import sys
 _PYTHON_HELP = """
 Commands of the Python package:
   litz summary RESULTS                    what was run, the increments, the contacts and the last increment in numbers
-  litz plot RESULTS [-o PICTURE.png]      a picture of the wires
+  litz table RESULTS                      contacts, contact force and the history that the deck asked for, over time
+  litz plot RESULTS [KIND] [-o PICTURE]   a picture; KIND: overview (default), wires, resistance, residuals, contacts,
+                                          currents or history
 RESULTS is a result file (.vtkhdf), a deck (.inp) that was run here, or a directory with the results of one run.
 """
 
@@ -16,7 +18,7 @@ def main(arguments=None):
     from .run import LitzError
 
     arguments = sys.argv[1:] if arguments is None else list(arguments)
-    commands = {"summary": _summary, "plot": _plot}
+    commands = {"summary": _summary, "table": _table, "plot": _plot}
     try:
         if arguments and arguments[0] in commands:
             return commands[arguments[0]](arguments[1:])
@@ -60,4 +62,43 @@ def _summary(arguments):
 
     options = _parser("summary", "What was run, how it went, and the last increment in numbers.").parse_args(arguments)
     print(Results(options.results).summary(), end="")
+    return 0
+
+
+def _table(arguments):
+    from .history_table import history_table
+    from .results import Results
+
+    options = _parser("table", "Contacts, contact force and the history of a run, over time.").parse_args(arguments)
+    print(history_table(Results(options.results)), end="")
+    return 0
+
+
+def _plot(arguments):
+    from .plots import plot
+
+    parser = _parser("plot", "Draw results into a picture file.")
+    parser.add_argument(
+        "kind",
+        nargs="?",
+        default="overview",
+        help="overview (default), wires, resistance, residuals, contacts, currents or history",
+    )
+    parser.add_argument("-o", "--output", metavar="PICTURE", help="default: STEM_KIND.png beside the results")
+    parser.add_argument("--increment", type=int, default=-1, help="counted from 0, or from the end: -1 is the last")
+    parser.add_argument("--field", help="what colours the wires; default: the potential")
+    parser.add_argument("--scale", type=float, default=1.0, help="factor on the displacements")
+    options = parser.parse_args(arguments)
+    try:
+        picture = plot(
+            options.results,
+            options.kind,
+            options.output,
+            increment=options.increment,
+            field=options.field,
+            scale=options.scale,
+        )
+    except (ValueError, LookupError) as error:
+        parser.error(error.args[0])
+    print(f"picture: {picture}")
     return 0

@@ -1,0 +1,36 @@
+"""What the system tests share: the decks in inputs/, each run once."""
+
+import subprocess
+from pathlib import Path
+
+import pytest
+
+INPUTS = Path(__file__).parents[2] / "inputs"
+
+
+@pytest.fixture(scope="session")
+def inputs():
+    """The directory of the decks."""
+    return INPUTS
+
+
+@pytest.fixture(scope="session")
+def run_of_input(litz_program, tmp_path_factory):
+    """`run_of_input("01_crossed_wires")` is the directory with the results of a deck, which is run only once."""
+    directories = {}
+
+    def run(name):
+        if name not in directories:
+            directory = tmp_path_factory.mktemp(name)
+            done = subprocess.run(
+                [litz_program, "run", INPUTS / f"{name}.inp", "-o", directory],
+                capture_output=True,
+                text=True,
+                timeout=300,
+                check=False,
+            )
+            assert done.returncode == 0, done.stdout + done.stderr
+            directories[name] = directory
+        return directories[name]
+
+    return run

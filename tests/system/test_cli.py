@@ -1,0 +1,79 @@
+"""The command `litz` of the Python package."""
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+from litz import cli
+
+ENTRY = [sys.executable, "-c", "import sys; from litz.cli import main; sys.exit(main())"]
+
+
+def command(*arguments, cwd=None, **environment):
+    """Run the console script's entry point as a process of its own."""
+    return subprocess.run(
+        [*ENTRY, *map(str, arguments)],
+        cwd=cwd,
+        env={**os.environ, **environment},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+def test_the_programs_commands_and_exit_codes_pass_through(tmp_path, litz_program):
+    direct = subprocess.run([litz_program, "--version"], capture_output=True, text=True, check=True)
+    assert command("--version").stdout == direct.stdout
+    missing = command("check", "missing.inp", cwd=tmp_path)
+    assert missing.returncode == 4
+    assert "missing.inp" in missing.stderr
+
+
+def test_help_shows_the_commands_of_both(litz_program):
+    direct = subprocess.run([litz_program, "--help"], capture_output=True, text=True, check=True)
+    for arguments in (["--help"], ["help"], []):
+        shown = command(*arguments)
+        assert shown.stdout.startswith(direct.stdout)
+        assert "litz plot" in shown.stdout
+        assert shown.returncode == 0
+
+
+def test_summary_of_a_run(run_of_input):
+    directory = run_of_input("05_clamped_pair")
+    shown = command("summary", directory)
+    assert shown.returncode == 0, shown.stderr
+    assert "exact electro-mechanical solution" in shown.stdout
+
+
+def test_table_of_a_run(run_of_input):
+    shown = command("table", run_of_input("05_clamped_pair"))
+    assert shown.returncode == 0, shown.stderr
+    heads, units, *rows = shown.stdout.splitlines()
+    assert heads.split()[:4] == ["time", "contacts", "contact", "force"]
+    assert units.split()[:2] == ["[s]", "[N]"]
+    # the start and three levels; the force of the last one is in the deck's head
+    assert [row.split()[:2] for row in rows[:4]] == [["0", "0"], ["1", "1"], ["2", "1"], ["3", "1"]]
+    assert float(rows[3].split()[2]) == pytest.approx(0.9005914, rel=3e-6)
+
+
+def test_plot_of_a_run(run_of_input, tmp_path):
+    picture = tmp_path / "wires.png"
+    shown = command("plot", run_of_input("05_clamped_pair"), "-o", picture)
+    assert shown.returncode == 0, shown.stderr
+    assert picture.read_bytes().startswith(b"\x89PNG")
+
+
+def test_missing_results_are_an_error_in_words(tmp_path):
+    shown = command("summary", tmp_path / "nothing.vtkhdf")
+    assert shown.returncode == 4
+    assert shown.stderr.startswith("error: ")
+    assert "Traceback" not in shown.stderr
+
+
+def test_wrong_arguments_of_a_python_command_are_input_errors(capsys):
+    with pytest.raises(SystemExit) as ended:
+        cli.main(["plot"])
+    assert ended.value.code == 1
+    assert "RESULTS" in capsys.readouterr().err

@@ -1,0 +1,267 @@
+"""The decks in inputs/ give the values that their headers state, and those are what the closed forms give."""
+
+import math
+import re
+
+import numpy as np
+import pytest
+
+from litz import Results
+from litz import closed_forms as cf
+
+COPPER = {"radius": 1e-3, "young": 120e9, "poisson": 0.34, "resistivity": 1.7e-8}
+COPPER_WIRE = cf.Wire(radius=1e-3, length=0.1, young=120e9, poisson=0.34, resistivity=1.7e-8)
+
+
+@pytest.fixture
+def results_of(run_of_input):
+    """`results_of("01_crossed_wires")` are the results of a deck."""
+    return lambda name: Results(run_of_input(name))
+
+
+@pytest.fixture
+def header(inputs):
+    """`header("01_crossed_wires")` has the rows of numbers under Expect in the head of a deck."""
+
+    def rows(name):
+        comments = re.findall(r"^\*\*(.*)$", (inputs / f"{name}.inp").read_text(encoding="utf-8"), re.MULTILINE)
+        start = next(i for i, line in enumerate(comments) if line.startswith(" Expect"))
+        numbers = []
+        for line in comments[start + 1 :]:
+            words = line.replace(" x ", " ").split()
+            if words and all(re.fullmatch(r"[-+.\deE]+", word) for word in words):
+                numbers.append([float(word) for word in words])
+        return np.array(numbers)
+
+    return rows
+
+
+def at(results, time):
+    """Index of the increment that ends at a time."""
+    (found,) = np.flatnonzero(np.abs(results.times - time) < 1e-9)
+    return int(found)
+
+
+def only_contact(results, increment):
+    """The values of the only contact at an increment."""
+    ledger = results.contacts_at(increment)
+    assert ledger.n_rows == 1
+    return {name: ledger[name][0] for name in ledger}
+
+
+def compliance(wire, support, position, element_length=0.0, element_position=0.5):
+    """Deflection by a unit force of a beam of cubic elements.
+
+    Nodal values of cubic elements are exact; inside an element that holds the force they miss the deflection of a beam
+    clamped at the element's ends. Without `element_length` the force stands at a node.
+    """
+    exact = cf.beam_compliance(wire.bending_stiffness, wire.length, support, position)
+    if not element_length:
+        return exact
+    return exact - cf.beam_compliance(wire.bending_stiffness, element_length, "clamped", element_position)
+
+
+def test_every_deck_has_a_header_that_says_what_and_whence(inputs):
+    decks = sorted(inputs.glob("*.inp"))
+    assert len(decks) >= 10
+    for deck in decks:
+        text = deck.read_text(encoding="utf-8")
+        assert text.startswith("*HEADING\n"), deck.name
+        for part in ("** Model ", "** Source ", "** Expect "):
+            assert part in text, f"{deck.name}: {part}"
+
+
+def test_crossed_wires_follow_hertz_and_holm_through_a_load_cycle(results_of, header):
+    results = results_of("01_crossed_wires")
+    history = results.history
+    arm = COPPER_WIRE.resistance(0.5)
+    c = compliance(COPPER_WIRE, "clamped", 0.5, element_length=0.01)
+    for time, approach in [(0.5, 0.045e-3), (1.0, 0.1e-3), (1.5, 0.045e-3), (3.0, 0.1e-3)]:
+        increment = at(results, time)
+        contact = only_contact(results, increment)
+        force = cf.crossed_beams(approach, (c, c), **COPPER)
+        # wires that bend by 0.05 mm over 100 mm are linear to (0.05/50)^2 = 1e-6
+        assert contact["force"] == pytest.approx(force, rel=1e-5)
+        assert contact["resistance"] == pytest.approx(cf.hertz_contact(force, **COPPER).resistance, rel=1e-5)
+        assert history["resistance PLUS to MINUS"][increment] == pytest.approx(
+            cf.hertz_contact(force, **COPPER).resistance + 2 * arm, rel=1e-5
+        )
+    # the header has the solution for exact beams; the mesh makes the force 0.1 % larger
+    for time, force, radius, spot, total, current in header("01_crossed_wires"):
+        increment = at(results, time)
+        contact = only_contact(results, increment)
+        assert contact["force"] == pytest.approx(force, rel=1.5e-3)
+        assert contact["semi_major"] * 1e6 == pytest.approx(radius, rel=5e-4)
+        assert contact["resistance"] * 1e3 == pytest.approx(spot, rel=5e-4)
+        assert history["resistance PLUS to MINUS"][increment] * 1e3 == pytest.approx(total, rel=5e-4)
+        assert history["current PLUS to MINUS"][increment] == pytest.approx(current, rel=5e-4)
+    # apart, and no current
+    assert results.contacts_at(at(results, 2.0)).n_rows == 0
+    assert history["resistance PLUS to MINUS"][at(results, 2.0)] == math.inf
+
+
+def test_resistance_of_crossed_wires_falls_with_the_cube_root_of_the_force(results_of):
+    ledger = results_of("01_crossed_wires").contacts
+    slope = np.diff(np.log(ledger["resistance"])) / np.diff(np.log(ledger["force"]))
+    # Hertz and Holm: exact for any force
+    assert slope == pytest.approx(-1 / 3, rel=1e-6)
+
+
+def test_oblique_wires_of_unequal_radii_and_metals_touch_in_hertz_ellipse(results_of, header):
+    results = results_of("02_oblique_crossing")
+    thin = cf.Wire(radius=0.5e-3, length=0.06, young=120e9, poisson=0.34, resistivity=1.7e-8)
+    thick = cf.Wire(radius=0.8e-3, length=0.08, young=70e9, poisson=0.33, resistivity=2.8e-8)
+    wires = {
+        "radius": (0.5e-3, 0.8e-3),
+        "young": (120e9, 70e9),
+        "poisson": (0.34, 0.33),
+        "resistivity": (1.7e-8, 2.8e-8),
+        "angle": math.radians(40),
+    }
+    compliances = (
+        compliance(thin, "clamped", 0.45, element_length=0.006),
+        compliance(thick, "cantilever", 0.45, element_length=0.008),
+    )
+    arms = thin.resistance(0.45) + thick.resistance(0.45)
+    for time, approach in [(1.0, 0.1e-3), (2.0, 0.2e-3)]:
+        increment = at(results, time)
+        contact = only_contact(results, increment)
+        force = cf.crossed_beams(approach, compliances, **wires)
+        spot = cf.hertz_contact(force, **wires)
+        # slopes of 0.007 of the cantilever and 0.002 of the thin wire change the angle by their products
+        assert math.degrees(contact["angle"]) % 180 == pytest.approx(40, abs=3e-3)
+        # the cantilever's slope moves its point of contact by 0.0066*1.3 mm/sin(40)^2 = 0.021 mm of 36 mm, to the cube
+        # 1.7e-3 of its part in the force at the second level, half of it at the first; the resistance has a third of that
+        slope = approach / 0.2e-3
+        assert contact["force"] == pytest.approx(force, rel=1.2e-3 * slope)
+        assert contact["semi_major"] == pytest.approx(spot.semi_major, rel=4e-4 * slope)
+        assert contact["semi_minor"] == pytest.approx(spot.semi_minor, rel=4e-4 * slope)
+        assert contact["resistance"] == pytest.approx(spot.resistance, rel=4e-4 * slope)
+        # the arms change with the points of contact: 0.021 mm*14 mohm/m + 0.016 mm*22 mohm/m of 1.8 mohm
+        assert results.history["resistance PLUS to MINUS"][increment] == pytest.approx(spot.resistance + arms, rel=6e-4 * slope)
+    for row, time in zip(header("02_oblique_crossing"), (1.0, 2.0), strict=True):
+        contact = only_contact(results, at(results, time))
+        values = contact["force"], contact["semi_major"] * 1e6, contact["semi_minor"] * 1e6, contact["resistance"] * 1e3
+        # the mesh adds 4e-4
+        assert values == pytest.approx(tuple(row[1:5]), rel=1.6e-3)
+
+
+def test_a_dragged_wire_keeps_one_contact_and_the_exact_force_over_five_elements(results_of):
+    results = results_of("03_large_sliding")
+    slider = cf.Wire(radius=1e-3, length=0.04, young=120e9, poisson=0.34, resistivity=1.7e-8)
+    slider_compliance = compliance(slider, "clamped", 0.5, element_length=0.008)
+    ledger = results.contacts
+    assert set(ledger["id"]) == {ledger["id"][0]}, "the contact is handed over from element to element"
+    dragged = np.flatnonzero(results.times >= 1.0 - 1e-9)
+    assert len(dragged) >= 20
+    for increment in dragged:
+        x = 0.025 + 0.05 * (results.times[increment] - 1.0)
+        within = x / 0.01 % 1.0
+        # at a node: the exact beam
+        inside = {"element_length": 0.01, "element_position": within} if 1e-6 < within < 1 - 1e-6 else {}
+        compliances = compliance(COPPER_WIRE, "clamped", x / 0.1, **inside), slider_compliance
+        force = cf.crossed_beams(1e-4, compliances, **COPPER)
+        contact = only_contact(results, increment)
+        # the rail's slope, at most 0.003, moves the points of contact by 0.003*2 mm of 25 mm: 2e-4, to the square and more
+        assert contact["force"] == pytest.approx(force, rel=5e-4)
+        total = cf.hertz_contact(force, **COPPER).resistance + COPPER_WIRE.resistance(x / 0.1) + slider.resistance(0.5)
+        assert results.history["resistance PLUS to MINUS"][increment] == pytest.approx(total, rel=2e-4)
+
+
+def test_the_values_of_the_header_hold_along_the_way_of_the_dragged_wire(results_of, header):
+    results = results_of("03_large_sliding")
+    for position, force, spot, total in header("03_large_sliding"):
+        increment = at(results, 1.0 + (position - 25) / 50)
+        contact = only_contact(results, increment)
+        # at 25 and 75 mm, inside an element, the header allows 0.35 % for the mesh; a third of it for the spot
+        assert contact["force"] == pytest.approx(force, rel=4e-3)
+        assert contact["resistance"] * 1e3 == pytest.approx(spot, rel=1.4e-3)
+        assert results.history["resistance PLUS to MINUS"][increment] * 1e3 == pytest.approx(total, rel=1.4e-3)
+
+
+def test_a_grid_of_wires_shares_forces_and_current_as_beam_theory_and_kirchhoff_say(results_of, header, inputs):
+    results = results_of("04_wire_grid")
+    positions = (0.35, 0.45, 0.55, 0.65)
+    force = cf.wire_grid(1e-4, positions, COPPER_WIRE)
+    assert header("04_wire_grid") == pytest.approx(force, abs=1e-6)
+    ledger = results.contacts_at(-1)
+    assert ledger.n_rows == 16
+    x, y = (np.rint(ledger[f"point_{axis}"] * 1e3).astype(int) for axis in "xy")
+    found = np.zeros((4, 4))
+    found[(y - 35) // 10, (x - 35) // 10] = ledger["force"]
+    # slopes of 0.05/35 move the points of contact by 0.0014*2 mm of 35 mm; halved between the two wires
+    assert found == pytest.approx(force, rel=2e-4)
+    resistance = [[cf.hertz_contact(f, **COPPER).resistance for f in row] for row in force]
+    current = cf.grid_network(1e-3, positions, COPPER_WIRE, resistance)
+    # a resistance feels a third of it
+    assert results.history["current PLUS to MINUS"][-1] == pytest.approx(current, rel=7e-5)
+    assert f"total current {current:.6f} A" in (inputs / "04_wire_grid.inp").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("name", "support", "levels"),
+    [("05_clamped_pair", "clamped", (1e-5, 5e-5, 1e-4)), ("06_supported_pair", "supported", (1e-5, 1e-4))],
+)
+def test_crossed_pairs_have_their_exact_electro_mechanical_solution(results_of, header, name, support, levels):
+    results = results_of(name)
+    rows = header(name)
+    assert len(rows) == len(levels)
+    for step, (row, u) in enumerate(zip(rows, levels, strict=True), start=1):
+        contact = only_contact(results, at(results, step))
+        assert row[0] == pytest.approx(u)
+        values = [contact[key] for key in ("force", "semi_major", "resistance", "current", "voltage_gap")]
+        # linear to (u/2/50 mm)^2 = 1e-6; the header has seven digits
+        assert [values[0], -contact["gap"], *values[1:]] == pytest.approx(list(row[1:]), rel=3e-6)
+
+
+def test_a_moment_rolls_a_wire_up_to_a_closed_circle(results_of):
+    results = results_of("07_roll_up")
+    half, full = at(results, 1.0), at(results, 2.0)
+    tip = 10
+    assert np.linalg.norm(results.field("rotation", half)[tip]) == pytest.approx(math.pi, abs=1e-7)
+    # a polygon of ten sides in place of the arc: h/sin(pi/20)
+    assert results.field("displacement", half)[tip] == pytest.approx([-1, 0.1 / math.sin(math.pi / 20), 0], abs=1e-7)
+    # closed: what is left is the tolerance of the iteration
+    assert results.field("displacement", full)[tip] == pytest.approx([-1, 0, 0], abs=1e-7)
+
+
+def test_a_cantilever_follows_the_elastica(results_of, header):
+    results = results_of("08_elastica")
+    for step, (load, *expected) in enumerate(header("08_elastica"), start=1):
+        assert expected == pytest.approx(list(cf.cantilever_elastica(load)), abs=1e-7)
+        increment = at(results, step)
+        u = results.field("displacement", increment)[20]
+        angle = np.linalg.norm(results.field("rotation", increment)[20])
+        # the wire stretches by P/(E A) = 1e-5 at most; twenty cubic elements add less
+        assert [u[2] / 0.5, -u[0] / 0.5, angle] == pytest.approx(expected, rel=2e-5)
+
+
+def test_the_law_of_the_paper_is_replayed(results_of, header):
+    results = results_of("09_paper_law")
+    c = compliance(COPPER_WIRE, "clamped", 0.5, element_length=0.01)
+    # the linear voltage misses rho h/(4 A) in each wire
+    arms = 2 * COPPER_WIRE.resistance(0.5) - 2 * COPPER_WIRE.resistance(0.1) / 4
+    for row, time, approach in zip(header("09_paper_law"), (1.0, 2.0), (1e-5, 1e-4), strict=True):
+        contact = only_contact(results, at(results, time))
+        force = cf.crossed_beams(approach, (c, c), penalty=1e8)
+        radius, resistance = cf.paper_contact(force, **COPPER)
+        assert contact["force"] == pytest.approx(force, rel=1e-5)
+        assert contact["semi_major"] == pytest.approx(radius, rel=1e-5)
+        assert contact["resistance"] == pytest.approx(resistance, rel=1e-5)
+        total = results.history["resistance PLUS to MINUS"][at(results, time)]
+        assert total == pytest.approx(resistance + arms, rel=1e-5)
+        # the header: exact beams
+        values = [approach, contact["force"], contact["semi_major"] * 1e6, contact["resistance"] * 1e3, total * 1e3]
+        assert values == pytest.approx(list(row), rel=1.5e-3)
+
+
+def test_a_cantilever_pushed_far_aside_has_the_independent_solution(results_of, header):
+    results = results_of("10_pushed_cantilever")
+    for time, ux, uy, force, gap in header("10_pushed_cantilever"):
+        increment = at(results, time)
+        contact = only_contact(results, increment)
+        u = results.field("displacement", increment)[10]
+        # ten cubic elements that turn by 0.05 rad each; the finite elements of the source are as near to the solution
+        assert u[:2] == pytest.approx([ux, uy], abs=1e-6)
+        assert contact["force"] == pytest.approx(force, rel=1e-5)
+        assert contact["gap"] == pytest.approx(gap, rel=1e-5)

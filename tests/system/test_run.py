@@ -1,0 +1,97 @@
+"""litz.run: the program from Python, its errors as exceptions."""
+
+import signal
+import sys
+
+import pytest
+
+import litz
+
+
+@pytest.fixture
+def stand_in(tmp_path, monkeypatch):
+    """A program in place of litz: prints its arguments and two messages, ends with the code it is given."""
+
+    def make(exit_code=0, kill=None):
+        program = tmp_path / "stand_in"
+        end = f"os.kill(os.getpid(), {int(kill)})" if kill else f"sys.exit({exit_code})"
+        program.write_text(
+            f"#!{sys.executable}\nimport os, sys\n"
+            "print('arguments:', *sys.argv[1:])\n"
+            "print('error: something is wrong', file=sys.stderr)\n"
+            f"sys.stdout.flush(); sys.stderr.flush()\n{end}\n"
+        )
+        program.chmod(0o755)
+        monkeypatch.setenv("LITZ_PROGRAM", str(program))
+        return program
+
+    return make
+
+
+@pytest.mark.parametrize(
+    ("exit_code", "error"),
+    [
+        (1, litz.InputError),
+        (2, litz.NotConvergedError),
+        (3, litz.SolverError),
+        (4, litz.FileError),
+        (5, litz.InternalError),
+        (77, litz.InternalError),
+    ],
+)
+def test_an_exit_code_becomes_its_exception_with_the_programs_message(stand_in, tmp_path, exit_code, error):
+    stand_in(exit_code)
+    with pytest.raises(error) as caught:
+        litz.run("deck.inp", output_directory=tmp_path)
+    assert type(caught.value) is error
+    assert isinstance(caught.value, litz.LitzError)
+    assert str(caught.value) == "error: something is wrong"
+    assert caught.value.results_path is None
+
+
+def test_results_before_the_failure_are_named(stand_in, tmp_path):
+    stand_in(2)
+    (tmp_path / "deck.vtkhdf").touch()
+    with pytest.raises(litz.NotConvergedError) as caught:
+        litz.run("deck.inp", output_directory=tmp_path)
+    assert caught.value.results_path == tmp_path / "deck.vtkhdf"
+
+
+def test_a_crash_is_an_internal_error_that_names_the_signal(stand_in, tmp_path):
+    stand_in(kill=signal.SIGSEGV)
+    with pytest.raises(litz.InternalError, match=f"signal {int(signal.SIGSEGV)}"):
+        litz.run("deck.inp", output_directory=tmp_path)
+
+
+def test_options_are_passed_on_and_output_is_shown_on_request(stand_in, tmp_path, capsys):
+    stand_in(1)
+    with pytest.raises(litz.InputError):
+        litz.run("deck.inp", output_directory=tmp_path, solver="skyline", threads=2, quiet=False)
+    assert capsys.readouterr().out == f"arguments: run deck.inp -o {tmp_path} --solver skyline --threads 2\n"
+
+
+def test_a_quiet_run_prints_nothing(stand_in, tmp_path, capfd):
+    stand_in(1)
+    with pytest.raises(litz.InputError):
+        litz.run("deck.inp", output_directory=tmp_path)
+    assert capfd.readouterr() == ("", "")
+
+
+def test_a_missing_program_is_said_in_words(monkeypatch, tmp_path):
+    monkeypatch.setenv("LITZ_PROGRAM", str(tmp_path / "nowhere"))
+    with pytest.raises(litz.FileError, match="LITZ_PROGRAM"):
+        litz.run("deck.inp")
+
+
+def test_a_wrong_deck_raises_the_programs_own_message(tmp_path):
+    deck = tmp_path / "wrong.inp"
+    deck.write_text("*HEADING\nwrong\n*NODES\n1, 0., 0., 0.\n")
+    with pytest.raises(litz.InputError, match=r"wrong\.inp:3:1"):
+        litz.run(deck, output_directory=tmp_path)
+
+
+def test_results_of_a_run_come_back(inputs, tmp_path):
+    results = litz.run(inputs / "05_clamped_pair.inp", output_directory=tmp_path / "new" / "directory")
+    assert isinstance(results, litz.Results)
+    assert results.path == tmp_path / "new" / "directory" / "05_clamped_pair.vtkhdf"
+    assert results.finished
