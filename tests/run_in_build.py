@@ -25,13 +25,13 @@ def main():
     package = arguments.stage / "litz"
     shutil.rmtree(arguments.stage, ignore_errors=True)
     (package / "_bin").mkdir(parents=True)
-    for source in arguments.package.iterdir():
+    for source in arguments.package.resolve().iterdir():
         if source.suffix != ".so" and source.name != "__pycache__":
             (package / source.name).symlink_to(source)
     (package / arguments.extension.name).symlink_to(arguments.extension.resolve())
     (package / "_bin" / "litz").symlink_to(arguments.program.resolve())
 
-    paths = [str(arguments.stage), os.environ.get("PYTHONPATH", "")]
+    paths = [str(arguments.stage.resolve()), os.environ.get("PYTHONPATH", "")]
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, paths))}
     return subprocess.run([sys.executable, "-m", "pytest", *pytest_arguments], env=environment, check=False).returncode
 
