@@ -282,6 +282,7 @@ contains
       type(results_t), intent(inout) :: results
       type(error_t), allocatable, intent(out) :: error
       type(increment_report_t) :: report
+      character(len=:), allocatable :: remark
       character(len=160) :: line
 
       report%step = outcome%last%step
@@ -294,12 +295,14 @@ contains
       report%residual = outcome%last%residual
       report%negative_pivots = outcome%negative_pivots
       report%contacts = outcome%last%contacts_active
-      report%remark = remark_of(problem, outcome)
+      remark = remark_of(problem, outcome)
+      report%remark = remark
+      if (outcome%converged .and. outcome%at_round_off) report%remark = remark//'accepted at the limit of round-off'
       call results%write_status(report, error)
       if (options%quiet) return
       write (line, '(i5, i6, i5, i6, 2es13.5, i10, es13.5)') report%step, report%increment, attempt, &
          outcome%iterations, report%time, increment, report%contacts, sum(problem%contact%points%force)
-      write (output_unit, '(a, 2x, a)') trim(line), report%remark
+      write (output_unit, '(a)') trim(trim(line)//'  '//remark)
       call print_contacts(problem, outcome)
    end subroutine report_increment
 
@@ -352,7 +355,6 @@ contains
             ' overlapping pairs of elements are parallel: their contact is not found;'
          remark = remark//trim(text)//' '
       end if
-      if (outcome%at_round_off) remark = remark//'accepted at the limit of round-off'
    end function remark_of
 
    function not_converged(problem, step, report, step_time, increment, reason) result(error)

@@ -146,21 +146,25 @@ class Results:
 
     @cached_property
     def node_sets(self) -> dict[str, np.ndarray]:
-        """Node numbers of each node set."""
-        return self._sets("litz/node_sets")
+        """Rows of `nodes` in each node set."""
+        return self._sets("litz/node_sets", self.node_ids)
 
     @cached_property
     def element_sets(self) -> dict[str, np.ndarray]:
-        """Element numbers of each element set."""
-        return self._sets("litz/element_sets")
+        """Rows of `elements` in each element set."""
+        return self._sets("litz/element_sets", self.element_ids)
 
     def _static(self, name: str) -> np.ndarray:
         with self._open() as file:
             return file[name][()]
 
-    def _sets(self, name: str) -> dict[str, np.ndarray]:
+    def _sets(self, name: str, ids: np.ndarray) -> dict[str, np.ndarray]:
+        order = np.argsort(ids)
         with self._open() as file:
-            return {key.replace("|", "/"): members[()] for key, members in file[name].items()}
+            return {
+                key.replace("|", "/"): order[np.searchsorted(ids, members[()], sorter=order)]
+                for key, members in file[name].items()
+            }
 
     # Fields
 

@@ -158,12 +158,12 @@ class TestResults:
         np.testing.assert_array_equal(results.elements, [[0, 1], [1, 2], [3, 4], [4, 5]])
         np.testing.assert_array_equal(results.nodes[0], [-1, 0, 0])
         np.testing.assert_array_equal(results.nodes[5], [0, 1, 0.02])
-        assert {name: list(ids) for name, ids in results.node_sets.items()} == {
+        assert {name: list(results.node_ids[rows]) for name, rows in results.node_sets.items()} == {
             "LEFT": [10],
             "BACK": [60],
             "ENDS": [10, 30],
         }
-        assert {name: list(ids) for name, ids in results.element_sets.items()} == {"LOWER": [101, 102]}
+        assert {name: list(results.element_ids[rows]) for name, rows in results.element_sets.items()} == {"LOWER": [101, 102]}
 
     def test_time(self, results):
         np.testing.assert_array_equal(results.times, [0.25, 0.5, 0.75])
