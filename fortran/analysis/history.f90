@@ -48,6 +48,8 @@ module litz_history
    type :: history_t
       type(column_t), allocatable, private :: columns(:)
       integer, private :: n_columns = 0
+      !> Of all elements [S]: round-off makes currents of about its product with the potential
+      real(dp), private :: largest_conductance = 0
    contains
       procedure :: build => history_build
       procedure :: header => history_header
@@ -68,6 +70,7 @@ contains
       if (allocated(error)) return
       allocate (self%columns(16))
       self%n_columns = 0
+      self%largest_conductance = largest_conductance(model)
       seen = .false.
       if (.not. allocated(model%steps)) return
       do i = 1, size(model%steps)
@@ -77,6 +80,20 @@ contains
          end do
       end do
    end subroutine history_build
+
+   pure real(dp) function largest_conductance(model) result(largest)
+      type(model_t), intent(in) :: model
+      real(dp) :: length
+      integer :: i
+
+      largest = 0
+      do i = 1, model%n_elements
+         length = norm2(model%x(:, model%connectivity(2, i)) - model%x(:, model%connectivity(1, i)))
+         associate (section => model%sections(model%element_section(i)))
+            largest = max(largest, model%materials(section%material)%conductivity*section%area/length)
+         end associate
+      end do
+   end function largest_conductance
 
    subroutine add_request(self, model, request, seen, error)
       type(history_t), intent(inout) :: self
@@ -269,17 +286,18 @@ contains
       integer :: i
 
       write (buffer, '(*(g0, :, ","))') state%step, state%increment, state%time, &
-         (column_value(self%columns(i), state), i=1, self%n_columns)
+         (column_value(self, self%columns(i), state), i=1, self%n_columns)
       line = trim(buffer)
    end function history_line
 
-   pure real(dp) function column_value(column, state) result(value)
+   pure real(dp) function column_value(self, column, state) result(value)
+      class(history_t), intent(in) :: self
       type(column_t), intent(in) :: column
       type(state_t), intent(in) :: state
       integer :: i
 
       if (column%quantity >= electrode_voltage) then
-         value = electrode_value(column%quantity, column%members, column%members_2, state)
+         value = electrode_value(self, column%quantity, column%members, column%members_2, state)
          return
       end if
       value = 0
@@ -323,11 +341,13 @@ contains
    end function member_value
 
    !> Voltage of the positive against the negative electrode (means over their nodes), the current that enters the body
-   !> at the positive one, and their quotient: positive for a passive body.
-   pure real(dp) function electrode_value(quantity, plus, minus, state) result(value)
+   !> at the positive one, and their quotient: positive for a passive body, infinite where there is no current but
+   !> that of round-off.
+   pure real(dp) function electrode_value(self, quantity, plus, minus, state) result(value)
+      class(history_t), intent(in) :: self
       integer, intent(in) :: quantity, plus(:), minus(:)
       type(state_t), intent(in) :: state
-      real(dp) :: voltage, current
+      real(dp) :: voltage, current, round_off
 
       voltage = sum(state%potential(plus))/size(plus) - sum(state%potential(minus))/size(minus)
       current = sum(state%reaction_current(plus) + state%applied_current(plus))
@@ -337,7 +357,8 @@ contains
       case (electrode_current)
          value = current
       case default
-         if (abs(current) > 0) then
+         round_off = 100*epsilon(value)*self%largest_conductance*maxval(abs(state%potential))
+         if (abs(current) > round_off) then
             value = voltage/current
          else if (abs(voltage) > 0) then
             value = ieee_value(value, ieee_positive_inf)

@@ -112,8 +112,11 @@ def resistance_over_force(axes: Axes, results: "Results", increment: int) -> Non
             axes.legend(loc="upper right")
     else:
         angle = np.degrees(shown["angle"])
-        dots = axes.scatter(force, ohms, c=angle, s=10, cmap="viridis", edgecolors="none")
-        axes.figure.colorbar(dots, ax=axes, label="crossing angle [°]", pad=0.02)
+        if np.ptp(angle) > 1:
+            dots = axes.scatter(force, ohms, c=angle, s=10, cmap="viridis", edgecolors="none")
+            axes.figure.colorbar(dots, ax=axes, label="crossing angle [°]", pad=0.02)
+        else:
+            axes.scatter(force, ohms, s=10, color=_ONE_COLOUR, edgecolors="none")
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.margins(0.08)
@@ -226,6 +229,7 @@ def _name_increments(figure: Figure, all_axes: np.ndarray, table: Table) -> None
     bar = figure.colorbar(
         mpl.cm.ScalarMappable(mpl.colors.Normalize(1, n), _gradient()), ax=list(all_axes), pad=0.02, aspect=40
     )
+    bar.locator = MaxNLocator(integer=True)
     bar.set_label("tries of increments, in the order of the run")
 
 
@@ -308,15 +312,12 @@ def spot_sizes(axes: Axes, results: "Results", increment: int) -> None:
         return
     force_factor, force_unit = engineering(now["force"], "N")
     factor, unit = engineering(now["semi_major"], "m")
-    for i, name in enumerate(("semi_major", "semi_minor")):
-        axes.plot(
-            force_factor * now["force"],
-            factor * now[name],
-            "o",
-            markersize=5,
-            color=_colour(i, 3),
-            label=label(name, ""),
-        )
+    force = force_factor * now["force"]
+    # rings around dots: both are seen where the spot is a circle
+    axes.plot(
+        force, factor * now["semi_major"], "o", markersize=8, fillstyle="none", color=_colour(0, 3), label="longer"
+    )
+    axes.plot(force, factor * now["semi_minor"], "o", markersize=4, color=_colour(1, 3), label="shorter")
     axes.margins(0.08)
     axes.set_ylim(bottom=0)
     axes.set_xlabel(label("force", force_unit))

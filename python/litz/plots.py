@@ -1,5 +1,6 @@
 """Pictures of results: `plot(results)` for an overview, `plot(results, "residuals")` and the like for one thing."""
 
+import textwrap
 from collections.abc import Callable
 from pathlib import Path
 
@@ -94,7 +95,7 @@ def plot(
 
 
 def _title(results: Results, increment: int) -> str:
-    heading = (results.heading.strip() or results.path.stem).splitlines()[0]
+    heading = textwrap.shorten((results.heading.strip() or results.path.stem).splitlines()[0], 75, placeholder=" ...")
     return (
         f"{heading}\nstep {results.steps[increment]}, increment {results.increments[increment]}, "
         f"time {results.times[increment]:g} s"

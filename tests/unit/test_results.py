@@ -162,6 +162,7 @@ class TestResults:
             "LEFT": [10],
             "BACK": [60],
             "ENDS": [10, 30],
+            "LOOSE": [50],
         }
         assert {name: list(results.element_ids[rows]) for name, rows in results.element_sets.items()} == {"LOWER": [101, 102]}
 
@@ -207,6 +208,7 @@ class TestResults:
             *[f"{name} element {element}" for element in (101, 102) for name in section_forces],
             "current element 101", "current element 102",
             "voltage LEFT to BACK", "current LEFT to BACK", "resistance LEFT to BACK",
+            "voltage LOOSE to BACK", "current LOOSE to BACK", "resistance LOOSE to BACK",
         ]  # fmt: skip
         increment = np.arange(1, 4)
         np.testing.assert_array_equal(history["RF2 node 30"], 32 * increment)
@@ -222,6 +224,11 @@ class TestResults:
         np.testing.assert_array_equal(history["current LEFT to BACK"], 2 * increment)
         np.testing.assert_array_equal(history["resistance LEFT to BACK"], [-2.5] * 3)
         assert history.units["resistance LEFT to BACK"] == "ohm"
+
+    def test_the_resistance_of_an_open_circuit_is_infinite_and_not_that_of_round_off(self, results):
+        history = results.history
+        assert np.all(history["current LOOSE to BACK"] != 0)
+        np.testing.assert_array_equal(history["resistance LOOSE to BACK"], [np.inf] * 3)
 
     def test_the_ledger_by_increment_and_by_contact(self, results):
         assert list(results.contacts["id"]) == [1, 2, 2]
@@ -275,8 +282,8 @@ class TestResults:
             "resistance LEFT to BACK",
         ):
             assert part in text
-        # electric power in: sum of potential times entering current, sum 3 j * 6 j
-        assert f"{18 * (NODE**2).sum():.5g} W" in text
+        # electric power in: sum of potential times entering current, 3 j * 6 j, at all nodes but the fifth
+        assert f"{18 * ((NODE**2).sum() - 25):.5g} W" in text
 
     def test_a_missing_file_and_an_ambiguous_directory(self, written, tmp_path):
         with pytest.raises(litz.FileError, match="has the deck been run"):
