@@ -64,7 +64,7 @@ def plot(
     increment : int
         Index of the increment that is shown, -1 the last.
     field : str, optional
-        What colours the wires, one of `Results.fields`; default: the potential, or where there is none the displacement.
+        What colours the wires, one of `Results.fields`; default: the potential, or else the displacement.
     scale : float
         Factor on the displacements of the drawn wires.
     spots : str, optional

@@ -254,7 +254,8 @@ def _render(scene: Scene, camera: Camera, pixels: np.ndarray) -> np.ndarray:
     with tempfile.TemporaryDirectory() as folder:
         job, picture = Path(folder, "job.npz"), Path(folder, "picture.png")
         np.savez(
-            job, points=scene.points, starts=scene.starts, radius=np.maximum(scene.radius, _LEAST_RADIUS * camera.half_width), value=scene.value,
+            job, points=scene.points, starts=scene.starts, value=scene.value,
+            radius=np.maximum(scene.radius, _LEAST_RADIUS * camera.half_width),
             reference=scene.reference, reference_starts=scene.reference_starts,
             colours=COLOURS, limits=scene.limits, size=np.round(pixels), sides=24 if len(scene.points) < 50_000 else 12,
             centre=camera.centre, toward=camera.toward, up=camera.up, half_height=camera.half_height, distance=distance,
