@@ -9,7 +9,7 @@ module litz_errors
    public :: exit_success, exit_input, exit_not_converged, exit_solver, exit_files, exit_internal
 
    !> Most errors that a list keeps, and most that it shows
-   integer, parameter :: most_kept = 1000, most_shown = 50
+   integer, parameter :: most_kept = 200, most_shown = 50
 
    integer, parameter :: exit_success = 0
    integer, parameter :: exit_input = 1
@@ -43,13 +43,15 @@ module litz_errors
       procedure :: text => error_text
    end type error_t
 
-   !> Errors beyond the first thousand are counted only, so that a hopeless file costs no memory.
+   !> Errors beyond the first 200 are counted only, so that a hopeless file costs neither memory nor time.
    type :: error_list_t
       integer :: count = 0
       integer :: not_kept = 0
       type(error_t), allocatable :: items(:)
    contains
       procedure :: add => error_list_add
+      procedure :: is_full => error_list_is_full
+      procedure :: skip => error_list_skip
       procedure :: sort => error_list_sort
       procedure :: text => error_list_text
    end type error_list_t
@@ -71,8 +73,8 @@ contains
       type(error_t), intent(in) :: error
       type(error_t), allocatable :: grown(:)
 
-      if (self%count == most_kept) then
-         self%not_kept = self%not_kept + 1
+      if (self%is_full()) then
+         call self%skip()
          return
       end if
       if (.not. allocated(self%items)) allocate (self%items(8))
@@ -84,6 +86,19 @@ contains
       self%count = self%count + 1
       self%items(self%count) = error
    end subroutine error_list_add
+
+   pure logical function error_list_is_full(self)
+      class(error_list_t), intent(in) :: self
+
+      error_list_is_full = self%count == most_kept
+   end function error_list_is_full
+
+   !> Count an error that a full list would not keep.
+   pure subroutine error_list_skip(self)
+      class(error_list_t), intent(inout) :: self
+
+      self%not_kept = self%not_kept + 1
+   end subroutine error_list_skip
 
    !> In the order of reading; errors of the same line stay as they were found.
    pure subroutine error_list_sort(self)

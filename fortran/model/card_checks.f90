@@ -241,8 +241,8 @@ contains
             unlimited = unlimited .or. keyword%data(i)%last == 0
          end do
          if (n < needed) then
-            call fail_at(self, this%name, 'a data line is missing: *'//trim(keyword%name)//' needs '// &
-               merge('at least ', '         ', unlimited .or. most > needed)//to_text(needed))
+            call fail_at(self, this%name, 'a data line is missing: *'//trim(keyword%name)//' needs at least '// &
+               to_text(needed))
          else if (n > most .and. .not. unlimited) then
             call fail_at(self, self%deck%line_token(this%first_data + most), 'more data lines than *'// &
                trim(keyword%name)//' takes, which is '//to_text(most))

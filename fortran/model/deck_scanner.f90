@@ -171,7 +171,8 @@ contains
    recursive subroutine scan_source(deck, scanner, source, errors)
       type(deck_t), intent(inout) :: deck
       type(scanner_t), intent(inout) :: scanner
-      integer, intent(in) :: source
+      !> By value: the number of sources, often passed here, grows
+      integer, value :: source
       type(error_list_t), intent(inout) :: errors
       type(card_t) :: card
       type(line_t) :: line

@@ -137,7 +137,8 @@ contains
          real_field('I22', 'm^4', 'second moment for bending about the second axis n2', limit_positive), &
          real_field('J', 'm^4', 'torsion constant', limit_positive)], when='SECTION=GENERAL')
       call k%add_data([real_field('n1x', '-', 'direction of the first axis n1; chosen by litz without this line'), &
-         real_field('n1y', '-', 'its second component'), real_field('n1z', '-', 'its third component')], first=2, required=.false.)
+         real_field('n1y', '-', 'its second component'), real_field('n1z', '-', 'its third component')], first=2, &
+         required=.false.)
       call finish(table, k)
 
       call begin(k, 'TRANSVERSE SHEAR STIFFNESS', place_model, &

@@ -287,12 +287,13 @@ contains
       value%value = self%values%real(merge(4, 3, list%kind == kind_boundary))
       do i = 1, size(nodes)
          value%node = nodes(i)
-         ok = list%has_element(nodes(i))
+         ok = list%has_element(nodes(i)) .or. self%broken_nodes .or. self%broken_elements
          if (.not. ok) then
             call fail_at(self, self%values%token(1), node_words(self, model, nodes(i), nodes)//' belongs to no element')
             return
          end if
-         ok = first /= dof_potential .or. list%has_potential(nodes(i))
+         ok = first /= dof_potential .or. list%has_potential(nodes(i)) .or. self%broken_nodes .or. &
+            self%broken_elements
          if (.not. ok) then
             call fail_at(self, self%values%token(1), node_words(self, model, nodes(i), nodes)// &
                ' has no electric potential: '// &

@@ -61,6 +61,7 @@ contains
       call open_set(self, self%node_sets, parameter_of(self, card, 'NSET'), set)
       do line = self%deck%cards(card)%first_data, self%deck%cards(card)%last_data
          call read_line(self, card, line, ok)
+         self%broken_nodes = self%broken_nodes .or. .not. self%values%given(1)
          if (.not. self%values%given(1)) cycle
          associate (id => self%values%whole(1))
             known = self%nodes%get(id)
@@ -92,10 +93,12 @@ contains
       kind = merge(element_b33, element_b31, choice_of(self, card, 'TYPE') == 'B33')
       do line = self%deck%cards(card)%first_data, self%deck%cards(card)%last_data
          call read_line(self, card, line, ok)
+         self%broken_elements = self%broken_elements .or. .not. ok
          if (.not. self%values%given(1)) cycle
          associate (id => self%values%whole(1))
             known = self%elements%get(id)
             if (known > 0) then
+               self%broken_elements = .true.
                call fail_at(self, self%values%token(1), 'element '//to_text(id)//' is defined twice; first in '// &
                   self%deck%place(self%element_line(known)))
                cycle
@@ -123,7 +126,9 @@ contains
       do k = 1, 2
          associate (id => self%values%whole(k + 1))
             model%connectivity(k, element) = self%nodes%get(id)
-            if (model%connectivity(k, element) == 0) call fail_at(self, self%values%token(k + 1), &
+            if (model%connectivity(k, element) > 0 .or. self%broken_nodes) cycle
+            self%broken_elements = .true.
+            call fail_at(self, self%values%token(k + 1), &
                'element '//to_text(model%element_id(element))//' has node '//to_text(id)//', which is not defined')
          end associate
       end do
@@ -131,10 +136,14 @@ contains
          if (any(node == 0)) return
          if (.not. all(self%node_ok(node))) return
          length = norm2(model%x(:, node(2)) - model%x(:, node(1)))
-         if (length <= shortest*maxval(abs(model%x(:, node)))) call fail_at(self, &
-            self%deck%line_token(self%element_line(element)), 'element '//to_text(model%element_id(element))// &
-            ' has no length: its nodes '//to_text(model%node_id(node(1)))//' and '//to_text(model%node_id(node(2)))// &
-            ' are at the same place')
+         if (length <= shortest*maxval(abs(model%x(:, node)))) then
+            self%broken_elements = .true.
+            call fail_at(self, &
+               self%deck%line_token(self%element_line(element)), 'element '//to_text(model%element_id(element))// &
+               ' has no length: its nodes '//to_text(model%node_id(node(1)))//' and '// &
+               to_text(model%node_id(node(2)))// &
+               ' are at the same place')
+         end if
       end associate
    end subroutine join_nodes
 

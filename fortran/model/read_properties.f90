@@ -4,7 +4,7 @@ module litz_read_properties
    use litz_text, only: to_text
    use litz_deck, only: token_t
    use litz_model, only: model_t, section_t
-   use litz_reader, only: reader_t, definitions_t, fail_at, read_line, parameter_of, choice_of, keyword_of, &
+   use litz_reader, only: reader_t, definitions_t, fail_at, read_line, parameter_of, choice_of, has_flag, keyword_of, &
       real_parameter, &
       add_definition, find_definition
    use litz_rotations, only: cross
@@ -145,6 +145,8 @@ contains
          end associate
       end if
       section%contact_radius = real_parameter(self, card, 'CONTACT RADIUS', section%contact_radius)
+      ! a wrong radius was reported; here it only must not look like none
+      if (has_flag(self, card, 'CONTACT RADIUS') .and. .not. section%contact_radius > 0) section%contact_radius = 1
       name = parameter_of(self, card, 'ELSET')
       if (name%last < name%first) self%missed_section = .true.
    end subroutine read_section

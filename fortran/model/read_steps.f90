@@ -150,9 +150,11 @@ contains
          if (step%first > step%total) call fail_at(self, values%token(1), 'the first increment, '// &
             to_text(step%first)// &
             ', is larger than the step, '//to_text(step%total))
-         if (step%smallest > step%first) call fail_at(self, values%token(3), 'the smallest increment, '// &
+         if (values%given(3) .and. step%smallest > step%first) call fail_at(self, values%token(3), &
+            'the smallest increment, '// &
             to_text(step%smallest)//', is larger than the first, '//to_text(step%first))
-         if (step%largest < step%first) call fail_at(self, values%token(4), 'the largest increment, '// &
+         if (values%given(4) .and. step%largest < step%first) call fail_at(self, values%token(4), &
+            'the largest increment, '// &
             to_text(step%largest)//', is smaller than the first, '//to_text(step%first))
       end associate
 

@@ -62,6 +62,8 @@ module litz_reader
       integer, allocatable :: node_line(:), element_line(:)
       !> The position of the node could be read
       logical, allocatable :: node_ok(:)
+      !> Some line of a node or element could not be read, so that what is missing in the mesh is no news
+      logical :: broken_nodes = .false., broken_elements = .false.
       type(set_builder_t) :: node_sets, element_sets
       type(definitions_t) :: materials, amplitudes, interactions
       !> Some *BEAM SECTION names no set that exists, so that elements without section are no news
@@ -80,7 +82,11 @@ contains
       type(token_t), intent(in) :: token
       character(len=*), intent(in) :: message
 
-      call self%errors%add(self%deck%error_at(token, message))
+      if (self%errors%is_full()) then
+         call self%errors%skip()
+      else
+         call self%errors%add(self%deck%error_at(token, message))
+      end if
    end subroutine fail_at
 
    !> The keyword of a card as the table has it.
@@ -183,6 +189,7 @@ contains
       if (status == number_ok) value = number
    end function real_parameter
 
+   !> All whole numbers among the parameters are at least 1.
    pure integer function integer_parameter(self, card, name, default) result(value)
       type(reader_t), intent(in) :: self
       integer, intent(in) :: card
@@ -192,7 +199,7 @@ contains
 
       value = default
       call parse_integer(self%deck%text(parameter_of(self, card, name)), number, status)
-      if (status == number_ok) value = number
+      if (status == number_ok .and. number > 0) value = number
    end function integer_parameter
 
    ! Data lines.
@@ -210,7 +217,7 @@ contains
 
       call find_form(self, card, line)
       call self%deck%split(line, self%values%token, self%values%n)
-      call prepare_values(self%values)
+      call prepare_values(self%values, self%deck%end_of_line(line))
       ok = self%form > 0
       if (.not. ok) return
       associate (form => self%table%keywords(self%spec(card))%data(self%form), n => self%values%n)
@@ -219,8 +226,8 @@ contains
          n_allowed = n_fields*form%repeats
          if (n > n_allowed .and. n_allowed > 0) then
             call fail_at(self, self%values%token(n_allowed + 1), 'too many values: *'//keyword_of(self, card)// &
-               ' takes '//merge('at most ', '        ', form%repeats > 1)//to_text(n_allowed)//' on this line: '// &
-               form_words(form))
+               ' takes '//to_text(n_allowed)// &
+               ' on this line: '//form_words(form))
             ok = .false.
             n = n_allowed
          end if
@@ -268,8 +275,10 @@ contains
       if (equals > 0) applies = choice_of(self, card, form%when(:equals - 1)) == squeezed(trim(form%when(equals + 1:)))
    end function applies
 
-   pure subroutine prepare_values(values)
+   pure subroutine prepare_values(values, line_end)
       type(values_t), intent(inout) :: values
+      !> Where values that are left out would be
+      type(token_t), intent(in) :: line_end
       integer :: n
 
       n = size(values%token)
@@ -281,6 +290,7 @@ contains
       values%real(:n) = 0
       values%whole(:n) = 0
       values%given(:n) = .false.
+      values%token(values%n + 1:n) = line_end
    end subroutine prepare_values
 
    !> Take one value; an empty one is complained about when it is needed.

@@ -161,9 +161,19 @@ contains
             end if
          end do
       end if
-      if (builder%n == n_before .and. set > 0) call fail_at(self, self%values%token(1), 'there is no '//what// &
+      if (builder%n == n_before .and. set > 0 .and. .not. is_broken(self, what)) call fail_at(self, &
+         self%values%token(1), 'there is no '//what// &
          ' with a number in this range')
    end subroutine generate_members
+
+   !> Nodes or elements may be missing because their lines could not be read, which was reported.
+   pure logical function is_broken(self, what)
+      type(reader_t), intent(in) :: self
+      !> `node` or `element`
+      character(len=*), intent(in) :: what
+
+      is_broken = (what == 'node' .and. self%broken_nodes) .or. (what == 'element' .and. self%broken_elements)
+   end function is_broken
 
    !> What value `i` of the line names: an index by its number, or a set by its name. Both 0 after an error.
    subroutine find_item(self, what, builder, map, i, index, set)
@@ -183,7 +193,8 @@ contains
             call find_set(self, what, builder, token, set)
          else
             index = map%get(self%values%whole(i))
-            if (index == 0) call fail_at(self, token, 'there is no '//what//' '//self%deck%text(token))
+            if (index == 0 .and. .not. is_broken(self, what)) call fail_at(self, token, 'there is no '//what//' '// &
+               self%deck%text(token))
          end if
       end associate
    end subroutine find_item

@@ -1,0 +1,644 @@
+"""Decks with one mistake each: what is said about it, where, and how the program ends."""
+
+import re
+
+import pytest
+
+DECK = """\
+*HEADING
+Two wires that cross
+*NODE, NSET=ALL
+1, 0., -0.01, 0.
+2, 0., 0.01, 0.
+3, -0.01, 0., 0.001
+4, 0.01, 0., 0.001
+*ELEMENT, TYPE=B31, ELSET=LOWER
+1, 1, 2
+*ELEMENT, TYPE=B33, ELSET=UPPER
+2, 3, 4
+*NSET, NSET=PLUS
+1, 2
+*MATERIAL, NAME=CU
+*ELASTIC
+1.2e11, 0.35
+*ELECTRICAL CONDUCTIVITY
+5.8e7
+*BEAM SECTION, ELSET=LOWER, MATERIAL=CU, SECTION=CIRC
+0.0005
+0., 0., 1.
+*BEAM SECTION, ELSET=UPPER, MATERIAL=CU, SECTION=GENERAL, CONTACT RADIUS=0.0005
+8e-7, 5e-14, 0., 5e-14, 1e-13
+*AMPLITUDE, NAME=UP
+0., 0., 1., 1.
+*SURFACE INTERACTION, NAME=SPOT
+*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR
+1e8
+*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ
+*CONTACT PAIR, INTERACTION=SPOT
+LOWER, UPPER
+*BOUNDARY
+1, ENCASTRE
+*STEP, INC=50
+*STATIC
+0.5, 1., 1e-4, 0.5
+*BOUNDARY
+2, PINNED
+3, 1, 6
+4, 1, 6
+PLUS, 9
+3, 9, 9, 0.01
+*CLOAD, AMPLITUDE=UP
+2, 4, 1e-6
+*NODE PRINT, NSET=PLUS
+RF, RCURR
+*END STEP
+"""
+
+
+def line_of(text, deck):
+    """Number of the first line that contains a text."""
+    return next(number for number, line in enumerate(deck.splitlines(), 1) if text in line)
+
+
+def errors_in(result):
+    """All errors of a run, with their parts by name. Each must be complete: message, place, line, caret."""
+    pattern = re.compile(
+        r"^error: (?P<message>.*)\n"
+        r" *--> (?P<file>.*?):(?P<line>\d+):(?P<column>\d+)\n"
+        r"(?P<origin>(?: +included from .*\n)*)"
+        r" +\|\n\d+ \| (?P<card>.*)\n +\| (?P<caret> *\^+)$",
+        re.MULTILINE,
+    )
+    found = list(pattern.finditer(result.stderr))
+    assert len(found) == result.stderr.count("error: "), result.stderr
+    return found
+
+
+def check_one_error(litz, directory, deck, message, line, marked):
+    """The deck has one error and no other: this message at this line, and a caret below this text."""
+    (directory / "bad.inp").write_text(deck)
+    result = litz("check", "bad.inp", cwd=directory)
+    assert result.returncode == 1, result.stderr
+    found = errors_in(result)
+    assert len(found) == 1, result.stderr
+    error = found[0]
+    assert message in error["message"]
+    assert (error["file"], int(error["line"])) == ("bad.inp", line), result.stderr
+    assert error["card"] == deck.splitlines()[line - 1]
+    first = error["caret"].index("^")
+    assert int(error["column"]) == first + 1
+    assert error["card"][first : len(error["caret"])] == marked
+
+
+def test_the_deck_without_a_mistake_is_accepted(litz, tmp_path):
+    (tmp_path / "good.inp").write_text(DECK)
+    result = litz("check", "good.inp", cwd=tmp_path)
+    assert (result.returncode, result.stderr) == (0, "")
+
+
+def case(name, old, new, message, marked, at=None):
+    """One mistake: a place of the good deck, what stands there instead, what is said, and the text below which the
+    caret stands (empty: behind the end of the line). ``at`` is the line that is blamed where that is not the first
+    one from the change on that holds the text."""
+    return pytest.param(old, new, message, marked, at, id=name)
+
+
+# values and what they mean
+VALUES = [
+    case(
+        "number of a node", "1, 0., -0.01", "one, 0., -0.01",
+        'id (number of the node), must be a whole number; found "one"', "one",
+    ),
+    case("coordinate", "2, 0., 0.01", "2, zero, 0.01", 'x (position), must be a number; found "zero"', "zero"),
+    case(
+        "blanks instead of commas", "1.2e11, 0.35", "1.2e11 0.35, 0.3",
+        "values are separated by commas", "1.2e11 0.35",
+    ),
+    case("real for a node number", "2, 3, 4\n", "2, 3, 4.\n", "must be a whole number", "4."),
+    case("NaN", "2, 0., 0.01", "2, nan, 0.01", "must be a finite number", "nan"),
+    case("infinity", "1.2e11", "-Infinity", "must be a finite number", "-Infinity"),
+    case("overflow", "1.2e11", "1.2e999", "is too large", "1.2e999"),
+    case("underflow", "1.2e11", "1.2e-999", "is too small", "1.2e-999"),
+    case("integer overflow", "1, 1, 2\n", "1, 1, 99999999999\n", "is too large", "99999999999"),
+    case("negative number of an element", "1, 1, 2\n", "-1, 1, 2\n", "must be greater than 0", "-1"),
+    case(
+        "Young's modulus zero", "1.2e11, 0.35", "0., 0.35",
+        'E (Young\'s modulus), is "0."; it must be greater than 0', "0.",
+    ),
+    case("Young's modulus negative", "1.2e11, 0.35", "-1.2e11, 0.35", "must be greater than 0", "-1.2e11"),
+    case(
+        "Poisson's ratio too large", "0.35", "0.5",
+        'nu (Poisson\'s ratio), is "0.5"; it must be between -1 and 0.5', "0.5",
+    ),
+    case("Poisson's ratio too small", "0.35", "-1", "must be between -1 and 0.5", "-1"),
+    case(
+        "conductivity", "5.8e7", "-5.8e7",
+        'sigma (electrical conductivity), is "-5.8e7"; it must be greater than 0', "-5.8e7",
+    ),
+    case(
+        "radius negative", "0.0005\n0.,", "-0.0005\n0.,",
+        'radius (radius of the wire), is "-0.0005"; it must be greater', "-0.0005",
+    ),
+    case("radius zero", "0.0005\n0.,", "0\n0.,", "must be greater than 0", "0"),
+    case("contact radius", "RADIUS=0.0005", "RADIUS=-1", 'CONTACT RADIUS, is "-1"; it must be greater than 0', "-1"),
+    case("mixed second moment", "5e-14, 0., 5e-14", "5e-14, 1e-15, 5e-14", "must be 0", "1e-15"),
+    case("area", "8e-7", "0", 'A (area), is "0"; it must be greater than 0', "0"),
+    case("penalty", "\n1e8", "\n-1e8", 'penalty (contact force per penetration), is "-1e8"', "-1e8"),
+    case("empty value", "2, 0., 0.01, 0.", "2, , 0.01, 0.", "value 2, x (position), is missing", ","),
+    case("increment zero", "0.5, 1., 1e-4", "0., 1., 1e-4", "must be greater than 0", "0."),
+    case("increment negative", "0.5, 1., 1e-4", "0.5, 1., -1e-4", "must be greater than 0", "-1e-4"),
+    case(
+        "first increment larger than the step", "0.5, 1., 1e-4, 0.5", "2., 1., 1e-4",
+        "the first increment, 2, is larger than the step, 1", "2.",
+    ),
+    case(
+        "smallest increment larger than the first", "1e-4, 0.5", "0.6, 0.7",
+        "the smallest increment, 0.6, is larger than the first", "0.6",
+    ),
+    case(
+        "largest increment smaller than the first", "1e-4, 0.5", "1e-4, 0.4",
+        "the largest increment, 0.4, is smaller than the first", "0.4",
+    ),
+    case(
+        "too few increments allowed", "INC=50", "INC=1",
+        "the step needs 2 increments at least, but INC allows 1", "1", at="*STEP, INC=1",
+    ),
+    case("increments not a number", "INC=50", "INC=many", 'INC, must be a whole number; found "many"', "many"),
+    case("increments zero", "INC=50", "INC=0", "must be greater than 0", "0", at="*STEP, INC=0"),
+    case(
+        "too many values", "1, 1, 2\n", "1, 1, 2, 3\n",
+        "too many values: *ELEMENT takes 3 on this line: id, n1, n2", "3",
+    ),
+    case(
+        "amplitude not ascending", "1., 1.\n*SURF", "0., 1.\n*SURF",
+        "the times of an amplitude must ascend; 0 follows 0", "0.",
+    ),
+    case("undefined node in an element", "1, 1, 2\n", "1, 1, 7\n", "element 1 has node 7, which is not defined", "7"),
+    case("node in a set", "PLUS\n1, 2\n", "PLUS\n1, 7\n", "there is no node 7", "7"),
+    case(
+        "element set in a section", "ELSET=LOWER, MAT", "ELSET=LOWR, MAT",
+        'there is no element set "LOWR"; did you mean LOWER?', "LOWR",
+    ),
+    case(
+        "node set for an element set", "ELSET=LOWER, MAT", "ELSET=PLUS, MAT",
+        "(there is a node set of this name)", "PLUS",
+    ),
+    case(
+        "material", "MATERIAL=CU, SECTION=C", "MATERIAL=CO, SECTION=C",
+        'there is no material "CO"; did you mean CU?', "CO",
+    ),
+    case(
+        "interaction", "INTERACTION=SPOT", "INTERACTION=SOPT",
+        'there is no surface interaction "SOPT"; did you mean SPOT?', "SOPT",
+    ),
+    case("amplitude", "AMPLITUDE=UP", "AMPLITUDE=UPP", 'there is no amplitude "UPP"; did you mean UP?', "UPP"),
+    case(
+        "set in a contact pair", "LOWER, UPPER", "LOWER, UPER",
+        'there is no element set "UPER"; did you mean UPPER?', "UPER",
+    ),
+    case("set in *BOUNDARY", "PLUS, 9", "PLUSS, 9", 'there is no node set "PLUSS"; did you mean PLUS?', "PLUSS"),
+    case("node in *BOUNDARY", "3, 1, 6", "33, 1, 6", "there is no node 33", "33"),
+    case("set in *NODE PRINT", "PRINT, NSET=PLUS", "PRINT, NSET=MINUS", 'there is no node set "MINUS"', "MINUS"),
+    case("degree of freedom 7", "3, 1, 6", "3, 1, 7", "degree of freedom 7 does not exist", "7"),
+    case("degree of freedom 0", "PLUS, 9", "PLUS, 0", "degree of freedom 0 does not exist", "0"),
+    case("degree of freedom unknown word", "2, PINNED", "2, PINED", 'ENCASTRE or PINNED; found "PINED"', "PINED"),
+    case("value after PINNED", "2, PINNED", "2, PINNED, 3", "nothing follows PINNED", "3"),
+    case("range backwards", "3, 1, 6", "3, 6, 1", "the last degree of freedom, 1, is smaller than the first, 6", "1"),
+    case(
+        "range over two fields", "3, 1, 6", "3, 1, 9",
+        "a range must not reach from displacements or rotations to the potential", "9",
+    ),
+    case(
+        "value before the first step", "1, ENCASTRE", "1, 1, 6, 0.1",
+        "before the first step only zero values can be prescribed", "0.1",
+    ),
+    case(
+        "prescribed twice", "4, 1, 6\n", "4, 1, 6\n3, 3, 3, 0.001\n",
+        "degree of freedom 3 of node 3 is prescribed twice", "3", at="3, 3, 3, 0.001",
+    ),
+    case(
+        "force at degree of freedom 9", "2, 4, 1e-6", "2, 9, 1e-6",
+        "forces and moments act in directions 1-6; found 9; currents are given by *CECURRENT", "9",
+    ),
+    case(
+        "unknown quantity", "RF, RCURR", "RF, RCUR",
+        'must be U, UR, RF, RM, CF, CM, EPOT, RCURR or CECUR; found "RCUR"; did you mean RCURR?', "RCUR",
+    ),
+    case("quantity twice", "RF, RCURR", "RF, RF", "the quantity RF is asked for twice", "RF"),
+    case("zero axis", "\n0., 0., 1.\n", "\n0., 0., 0.\n", "the first section axis n1 is zero", "0., 0., 0."),
+    case(
+        "axis along the wire", "\n0., 0., 1.\n", "\n0., 2., 0.\n",
+        "the first section axis n1 is parallel to element 1", "0., 2., 0.",
+    ),
+    case(
+        "nodes at the same place", "4, 0.01, 0., 0.001", "4, -0.01, 0., 0.001",
+        "element 2 has no length: its nodes 3 and 4 are at the same place", "2, 3, 4",
+    ),
+    case("same node twice", "2, 3, 4\n", "2, 3, 3\n", "element 2 has no length", "2, 3, 3"),
+    case(
+        "range of a set backwards", "*NSET, NSET=PLUS\n1, 2\n", "*NSET, NSET=PLUS, GENERATE\n2, 1\n",
+        "is smaller than the first", "1",
+    ),
+    case(
+        "range of a set empty", "*NSET, NSET=PLUS\n1, 2\n", "*NSET, NSET=PLUS\n1\n*NSET, NSET=PLUS, GENERATE\n20, 30, 5\n",
+        "there is no node with a number in this range", "20",
+    ),
+    case(
+        "name of a set a number", "*NSET, NSET=PLUS\n", "*NSET, NSET=12\n2\n*NSET, NSET=PLUS\n",
+        "the name of a set must not be a number", "12",
+    ),
+    case("name too long", "INC=50", "INC=50, NAME=" + 81 * "U", "is longer than 80 characters", 81 * "U"),
+]
+
+# keywords, parameters, missing and double things
+KEYWORDS = [
+    case("unknown keyword", "*HEADING", "*HAEDING", 'unknown keyword "HAEDING"; did you mean *HEADING?', "*HAEDING"),
+    case(
+        "unknown keyword, nothing near", "*STATIC", "*XYZZY\n*STATIC",
+        'unknown keyword "XYZZY"; `litz keywords` lists', "*XYZZY",
+    ),
+    case("keyword of Abaqus", "*GAP", "*FRICTION\n*GAP", "*FRICTION is not a keyword of this version", "*FRICTION"),
+    case(
+        "unknown parameter", "*NODE, NSET=ALL", "*NODE, NSETT=ALL",
+        'unknown parameter "NSETT" of *NODE; did you mean NSET?', "NSETT",
+    ),
+    case(
+        "parameter of a keyword without any", "*ELECTRICAL CONDUCTIVITY", "*ELECTRICAL CONDUCTIVITY, TYPE=ISO",
+        "which has no parameters", "TYPE",
+    ),
+    case("parameter twice", "NSET=ALL", "NSET=ALL, NSET=ALL2", "the parameter NSET is given twice", "NSET"),
+    case("parameter without value", "INC=50", "INC=", "the parameter INC needs a value", "INC"),
+    case("parameter with nothing", "INC=50", "INC", "the parameter INC needs a value", "INC"),
+    case("flag with a value", "*STATIC", "*STATIC, DIRECT=YES", "the parameter DIRECT takes no value", "YES"),
+    case("wrong choice", "TYPE=B33", "TYPE=B32", 'TYPE, must be B31 or B33; found "B32"; did you mean B31?', "B32"),
+    case("wrong choice with hint", "LAW=HERTZ", "LAW=HERZ", "did you mean HERTZ?", "HERZ"),
+    case("small displacements", "INC=50", "INC=50, NLGEOM=NO", "NLGEOM=NO is not possible", "NO"),
+    case(
+        "OP before the first step", "*BOUNDARY\n1", "*BOUNDARY, OP=NEW\n1",
+        "OP has no meaning before the first step", "NEW",
+    ),
+    case(
+        "OP mixed", "*CLOAD, AMP", "*BOUNDARY, OP=NEW\n3, 1\n*CLOAD, AMP",
+        "must have the same OP; this one has OP=NEW, an earlier one OP=MOD", "NEW",
+    ),
+    case("quote", "INC=50", 'INC=50, NAME="FIRST', "this quotation mark is never closed", '"'),
+    case(
+        "step keyword in the model part", "*MATERIAL", "*STATIC\n*MATERIAL",
+        "*STATIC belongs into a step", "STATIC",
+    ),
+    case(
+        "model keyword in a step", "*CLOAD", "*NSET, NSET=X\n1\n*CLOAD",
+        "*NSET belongs into the model part, before the first *STEP", "NSET",
+    ),
+    case(
+        "elastic alone", "*AMPLITUDE", "*ELASTIC\n1., 0.\n*AMPLITUDE",
+        "*ELASTIC must follow the *MATERIAL it belongs to", "ELASTIC",
+    ),
+    case(
+        "elastic twice", "*ELECTRICAL", "*ELASTIC\n1., 0.\n*ELECTRICAL",
+        "the material CU has two *ELASTIC", "ELASTIC",
+    ),
+    case(
+        "behavior twice", "*GAP", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ\n*GAP",
+        "this surface interaction has two *SURFACE BEHAVIOR", "SURFACE BEHAVIOR",
+    ),
+    case("static twice", "*CLOAD", "*STATIC\n*CLOAD", "this step has two *STATIC", "STATIC"),
+    case(
+        "material twice", "*AMPLITUDE", "*MATERIAL, NAME=cu\n*ELASTIC\n1., 0.\n*AMPLITUDE",
+        'the material "cu" is defined twice; first in bad.inp:14', "cu",
+    ),
+    case(
+        "material never used", "*AMPLITUDE", "*MATERIAL, NAME=AL\n*ELASTIC\n1., 0.\n*AMPLITUDE",
+        "the material AL is defined but never used", "AL",
+    ),
+    case(
+        "amplitude never used", "*AMPLITUDE", "*AMPLITUDE, NAME=DOWN\n0., 1.\n*AMPLITUDE",
+        "the amplitude DOWN is defined but never used", "DOWN",
+    ),
+    case(
+        "interaction never used", "*SURFACE INTERACTION", "*SURFACE INTERACTION, NAME=IDLE\n*SURFACE INTERACTION",
+        "the surface interaction IDLE is defined but never used", "IDLE",
+    ),
+    case(
+        "material without elasticity", "*AMPLITUDE", "*MATERIAL, NAME=AL\n*BEAM SECTION, ELSET=NONE, MATERIAL=AL, SECTION=CIRC\n1.\n*ELEMENT, TYPE=B31, ELSET=NONE\n9, 1, 3\n*AMPLITUDE",
+        "the material AL has no *ELASTIC", "AL",
+    ),
+    case("required parameter missing", ", TYPE=B33", "", "*ELEMENT needs the parameter TYPE=B31|B33", "ELEMENT"),
+    case(
+        "data line missing", "5.8e7\n", "",
+        "a data line is missing: *ELECTRICAL CONDUCTIVITY needs at least 1", "ELECTRICAL CONDUCTIVITY",
+        at="*ELECTRICAL CONDUCTIVITY",
+    ),
+    case("data lines missing", "PLUS\n1, 2\n", "PLUS\n1, 2\n*NSET, NSET=MORE\n", "*NSET needs at least 1", "NSET"),
+    case(
+        "too many data lines", "5.8e7\n", "5.8e7\n6e7\n",
+        "more data lines than *ELECTRICAL CONDUCTIVITY takes, which is 1", "6e7",
+    ),
+    case(
+        "too few values", "1.2e11, 0.35", "1.2e11",
+        "value 2, nu (Poisson's ratio), is missing; the line holds E, nu", "", at="1.2e11",
+    ),
+    case(
+        "half a pair", "0., 0., 1., 1.", "0., 0., 1.",
+        "value 4, a (factor at that time), is missing", "", at="0., 0., 1.",
+    ),
+    case("continuation missing", "INC=50\n", "INC=50,\n", "ends with a comma, but no line continues it", ","),
+    case(
+        "node twice", "4, 0.01, 0., 0.001\n", "4, 0.01, 0., 0.001\n3, 0.02, 0., 0.001\n",
+        "node 3 is defined twice; first in bad.inp:6", "3",
+    ),
+    case("element twice", "\n2, 3, 4\n", "\n1, 3, 4\n", "element 1 is defined twice; first in bad.inp:9", "1"),
+    case(
+        "element without section", "2, 3, 4\n", "2, 3, 4\n*ELEMENT, TYPE=B31\n5, 2, 3\n6, 2, 4\n",
+        "element 5 has no *BEAM SECTION, nor have 1 others", "5, 2, 3",
+    ),
+    case(
+        "element in two sections", "*AMPLITUDE", "*BEAM SECTION, ELSET=LOWER, MATERIAL=CU, SECTION=CIRC\n1.\n*AMPLITUDE",
+        "element 1 has two sections; the first one is in bad.inp:19", "LOWER",
+    ),
+    case(
+        "radius for contact missing", ", CONTACT RADIUS=0.0005", "",
+        "its *BEAM SECTION of UPPER has no CONTACT RADIUS", "UPPER", at="LOWER, UPPER",
+    ),
+    case(
+        "contact pair twice", "LOWER, UPPER\n", "LOWER, UPPER\n*CONTACT PAIR, INTERACTION=SPOT\nUPPER, LOWER\n",
+        "this contact pair is given twice; first in bad.inp:31", "UPPER",
+    ),
+    case(
+        "loads of different amplitudes", "2, 4, 1e-6\n", "2, 4, 1e-6\n*CLOAD\n2, 4, 1e-6\n",
+        "node 2 has loads of different amplitudes", "2", at="2, 4, 1e-6",
+    ),
+    case(
+        "step without procedure", "*STATIC\n0.5, 1., 1e-4, 0.5\n", "",
+        "this step has no *STATIC", "STEP", at="*STEP, INC=50",
+    ),
+    case("step without end", "*END STEP\n", "", "*END STEP of this step is missing", "STEP", at="*STEP, INC=50"),
+]
+
+
+@pytest.mark.parametrize("old, new, message, marked, at", VALUES + KEYWORDS)
+def test_one_mistake(litz, tmp_path, old, new, message, marked, at):
+    assert DECK.count(old) == 1, "the case must change one place"
+    deck = DECK.replace(old, new)
+    lines = deck.splitlines()
+    change = next(i for i, good in enumerate(DECK.splitlines()) if i >= len(lines) or good != lines[i])
+    if at is not None:
+        line = max(i for i, text in enumerate(lines) if text == at)
+    else:
+        line = next(i for i in range(change, len(lines)) if marked in lines[i])
+    check_one_error(litz, tmp_path, deck, message, line + 1, marked)
+
+
+def test_a_load_on_a_node_of_no_element(litz, tmp_path):
+    deck = DECK.replace("3, -0.01", "9, 0., 0., 1.\n3, -0.01").replace("2, 4, 1e-6", "9, 1, 1.")
+    check_one_error(litz, tmp_path, deck, "node 9 belongs to no element", line_of("9, 1, 1.", deck), "9")
+
+
+@pytest.mark.parametrize(
+    "line, keyword", [("PLUS, 9", "*BOUNDARY"), ("2, 9, 1e-3", "*CECURRENT"), ("2, , 1e-3", "*CECURRENT")],
+)
+def test_a_potential_or_current_where_there_is_no_electric_field(litz, tmp_path, line, keyword):
+    deck = DECK.replace("*ELECTRICAL CONDUCTIVITY\n5.8e7\n", "").replace("PLUS, 9\n3, 9, 9, 0.01\n", "")
+    deck = deck.replace("*CLOAD", f"{keyword}\n{line}\n*CLOAD")
+    if keyword == "*BOUNDARY":
+        deck = deck.replace("*BOUNDARY\n2, PINNED\n3, 1, 6\n4, 1, 6\n", "") .replace(line, f"2, PINNED\n3, 1, 6\n4, 1, 6\n{line}")
+    node = line.split(",")[0]
+    message = f"node {1 if node == 'PLUS' else 2}{' of PLUS' if node == 'PLUS' else ''} has no electric potential"
+    check_one_error(litz, tmp_path, deck, message, line_of(line, deck), node)
+
+
+def test_a_deck_without_steps(litz, tmp_path):
+    deck = DECK[: DECK.index("*STEP")].replace("*AMPLITUDE, NAME=UP\n0., 0., 1., 1.\n", "")
+    check_one_error(litz, tmp_path, deck, "the deck ends without any *STEP", len(deck.splitlines()), "")
+
+
+def test_a_step_that_begins_in_a_step(litz, tmp_path):
+    deck = DECK.replace("*END STEP\n", "") + "*STEP\n*STATIC\n*END STEP\n"
+    line = len(deck.splitlines()) - 2
+    check_one_error(litz, tmp_path, deck, "*END STEP is missing", line, "STEP")
+
+
+def test_data_before_the_first_keyword(litz, tmp_path):
+    check_one_error(litz, tmp_path, "1, 2, 3\n4, 5\n" + DECK, "data before the first keyword", 1, "1, 2, 3")
+
+
+def test_a_keyword_between_two_steps(litz, tmp_path):
+    deck = DECK + "*BOUNDARY\n2, 1\n*STEP\n*STATIC\n*END STEP\n"
+    check_one_error(litz, tmp_path, deck, "*BOUNDARY stands between two steps", line_of("*END STEP", deck) + 1, "BOUNDARY")
+
+
+def test_two_steps_of_one_name(litz, tmp_path):
+    deck = DECK.replace("INC=50", "INC=50, NAME=PRESS") + "*STEP, NAME=Press\n*STATIC\n*END STEP\n"
+    check_one_error(litz, tmp_path, deck, "two steps of the name", line_of("NAME=Press", deck), "Press")
+
+
+def test_a_place_that_litz_does_not_use_in_controls(litz, tmp_path):
+    deck = DECK.replace("*CLOAD", "*CONTROLS, PARAMETERS=TIME INCREMENTATION\n4, 8\n*CLOAD")
+    (tmp_path / "bad.inp").write_text(deck)
+    result = litz("check", "bad.inp", cwd=tmp_path)
+    assert result.returncode == 1
+    assert [error["message"] for error in errors_in(result)] == [
+        'value 1, I_0 (not used by litz, leave empty), is "4"; it must be left empty, litz does not use it',
+        'value 2, I_R (not used by litz, leave empty), is "8"; it must be left empty, litz does not use it',
+    ]
+
+
+def test_all_errors_come_in_one_pass_and_in_the_order_of_the_deck(litz, tmp_path):
+    deck = DECK.replace("0.35", "0.6").replace("1, 1, 2", "1, 1, 8").replace("*HEADING", "*HEADNG")
+    deck = deck.replace("PLUS, 9", "NONE, 9").replace("RF, RCURR", "RF, EPTO")
+    (tmp_path / "bad.inp").write_text(deck)
+    result = litz("check", "bad.inp", cwd=tmp_path)
+    assert result.returncode == 1
+    assert [int(error["line"]) for error in errors_in(result)] == [
+        line_of(text, deck) for text in ("*HEADNG", "1, 1, 8", "0.6", "NONE, 9", "RF, EPTO")
+    ]
+
+
+def test_many_errors_are_cut_short_with_their_number(litz, tmp_path):
+    deck = DECK.replace("*MATERIAL", "*NODE\n" + "x, 0., 0., 0.\n" * 10000 + "*MATERIAL")
+    (tmp_path / "bad.inp").write_text(deck)
+    result = litz("check", "bad.inp", cwd=tmp_path)
+    assert result.returncode == 1
+    assert len(errors_in(result)) == 50
+    assert result.stderr.endswith("and 9950 more errors\n")
+
+
+def test_run_refuses_what_check_refuses_and_writes_nothing(litz, tmp_path):
+    (tmp_path / "bad.inp").write_text(DECK.replace("0.35", "0.6"))
+    result = litz("run", "bad.inp", "-o", "out", cwd=tmp_path)
+    assert result.returncode == 1
+    assert "must be between -1 and 0.5" in result.stderr
+    assert [path.name for path in tmp_path.iterdir()] == ["bad.inp"]
+
+
+# files
+
+
+def test_a_deck_that_does_not_exist(litz, tmp_path):
+    result = litz("check", "none.inp", cwd=tmp_path)
+    assert result.returncode == 4
+    assert result.stderr == 'error: the deck file "none.inp" does not exist\n'
+
+
+def test_a_deck_that_is_a_directory(litz, tmp_path):
+    result = litz("check", ".", cwd=tmp_path)
+    assert result.returncode == 4
+    assert 'error: the deck file "." cannot be read' in result.stderr
+
+
+@pytest.mark.parametrize("text", ["", "\n\n", "** only a comment\n"])
+def test_an_empty_deck(litz, tmp_path, text):
+    (tmp_path / "empty.inp").write_text(text)
+    result = litz("check", "empty.inp", cwd=tmp_path)
+    assert result.returncode == 1
+    assert result.stderr.startswith("error: the deck is empty\n")
+
+
+def test_a_missing_included_file(litz, tmp_path):
+    deck = DECK.replace("*MATERIAL", "*INCLUDE, INPUT=none.inp\n*MATERIAL")
+    message = 'the included file "none.inp" does not exist'
+    check_one_error(litz, tmp_path, deck, message, line_of("*INCLUDE", deck), "none.inp")
+
+
+def test_an_include_without_a_file(litz, tmp_path):
+    deck = DECK.replace("*MATERIAL", "*INCLUDE\n*MATERIAL")
+    check_one_error(litz, tmp_path, deck, "*INCLUDE needs INPUT=file", line_of("*INCLUDE", deck), "INCLUDE")
+
+
+def test_an_error_in_an_included_file_shows_the_chain(litz, tmp_path):
+    (tmp_path / "parts").mkdir()
+    (tmp_path / "parts" / "outer.inp").write_text("** a comment\n*INCLUDE, INPUT=inner.inp\n")
+    (tmp_path / "parts" / "inner.inp").write_text("*MATERIAL, NAME=CU\n*ELASTIC\n1.2e11, 0.7\n")
+    deck = DECK.replace("*MATERIAL, NAME=CU\n*ELASTIC\n1.2e11, 0.35\n", '*INCLUDE, INPUT="parts/outer.inp"\n')
+    (tmp_path / "bad.inp").write_text(deck)
+    result = litz("check", "bad.inp", cwd=tmp_path)
+    assert result.returncode == 1
+    (error,) = errors_in(result)
+    assert (error["file"], error["line"], error["column"]) == ("parts/inner.inp", "3", "9")
+    assert [line.strip() for line in error["origin"].splitlines()] == [
+        "included from parts/outer.inp:2", f"included from bad.inp:{line_of('*INCLUDE', deck)}",
+    ]
+
+
+def test_a_circle_of_included_files(litz, tmp_path):
+    (tmp_path / "bad.inp").write_text("*INCLUDE, INPUT=other.inp\n" + DECK)
+    (tmp_path / "other.inp").write_text("*INCLUDE, INPUT=./bad.inp\n")
+    result = litz("check", "bad.inp", cwd=tmp_path)
+    assert result.returncode == 1
+    (error,) = errors_in(result)
+    assert error["message"] == 'the file "./bad.inp" includes itself, directly or through others'
+    assert (error["file"], error["line"]) == ("other.inp", "1")
+
+
+# lines of any shape
+
+
+def test_the_caret_counts_characters_and_tabs(litz, tmp_path):
+    deck = DECK.replace("0.35", "0.6").replace("1.2e11,", "\t1.2e11,\t")
+    (tmp_path / "bad.inp").write_text(deck)
+    (error,) = errors_in(litz("check", "bad.inp", cwd=tmp_path))
+    assert (error["column"], error["card"], error["caret"]) == ("11", " 1.2e11,  0.6", 10 * " " + "^^^")
+
+    deck = DECK.replace("NAME=SPOT", "NAME=Berührung").replace("INTERACTION=SPOT", "INTERACTION=Berührung, WORD=ü")
+    (tmp_path / "bad.inp").write_text(deck)
+    (error,) = errors_in(litz("check", "bad.inp", cwd=tmp_path))
+    assert error["card"][error["caret"].index("^") : len(error["caret"])] == "WORD"
+
+
+def test_of_a_very_long_line_the_part_around_the_mistake_is_shown(litz, tmp_path):
+    members = "1, " * 5000 + "77, " + "2, " * 5000
+    deck = DECK.replace("PLUS\n1, 2\n", f"PLUS\n{members}\n")
+    (tmp_path / "bad.inp").write_text(deck)
+    (error,) = errors_in(litz("check", "bad.inp", cwd=tmp_path))
+    assert error["message"] == "there is no node 77"
+    assert error["column"] == "15001"
+    assert len(error["card"]) < 130
+    assert error["card"][error["caret"].index("^") : len(error["caret"])] == "77"
+
+
+# beams that nothing holds, conductors without potential
+
+
+def check_held(litz, directory, deck):
+    """The one error or warning about a part of the model: exit code, message, line."""
+    (directory / "loose.inp").write_text(deck)
+    result = litz("check", "loose.inp", cwd=directory)
+    found = re.findall(r"^(error|warning): (.*)\n +--> loose.inp:(\d+):", result.stderr, re.MULTILINE)
+    assert len(found) == 1, result.stderr
+    return result.returncode, *found[0]
+
+
+NO_CONTACT = DECK.replace("*CONTACT PAIR, INTERACTION=SPOT\nLOWER, UPPER\n", "").replace(
+    DECK[DECK.index("*SURFACE INTERACTION") : DECK.index("*CONTACT PAIR")], ""
+)
+
+
+def test_a_beam_that_nothing_holds(litz, tmp_path):
+    deck = NO_CONTACT.replace("3, 1, 6\n4, 1, 6\n", "")
+    code, kind, message, line = check_held(litz, tmp_path, deck)
+    assert (code, kind, int(line)) == (1, "error", line_of("2, 3, 4", deck))
+    assert message.startswith("nothing holds UPPER (element 2): no displacement or rotation")
+
+
+def test_a_beam_that_only_contacts_can_hold(litz, tmp_path):
+    deck = DECK.replace("3, 1, 6\n4, 1, 6\n", "")
+    code, kind, message, line = check_held(litz, tmp_path, deck)
+    assert (code, kind, int(line)) == (0, "warning", line_of("2, 3, 4", deck))
+    assert message.endswith("only contacts can hold it")
+
+
+@pytest.mark.parametrize(
+    "supports, free",
+    [
+        ("3, PINNED\n4, 2, 3", "rotation about x through (0, 0, 0.001)"),
+        ("3, 2, 6\n4, 2, 6", "translation along x"),
+        (
+            "3, PINNED",
+            "rotation about x through (0, 0, 0.001), rotation about y through (-0.01, 0, 0.001), "
+            "rotation about z through (-0.01, 0, 0.001)",
+        ),
+        (
+            "3, 1, 2\n4, 1, 2",
+            "rotation about x through (0, 0, 0.001), rotation about y through (0, 0, 0.001), translation along z",
+        ),
+        (
+            "3, 3\n4, 3\n3, 4",
+            "rotation about z through (0, 0, 0.001), translation along x, translation along y",
+        ),
+    ],
+)
+def test_the_free_motion_of_a_beam_is_told_in_words(litz, tmp_path, supports, free):
+    deck = NO_CONTACT.replace("3, 1, 6\n4, 1, 6", supports)
+    code, kind, message, _ = check_held(litz, tmp_path, deck)
+    assert (code, kind) == (1, "error")
+    assert message == f"UPPER (element 2) can still move: {free}; *BOUNDARY must prevent that"
+
+
+def test_a_conductor_without_potential(litz, tmp_path):
+    deck = NO_CONTACT.replace("3, 9, 9, 0.01\n", "")
+    code, kind, message, line = check_held(litz, tmp_path, deck)
+    assert (code, kind, int(line)) == (1, "error", line_of("2, 3, 4", deck))
+    assert message.startswith("the conductor UPPER (element 2) has no path to a prescribed potential")
+
+
+def test_a_conductor_that_only_contacts_connect(litz, tmp_path):
+    deck = DECK.replace("3, 9, 9, 0.01\n", "")
+    code, kind, message, line = check_held(litz, tmp_path, deck)
+    assert (code, kind, int(line)) == (0, "warning", line_of("2, 3, 4", deck))
+    assert message.endswith("only contacts can connect it to one")
+
+
+def test_contacts_without_a_spot_law_connect_nothing(litz, tmp_path):
+    deck = DECK.replace("3, 9, 9, 0.01\n", "").replace("*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ\n", "")
+    code, kind, message, _ = check_held(litz, tmp_path, deck)
+    assert (code, kind) == (1, "error")
+    assert "has no path to a prescribed potential" in message
+
+
+def test_supports_that_a_later_step_takes_away(litz, tmp_path):
+    step = "*STEP\n*STATIC\n*BOUNDARY, OP=NEW\n1, 1, 6\n3, 1, 5\n1, 9\n3, 9\n*END STEP\n"
+    code, kind, message, _ = check_held(litz, tmp_path, NO_CONTACT + step)
+    assert (code, kind) == (1, "error")
+    assert message == (
+        "UPPER (element 2) can still move in step 2: rotation about z through (-0.01, 0, 0.001); *BOUNDARY must prevent that"
+    )
