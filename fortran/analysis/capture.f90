@@ -96,6 +96,13 @@ contains
             end if
             m = m + 1
             state%contacts(m) = contact_of_point(contact%points(i))
+            ! the current enters within the elements: their heat includes what the linear voltage misses
+            associate (point => contact%points(i))
+               state%joule_heat(point%element_bar) = state%joule_heat(point%element_bar) &
+                  + point%current**2*point%missed_resistance(1)
+               state%joule_heat(point%element) = state%joule_heat(point%element) &
+                  + point%current**2*point%missed_resistance(2)
+            end associate
          end do
       end associate
    end subroutine capture_contacts

@@ -123,6 +123,7 @@ contains
             point%conductance = 0
             point%current = 0
             point%voltage_gap = 0
+            point%missed_resistance = 0
             point%semi_major = 0
             point%semi_minor = 0
             if (.not. (point%active .or. point%closed)) cycle
@@ -180,6 +181,7 @@ contains
          call contact_electricity(point%kinematics, iterate%potential(nodes), point%conductance, &
             dg_dforce*dforce_dgap, dg_dangle + dg_dforce*dforce_dangle, series, electricity)
          point%current = electricity%current
+         point%missed_resistance = series*(1 - [point%xi_bar, point%xi]**2)
          point%voltage_gap = electricity%voltage_gap
          call add_electric(equations, nodes, electricity%k_ee, electricity%r_e, increment, matrix, forces)
          call add_coupling(equations, nodes, coupling_tangent(electricity, point%kinematics), increment, matrix, forces)

@@ -49,6 +49,8 @@ module litz_contact_pairs
       real(dp) :: force = 0, stiffness = 0, iteration_force = 0
       !> Spot [m], conductance [S], current [A], voltage across the spot [V]
       real(dp) :: semi_major = 0, semi_minor = 0, conductance = 0, current = 0, voltage_gap = 0
+      !> Resistance in each wire that the linear voltage inside its element misses (theory section 7) [ohm]
+      real(dp) :: missed_resistance(2) = 0
    end type contact_point_t
 
    type :: contact_set_t
