@@ -77,6 +77,7 @@ contains
       character(len=200) :: line
       integer :: i
 
+      report = ''
       call prepare_problem(model, problem)
       call find_initial_overlap(problem, overlap, error)
       if (allocated(error)) return
