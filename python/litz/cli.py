@@ -15,7 +15,11 @@ RESULTS is a result file (.vtkhdf), a deck (.inp) that was run here, or a direct
 
 def main(arguments=None):
     """Entry point of the console script. Returns the exit code."""
+    import warnings
+
     from .run import LitzError
+
+    warnings.showwarning = _show_warning
 
     arguments = sys.argv[1:] if arguments is None else list(arguments)
     commands = {"summary": _summary, "table": _table, "plot": _plot}
@@ -26,6 +30,11 @@ def main(arguments=None):
     except LitzError as error:
         print(f"error: {error}", file=sys.stderr)
         return error.exit_code
+
+
+def _show_warning(message, *_):
+    """A warning as a user reads it: without the line of the source that gave it."""
+    print(f"warning: {message}", file=sys.stderr)
 
 
 def _run_program(arguments):

@@ -1,5 +1,6 @@
 """The picture of the wires: smooth tubes coloured by a field, contact spots, a scale; drawn into matplotlib axes."""
 
+import os
 import subprocess
 import sys
 import tempfile
@@ -261,10 +262,16 @@ def _render(scene: Scene, camera: Camera, pixels: np.ndarray) -> np.ndarray:
             centre=camera.centre, toward=camera.toward, up=camera.up, half_height=camera.half_height, distance=distance,
         )  # fmt: skip
         command = [sys.executable, str(Path(__file__).with_name("render_wires.py")), str(job), str(picture)]
-        try:
-            done = subprocess.run(command, capture_output=True, text=True, timeout=_LONGEST_RENDERING, check=False)
-        except subprocess.TimeoutExpired:
-            raise RenderingError(f"VTK has made no picture within {_LONGEST_RENDERING:g} s") from None
+        # where there are no X11 libraries VTK may crash instead of taking OSMesa by itself
+        for environment in (None, {**os.environ, "VTK_DEFAULT_OPENGL_WINDOW": "vtkOSOpenGLRenderWindow"}):
+            try:
+                done = subprocess.run(
+                    command, capture_output=True, text=True, timeout=_LONGEST_RENDERING, check=False, env=environment
+                )
+            except subprocess.TimeoutExpired:
+                raise RenderingError(f"VTK has made no picture within {_LONGEST_RENDERING:g} s") from None
+            if done.returncode == 0:
+                break
         if done.returncode < 0:
             raise RenderingError(
                 f"VTK ended by signal {-done.returncode} (is OpenGL missing? apt-get install libosmesa6)"
