@@ -12,6 +12,19 @@ from litz import closed_forms as cf
 COPPER = {"radius": 1e-3, "young": 120e9, "poisson": 0.34, "resistivity": 1.7e-8}
 COPPER_WIRE = cf.Wire(radius=1e-3, length=0.1, young=120e9, poisson=0.34, resistivity=1.7e-8)
 
+DECKS = [
+    "01_crossed_wires",
+    "02_oblique_crossing",
+    "03_large_sliding",
+    "04_wire_grid",
+    "05_clamped_pair",
+    "06_supported_pair",
+    "07_roll_up",
+    "08_elastica",
+    "09_paper_law",
+    "10_pushed_cantilever",
+]
+
 
 @pytest.fixture
 def results_of(run_of_input):
@@ -63,12 +76,31 @@ def compliance(wire, support, position, element_length=0.0, element_position=0.5
 
 def test_every_deck_has_a_header_that_says_what_and_whence(inputs):
     decks = sorted(inputs.glob("*.inp"))
-    assert len(decks) >= 10
+    assert [deck.stem for deck in decks] == DECKS
     for deck in decks:
         text = deck.read_text(encoding="utf-8")
         assert text.startswith("*HEADING\n"), deck.name
         for part in ("** Model ", "** Source ", "** Expect "):
             assert part in text, f"{deck.name}: {part}"
+
+
+@pytest.mark.parametrize("name", DECKS)
+def test_every_run_balances_forces_currents_and_power(results_of, name):
+    results = results_of(name)
+    assert results.finished
+    forces = results.field("reaction_force", None) + results.field("applied_force", None)
+    moments = results.field("reaction_moment", None) + results.field("applied_moment", None)
+    largest = max(np.abs(forces).max(), np.abs(moments).max() / np.ptp(results.nodes))
+    # the iteration stops where the residual of each node is below 1e-8 of the forces
+    assert np.abs(forces.sum(axis=1)).max() <= 1e-8 * len(results.nodes) * largest
+    currents = results.field("reaction_current", None) + results.field("applied_current", None)
+    power = (results.field("potential", None) * currents).sum(axis=1)
+    heat = results.field("joule_heat", None).sum(axis=1)
+    heat += [results.contacts_at(increment)["joule_heat"].sum() for increment in range(len(heat))]
+    # voltages come from a linear solve, to round-off; with the monolithic step from the iteration, to 1e-8
+    tolerance = 1e-8 if "COUPLING=MONOLITHIC" in results.deck else 1e-12
+    assert np.abs(currents.sum(axis=1)).max() <= tolerance * np.abs(currents).max()
+    assert np.abs(power - heat).max() <= tolerance * power.max()
 
 
 def test_crossed_wires_follow_hertz_and_holm_through_a_load_cycle(results_of, header):
