@@ -34,11 +34,19 @@ def panels(path, columns=2, rows=1, height=2.8):
             plt.close(figure)
 
 
-def convergence(axes, numbers, errors, order, quantity):
-    """Errors over numbers of elements for each element type, and a line of the given order."""
+def convergence(axes, numbers, errors, orders, quantity):
+    """Errors over numbers of elements for each element type, with lines of the orders that are expected."""
     for element, values in errors.items():
         axes.loglog(numbers, values, label=element, **STYLES[element])
-    top = max(values[0] for values in errors.values())
-    axes.loglog(numbers, [2 * top * (numbers[0] / n) ** order for n in numbers], "--", label=f"order {order}", **REFERENCE)
+        order_line(axes, numbers, orders[element], values[0])
     axes.set(xlabel="elements", ylabel=quantity)
     axes.legend()
+
+
+def order_line(axes, numbers, order, top):
+    """A dashed line above the errors that falls with a power of the number of elements; plain numbers on the axis."""
+    bottom, _ = axes.get_ylim()
+    line = [(n, value) for n in numbers if (value := 2 * top * (numbers[0] / n) ** order) > bottom]
+    axes.loglog(*zip(*line, strict=True), "--", label=f"order {order}", **REFERENCE)
+    axes.set_xticks(numbers, [str(n) for n in numbers])
+    axes.minorticks_off()

@@ -3,13 +3,20 @@
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
 from verification.claims import Claim, ClaimError, judge, missed, read_claims  # noqa: E402
+from verification.cases.elastica import LOADS  # noqa: E402
+from verification.cases.solvers import INPUTS, residual_difference  # noqa: E402
+from verification.deck_text import Rigidity  # noqa: E402
+from verification.deck_transform import Units, in_units, renumbered, rotated, swapped_contact_pairs  # noqa: E402
+from verification.kernel_frame import rotation  # noqa: E402
+from verification.references import elastica, rod  # noqa: E402
 from verification.report import write_reports  # noqa: E402
-from verification.run import CaseReport  # noqa: E402
+from verification.run import CaseReport, verify  # noqa: E402
 
 CLAIM = {
     "id": "elastica.test",
@@ -98,3 +105,130 @@ def test_the_reports_show_misses(tmp_path, claim):
         assert "1 hold, 1 missed" in text
         assert "MISS" in text
         assert "it broke" in text
+
+
+# References: the numbers in the list are those that the modules compute, and these agree with each other.
+
+
+def test_the_values_of_the_elastica_are_those_of_the_elliptic_integrals():
+    claims = {claim.id: claim for claim in read_claims()}
+    exact = np.array([elastica.cantilever(load) for load in LOADS])
+    for i, name in enumerate(("deflection", "shortening", "angle")):
+        np.testing.assert_allclose(claims[f"elastica.B33.{name}"].reference, exact[:, i], rtol=1e-9)
+
+
+def test_shooting_and_elliptic_integrals_agree():
+    rigidity = Rigidity(ea=1e12, ga=1e12, gj=1.0, ei2=1.0, ei3=1.0)
+    deflection, shortening, _ = elastica.cantilever(5.0)
+    tip = rod.tip([rod.Piece(1.0)], rigidity, (0.0, 5.0, 0.0))
+    np.testing.assert_allclose(tip, [1.0 - shortening, deflection, 0.0], atol=1e-9)
+
+
+def test_shooting_rolls_a_rod_up_to_the_circle_of_its_moment():
+    rigidity = Rigidity(ea=1e12, ga=1e12, gj=1.0, ei2=1.0, ei3=1.0)
+    tip = rod.tip([rod.Piece(1.0)], rigidity, (0.0, 0.0, 0.0), moment=(0.0, 0.0, np.pi))
+    np.testing.assert_allclose(tip, [0.0, 2.0 / np.pi, 0.0], atol=1e-9)
+
+
+def test_the_free_shape_of_a_curved_piece_is_its_arc():
+    points = rod.free_shape([rod.Piece(np.pi, (0.0, 0.0, 1.0))], 2)
+    np.testing.assert_allclose(points, [[0, 0, 0], [1, 1, 0], [0, 2, 0]], atol=1e-12)
+
+
+# Transformed decks: each says something else than the deck it comes from, else equal results would prove nothing.
+
+DECK = """*HEADING
+A title, with a comma
+*NODE, NSET=ALL
+ 1, 0., 0., 0.
+ 2, 2., 0., 0.
+*ELEMENT, TYPE=B33, ELSET=WIRE
+ 5, 1, 2
+*MATERIAL, NAME=M
+*ELASTIC
+ 3., 0.25
+*BEAM SECTION, ELSET=WIRE, MATERIAL=M, SECTION=CIRC
+ 0.5
+ 0., 0., 1.
+*CONTACT PAIR, INTERACTION=TOUCH
+ WIRE, OTHER
+*BOUNDARY
+ 1, ENCASTRE
+*STEP
+*STATIC
+*BOUNDARY
+ 2, 2, 2, 4.
+ 2, 9, 9, 7.
+*CLOAD
+ 2, 1, 6.
+ 2, 5, 8.
+*END STEP
+"""
+
+
+def rows(text, keyword):
+    """The data lines after the last card of that keyword, as lists of words."""
+    lines = text.split(f"*{keyword}")[-1].splitlines()[1:]
+    end = next(i for i, line in enumerate(lines) if line.startswith("*"))
+    return [[word.strip() for word in line.split(",")] for line in lines[:end]]
+
+
+def test_other_units_scale_each_number_by_its_dimension():
+    text = in_units(DECK, Units(length=10.0, force=3.0, voltage=5.0))
+    assert [float(x) for x in rows(text, "NODE")[1]] == [2, 20, 0, 0]
+    assert [float(x) for x in rows(text, "ELASTIC")[0]] == pytest.approx([3 * 3 / 100, 0.25])
+    assert [float(row[0]) for row in rows(text, "BEAM SECTION")] == [5, 0]
+    assert [float(row[3]) for row in rows(text, "BOUNDARY")] == [40, 35]
+    assert [float(row[2]) for row in rows(text, "CLOAD")] == [18, 240]
+    assert "A title, with a comma" in text
+
+
+def test_renumbering_changes_every_number_and_keeps_the_model():
+    text, nodes, elements = renumbered(DECK)
+    assert set(nodes) == {1, 2}
+    assert all(old != new for old, new in [*nodes.items(), *elements.items()])
+    assert rows(text, "ELEMENT") == [[str(elements[5]), str(nodes[1]), str(nodes[2])]]
+    assert {row[0]: float(row[1]) for row in rows(text, "NODE")} == {str(nodes[1]): 0.0, str(nodes[2]): 2.0}
+    assert rows(text, "CLOAD")[0][0] == str(nodes[2])
+
+
+def test_swapping_exchanges_the_contact_partners():
+    assert rows(swapped_contact_pairs(DECK), "CONTACT PAIR") == [["OTHER", "WIRE"]]
+
+
+def test_turning_moves_nodes_loads_and_prescribed_values():
+    quarter = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+    text = rotated(DECK, quarter)
+    assert [float(x) for x in rows(text, "NODE")[1]] == [2, 0, 2, 0]
+    assert [(row[1], float(row[2])) for row in rows(text, "CLOAD")] == [("2", 6.0), ("4", -8.0)]
+    assert [(row[1], float(row[3])) for row in rows(text, "BOUNDARY")] == [("9", 7.0), ("1", -4.0)]
+
+
+def test_an_oblique_turn_of_a_single_prescribed_direction_is_refused():
+    with pytest.raises(ValueError, match="cannot be turned obliquely"):
+        rotated(DECK, rotation([0.3, 0.2, 0.1]))
+
+
+def test_iterations_that_differ_are_seen():
+    names = ("force", "moment", "current")
+    first = {name: np.array([1.0, 1e-9]) for name in names} | {f"{name}_allowed": np.full(2, 1e-8) for name in names}
+    first |= {name: np.ones(2, dtype=int) for name in ("step", "increment", "attempt")}
+    first["iteration"] = np.array([0, 1])
+    assert residual_difference(first, first) == 0.0
+    assert residual_difference(first, first | {"force": np.array([1.01, 1e-9])}) == pytest.approx(0.01)
+    assert residual_difference(first, first | {"force": np.array([1.0, 2e-9])}) == 0.0
+    assert residual_difference(first, first | {"iteration": np.array([0, 2])}) == np.inf
+
+
+def test_there_are_decks_to_compare_solvers_on():
+    assert len(list(INPUTS.glob("*.inp"))) >= 10
+
+
+def test_the_quick_claims_hold(tmp_path):
+    misses = [
+        f"{verdict.claim.id}: {verdict.remark or verdict.difference}"
+        for report in verify(quick=True, directory=tmp_path)
+        for verdict in report.verdicts
+        if not verdict.passed
+    ]
+    assert not misses

@@ -1,0 +1,92 @@
+"""Skyline, UMFPACK and block elimination take the same steps on every deck in inputs/.
+
+Source: block forward substitution of a block triangular system is exact (G. H. Golub, C. F. Van Loan, Matrix Computations,
+section 3.2): with currents that do not act on forces, one monolithic Newton step is a solve with the mechanical matrix, then
+one with the electric matrix. The three solvers run with COUPLING=MONOLITHIC; iterations, residuals (as far above round-off)
+and results are compared with those of the skyline solver.
+"""
+
+from pathlib import Path
+
+import numpy as np
+
+from verification import figures
+from verification.deck_transform import Card, read_cards, write_cards
+
+INPUTS = Path(__file__).parents[2] / "inputs"
+SOLVERS = ("skyline", "umfpack", "block")
+QUICK = ("06_supported_pair", "08_elastica")
+FIELDS = ("displacement", "rotation", "potential")
+
+
+def with_solver(text, solver):
+    """The deck with one solver and the monolithic step."""
+    cards = [card for card in read_cards(text) if card.keyword != "SOLVER"]
+    first_static = next(i for i, card in enumerate(cards) if card.keyword == "STATIC")
+    cards.insert(first_static + 1, Card("SOLVER", [f"NAME={solver.upper()}", "COUPLING=MONOLITHIC"], []))
+    return write_cards(cards)
+
+
+def residual_difference(first, second):
+    """Largest relative difference of the residuals of all iterations that are 1e2 times what is allowed, or more.
+
+    Smaller ones are differences of large numbers; inf when the iterations are not the same.
+    """
+    if [tuple(row) for row in keys(first)] != [tuple(row) for row in keys(second)]:
+        return np.inf
+    worst = 0.0
+    for name, allowed in (("force", "force_allowed"), ("moment", "moment_allowed"), ("current", "current_allowed")):
+        large = first[name] > 1e2 * first[allowed]
+        if np.any(large):
+            worst = max(worst, float(np.abs(second[name][large] / first[name][large] - 1.0).max()))
+    return worst
+
+
+def keys(convergence):
+    """Step, increment, attempt and iteration of each row."""
+    return np.column_stack([convergence[name] for name in ("step", "increment", "attempt", "iteration")]).tolist()
+
+
+def field_difference(first, second):
+    """Largest difference of the fields over all increments, relative to the largest value of each."""
+    worst = 0.0
+    for name in FIELDS:
+        a, b = first.field(name, None), second.field(name, None)
+        scale = np.abs(a).max()
+        if scale > 0.0:
+            worst = max(worst, float(np.abs(a - b).max() / scale))
+    return worst
+
+
+def measure(workspace):
+    residuals = {solver: 0.0 for solver in SOLVERS[1:]}
+    differences = {solver: 0.0 for solver in SOLVERS[1:]}
+    figure = {}
+    for path in sorted(INPUTS.glob("*.inp")):
+        if workspace.quick and path.stem not in QUICK:
+            continue
+        text = path.read_text(encoding="utf-8")
+        runs = {name: workspace.run(f"{path.stem}_{name}", with_solver(text, name)) for name in SOLVERS}
+        for solver in SOLVERS[1:]:
+            residual = residual_difference(runs["skyline"].convergence, runs[solver].convergence)
+            residuals[solver] = max(residuals[solver], residual)
+            differences[solver] = max(differences[solver], field_difference(runs["skyline"], runs[solver]))
+        figure[path.stem] = {name: runs[name].convergence["force"] for name in SOLVERS}
+    values = {f"solvers.{solver}.residuals": value for solver, value in residuals.items()}
+    values |= {f"solvers.{solver}.results": value for solver, value in differences.items()}
+    return values | {"figure": figure}
+
+
+def draw(values, path):
+    history = values["figure"]["02_oblique_crossing"]
+    with figures.panels(path, columns=1) as axes:
+        for (name, forces), marker in zip(history.items(), "osx", strict=True):
+            axes.semilogy(np.maximum(forces, 1e-18), marker=marker, linestyle="-", fillstyle="none", label=name)
+        axes.set(xlabel="iteration, all increments", ylabel="largest force residual / N", title="02_oblique_crossing")
+        axes.legend()
+
+
+if __name__ == "__main__":
+    from verification.run import main
+
+    raise SystemExit(main(["solvers"]))
