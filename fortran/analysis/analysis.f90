@@ -1,7 +1,7 @@
 !> A run from the resolved model to the closed result files: steps, increments, cut-backs.
 module litz_analysis
    use, intrinsic :: iso_fortran_env, only: output_unit
-   use litz_kinds, only: dp, pi
+   use litz_kinds, only: dp, int64, pi
    use litz_capture, only: start_state, capture_state
    use litz_contact_pairs, only: contact_point_t, prepare_contact, find_candidates, locate_points
    use litz_element_library, only: prepare_elements
@@ -48,8 +48,10 @@ contains
       type(results_t) :: results
       real(dp), allocatable :: overlap(:)
       type(error_t), allocatable :: close_error
+      integer(int64) :: clock_start
       integer :: i
 
+      call system_clock(clock_start)
 !$    if (options%threads > 0) call omp_set_num_threads(options%threads)
       call prepare_problem(model, problem)
       call find_initial_overlap(problem, overlap, error)
@@ -65,6 +67,7 @@ contains
       end do
       call results%close(.not. allocated(error), close_error)
       if (.not. allocated(error) .and. allocated(close_error)) call move_alloc(close_error, error)
+      if (.not. (allocated(error) .or. options%quiet)) call print_end(problem, options, clock_start)
    end subroutine run_analysis
 
    !> What can be told without solving: wires, and the crossings at the start.
@@ -251,6 +254,7 @@ contains
          problem%contact%clearance = overlap*max(0.0_dp, 1 - target/step%total)
          call solve_increment(problem, step, report, results, outcome, error)
          if (allocated(error)) return
+         problem%n_iterations = problem%n_iterations + outcome%iterations
          if (outcome%converged) exit
          call report_increment(problem, outcome, attempt, increment, target, start_time, options, results, error)
          if (allocated(error)) return
@@ -261,6 +265,7 @@ contains
          end if
       end do
       step_time = target
+      problem%n_increments = problem%n_increments + 1
       problem%state%increment = report%increment
       problem%state%iterations = outcome%iterations
       problem%state%step_time = step_time
@@ -313,6 +318,21 @@ contains
       if (allocated(model%heading)) write (output_unit, '(a)') trim(model%heading)
       write (output_unit, '(a)') ' step   inc  att iters     time [s]  increment [s]  contacts  sum of F [N]'
    end subroutine print_header
+
+   subroutine print_end(problem, options, clock_start)
+      type(problem_t), intent(in) :: problem
+      type(run_options_t), intent(in) :: options
+      integer(int64), intent(in) :: clock_start
+      integer(int64) :: clock_end, clock_rate
+      character(len=80) :: counts
+      character(len=12) :: seconds
+
+      call system_clock(clock_end, clock_rate)
+      write (seconds, '(f12.2)') real(clock_end - clock_start, dp)/clock_rate
+      write (counts, '(a, i0, a, i0, a)') 'finished: ', problem%n_increments, ' increments, ', problem%n_iterations, &
+         ' iterations, '
+      write (output_unit, '(a)') trim(counts)//' '//trim(adjustl(seconds))//' s; results in '//result_base(options)//'.*'
+   end subroutine print_end
 
    !> The lines that *CONTACT PRINT asks for.
    subroutine print_contacts(problem, outcome)
@@ -380,6 +400,15 @@ contains
       end if
       error = fail(exit_not_converged, trim(text))
    end function not_converged
+
+   !> Directory and stem that the result files share.
+   pure function result_base(options) result(base)
+      type(run_options_t), intent(in) :: options
+      character(len=:), allocatable :: base
+
+      base = deck_stem(options%deck_path)
+      if (len_trim(options%output_directory) > 0) base = trim(options%output_directory)//'/'//base
+   end function result_base
 
    !> File name without directory and ending.
    pure function deck_stem(path) result(stem)

@@ -41,6 +41,8 @@ module litz_newton
       integer :: coupling = coupling_monolithic
       !> The pattern must be built and analysed before the next solve
       logical :: pattern_changed = .true.
+      !> Converged increments, and iterations with those of rejected increments, since the run began
+      integer :: n_increments = 0, n_iterations = 0
    end type problem_t
 
    type :: outcome_t
