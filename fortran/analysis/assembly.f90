@@ -13,7 +13,7 @@ module litz_assembly
    private
    public :: iterate_t, forces_t
    public :: clear_system, assemble_beams, assemble_conductors, assemble_load_stiffness
-   public :: add_mechanical, add_electric, add_coupling, prescribed_product
+   public :: add_mechanical, add_electric, add_coupling
 
    !> Elements evaluated between two scatters: parallel evaluation, serial scatter, one result for any thread count
    integer, parameter :: chunk = 4096

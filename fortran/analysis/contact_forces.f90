@@ -20,7 +20,7 @@ module litz_contact_forces
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: apply_normal_law, assemble_contacts, predict_contacts, materials_of
+   public :: apply_normal_law, assemble_contacts, predict_contacts
 
    !> At first touch the Hertz law is linearised about the force of an overlap of at most this fraction of the radius
    real(dp), parameter :: first_overlap = 1.0e-3_dp

@@ -4,7 +4,7 @@
 !> names ramps to zero (loads) or is set free (prescribed values). Source: Abaqus's rules for static steps.
 module litz_loading
    use litz_kinds, only: dp
-   use litz_model, only: model_t, step_t, nodal_value_t, amplitude_t, dof_potential
+   use litz_model, only: model_t, step_t, nodal_value_t, amplitude_factor, dof_potential
    use litz_rotations, only: rotation_exp, rotation_log
    use litz_state, only: state_t
    implicit none
@@ -91,7 +91,7 @@ contains
             value = start + ramp*(item%value - start)
          else
             associate (amplitude => model%amplitudes(item%amplitude))
-               value = item%value*factor_at(amplitude, merge(total_time, step_time, amplitude%total_time))
+               value = item%value*amplitude_factor(amplitude, merge(total_time, step_time, amplitude%total_time))
             end associate
          end if
       end function value_at
@@ -130,24 +130,6 @@ contains
          end associate
       end do
    end subroutine prescribed_increment
-
-   !> Piecewise linear value of an amplitude, constant beyond its ends.
-   pure real(dp) function factor_at(amplitude, time) result(factor)
-      type(amplitude_t), intent(in) :: amplitude
-      real(dp), intent(in) :: time
-      integer :: i
-
-      associate (t => amplitude%time, a => amplitude%factor)
-         i = count(t <= time)
-         if (i == 0) then
-            factor = a(1)
-         else if (i == size(t)) then
-            factor = a(i)
-         else
-            factor = a(i) + (a(i + 1) - a(i))*(time - t(i))/(t(i + 1) - t(i))
-         end if
-      end associate
-   end function factor_at
 
    !> The first corner of an amplitude used in this step after `step_time`, or the end of the step [s of step time]:
    !> no increment passes over it, so that peaks are met.

@@ -10,10 +10,10 @@ module litz_progress_tables
    private
    public :: iteration_report_t, increment_report_t
    public :: iteration_header, iteration_line, increment_header, increment_line
-   public :: n_fields, field_force, field_moment, field_current
+   public :: n_fields
 
    !> The three fields of the equilibrium, each with its own norm and tolerance
-   integer, parameter :: n_fields = 3, field_force = 1, field_moment = 2, field_current = 3
+   integer, parameter :: n_fields = 3
 
    !> One Newton iteration.
    type :: iteration_report_t

@@ -8,7 +8,7 @@ module litz_contact_search
    use litz_kinds, only: dp
    implicit none
    private
-   public :: near_segments, overlapping_boxes, segment_distance
+   public :: near_segments
 
    !> Most grid cells per box: bounds the memory of the grid when a few boxes lie far away from the rest
    integer, parameter :: cells_per_box = 4

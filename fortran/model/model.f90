@@ -18,7 +18,7 @@ module litz_model
    public :: solver_default, solver_block, solver_umfpack, solver_skyline
    public :: coupling_default, coupling_monolithic, coupling_updated
    public :: request_node, request_element, request_contact, request_electrode
-   public :: dof_potential, model_set_index
+   public :: dof_potential, amplitude_factor
 
    !> Longest name of a set, material, ... (longer ones are refused)
    integer, parameter :: name_length = 80
@@ -185,15 +185,22 @@ module litz_model
 
 contains
 
-   !> Index of a set by its name (upper case); 0 when there is none.
-   pure integer function model_set_index(sets, name) result(index)
-      type(named_set_t), intent(in) :: sets(:)
-      character(len=*), intent(in) :: name
+   !> Piecewise linear value of an amplitude, constant beyond its ends.
+   pure real(dp) function amplitude_factor(amplitude, time) result(factor)
+      type(amplitude_t), intent(in) :: amplitude
+      real(dp), intent(in) :: time
+      integer :: i
 
-      do index = 1, size(sets)
-         if (sets(index)%name == name) return
-      end do
-      index = 0
-   end function model_set_index
+      associate (t => amplitude%time, a => amplitude%factor)
+         i = count(t <= time)
+         if (i == 0) then
+            factor = a(1)
+         else if (i == size(t)) then
+            factor = a(i)
+         else
+            factor = a(i) + (a(i + 1) - a(i))*(time - t(i))/(t(i + 1) - t(i))
+         end if
+      end associate
+   end function amplitude_factor
 
 end module litz_model

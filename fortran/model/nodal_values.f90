@@ -4,7 +4,7 @@ module litz_nodal_values
    use litz_text, only: to_text
    use litz_numbers, only: parse_integer, number_ok
    use litz_deck, only: token_t
-   use litz_model, only: model_t, nodal_value_t, amplitude_t, dof_potential
+   use litz_model, only: model_t, nodal_value_t, amplitude_factor, dof_potential
    use litz_reader, only: reader_t, fail_at, read_line, parameter_of, choice_of, keyword_of, name_of, find_definition
    use litz_sets, only: find_item
    implicit none
@@ -95,30 +95,12 @@ contains
             if (item%amplitude == 0) cycle
             associate (amplitude => model%amplitudes(item%amplitude))
                if (amplitude%total_time .or. size(amplitude%time) == 0) cycle
-               item%value = item%value*factor_at(amplitude, previous_total)
+               item%value = item%value*amplitude_factor(amplitude, previous_total)
             end associate
             item%amplitude = 0
          end associate
       end do
    end subroutine begin_step
-
-   !> Piecewise linear, constant beyond the ends.
-   pure real(dp) function factor_at(amplitude, time) result(factor)
-      type(amplitude_t), intent(in) :: amplitude
-      real(dp), intent(in) :: time
-      integer :: i
-
-      associate (t => amplitude%time, a => amplitude%factor)
-         i = count(t <= time)
-         if (i == 0) then
-            factor = a(1)
-         else if (i == size(t)) then
-            factor = a(i)
-         else
-            factor = a(i) + (a(i + 1) - a(i))*(time - t(i))/(t(i + 1) - t(i))
-         end if
-      end associate
-   end function factor_at
 
    !> All data lines of a *BOUNDARY, *CLOAD or *CECURRENT.
    subroutine read_nodal_values(self, model, card, list)
