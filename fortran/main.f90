@@ -65,7 +65,7 @@ contains
       call read_model(command%argument, model)
       call print_text(model_summary(model))
       call check_model(model, report, error)
-      call print_text(report)
+      if (allocated(report)) call print_text(report)
       if (allocated(error)) call end_with(error)
    end subroutine check
 
