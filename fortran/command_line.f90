@@ -13,7 +13,8 @@ module litz_command_line
 
    character(len=word_length), parameter :: commands(*) = [character(len=word_length) :: 'run', 'check', 'keywords', &
       'help', '--help', '--version']
-   character(len=word_length), parameter :: run_options(*) = [character(len=word_length) :: '-o', '--output', '--solver', &
+   character(len=word_length), parameter :: run_options(*) = [character(len=word_length) :: '-o', '--output', &
+      '--solver', &
       '--threads', '--quiet']
    character(len=word_length), parameter :: keywords_options(*) = [character(len=word_length) :: '--markdown']
    character(len=word_length), parameter :: no_options(0) = [character(len=word_length) ::]
@@ -200,7 +201,8 @@ contains
       solver = 0
       nearest = nearest_word(value, solver_keyword)
       if (len(nearest) > 0) nearest = '; did you mean '//nearest//'?'
-      error = fail(exit_input, 'unknown solver '//shown(value)//'; there is '//join_words(solver_keyword, 'and')//nearest)
+      error = fail(exit_input, 'unknown solver '//shown(value)//'; there is '//join_words(solver_keyword, 'and')// &
+         nearest)
    end subroutine read_solver
 
    subroutine read_threads(value, threads, error)

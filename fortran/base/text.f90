@@ -60,39 +60,42 @@ contains
    pure function real_to_text(number) result(text)
       real(dp), intent(in) :: number
       character(len=:), allocatable :: text
-      character(len=24) :: buffer
-      integer :: exponent_at, last
+      character(len=24) :: buffer, form
+      integer :: exponent_at, power
 
-      if (.not. abs(number) > 0) then
+      if (.not. abs(number) <= huge(number)) then
+         text = 'not finite'
+      else if (.not. abs(number) > 0) then
          text = '0'
-         return
-      end if
-      if (abs(number) >= 1.0e-3_dp .and. abs(number) < 1.0e6_dp) then
-         write (buffer, '(f0.9)') number
-         last = index(buffer, '.') + 6 - min(5, max(0, int(floor(log10(abs(number)))) + 1))
-         text = without_trailing_zeros(buffer(:last))
-         if (text(1:1) == '.') text = '0'//text
-         if (len(text) > 1) then
-            if (text(1:2) == '-.') text = '-0'//text(2:)
-         end if
+      else if (abs(number) >= 1.0e-3_dp .and. abs(number) < 1.0e6_dp) then
+         ! a zero before the point comes from the width
+         write (form, '("(f20.", i0, ")")') 5 - floor(log10(abs(number)))
+         write (buffer, form) number
+         text = without_trailing_zeros(trim(adjustl(buffer)))
       else
-         write (buffer, '(es12.5)') number
+         write (buffer, '(es16.5e3)') number
          buffer = adjustl(buffer)
          exponent_at = index(buffer, 'E')
-         text = without_trailing_zeros(buffer(:exponent_at - 1))//'e'//trim(buffer(exponent_at + 1:))
+         read (buffer(exponent_at + 1:), '(i4)') power
+         text = without_trailing_zeros(buffer(:exponent_at - 1))
+         write (buffer, '(sp, i0.2)') power
+         text = text//'e'//trim(buffer)
       end if
    end function real_to_text
 
+   !> Without the zeros behind the point, and without the point when nothing is left behind it.
    pure function without_trailing_zeros(digits) result(text)
       character(len=*), intent(in) :: digits
       character(len=:), allocatable :: text
       integer :: last
 
       last = len_trim(digits)
-      do while (digits(last:last) == '0')
-         last = last - 1
-      end do
-      if (digits(last:last) == '.') last = last - 1
+      if (index(digits, '.') > 0) then
+         do while (digits(last:last) == '0')
+            last = last - 1
+         end do
+         if (digits(last:last) == '.') last = last - 1
+      end if
       text = digits(:last)
    end function without_trailing_zeros
 

@@ -142,6 +142,7 @@ contains
             case ('GENERAL')
                call set_general(section, self%values%real(1:5), material%young, material%poisson)
             end select
+            if (material%young > 0) call check_range(self, section, material%young)
          end associate
       end if
       section%contact_radius = real_parameter(self, card, 'CONTACT RADIUS', section%contact_radius)
@@ -150,6 +151,19 @@ contains
       name = parameter_of(self, card, 'ELSET')
       if (name%last < name%first) self%missed_section = .true.
    end subroutine read_section
+
+   !> Stiffnesses must be numbers that the program can hold.
+   subroutine check_range(self, section, young)
+      type(reader_t), intent(inout) :: self
+      type(section_t), intent(in) :: section
+      real(dp), intent(in) :: young
+      real(dp) :: stiffness(6)
+
+      stiffness = [young*[section%area, section%i2, section%i3, section%j], section%ga2, section%ga3]
+      if (all(stiffness >= tiny(young) .and. stiffness <= huge(young))) return
+      call fail_at(self, self%values%token(1), &
+         'the stiffnesses of this section are too large or too small for this program; check the units')
+   end subroutine check_range
 
    !> Solid round wire. Source of the shear factor: Cowper, J. Appl. Mech. 33 (1966) 335-340.
    pure subroutine set_circular(section, radius, young, poisson)

@@ -140,6 +140,8 @@ VALUES = [
         'radius (radius of the wire), is "-0.0005"; it must be greater', "-0.0005",
     ),
     case("radius zero", "0.0005\n0.,", "0\n0.,", "must be greater than 0", "0"),
+    case("radius beyond all units", "0.0005\n0.,", "5e-90\n0.,", "the stiffnesses of this section are too", "5e-90"),
+    case("radius too large to square", "0.0005\n0.,", "1e160\n0.,", "the stiffnesses of this section are too", "1e160"),
     case("contact radius", "RADIUS=0.0005", "RADIUS=-1", 'CONTACT RADIUS, is "-1"; it must be greater than 0', "-1"),
     case("mixed second moment", "5e-14, 0., 5e-14", "5e-14, 1e-15, 5e-14", "must be 0", "1e-15"),
     case("area", "8e-7", "0", 'A (area), is "0"; it must be greater than 0', "0"),
@@ -240,7 +242,8 @@ VALUES = [
         "is smaller than the first", "1",
     ),
     case(
-        "range of a set empty", "*NSET, NSET=PLUS\n1, 2\n", "*NSET, NSET=PLUS\n1\n*NSET, NSET=PLUS, GENERATE\n20, 30, 5\n",
+        "range of a set empty", "*NSET, NSET=PLUS\n1, 2\n",
+        "*NSET, NSET=PLUS\n1\n*NSET, NSET=PLUS, GENERATE\n20, 30, 5\n",
         "there is no node with a number in this range", "20",
     ),
     case(
@@ -320,7 +323,9 @@ KEYWORDS = [
         "the surface interaction IDLE is defined but never used", "IDLE",
     ),
     case(
-        "material without elasticity", "*AMPLITUDE", "*MATERIAL, NAME=AL\n*BEAM SECTION, ELSET=NONE, MATERIAL=AL, SECTION=CIRC\n1.\n*ELEMENT, TYPE=B31, ELSET=NONE\n9, 1, 3\n*AMPLITUDE",
+        "material without elasticity", "*AMPLITUDE",
+        "*MATERIAL, NAME=AL\n*BEAM SECTION, ELSET=NONE, MATERIAL=AL, SECTION=CIRC\n1.\n"
+        "*ELEMENT, TYPE=B31, ELSET=NONE\n9, 1, 3\n*AMPLITUDE",
         "the material AL has no *ELASTIC", "AL",
     ),
     case("required parameter missing", ", TYPE=B33", "", "*ELEMENT needs the parameter TYPE=B31|B33", "ELEMENT"),
@@ -353,7 +358,8 @@ KEYWORDS = [
         "element 5 has no *BEAM SECTION, nor have 1 others", "5, 2, 3",
     ),
     case(
-        "element in two sections", "*AMPLITUDE", "*BEAM SECTION, ELSET=LOWER, MATERIAL=CU, SECTION=CIRC\n1.\n*AMPLITUDE",
+        "element in two sections", "*AMPLITUDE",
+        "*BEAM SECTION, ELSET=LOWER, MATERIAL=CU, SECTION=CIRC\n1.\n*AMPLITUDE",
         "element 1 has two sections; the first one is in bad.inp:19", "LOWER",
     ),
     case(
@@ -395,16 +401,17 @@ def test_a_load_on_a_node_of_no_element(litz, tmp_path):
 
 
 @pytest.mark.parametrize(
-    "line, keyword", [("PLUS, 9", "*BOUNDARY"), ("2, 9, 1e-3", "*CECURRENT"), ("2, , 1e-3", "*CECURRENT")],
+    "cards, line, node",
+    [
+        ("PLUS, 9\n", "PLUS, 9", "1 of PLUS"),
+        ("*CECURRENT\n2, 9, 1e-3\n", "2, 9, 1e-3", "2"),
+        ("*CECURRENT\n2, , 1e-3\n", "2, , 1e-3", "2"),
+    ],
 )
-def test_a_potential_or_current_where_there_is_no_electric_field(litz, tmp_path, line, keyword):
-    deck = DECK.replace("*ELECTRICAL CONDUCTIVITY\n5.8e7\n", "").replace("PLUS, 9\n3, 9, 9, 0.01\n", "")
-    deck = deck.replace("*CLOAD", f"{keyword}\n{line}\n*CLOAD")
-    if keyword == "*BOUNDARY":
-        deck = deck.replace("*BOUNDARY\n2, PINNED\n3, 1, 6\n4, 1, 6\n", "") .replace(line, f"2, PINNED\n3, 1, 6\n4, 1, 6\n{line}")
-    node = line.split(",")[0]
-    message = f"node {1 if node == 'PLUS' else 2}{' of PLUS' if node == 'PLUS' else ''} has no electric potential"
-    check_one_error(litz, tmp_path, deck, message, line_of(line, deck), node)
+def test_a_potential_or_current_where_there_is_no_electric_field(litz, tmp_path, cards, line, node):
+    deck = DECK.replace("*ELECTRICAL CONDUCTIVITY\n5.8e7\n", "").replace("PLUS, 9\n3, 9, 9, 0.01\n", cards)
+    message = f"node {node} has no electric potential: no material of its elements has *ELECTRICAL CONDUCTIVITY"
+    check_one_error(litz, tmp_path, deck, message, line_of(line, deck), line.split(",")[0])
 
 
 def test_a_deck_without_steps(litz, tmp_path):
@@ -424,7 +431,8 @@ def test_data_before_the_first_keyword(litz, tmp_path):
 
 def test_a_keyword_between_two_steps(litz, tmp_path):
     deck = DECK + "*BOUNDARY\n2, 1\n*STEP\n*STATIC\n*END STEP\n"
-    check_one_error(litz, tmp_path, deck, "*BOUNDARY stands between two steps", line_of("*END STEP", deck) + 1, "BOUNDARY")
+    line = line_of("*END STEP", deck) + 1
+    check_one_error(litz, tmp_path, deck, "*BOUNDARY stands between two steps", line, "BOUNDARY")
 
 
 def test_two_steps_of_one_name(litz, tmp_path):
@@ -640,5 +648,6 @@ def test_supports_that_a_later_step_takes_away(litz, tmp_path):
     code, kind, message, _ = check_held(litz, tmp_path, NO_CONTACT + step)
     assert (code, kind) == (1, "error")
     assert message == (
-        "UPPER (element 2) can still move in step 2: rotation about z through (-0.01, 0, 0.001); *BOUNDARY must prevent that"
+        "UPPER (element 2) can still move in step 2: rotation about z through (-0.01, 0, 0.001); "
+        "*BOUNDARY must prevent that"
     )

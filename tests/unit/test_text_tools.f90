@@ -10,7 +10,7 @@ program test_text_tools
 
    integer :: failures = 0
 
-   call random_init(.true., .true.)
+   call start_random_numbers()
    call numbers_are_rounded_as_the_library_rounds_them()
    call what_is_not_a_number_is_refused()
    call whole_numbers_have_limits()
@@ -22,6 +22,17 @@ program test_text_tools
    if (failures > 0) error stop 1
 
 contains
+
+   !> The same numbers in every run.
+   subroutine start_random_numbers()
+      integer, allocatable :: seed(:)
+      integer :: n, i
+
+      call random_seed(size=n)
+      allocate (seed(n))
+      seed = [(104729*i, i=1, n)]
+      call random_seed(put=seed)
+   end subroutine start_random_numbers
 
    subroutine require(condition, what)
       logical, intent(in) :: condition
@@ -52,7 +63,7 @@ contains
             draw(29) < 0.5_dp))
          call parse_real(trim(text), value, status)
          read (text, *) expected
-         if (abs(expected) < tiny(expected) .and. abs(expected) > 0) cycle
+         if (abs(expected) < tiny(expected) .or. abs(expected) > huge(expected)) cycle
          n_compared = n_compared + 1
          call require(status == number_ok, trim(text)//' is a number')
          call require(transfer(value, 0_int64) == transfer(expected, 0_int64), trim(text)//' is rounded correctly')
