@@ -51,19 +51,22 @@ class Claim:
     def __post_init__(self):
         for field in fields(self):
             if field.type is str and not str(getattr(self, field.name)).strip() and field.name != "unit":
-                raise ClaimError(f"claim {self.id!r}: {field.name} is empty")
+                raise self._error(f"{field.name} is empty")
         if self.provenance not in PROVENANCE:
-            raise ClaimError(f"claim {self.id!r}: provenance is {self.provenance!r}; allowed are {', '.join(PROVENANCE)}")
+            raise self._error(f"provenance is {self.provenance!r}; allowed are {', '.join(PROVENANCE)}")
         if self.comparison not in COMPARISONS:
-            raise ClaimError(f"claim {self.id!r}: comparison is {self.comparison!r}; allowed are {', '.join(COMPARISONS)}")
+            raise self._error(f"comparison is {self.comparison!r}; allowed are {', '.join(COMPARISONS)}")
         if self.source.strip().lower().split()[0].strip(".,:;`") == "litz" or len(self.source.split()) < 4:
-            raise ClaimError(f"claim {self.id!r}: the source {self.source!r} is none outside litz")
+            raise self._error(f"the source {self.source!r} is none outside litz")
         if not self.tolerance > 0:
-            raise ClaimError(f"claim {self.id!r}: the tolerance must be positive")
+            raise self._error("the tolerance must be positive")
         if self.comparison == "relative" and np.any(np.asarray(self.reference) == 0.0):
-            raise ClaimError(f"claim {self.id!r}: a reference of zero needs an absolute tolerance")
+            raise self._error("a reference of zero needs an absolute tolerance")
         if not (FOLDER / "cases" / f"{self.script}.py").is_file():
-            raise ClaimError(f"claim {self.id!r}: there is no cases/{self.script}.py")
+            raise self._error(f"there is no cases/{self.script}.py")
+
+    def _error(self, what):
+        return ClaimError(f"claim {self.id!r}: {what}")
 
 
 @dataclass(frozen=True)

@@ -99,10 +99,9 @@ def in_units(text, units):
                 else row
                 for row in card.data
             ]
-        card.parameters = [
-            f"CONTACT RADIUS={_number(float(value.split('=')[1]) * length)}" if value.startswith("CONTACT RADIUS") else value
-            for value in card.parameters
-        ]
+        for i, value in enumerate(card.parameters):
+            if value.startswith("CONTACT RADIUS"):
+                card.parameters[i] = f"CONTACT RADIUS={_number(float(value.split('=')[1]) * length)}"
     return write_cards(cards)
 
 

@@ -94,7 +94,7 @@ def _print_case(report):
 def main(arguments=None):
     """Command line; returns the exit code."""
     parser = argparse.ArgumentParser(prog="verification", description="Measure the claims and write the report.")
-    parser.add_argument("cases", nargs="*", metavar="CASE", help=f"names of scripts in {FOLDER.name}/cases; default: all")
+    parser.add_argument("cases", nargs="*", metavar="CASE", help=f"scripts in {FOLDER.name}/cases; default: all")
     parser.add_argument("--quick", action="store_true", help="only the claims marked quick")
     parser.add_argument("-o", "--output", type=Path, default=Path("results/verification"), metavar="DIRECTORY")
     options = parser.parse_args(arguments)

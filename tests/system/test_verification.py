@@ -66,7 +66,10 @@ def test_a_claim_that_cannot_stand_is_refused(name, value, message):
 
 def test_an_unknown_or_missing_entry_and_a_claim_given_twice_are_refused(tmp_path):
     def written(*entries):
-        blocks = ["[[case.claim]]\n" + "\n".join(f"{key} = {value!r}" for key, value in entry.items()) for entry in entries]
+        def lines(entry):
+            return [f"{key} = {value!r}" for key, value in entry.items()]
+
+        blocks = ["\n".join(["[[case.claim]]", *lines(entry)]) for entry in entries]
         (tmp_path / "claims.toml").write_text("\n".join(["[[case]]", *blocks]))
         return tmp_path / "claims.toml"
 

@@ -1,10 +1,11 @@
 """45-degree bend: a curved cantilever in the plane, loaded out of it.
 
-Source: K. J. Bathe, S. Bolourchi, Int. J. Numer. Methods Eng. 14 (1979) 961-986; J. C. Simo, L. Vu-Quoc, Comput. Methods
-Appl. Mech. Eng. 58 (1986) 79-116, section 7.5. Radius 100, unit square section, E = 1e7, G = 5e6, tip force P = 300 and 600
-perpendicular to the plane. The published tips differ by 0.8 %, because some take the polar second moment 1/6 for the
-torsion constant, some Saint-Venant's 0.140577, all with 8 elements; the reference values here are those of a geometrically
-exact rod by shooting (references/rod.py) for each. B33 is compared with a rod that does not shear.
+Source: K. J. Bathe, S. Bolourchi, Int. J. Numer. Methods Eng. 14 (1979) 961-986; J. C. Simo, L. Vu-Quoc, Comput.
+Methods Appl. Mech. Eng. 58 (1986) 79-116, section 7.5. Radius 100, unit square section, E = 1e7, G = 5e6, tip force P
+= 300 and 600 perpendicular to the plane. The published tips differ by 0.8 %, because some take the polar second
+moment 1/6 for the torsion constant, some Saint-Venant's 0.140577, all with 8 elements; the reference values here are
+those of a geometrically exact rod by shooting (references/rod.py) for each. B33 is compared with a rod that does not
+shear.
 """
 
 import numpy as np
@@ -24,7 +25,8 @@ def deck(element, n, torsion, steps, loads=LOADS):
             "45-degree bend under a force out of its plane",
             f"Model   radius 100, unit square section, E = 1e7, nu = 0, torsion constant {torsion:.6g}: {n} {element}",
             "Source  Bathe and Bolourchi (1979); Simo and Vu-Quoc (1986), section 7.5",
-            "Expect  tip at P = 600: (47.15, 15.68, 53.47) with torsion constant 1/6, (46.89, 15.56, 53.61) with 0.140577",
+            "Expect  tip at P = 600: (47.15, 15.68, 53.47) with the torsion constant 1/6,",
+            "        (46.89, 15.56, 53.61) with 0.140577",
         ),
         chain(arc(100.0, np.pi / 4, n), element, "BEND"),
         "*MATERIAL, NAME=M\n*ELASTIC\n 1.e7, 0.",

@@ -1,9 +1,9 @@
 """A column is compressed beyond its Euler load.
 
-Source: L. Euler (1744); S. P. Timoshenko, J. M. Gere, Theory of Elastic Stability, 2nd ed., section 2.7: K(sin(angle/2)) =
-(pi/2) sqrt(P/P_E) gives the deflection of a clamped-free column; P_E = pi^2 E I/(4 L^2). The perfect column stays straight
-and its tangent gets a negative pivot. Pushed aside while the load passes P_E and let go again
-it stays bent, as the source has it.
+Source: L. Euler (1744); S. P. Timoshenko, J. M. Gere, Theory of Elastic Stability, 2nd ed., section 2.7:
+K(sin(angle/2)) = (pi/2) sqrt(P/P_E) gives the deflection of a clamped-free column; P_E = pi^2 E I/(4 L^2). The
+perfect column stays straight and its tangent gets a negative pivot. Pushed aside while the load passes P_E and let go
+again it stays bent, as the source has it.
 """
 
 import numpy as np

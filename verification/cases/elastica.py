@@ -1,7 +1,8 @@
 """Cantilever under a transverse dead load at its tip, P L^2/(E I) = 0.2 to 10.
 
-Source: K. E. Bisshopp, D. C. Drucker, Quart. Appl. Math. 3 (1945) 272-275; K. Mattiasson, Int. J. Numer. Methods Eng. 17
-(1981) 145-153, table 1. The rod of the source neither stretches nor shears; here E A L^2/(E I) = G A L^2/(E I) = 1e8.
+Source: K. E. Bisshopp, D. C. Drucker, Quart. Appl. Math. 3 (1945) 272-275; K. Mattiasson, Int. J. Numer. Methods Eng.
+17 (1981) 145-153, table 1. The rod of the source neither stretches nor shears; here E A L^2/(E I) = G A L^2/(E I) =
+1e8.
 """
 
 import numpy as np

@@ -1,9 +1,9 @@
 """Other units, other numbers, swapped contact partners, a turned model: the same results.
 
-Source: dimensional analysis (E. Buckingham, Phys. Rev. 4 (1914) 345-376), frame indifference (C. Truesdell, W. Noll, The
-Non-Linear Field Theories of Mechanics, section 19), and the meaning of a name: none of these changes the physics. Decks:
-inputs/02_oblique_crossing (two materials, elliptic spot), inputs/04_wire_grid (16 contacts), and a crossing of two clamped
-wires, which can be turned obliquely.
+Source: dimensional analysis (E. Buckingham, Phys. Rev. 4 (1914) 345-376), frame indifference (C. Truesdell, W. Noll,
+The Non-Linear Field Theories of Mechanics, section 19), and the meaning of a name: none of these changes the physics.
+Decks: inputs/02_oblique_crossing (two materials, elliptic spot), inputs/04_wire_grid (16 contacts), and a crossing of
+two clamped wires, which can be turned obliquely.
 """
 
 from pathlib import Path

@@ -1,10 +1,10 @@
 """A rigid rotation of a loaded frame changes nothing, nor does the way on which a state is reached.
 
-Source: M. A. Crisfield, G. Jelenic, Proc. R. Soc. Lond. A 455 (1999) 1125-1147, on objectivity and path independence of
-geometrically exact beams; A. Ibrahimbegovic, R. L. Taylor, Comput. Methods Appl. Mech. Eng. 191 (2002) 5159-5176, the
-L-shaped frame whose clamp is turned. A frame of two legs carries a force along z, its clamp is turned twice about z: the
-deformed frame turns as a rigid body. Loads that are conservative give the same state in any order, and no state when they
-are gone.
+Source: M. A. Crisfield, G. Jelenic, Proc. R. Soc. Lond. A 455 (1999) 1125-1147, on objectivity and path independence
+of geometrically exact beams; A. Ibrahimbegovic, R. L. Taylor, Comput. Methods Appl. Mech. Eng. 191 (2002) 5159-5176,
+the L-shaped frame whose clamp is turned. A frame of two legs carries a force along z, its clamp is turned twice about
+z: the deformed frame turns as a rigid body. Loads that are conservative give the same state in any order, and no
+state when they are gone.
 """
 
 import numpy as np
@@ -70,7 +70,7 @@ def draw(values, path):
         for x in paths[: INCREMENTS // TURNS + 1 : 4]:
             axes.plot(x[:, 0], x[:, 1], color="#c4451c")
         axes.plot(paths[:, -1, 0], paths[:, -1, 1], "k--", linewidth=0.6)
-        axes.set(xlabel="x", ylabel="y", aspect="equal", title="loaded frame, its clamp turned once; from above")
+        axes.set(xlabel="x", ylabel="y", aspect="equal", title="frame whose clamp turns, from above")
 
 
 if __name__ == "__main__":

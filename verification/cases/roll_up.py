@@ -1,8 +1,8 @@
 """A straight rod is rolled up to one and to two full circles by a moment at its end.
 
-Source: the elastic line of a rod under an end moment M is a circle of radius E I/M (Euler 1744); J. C. Simo, L. Vu-Quoc,
-Comput. Methods Appl. Mech. Eng. 58 (1986) 79-116, section 7.1. The moment acts about an axis that is fixed in space
-(*CLOAD, degree of freedom 6). M = 2 pi E I/L closes the circle.
+Source: the elastic line of a rod under an end moment M is a circle of radius E I/M (Euler 1744); J. C. Simo, L. Vu-
+Quoc, Comput. Methods Appl. Mech. Eng. 58 (1986) 79-116, section 7.1. The moment acts about an axis that is fixed in
+space (*CLOAD, degree of freedom 6). M = 2 pi E I/L closes the circle.
 """
 
 import numpy as np

@@ -1,9 +1,9 @@
 """Skyline, UMFPACK and block elimination take the same steps on every deck in inputs/.
 
-Source: block forward substitution of a block triangular system is exact (G. H. Golub, C. F. Van Loan, Matrix Computations,
-section 3.2): with currents that do not act on forces, one monolithic Newton step is a solve with the mechanical matrix, then
-one with the electric matrix. The three solvers run with COUPLING=MONOLITHIC; iterations, residuals (as far above round-off)
-and results are compared with those of the skyline solver.
+Source: block forward substitution of a block triangular system is exact (G. H. Golub, C. F. Van Loan, Matrix
+Computations, section 3.2): with currents that do not act on forces, one monolithic Newton step is a solve with the
+mechanical matrix, then one with the electric matrix. The three solvers run with COUPLING=MONOLITHIC; iterations,
+residuals (as far above round-off) and results are compared with those of the skyline solver.
 """
 
 from pathlib import Path

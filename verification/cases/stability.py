@@ -2,11 +2,11 @@
 
 Sources: Euler's column with E A and G A finite, E. Reissner's strains linearised about the compressed straight rod:
 P (1 - P/EA + P/GA) = E I (pi/L_k)^2. Lateral buckling of a narrow cantilever under a load at the centroid of its tip:
-L. Prandtl, Kipperscheinungen (1899), A. G. M. Michell, Phil. Mag. 48 (1899) 298-309: P = 4.0126 sqrt(E I GJ)/L^2. Twisted
-rod: A. G. Greenhill, Proc. Inst. Mech. Eng. 34 (1883) 182-225, M = 2 pi E I/L with hinged ends and an axial torque; with
-clamped ends tan(u) = u, u = M L/(2 E I) = 4.4934. Twisted ring: A. G. M. Michell (1889), E. E. Zajac, J. Appl. Mech. 29
-(1962) 136-142: twist 2 pi sqrt(3) E I/GJ. Meshes of 16, 32 and 64 elements; critical is where an eigenvalue of the tangent
-passes zero.
+L. Prandtl, Kipperscheinungen (1899), A. G. M. Michell, Phil. Mag. 48 (1899) 298-309: P = 4.0126 sqrt(E I GJ)/L^2.
+Twisted rod: A. G. Greenhill, Proc. Inst. Mech. Eng. 34 (1883) 182-225, M = 2 pi E I/L with hinged ends and an axial
+torque; with clamped ends tan(u) = u, u = M L/(2 E I) = 4.4934. Twisted ring: A. G. M. Michell (1889), E. E. Zajac, J.
+Appl. Mech. 29 (1962) 136-142: twist 2 pi sqrt(3) E I/GJ. Meshes of 16, 32 and 64 elements; critical is where an
+eigenvalue of the tangent passes zero.
 """
 
 import numpy as np

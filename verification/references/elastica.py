@@ -1,8 +1,8 @@
 """The elastica: bending of an inextensible, shear-rigid rod in its plane, by elliptic integrals.
 
-Source: K. E. Bisshopp, D. C. Drucker, "Large deflection of cantilever beams", Quart. Appl. Math. 3 (1945) 272-275, in the
-form of Legendre's integrals; the same digits as K. Mattiasson, Int. J. Numer. Methods Eng. 17 (1981) 145-153, table 1.
-Computed with mpmath to 20 digits.
+Source: K. E. Bisshopp, D. C. Drucker, "Large deflection of cantilever beams", Quart. Appl. Math. 3 (1945) 272-275, in
+the form of Legendre's integrals; the same digits as K. Mattiasson, Int. J. Numer. Methods Eng. 17 (1981) 145-153,
+table 1. Computed with mpmath to 20 digits.
 """
 
 import mpmath as mp
@@ -38,5 +38,6 @@ def column(load_ratio):
     """
     with mp.workdps(25):
         length = mp.pi / 2 * mp.sqrt(mp.mpf(load_ratio))
-        k = mp.findroot(lambda k: mp.ellipk(k**2) - length, (mp.mpf("1e-8"), 1 - mp.mpf(10) ** -12), solver="anderson")
+        bracket = mp.mpf("1e-8"), 1 - mp.mpf(10) ** -12
+        k = mp.findroot(lambda k: mp.ellipk(k**2) - length, bracket, solver="anderson")
         return float(2 * k / length), float(2 - 2 * mp.ellipe(k**2) / length)

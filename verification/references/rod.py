@@ -1,9 +1,9 @@
 """Geometrically exact rod, clamped at its root, by shooting: no finite elements.
 
-Equilibrium n' = 0, m' = -r' x n; r' = L (e1 + gamma), L' = L skew(kappa0 + kappa), with the material strains
-gamma = diag(1/EA, 1/GA, 1/GA) L^T n and kappa = diag(1/GJ, 1/EI2, 1/EI3) L^T m. The unknown root moment is found such that
-the moment at the tip is the given one. Source: J. C. Simo, Comput. Methods Appl. Mech. Eng. 49 (1985) 55-70; E. Reissner,
-J. Appl. Math. Phys. (ZAMP) 32 (1981) 734-744.
+Equilibrium n' = 0, m' = -r' x n; r' = L (e1 + gamma), L' = L skew(kappa0 + kappa), with the material strains gamma =
+diag(1/EA, 1/GA, 1/GA) L^T n and kappa = diag(1/GJ, 1/EI2, 1/EI3) L^T m. The unknown root moment is found such that
+the moment at the tip is the given one. Source: J. C. Simo, Comput. Methods Appl. Mech. Eng. 49 (1985) 55-70; E.
+Reissner, J. Appl. Math. Phys. (ZAMP) 32 (1981) 734-744.
 """
 
 from typing import NamedTuple
