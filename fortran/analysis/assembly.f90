@@ -85,6 +85,7 @@ contains
       type(system_matrix_t), intent(inout) :: matrix
       type(forces_t), intent(inout) :: forces
       real(dp), allocatable :: k(:, :, :), r(:, :), energy(:)
+      real(dp) :: stiffest
       integer :: first, last, e
 
       last = min(chunk, model%n_elements)
@@ -100,8 +101,10 @@ contains
             associate (nodes => model%connectivity(:, e), ke => k(:, :, e - first + 1), re => r(:, e - first + 1))
                call add_mechanical(equations, nodes, ke, re, increment, matrix, forces)
                forces%strain_energy = forces%strain_energy + energy(e - first + 1)
-               forces%stiffness(1) = max(forces%stiffness(1), elements%stiffness(1, e)/elements%length(e))
-               forces%stiffness(2) = max(forces%stiffness(2), elements%stiffness(1, e))
+               ! axial strain and shear: whichever is stiffer
+               stiffest = maxval(elements%rigidity(1:3, e))
+               forces%stiffness(1) = max(forces%stiffness(1), stiffest/elements%length(e))
+               forces%stiffness(2) = max(forces%stiffness(2), stiffest)
             end associate
          end do
       end do

@@ -1,7 +1,7 @@
 !> Forces and currents of the crossings, and their part of the system.
 !>
 !> The contact force is an independent variable of the iteration (theory section 9): the law is linearised as
-!> `delta(F)`, whether a point is active follows from the predicted gap, and the geometric stiffness takes the
+!> `delta(F)`, whether a point is active follows from the predicted gap and force, and the geometric stiffness takes the
 !> independent force. The converged force is that of the law at the true gap.
 module litz_contact_forces
    use litz_kinds, only: dp
@@ -24,8 +24,6 @@ module litz_contact_forces
 
    !> At first touch the Hertz law is linearised about the force of an overlap of at most this fraction of the radius
    real(dp), parameter :: first_overlap = 1.0e-3_dp
-   !> A predicted force that is not positive although the gap closes is replaced by this fraction of the last one
-   real(dp), parameter :: force_floor = 0.1_dp
 
 contains
 
@@ -73,6 +71,7 @@ contains
          point%force = 0
          point%stiffness = 0
          point%iteration_force = 0
+         point%geometric_force = max(point%mixed_force, 0.0_dp)
          if (.not. (point%active .or. point%closed)) then
             point%mixed_force = 0
             return
@@ -135,14 +134,13 @@ contains
 
       subroutine add_point(point)
          type(contact_point_t), intent(inout) :: point
-         real(dp) :: k(24, 24), r(24), x(3, 4), t(3, 4), length(2), geometric_force
+         real(dp) :: k(24, 24), r(24), x(3, 4), t(3, 4), length(2)
          integer :: nodes(4), a
 
          nodes = [model%connectivity(:, point%element_bar), model%connectivity(:, point%element)]
          call pair_geometry(model, wires, elements, point%element_bar, point%element, iterate%x, iterate%rotation, &
             x, t, length)
-         geometric_force = max(point%mixed_force, 0.0_dp)
-         call contact_mechanics(point%kinematics, t, point%force, point%stiffness, geometric_force, form_hessian, k, r)
+         call contact_mechanics(point%kinematics, t, point%force, point%stiffness, point%geometric_force, form_hessian, k, r)
          call add_mechanical(equations, nodes, k, r, increment, matrix, forces)
          forces%stiffness(1) = max(forces%stiffness(1), point%stiffness)
          forces%stiffness(2) = max(forces%stiffness(2), point%stiffness*maxval(length))
@@ -209,7 +207,8 @@ contains
             point%predicted_gap = point%gap + eta*dgap
             if (.not. point%active) cycle
             force = (1 - eta)*point%mixed_force + eta*(point%iteration_force - point%stiffness*dgap)
-            if (force <= 0 .and. point%predicted_gap < 0) force = force_floor*point%mixed_force
+            ! a contact that would have to pull opens, even if the linearised law leaves it an overlap
+            if (force <= 0) point%predicted_gap = max(point%predicted_gap, 0.0_dp)
             point%mixed_force = max(force, 0.0_dp)
          end associate
       end do

@@ -47,6 +47,8 @@ module litz_contact_pairs
       logical :: active = .false., closed = .false.
       !> Law at the present gap [N, N/m], and the force that this iteration linearises about
       real(dp) :: force = 0, stiffness = 0, iteration_force = 0
+      !> Force of the geometric stiffness [N]; zero at first touch, where no force is known yet
+      real(dp) :: geometric_force = 0
       !> Spot [m], conductance [S], current [A], voltage across the spot [V]
       real(dp) :: semi_major = 0, semi_minor = 0, conductance = 0, current = 0, voltage_gap = 0
       !> Resistance in each wire that the linear voltage inside its element misses (theory section 7) [ohm]

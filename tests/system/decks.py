@@ -1,5 +1,7 @@
 """Small decks that several tests change in one place."""
 
+import numpy as np
+
 #: Two copper-like wires of 1 mm radius cross in the middle of their middle elements.
 #: Placeholders: gap [m], behavior (card and data of the normal law), spot (card of the spot law), push [m],
 #: static (data line), extra (cards of the step).
@@ -82,3 +84,48 @@ def crossed(**changes):
     unknown = set(changes) - set(DEFAULTS)
     assert not unknown, f"no such placeholder: {unknown}"
     return CROSSED.format(**{**DEFAULTS, **changes})
+
+#: Angle to the x-axis [degrees] and distance from the origin [mm] of three lower and three upper wires
+MAT = (((-2.49, -11.58), (-2.44, -0.40), (1.41, 7.68)), ((89.58, -9.48), (88.71, 0.89), (87.01, 12.84)))
+
+
+def thin_mat(push):
+    """Two layers of slender wires (radius 0.05 mm, length 78 mm) that just touch; the upper one is lowered by `push` [m].
+
+    Nine crossings of very different forces: some close and open again before the forces are found.
+    """
+    lines = ["*HEADING", "mat of slender wires"]
+    for layer, name in enumerate(("LOWER", "UPPER")):
+        for i, (degrees, offset) in enumerate(MAT[layer]):
+            angle, first = np.radians(degrees), 1000 * (3 * layer + i + 1)
+            t, n = np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
+            lines.append(f"*NODE, NSET={name}")
+            for k, s in enumerate(np.linspace(-0.039, 0.039, 12)):
+                x, y = s * t + 1e-3 * offset * n
+                lines.append(f" {first + k}, {x:.12g}, {y:.12g}, {1e-4 * layer}")
+            lines.append(f"*NSET, NSET={name}_ENDS\n {first}, {first + 11}")
+            lines.append(f"*ELEMENT, TYPE=B33, ELSET={name}")
+            lines += [f" {first + k}, {first + k}, {first + k + 1}" for k in range(11)]
+    return "\n".join(lines) + f"""
+*MATERIAL, NAME=COPPER
+*ELASTIC
+ 120e9, 0.34
+*BEAM SECTION, ELSET=LOWER, MATERIAL=COPPER, SECTION=CIRC
+ 5e-5
+*BEAM SECTION, ELSET=UPPER, MATERIAL=COPPER, SECTION=CIRC
+ 5e-5
+*SURFACE INTERACTION, NAME=TOUCH
+*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ
+*CONTACT PAIR, INTERACTION=TOUCH
+ LOWER, UPPER
+*BOUNDARY
+ LOWER_ENDS, ENCASTRE
+ UPPER_ENDS, 1, 2
+ UPPER_ENDS, 4, 6
+*STEP
+*STATIC
+ 1., 1.
+*BOUNDARY
+ UPPER_ENDS, 3, 3, {-push}
+*END STEP
+"""

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from decks import crossed
+from decks import crossed, thin_mat
 
 from litz import Results
 
@@ -52,6 +52,25 @@ def test_newton_converges_quadratically(run, element, behavior):
     for before, after, bound in zip(residual[start:], residual[start + 1 :], allowed[start + 1 :], strict=False):
         assert after <= max(before * np.sqrt(before / residual.max()), bound)
     assert len(residual) <= 12
+
+
+@pytest.mark.parametrize("push", [1e-5, 5e-5, 5e-4])
+def test_hertz_contacts_of_slender_wires_close_in_one_increment(run, push):
+    """At first touch no force is known: none may enter the geometric stiffness. A contact that would pull opens."""
+    process, results = run(thin_mat(push))
+    assert process.returncode == 0, process.stderr
+    assert results.status["attempts"].tolist() == [1]
+    assert results.status["iterations"][0] <= 10
+    assert (results.contacts["force"] > 0).all()
+
+
+def test_a_shear_stiffness_far_above_the_axial_one_converges_to_its_own_round_off(run):
+    shear = "*SURFACE INTERACTION, NAME=SPOT"
+    process, results = run(
+        crossed(element="B31", push="-2e-6").replace(shear, f"*TRANSVERSE SHEAR STIFFNESS\n 1e8, 1e8\n{shear}")
+    )
+    assert process.returncode == 0, process.stderr
+    assert results.status["attempts"].tolist() == [1]
 
 
 def test_forces_currents_and_power_balance(run):
