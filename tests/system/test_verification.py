@@ -14,7 +14,7 @@ from verification.cases.solvers import INPUTS, residual_difference  # noqa: E402
 from verification.deck_text import Rigidity  # noqa: E402
 from verification.deck_transform import Units, in_units, renumbered, rotated, swapped_contact_pairs  # noqa: E402
 from verification.kernel_frame import rotation  # noqa: E402
-from verification.references import elastica, rod  # noqa: E402
+from verification.references import crossed_wires, elastica, hertz, network, rod  # noqa: E402
 from verification.report import write_reports  # noqa: E402
 from verification.run import CaseReport, verify  # noqa: E402
 
@@ -136,6 +136,59 @@ def test_shooting_rolls_a_rod_up_to_the_circle_of_its_moment():
 def test_the_free_shape_of_a_curved_piece_is_its_arc():
     points = rod.free_shape([rod.Piece(np.pi, (0.0, 0.0, 1.0))], 2)
     np.testing.assert_allclose(points, [[0, 0, 0], [1, 1, 0], [0, 2, 0]], atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("degrees", "ratio", "semi_major", "approach", "peak", "resistance"),
+    [
+        (90, 1.0, 0.9085602964, 0.8254818122, 0.5784074491, 0.5503212081),
+        (45, 0.3134388680, 1.750307007, 0.7055505594, 0.4972331485, 0.4703670396),
+        (20, 0.1080053783, 3.467076289, 0.4984602126, 0.3677639947, 0.3323068084),
+    ],
+)
+def test_spots_of_crossed_wires_of_unit_radius_modulus_and_force(
+    degrees, ratio, semi_major, approach, peak, resistance
+):
+    """Values computed by other means, ten digits; their product R dF/d(approach) is E* rho (Barber)."""
+    spot = hertz.crossed_wires(1, np.radians(degrees), radius=(1, 1), modulus=1, resistivity=(1, 1))
+    found = [spot.semi_minor / spot.semi_major, spot.semi_major, spot.approach, spot.peak_pressure, spot.resistance]
+    np.testing.assert_allclose(found, [ratio, semi_major, approach, peak, resistance], rtol=1e-9)
+    assert spot.resistance * spot.stiffness == pytest.approx(1.0, rel=1e-14)
+
+
+def test_the_circular_spot_is_the_limit_of_the_elliptic_ones():
+    for nearly_square in (np.pi / 2, np.pi / 2 - 1e-8):
+        spot = hertz.crossed_wires(2, nearly_square, radius=(3, 3), modulus=5, resistivity=(1, 1))
+        assert spot.semi_major == pytest.approx((3 * 2 * 3 / (4 * 5)) ** (1 / 3), rel=1e-7)
+    assert hertz.force_of_approach(spot.approach, nearly_square, radius=(3, 3), modulus=5) == pytest.approx(2.0)
+
+
+@pytest.mark.parametrize(
+    ("support", "bending", "shear"), [("supported", 1 / 48, 1 / 4), ("clamped", 1 / 192, 1 / 4), ("cantilever", 1 / 24, 1 / 2)]
+)
+def test_deflections_in_the_middle_are_those_of_the_handbooks(support, bending, shear):
+    found = crossed_wires.deflection(support, 2.0, 1.0, 1.0, ei=3.0, ga=5.0)
+    assert found == pytest.approx(bending * 2.0**3 / 3.0 + shear * 2.0 / 5.0, rel=1e-12)
+
+
+@pytest.mark.parametrize("support", ["supported", "clamped", "cantilever"])
+def test_deflections_are_reciprocal(support):
+    pair = (0.3, 1.1)
+    there, back = (crossed_wires.deflection(support, 2.0, *order, ei=3.0, ga=5.0) for order in (pair, pair[::-1]))
+    assert there == pytest.approx(back, rel=1e-12)
+
+
+def test_a_grid_of_one_crossing_is_a_crossing_and_open_ones_carry_nothing():
+    one = crossed_wires.force(0.1, 0.5, lambda f: f / 7.0)
+    assert one == pytest.approx(0.1 / (0.5 + 1 / 7.0), rel=1e-12)
+    forces = crossed_wires.grid_forces(
+        np.array([-0.1, 0.2]), np.array([[0.5, 0.1], [0.1, 0.5]]), lambda o: 7.0 * o, lambda o: 7.0 * np.ones_like(o)
+    )
+    np.testing.assert_allclose(forces, [one, 0.0], rtol=1e-12)
+
+
+def test_potentials_of_a_network_follow_from_resistors_in_series():
+    np.testing.assert_allclose(network.potentials(3, [(0, 1, 2.0), (1, 2, 3.0)], {0: 5.0, 2: 0.0}), [5.0, 3.0, 0.0])
 
 
 # Transformed decks: each says something else than the deck it comes from, else equal results would prove nothing.
