@@ -91,8 +91,9 @@ def test_every_run_balances_forces_currents_and_power(results_of, name):
     forces = results.field("reaction_force", None) + results.field("applied_force", None)
     moments = results.field("reaction_moment", None) + results.field("applied_moment", None)
     largest = max(np.abs(forces).max(), np.abs(moments).max() / np.ptp(results.nodes))
-    # the iteration stops where the residual of each node is below 1e-8 of the forces
-    assert np.abs(forces.sum(axis=1)).max() <= 1e-8 * len(results.nodes) * largest
+    # the iteration stops at 1e-8 of the forces at each node; the thread of the last deck, whose E A is 5e8 times the
+    # forces in it, at round-off: 2e-16*5e8 for each element
+    assert np.abs(forces.sum(axis=1)).max() <= 1e-6 * largest
     currents = results.field("reaction_current", None) + results.field("applied_current", None)
     power = (results.field("potential", None) * currents).sum(axis=1)
     heat = results.field("joule_heat", None).sum(axis=1)
