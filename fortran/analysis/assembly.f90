@@ -22,6 +22,8 @@ module litz_assembly
    type :: iterate_t
       !> Positions (3, n_nodes) [m], rotations from the reference (3, 3, n_nodes), potentials (n_nodes) [V]
       real(dp), allocatable :: x(:, :), rotation(:, :, :), potential(:)
+      !> Sum of the rotations of each node since the increment began (3, n_nodes): tells full turns apart
+      real(dp), allocatable :: turn(:, :)
       !> Section forces as independent variables (6, n_elements), theory section 9
       real(dp), allocatable :: sigma(:, :)
       !> The next assembly takes the section forces of the strains instead

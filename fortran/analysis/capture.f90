@@ -3,7 +3,7 @@ module litz_capture
    use litz_kinds, only: dp, pi
    use litz_contact_pairs, only: contact_point_t
    use litz_newton, only: problem_t
-   use litz_rotations, only: identity3, rotation_log
+   use litz_rotations, only: identity3, nearest_rotation_vector
    use litz_state, only: state_t, contact_t
    implicit none
    private
@@ -29,6 +29,7 @@ contains
          allocate (iterate%sigma(6, m), iterate%strain(6, m), iterate%section_forces(6, m), iterate%b(6, 12, m), &
             source=0.0_dp)
          allocate (iterate%element_current(m), iterate%joule_heat(m), source=0.0_dp)
+         allocate (iterate%turn(3, n), source=0.0_dp)
       end associate
    end subroutine start_state
 
@@ -50,7 +51,7 @@ contains
          state%applied_current = loading%load(7, :)
          do node = 1, problem%model%n_nodes
             state%rotation_vector(:, node) = nearest_rotation_vector(state%rotation(:, :, node), &
-               state%rotation_vector(:, node))
+               state%rotation_vector(:, node) + iterate%turn(:, node))
             mechanical_fixed = loading%fixed(1:6, node)
             potential_fixed = loading%fixed(7, node)
             state%reaction(:, node) = merge(internal(1:6, node) - loading%load(1:6, node), 0.0_dp, mechanical_fixed)
@@ -60,24 +61,6 @@ contains
       end associate
       call capture_contacts(problem)
    end subroutine capture_state
-
-   !> The rotation vector of a matrix that is nearest to the last one, so that it goes on past pi.
-   pure function nearest_rotation_vector(rotation, last) result(vector)
-      real(dp), intent(in) :: rotation(3, 3), last(3)
-      real(dp) :: vector(3)
-      real(dp) :: angle, axis(3)
-
-      vector = rotation_log(rotation)
-      angle = norm2(vector)
-      if (angle > 0) then
-         axis = vector/angle
-      else if (norm2(last) > pi) then
-         axis = last/norm2(last)
-      else
-         return
-      end if
-      vector = (angle + 2*pi*anint((dot_product(axis, last) - angle)/(2*pi)))*axis
-   end function nearest_rotation_vector
 
    !> Closed contacts, each with an identity that it keeps while it lives.
    subroutine capture_contacts(problem)

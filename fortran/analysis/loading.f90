@@ -5,7 +5,7 @@
 module litz_loading
    use litz_kinds, only: dp
    use litz_model, only: model_t, step_t, nodal_value_t, amplitude_factor, dof_potential
-   use litz_rotations, only: rotation_exp, rotation_log
+   use litz_rotations, only: rotation_exp, nearest_rotation_vector
    use litz_state, only: state_t
    implicit none
    private
@@ -34,10 +34,14 @@ contains
    end function slot
 
    !> Begin a step: which unknowns are prescribed, and from what value everything ramps.
+   !>
+   !> What was prescribed before goes on from its prescribed value: a single rotation, an angle about a fixed axis, cannot
+   !> be read from the state, and a value that stays the same must not even change by round-off.
    subroutine start_loading(step, state, loading)
       type(step_t), intent(in) :: step
       type(state_t), intent(in) :: state
       type(loading_t), intent(inout) :: loading
+      logical, allocatable :: kept(:, :)
       integer :: i, n
 
       n = size(state%potential)
@@ -45,17 +49,25 @@ contains
          allocate (loading%load(7, n), source=0.0_dp)
          allocate (loading%fixed(7, n), loading%value(7, n), loading%start_value(7, n), &
             loading%converged_value(7, n), loading%start_load(7, n))
+         loading%fixed = .false.
       end if
       loading%start_load = loading%load
       loading%start_value(1:3, :) = state%displacement
       loading%start_value(4:6, :) = state%rotation_vector
       loading%start_value(slot_potential, :) = state%potential
-      loading%value = loading%start_value
-      loading%converged_value = loading%start_value
-      loading%fixed = .false.
+      call move_alloc(loading%fixed, kept)
+      allocate (loading%fixed(7, n), source=.false.)
       do i = 1, size(step%boundary)
          loading%fixed(slot(step%boundary(i)%dof), step%boundary(i)%node) = .true.
       end do
+      do i = 1, n
+         ! a rotation vector and single angles are different things
+         if (all(kept(4:6, i)) .neqv. all(loading%fixed(4:6, i))) kept(4:6, i) = .false.
+      end do
+      kept = kept .and. loading%fixed
+      where (kept) loading%start_value = loading%converged_value
+      loading%value = loading%start_value
+      loading%converged_value = loading%start_value
    end subroutine start_loading
 
    !> Values and loads at a step time.
@@ -106,8 +118,8 @@ contains
 
    !> What the first iteration of an increment must add to each prescribed unknown (7, n_nodes).
    !>
-   !> Where all three rotations of a node are prescribed they are its rotation vector; a single one is the angle
-   !> about a fixed axis, added up over the increments.
+   !> Where all three rotations of a node are prescribed they are its rotation vector, which may go beyond pi; a single
+   !> one is the angle about a fixed axis, added up over the increments.
    pure subroutine prescribed_increment(loading, state, increment)
       type(loading_t), intent(in) :: loading
       type(state_t), intent(in) :: state
@@ -116,15 +128,16 @@ contains
 
       increment = 0
       do node = 1, size(increment, 2)
-         associate (fixed => loading%fixed(:, node), target => loading%value(:, node))
-            where (fixed(1:3)) increment(1:3, node) = target(1:3) - state%displacement(:, node)
-            if (all(fixed(4:6))) then
-               increment(4:6, node) = rotation_log(matmul(rotation_exp(target(4:6)), &
-                  transpose(state%rotation(:, :, node))))
+         associate (target => loading%value(:, node), converged => loading%converged_value(:, node), &
+            changed => loading%fixed(:, node) .and. abs(loading%value(:, node) - loading%converged_value(:, node)) > 0)
+            where (changed(1:3)) increment(1:3, node) = target(1:3) - state%displacement(:, node)
+            if (all(loading%fixed(4:6, node)) .and. any(changed(4:6))) then
+               increment(4:6, node) = nearest_rotation_vector(matmul(rotation_exp(target(4:6)), &
+                  transpose(state%rotation(:, :, node))), target(4:6) - converged(4:6))
             else
-               where (fixed(4:6)) increment(4:6, node) = target(4:6) - loading%converged_value(4:6, node)
+               where (changed(4:6)) increment(4:6, node) = target(4:6) - converged(4:6)
             end if
-            if (fixed(slot_potential)) then
+            if (changed(slot_potential)) then
                increment(slot_potential, node) = target(slot_potential) - state%potential(node)
             end if
          end associate

@@ -142,6 +142,7 @@ contains
       problem%iterate%x = problem%model%x + problem%state%displacement
       problem%iterate%rotation = problem%state%rotation
       problem%iterate%potential = problem%state%potential
+      problem%iterate%turn = 0
       problem%iterate%sigma_from_strain = .true.
       problem%contact%points%predicted = .false.
       problem%contact%points%mixed_force = problem%contact%points%force
@@ -379,6 +380,7 @@ contains
          iterate%sigma_from_strain = prescribed
          call predict_contacts(problem%model, eta, correction, problem%contact)
          iterate%x = iterate%x + eta*correction(1:3, :)
+         iterate%turn = iterate%turn + eta*correction(4:6, :)
          do node = 1, problem%model%n_nodes
             if (any(abs(correction(4:6, node)) > 0)) iterate%rotation(:, :, node) = &
                matmul(rotation_exp(eta*correction(4:6, node)), iterate%rotation(:, :, node))

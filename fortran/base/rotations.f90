@@ -7,12 +7,15 @@ module litz_rotations
    use litz_kinds, only: dp, pi
    implicit none
    private
-   public :: cross, skew, identity3, rotation_exp, rotation_log, spin_tangent, spin_tangent_transpose_derivative
+   public :: cross, skew, identity3, rotation_exp, rotation_log, nearest_rotation_vector
+   public :: spin_tangent, spin_tangent_transpose_derivative
 
    real(dp), parameter :: identity3(3, 3) = reshape([1.0_dp, 0.0_dp, 0.0_dp, 0.0_dp, 1.0_dp, 0.0_dp, &
       0.0_dp, 0.0_dp, 1.0_dp], [3, 3])
    !> Below this angle [rad] the trigonometric coefficients come from their Taylor series
    real(dp), parameter :: small_angle = 0.3_dp
+   !> Below this angle [rad] round-off decides what the axis of a rotation matrix is
+   real(dp), parameter :: no_axis = 1.0e-12_dp
 
 contains
 
@@ -79,6 +82,24 @@ contains
       r(2, 2) = r(2, 2) + 1 - c2*(v(1)**2 + v(3)**2) - c2*v(2)**2
       r(3, 3) = r(3, 3) + 1 - c2*(v(1)**2 + v(2)**2) - c2*v(3)**2
    end function rotation_exp
+
+   !> The rotation vector of a matrix that is nearest to a given one, so that it goes on past pi.
+   pure function nearest_rotation_vector(rotation, reference) result(vector)
+      real(dp), intent(in) :: rotation(3, 3), reference(3)
+      real(dp) :: vector(3)
+      real(dp) :: angle, axis(3)
+
+      vector = rotation_log(rotation)
+      angle = norm2(vector)
+      if (angle > no_axis) then
+         axis = vector/angle
+      else if (norm2(reference) > pi) then
+         axis = reference/norm2(reference)
+      else
+         return
+      end if
+      vector = (angle + 2*pi*anint((dot_product(axis, reference) - angle)/(2*pi)))*axis
+   end function nearest_rotation_vector
 
    !> Rotation vector [rad] of a rotation matrix, with an angle in [0, pi].
    !>

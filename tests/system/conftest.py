@@ -5,6 +5,8 @@ from pathlib import Path
 
 import pytest
 
+from litz import Results
+
 INPUTS = Path(__file__).parents[2] / "inputs"
 
 
@@ -34,3 +36,17 @@ def run_of_input(litz_program, tmp_path_factory):
         return directories[name]
 
     return run
+
+
+@pytest.fixture
+def run(litz, tmp_path):
+    """Run a deck given as text; return the finished process and, where there are files, the results."""
+
+    def run_text(text, *arguments, name="deck", env=None):
+        deck = tmp_path / f"{name}.inp"
+        deck.write_text(text)
+        process = litz("run", deck, "-o", tmp_path / name, *arguments, env=env)
+        path = tmp_path / name / f"{name}.vtkhdf"
+        return process, Results(path) if path.exists() else None
+
+    return run_text

@@ -129,3 +129,45 @@ def thin_mat(push):
  UPPER_ENDS, 3, 3, {-push}
 *END STEP
 """
+
+
+MATERIAL = """\
+*MATERIAL, NAME=STEEL
+*ELASTIC
+ 200e9, 0.3
+"""
+
+CONDUCTOR = """\
+*MATERIAL, NAME=COPPER
+*ELASTIC
+ 120e9, 0.34
+*ELECTRICAL CONDUCTIVITY
+ 5e7
+"""
+
+
+def wire(name, points, first=1, *, element="B31", closed=False, backwards=()):
+    """Cards of a chain of elements through points; nodes and elements are numbered from `first`.
+
+    A closed chain returns to its first node; the elements counted in `backwards` run against the chain.
+    """
+    nodes = [f" {first + i}, {x:.17g}, {y:.17g}, {z:.17g}" for i, (x, y, z) in enumerate(points)]
+    elements = []
+    for i in range(len(points) - (not closed)):
+        ends = (first + i, first + (i + 1) % len(points))
+        if i in backwards:
+            ends = ends[::-1]
+        elements.append(f" {first + i}, {ends[0]}, {ends[1]}")
+    return "\n".join([f"*NODE, NSET={name}", *nodes, f"*ELEMENT, TYPE={element}, ELSET={name}", *elements, ""])
+
+
+def straight(start, end, n):
+    """Points at equal distances from start to end, for n elements."""
+    return np.linspace(start, end, n + 1)
+
+
+def cantilever(*steps, element="B31", static="1, 1, 1e-3, 1", n=10):
+    """A steel wire of 100 mm along x, clamped at node 1; `steps` are the cards of each step."""
+    model = wire("WIRE", straight((0, 0, 0), (0.1, 0, 0), n), element=element) + MATERIAL
+    model += "*BEAM SECTION, ELSET=WIRE, MATERIAL=STEEL, SECTION=CIRC\n 1e-3\n*BOUNDARY\n 1, ENCASTRE\n"
+    return model + "".join(f"*STEP, INC=500\n*STATIC\n {static}\n{cards}\n*END STEP\n" for cards in steps)

@@ -9,20 +9,6 @@ from litz import Results
 SOFT = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR{}\n 1e3"
 
 
-@pytest.fixture
-def run(litz, tmp_path):
-    """Run a deck given as text; return the finished process and, where there are files, the results."""
-
-    def run_text(text, *arguments, name="deck", env=None):
-        deck = tmp_path / f"{name}.inp"
-        deck.write_text(text)
-        process = litz("run", deck, "-o", tmp_path / name, *arguments, env=env)
-        path = tmp_path / name / f"{name}.vtkhdf"
-        return process, Results(path) if path.exists() else None
-
-    return run_text
-
-
 def residual_history(results, name, attempt=1):
     """Residuals of the last increment, iteration by iteration."""
     table = results.convergence
