@@ -17,9 +17,23 @@ def with_solver(text, solver):
     return text.replace("*END STEP", f"*SOLVER, NAME={solver}, COUPLING=MONOLITHIC\n*END STEP")
 
 
+def iterates(results):
+    """Rows of the convergence table by step, increment, attempt and iteration."""
+    table = results.convergence
+    keys = zip(table["step"], table["increment"], table["attempt"], table["iteration"], strict=True)
+    return {key: {name: table[name][row] for name in table} for row, key in enumerate(keys)}
+
+
+def nearly_converged(row):
+    """Residuals so near to what is allowed that the round-off of a solve decides whether the iteration goes on."""
+    return all(row[field] <= 100 * row[f"{field}_allowed"] for field in ("force", "moment", "current"))
+
+
 @pytest.mark.parametrize("deck", INPUTS, ids=lambda path: path.stem)
 def test_same_iterates(deck, litz, tmp_path):
-    """As many iterations everywhere, and fields that differ by what round-off makes of a 16-digit solve.
+    """The same iterations, and fields that differ by what round-off makes of a 16-digit solve.
+
+    One solver may go on for an iteration more where the residual of the one before is at its allowed value already.
 
     A system with condition number 1e8 to 1e10 (axial against bending stiffness) solves to 1e-8 to 1e-6; the Newton
     iteration contracts that again, so that converged fields agree much better.
@@ -34,15 +48,19 @@ def test_same_iterates(deck, litz, tmp_path):
     block = results["BLOCK"]
     for solver in ("UMFPACK", "SKYLINE"):
         other = results[solver]
-        for column in ("step", "increment", "attempt", "iteration", "active"):
-            assert np.array_equal(block.convergence[column], other.convergence[column]), (solver, column)
+        rows, other_rows = iterates(block), iterates(other)
+        for step, increment, attempt, iteration in rows.keys() ^ other_rows.keys():
+            before = (step, increment, attempt, iteration - 1)
+            assert nearly_converged(rows[before]), (solver, before)
+            assert nearly_converged(other_rows[before]), (solver, before)
+        common = sorted(rows.keys() & other_rows.keys())
+        assert [rows[key]["active"] for key in common] == [other_rows[key]["active"] for key in common], solver
         for name in ("displacement", "rotation", "potential"):
             expected = block.field(name, None)
             np.testing.assert_allclose(
                 other.field(name, None), expected, rtol=0, atol=1e-8 * np.abs(expected).max() + 1e-300, err_msg=name
             )
         for column in ("displacement", "rotation", "potential"):
-            expected = block.convergence[column]
-            np.testing.assert_allclose(
-                other.convergence[column], expected, rtol=1e-5, atol=1e-7 * expected.max(), err_msg=column
-            )
+            expected = np.array([rows[key][column] for key in common])
+            found = np.array([other_rows[key][column] for key in common])
+            np.testing.assert_allclose(found, expected, rtol=1e-5, atol=1e-7 * expected.max(), err_msg=column)
