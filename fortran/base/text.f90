@@ -3,7 +3,7 @@ module litz_text
    use litz_kinds, only: dp
    implicit none
    private
-   public :: upper, squeezed, to_text, shown, plural, nearest_word, words_of, join_words
+   public :: upper, squeezed, to_text, shown, plural, nearest_word, words_of, join_words, wrapped
 
    !> Longest word that a list of words holds
    integer, parameter, public :: word_length = 32
@@ -158,6 +158,28 @@ contains
          text = text//trim(words(i))
       end do
    end function join_words
+
+   !> Lines of at most `width` columns, each ended by a new-line character.
+   pure function wrapped(text, width, indent) result(lines)
+      character(len=*), intent(in) :: text
+      integer, intent(in) :: width
+      !> Blanks before the second and later lines
+      integer, intent(in) :: indent
+      character(len=:), allocatable :: lines
+      integer :: first, last, room
+
+      lines = ''
+      first = 1
+      room = width
+      do while (len(text) - first + 1 > room)
+         last = first + index(text(first:first + room), ' ', back=.true.) - 2
+         if (last < first) exit
+         lines = lines//text(first:last)//new_line('a')//repeat(' ', indent)
+         first = last + 2
+         room = width - indent
+      end do
+      lines = lines//text(first:)//new_line('a')
+   end function wrapped
 
    !> The word that was probably meant, or an empty string when none is near.
    pure function nearest_word(word, candidates) result(nearest)

@@ -1,6 +1,6 @@
 !> The reference of the deck, from the keyword table: for the terminal and as Markdown.
 module litz_keyword_reference
-   use litz_text, only: to_text, words_of, join_words
+   use litz_text, only: to_text, words_of, join_words, wrapped
    use litz_keywords, only: keyword_table_t, keyword_t, parameter_spec_t, data_spec_t, field_spec_t, place_model, &
       place_step, place_both, kind_flag, kind_integer, kind_real, kind_choice, kind_name, kind_file, kind_text, &
       limit_none, limit_unused, limit_words
@@ -9,6 +9,8 @@ module litz_keyword_reference
    public :: keyword_list, keyword_page, keyword_markdown
 
    character(len=1), parameter :: nl = new_line('a')
+   !> Columns of a page in the terminal
+   integer, parameter :: page_width = 100
 
 contains
 
@@ -42,16 +44,17 @@ contains
       character(len=:), allocatable :: text
       integer :: i, j
 
-      text = '*'//trim(keyword%name)//' - '//place_words(keyword)//nl//trim(keyword%help)//nl
+      text = '*'//trim(keyword%name)//' - '//place_words(keyword)//nl//wrapped(trim(keyword%help), page_width, 0)
       if (size(keyword%parameters) > 0) text = text//'Parameters:'//nl
       do i = 1, size(keyword%parameters)
-         text = text//'  '//parameter_form(keyword%parameters(i))//': '//parameter_help(keyword%parameters(i))//nl
+         text = text//wrapped('  '//parameter_form(keyword%parameters(i))//': '// &
+            parameter_help(keyword%parameters(i)), page_width, 6)
       end do
       do i = 1, size(keyword%data)
          associate (form => keyword%data(i))
             text = text//line_title(form)//': '//line_form(form)//nl
             do j = 1, size(form%fields)
-               text = text//'  '//trim(form%fields(j)%name)//': '//field_help(form%fields(j))//nl
+               text = text//wrapped('  '//trim(form%fields(j)%name)//': '//field_help(form%fields(j)), page_width, 6)
             end do
          end associate
       end do

@@ -312,7 +312,7 @@ contains
             return
          end if
          call check_value(self, token, field%kind, field%limit, field%choices, 'value '//to_text(i)//', '// &
-            field_words(field), whole, real_value, ok)
+            field_words(field)//',', whole, real_value, ok)
          self%values%whole(i) = whole
          self%values%real(i) = real_value
          self%values%given(i) = ok
@@ -325,7 +325,7 @@ contains
       type(token_t), intent(in) :: token
       integer, intent(in) :: kind, limit
       character(len=*), intent(in) :: choices
-      !> Subject of the message
+      !> Subject of the message, with its comma where it ends in a relative clause
       character(len=*), intent(in) :: what
       integer, intent(out) :: whole
       real(dp), intent(out) :: real_value
@@ -348,7 +348,7 @@ contains
             call check_choice(self, token, choices, what, whole, ok)
          case (kind_name, kind_item)
             if (len(text) > name_length) then
-               call fail_at(self, token, what//', is longer than '//to_text(name_length)//' characters')
+               call fail_at(self, token, what//' is longer than '//to_text(name_length)//' characters')
                ok = .false.
             end if
             if (kind == kind_item) call parse_integer(text, whole, status)
@@ -364,16 +364,16 @@ contains
          select case (status)
          case (number_ok)
             ok = within_limit(real_value, limit)
-            if (.not. ok) call fail_at(self, token, what//', is '//self%deck%shown(token)//'; it must be '// &
+            if (.not. ok) call fail_at(self, token, what//' is '//self%deck%shown(token)//'; it must be '// &
                limit_words(limit))
          case (number_not_one)
-            call fail_at(self, token, what//', must be '//noun//'; found '//self%deck%shown(token)//hint())
+            call fail_at(self, token, what//' must be '//noun//'; found '//self%deck%shown(token)//hint())
          case (number_not_finite)
-            call fail_at(self, token, what//', must be a finite number; found '//self%deck%shown(token))
+            call fail_at(self, token, what//' must be a finite number; found '//self%deck%shown(token))
          case (number_too_large)
-            call fail_at(self, token, what//', is too large for this program; found '//self%deck%shown(token))
+            call fail_at(self, token, what//' is too large for this program; found '//self%deck%shown(token))
          case default
-            call fail_at(self, token, what//', is too small to be told from 0; found '//self%deck%shown(token))
+            call fail_at(self, token, what//' is too small to be told from 0; found '//self%deck%shown(token))
          end select
       end subroutine check_number
 
@@ -406,7 +406,7 @@ contains
       ok = .false.
       nearest = nearest_word(word, words)
       if (len(nearest) > 0) nearest = '; did you mean '//nearest//'?'
-      call fail_at(self, token, what//', must be '//join_words(words, 'or')//'; found '//self%deck%shown(token)// &
+      call fail_at(self, token, what//' must be '//join_words(words, 'or')//'; found '//self%deck%shown(token)// &
          nearest)
    end subroutine check_choice
 

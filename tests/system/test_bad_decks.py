@@ -142,7 +142,7 @@ VALUES = [
     case("radius zero", "0.0005\n0.,", "0\n0.,", "must be greater than 0", "0"),
     case("radius beyond all units", "0.0005\n0.,", "5e-90\n0.,", "the stiffnesses of this section are too", "5e-90"),
     case("radius too large to square", "0.0005\n0.,", "1e160\n0.,", "the stiffnesses of this section are too", "1e160"),
-    case("contact radius", "RADIUS=0.0005", "RADIUS=-1", 'CONTACT RADIUS, is "-1"; it must be greater than 0', "-1"),
+    case("contact radius", "RADIUS=0.0005", "RADIUS=-1", 'CONTACT RADIUS is "-1"; it must be greater than 0', "-1"),
     case("mixed second moment", "5e-14, 0., 5e-14", "5e-14, 1e-15, 5e-14", "must be 0", "1e-15"),
     case("area", "8e-7", "0", 'A (area), is "0"; it must be greater than 0', "0"),
     case("penalty", "\n1e8", "\n-1e8", 'penalty (contact force per penetration), is "-1e8"', "-1e8"),
@@ -165,7 +165,7 @@ VALUES = [
         "too few increments allowed", "INC=50", "INC=1",
         "the step needs 2 increments at least, but INC allows 1", "1", at="*STEP, INC=1",
     ),
-    case("increments not a number", "INC=50", "INC=many", 'INC, must be a whole number; found "many"', "many"),
+    case("increments not a number", "INC=50", "INC=many", 'INC must be a whole number; found "many"', "many"),
     case("increments zero", "INC=50", "INC=0", "must be greater than 0", "0", at="*STEP, INC=0"),
     case(
         "too many values", "1, 1, 2\n", "1, 1, 2, 3\n",
@@ -273,7 +273,7 @@ KEYWORDS = [
     case("parameter without value", "INC=50", "INC=", "the parameter INC needs a value", "INC"),
     case("parameter with nothing", "INC=50", "INC", "the parameter INC needs a value", "INC"),
     case("flag with a value", "*STATIC", "*STATIC, DIRECT=YES", "the parameter DIRECT takes no value", "YES"),
-    case("wrong choice", "TYPE=B33", "TYPE=B32", 'TYPE, must be B31 or B33; found "B32"; did you mean B31?', "B32"),
+    case("wrong choice", "TYPE=B33", "TYPE=B32", 'TYPE must be B31 or B33; found "B32"; did you mean B31?', "B32"),
     case("wrong choice with hint", "LAW=HERTZ", "LAW=HERZ", "did you mean HERTZ?", "HERZ"),
     case("small displacements", "INC=50", "INC=50, NLGEOM=NO", "NLGEOM=NO is not possible", "NO"),
     case(
@@ -651,3 +651,53 @@ def test_supports_that_a_later_step_takes_away(litz, tmp_path):
         "UPPER (element 2) can still move in step 2: rotation about z through (-0.01, 0, 0.001); "
         "*BOUNDARY must prevent that"
     )
+
+
+# every keyword and parameter of the table
+
+
+def keyword_table(litz):
+    """Keywords of the reference: name, place, the keyword they follow, and parameters with their forms."""
+    for section in litz("keywords", "--markdown").stdout.split("\n## \\*")[1:]:
+        name, place, after = re.match(r"(.*)\n\n\*(.*?)(?:, after \*(.*))?\.\*", section).groups()
+        parameters = re.findall(r"^\| `([^`]*?)(?:=([^`]*))?` \| .* \|$", section.split("Data line")[0], re.MULTILINE)
+        yield name, place, after, [(parameter, form.replace("\\|", "|")) for parameter, form in parameters]
+
+
+def wrong_parameters(parameters):
+    """Misused parameters with the message that each must get."""
+    yield "QZX=1", 'unknown parameter "QZX" of'
+    for parameter, form in parameters:
+        if form == "":
+            yield f"{parameter}=1", f"the parameter {parameter} takes no value"
+        else:
+            yield f"{parameter}=", f"the parameter {parameter} needs a value"
+        if form == "number":
+            yield f"{parameter}=@", f"the parameter {parameter} must be a"
+            yield f"{parameter}=-1", f"the parameter {parameter} is"
+        elif "|" in form:
+            yield f"{parameter}=@", f"the parameter {parameter} must be"
+
+
+def test_every_parameter_of_the_table_is_checked(litz, tmp_path):
+    n_keywords, n_mistakes = 0, 0
+    for name, place, after, parameters in keyword_table(litz):
+        n_keywords += 1
+        if name == "INCLUDE":
+            continue
+        for parameter, message in wrong_parameters(parameters):
+            card = f"*{name}, {parameter}\n"
+            before = f"*{after}\n" if after else ""
+            deck = f"*STEP\n{card}" if place == "in a step" else before + card
+            (tmp_path / "bad.inp").write_text(deck)
+            result = litz("check", "bad.inp", cwd=tmp_path)
+            line = line_of(card.strip(), deck)
+            told = [error for error in errors_in(result) if message in error["message"]]
+            assert result.returncode == 1
+            assert [int(error["line"]) for error in told] == [line], f"{card}{result.stderr}"
+            first, end = told[0]["caret"].index("^"), len(told[0]["caret"])
+            assert told[0]["card"][first:end] in parameter
+            n_mistakes += 1
+    # the pattern that reads the reference has found it all
+    assert n_keywords >= 30
+    assert n_mistakes >= 90

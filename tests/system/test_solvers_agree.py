@@ -26,7 +26,7 @@ def iterates(results):
 
 def nearly_converged(row):
     """Residuals so near to what is allowed that the round-off of a solve decides whether the iteration goes on."""
-    return all(row[field] <= 100 * row[f"{field}_allowed"] for field in ("force", "moment", "current"))
+    return all(row[field] <= 10 * row[f"{field}_allowed"] for field in ("force", "moment", "current"))
 
 
 @pytest.mark.parametrize("deck", INPUTS, ids=lambda path: path.stem)

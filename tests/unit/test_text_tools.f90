@@ -5,7 +5,7 @@ program test_text_tools
    use litz_numbers, only: parse_integer, parse_real, number_ok, number_not_one, number_not_finite, number_too_large, &
       number_too_small
    use litz_sorting, only: sort_integers
-   use litz_text, only: to_text, nearest_word, shown, join_words, words_of
+   use litz_text, only: to_text, nearest_word, shown, join_words, words_of, wrapped
    implicit none
 
    integer :: failures = 0
@@ -188,6 +188,9 @@ contains
       call require(shown('a'//achar(9)//'b') == '"a?b"', 'control characters are not shown')
       call require(len(shown(repeat('x', 1000))) < 80, 'long text is cut')
       call require(join_words(words_of('A|B|C'), 'or') == 'A, B or C', 'words of a list')
+      call require(wrapped('one two three', 9, 2) == 'one two'//new_line('a')//'  three'//new_line('a'), 'two lines')
+      call require(wrapped('one two', 7, 2) == 'one two'//new_line('a'), 'a line that just fits')
+      call require(wrapped('unbreakable', 4, 2) == 'unbreakable'//new_line('a'), 'a word longer than the line')
    end subroutine the_nearest_word_is_near
 
 end program test_text_tools
