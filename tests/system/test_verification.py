@@ -14,7 +14,7 @@ from verification.cases.solvers import INPUTS, residual_difference  # noqa: E402
 from verification.deck_text import Rigidity  # noqa: E402
 from verification.deck_transform import Units, in_units, renumbered, rotated, swapped_contact_pairs  # noqa: E402
 from verification.kernel_frame import rotation  # noqa: E402
-from verification.references import crossed_wires, elastica, hertz, network, rod  # noqa: E402
+from verification.references import contact_element, crossed_wires, elastica, hertz, network, rod  # noqa: E402
 from verification.report import write_reports  # noqa: E402
 from verification.run import CaseReport, verify  # noqa: E402
 
@@ -185,6 +185,26 @@ def test_a_grid_of_one_crossing_is_a_crossing_and_open_ones_carry_nothing():
         np.array([-0.1, 0.2]), np.array([[0.5, 0.1], [0.1, 0.5]]), lambda o: 7.0 * o, lambda o: 7.0 * np.ones_like(o)
     )
     np.testing.assert_allclose(forces, [one, 0.0], rtol=1e-12)
+
+
+@pytest.mark.parametrize("axis", ["linear", "hermite"])
+def test_the_contact_element_in_complex_numbers_has_the_force_and_the_conductance_of_crossed_wires(axis):
+    tangents = np.array([[1.0, 0.0, 0.0], [np.cos(np.pi / 3), np.sin(np.pi / 3), 0.0]]).repeat(2, axis=0)
+    x = tangents * [[-1], [1], [-1], [1]]
+    x[:2, 2] = 0.19
+    pair = contact_element.Pair(
+        x, tangents, np.array([3.0, 3.0, 1.0, 1.0]), *(np.full(2, value) for value in (2, 0.1, 2, 0, 0.5)),
+        axis=axis, law="hertz",
+    )  # fmt: skip
+    state = contact_element.evaluate(pair, np.zeros(28))
+    force = hertz.force_of_approach(0.01, np.pi / 3, radius=(0.1, 0.1), modulus=1)
+    spot = hertz.crossed_wires(force, np.pi / 3, radius=(0.1, 0.1), modulus=1, resistivity=(0.5, 0.5))
+    assert state.force.real == pytest.approx(force, rel=1e-12)
+    assert 1 / state.conductance.real == pytest.approx(spot.resistance, rel=1e-12)
+    forces, currents = state.mechanical().real.reshape(4, 6), state.electric().real
+    assert forces[:2, 2].sum() == pytest.approx(-force, rel=1e-12)
+    np.testing.assert_allclose(forces[:, :3].sum(axis=0), 0.0, atol=1e-15)
+    np.testing.assert_allclose(currents, np.array([1, 1, -1, -1]) / spot.resistance, rtol=1e-12)
 
 
 def test_potentials_of_a_network_follow_from_resistors_in_series():
