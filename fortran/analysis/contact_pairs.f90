@@ -65,6 +65,8 @@ module litz_contact_pairs
       real(dp), allocatable :: x_collected(:, :)
       !> Largest surface distance of a candidate [m]
       real(dp) :: skin = 0
+      !> Largest overlap when the increment began [m]
+      real(dp) :: depth = 0
       type(contact_point_t), allocatable :: points(:)
       !> Candidates that overlap although their axes run parallel: point contact cannot describe them
       integer :: n_parallel = 0
@@ -112,9 +114,10 @@ contains
       allocate (reach(size(member)))
       do i = 1, size(member)
          associate (e => member(i), node => model%connectivity(:, member(i)))
-            ! what the axis may leave its chord by, and what it has moved since the increment began, count as thickness
-            reach(i) = elements%radius(e) + contact%skin/2 + elements%length(e)*sagitta_bound(wires, e) &
-               + sqrt(maxval(sum((x(:, node) - x_start(:, node))**2, 1)))
+            ! what the axis may leave its chord by, what it has moved since the increment began, and half of the overlap
+            ! it then had count as thickness
+            reach(i) = elements%radius(e) + (contact%skin + contact%depth)/2 &
+               + elements%length(e)*sagitta_bound(wires, e) + sqrt(maxval(sum((x(:, node) - x_start(:, node))**2, 1)))
          end associate
       end do
       associate (first => model%connectivity(1, member), second => model%connectivity(2, member))
@@ -182,7 +185,7 @@ contains
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       real(dp), intent(in) :: x_start(:, :), x(:, :), rotation(:, :, :)
-      !> Crossings with a larger gap are left out [m]
+      !> Crossings with a larger gap are left out, if they were not passed in this increment or before [m]
       real(dp), intent(in) :: reach
       type(contact_set_t), intent(inout) :: contact
       type(contact_point_t), allocatable :: old(:)
@@ -220,8 +223,11 @@ contains
          associate (eb => contact%candidates(1, c), e => contact%candidates(2, c), &
             axis => model%interactions(model%contact_pairs(contact%candidates(3, c))%interaction)%axis)
             call pair_geometry(model, wires, elements, eb, e, x, rotation, xe, t, length)
-            distance = norm2(sum(xe(:, 1:2), 2) - sum(xe(:, 3:4), 2))/2 - sum(length)
-            if (distance > elements%radius(eb) + elements%radius(e) + reach) then
+            distance = norm2(sum(xe(:, 1:2), 2) - sum(xe(:, 3:4), 2))/2 - sum(length) &
+               - elements%radius(eb) - elements%radius(e) - reach
+            ! wires that have passed each other are apart again
+            if (distance > 0) distance = distance - contact%depth - relative_motion(eb, e)
+            if (distance > 0) then
                xi_c = 0
                status_c = closest_beyond
                return
@@ -234,6 +240,23 @@ contains
             if (status_c == closest_not_unique .and. all(abs(xi_c) <= 1 + end_tolerance)) status_c = closest_inside
          end associate
       end subroutine closest
+
+      !> Bound on how far two elements have moved past each other since the increment began.
+      pure real(dp) function relative_motion(eb, e) result(motion)
+         integer, intent(in) :: eb, e
+         real(dp) :: difference(3)
+         integer :: a, b
+
+         motion = 0
+         do a = 1, 2
+            do b = 1, 2
+               associate (node_bar => model%connectivity(a, eb), node => model%connectivity(b, e))
+                  difference = x(:, node_bar) - x_start(:, node_bar) - x(:, node) + x_start(:, node)
+               end associate
+               motion = max(motion, norm2(difference))
+            end do
+         end do
+      end function relative_motion
 
       pure function on_chord(ends, xi_e) result(point)
          real(dp), intent(in) :: ends(3, 2), xi_e
@@ -324,9 +347,42 @@ contains
          end associate
       end subroutine inherit
 
-      !> Side on which a crossing without memory began the increment; 0 if it was not one then.
+      !> Side on which a crossing without memory began the increment, be it in other elements of the same two wires;
+      !> 0 if it was not one then. A wire that touches itself is asked about these two elements only.
       integer function side_at_start(eb, e, axis) result(side)
          integer, intent(in) :: eb, e, axis
+         real(dp) :: motion
+         integer :: other_bar, other
+
+         side = side_of_elements(eb, e, axis, search_limit)
+         if (side /= 0 .or. wires%wire(eb) == wires%wire(e)) return
+         motion = relative_motion(eb, e)
+         do other_bar = 1, model%n_elements
+            if (wires%wire(other_bar) /= wires%wire(eb)) cycle
+            do other = 1, model%n_elements
+               if (wires%wire(other) /= wires%wire(e)) cycle
+               if (centre_distance(other_bar, other) > elements%length(other_bar) + elements%length(other) + motion &
+                  + elements%radius(eb) + elements%radius(e)) cycle
+               side = side_of_elements(other_bar, other, axis, 1 + end_tolerance)
+               if (side == 0) cycle
+               side = side*wires%direction(eb)*wires%direction(e)*wires%direction(other_bar)*wires%direction(other)
+               return
+            end do
+         end do
+      end function side_at_start
+
+      !> Distance of the middles of two elements when the increment began.
+      pure real(dp) function centre_distance(eb, e) result(distance)
+         integer, intent(in) :: eb, e
+
+         distance = norm2( &
+            sum(x_start(:, model%connectivity(:, eb)), 2) - sum(x_start(:, model%connectivity(:, e)), 2))/2
+      end function centre_distance
+
+      !> Side on which two elements passed each other when the increment began; 0 if not within `|xi| < limit`.
+      integer function side_of_elements(eb, e, axis, limit) result(side)
+         integer, intent(in) :: eb, e, axis
+         real(dp), intent(in) :: limit
          real(dp) :: xe(3, 4), t(3, 4), length(2), xi_start(2), volume
          integer :: status_start
 
@@ -336,10 +392,10 @@ contains
          t(:, 3:4) = spread(xe(:, 4) - xe(:, 3), 2, 2)/norm2(xe(:, 4) - xe(:, 3))
          call closest_points(xe, t, length, axis, xi_start(1), xi_start(2), status_start)
          if (status_start == closest_parallel .or. status_start == closest_not_converged) return
-         if (any(abs(xi_start) >= search_limit)) return
+         if (any(abs(xi_start) >= limit)) return
          volume = dot_product(xe(:, 1) - xe(:, 3), cross(t(:, 3), t(:, 1)))
          side = merge(1, -1, volume >= 0)
-      end function side_at_start
+      end function side_of_elements
 
    end subroutine locate_points
 

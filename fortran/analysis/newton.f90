@@ -146,6 +146,7 @@ contains
       problem%iterate%sigma_from_strain = .true.
       problem%contact%points%predicted = .false.
       problem%contact%points%mixed_force = problem%contact%points%force
+      problem%contact%depth = max(0.0_dp, maxval(-problem%contact%points%kinematics%gap))
    end subroutine start_iterate
 
    !> Contact search, forces and tangent at the present iterate.

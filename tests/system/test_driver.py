@@ -120,6 +120,33 @@ def test_wires_pushed_through_each_other_are_refused(run):
     assert (results.contacts["gap"] > -2e-3).all()
 
 
+def test_wires_that_start_apart_and_pass_each_other_by_far_in_one_increment_are_refused(run):
+    """Afterwards they are as far apart again: only where they came from tells that they have passed."""
+    soft = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n 1."
+    process, _ = run(crossed(height="30e-3", push="-60e-3", behavior=soft, static="1., 1., 0.5, 1."))
+    assert process.returncode == 2
+    assert "went through each other's axis" in process.stderr
+
+
+def test_a_wire_that_moves_aside_and_down_in_one_increment_is_held(run):
+    """The crossing is found in another element than the one above which the wire started."""
+    forces = []
+    for static in ("1., 1.", "0.1, 1., 0.05, 0.1"):
+        deck = crossed(height="8e-3", push="-11e-3", static=static)
+        process, results = run(deck.replace(" UPPER_ENDS, 1, 2", " UPPER_ENDS, 1, 1, 30e-3\n UPPER_ENDS, 2, 2"))
+        assert process.returncode == 0, process.stderr
+        forces.append(float(results.contacts_at(-1)["force"][0]))
+    assert forces[0] > 1.0
+    assert forces[0] == pytest.approx(forces[1], rel=1e-6)
+
+
+def test_an_overlap_of_many_radii_is_not_lost_between_short_elements(run):
+    soft = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR, PENETRATION=UNLIMITED\n 1."
+    process, results = run(crossed(push="-60e-3", behavior=soft, static="0.1, 1., 0.05, 0.1"))
+    assert process.returncode == 0, process.stderr
+    assert results.contacts_at(-1)["gap"][0] == pytest.approx(-60e-3, rel=1e-3)
+
+
 def test_penetration_beyond_the_axes_can_be_allowed_and_keeps_its_sign(run):
     process, results = run(
         crossed(behavior=SOFT.format(", PENETRATION=UNLIMITED"), push="-8e-3", static="0.25, 1, 0.05, 0.25")
