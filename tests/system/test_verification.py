@@ -14,7 +14,7 @@ from verification.cases.solvers import INPUTS, residual_difference  # noqa: E402
 from verification.deck_text import Rigidity  # noqa: E402
 from verification.deck_transform import Units, in_units, renumbered, rotated, swapped_contact_pairs  # noqa: E402
 from verification.kernel_frame import rotation  # noqa: E402
-from verification.references import contact_element, crossed_wires, elastica, hertz, network, rod  # noqa: E402
+from verification.references import contact_element, crossed_wires, elastica, greenwood, hertz, network, rod  # noqa: E402
 from verification.report import write_reports  # noqa: E402
 from verification.run import CaseReport, verify  # noqa: E402
 
@@ -205,6 +205,13 @@ def test_the_contact_element_in_complex_numbers_has_the_force_and_the_conductanc
     assert forces[:2, 2].sum() == pytest.approx(-force, rel=1e-12)
     np.testing.assert_allclose(forces[:, :3].sum(axis=0), 0.0, atol=1e-15)
     np.testing.assert_allclose(currents, np.array([1, 1, -1, -1]) / spot.resistance, rtol=1e-12)
+
+
+def test_spots_side_by_side_have_the_resistance_that_greenwood_gives():
+    """In at one spot, out at another: rho (1/(4 a1) + 1/(4 a2) - 1/(pi d)); two in parallel: rho/(4 a) + rho/(2 pi s)."""
+    v = greenwood.one_side([[0, 0], [100, 0]], [1, 1], [1, -1], 1e4)
+    assert v[0] - v[1] == pytest.approx(4968.169011381, rel=1e-12)
+    assert greenwood.together([[0, 0], [7, 0]], [0.5, 0.5], 3.0) == pytest.approx(3 / 2 + 3 / (14 * np.pi), rel=1e-12)
 
 
 def test_potentials_of_a_network_follow_from_resistors_in_series():

@@ -1,0 +1,94 @@
+"""A stated limit of the model: contacts do not know of each other.
+
+Source: J. A. Greenwood, Br. J. Appl. Phys. 17 (1966) 1621-1632: two spots of radius a at a distance s between the
+same two bodies have rho/(4 a) + rho/(2 pi s) together; the second term, by which each raises the potential of the
+other, is what litz leaves out: 6 % at s = 10 a, 1 % at s = 64 a. Where two wires cross a third one only that one is
+shared, and half of the term is left out. Wires of radius r cannot cross it closer than 2 r. Deck: two thin wires 0.25
+mm apart across a thick one, plastic spots whose hardness sets a.
+"""
+
+import numpy as np
+
+from verification import figures
+from verification.deck_text import chain, heading, join, step
+from verification.references import greenwood
+from verification.wire_decks import Wire, interaction, section
+
+DISTANCE, APPROACH, PENALTY = 0.25e-3, 1e-6, 1e5
+RATIOS = (10, 20, 50, 100)
+THICK = Wire(radius=1e-3, young=120e9, poisson=0.34, resistivity=1.7e-8)
+THIN = Wire(radius=0.1e-3, young=120e9, poisson=0.34, resistivity=1.7e-8)
+RHO = THICK.resistivity
+
+
+def deck(hardness):
+    """A thick wire along x and two thin ones over it, whose ends are lowered by a micrometre."""
+    blocks, ends = [chain(np.outer(np.linspace(-0.01, 0.01, 5), [1, 0, 0]), "B33", "THICK", 1)], []
+    for k, x in enumerate((-DISTANCE / 2, DISTANCE / 2)):
+        first = 101 + 100 * k
+        points = [x, 0, THICK.radius + THIN.radius] + np.outer(np.linspace(-5e-3, 5e-3, 4), [0, 1, 0])
+        blocks.append(chain(points, "B33", f"THIN{k + 1}", first))
+        ends += [first, first + 3]
+    return join(
+        heading(
+            "Two thin wires cross a thick one next to each other",
+            "Model   copper; radii 0.1 and 1 mm; plastic spots, whose radius is set by the hardness",
+            "Source  Greenwood (1966)",
+        ),
+        *blocks,
+        section(THICK, "COPPER", "THICK", conducting=True),
+        section(THIN, "THIN_COPPER", "THIN1", "THIN2", conducting=True),
+        interaction(("THICK", "THIN1"), ("THICK", "THIN2"), penalty=PENALTY, spot=f"PLASTIC\n {hardness:.16g}"),
+        "*BOUNDARY\n 1, ENCASTRE\n 5, ENCASTRE",
+        *(f" {end}, 1, 2\n {end}, 4, 6" for end in ends),
+        step(
+            "*BOUNDARY\n 1, 9, 9, 1.e-3\n 5, 9, 9, 1.e-3",
+            *(f" {end}, 3, 3, {-APPROACH:.16g}\n {end}, 9, 9, 0." for end in ends),
+        ),
+    )
+
+
+def together(ratio):
+    """Resistance of both contacts in parallel after Greenwood, the thick wire shared and the thin ones not, and the
+    same of one body on each side; in parts of rho/(4 a)."""
+    places, radii = [[0.0, 0.0], [ratio, 0.0]], [1.0, 1.0]
+    shared = greenwood.one_side(places, radii, [0.5, 0.5], 1.0)[0]
+    alone = greenwood.one_side([[0.0, 0.0]], [1.0], [0.5], 1.0)[0]
+    return 4 * (shared + alone), 4 * greenwood.together(places, radii, 1.0)
+
+
+def measure(workspace):
+    force = workspace.run("soft", deck(1e9)).contacts_at(-1)["force"].mean()
+    found = []
+    for ratio in RATIOS:
+        hardness = force / (np.pi * (DISTANCE / ratio) ** 2)
+        resistance = workspace.run(f"ratio_{ratio}", deck(hardness)).contacts_at(-1)["resistance"]
+        parallel = 1 / (1 / resistance).sum()
+        found.append(float(parallel / (RHO / (4 * DISTANCE / ratio))))
+    return {
+        "two_spots.independent": found,
+        "two_spots.left_out": [
+            float(together(ratio)[0] / value - 1) for ratio, value in zip(RATIOS, found, strict=True)
+        ],
+        "two_spots.far": float(together(RATIOS[-1])[1] / found[-1] - 1),
+    }
+
+
+def draw(values, path):
+    ratios = np.geomspace(5, 300, 40)
+    one, two = np.array([together(ratio) for ratio in ratios]).T
+    with figures.panels(path, columns=1, height=3.0) as axes:
+        axes.semilogx(ratios, two, "--", label="Greenwood, two bodies that touch twice", **figures.REFERENCE)
+        axes.semilogx(ratios, one, label="Greenwood, two wires across a third", **figures.REFERENCE)
+        axes.semilogx(RATIOS, values["two_spots.independent"], "s", color="#c4451c", label="litz")
+        axes.set(xlabel="distance of the spots / radius of a spot", ylabel=r"resistance of both $/\ (\rho/4a)$")
+        axes.set_xticks([5, 10, 20, 50, 100, 200], ["5", "10", "20", "50", "100", "200"])
+        axes.minorticks_off()
+        axes.set(ylim=(0.99, 1.19))
+        axes.legend(loc="upper right", fontsize=8)
+
+
+if __name__ == "__main__":
+    from verification.run import main
+
+    raise SystemExit(main(["two_spots"]))
