@@ -39,7 +39,10 @@ COPPER = Wire(radius=1e-3, young=120e9, poisson=0.34, resistivity=1.7e-8)
 
 
 def section(wire, name, *sets, conducting=False, options="", shear=None):
-    """Material and round sections of element sets; `options` of *BEAM SECTION, `shear` stiffness G A [N] if not the section's."""
+    """Material and round sections of element sets.
+
+    options: of *BEAM SECTION; shear: stiffness G A [N] in place of that of the section.
+    """
     lines = [f"*MATERIAL, NAME={name}", "*ELASTIC", f" {wire.young:.16g}, {wire.poisson:.16g}"]
     if conducting:
         lines += ["*ELECTRICAL CONDUCTIVITY", f" {1 / wire.resistivity:.17g}"]
@@ -51,7 +54,11 @@ def section(wire, name, *sets, conducting=False, options="", shear=None):
 
 
 def interaction(*pairs, penalty=None, spot="", axis="HERMITE", options=""):
-    """Contact of pairs of element sets: a linear penalty [N/m] or Hertz; `spot` as *GAP ELECTRICAL CONDUCTANCE has it."""
+    """Contact of pairs of element sets.
+
+    penalty: of the linear law [N/m], None for Hertz; spot: law as *GAP ELECTRICAL CONDUCTANCE has it; options: of
+    *SURFACE BEHAVIOR.
+    """
     behavior = "HERTZ" if penalty is None else f"LINEAR{options}\n {penalty:.16g}"
     lines = [f"*SURFACE INTERACTION, NAME=TOUCH, AXIS={axis}", f"*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE={behavior}"]
     if spot:

@@ -14,7 +14,16 @@ from verification.cases.solvers import INPUTS, residual_difference  # noqa: E402
 from verification.deck_text import Rigidity  # noqa: E402
 from verification.deck_transform import Units, in_units, renumbered, rotated, swapped_contact_pairs  # noqa: E402
 from verification.kernel_frame import rotation  # noqa: E402
-from verification.references import contact_element, crossed_wires, elastica, greenwood, hertz, network, rod  # noqa: E402
+from verification.references import (  # noqa: E402
+    contact_element,
+    crossed_wires,
+    elastica,
+    greenwood,
+    hertz,
+    network,
+    pushed_cantilever,
+    rod,
+)
 from verification.report import write_reports  # noqa: E402
 from verification.run import CaseReport, verify  # noqa: E402
 
@@ -164,7 +173,8 @@ def test_the_circular_spot_is_the_limit_of_the_elliptic_ones():
 
 
 @pytest.mark.parametrize(
-    ("support", "bending", "shear"), [("supported", 1 / 48, 1 / 4), ("clamped", 1 / 192, 1 / 4), ("cantilever", 1 / 24, 1 / 2)]
+    ("support", "bending", "shear"),
+    [("supported", 1 / 48, 1 / 4), ("clamped", 1 / 192, 1 / 4), ("cantilever", 1 / 24, 1 / 2)],
 )
 def test_deflections_in_the_middle_are_those_of_the_handbooks(support, bending, shear):
     found = crossed_wires.deflection(support, 2.0, 1.0, 1.0, ei=3.0, ga=5.0)
@@ -212,6 +222,15 @@ def test_spots_side_by_side_have_the_resistance_that_greenwood_gives():
     v = greenwood.one_side([[0, 0], [100, 0]], [1, 1], [1, -1], 1e4)
     assert v[0] - v[1] == pytest.approx(4968.169011381, rel=1e-12)
     assert greenwood.together([[0, 0], [7, 0]], [0.5, 0.5], 3.0) == pytest.approx(3 / 2 + 3 / (14 * np.pi), rel=1e-12)
+
+
+def test_a_cantilever_that_is_pushed_little_bends_as_a_beam_and_is_straight_beyond():
+    found = pushed_cantilever.solve((0.5, 0.1 - 1e-5), 1.0, 0.1, 7.0, ei=3.0, ea=1e6, ga=5.0, support_compliance=0.2)
+    compliance = 0.5**3 / (3 * 3.0) + 0.5 / 5.0
+    assert found.force == pytest.approx(1e-5 / (compliance + 0.2 + 1 / 7.0), rel=1e-4)
+    assert found.gap == pytest.approx(-found.force / 7.0)
+    assert found.angle == pytest.approx(-found.force * 0.5**2 / (2 * 3.0), rel=1e-4)
+    assert found.tip[1] == pytest.approx(found.position[1] + 0.5 * found.angle, rel=1e-4)
 
 
 def test_potentials_of_a_network_follow_from_resistors_in_series():

@@ -1,7 +1,8 @@
 """Straight wires that cross and press each other: small deflections of beams, closed forms and flexibilities.
 
-Sources: W. C. Young, R. G. Budynas, Roark's Formulas for Stress and Strain, 7th ed., table 8.1 (a force on a cantilever, on
-a supported beam, on a clamped beam); S. P. Timoshenko, Strength of Materials I, section 39, for the deflection by shear.
+Sources: W. C. Young, R. G. Budynas, Roark's Formulas for Stress and Strain, 7th ed., table 8.1 (a force on a cantilever,
+on a supported beam, on a clamped beam); S. P. Timoshenko, Strength of Materials I, section 39, for the deflection by
+shear.
 """
 
 import numpy as np
@@ -9,7 +10,7 @@ from scipy.optimize import brentq
 
 
 def deflection(support, length, at, load_at, *, ei, ga=np.inf):
-    """Deflection at `at` by a unit force at `load_at`; support "clamped", "supported" or "cantilever" (clamped at 0)."""
+    """Deflection at `at` by a unit force at `load_at`; "clamped", "supported" or "cantilever" (clamped at 0)."""
     x, a = min(at, load_at), max(at, load_at)
     if support == "supported":
         b = length - a
@@ -45,7 +46,8 @@ def force(approach, compliance, contact):
 def grid_forces(clearance, flexibility, contact_force, contact_stiffness):
     """Forces of many crossings of linearly elastic wires.
 
-    The overlap of crossing i is -clearance_i - (flexibility F)_i and F_i = contact_force(overlap_i), both positive or zero.
+    The overlap of crossing i is -clearance_i - (flexibility F)_i and F_i = contact_force(overlap_i), both positive or
+    zero.
     Newton's method in the overlaps, with halved steps where it would not descend.
     """
     overlap = np.maximum(-np.asarray(clearance, dtype=float), 0.0)
