@@ -80,7 +80,7 @@ def draw(values, path):
             style = figures.STYLES[name.split()[0]] | ({"linestyle": ":"} if "venant" in name else {})
             error.loglog(MESHES, errors, label=name.replace("_", "-"), **style)
         figures.order_line(error, MESHES, 2, max(errors[0] for errors in figure.values()))
-        error.set(xlabel="elements", ylabel="distance of the tip from its limit")
+        error.set(xlabel="elements", ylabel="distance of the tip from its limit", ylim=(1e-6, None))
         error.legend()
 
 

@@ -84,31 +84,28 @@ def draw(values, path):
         ]
         angle.plot(ANGLES, paper, "o--", color="#0b62a4", label="litz, LAW=PAPER")
         angle.annotate("", (90, paper[0]), (90, values["contact_spot.resistance"][0]), arrowprops={"arrowstyle": "<->"})
-        angle.annotate("26 %", (83, 0.61))
+        angle.annotate("26 %", (80, 0.63))
         angle.set(
             xlabel="crossing angle [degrees]", ylabel=r"$R_c\,(FR/E^*)^{1/3}/\rho$", ylim=(0.2, 0.8), xticks=ANGLES
         )
         angle.legend(loc="lower right")
         colors = {"hertz": "#c4451c", "paper": "#0b62a4", "plastic": "#2a7f3f", "film": "#777777"}
+        styles = {"hertz": "s", "paper": "o", "plastic": "^", "film": "d"}
+        notes = {"hertz": ": slope -1/3", "paper": ": slope -1/3, 26 % more", "plastic": ": slope -1/2", "film": ""}
+        modulus = hertz.effective_modulus((COPPER.young,) * 2, (COPPER.poisson,) * 2)
+        elastic = (
+            COPPER.resistivity / 2 * np.array([(4 * modulus / (3 * f * COPPER.radius)) ** (1 / 3) for f in FORCES])
+        )
+        plastic = COPPER.resistivity / 2 * np.sqrt(np.pi * HARDNESS / FORCES)
+        film = elastic + FILM / np.pi * (2 * elastic / COPPER.resistivity) ** 2
+        for line in (elastic, 2 ** (1 / 3) * elastic, plastic, film):
+            force.loglog(FORCES, line.astype(float) * 1e3, **figures.REFERENCE)
         for law, found in values["figure"].items():
-            force.loglog(FORCES, found * 1e3, color=colors[law], label=f"LAW={law.upper()}")
-        for law, exponent, first, name in (("hertz", 1 / 3, 8, "-1/3"), ("plastic", 1 / 2, 1, "-1/2")):
-            part = slice(first, first + 8)
             force.loglog(
-                FORCES[part],
-                0.6e3 * values["figure"][law][first] * (FORCES[part] / FORCES[first]) ** -exponent,
-                "--",
-                **figures.REFERENCE,
+                FORCES[::3], found[::3] * 1e3, styles[law], color=colors[law], label=f"LAW={law.upper()}{notes[law]}"
             )
-            force.annotate(
-                f"slope {name}",
-                (FORCES[first], 0.6e3 * values["figure"][law][first + 4]),
-                ha="left",
-                va="top",
-                fontsize=8,
-            )
-        force.set(xlabel="contact force [N]", ylabel="contact resistance [mohm]")
-        force.legend()
+        force.set(xlabel="contact force [N]", ylabel="contact resistance [mohm]", ylim=(0.03, 5e3))
+        force.legend(fontsize=8)
 
 
 if __name__ == "__main__":

@@ -125,13 +125,13 @@ def draw(values, path):
                 cmap="viridis",
             )
             for edge in (11.5, 23.5, 25.5):
-                panel.axhline(edge, color="#888888", linewidth=0.6)
-                panel.axvline(edge, color="#888888", linewidth=0.6)
+                panel.axhline(edge, color="w" if edge != 23.5 else "k", linewidth=0.8)
+                panel.axvline(edge, color="w" if edge != 23.5 else "k", linewidth=0.8)
             panel.set_xticks([5.5, 17.5, 24.5, 26.5], [r"$\bar u$", "$u$", r"$\bar V$", "$V$"])
             panel.set_yticks([5.5, 17.5, 24.5, 26.5], [r"$\bar u$", "$u$", r"$\bar V$", "$V$"])
             panel.grid(visible=False)
-            panel.text(25.5, 11.5, "0", ha="center", va="center")
-            panel.set_title("the matrix" if high == 0 else "distance from complex steps; white: none", fontsize=9)
+            panel.text(25.5, 5.5, "0", ha="center", va="center")
+            panel.set_title("the matrix" if high == 0 else "distance from complex steps", fontsize=9)
             panel.figure.colorbar(image, ax=panel, label=f"log10 of {label}", shrink=0.85)
 
 

@@ -125,7 +125,7 @@ def draw(values, path):
             axes.semilogx(np.maximum(differences, 1e-17), [row] * len(differences), "o", color="#0b62a4")
         axes.set_yticks(range(len(found)), [name.replace("_", " ") for name in found])
         axes.axvline(1e-8, color="#222222", linewidth=0.8, linestyle="--")
-        axes.set(xlabel="largest relative difference", xlim=(1e-17, 1e-5))
+        axes.set(xlabel="largest relative difference", xlim=(1e-17, 1e-6))
 
 
 if __name__ == "__main__":

@@ -69,7 +69,10 @@ def draw(values, path):
     with figures.panels(path, columns=1) as axes:
         for x in paths[: INCREMENTS // TURNS + 1 : 4]:
             axes.plot(x[:, 0], x[:, 1], color="#c4451c")
-        axes.plot(paths[:, -1, 0], paths[:, -1, 1], "k--", linewidth=0.6)
+        angle = np.linspace(0.0, 2 * np.pi, 200)
+        radius = np.linalg.norm(paths[0, -1, :2])
+        axes.plot(radius * np.cos(angle), radius * np.sin(angle), "--", **figures.REFERENCE)
+        axes.plot(paths[:, -1, 0], paths[:, -1, 1], ".", color="#c4451c")
         axes.set(xlabel="x", ylabel="y", aspect="equal", title="frame whose clamp turns, from above")
 
 

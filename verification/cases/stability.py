@@ -12,6 +12,7 @@ eigenvalue of the tangent passes zero.
 import numpy as np
 
 from verification import figures
+from verification.claims import read_claims
 from verification.deck_text import Rigidity, straight
 from verification.kernel_frame import KernelFrame, critical, extrapolate, rotation
 
@@ -124,15 +125,16 @@ def measure(workspace):  # noqa: ARG001: nothing is written
 
 
 def draw(values, path):
-    with figures.panels(path) as axes:
+    exact = {claim.id: claim.reference for claim in read_claims()}
+    with figures.panels(path, height=3.4) as axes:
         for panel, element in zip(axes, ELEMENTS, strict=True):
             for name in PROBLEMS:
-                limit = values[f"stability.{element}.{name}"]
+                limit = exact[f"stability.{element}.{name}"]
                 error = [abs(load / limit - 1.0) for load in values["figure"][f"{element}.{name}"]]
-                panel.loglog(MESHES, error, "o-", label=name)
+                panel.loglog(MESHES, error, "o-", label=name.replace(".", ", "))
             figures.order_line(panel, MESHES, 2, 0.1)
-            panel.set(xlabel="elements", ylabel="critical load / limit - 1", title=element)
-            panel.legend(fontsize=7)
+            panel.set(xlabel="elements", ylabel="critical load / exact - 1", title=element)
+        panel.legend(fontsize=7, loc="center left", bbox_to_anchor=(1.0, 0.5))
 
 
 if __name__ == "__main__":
