@@ -63,7 +63,7 @@ def _cells(report, verdict):
     is_bound = claim.comparison == "at_most"
     tolerance = {
         "relative": f"{claim.tolerance:.3g} relative",
-        "absolute": f"{claim.tolerance:.3g} {claim.unit}".strip(),
+        "absolute": f"{claim.tolerance:.3g} {claim.unit.strip('-')}".strip(),
         "at_most": f"at most {claim.tolerance:g}",
     }[claim.comparison]
     return (
