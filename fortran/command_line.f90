@@ -15,7 +15,7 @@ module litz_command_line
       'help', '--help', '--version']
    character(len=word_length), parameter :: run_options(*) = [character(len=word_length) :: '-o', '--output', &
       '--solver', &
-      '--threads', '--quiet']
+      '--threads', '--quiet', '--timing']
    character(len=word_length), parameter :: keywords_options(*) = [character(len=word_length) :: '--markdown']
    character(len=word_length), parameter :: no_options(0) = [character(len=word_length) ::]
 
@@ -29,7 +29,7 @@ module litz_command_line
       integer :: solver = 0
       !> 0: as OpenMP says
       integer :: threads = 0
-      logical :: quiet = .false., markdown = .false.
+      logical :: quiet = .false., timing = .false., markdown = .false.
    end type command_t
 
 contains
@@ -141,9 +141,10 @@ contains
          return
       end if
       select case (option)
-      case ('--quiet', '--markdown')
+      case ('--quiet', '--timing', '--markdown')
          if (equals > 0) error = fail(exit_input, 'the option '//option//' takes no value')
          command%quiet = command%quiet .or. option == '--quiet'
+         command%timing = command%timing .or. option == '--timing'
          command%markdown = command%markdown .or. option == '--markdown'
          return
       end select
@@ -242,9 +243,10 @@ contains
       character(len=1), parameter :: nl = new_line('a')
 
       text = 'litz - beams and wires in electro-mechanical contact'//nl//nl// &
-         '  litz run DECK.inp [-o DIR] [--solver S] [--threads N] [--quiet]'//nl// &
+         '  litz run DECK.inp [-o DIR] [--solver S] [--threads N] [--quiet] [--timing]'//nl// &
          '      run all steps; result files go to DIR, which is made where it is missing,'//nl// &
-         '      or to the current directory; S is BLOCK, UMFPACK or SKYLINE'//nl// &
+         '      or to the current directory; S is BLOCK, UMFPACK or SKYLINE;'//nl// &
+         '      --timing prints in the end where the time and the memory went'//nl// &
          '  litz check DECK.inp'//nl// &
          '      read and check the deck, print the model, stop'//nl// &
          '  litz keywords [NAME | --markdown]'//nl// &

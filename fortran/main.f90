@@ -15,6 +15,7 @@ program litz
    use litz_model_summary, only: model_summary
    use litz_output_files, only: make_directory
    use litz_solver_factory, only: available_solvers
+   use litz_timing, only: phase_reading
    use litz_text, only: shown, squeezed, nearest_word
    use litz_version, only: version
    implicit none
@@ -44,7 +45,9 @@ contains
       type(run_options_t) :: options
       type(error_t), allocatable :: error
 
+      call options%timing%start()
       call read_model(command%argument, model)
+      call options%timing%lap(phase_reading)
       call make_directory(command%output_directory, error)
       if (allocated(error)) call end_with(error)
       options%deck_path = command%argument
@@ -52,6 +55,7 @@ contains
       options%solver = command%solver
       options%threads = command%threads
       options%quiet = command%quiet
+      options%print_timing = command%timing
       call run_analysis(model, options, error)
       if (allocated(error)) call end_with(error)
    end subroutine run

@@ -1,7 +1,8 @@
 !> A run from the resolved model to the closed result files: steps, increments, cut-backs.
 module litz_analysis
    use, intrinsic :: iso_fortran_env, only: output_unit
-   use litz_kinds, only: dp, int64, pi
+   use litz_available_memory, only: memory_text
+   use litz_kinds, only: dp, pi
    use litz_capture, only: start_state, capture_state
    use litz_contact_pairs, only: contact_point_t, prepare_contact, find_candidates, locate_points
    use litz_element_library, only: prepare_elements
@@ -14,6 +15,7 @@ module litz_analysis
    use litz_results, only: results_t, iteration_report_t, increment_report_t
    use litz_solver_factory, only: create_solver, resolved_solver
    use litz_step_control, only: step_control_t
+   use litz_timing, only: timing_t, peak_memory, phase_preparation, phase_search, phase_update, phase_output
    use litz_wires, only: build_wires
 !$ use omp_lib, only: omp_set_num_threads
    implicit none
@@ -35,6 +37,10 @@ module litz_analysis
       integer :: threads = 0
       !> No progress on the terminal
       logical :: quiet = .false.
+      !> Print where time and memory went
+      logical :: print_timing = .false.
+      !> Running since the program began
+      type(timing_t) :: timing
    end type run_options_t
 
 contains
@@ -48,18 +54,20 @@ contains
       type(results_t) :: results
       real(dp), allocatable :: overlap(:)
       type(error_t), allocatable :: close_error
-      integer(int64) :: clock_start
       integer :: i
 
-      call system_clock(clock_start)
 !$    if (options%threads > 0) call omp_set_num_threads(options%threads)
       call prepare_problem(model, problem)
+      problem%timing = options%timing
+      call problem%timing%lap(phase_preparation)
       call find_initial_overlap(problem, overlap, error)
       if (allocated(error)) return
+      call problem%timing%lap(phase_search)
       call results%open(model, options%output_directory, deck_stem(options%deck_path), error)
       if (allocated(error)) return
       if (.not. options%quiet) call print_header(model)
       call results%write_increment(model, problem%state, error)
+      call problem%timing%lap(phase_output)
       do i = 1, size(model%steps)
          if (allocated(error)) exit
          call run_step(problem, model%steps(i), i, overlap, options, results, error)
@@ -67,7 +75,9 @@ contains
       end do
       call results%close(.not. allocated(error), close_error)
       if (.not. allocated(error) .and. allocated(close_error)) call move_alloc(close_error, error)
-      if (.not. (allocated(error) .or. options%quiet)) call print_end(problem, options, clock_start)
+      call problem%timing%lap(phase_output)
+      if (options%print_timing) write (output_unit, '(a)', advance='no') problem%timing%table(problem%n_iterations)
+      if (.not. (allocated(error) .or. options%quiet)) call print_end(problem, options)
    end subroutine run_analysis
 
    !> What can be told without solving: wires, and the crossings at the start.
@@ -272,9 +282,11 @@ contains
       problem%state%time = start_time + step_time
       problem%state%time_increment = increment
       call capture_state(problem)
+      call problem%timing%lap(phase_update)
       call report_increment(problem, outcome, attempt, increment, step_time, start_time, options, results, error)
       if (allocated(error)) return
       call results%write_increment(problem%model, problem%state, error)
+      call problem%timing%lap(phase_output)
       call control%accept(step, outcome%iterations)
    end subroutine run_increment
 
@@ -319,19 +331,17 @@ contains
       write (output_unit, '(a)') ' step   inc  att iters     time [s]  increment [s]  contacts  sum of F [N]'
    end subroutine print_header
 
-   subroutine print_end(problem, options, clock_start)
+   subroutine print_end(problem, options)
       type(problem_t), intent(in) :: problem
       type(run_options_t), intent(in) :: options
-      integer(int64), intent(in) :: clock_start
-      integer(int64) :: clock_end, clock_rate
       character(len=80) :: counts
       character(len=12) :: seconds
 
-      call system_clock(clock_end, clock_rate)
-      write (seconds, '(f12.2)') real(clock_end - clock_start, dp)/clock_rate
+      write (seconds, '(f12.2)') problem%timing%total()
       write (counts, '(a, i0, a, i0, a)') 'finished: ', problem%n_increments, ' increments, ', problem%n_iterations, &
          ' iterations, '
-      write (output_unit, '(a)') trim(counts)//' '//trim(adjustl(seconds))//' s; results in '//result_base(options)//'.*'
+      write (output_unit, '(a)') trim(counts)//' '//trim(adjustl(seconds))//' s, at most '// &
+         memory_text(peak_memory())//' of memory; results in '//result_base(options)//'.*'
    end subroutine print_end
 
    !> The lines that *CONTACT PRINT asks for.

@@ -6,17 +6,18 @@ module litz_assembly
    use litz_equations, only: equations_t, block_offset
    use litz_linear_solver, only: csr_matrix_t, system_matrix_t
    use litz_model, only: model_t
-   use litz_parallel, only: worth_threads
+   use litz_parallel, only: worth_threads, owned
    use litz_rotations, only: skew
+   use litz_timing, only: timing_t, phase_elements, phase_assembly
    use litz_wires, only: wires_t
    implicit none
    private
    public :: iterate_t, forces_t
    public :: clear_system, assemble_beams, assemble_conductors, assemble_load_stiffness
-   public :: add_mechanical, add_electric, add_coupling
+   public :: chunk, add_mechanical, add_electric, add_coupling
 
-   !> Elements evaluated between two scatters: parallel evaluation, serial scatter, one result for any thread count
-   integer, parameter :: chunk = 4096
+   !> Elements evaluated between two scatters: their tangents stay in the cache
+   integer, parameter :: chunk = 8192
 
    !> The unknowns as they stand in the iteration.
    type :: iterate_t
@@ -76,7 +77,7 @@ contains
    end subroutine clear_system
 
    !> Beams: `R = B^T C e`, `K = B^T C B + G(sigma)`; theory sections 7 and 9.
-   subroutine assemble_beams(model, wires, elements, equations, increment, iterate, matrix, forces)
+   subroutine assemble_beams(model, wires, elements, equations, increment, iterate, matrix, forces, timing)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
@@ -86,30 +87,29 @@ contains
       type(iterate_t), intent(inout) :: iterate
       type(system_matrix_t), intent(inout) :: matrix
       type(forces_t), intent(inout) :: forces
+      type(timing_t), intent(inout) :: timing
       real(dp), allocatable :: k(:, :, :), r(:, :), energy(:)
-      real(dp) :: stiffest
-      integer :: first, last, e
+      integer :: first, last, n, e
 
-      last = min(chunk, model%n_elements)
-      allocate (k(12, 12, last), r(12, last), energy(last))
+      n = min(chunk, model%n_elements)
+      allocate (k(12, 12, n), r(12, n), energy(n))
       do first = 1, model%n_elements, chunk
          last = min(model%n_elements, first + chunk - 1)
-         !$omp parallel do schedule(static) if (last - first >= worth_threads)
+         n = last - first + 1
+         !$omp parallel do schedule(dynamic, 64) if (n >= worth_threads)
          do e = first, last
             call evaluate(e, k(:, :, e - first + 1), r(:, e - first + 1), energy(e - first + 1))
          end do
          !$omp end parallel do
-         do e = first, last
-            associate (nodes => model%connectivity(:, e), ke => k(:, :, e - first + 1), re => r(:, e - first + 1))
-               call add_mechanical(equations, nodes, ke, re, increment, matrix, forces)
-               forces%strain_energy = forces%strain_energy + energy(e - first + 1)
-               ! axial strain and shear: whichever is stiffer
-               stiffest = maxval(elements%rigidity(1:3, e))
-               forces%stiffness(1) = max(forces%stiffness(1), stiffest/elements%length(e))
-               forces%stiffness(2) = max(forces%stiffness(2), stiffest)
-            end associate
-         end do
+         forces%strain_energy = forces%strain_energy + sum(energy(:n))
+         call timing%lap(phase_elements)
+         call add_mechanical(equations, model%connectivity(:, first:last), k(:, :, :n), r(:, :n), increment, matrix, &
+            forces)
+         call timing%lap(phase_assembly)
       end do
+      ! axial strain and shear: whichever is stiffer
+      forces%stiffness(1) = maxval(maxval(elements%rigidity(1:3, :), 1)/elements%length)
+      forces%stiffness(2) = maxval(elements%rigidity(1:3, :))
       iterate%sigma_from_strain = .false.
 
    contains
@@ -149,25 +149,46 @@ contains
       type(iterate_t), intent(inout) :: iterate
       type(system_matrix_t), intent(inout) :: matrix
       type(forces_t), intent(inout) :: forces
-      real(dp) :: k(2, 2), r(2), k_me(2, 6), k_me_all(2, 12)
-      integer :: e
-      logical :: current_length
+      real(dp), allocatable :: k(:, :, :), r(:, :), k_me(:, :, :)
+      integer, allocatable :: conducting(:)
+      integer :: first, n, i, e
 
-      do e = 1, model%n_elements
-         if (elements%resistivity(e) <= 0) cycle
-         associate (node => model%connectivity(:, e))
-            current_length = model%sections(model%element_section(e))%current_length
-            call conductor(iterate%x(:, node), iterate%potential(node), elements%length(e), elements%area(e), &
-               elements%resistivity(e), current_length, k, r, k_me, iterate%element_current(e), iterate%joule_heat(e))
-            call add_electric(equations, node, k, r, increment, matrix, forces)
-            if (current_length) then
-               k_me_all = 0
-               k_me_all(:, 1:3) = k_me(:, 1:3)
-               k_me_all(:, 7:9) = k_me(:, 4:6)
-               call add_coupling(equations, node, k_me_all, increment, matrix, forces)
+      conducting = pack([(e, e=1, model%n_elements)], elements%resistivity > 0)
+      n = min(chunk, size(conducting))
+      allocate (k(2, 2, n), r(2, n), k_me(2, 12, n))
+      do first = 1, size(conducting), chunk
+         n = min(chunk, size(conducting) - first + 1)
+         associate (members => conducting(first:first + n - 1))
+            !$omp parallel do schedule(static) if (n >= worth_threads)
+            do i = 1, n
+               call evaluate(members(i), k(:, :, i), r(:, i), k_me(:, :, i))
+            end do
+            !$omp end parallel do
+            call add_electric(equations, model%connectivity(:, members), k(:, :, :n), r(:, :n), increment, matrix, &
+               forces)
+            if (any(model%sections(model%element_section(members))%current_length)) then
+               call add_coupling(equations, model%connectivity(:, members), k_me(:, :, :n), increment, matrix, forces)
             end if
          end associate
       end do
+
+   contains
+
+      subroutine evaluate(e, ke, re, k_me_e)
+         integer, intent(in) :: e
+         real(dp), intent(out) :: ke(2, 2), re(2), k_me_e(2, 12)
+         real(dp) :: k_mu(2, 6)
+
+         associate (node => model%connectivity(:, e))
+            call conductor(iterate%x(:, node), iterate%potential(node), elements%length(e), elements%area(e), &
+               elements%resistivity(e), model%sections(model%element_section(e))%current_length, ke, re, k_mu, &
+               iterate%element_current(e), iterate%joule_heat(e))
+         end associate
+         k_me_e = 0
+         k_me_e(:, 1:3) = k_mu(:, 1:3)
+         k_me_e(:, 7:9) = k_mu(:, 4:6)
+      end subroutine evaluate
+
    end subroutine assemble_conductors
 
    !> A moment about a fixed axis does not follow from a potential: what it takes off the Hessian of the energy.
@@ -191,115 +212,137 @@ contains
          matrix%mm_symmetric = .false.
          k = 0
          k(4:6, 4:6) = -skew(moment)/2
-         call scatter_mechanical(equations, [node], k, matrix%mm)
+         call scatter_mechanical_rows(equations, 1, [node], k, matrix%mm)
       end do
    end subroutine assemble_load_stiffness
 
-   !> Add a mechanical group of nodes: 6 unknowns each, `k(6n, 6n)`, `r(6n)`.
+   !> Add mechanical groups of nodes, such as the elements of a chunk: 6 unknowns for each node.
+   !>
+   !> Every thread adds the rows of its own nodes, group after group: no row has two writers, and each sum has the same
+   !> order for any number of threads.
    subroutine add_mechanical(equations, nodes, k, r, increment, matrix, forces)
       type(equations_t), intent(in) :: equations
-      integer, intent(in) :: nodes(:)
-      real(dp), intent(in) :: k(:, :), r(:), increment(:, :)
+      !> Nodes (n, groups), tangents (6 n, 6 n, groups), forces (6 n, groups)
+      integer, intent(in) :: nodes(:, :)
+      real(dp), intent(in) :: k(:, :, :), r(:, :)
+      !> Prescribed increments (7, n_nodes)
+      real(dp), intent(in) :: increment(:, :)
       type(system_matrix_t), intent(inout) :: matrix
       type(forces_t), intent(inout) :: forces
-      real(dp) :: product(size(r))
-      integer :: a
+      real(dp) :: largest_force, largest_moment, dq(size(k, 1))
+      integer :: group, a, node
 
-      product = prescribed_product(k, increment(1:6, nodes))
-      do a = 1, size(nodes)
-         associate (block => r(6*a - 5:6*a))
-            forces%internal(1:6, nodes(a)) = forces%internal(1:6, nodes(a)) + block
-            forces%prescribed(1:6, nodes(a)) = forces%prescribed(1:6, nodes(a)) + product(6*a - 5:6*a)
-            forces%reference(1) = max(forces%reference(1), maxval(abs(block(1:3))))
-            forces%reference(2) = max(forces%reference(2), maxval(abs(block(4:6))))
-         end associate
-      end do
-      call scatter_mechanical(equations, nodes, k, matrix%mm)
-   end subroutine add_mechanical
-
-   !> Add an electric group of nodes: `k(n, n)`, `r(n)`.
-   subroutine add_electric(equations, nodes, k, r, increment, matrix, forces)
-      type(equations_t), intent(in) :: equations
-      integer, intent(in) :: nodes(:)
-      real(dp), intent(in) :: k(:, :), r(:), increment(:, :)
-      type(system_matrix_t), intent(inout) :: matrix
-      type(forces_t), intent(inout) :: forces
-      integer :: a, b, row, position
-
-      forces%internal(7, nodes) = forces%internal(7, nodes) + r
-      forces%prescribed(7, nodes) = forces%prescribed(7, nodes) + matmul(k, increment(7, nodes))
-      forces%reference(3) = max(forces%reference(3), maxval(abs(r)))
-      forces%conductance = max(forces%conductance, maxval(abs(k)))
-      do b = 1, size(nodes)
-         if (equations%electric(nodes(b)) == 0) cycle
-         do a = 1, size(nodes)
-            row = equations%electric(nodes(a))
-            if (row == 0) cycle
-            position = matrix%ee%row_start(row) + &
-               equations%offset_electric(block_offset(equations, nodes(a), nodes(b)))
-            matrix%ee%value(position) = matrix%ee%value(position) + k(a, b)
+      largest_force = forces%reference(1)
+      largest_moment = forces%reference(2)
+      !$omp parallel private(group, a, node, dq) reduction(max: largest_force, largest_moment) &
+      !$omp& if (size(nodes, 2) >= worth_threads)
+      do group = 1, size(nodes, 2)
+         do a = 1, size(nodes, 1)
+            node = nodes(a, group)
+            if (.not. owned(node)) cycle
+            associate (block => r(6*a - 5:6*a, group))
+               forces%internal(1:6, node) = forces%internal(1:6, node) + block
+               largest_force = max(largest_force, maxval(abs(block(1:3))))
+               largest_moment = max(largest_moment, maxval(abs(block(4:6))))
+            end associate
+            dq = reshape(increment(1:6, nodes(:, group)), [size(dq)])
+            if (any(abs(dq) > 0)) forces%prescribed(1:6, node) = forces%prescribed(1:6, node) &
+               + matmul(k(6*a - 5:6*a, :, group), dq)
+            call scatter_mechanical_rows(equations, a, nodes(:, group), k(:, :, group), matrix%mm)
          end do
       end do
-   end subroutine add_electric
+      !$omp end parallel
+      forces%reference(1:2) = [largest_force, largest_moment]
+   end subroutine add_mechanical
 
-   !> Add how the currents at nodes change with their motion: `k_me(n, 6n)`.
-   subroutine add_coupling(equations, nodes, k_me, increment, matrix, forces)
+   !> Add electric groups of nodes: `k(n, n, groups)`, `r(n, groups)`.
+   subroutine add_electric(equations, nodes, k, r, increment, matrix, forces)
       type(equations_t), intent(in) :: equations
-      integer, intent(in) :: nodes(:)
-      real(dp), intent(in) :: k_me(:, :), increment(:, :)
+      integer, intent(in) :: nodes(:, :)
+      real(dp), intent(in) :: k(:, :, :), r(:, :), increment(:, :)
       type(system_matrix_t), intent(inout) :: matrix
       type(forces_t), intent(inout) :: forces
-      integer :: a, b, row, position, j
+      integer :: group, a, b, node, row, position
 
-      forces%prescribed(7, nodes) = forces%prescribed(7, nodes) + prescribed_product(k_me, increment(1:6, nodes))
-      do b = 1, size(nodes)
-         do a = 1, size(nodes)
-            row = equations%electric(nodes(a))
+      forces%reference(3) = max(forces%reference(3), maxval(abs(r)))
+      forces%conductance = max(forces%conductance, maxval(abs(k)))
+      !$omp parallel private(group, a, b, node, row, position) if (size(nodes, 2) >= worth_threads)
+      do group = 1, size(nodes, 2)
+         do a = 1, size(nodes, 1)
+            node = nodes(a, group)
+            if (.not. owned(node)) cycle
+            forces%internal(7, node) = forces%internal(7, node) + r(a, group)
+            forces%prescribed(7, node) = forces%prescribed(7, node) &
+               + dot_product(k(a, :, group), increment(7, nodes(:, group)))
+            row = equations%electric(node)
             if (row == 0) cycle
-            position = matrix%me%row_start(row) + &
-               equations%offset_mechanical(block_offset(equations, nodes(a), nodes(b)))
-            do j = 1, 6
-               if (equations%mechanical(j, nodes(b)) == 0) cycle
-               matrix%me%value(position) = matrix%me%value(position) + k_me(a, 6*b - 6 + j)
-               position = position + 1
+            do b = 1, size(nodes, 1)
+               if (equations%electric(nodes(b, group)) == 0) cycle
+               position = matrix%ee%row_start(row) + &
+                  equations%offset_electric(block_offset(equations, node, nodes(b, group)))
+               matrix%ee%value(position) = matrix%ee%value(position) + k(a, b, group)
             end do
          end do
       end do
-   end subroutine add_coupling
+      !$omp end parallel
+   end subroutine add_electric
 
-   pure subroutine scatter_mechanical(equations, nodes, k, mm)
+   !> Add how the currents at nodes change with their motion: `k_me(n, 6 n, groups)`.
+   subroutine add_coupling(equations, nodes, k_me, increment, matrix, forces)
       type(equations_t), intent(in) :: equations
-      integer, intent(in) :: nodes(:)
-      real(dp), intent(in) :: k(:, :)
-      type(csr_matrix_t), intent(inout) :: mm
-      integer :: a, b, i, j, row, position, offset
+      integer, intent(in) :: nodes(:, :)
+      real(dp), intent(in) :: k_me(:, :, :), increment(:, :)
+      type(system_matrix_t), intent(inout) :: matrix
+      type(forces_t), intent(inout) :: forces
+      real(dp) :: dq(size(k_me, 2))
+      integer :: group, a, b, j, node, row, position
 
-      do b = 1, size(nodes)
-         if (equations%n_free(nodes(b)) == 0) cycle
-         do a = 1, size(nodes)
-            if (equations%n_free(nodes(a)) == 0) cycle
-            offset = equations%offset_mechanical(block_offset(equations, nodes(a), nodes(b)))
-            do i = 1, 6
-               row = equations%mechanical(i, nodes(a))
-               if (row == 0) cycle
-               position = mm%row_start(row) + offset
+      !$omp parallel private(group, a, b, j, node, row, position, dq) if (size(nodes, 2) >= worth_threads)
+      do group = 1, size(nodes, 2)
+         do a = 1, size(nodes, 1)
+            node = nodes(a, group)
+            if (.not. owned(node)) cycle
+            dq = reshape(increment(1:6, nodes(:, group)), [size(dq)])
+            forces%prescribed(7, node) = forces%prescribed(7, node) + dot_product(k_me(a, :, group), dq)
+            row = equations%electric(node)
+            if (row == 0) cycle
+            do b = 1, size(nodes, 1)
+               position = matrix%me%row_start(row) + &
+                  equations%offset_mechanical(block_offset(equations, node, nodes(b, group)))
                do j = 1, 6
-                  if (equations%mechanical(j, nodes(b)) == 0) cycle
-                  mm%value(position) = mm%value(position) + k(6*a - 6 + i, 6*b - 6 + j)
+                  if (equations%mechanical(j, nodes(b, group)) == 0) cycle
+                  matrix%me%value(position) = matrix%me%value(position) + k_me(a, 6*b - 6 + j, group)
                   position = position + 1
                end do
             end do
          end do
       end do
-   end subroutine scatter_mechanical
+      !$omp end parallel
+   end subroutine add_coupling
 
-   !> Tangent times prescribed increments, where there are any.
-   pure function prescribed_product(k, increment) result(product)
-      real(dp), intent(in) :: k(:, :), increment(:, :)
-      real(dp) :: product(size(k, 1))
+   !> Add the rows of node `a` of a group to the matrix.
+   pure subroutine scatter_mechanical_rows(equations, a, nodes, k, mm)
+      type(equations_t), intent(in) :: equations
+      integer, intent(in) :: a, nodes(:)
+      real(dp), intent(in) :: k(:, :)
+      type(csr_matrix_t), intent(inout) :: mm
+      integer :: b, i, j, row, position, offset
 
-      product = 0
-      if (any(abs(increment) > 0)) product = matmul(k, reshape(increment, [size(increment)]))
-   end function prescribed_product
+      if (equations%n_free(nodes(a)) == 0) return
+      do b = 1, size(nodes)
+         if (equations%n_free(nodes(b)) == 0) cycle
+         offset = equations%offset_mechanical(block_offset(equations, nodes(a), nodes(b)))
+         do i = 1, 6
+            row = equations%mechanical(i, nodes(a))
+            if (row == 0) cycle
+            position = mm%row_start(row) + offset
+            do j = 1, 6
+               if (equations%mechanical(j, nodes(b)) == 0) cycle
+               mm%value(position) = mm%value(position) + k(6*a - 6 + i, 6*b - 6 + j)
+               position = position + 1
+            end do
+         end do
+      end do
+   end subroutine scatter_mechanical_rows
 
 end module litz_assembly

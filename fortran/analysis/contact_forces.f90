@@ -5,7 +5,7 @@
 !> independent force. The converged force is that of the law at the true gap.
 module litz_contact_forces
    use litz_kinds, only: dp
-   use litz_assembly, only: iterate_t, forces_t, add_mechanical, add_electric, add_coupling
+   use litz_assembly, only: iterate_t, forces_t, chunk, add_mechanical, add_electric, add_coupling
    use litz_contact_electricity, only: contact_electricity_t, contact_electricity, coupling_tangent
    use litz_contact_mechanics, only: contact_mechanics, form_hessian
    use litz_contact_pairs, only: contact_set_t, contact_point_t, pair_geometry
@@ -17,6 +17,7 @@ module litz_contact_forces
    use litz_model, only: model_t, normal_hertz, spot_none, spot_hertz, spot_film
    use litz_normal_law, only: normal_force_of_ellipse, hertz_approach_of_ellipse
    use litz_parallel, only: worth_threads
+   use litz_timing, only: timing_t, phase_contact, phase_assembly
    use litz_wires, only: wires_t
    implicit none
    private
@@ -105,7 +106,7 @@ contains
    end subroutine apply_normal_law
 
    !> Add all points to the system: mechanics, and where a current can cross, the paper's electric blocks.
-   subroutine assemble_contacts(model, wires, elements, equations, increment, iterate, contact, matrix, forces)
+   subroutine assemble_contacts(model, wires, elements, equations, increment, iterate, contact, matrix, forces, timing)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
@@ -115,50 +116,62 @@ contains
       type(contact_set_t), intent(inout) :: contact
       type(system_matrix_t), intent(inout) :: matrix
       type(forces_t), intent(inout) :: forces
-      integer :: i
+      type(timing_t), intent(inout) :: timing
+      real(dp), allocatable :: k(:, :, :), r(:, :), k_ee(:, :, :), r_e(:, :), k_me(:, :, :)
+      integer, allocatable :: touching(:), nodes(:, :)
+      integer :: first, n, i
 
-      do i = 1, size(contact%points)
-         associate (point => contact%points(i))
-            point%conductance = 0
-            point%current = 0
-            point%voltage_gap = 0
-            point%missed_resistance = 0
-            point%semi_major = 0
-            point%semi_minor = 0
-            if (.not. (point%active .or. point%closed)) cycle
-            call add_point(point)
+      touching = pack([(i, i=1, size(contact%points))], contact%points%active .or. contact%points%closed)
+      n = min(chunk, size(touching))
+      allocate (k(24, 24, n), r(24, n), k_ee(4, 4, n), r_e(4, n), k_me(4, 24, n), nodes(4, n))
+      call clear_currents(contact%points)
+      do first = 1, size(touching), chunk
+         n = min(chunk, size(touching) - first + 1)
+         associate (points => touching(first:first + n - 1))
+            !$omp parallel do schedule(static) if (n >= worth_threads)
+            do i = 1, n
+               call evaluate(contact%points(points(i)), nodes(:, i), k(:, :, i), r(:, i), k_ee(:, :, i), r_e(:, i), &
+                  k_me(:, :, i))
+            end do
+            !$omp end parallel do
+            do i = 1, n
+               call add_iteration_force(contact%points(points(i)), nodes(:, i), forces)
+            end do
+            call timing%lap(phase_contact)
+            call add_mechanical(equations, nodes(:, :n), k(:, :, :n), r(:, :n), increment, matrix, forces)
+            if (any(contact%points(points)%conductance > 0)) then
+               call add_electric(equations, nodes(:, :n), k_ee(:, :, :n), r_e(:, :n), increment, matrix, forces)
+               call add_coupling(equations, nodes(:, :n), k_me(:, :, :n), increment, matrix, forces)
+            end if
+            call timing%lap(phase_assembly)
          end associate
       end do
 
    contains
 
-      subroutine add_point(point)
+      subroutine evaluate(point, nodes_p, k_p, r_p, k_ee_p, r_e_p, k_me_p)
          type(contact_point_t), intent(inout) :: point
-         real(dp) :: k(24, 24), r(24), x(3, 4), t(3, 4), length(2)
-         integer :: nodes(4), a
+         integer, intent(out) :: nodes_p(4)
+         real(dp), intent(out) :: k_p(24, 24), r_p(24), k_ee_p(4, 4), r_e_p(4), k_me_p(4, 24)
+         real(dp) :: x(3, 4), t(3, 4), length(2)
 
-         nodes = [model%connectivity(:, point%element_bar), model%connectivity(:, point%element)]
+         nodes_p = [model%connectivity(:, point%element_bar), model%connectivity(:, point%element)]
          call pair_geometry(model, wires, elements, point%element_bar, point%element, iterate%x, iterate%rotation, &
             x, t, length)
-         call contact_mechanics(point%kinematics, t, point%force, point%stiffness, point%geometric_force, form_hessian, k, r)
-         call add_mechanical(equations, nodes, k, r, increment, matrix, forces)
-         forces%stiffness(1) = max(forces%stiffness(1), point%stiffness)
-         forces%stiffness(2) = max(forces%stiffness(2), point%stiffness*maxval(length))
-         ! the row of the gap is linear in the force: what this iteration linearises about differs from the law's
-         associate (difference => point%iteration_force - point%force)
-            do a = 1, 4
-               forces%iteration(1:6, nodes(a)) = forces%iteration(1:6, nodes(a)) &
-                  - difference*point%kinematics%dgap(6*a - 5:6*a)
-            end do
-         end associate
+         call contact_mechanics(point%kinematics, t, point%force, point%stiffness, point%geometric_force, form_hessian, &
+            k_p, r_p)
+         k_ee_p = 0
+         r_e_p = 0
+         k_me_p = 0
          if (point%closed .and. all(elements%resistivity([point%element_bar, point%element]) > 0)) then
-            call add_current(point, nodes)
+            call evaluate_current(point, nodes_p, k_ee_p, r_e_p, k_me_p)
          end if
-      end subroutine add_point
+      end subroutine evaluate
 
-      subroutine add_current(point, nodes)
+      subroutine evaluate_current(point, nodes_p, k_ee_p, r_e_p, k_me_p)
          type(contact_point_t), intent(inout) :: point
-         integer, intent(in) :: nodes(4)
+         integer, intent(in) :: nodes_p(4)
+         real(dp), intent(inout) :: k_ee_p(4, 4), r_e_p(4), k_me_p(4, 24)
          real(dp) :: radius(2), young(2), poisson(2), resistivity(2), approach, dg_dforce, dg_dangle, series(2)
          real(dp) :: force, dforce_dgap, dforce_dangle
          type(contact_electricity_t) :: electricity
@@ -176,16 +189,44 @@ contains
             series = 0
             if (law%voltage_correction) series = resistivity*elements%length(pair)/(4*elements%area(pair))
          end associate
-         call contact_electricity(point%kinematics, iterate%potential(nodes), point%conductance, &
+         call contact_electricity(point%kinematics, iterate%potential(nodes_p), point%conductance, &
             dg_dforce*dforce_dgap, dg_dangle + dg_dforce*dforce_dangle, series, electricity)
          point%current = electricity%current
          point%missed_resistance = series*(1 - [point%xi_bar, point%xi]**2)
          point%voltage_gap = electricity%voltage_gap
-         call add_electric(equations, nodes, electricity%k_ee, electricity%r_e, increment, matrix, forces)
-         call add_coupling(equations, nodes, coupling_tangent(electricity, point%kinematics), increment, matrix, forces)
-      end subroutine add_current
+         k_ee_p = electricity%k_ee
+         r_e_p = electricity%r_e
+         k_me_p = coupling_tangent(electricity, point%kinematics)
+      end subroutine evaluate_current
+
+      !> The row of the gap is linear in the force: what this iteration linearises about differs from the law's.
+      subroutine add_iteration_force(point, nodes_p, forces)
+         type(contact_point_t), intent(in) :: point
+         integer, intent(in) :: nodes_p(4)
+         type(forces_t), intent(inout) :: forces
+         integer :: a
+
+         forces%stiffness(1) = max(forces%stiffness(1), point%stiffness)
+         forces%stiffness(2) = max(forces%stiffness(2), &
+            point%stiffness*maxval(elements%length([point%element_bar, point%element])))
+         do a = 1, 4
+            forces%iteration(1:6, nodes_p(a)) = forces%iteration(1:6, nodes_p(a)) &
+               - (point%iteration_force - point%force)*point%kinematics%dgap(6*a - 5:6*a)
+         end do
+      end subroutine add_iteration_force
 
    end subroutine assemble_contacts
+
+   elemental subroutine clear_currents(point)
+      type(contact_point_t), intent(inout) :: point
+
+      point%conductance = 0
+      point%current = 0
+      point%voltage_gap = 0
+      point%missed_resistance = 0
+      point%semi_major = 0
+      point%semi_minor = 0
+   end subroutine clear_currents
 
    !> Take each point's force and gap along with the step `eta dq` of the unknowns.
    subroutine predict_contacts(model, eta, step, contact)

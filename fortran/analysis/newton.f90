@@ -20,6 +20,8 @@ module litz_newton
    use litz_results, only: results_t, iteration_report_t
    use litz_rotations, only: rotation_exp
    use litz_state, only: state_t
+   use litz_timing, only: timing_t, phase_search, phase_contact, phase_assembly, phase_analyse, phase_factor, &
+      phase_solve, phase_update, phase_output
    use litz_wires, only: wires_t
    implicit none
    private
@@ -43,6 +45,7 @@ module litz_newton
       logical :: pattern_changed = .true.
       !> Converged increments, and iterations with those of rejected increments, since the run began
       integer :: n_increments = 0, n_iterations = 0
+      type(timing_t) :: timing
    end type problem_t
 
    type :: outcome_t
@@ -100,7 +103,9 @@ contains
                call measure_residual(problem, step, outcome%last, outcome%at_round_off)
             end if
          end if
+         call problem%timing%lap(phase_update)
          call results%write_iteration(problem%model, outcome%last, error)
+         call problem%timing%lap(phase_output)
          if (allocated(error)) return
          if (.not. all(ieee_is_finite(outcome%last%residual))) then
             call give_up(outcome, 'the iteration left the range of finite numbers')
@@ -156,24 +161,28 @@ contains
       type(error_t), allocatable, intent(out) :: error
 
       associate (model => problem%model, wires => problem%wires, elements => problem%elements, &
-         iterate => problem%iterate, contact => problem%contact)
+         iterate => problem%iterate, contact => problem%contact, timing => problem%timing)
+         call timing%lap(phase_update)
          if (contact%present) then
             call refresh_candidates(problem, x_start)
+            call timing%lap(phase_search)
             call locate_points(model, wires, elements, x_start, iterate%x, iterate%rotation, contact%skin, contact)
             call apply_normal_law(model, elements, contact)
+            call timing%lap(phase_contact)
          end if
          if (problem%pattern_changed) call rebuild_pattern(problem, error)
          if (allocated(error)) return
          call clear_system(model%n_nodes, problem%matrix, problem%forces)
          call assemble_beams(model, wires, elements, problem%equations, increment, iterate, problem%matrix, &
-            problem%forces)
+            problem%forces, timing)
          call assemble_conductors(model, elements, problem%equations, increment, iterate, problem%matrix, &
             problem%forces)
          call assemble_contacts(model, wires, elements, problem%equations, increment, iterate, contact, &
-            problem%matrix, problem%forces)
+            problem%matrix, problem%forces, timing)
          call assemble_load_stiffness(problem%equations, problem%loading%load, problem%forces, problem%matrix)
          call ground_floating_conductors(model, elements, contact, problem%equations, &
             problem%loading%fixed(slot_potential, :), problem%loading%load(slot_potential, :), problem%matrix, error)
+         call timing%lap(phase_assembly)
       end associate
    end subroutine evaluate
 
@@ -212,7 +221,9 @@ contains
       end do
       start(size(start)) = size(nodes) + 1
       call build_system(start, nodes, problem%equations, problem%matrix)
+      call problem%timing%lap(phase_assembly)
       call problem%solver%analyse(problem%matrix, error)
+      call problem%timing%lap(phase_analyse)
       problem%pattern_changed = .false.
    end subroutine rebuild_pattern
 
@@ -304,8 +315,11 @@ contains
             if (problem%equations%electric(node) > 0) b(problem%equations%electric(node)) = &
                problem%loading%load(slot_potential, node) - problem%forces%internal(slot_potential, node)
          end do
+         call problem%timing%lap(phase_update)
          call problem%solver%factor_electric(problem%matrix, solver_error)
+         call problem%timing%lap(phase_factor)
          if (.not. allocated(solver_error)) call problem%solver%solve_electric(problem%matrix, b, x, solver_error)
+         call problem%timing%lap(phase_solve)
          if (allocated(solver_error)) return
          do node = 1, problem%model%n_nodes
             if (problem%equations%electric(node) > 0) problem%iterate%potential(node) = &
@@ -335,7 +349,9 @@ contains
          end do
          if (problem%equations%electric(node) > 0) b_e(problem%equations%electric(node)) = rhs(7)
       end do
+      call problem%timing%lap(phase_update)
       call problem%solver%factor(problem%matrix, error)
+      call problem%timing%lap(phase_factor)
       if (allocated(error)) return
       x_e = 0
       if (problem%coupling == coupling_monolithic) then
@@ -343,6 +359,7 @@ contains
       else
          call problem%solver%solve_mechanical(problem%matrix, b_m, x_m, error)
       end if
+      call problem%timing%lap(phase_solve)
       if (allocated(error)) return
       correction = increment
       do node = 1, problem%model%n_nodes

@@ -2,6 +2,7 @@
  *
  * Indices count from 0. Matrices are symmetric and come with both triangles in compressed columns; CHOLMOD reads
  * the upper one. Status codes are CHOLMOD's: 0 done, 1 not positive definite, negative failed. */
+#include <omp.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -67,7 +68,11 @@ int cholmod_shim_analyse(cholmod_shim *self, int64_t n, int64_t *start, int64_t 
 int cholmod_shim_factor(cholmod_shim *self, int64_t n, int64_t *start, int64_t *row, double *value, int64_t *failed)
 {
     cholmod_sparse a = matrix_view(n, start, row, value);
+    /* CHOLMOD starts a fixed number of threads for its copying loops, whatever the machine has: more than pays */
+    const int levels = omp_get_max_active_levels();
+    omp_set_max_active_levels(0);
     cholmod_l_factorize(&a, self->factor, &self->common);
+    omp_set_max_active_levels(levels);
     if (self->common.status == CHOLMOD_NOT_POSDEF && self->factor->minor < (size_t)n)
         *failed = ((int64_t *)self->factor->Perm)[self->factor->minor];
     return self->common.status;
