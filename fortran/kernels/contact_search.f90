@@ -1,191 +1,384 @@
 !> Broad phase of the contact search: all pairs of straight segments that come near each other, in a time that grows
-!> like their number.
+!> like their number, whatever mixture of lengths and thicknesses they have.
 !>
-!> Boxes around the segments find the pairs whose true distance is worth computing. They are sorted into the cells of a
-!> regular grid; a pair that shares several cells is reported in one of them only, the cell of the lower corner of its
-!> common region.
+!> Segments are cut into pieces not much longer than the mean segment, so that their boxes hug them. The boxes are sorted
+!> by size into grids whose cells are as large as their largest box; a box lies in the one cell of its lower corner. So
+!> it can only meet boxes of the cells around it in its own grid, and of a few cells in each grid of larger boxes.
+!> The cells of a grid are folded onto a table with an entry or two per box: empty space costs nothing.
 module litz_contact_search
-   use litz_kinds, only: dp
+   use litz_kinds, only: dp, int64
+   use litz_parallel, only: worth_threads
+!$ use omp_lib, only: omp_get_max_threads, omp_get_thread_num
    implicit none
    private
    public :: near_segments
 
-   !> Most grid cells per box: bounds the memory of the grid when a few boxes lie far away from the rest
-   integer, parameter :: cells_per_box = 4
+   !> A segment is cut where it is longer than this many times its reach, and than this fraction of the mean length
+   real(dp), parameter :: longest_in_reaches = 16.0_dp, longest_in_means = 0.25_dp
+
+   !> Boxes smaller than the largest by more than this power of two share the last grid
+   integer, parameter :: most_grids = 24
+
+   !> Boxes of like size, sorted by cell.
+   type :: grid_t
+      !> Lower corner of the cell (1, 1, 1), and length of a cell [m]
+      real(dp) :: origin(3) = 0, edge = 1
+      !> Number of cells along each direction, with an empty one on both sides
+      integer(int64) :: cells(3) = 0
+      !> Entries of the table, a power of two, less one
+      integer(int64) :: mask = 0
+      !> (0:mask + 1) first box of each entry of the table
+      integer, allocatable :: start(:)
+      !> Cell and segment of each box, and its lower and upper corner (6, boxes)
+      integer(int64), allocatable :: cell(:)
+      integer, allocatable :: segment(:)
+      real(dp), allocatable :: corners(:, :)
+      !> Ends and reach of the segment of each box (7, boxes): a copy that lies where it is wanted
+      real(dp), allocatable :: ends(:, :)
+   end type grid_t
+
+   !> Pairs that one thread has found.
+   type :: pair_list_t
+      integer :: n = 0
+      !> (2, at least n)
+      integer, allocatable :: pairs(:, :)
+   end type pair_list_t
 
 contains
 
    !> Pairs `(i, j)`, `i < j`, of segments whose distance is at most the sum of their reaches, sorted by i, then j.
-   pure subroutine near_segments(a, b, reach, pairs)
+   subroutine near_segments(a, b, reach, pairs)
       !> End points (3, n) [m]
       real(dp), intent(in) :: a(:, :), b(:, :)
       !> Half the distance at which two such segments are near (n) [m]: radius and half a skin
       real(dp), intent(in) :: reach(:)
       !> (2, number of pairs)
       integer, allocatable, intent(out) :: pairs(:, :)
-      integer, allocatable :: boxes(:, :)
-      logical, allocatable :: near(:)
-      integer :: i, n
+      type(grid_t), allocatable :: grids(:)
+      type(pair_list_t), allocatable :: lists(:)
+      integer :: g, box, threads, thread
 
-      call overlapping_boxes(min(a, b) - spread(reach, 1, 3), max(a, b) + spread(reach, 1, 3), boxes)
-      allocate (near(size(boxes, 2)))
-      do n = 1, size(boxes, 2)
-         associate (p => boxes(1, n), q => boxes(2, n))
-            near(n) = segment_distance(a(:, p), b(:, p), a(:, q), b(:, q)) <= reach(p) + reach(q)
-         end associate
+      call build_grids(a, b, reach, grids)
+      threads = 1
+!$    threads = omp_get_max_threads()
+      allocate (lists(threads))
+      !$omp parallel private(thread, g, box) if (size(reach) >= worth_threads)
+      thread = 1
+!$    thread = omp_get_thread_num() + 1
+      allocate (lists(thread)%pairs(2, 64))
+      do g = 1, size(grids)
+         !$omp do schedule(dynamic, 256)
+         do box = 1, size(grids(g)%segment)
+            call visit_own_grid(a, b, reach, grids(g), box, lists(thread))
+            call visit_coarser_grids(a, b, reach, grids, g, box, lists(thread))
+         end do
+         !$omp end do nowait
       end do
-      allocate (pairs(2, count(near)))
-      i = 0
-      do n = 1, size(boxes, 2)
-         if (.not. near(n)) cycle
-         i = i + 1
-         pairs(:, i) = boxes(:, n)
-      end do
+      !$omp end parallel
+      call sort_pairs(size(reach), lists, pairs)
    end subroutine near_segments
 
-   !> Pairs `(i, j)`, `i < j`, of closed axis-parallel boxes that have a point in common, sorted by i, then j.
-   pure subroutine overlapping_boxes(lower, upper, pairs)
-      !> Lower and upper corners (3, n) [m]
-      real(dp), intent(in) :: lower(:, :), upper(:, :)
-      !> (2, number of pairs)
-      integer, allocatable, intent(out) :: pairs(:, :)
-      integer, allocatable :: first(:, :), last(:, :), cell_start(:), cell_box(:)
-      integer :: cells(3), n_pairs
+   !> Pieces of all segments, sorted into grids of decreasing box size.
+   subroutine build_grids(a, b, reach, grids)
+      real(dp), intent(in) :: a(:, :), b(:, :), reach(:)
+      type(grid_t), allocatable, intent(out) :: grids(:)
+      real(dp), allocatable :: length(:), lower(:, :), upper(:, :), extent(:)
+      integer, allocatable :: pieces(:), segment(:), level(:)
+      integer :: i, g, n, boxes_at(most_grids)
 
-      if (size(lower, 2) < 2) then
-         allocate (pairs(2, 0))
-         return
-      end if
-      call place_in_grid(lower, upper, cells, first, last)
-      call sort_into_cells(cells, first, last, cell_start, cell_box)
-      allocate (pairs(2, 0))
-      call visit_pairs(lower, upper, cells, first, cell_start, cell_box, .false., pairs, n_pairs)
-      deallocate (pairs)
-      allocate (pairs(2, n_pairs))
-      call visit_pairs(lower, upper, cells, first, cell_start, cell_box, .true., pairs, n_pairs)
-      call sort_pairs(size(lower, 2), pairs)
-   end subroutine overlapping_boxes
-
-   !> Grid of cubes about as large as the mean box, and the range of cells of each box.
-   pure subroutine place_in_grid(lower, upper, cells, first, last)
-      real(dp), intent(in) :: lower(:, :), upper(:, :)
-      integer, intent(out) :: cells(3)
-      integer, allocatable, intent(out) :: first(:, :), last(:, :)
-      real(dp) :: origin(3), extent(3), edge
-      integer :: n, i
-
-      n = size(lower, 2)
-      origin = minval(lower, 2)
-      extent = maxval(upper, 2) - origin
-      edge = sum(maxval(upper - lower, 1))/n
-      edge = max(edge, maxval(extent)/1.0e6_dp, tiny(edge))
-      do
-         cells = max(1, ceiling(extent/edge))
-         if (real(cells(1), dp)*cells(2)*cells(3) <= real(cells_per_box, dp)*n + 8) exit
-         edge = 1.25_dp*edge
-      end do
-      allocate (first(3, n), last(3, n))
+      n = size(reach)
+      allocate (length(n), pieces(n))
       do i = 1, n
-         first(:, i) = min(cells, 1 + int((lower(:, i) - origin)/edge))
-         last(:, i) = min(cells, 1 + int((upper(:, i) - origin)/edge))
+         length(i) = norm2(b(:, i) - a(:, i))
       end do
-   end subroutine place_in_grid
+      associate (longest => max(longest_in_reaches*reach, longest_in_means*sum(length)/max(1, n)))
+         pieces = 1
+         where (length > longest) pieces = ceiling(length/longest)
+      end associate
+      call cut_segments(a, b, reach, pieces, segment, lower, upper)
+      allocate (level(size(segment)))
+      extent = max(maxval(upper - lower, 1), tiny(1.0_dp))
+      if (size(extent) > 0) level = min(most_grids, exponent(maxval(extent)/extent))
+      boxes_at = 0
+      do i = 1, size(level)
+         boxes_at(level(i)) = boxes_at(level(i)) + 1
+      end do
+      allocate (grids(count(boxes_at > 0)))
+      n = 0
+      do g = 1, most_grids
+         if (boxes_at(g) == 0) cycle
+         n = n + 1
+         call build_grid(pack([(i, i=1, size(level))], level == g), a, b, reach, segment, lower, upper, &
+            grids(n))
+      end do
+   end subroutine build_grids
 
-   pure integer function cell_index(cells, i, j, k)
-      integer, intent(in) :: cells(3), i, j, k
+   !> Boxes around the pieces of all segments.
+   pure subroutine cut_segments(a, b, reach, pieces, segment, lower, upper)
+      real(dp), intent(in) :: a(:, :), b(:, :), reach(:)
+      !> How many pieces each segment is cut into
+      integer, intent(in) :: pieces(:)
+      !> Segment of each piece, and corners of its box (3, pieces) [m]
+      integer, allocatable, intent(out) :: segment(:)
+      real(dp), allocatable, intent(out) :: lower(:, :), upper(:, :)
+      real(dp) :: p(3), q(3)
+      integer :: i, k, n
 
-      cell_index = i + cells(1)*((j - 1) + cells(2)*(k - 1))
-   end function cell_index
-
-   !> Counting sort of the boxes by the cells they touch.
-   pure subroutine sort_into_cells(cells, first, last, cell_start, cell_box)
-      integer, intent(in) :: cells(3), first(:, :), last(:, :)
-      integer, allocatable, intent(out) :: cell_start(:), cell_box(:)
-      integer, allocatable :: fill(:)
-      integer :: n_cells, box, i, j, k, c
-
-      n_cells = product(cells)
-      allocate (cell_start(n_cells + 1), source=0)
-      do box = 1, size(first, 2)
-         do k = first(3, box), last(3, box)
-            do j = first(2, box), last(2, box)
-               do i = first(1, box), last(1, box)
-                  c = cell_index(cells, i, j, k)
-                  cell_start(c + 1) = cell_start(c + 1) + 1
-               end do
-            end do
+      allocate (segment(sum(pieces)), lower(3, sum(pieces)), upper(3, sum(pieces)))
+      n = 0
+      do i = 1, size(reach)
+         q = a(:, i)
+         do k = 1, pieces(i)
+            p = q
+            q = b(:, i)
+            if (k < pieces(i)) q = a(:, i) + real(k, dp)/pieces(i)*(b(:, i) - a(:, i))
+            n = n + 1
+            segment(n) = i
+            lower(:, n) = min(p, q) - reach(i)
+            upper(:, n) = max(p, q) + reach(i)
          end do
       end do
-      cell_start(1) = 1
-      do c = 1, n_cells
-         cell_start(c + 1) = cell_start(c + 1) + cell_start(c)
-      end do
-      allocate (cell_box(cell_start(n_cells + 1) - 1))
-      allocate (fill, source=cell_start)
-      do box = 1, size(first, 2)
-         do k = first(3, box), last(3, box)
-            do j = first(2, box), last(2, box)
-               do i = first(1, box), last(1, box)
-                  c = cell_index(cells, i, j, k)
-                  cell_box(fill(c)) = box
-                  fill(c) = fill(c) + 1
-               end do
-            end do
-         end do
-      end do
-   end subroutine sort_into_cells
+   end subroutine cut_segments
 
-   !> Count the overlapping pairs, and store them where asked.
-   pure subroutine visit_pairs(lower, upper, cells, first, cell_start, cell_box, store, pairs, n_pairs)
+   !> Counting sort of some boxes by the entries of the table that their cells are folded onto.
+   subroutine build_grid(members, a, b, reach, segment, lower, upper, grid)
+      integer, intent(in) :: members(:), segment(:)
+      real(dp), intent(in) :: a(:, :), b(:, :), reach(:)
       real(dp), intent(in) :: lower(:, :), upper(:, :)
-      integer, intent(in) :: cells(3), first(:, :), cell_start(:), cell_box(:)
-      logical, intent(in) :: store
-      integer, intent(inout) :: pairs(:, :)
-      integer, intent(out) :: n_pairs
-      integer :: c, p, q, a, b, corner(3)
+      type(grid_t), intent(out) :: grid
+      !> Most cells along one direction: their number stays within 64 bits
+      integer(int64), parameter :: most_cells = 2_int64**20
+      integer(int64), allocatable :: cell(:)
+      integer, allocatable :: free(:)
+      real(dp) :: extent(3)
+      integer :: i, place
+      integer(int64) :: entry
 
-      n_pairs = 0
-      do c = 1, size(cell_start) - 1
-         do p = cell_start(c), cell_start(c + 1) - 2
-            a = cell_box(p)
-            do q = p + 1, cell_start(c + 1) - 1
-               b = cell_box(q)
-               if (any(lower(:, a) > upper(:, b)) .or. any(lower(:, b) > upper(:, a))) cycle
-               corner = max(first(:, a), first(:, b))
-               if (cell_index(cells, corner(1), corner(2), corner(3)) /= c) cycle
-               n_pairs = n_pairs + 1
-               if (store) pairs(:, n_pairs) = [min(a, b), max(a, b)]
+      grid%origin = minval(lower(:, members), 2)
+      extent = maxval(lower(:, members), 2) - grid%origin
+      grid%edge = max(maxval(upper(:, members) - lower(:, members)), maxval(extent)/most_cells, tiny(1.0_dp))
+      ! odd numbers of cells spread the layers over the table
+      grid%cells = 2*(int(extent/grid%edge, int64)/2) + 5
+      grid%mask = 1
+      do while (grid%mask < 2*size(members))
+         grid%mask = 2*grid%mask
+      end do
+      grid%mask = grid%mask - 1
+
+      allocate (cell(size(members)))
+      allocate (grid%start(0:grid%mask + 1), source=0)
+      do i = 1, size(members)
+         cell(i) = cell_number(grid, cell_of(grid, lower(:, members(i))))
+         entry = iand(cell(i), grid%mask)
+         grid%start(entry + 1) = grid%start(entry + 1) + 1
+      end do
+      grid%start(0) = 1
+      do entry = 0, grid%mask
+         grid%start(entry + 1) = grid%start(entry) + grid%start(entry + 1)
+      end do
+      allocate (free(0:grid%mask))
+      free = grid%start(:grid%mask)
+      allocate (grid%cell(size(members)), grid%segment(size(members)))
+      allocate (grid%corners(6, size(members)), grid%ends(7, size(members)))
+      do i = 1, size(members)
+         entry = iand(cell(i), grid%mask)
+         place = free(entry)
+         free(entry) = place + 1
+         grid%cell(place) = cell(i)
+         grid%segment(place) = segment(members(i))
+         grid%corners(:3, place) = lower(:, members(i))
+         grid%corners(4:, place) = upper(:, members(i))
+         grid%ends(:3, place) = a(:, segment(members(i)))
+         grid%ends(4:6, place) = b(:, segment(members(i)))
+         grid%ends(7, place) = reach(segment(members(i)))
+      end do
+   end subroutine build_grid
+
+   !> Cell of a point, (1, 1, 1) for the origin.
+   pure function cell_of(grid, point) result(cell)
+      type(grid_t), intent(in) :: grid
+      real(dp), intent(in) :: point(3)
+      integer(int64) :: cell(3)
+
+      cell = floor((point - grid%origin)/grid%edge, int64) + 1
+   end function cell_of
+
+   pure integer(int64) function cell_number(grid, cell)
+      type(grid_t), intent(in) :: grid
+      integer(int64), intent(in) :: cell(3)
+
+      cell_number = cell(1) + grid%cells(1)*(cell(2) + grid%cells(2)*cell(3))
+   end function cell_number
+
+   !> Partners of a box within its grid: later ones of its own cell, and those of half of the cells around.
+   subroutine visit_own_grid(a, b, reach, grid, box, list)
+      real(dp), intent(in) :: a(:, :), b(:, :), reach(:)
+      type(grid_t), intent(in) :: grid
+      integer, intent(in) :: box
+      type(pair_list_t), intent(inout) :: list
+      integer(int64) :: cell, row, layer
+
+      cell = grid%cell(box)
+      row = grid%cells(1)
+      layer = row*grid%cells(2)
+      call visit_cells(a, b, reach, grid, cell, cell, box + 1, grid%segment(box), grid%corners(:3, box), &
+         grid%corners(4:, box), list)
+      call visit(cell + 1, cell + 1)
+      call visit(cell + row - 1, cell + row + 1)
+      call visit(cell + layer - row - 1, cell + layer - row + 1)
+      call visit(cell + layer - 1, cell + layer + 1)
+      call visit(cell + layer + row - 1, cell + layer + row + 1)
+
+   contains
+
+      subroutine visit(first_cell, last_cell)
+         integer(int64), intent(in) :: first_cell, last_cell
+
+         call visit_cells(a, b, reach, grid, first_cell, last_cell, 1, grid%segment(box), grid%corners(:3, box), &
+            grid%corners(4:, box), list)
+      end subroutine visit
+
+   end subroutine visit_own_grid
+
+   !> Partners of a box in the grids of larger boxes.
+   subroutine visit_coarser_grids(a, b, reach, grids, g, box, list)
+      real(dp), intent(in) :: a(:, :), b(:, :), reach(:)
+      type(grid_t), intent(in) :: grids(:)
+      !> Grid of the box
+      integer, intent(in) :: g, box
+      type(pair_list_t), intent(inout) :: list
+      integer(int64) :: first(3), last(3), j, k
+      integer :: coarser
+
+      do coarser = 1, g - 1
+         associate (grid => grids(coarser), lower => grids(g)%corners(:3, box), &
+            upper => grids(g)%corners(4:, box))
+            first = max(1_int64, cell_of(grid, lower - grid%edge))
+            last = min(grid%cells - 2, cell_of(grid, upper))
+            if (any(first > last)) cycle
+            do k = first(3), last(3)
+               do j = first(2), last(2)
+                  call visit_cells(a, b, reach, grid, cell_number(grid, [first(1), j, k]), &
+                     cell_number(grid, [last(1), j, k]), 1, grids(g)%segment(box), lower, upper, list)
+               end do
             end do
+         end associate
+      end do
+   end subroutine visit_coarser_grids
+
+   !> Note all boxes of a row of cells, from the box `from` on, whose segments are near the given one.
+   subroutine visit_cells(a, b, reach, grid, first_cell, last_cell, from, segment, lower, upper, list)
+      real(dp), intent(in) :: a(:, :), b(:, :), reach(:)
+      type(grid_t), intent(in) :: grid
+      integer(int64), intent(in) :: first_cell, last_cell
+      integer, intent(in) :: from, segment
+      !> Box of a piece of the segment
+      real(dp), intent(in) :: lower(3), upper(3)
+      type(pair_list_t), intent(inout) :: list
+      integer(int64) :: cell, entry, more
+      integer :: box, other
+      real(dp) :: separation
+
+      cell = first_cell
+      do while (cell <= last_cell)
+         entry = iand(cell, grid%mask)
+         ! cells that follow one another have entries that do, up to the end of the table
+         more = min(last_cell - cell, grid%mask - entry)
+         do box = max(from, grid%start(entry)), grid%start(entry + more + 1) - 1
+            associate (corners => grid%corners(:, box))
+               separation = max( &
+                  max(max(corners(1) - upper(1), lower(1) - corners(4)), max(corners(2) - upper(2), lower(2) - corners(5))), &
+                  max(corners(3) - upper(3), lower(3) - corners(6)))
+            end associate
+            if (separation > 0) cycle
+            if (grid%cell(box) < cell .or. grid%cell(box) > cell + more) cycle
+            other = grid%segment(box)
+            if (other == segment) cycle
+            if (segment_distance(a(:, segment), b(:, segment), grid%ends(:3, box), grid%ends(4:6, box)) &
+               <= reach(segment) + grid%ends(7, box)) call append(list, min(segment, other), max(segment, other))
+         end do
+         cell = cell + more + 1
+      end do
+   end subroutine visit_cells
+
+   pure subroutine append(list, i, j)
+      type(pair_list_t), intent(inout) :: list
+      integer, intent(in) :: i, j
+      integer, allocatable :: larger(:, :)
+
+      if (list%n == size(list%pairs, 2)) then
+         allocate (larger(2, 2*list%n))
+         larger(:, :list%n) = list%pairs
+         call move_alloc(larger, list%pairs)
+      end if
+      list%n = list%n + 1
+      list%pairs(1, list%n) = i
+      list%pairs(2, list%n) = j
+   end subroutine append
+
+   !> All lists as one, sorted, every pair once: an order that depends neither on the grids nor on the threads.
+   subroutine sort_pairs(n_segments, lists, pairs)
+      integer, intent(in) :: n_segments
+      type(pair_list_t), intent(in) :: lists(:)
+      integer, allocatable, intent(out) :: pairs(:, :)
+      integer, allocatable :: start(:), free(:), second(:), kept(:)
+      integer :: l, p, i, n
+
+      allocate (start(n_segments + 1), kept(n_segments), source=0)
+      do l = 1, size(lists)
+         do p = 1, lists(l)%n
+            start(lists(l)%pairs(1, p) + 1) = start(lists(l)%pairs(1, p) + 1) + 1
          end do
       end do
-   end subroutine visit_pairs
-
-   !> Two counting sorts, by the second and then by the first box: an order that does not depend on the grid.
-   pure subroutine sort_pairs(n_boxes, pairs)
-      integer, intent(in) :: n_boxes
-      integer, intent(inout) :: pairs(:, :)
-      integer, allocatable :: sorted(:, :), start(:)
-      integer :: row, i, b
-
-      allocate (sorted, mold=pairs)
-      allocate (start(n_boxes + 1))
-      do row = 2, 1, -1
-         start = 0
-         do i = 1, size(pairs, 2)
-            start(pairs(row, i) + 1) = start(pairs(row, i) + 1) + 1
+      start(1) = 1
+      do i = 1, n_segments
+         start(i + 1) = start(i) + start(i + 1)
+      end do
+      allocate (free, source=start)
+      allocate (second(start(n_segments + 1) - 1))
+      do l = 1, size(lists)
+         do p = 1, lists(l)%n
+            associate (place => free(lists(l)%pairs(1, p)))
+               second(place) = lists(l)%pairs(2, p)
+               place = place + 1
+            end associate
          end do
-         start(1) = 1
-         do b = 1, n_boxes
-            start(b + 1) = start(b + 1) + start(b)
+      end do
+      do i = 1, n_segments
+         call sort_once(second(start(i):start(i + 1) - 1), kept(i))
+      end do
+      allocate (pairs(2, sum(kept)))
+      n = 0
+      do i = 1, n_segments
+         do p = start(i), start(i) + kept(i) - 1
+            n = n + 1
+            pairs(:, n) = [i, second(p)]
          end do
-         do i = 1, size(pairs, 2)
-            b = pairs(row, i)
-            sorted(:, start(b)) = pairs(:, i)
-            start(b) = start(b) + 1
-         end do
-         pairs = sorted
       end do
    end subroutine sort_pairs
+
+   !> Insertion sort of a short list that keeps equal values once, at the front.
+   pure subroutine sort_once(values, kept)
+      integer, intent(inout) :: values(:)
+      integer, intent(out) :: kept
+      integer :: i, k, value
+
+      kept = 0
+      do i = 1, size(values)
+         value = values(i)
+         k = kept
+         do while (k > 0)
+            if (values(k) <= value) exit
+            k = k - 1
+         end do
+         if (k > 0) then
+            if (values(k) == value) cycle
+         end if
+         values(k + 2:kept + 1) = values(k + 1:kept)
+         values(k + 1) = value
+         kept = kept + 1
+      end do
+   end subroutine sort_once
 
    !> Least distance between two straight segments, also where they are parallel or have no length.
    !>

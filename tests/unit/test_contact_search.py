@@ -56,6 +56,45 @@ def test_random_piles_agree_with_brute_force(seed):
     assert len(expected) > 50
 
 
+def all_distances(start, end):
+    """Least distances (n, n) of all segments: of the inner minimum where there is one, and of the four ends."""
+    u, v, w = (end - start)[:, None], (end - start)[None], start[:, None] - start[None]
+    aa, ab, bb = (u * u).sum(-1), (u * v).sum(-1), (v * v).sum(-1)
+    aw, bw = (u * w).sum(-1), (v * w).sum(-1)
+    determinant = aa * bb - ab**2
+    inner = determinant > 1e-12 * aa * bb
+    safe = np.where(inner, determinant, 1.0)
+    candidates = [
+        (np.clip((ab * bw - bb * aw) / safe, 0, 1) * inner, np.clip((aa * bw - ab * aw) / safe, 0, 1) * inner)
+    ]
+    for end_of_one in (0.0, 1.0):
+        fixed = np.full_like(aa, end_of_one)
+        candidates.append((fixed, np.clip((ab * end_of_one + bw) / bb, 0, 1)))
+        candidates.append((np.clip((ab * end_of_one - aw) / aa, 0, 1), fixed))
+    return np.min([np.linalg.norm(w + s[..., None] * u - t[..., None] * v, axis=-1) for s, t in candidates], axis=0)
+
+
+@pytest.mark.parametrize("offset", [0.0, -1e4])
+@pytest.mark.parametrize(
+    ("thicknesses", "lengths"),
+    [((0.01, 0.02), (0.05, 0.1)), ((1e-4, 0.3), (0.05, 0.1)), ((0.001, 0.002), (1e-3, 3.0)), ((1e-4, 0.2), (1e-4, 2.0))],
+    ids=["alike", "thick and thin", "whiskers", "everything"],
+)
+def test_any_mixture_of_radii_and_lengths_agrees_with_brute_force(thicknesses, lengths, offset):
+    """Enough elements for several threads: the sorted list is the same for any number of them."""
+    rng = np.random.default_rng(7)
+    n = 900
+    direction = rng.normal(size=(n, 3))
+    direction *= (np.exp(rng.uniform(*np.log(lengths), n)) / np.linalg.norm(direction, axis=1))[:, None]
+    radius = np.exp(rng.uniform(*np.log(thicknesses), n))
+    start = offset + rng.uniform(0, 1, (n, 3))
+    distances = all_distances(start, start + direction)
+    expected = np.argwhere(np.triu(distances <= radius[:, None] + radius, 1))
+    found = kernels.contact_search(np.vstack([start, start + direction]), [[i, n + i] for i in range(n)], radius)
+    assert np.array_equal(found, expected)
+    assert len(expected) > 100
+
+
 def test_parallel_elements_side_by_side_are_a_pair():
     x = [[0, 0, 0], [1, 0, 0], [0.5, 0.1, 0], [1.5, 0.1, 0]]
     assert kernels.contact_search(x, [[0, 1], [2, 3]], [0.05, 0.051]).tolist() == [[0, 1]]
