@@ -128,14 +128,14 @@ contains
       real(dp), allocatable, intent(out) :: overlap(:)
       type(error_t), allocatable, intent(out) :: error
       integer :: i, n_refused, worst
+      logical :: changed
       character(len=400) :: text
 
       allocate (overlap(size(problem%model%contact_pairs)), source=0.0_dp)
       if (.not. problem%contact%present) return
       associate (model => problem%model, contact => problem%contact, state => problem%state)
-         call find_candidates(model, problem%wires, problem%elements, model%x, model%x, contact)
-         call locate_points(model, problem%wires, problem%elements, model%x, model%x, state%rotation, contact%skin, &
-            contact)
+         call find_candidates(model, problem%wires, problem%elements, model%x, model%x, contact, changed)
+         call locate_points(model, problem%wires, problem%elements, model%x, model%x, state%rotation, contact)
          n_refused = 0
          worst = 0
          do i = 1, size(contact%points)

@@ -22,6 +22,10 @@ module litz_contact_pairs
 
    !> Elements of one wire nearer along it than this many contact radii do not touch each other
    real(dp), parameter :: self_contact_distance = 8.0_dp
+   !> A point this near to an end of its element, in units of xi, may be found again in the next element
+   real(dp), parameter :: near_node = 1.0e-6_dp
+   !> Surface distance up to which an element pair is a candidate, in mean radii of the two
+   real(dp), parameter :: skin = 1.0_dp
 
    !> A crossing of two wires, open or closed.
    type :: contact_point_t
@@ -63,8 +67,8 @@ module litz_contact_pairs
       integer, allocatable :: candidates(:, :)
       !> Positions of the nodes when the candidates were collected (3, n_nodes)
       real(dp), allocatable :: x_collected(:, :)
-      !> Largest surface distance of a candidate [m]
-      real(dp) :: skin = 0
+      !> Candidates hold while no node has moved by this much since they were collected (n_nodes) [m]
+      real(dp), allocatable :: valid_motion(:)
       !> Largest overlap when the increment began [m]
       real(dp) :: depth = 0
       type(contact_point_t), allocatable :: points(:)
@@ -81,7 +85,7 @@ contains
       type(model_t), intent(in) :: model
       type(elements_t), intent(in) :: elements
       type(contact_set_t), intent(out) :: contact
-      integer :: p
+      integer :: p, e
 
       allocate (contact%points(0), contact%candidates(3, 0))
       allocate (contact%clearance(size(model%contact_pairs)), source=0.0_dp)
@@ -95,20 +99,28 @@ contains
             contact%in_set(model%element_sets(pair%set)%members, p) = .true.
          end associate
       end do
-      contact%skin = maxval(elements%radius, mask=any(contact%in_bar .or. contact%in_set, 2))
+      allocate (contact%valid_motion(model%n_nodes), source=huge(1.0_dp))
+      do e = 1, model%n_elements
+         if (.not. any(contact%in_bar(e, :) .or. contact%in_set(e, :))) cycle
+         associate (nodes => model%connectivity(:, e))
+            contact%valid_motion(nodes) = min(contact%valid_motion(nodes), skin*elements%radius(e)/2)
+         end associate
+      end do
    end subroutine prepare_contact
 
    !> Collect the element pairs that are near in the present positions, or were passed since the increment began.
-   subroutine find_candidates(model, wires, elements, x_start, x, contact)
+   subroutine find_candidates(model, wires, elements, x_start, x, contact, changed)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       !> Positions at the start of the increment and now (3, n_nodes) [m]
       real(dp), intent(in) :: x_start(:, :), x(:, :)
       type(contact_set_t), intent(inout) :: contact
+      !> The candidates are not those of the last call
+      logical, intent(out) :: changed
       integer, allocatable :: member(:), pairs(:, :), found(:, :)
       real(dp), allocatable :: reach(:)
-      integer :: i, e, n_found, roles(2), pair
+      integer :: i, e, n_found
 
       member = pack([(e, e=1, model%n_elements)], any(contact%in_bar .or. contact%in_set, 2))
       allocate (reach(size(member)))
@@ -116,7 +128,7 @@ contains
          associate (e => member(i), node => model%connectivity(:, member(i)))
             ! what the axis may leave its chord by, what it has moved since the increment began, and half of the overlap
             ! it then had count as thickness
-            reach(i) = elements%radius(e) + (contact%skin + contact%depth)/2 &
+            reach(i) = (1 + skin/2)*elements%radius(e) + contact%depth/2 &
                + elements%length(e)*sagitta_bound(wires, e) + sqrt(maxval(sum((x(:, node) - x_start(:, node))**2, 1)))
          end associate
       end do
@@ -124,15 +136,22 @@ contains
          call near_segments(x(:, first), x(:, second), reach, pairs)
       end associate
       allocate (found(3, size(pairs, 2)))
-      n_found = 0
+      !$omp parallel do schedule(static) if (size(pairs, 2) >= worth_threads)
       do i = 1, size(pairs, 2)
-         call assign_roles(model, wires, elements, contact, member(pairs(1, i)), member(pairs(2, i)), roles, pair)
-         if (pair == 0) cycle
-         n_found = n_found + 1
-         found(:, n_found) = [roles, pair]
+         call assign_roles(model, wires, elements, contact, member(pairs(1, i)), member(pairs(2, i)), found(1:2, i), &
+            found(3, i))
       end do
-      contact%candidates = found(:, :n_found)
+      !$omp end parallel do
+      n_found = 0
+      do i = 1, size(found, 2)
+         if (found(3, i) == 0) cycle
+         n_found = n_found + 1
+         found(:, n_found) = found(:, i)
+      end do
       contact%x_collected = x
+      changed = size(contact%candidates, 2) /= n_found
+      if (.not. changed) changed = any(contact%candidates /= found(:, :n_found))
+      if (changed) contact%candidates = found(:, :n_found)
    end subroutine find_candidates
 
    !> How far the axis of an element may leave its chord, as a fraction of its length.
@@ -162,7 +181,11 @@ contains
       if (any(model%connectivity(:, a) == model%connectivity(1, b)) .or. &
          any(model%connectivity(:, a) == model%connectivity(2, b))) return
       if (wires%wire(a) == wires%wire(b)) then
-         separation = abs(wires%arc(a) - wires%arc(b)) - (elements%length(a) + elements%length(b))/2
+         separation = abs(wires%arc(a) - wires%arc(b))
+         if (wires%circumference(wires%wire(a)) > 0) then
+            separation = min(separation, wires%circumference(wires%wire(a)) - separation)
+         end if
+         separation = separation - (elements%length(a) + elements%length(b))/2
          if (separation < self_contact_distance*max(elements%radius(a), elements%radius(b))) return
       end if
       do pair = size(model%contact_pairs), 1, -1
@@ -180,13 +203,13 @@ contains
    end subroutine assign_roles
 
    !> Find the crossings in the present configuration; points carry on the memory of those of the last call.
-   subroutine locate_points(model, wires, elements, x_start, x, rotation, reach, contact)
+   !>
+   !> Crossings with a gap beyond the skin are left out, if they were not passed in this increment or before.
+   subroutine locate_points(model, wires, elements, x_start, x, rotation, contact)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       real(dp), intent(in) :: x_start(:, :), x(:, :), rotation(:, :, :)
-      !> Crossings with a larger gap are left out, if they were not passed in this increment or before [m]
-      real(dp), intent(in) :: reach
       type(contact_set_t), intent(inout) :: contact
       type(contact_point_t), allocatable :: old(:)
       real(dp), allocatable :: xi(:, :)
@@ -224,7 +247,7 @@ contains
             axis => model%interactions(model%contact_pairs(contact%candidates(3, c))%interaction)%axis)
             call pair_geometry(model, wires, elements, eb, e, x, rotation, xe, t, length)
             distance = norm2(sum(xe(:, 1:2), 2) - sum(xe(:, 3:4), 2))/2 - sum(length) &
-               - elements%radius(eb) - elements%radius(e) - reach
+               - (1 + skin/2)*(elements%radius(eb) + elements%radius(e))
             ! wires that have passed each other are apart again
             if (distance > 0) distance = distance - contact%depth - relative_motion(eb, e)
             if (distance > 0) then
@@ -267,12 +290,20 @@ contains
 
       subroutine collect
          logical, allocatable :: keep(:)
+         !> The last point on a node that each barred wire has so far, and the one before each of them
+         integer, allocatable :: last_on_node(:), before(:)
          integer :: k, m
 
          allocate (keep(n))
+         allocate (last_on_node(wires%n_wires), before(n), source=0)
          do k = 1, n
             keep(k) = status(k) == closest_inside
-            if (keep(k)) keep(k) = .not. claimed_before(k)
+            if (.not. keep(k) .or. all(abs(xi(:, k)) < 1 - near_node)) cycle
+            associate (last => last_on_node(wires%wire(contact%candidates(1, k))))
+               keep(k) = .not. claimed_before(k, last, before)
+               before(k) = last
+               last = k
+            end associate
          end do
          allocate (contact%points(count(keep)))
          m = 0
@@ -292,15 +323,15 @@ contains
       end subroutine collect
 
       !> A point on a node may be found by both elements there: the first one keeps it.
-      logical function claimed_before(k)
-         integer, intent(in) :: k
+      logical function claimed_before(k, last, before)
+         !> A candidate, the last point on a node of the same barred wire, and the one before each of those
+         integer, intent(in) :: k, last, before(:)
          integer :: other, j
          real(dp) :: tolerance
 
          claimed_before = .false.
-         if (all(abs(xi(:, k)) < 1 - 2*end_tolerance)) return
-         do other = 1, k - 1
-            if (status(other) /= closest_inside) cycle
+         other = last
+         do while (other > 0)
             do j = 1, 2
                if (wires%wire(contact%candidates(j, k)) /= wires%wire(contact%candidates(j, other))) exit
                tolerance = 4*end_tolerance*elements%length(contact%candidates(j, k))
@@ -309,6 +340,7 @@ contains
             end do
             claimed_before = j > 2
             if (claimed_before) return
+            other = before(other)
          end do
       end function claimed_before
 
@@ -352,24 +384,52 @@ contains
       integer function side_at_start(eb, e, axis) result(side)
          integer, intent(in) :: eb, e, axis
          real(dp) :: motion
-         integer :: other_bar, other
+         integer :: i, j, near_bar(2), near(2)
 
          side = side_of_elements(eb, e, axis, search_limit)
          if (side /= 0 .or. wires%wire(eb) == wires%wire(e)) return
          motion = relative_motion(eb, e)
-         do other_bar = 1, model%n_elements
-            if (wires%wire(other_bar) /= wires%wire(eb)) cycle
-            do other = 1, model%n_elements
-               if (wires%wire(other) /= wires%wire(e)) cycle
-               if (centre_distance(other_bar, other) > elements%length(other_bar) + elements%length(other) + motion &
-                  + elements%radius(eb) + elements%radius(e)) cycle
-               side = side_of_elements(other_bar, other, axis, 1 + end_tolerance)
-               if (side == 0) cycle
-               side = side*wires%direction(eb)*wires%direction(e)*wires%direction(other_bar)*wires%direction(other)
-               return
+         near_bar = elements_along(eb, motion)
+         near = elements_along(e, motion)
+         do i = near_bar(1), near_bar(2)
+            do j = near(1), near(2)
+               associate (other_bar => wires%element(i), other => wires%element(j))
+                  if (centre_distance(other_bar, other) > elements%length(other_bar) + elements%length(other) + motion &
+                     + elements%radius(eb) + elements%radius(e)) cycle
+                  side = side_of_elements(other_bar, other, axis, 1 + end_tolerance)
+                  if (side == 0) cycle
+                  side = side*wires%direction(eb)*wires%direction(e)*wires%direction(other_bar)*wires%direction(other)
+                  return
+               end associate
             end do
          end do
       end function side_at_start
+
+      !> First and last element of the same wire, in the order of `wires%element`, that lie within a distance along it.
+      pure function elements_along(e, distance) result(range)
+         integer, intent(in) :: e
+         real(dp), intent(in) :: distance
+         integer :: range(2)
+
+         range = wires%place(e)
+         associate (w => wires%wire(e))
+            do while (range(1) > wires%first(w))
+               if (arc_between(e, wires%element(range(1) - 1)) > distance) exit
+               range(1) = range(1) - 1
+            end do
+            do while (range(2) < wires%first(w + 1) - 1)
+               if (arc_between(e, wires%element(range(2) + 1)) > distance) exit
+               range(2) = range(2) + 1
+            end do
+         end associate
+      end function elements_along
+
+      !> Length of wire between the nearest ends of two of its elements.
+      pure real(dp) function arc_between(a, b)
+         integer, intent(in) :: a, b
+
+         arc_between = abs(wires%arc(a) - wires%arc(b)) - (elements%length(a) + elements%length(b))/2
+      end function arc_between
 
       !> Distance of the middles of two elements when the increment began.
       pure real(dp) function centre_distance(eb, e) result(distance)
@@ -429,6 +489,8 @@ contains
       type(contact_point_t), intent(in) :: old(:), points(:)
       integer, allocatable, intent(out) :: origin(:)
       logical :: taken(size(old))
+      !> The points that are left of each barred wire, as a chain
+      integer :: first_left(wires%n_wires), next_left(size(old))
       integer(int64) :: key
       integer :: i, j
       real(dp) :: distance, nearest
@@ -449,18 +511,27 @@ contains
          end if
       end do
       if (all(taken)) return
+      first_left = 0
+      do j = size(old), 1, -1
+         if (taken(j)) cycle
+         associate (first => first_left(wires%wire(old(j)%element_bar)))
+            next_left(j) = first
+            first = j
+         end associate
+      end do
       do i = 1, size(points)
          if (origin(i) /= 0) cycle
          nearest = elements%length(points(i)%element_bar) + elements%length(points(i)%element)
-         do j = 1, size(old)
-            if (taken(j)) cycle
-            if (wires%wire(old(j)%element_bar) /= wires%wire(points(i)%element_bar)) cycle
-            if (wires%wire(old(j)%element) /= wires%wire(points(i)%element)) cycle
-            distance = abs(old(j)%arc_bar - points(i)%arc_bar) + abs(old(j)%arc - points(i)%arc)
-            if (distance < nearest) then
-               nearest = distance
-               origin(i) = j
+         j = first_left(wires%wire(points(i)%element_bar))
+         do while (j > 0)
+            if (.not. taken(j) .and. wires%wire(old(j)%element) == wires%wire(points(i)%element)) then
+               distance = abs(old(j)%arc_bar - points(i)%arc_bar) + abs(old(j)%arc - points(i)%arc)
+               if (distance < nearest) then
+                  nearest = distance
+                  origin(i) = j
+               end if
             end if
+            j = next_left(j)
          end do
          if (origin(i) > 0) taken(origin(i)) = .true.
       end do

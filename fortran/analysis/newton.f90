@@ -166,7 +166,7 @@ contains
          if (contact%present) then
             call refresh_candidates(problem, x_start)
             call timing%lap(phase_search)
-            call locate_points(model, wires, elements, x_start, iterate%x, iterate%rotation, contact%skin, contact)
+            call locate_points(model, wires, elements, x_start, iterate%x, iterate%rotation, contact)
             call apply_normal_law(model, elements, contact)
             call timing%lap(phase_contact)
          end if
@@ -186,17 +186,18 @@ contains
       end associate
    end subroutine evaluate
 
-   !> New candidates when a node has moved half the skin since they were collected.
+   !> New candidates when a node has moved too far since they were collected.
    subroutine refresh_candidates(problem, x_start)
       type(problem_t), intent(inout) :: problem
       real(dp), intent(in) :: x_start(:, :)
+      logical :: changed
 
       associate (contact => problem%contact, x => problem%iterate%x)
          if (allocated(contact%x_collected)) then
-            if (maxval(sum((x - contact%x_collected)**2, 1)) < (contact%skin/2)**2) return
+            if (all(norm2(x - contact%x_collected, 1) < contact%valid_motion)) return
          end if
-         call find_candidates(problem%model, problem%wires, problem%elements, x_start, x, contact)
-         problem%pattern_changed = .true.
+         call find_candidates(problem%model, problem%wires, problem%elements, x_start, x, contact, changed)
+         problem%pattern_changed = problem%pattern_changed .or. changed
       end associate
    end subroutine refresh_candidates
 

@@ -21,6 +21,13 @@ module litz_wires
       integer, allocatable :: next(:, :)
       !> +1: the element runs along its wire, -1: against it (n_elements)
       integer, allocatable :: direction(:)
+      !> Elements in the order of the wires, and of the arc length along each (n_elements); those of wire w are
+      !> `element(first(w):first(w + 1) - 1)`
+      integer, allocatable :: element(:), first(:)
+      !> Where each element stands in that order (n_elements)
+      integer, allocatable :: place(:)
+      !> Length around a closed wire [m] (n_wires); 0: the wire has two ends
+      real(dp), allocatable :: circumference(:)
       !> Arc length along the wire at the middle of each element [m] (n_elements)
       real(dp), allocatable :: arc(:)
       !> Reference triads at both ends of each element, columns tangent, first and second section axis
@@ -85,9 +92,12 @@ contains
    subroutine number_wires(length, wires)
       real(dp), intent(in) :: length(:)
       type(wires_t), intent(inout) :: wires
-      integer :: e, n, pass
+      integer :: e, n, pass, n_walked
 
       n = size(length)
+      n_walked = 0
+      allocate (wires%element(n), wires%place(n), wires%first(n + 1), source=0)
+      allocate (wires%circumference(n), source=0.0_dp)
       allocate (wires%wire(n), wires%direction(n), source=0)
       allocate (wires%arc(n), source=0.0_dp)
       do pass = 1, 2
@@ -95,8 +105,12 @@ contains
             if (wires%wire(e) /= 0) cycle
             if (pass == 1 .and. all(wires%next(:, e) /= 0)) cycle
             call walk(e)
+            if (pass == 2) wires%circumference(wires%n_wires) = &
+               sum(length(wires%element(wires%first(wires%n_wires):n_walked)))
          end do
       end do
+      wires%first = [wires%first(:wires%n_wires), n + 1]
+      wires%circumference = wires%circumference(:wires%n_wires)
 
    contains
 
@@ -106,11 +120,15 @@ contains
          real(dp) :: s
 
          wires%n_wires = wires%n_wires + 1
+         wires%first(wires%n_wires) = n_walked + 1
          current = start
          exit_side = merge(2, 1, wires%next(1, start) == 0 .or. wires%next(2, start) /= 0)
          s = 0
          do
             wires%wire(current) = wires%n_wires
+            n_walked = n_walked + 1
+            wires%element(n_walked) = current
+            wires%place(current) = n_walked
             wires%direction(current) = merge(1, -1, exit_side == 2)
             wires%arc(current) = s + length(current)/2
             s = s + length(current)

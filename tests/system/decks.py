@@ -171,3 +171,51 @@ def cantilever(*steps, element="B31", static="1, 1, 1e-3, 1", n=10):
     model = wire("WIRE", straight((0, 0, 0), (0.1, 0, 0), n), element=element) + MATERIAL
     model += "*BEAM SECTION, ELSET=WIRE, MATERIAL=STEEL, SECTION=CIRC\n 1e-3\n*BOUNDARY\n 1, ENCASTRE\n"
     return model + "".join(f"*STEP, INC=500\n*STATIC\n {static}\n{cards}\n*END STEP\n" for cards in steps)
+
+
+def grid(n, pitch=0.01):
+    """n wires along x and n across them (radius 1 mm), pressed together by lowering all nodes of the upper ones;
+    those of the lower ones stay at their height.
+
+    They cross in the middle of elements, n * n times; a current enters at the lower wires and leaves at the upper ones.
+    """
+    along = (np.arange(n + 2) - 0.5) * pitch
+    blocks = ["*HEADING\nwire grid of a test\n"]
+    ends = {"LOWER": [], "UPPER": []}
+    for i in range(n):
+        across = np.full(n + 2, i * pitch)
+        for name, first, points in (
+            ("LOWER", 1 + i * (n + 2), np.c_[along, across, 0 * along]),
+            ("UPPER", 1 + (n + i) * (n + 2), np.c_[across, along, 0 * along + 2e-3]),
+        ):
+            blocks.append(wire(name, points, first, element="B33"))
+            ends[name] += [f" {first}", f" {first + n + 1}"]
+    blocks += [f"*NSET, NSET={name}_ENDS\n" + "\n".join(lines) + "\n" for name, lines in ends.items()]
+    return "".join(blocks) + f"""\
+*ELSET, ELSET=WIRES
+ LOWER, UPPER
+{MATERIAL.strip()}
+*ELECTRICAL CONDUCTIVITY
+ 5e7
+*BEAM SECTION, ELSET=WIRES, MATERIAL=STEEL, SECTION=CIRC
+ 1e-3
+*SURFACE INTERACTION, NAME=TOUCH
+*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR
+ 1e5
+*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ
+*CONTACT PAIR, INTERACTION=TOUCH
+ LOWER, UPPER
+*BOUNDARY
+ LOWER_ENDS, ENCASTRE
+ LOWER, 3
+*STEP
+*STATIC
+ 1., 1.
+*BOUNDARY
+ UPPER, 1, 2
+ UPPER, 4, 6
+ UPPER, 3, 3, -2e-5
+ LOWER_ENDS, 9, 9, 1e-3
+ UPPER_ENDS, 9, 9, 0
+*END STEP
+"""

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from decks import crossed, thin_mat
+from decks import MATERIAL, crossed, grid, thin_mat, wire
 
 from litz import Results
 
@@ -108,6 +108,50 @@ def test_results_do_not_depend_on_the_number_of_threads(run):
         files.append(results)
     for name in ("displacement", "rotation", "potential", "reaction_force"):
         assert np.array_equal(files[0].field(name, None), files[1].field(name, None))
+
+
+def test_enough_elements_and_contacts_for_threads_give_the_same_bits_with_any_number_of_them(run):
+    files = []
+    for threads in (1, 2, 3):
+        process, results = run(grid(24), "--threads", str(threads), name=f"threads{threads}")
+        assert process.returncode == 0, process.stderr
+        files.append(results)
+    # loops are shared out from 512 on
+    assert len(files[0].contacts["id"]) == 24 * 24
+    assert files[0].contacts["current"].min() > 0
+    for other in files[1:]:
+        for name in ("displacement", "rotation", "potential", "reaction_force"):
+            assert np.array_equal(files[0].field(name, None), other.field(name, None))
+        for name in ("force", "gap", "resistance", "current"):
+            assert np.array_equal(files[0].contacts[name], other.contacts[name])
+
+
+@pytest.mark.parametrize("closed", [False, True])
+def test_neighbours_of_a_ring_are_no_pair_also_where_it_closes(litz, tmp_path, closed):
+    """A ring of ten radii. Cut open, its two ends are near each other and no neighbours any more."""
+    angle = np.arange(36) * 2 * np.pi / 36
+    ring = wire("RING", np.c_[0.01 * np.cos(angle), 0.01 * np.sin(angle), 0 * angle], closed=closed)
+    deck = tmp_path / "ring.inp"
+    deck.write_text(
+        f"{ring}{MATERIAL}*BEAM SECTION, ELSET=RING, MATERIAL=STEEL, SECTION=CIRC\n 1e-3\n"
+        "*SURFACE INTERACTION, NAME=TOUCH\n*CONTACT PAIR, INTERACTION=TOUCH\n RING\n"
+        "*BOUNDARY\n 1, ENCASTRE\n*STEP\n*STATIC\n 1., 1.\n*END STEP\n"
+    )
+    process = litz("check", deck)
+    assert process.returncode == 0, process.stderr
+    pairs = int(process.stdout.split("contact search: ")[1].split()[0])
+    assert (pairs == 0) == closed
+
+
+def test_the_table_of_times_adds_up(run):
+    process, _ = run(crossed(), "--timing")
+    assert process.returncode == 0, process.stderr
+    table = process.stdout[process.stdout.index("phase ") :].splitlines()
+    phases = {line.split()[0]: float(line.split()[1]) for line in table[1:13]}
+    assert {"search", "elements", "contact", "assembly", "analyse", "factor", "solve", "output"} < set(phases)
+    total = phases.pop("total")
+    assert sum(phases.values()) == pytest.approx(total, abs=0.0006 * len(phases))
+    assert "of memory" in process.stdout
 
 
 def test_wires_pushed_through_each_other_are_refused(run):

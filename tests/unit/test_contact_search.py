@@ -87,7 +87,7 @@ def test_any_mixture_of_radii_and_lengths_agrees_with_brute_force(thicknesses, l
     direction = rng.normal(size=(n, 3))
     direction *= (np.exp(rng.uniform(*np.log(lengths), n)) / np.linalg.norm(direction, axis=1))[:, None]
     radius = np.exp(rng.uniform(*np.log(thicknesses), n))
-    start = offset + rng.uniform(0, 1, (n, 3))
+    start = offset + rng.uniform(0, 0.6, (n, 3))
     distances = all_distances(start, start + direction)
     expected = np.argwhere(np.triu(distances <= radius[:, None] + radius, 1))
     found = kernels.contact_search(np.vstack([start, start + direction]), [[i, n + i] for i in range(n)], radius)
