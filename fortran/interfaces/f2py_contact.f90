@@ -10,6 +10,9 @@ module f2py_contact
    use litz_contact_electricity, only: coupling_parts
    use litz_contact_kinematics, only: core_contact_kinematics => contact_kinematics, contact_kinematics_t
    use litz_contact_mechanics, only: core_contact_mechanics => contact_mechanics
+   use litz_friction_law, only: friction_law_t, core_friction_law => friction_law, &
+      core_mindlin_ratio => mindlin_ratio
+   use litz_contact_friction, only: core_contact_friction => contact_friction
    implicit none
 contains
 
@@ -101,6 +104,44 @@ contains
       if (info /= 0) return
       call core_contact_mechanics(kinematics, t, force, stiffness, geometric_force, form, k, r, dforce_dangle)
    end subroutine contact_mechanics
+
+   ! values: traction (2), plastic slip (2), dissipation, status; derivatives: dT/dD (2, 2) and dT/dF
+   subroutine friction_law(mu, force, stiffness, dstiffness_dforce, traction_start, slip, values, derivatives)
+      real(c_double), intent(in) :: mu, force, stiffness, dstiffness_dforce, traction_start(2), slip(2)
+      real(c_double), intent(out) :: values(6), derivatives(2, 3)
+      type(friction_law_t) :: law
+      law = core_friction_law(mu, force, stiffness, dstiffness_dforce, traction_start, slip)
+      values = [law%traction, law%plastic_slip, law%dissipation, real(law%status, c_double)]
+      derivatives(:, 1:2) = law%dtraction_dslip
+      derivatives(:, 3) = law%dtraction_dforce
+   end subroutine friction_law
+
+   subroutine mindlin_ratio(young, poisson, ratio)
+      real(c_double), intent(in) :: young(2), poisson(2)
+      real(c_double), intent(out) :: ratio
+      ratio = core_mindlin_ratio(young, poisson)
+   end subroutine mindlin_ratio
+
+   ! Residual and tangent of the traction at given closest points. force: F, dF/dg, dF/dangle; stiffness: k_t, dk_t/dF
+   ! values: traction (2), plastic slip (2), dissipation, and the status as a number
+   subroutine contact_friction(x, t, length, axis, radius, xi_bar, xi, side, direction, moved, mu, force, stiffness, &
+      traction_start, k, r, values, info)
+      real(c_double), intent(in) :: x(3, 4), t(3, 4), length(2), radius(2), xi_bar, xi
+      integer(c_int), intent(in) :: axis, side, direction(2)
+      real(c_double), intent(in) :: moved(2), mu, force(3), stiffness(2), traction_start(2)
+      real(c_double), intent(out) :: k(24, 24), r(24), values(6)
+      integer(c_int), intent(out) :: info
+      type(contact_kinematics_t) :: kinematics
+      type(friction_law_t) :: law
+      k = 0
+      r = 0
+      values = 0
+      call core_contact_kinematics(x, t, length, axis, radius, xi_bar, xi, side, kinematics, info)
+      if (info /= 0) return
+      call core_contact_friction(kinematics, x, t, length, axis, direction, moved, mu, force(1), force(2), force(3), &
+         stiffness(1), stiffness(2), traction_start, k, r, law)
+      values = [law%traction, law%plastic_slip, law%dissipation, real(law%status, c_double)]
+   end subroutine contact_friction
 
    ! numbers: xi_bar, xi, gap, angle, force, semi_major, semi_minor, resistance, current, voltage_gap, side
    ! k_me: the five parts of the coupling block

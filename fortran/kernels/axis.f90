@@ -5,9 +5,10 @@
 module litz_axis
    use litz_kinds, only: dp
    use litz_laws, only: axis_hermite
+   use litz_rotations, only: cross
    implicit none
    private
-   public :: axis_shape, axis_polynomial
+   public :: axis_shape, axis_third_derivative, axis_polynomial, on_axis, axis_row
 
 contains
 
@@ -35,6 +36,41 @@ contains
          h2 = 0
       end if
    end subroutine axis_shape
+
+   !> Third derivatives of the weights, the same everywhere in the element.
+   pure function axis_third_derivative(axis, length) result(h3)
+      !> `axis_linear` or `axis_hermite` of litz_laws
+      integer, intent(in) :: axis
+      !> Reference length L0 [m]
+      real(dp), intent(in) :: length
+      real(dp) :: h3(4)
+
+      h3 = 0
+      if (axis == axis_hermite) h3 = [1.5_dp, 0.75_dp*length, -1.5_dp, 0.75_dp*length]
+   end function axis_third_derivative
+
+   !> Position, or a derivative of it, with the weights of x1, t1, x2, t2.
+   pure function on_axis(weight, x, t) result(point)
+      !> Weights (4); positions [m] and unit tangents of the two nodes (3, 2)
+      real(dp), intent(in) :: weight(4), x(3, 2), t(3, 2)
+      real(dp) :: point(3)
+
+      point = weight(1)*x(:, 1) + weight(2)*t(:, 1) + weight(3)*x(:, 2) + weight(4)*t(:, 2)
+   end function on_axis
+
+   !> How the product of a fixed vector `v` with `on_axis` changes with the displacements and spins of the two nodes:
+   !> a row over 12 unknowns. A nodal tangent turns with its node, `delta t = dtheta x t`, so that
+   !> `v . delta t = (t x v) . dtheta`.
+   pure function axis_row(weight, t, v) result(r)
+      !> Weights (4), unit tangents of the two nodes (3, 2), and the vector (3)
+      real(dp), intent(in) :: weight(4), t(3, 2), v(3)
+      real(dp) :: r(12)
+
+      r(1:3) = weight(1)*v
+      r(4:6) = weight(2)*cross(t(:, 1), v)
+      r(7:9) = weight(3)*v
+      r(10:12) = weight(4)*cross(t(:, 2), v)
+   end function axis_row
 
    !> The same curve in powers of xi: `x(xi) = p0 + p1 xi + p2 xi^2 + p3 xi^3`.
    pure function axis_polynomial(axis, length, x, t) result(p)

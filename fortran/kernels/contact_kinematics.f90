@@ -16,7 +16,7 @@
 module litz_contact_kinematics
    use litz_kinds, only: dp
    use litz_rotations, only: cross
-   use litz_axis, only: axis_shape
+   use litz_axis, only: axis_shape, on_axis, axis_row
    use litz_closest_points, only: parallel_sine
    implicit none
    private
@@ -120,11 +120,11 @@ contains
       end do
 
       kinematics%tangent_weight = [hb(2), hb(4), -h(2), -h(4)]
-      kinematics%dgap = [row(hb, t(:, 1:2), n), row(h, t(:, 3:4), -n)]                      ! dg = n^T S
-      kinematics%b(:, 1) = [row(hb, t(:, 1:2), -x1), row(h, t(:, 3:4), x1)]                 ! B
-      kinematics%b(:, 2) = [row(hb, t(:, 1:2), xb1), row(h, t(:, 3:4), -xb1)]
-      kinematics%q(13:24, 1) = row(h1, t(:, 3:4), -n)                                      ! Q
-      kinematics%q(1:12, 2) = row(hb1, t(:, 1:2), n)
+      kinematics%dgap = [axis_row(hb, t(:, 1:2), n), axis_row(h, t(:, 3:4), -n)]            ! dg = n^T S
+      kinematics%b(:, 1) = [axis_row(hb, t(:, 1:2), -x1), axis_row(h, t(:, 3:4), x1)]       ! B
+      kinematics%b(:, 2) = [axis_row(hb, t(:, 1:2), xb1), axis_row(h, t(:, 3:4), -xb1)]
+      kinematics%q(13:24, 1) = axis_row(h1, t(:, 3:4), -n)                                 ! Q
+      kinematics%q(1:12, 2) = axis_row(hb1, t(:, 1:2), n)
       call add_moves(kinematics)
       call add_angle(kinematics, t, x1, x2, xb1, xb2, h1, hb1)
    end subroutine contact_kinematics
@@ -154,29 +154,10 @@ contains
       v = (eb - kinematics%cos_angle*e)/norm2(x1)                                          ! dcos/dx'
       vb = (e - kinematics%cos_angle*eb)/norm2(xb1)                                        ! dcos/dxb'
       kinematics%dcos_angle = dot_product(v, x2)*kinematics%dxi + dot_product(vb, xb2)*kinematics%dxi_bar
-      kinematics%dcos_angle(1:12) = kinematics%dcos_angle(1:12) + row(hb1, t(:, 1:2), vb)
-      kinematics%dcos_angle(13:24) = kinematics%dcos_angle(13:24) + row(h1, t(:, 3:4), v)
+      kinematics%dcos_angle(1:12) = kinematics%dcos_angle(1:12) + axis_row(hb1, t(:, 1:2), vb)
+      kinematics%dcos_angle(13:24) = kinematics%dcos_angle(13:24) + axis_row(h1, t(:, 3:4), v)
       kinematics%dangle = -kinematics%dcos_angle/sin(kinematics%angle)
    end subroutine add_angle
-
-   !> Position, or a derivative of it, with the weights of x1, t1, x2, t2.
-   pure function on_axis(weight, x, t) result(point)
-      real(dp), intent(in) :: weight(4), x(3, 2), t(3, 2)
-      real(dp) :: point(3)
-
-      point = weight(1)*x(:, 1) + weight(2)*t(:, 1) + weight(3)*x(:, 2) + weight(4)*t(:, 2)
-   end function on_axis
-
-   !> The row `v^T S` of one element over its 12 unknowns.
-   pure function row(weight, t, v) result(r)
-      real(dp), intent(in) :: weight(4), t(3, 2), v(3)
-      real(dp) :: r(12)
-
-      r(1:3) = weight(1)*v
-      r(4:6) = weight(2)*cross(t(:, 1), v)
-      r(7:9) = weight(3)*v
-      r(10:12) = weight(4)*cross(t(:, 2), v)
-   end function row
 
    pure function inverse(a) result(b)
       real(dp), intent(in) :: a(2, 2)

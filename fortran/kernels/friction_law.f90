@@ -1,0 +1,82 @@
+!> Coulomb friction at a point: the traction that resists a slip, by a return map with a tangential stiffness.
+!>
+!> Source: J. C. Simo, T. A. Laursen, Comput. Struct. 42 (1992) 97-116, the return map of friction in analogy to
+!> plasticity, for two components in the tangential plane: trial traction `T* = T_n + k_t D`, with `T_n` the traction
+!> when the increment began and `D` the slip since; stick while `|T*| <= mu F`, else slip with `T = mu F T*/|T*|`.
+module litz_friction_law
+   use litz_kinds, only: dp
+   implicit none
+   private
+   public :: friction_law_t, friction_law, mindlin_ratio
+   public :: friction_none, friction_stick, friction_slip
+
+   !> No traction: the contact is open, or closed in this increment only
+   integer, parameter :: friction_none = 0
+   integer, parameter :: friction_stick = 1
+   integer, parameter :: friction_slip = 2
+
+   !> Traction and how it changes.
+   type :: friction_law_t
+      !> One of the constants above
+      integer :: status = friction_none
+      !> Traction (2) [N] against the slip
+      real(dp) :: traction(2) = 0
+      !> dT/dD (2, 2) [N/m], and dT/dF (2) [-], with the stiffness following the force
+      real(dp) :: dtraction_dslip(2, 2) = 0, dtraction_dforce(2) = 0
+      !> Part of the slip that is not elastic (2) [m], and the work that it turns to heat, never negative [J]
+      real(dp) :: plastic_slip(2) = 0, dissipation = 0
+   end type friction_law_t
+
+contains
+
+   pure function friction_law(mu, force, stiffness, dstiffness_dforce, traction_start, slip) result(law)
+      !> Coefficient of friction [-], and normal force [N]; both at least 0
+      real(dp), intent(in) :: mu, force
+      !> Tangential stiffness k_t [N/m], greater than 0, and how it changes with the normal force [1/m]
+      real(dp), intent(in) :: stiffness, dstiffness_dforce
+      !> Traction at the start of the increment (2) [N], and slip since then (2) [m]
+      real(dp), intent(in) :: traction_start(2), slip(2)
+      type(friction_law_t) :: law
+      real(dp) :: trial(2), dtrial_dforce(2), size_of_trial, direction(2), ratio
+      integer :: i
+
+      trial = traction_start + stiffness*slip                                             ! T* = T_n + k_t D
+      dtrial_dforce = dstiffness_dforce*slip
+      size_of_trial = norm2(trial)
+      if (size_of_trial <= mu*force) then
+         law%status = friction_stick
+         law%traction = trial
+         law%dtraction_dforce = dtrial_dforce
+         law%dtraction_dslip(1, 1) = stiffness
+         law%dtraction_dslip(2, 2) = stiffness
+      else
+         law%status = friction_slip
+         direction = trial/size_of_trial
+         ratio = mu*force/size_of_trial
+         law%traction = mu*force*direction                                                ! T = mu F T*/|T*|
+         law%dtraction_dforce = mu*direction + ratio*(dtrial_dforce - direction*dot_product(direction, dtrial_dforce))
+         do i = 1, 2
+            law%dtraction_dslip(:, i) = -ratio*stiffness*direction*direction(i)
+            law%dtraction_dslip(i, i) = law%dtraction_dslip(i, i) + ratio*stiffness
+         end do
+         law%plastic_slip = (size_of_trial - mu*force)/stiffness*direction
+         law%dissipation = mu*force*(size_of_trial - mu*force)/stiffness
+      end if
+   end function friction_law
+
+   !> Tangential over normal stiffness of a round Hertz spot that sticks: `k_t/k_n = 4 G*/E*`.
+   !>
+   !> Source: R. D. Mindlin, J. Appl. Mech. 16 (1949) 259-268: `k_t = 8 a G*`, `1/G* = (2 - nu)/G + (2 - nub)/Gb`,
+   !> beside Hertz's `k_n = 2 a E*`; `2 (1 - nu)/(2 - nu)` for equal materials.
+   pure real(dp) function mindlin_ratio(young, poisson) result(ratio)
+      !> Young's moduli (2) [Pa], Poisson's ratios (2) [-]: barred, unbarred
+      real(dp), intent(in) :: young(2), poisson(2)
+      real(dp) :: g_star, e_star, shear(2)
+
+      shear = young/(2*(1 + poisson))
+      g_star = 1/sum((2 - poisson)/shear)
+      e_star = 1/sum((1 - poisson**2)/young)
+      ratio = 4*g_star/e_star
+   end function mindlin_ratio
+
+end module litz_friction_law
