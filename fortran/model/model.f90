@@ -138,7 +138,7 @@ module litz_model
       !> Most cut-backs of one increment
       integer :: i_a = 8
       !> Largest nodal rotation in one iteration [rad]
-      real(dp) :: rotation_cap = 0.5_dp
+      real(dp) :: rotation_cap = 0.6_dp
    end type controls_t
 
    type :: step_t
