@@ -212,7 +212,9 @@ contains
       type(run_options_t), intent(in) :: options
       type(error_t), allocatable, intent(out) :: error
       logical :: in_beam(problem%model%n_nodes), in_conductor(problem%model%n_nodes)
+      integer, allocatable :: mechanical(:, :), electric(:)
       integer :: e, kind
+      logical :: same_system
 
       call start_loading(step, problem%state, problem%loading)
       in_beam = .false.
@@ -221,16 +223,25 @@ contains
          in_beam(problem%model%connectivity(:, e)) = .true.
          if (problem%elements%resistivity(e) > 0) in_conductor(problem%model%connectivity(:, e)) = .true.
       end do
+      if (allocated(problem%solver)) then
+         mechanical = problem%equations%mechanical
+         electric = problem%equations%electric
+      end if
       call number_equations(problem%loading%fixed, in_beam, in_conductor, problem%equations)
       kind = resolved_solver(merge(options%solver, step%solver, options%solver > 0))
-      if (allocated(problem%solver)) deallocate (problem%solver)
-      call create_solver(kind, problem%solver, error)
-      if (allocated(error)) return
+      same_system = .false.
+      if (allocated(problem%solver)) same_system = problem%solver%kind == kind .and. &
+         all(mechanical == problem%equations%mechanical) .and. all(electric == problem%equations%electric)
+      if (.not. same_system) then
+         if (allocated(problem%solver)) deallocate (problem%solver)
+         call create_solver(kind, problem%solver, error)
+         if (allocated(error)) return
+         problem%pattern_changed = .true.
+      end if
       problem%coupling = step%coupling
       if (problem%coupling == coupling_default) then
          problem%coupling = merge(coupling_updated, coupling_monolithic, kind == solver_block)
       end if
-      problem%pattern_changed = .true.
    end subroutine begin_step
 
    !> One increment with its cut-backs.

@@ -351,7 +351,11 @@ contains
          if (problem%equations%electric(node) > 0) b_e(problem%equations%electric(node)) = rhs(7)
       end do
       call problem%timing%lap(phase_update)
-      call problem%solver%factor(problem%matrix, error)
+      if (problem%coupling == coupling_monolithic) then
+         call problem%solver%factor(problem%matrix, error)
+      else
+         call problem%solver%factor_mechanical(problem%matrix, error)
+      end if
       call problem%timing%lap(phase_factor)
       if (allocated(error)) return
       x_e = 0

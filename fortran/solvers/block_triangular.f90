@@ -33,6 +33,7 @@ module litz_block_triangular
    contains
       procedure :: analyse => block_solver_analyse
       procedure :: factor => block_solver_factor
+      procedure :: factor_mechanical => block_solver_factor_mechanical
       procedure :: factor_electric => block_solver_factor_electric
       procedure :: solve => block_solver_solve
       procedure :: solve_mechanical => block_solver_solve_mechanical
@@ -112,13 +113,22 @@ contains
       type(system_matrix_t), intent(in) :: matrix
       type(error_t), allocatable, intent(out) :: error
 
+      call self%factor_mechanical(matrix, error)
+      if (allocated(error)) return
+      call self%factor_electric(matrix, error)
+   end subroutine block_solver_factor
+
+   subroutine block_solver_factor_mechanical(self, matrix, error)
+      class(block_solver_t), intent(inout) :: self
+      type(system_matrix_t), intent(in) :: matrix
+      type(error_t), allocatable, intent(out) :: error
+
       self%negative_pivots = -1
       call self%mechanical%factor(matrix%mm, matrix%mm_symmetric, error)
       self%failed_equation = self%mechanical%failed_equation
       if (allocated(error)) return
       if (matrix%mm_symmetric) call count_negative_pivots(self)
-      call self%factor_electric(matrix, error)
-   end subroutine block_solver_factor
+   end subroutine block_solver_factor_mechanical
 
    !> That Cholesky failed says only that there is a negative pivot; how many, the LU tells if it could keep to the
    !> diagonal.

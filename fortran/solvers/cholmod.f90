@@ -3,7 +3,8 @@
 !> Source: Y. Chen, T. A. Davis, W. W. Hager, S. Rajamanickam, ACM TOMS 35 (2008) 22.
 module litz_cholmod
    use, intrinsic :: iso_c_binding, only: c_ptr, c_null_ptr, c_associated, c_int, c_int64_t, c_double
-   use litz_kinds, only: dp
+   use litz_kinds, only: dp, int64
+   use litz_available_memory, only: available_memory, memory_text
    use litz_errors, only: error_t, fail, exit_solver
    use litz_linear_solver, only: csr_matrix_t
    use litz_sparse_factor, only: sparse_factor_t
@@ -16,9 +17,10 @@ module litz_cholmod
 
    !> A matrix that is not positive definite fails at the equation where that was found; its pivot is then -1.
    type, extends(sparse_factor_t) :: cholmod_factor_t
-      private
-      type(c_ptr) :: handle = c_null_ptr
-      integer(c_int64_t), allocatable :: start(:), index(:)
+      !> Most memory the factor may take [bytes]; 0: what the machine has available
+      integer(int64) :: memory_limit = 0
+      type(c_ptr), private :: handle = c_null_ptr
+      integer(c_int64_t), allocatable, private :: start(:), index(:)
    contains
       procedure :: analyse => cholmod_analyse
       procedure :: factor => cholmod_factor
@@ -45,6 +47,12 @@ module litz_cholmod
          integer(c_int64_t), intent(in) :: start(*), row(*)
          integer(c_int) :: status
       end function cholmod_shim_analyse
+
+      function cholmod_shim_factor_entries(handle) bind(c) result(entries)
+         import :: c_ptr, c_int64_t
+         type(c_ptr), value :: handle
+         integer(c_int64_t) :: entries
+      end function cholmod_shim_factor_entries
 
       function cholmod_shim_factor(handle, n, start, row, value, failed) bind(c) result(status)
          import :: c_ptr, c_int64_t, c_double, c_int
@@ -95,8 +103,29 @@ contains
       if (allocated(self%pivot)) deallocate (self%pivot)
       allocate (self%pivot(matrix%n_rows))
       status = cholmod_shim_analyse(self%handle, int(matrix%n_rows, c_int64_t), self%start, self%index)
-      if (status /= cholmod_ok) error = cholmod_error(status, matrix%n_rows)
+      if (status /= cholmod_ok) then
+         error = cholmod_error(status, matrix%n_rows)
+      else
+         call check_memory(self, matrix%n_rows, error)
+      end if
    end subroutine cholmod_analyse
+
+   !> A factor that does not fit is refused before the system would kill the run for it.
+   subroutine check_memory(self, n, error)
+      class(cholmod_factor_t), intent(in) :: self
+      integer, intent(in) :: n
+      type(error_t), allocatable, intent(out) :: error
+      integer(int64) :: bytes, limit
+      character(len=12) :: equations
+
+      bytes = storage_size(1.0_dp)/8*cholmod_shim_factor_entries(self%handle)
+      limit = self%memory_limit
+      if (limit == 0) limit = available_memory()
+      if (bytes <= limit) return
+      write (equations, '(i0)') n
+      error = fail(exit_solver, 'CHOLMOD: the factor of '//trim(equations)//' equations needs '//memory_text(bytes)// &
+         ' of memory, '//memory_text(limit)//' are available; take a coarser mesh or a machine with more memory')
+   end subroutine check_memory
 
    subroutine cholmod_factor(self, matrix, error)
       class(cholmod_factor_t), intent(inout) :: self

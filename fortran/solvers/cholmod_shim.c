@@ -64,6 +64,12 @@ int cholmod_shim_analyse(cholmod_shim *self, int64_t n, int64_t *start, int64_t 
     return self->common.status;
 }
 
+/* Numbers that the factor of the analysed matrix holds. */
+int64_t cholmod_shim_factor_entries(const cholmod_shim *self)
+{
+    return (int64_t)self->factor->xsize;
+}
+
 /* Where the matrix is not positive definite, `failed` is the equation at which that was found. */
 int cholmod_shim_factor(cholmod_shim *self, int64_t n, int64_t *start, int64_t *row, double *value, int64_t *failed)
 {

@@ -2,6 +2,7 @@
 module litz_equilibration
    use litz_kinds, only: dp
    use litz_linear_solver, only: csr_matrix_t
+   use litz_parallel, only: worth_threads
    use litz_sparse_pattern, only: csr_position
    implicit none
    private
@@ -14,13 +15,14 @@ contains
    !>
    !> Powers of two, so that scaling rounds nothing. A row whose diagonal is small beside its other entries (an
    !> indefinite matrix) is scaled by those.
-   pure subroutine equilibrate(matrix, scale)
+   subroutine equilibrate(matrix, scale)
       type(csr_matrix_t), intent(in) :: matrix
       !> (n_rows); 0 for an equation without any entry
       real(dp), intent(out) :: scale(:)
       real(dp) :: row_maximum(size(scale)), reference
       integer :: row, diagonal
 
+      !$omp parallel do schedule(static) private(diagonal, reference) if (matrix%n_rows >= worth_threads)
       do row = 1, matrix%n_rows
          associate (values => matrix%value(matrix%row_start(row):matrix%row_start(row + 1) - 1))
             reference = 0
@@ -31,9 +33,12 @@ contains
          scale(row) = 0
          if (reference > 0) scale(row) = 1/sqrt(reference)
       end do
+      !$omp end parallel do
+      !$omp parallel do schedule(static) if (matrix%n_rows >= worth_threads)
       do row = 1, matrix%n_rows
          row_maximum(row) = scaled_row_maximum(matrix, row, scale(row), scale)
       end do
+      !$omp end parallel do
       where (row_maximum > 1) scale = scale/sqrt(row_maximum)
       scale = power_of_two_below(scale)
    end subroutine equilibrate

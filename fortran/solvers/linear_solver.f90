@@ -41,6 +41,8 @@ module litz_linear_solver
       procedure(analyse_interface), deferred :: analyse
       !> Numeric factorisation of the whole system
       procedure(factor_interface), deferred :: factor
+      !> Numeric factorisation that `solve_mechanical` needs at least
+      procedure(factor_interface), deferred :: factor_mechanical
       !> Numeric factorisation of `ee` alone, for `solve_electric`
       procedure(factor_interface), deferred :: factor_electric
       !> `[mm 0; me ee] [x_m; x_e] = [b_m; b_e]`, the monolithic step

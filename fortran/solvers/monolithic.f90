@@ -17,6 +17,7 @@ module litz_monolithic
    contains
       procedure :: analyse => monolithic_analyse
       procedure :: factor => monolithic_factor
+      procedure :: factor_mechanical => monolithic_factor
       procedure :: factor_electric => monolithic_factor_electric
       procedure :: solve => monolithic_solve
       procedure :: solve_mechanical => monolithic_solve_mechanical
@@ -113,7 +114,7 @@ contains
 
    !> Each field is scaled to unit diagonal; `K_me` is then brought to entries of one at most by the ratio of the units
    !> of current and voltage, which changes neither `mm` nor `ee`. So pivots are found on the diagonal.
-   pure subroutine system_scales(matrix, row_scale, column_scale)
+   subroutine system_scales(matrix, row_scale, column_scale)
       type(system_matrix_t), intent(in) :: matrix
       !> (n_m + n_e)
       real(dp), allocatable, intent(out) :: row_scale(:), column_scale(:)

@@ -5,6 +5,7 @@ module litz_scaled_factor
    use litz_kinds, only: dp
    use litz_errors, only: error_t, fail, exit_solver, exit_internal
    use litz_linear_solver, only: csr_matrix_t
+   use litz_parallel, only: worth_threads
    use litz_sparse_pattern, only: csr_entries, csr_add_product
    use litz_sparse_factor, only: sparse_factor_t, smallest_pivot
    implicit none
@@ -56,7 +57,7 @@ contains
       !> (n_rows) positive, powers of two; 0 for an equation without any entry
       real(dp), intent(in) :: row_scale(:), column_scale(:)
       type(error_t), allocatable, intent(out) :: error
-      integer :: row
+      integer :: row, infinite, empty
 
       self%factored = .false.
       self%failed_equation = 0
@@ -66,20 +67,26 @@ contains
       end if
       self%row_scale = row_scale
       self%column_scale = column_scale
+      infinite = matrix%n_rows + 1
+      empty = matrix%n_rows + 1
+      !$omp parallel do schedule(static) reduction(min: infinite, empty) if (matrix%n_rows >= worth_threads)
       do row = 1, matrix%n_rows
          associate (first => matrix%row_start(row), last => matrix%row_start(row + 1) - 1)
-            if (.not. all(ieee_is_finite(matrix%value(first:last)))) then
-               call give_up(self, row, 'has a coefficient that is infinite or not a number', error)
-               return
-            end if
-            if (.not. row_scale(row) > 0) then
-               call give_up(self, row, 'has no coefficient other than zero', error)
-               return
-            end if
+            if (.not. all(ieee_is_finite(matrix%value(first:last)))) infinite = min(infinite, row)
+            if (.not. row_scale(row) > 0) empty = min(empty, row)
             self%matrix%value(first:last) = row_scale(row)*matrix%value(first:last) &
                *column_scale(matrix%column(first:last))
          end associate
       end do
+      !$omp end parallel do
+      if (min(infinite, empty) <= matrix%n_rows) then
+         if (infinite <= empty) then
+            call give_up(self, infinite, 'has a coefficient that is infinite or not a number', error)
+         else
+            call give_up(self, empty, 'has no coefficient other than zero', error)
+         end if
+         return
+      end if
       if (matrix%n_rows > 0) call factor_backend(self, error)
       self%factored = .not. allocated(error)
    end subroutine scaled_factor_factor

@@ -2,6 +2,7 @@
 module litz_sparse_pattern
    use litz_kinds, only: dp
    use litz_linear_solver, only: csr_matrix_t
+   use litz_parallel, only: worth_threads
    implicit none
    private
    public :: pattern_from_cliques, csr_position, csr_transpose, csr_multiply, csr_add_product, csr_entries
@@ -167,7 +168,7 @@ contains
    end subroutine csr_transpose
 
    !> `y = A x`
-   pure subroutine csr_multiply(matrix, x, y)
+   subroutine csr_multiply(matrix, x, y)
       type(csr_matrix_t), intent(in) :: matrix
       !> (n_columns)
       real(dp), intent(in) :: x(:)
@@ -179,7 +180,7 @@ contains
    end subroutine csr_multiply
 
    !> `y = y + factor A x`
-   pure subroutine csr_add_product(matrix, factor, x, y)
+   subroutine csr_add_product(matrix, factor, x, y)
       type(csr_matrix_t), intent(in) :: matrix
       real(dp), intent(in) :: factor
       !> (n_columns)
@@ -189,6 +190,7 @@ contains
       real(dp) :: product
       integer :: row, k
 
+      !$omp parallel do schedule(static) private(product, k) if (matrix%n_rows >= worth_threads)
       do row = 1, matrix%n_rows
          product = 0
          do k = matrix%row_start(row), matrix%row_start(row + 1) - 1
@@ -196,6 +198,7 @@ contains
          end do
          y(row) = y(row) + factor*product
       end do
+      !$omp end parallel do
    end subroutine csr_add_product
 
 end module litz_sparse_pattern

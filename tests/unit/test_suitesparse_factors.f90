@@ -17,6 +17,7 @@ program test_suitesparse_factors
    allocate (cholmod_factor_t :: factor)
    call pivots_multiply_to_the_determinant(factor, 'CHOLMOD')
    call a_negative_diagonal_is_found(factor, 'CHOLMOD')
+   call a_factor_that_does_not_fit_is_refused()
    deallocate (factor)
    allocate (umfpack_factor_t :: factor)
    call pivots_multiply_to_the_determinant(factor, 'UMFPACK')
@@ -72,6 +73,23 @@ contains
       call check(minloc(abs(factor%pivot), dim=1) == bad, name//': the equation with the zero diagonal')
       call check(abs(factor%pivot(bad)) < tiny(1.0_dp), name//': its pivot is zero')
    end subroutine an_empty_equation_is_found
+
+   !> A tridiagonal matrix of n equations has n + n - 1 numbers in its factor; supernodes may store a few zeros more.
+   subroutine a_factor_that_does_not_fit_is_refused()
+      type(cholmod_factor_t) :: factor
+      type(csr_matrix_t) :: matrix
+      type(error_t), allocatable :: error
+      integer :: i
+
+      call pattern_from_cliques(n, [(2*i - 1, i=1, n)], [(i, i + 1, i=1, n - 1)], matrix)
+      factor%memory_limit = 8*(2*n - 1) - 1
+      call factor%analyse(matrix, error)
+      call check(allocated(error), 'CHOLMOD: a factor larger than the memory')
+      if (allocated(error)) call check(index(error%message, 'of memory') > 0, 'CHOLMOD: says how much is needed')
+      factor%memory_limit = 8*n*n
+      call factor%analyse(matrix, error)
+      call check(.not. allocated(error), 'CHOLMOD: a factor that fits')
+   end subroutine a_factor_that_does_not_fit_is_refused
 
    !> The unit matrix but for one equation.
    subroutine factor_diagonal(factor, equation, value)
