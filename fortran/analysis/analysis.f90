@@ -12,6 +12,7 @@ module litz_analysis
    use litz_model, only: model_t, step_t, solver_block, coupling_default, coupling_monolithic, coupling_updated, &
       request_contact
    use litz_newton, only: problem_t, outcome_t, solve_increment
+   use litz_parallel_wires, only: shallow_angle, parallel_warning
    use litz_results, only: results_t, iteration_report_t, increment_report_t
    use litz_solver_factory, only: create_solver, resolved_solver
    use litz_step_control, only: step_control_t
@@ -24,8 +25,6 @@ module litz_analysis
 
    !> Wires may overlap in the reference by this fraction of the smaller radius without being an interference fit
    real(dp), parameter :: allowed_overlap = 0.01_dp
-   !> Below this crossing angle [rad] a point contact does not describe the line in which wires touch
-   real(dp), parameter :: shallow_angle = 10*pi/180
 
    type :: run_options_t
       character(len=:), allocatable :: deck_path
@@ -65,7 +64,7 @@ contains
       call problem%timing%lap(phase_search)
       call results%open(model, options%output_directory, deck_stem(options%deck_path), error)
       if (allocated(error)) return
-      if (.not. options%quiet) call print_header(model)
+      if (.not. options%quiet) call print_header(model, parallel_warning(model, problem%elements, problem%contact))
       call results%write_increment(model, problem%state, error)
       call problem%timing%lap(phase_output)
       do i = 1, size(model%steps)
@@ -87,6 +86,7 @@ contains
       type(error_t), allocatable, intent(out) :: error
       type(problem_t) :: problem
       real(dp), allocatable :: overlap(:)
+      character(len=:), allocatable :: warning
       character(len=200) :: line
       integer :: i
 
@@ -100,6 +100,8 @@ contains
       write (line, '(a, i0, a, i0, a)') 'contact search: ', size(problem%contact%candidates, 2), &
          ' pairs of elements are near, ', size(problem%contact%points), ' crossings within reach'
       report = report//trim(line)//new_line('a')
+      warning = parallel_warning(model, problem%elements, problem%contact)
+      if (len(warning) > 0) report = report//warning//new_line('a')
       do i = 1, min(20, size(problem%contact%points))
          associate (point => problem%contact%points(i))
             write (line, '(a, i0, a, i0, a, f6.2, a, es11.3, a)') '  elements ', model%element_id(point%element_bar), &
@@ -335,10 +337,13 @@ contains
       call print_contacts(problem, outcome)
    end subroutine report_increment
 
-   subroutine print_header(model)
+   subroutine print_header(model, warning)
       type(model_t), intent(in) :: model
+      !> A line, or empty
+      character(len=*), intent(in) :: warning
 
       if (allocated(model%heading)) write (output_unit, '(a)') trim(model%heading)
+      if (len(warning) > 0) write (output_unit, '(a)') warning
       write (output_unit, '(a)') ' step   inc  att iters     time [s]  increment [s]  contacts  sum of F [N]'
    end subroutine print_header
 

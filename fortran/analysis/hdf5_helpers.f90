@@ -1,11 +1,10 @@
 !> The few things litz asks of HDF5, each in one call: files, groups, attributes, and datasets that grow by rows.
 !>
 !> Every procedure passes `error` through and does nothing once it is allocated, so that a sequence of calls needs
-!> one check at its end. The error stack that HDF5 would print is turned off; the messages are made here.
+!> one check at its end.
 module litz_hdf5_helpers
-   use, intrinsic :: iso_c_binding, only: c_char, c_int, c_loc, c_null_char, c_ptr
-   use hdf5, only: hid_t, hsize_t, size_t, h5open_f, h5dont_atexit_f, h5eset_auto_f, &
-      h5fcreate_f, h5fflush_f, h5fclose_f, h5fget_name_f, h5gcreate_f, &
+   use, intrinsic :: iso_c_binding, only: c_char, c_loc, c_null_char, c_ptr
+   use hdf5, only: hid_t, hsize_t, size_t, h5fcreate_f, h5fflush_f, h5fclose_f, h5fget_name_f, h5gcreate_f, &
       h5pcreate_f, h5pclose_f, h5pset_chunk_f, h5pset_fclose_degree_f, &
       h5screate_f, h5screate_simple_f, h5sclose_f, h5sselect_hyperslab_f, &
       h5acreate_f, h5aopen_f, h5awrite_f, h5aclose_f, h5aexists_f, &
@@ -17,6 +16,7 @@ module litz_hdf5_helpers
       H5T_IEEE_F64LE, H5T_STD_I64LE, H5T_STD_U8LE
    use litz_kinds, only: dp, int64
    use litz_errors, only: error_t, fail, exit_files
+   use litz_hdf5_library, only: hdf5_start
    implicit none
    private
    public :: hid_t, hdf5_rows_t
@@ -49,32 +49,7 @@ module litz_hdf5_helpers
       procedure :: write_attribute_integer
    end interface hdf5_write_attribute
 
-   interface
-      !> POSIX setenv
-      integer(c_int) function c_setenv(name, value, overwrite) bind(c, name='setenv')
-         import :: c_char, c_int
-         character(kind=c_char), intent(in) :: name(*), value(*)
-         integer(c_int), value :: overwrite
-      end function c_setenv
-   end interface
-
 contains
-
-   !> Readies the HDF5 library; may be called again.
-   subroutine hdf5_start(error)
-      type(error_t), allocatable, intent(inout) :: error
-      integer :: status
-      integer(c_int) :: ignored
-
-      if (allocated(error)) return
-      ! so that ParaView and h5py can look into the file while the run goes on; the user's own setting prevails
-      ignored = c_setenv('HDF5_USE_FILE_LOCKING'//c_null_char, 'FALSE'//c_null_char, 0_c_int)
-      ! HDF5 would try once more, when the program ends, to write what did not fit on the disk, and crash
-      call h5dont_atexit_f(status)
-      call h5open_f(status)
-      if (status == 0) call h5eset_auto_f(0, status)
-      if (status /= 0) error = fail(exit_files, 'the HDF5 library does not start')
-   end subroutine hdf5_start
 
    !> Begins a file anew; what it held is lost.
    subroutine hdf5_create_file(path, file, error)

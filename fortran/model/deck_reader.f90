@@ -48,6 +48,7 @@ contains
       end if
       call read_heading(self, model)
       call read_mesh(self, model)
+      if (self%missed_mesh) return
       call read_sets(self, model)
       call read_materials(self, model)
       call read_sections(self, model)

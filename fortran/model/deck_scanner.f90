@@ -10,7 +10,7 @@ module litz_deck_scanner
    use litz_text, only: squeezed, shown, to_text
    implicit none
    private
-   public :: scan_deck
+   public :: scan_deck, relative_to
 
    !> Most files in one chain of includes, and most in all
    integer, parameter :: deepest_include = 100, most_includes = 10000

@@ -66,6 +66,15 @@ contains
       if (step > 1) words = ' in step '//to_text(step)
    end function step_words
 
+   !> How many others a warning stands for: a mat may have thousands of wires that only contacts hold.
+   pure function others_words(n_others) result(words)
+      integer, intent(in) :: n_others
+      character(len=:), allocatable :: words
+
+      words = ''
+      if (n_others > 0) words = '; likewise '//to_text(n_others)//' more'
+   end function others_words
+
    !> Every connected part needs supports against its six rigid motions. Where contacts may hold it, this is a warning.
    subroutine check_beams(model, findings, n)
       type(model_t), intent(in) :: model
@@ -75,7 +84,8 @@ contains
       real(dp), allocatable :: centre(:, :), length(:), supports(:, :, :)
       logical, allocatable :: included(:), told(:), in_contact(:)
       real(dp) :: modes(6, 6)
-      integer :: step, part, n_free
+      integer :: step, part, n_free, n_alike, first_alike
+      character(len=:), allocatable :: first_words
 
       allocate (included(model%n_elements), source=.true.)
       call find_parts(model, included, parts)
@@ -84,13 +94,23 @@ contains
       allocate (told(parts%n), source=.false.)
       do step = 1, size(model%steps)
          supports = support_matrices(model, model%steps(step), parts, centre, length)
+         n_alike = 0
          do part = 1, parts%n
             if (told(part)) cycle
             call free_modes(supports(:, :, part), n_free, modes)
             if (n_free == 0) cycle
             told(part) = .true.
-            call add(findings, n, beam_words(), parts%first_element(part), in_contact(part))
+            if (in_contact(part)) then
+               n_alike = n_alike + 1
+               if (n_alike > 1) cycle
+               first_alike = part
+               first_words = beam_words()//'; only contacts can hold it'
+            else
+               call add(findings, n, beam_words()//'; *BOUNDARY must prevent that', parts%first_element(part), .false.)
+            end if
          end do
+         if (n_alike > 0) call add(findings, n, first_words//others_words(n_alike - 1), &
+            parts%first_element(first_alike), .true.)
       end do
 
    contains
@@ -104,11 +124,6 @@ contains
          else
             words = part_words(model, parts, part)//' can still move'//step_words(step)//': '// &
                modes_in_words(n_free, modes, centre(:, part), length(part))
-         end if
-         if (in_contact(part)) then
-            words = words//'; only contacts can hold it'
-         else
-            words = words//'; *BOUNDARY must prevent that'
          end if
       end function beam_words
 
@@ -189,8 +204,7 @@ contains
       type(parts_t) :: parts
       logical, allocatable :: included(:), told(:), held(:), group_held(:)
       integer, allocatable :: group(:)
-      integer :: e, step, part, i
-      logical :: by_contacts
+      integer :: e, step, part, i, n_alike, first_alike
 
       allocate (included(model%n_elements))
       do e = 1, model%n_elements
@@ -210,29 +224,24 @@ contains
          do part = 1, parts%n
             if (held(part)) group_held(group(part)) = .true.
          end do
+         n_alike = 0
          do part = 1, parts%n
             if (held(part) .or. told(part)) cycle
             told(part) = .true.
-            by_contacts = group_held(group(part))
-            call add(findings, n, conductor_words(), parts%first_element(part), by_contacts)
+            if (group_held(group(part))) then
+               n_alike = n_alike + 1
+               if (n_alike == 1) first_alike = part
+            else
+               call add(findings, n, 'the conductor '//part_words(model, parts, part)// &
+                  ' has no path to a prescribed potential'//step_words(step)// &
+                  ': prescribe degree of freedom 9 at one of its nodes', parts%first_element(part), .false.)
+            end if
          end do
+         if (n_alike > 0) call add(findings, n, 'the conductor '//part_words(model, parts, first_alike)// &
+            ' has no prescribed potential'//step_words(step)//'; only contacts can connect it to one'// &
+            others_words(n_alike - 1), parts%first_element(first_alike), .true.)
          deallocate (held, group_held)
       end do
-
-   contains
-
-      function conductor_words() result(words)
-         character(len=:), allocatable :: words
-
-         words = 'the conductor '//part_words(model, parts, part)
-         if (by_contacts) then
-            words = words//' has no prescribed potential'//step_words(step)//'; only contacts can connect it to one'
-         else
-            words = words//' has no path to a prescribed potential'//step_words(step)// &
-               ': prescribe degree of freedom 9 at one of its nodes'
-         end if
-      end function conductor_words
-
    end subroutine check_conductors
 
    !> Parts that contacts with a spot law may join carry the same number.

@@ -1,10 +1,16 @@
-!> *NODE and *ELEMENT.
+!> *NODE, *ELEMENT, and *MESH, which holds both in a file.
 module litz_read_mesh
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use litz_kinds, only: dp
-   use litz_text, only: to_text
+   use litz_deck, only: token_t
+   use litz_deck_scanner, only: relative_to
+   use litz_errors, only: error_t
+   use litz_lookup, only: id_map_t
+   use litz_mesh_file, only: mesh_file_t, mesh_set_t, read_mesh_file
+   use litz_text, only: to_text, shown
    use litz_model, only: model_t, element_b31, element_b33
-   use litz_reader, only: reader_t, fail_at, read_line, parameter_of, choice_of, keyword_of
-   use litz_sets, only: open_set, add_member
+   use litz_reader, only: reader_t, set_builder_t, fail_at, read_line, parameter_of, choice_of, keyword_of
+   use litz_sets, only: open_set, open_named_set, add_member
    implicit none
    private
    public :: read_mesh
@@ -17,29 +23,80 @@ contains
    subroutine read_mesh(self, model)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(inout) :: model
-      integer :: card
+      type(mesh_file_t), allocatable :: files(:)
+      integer, allocatable :: card_of_file(:)
+      integer :: card, i
 
-      allocate (model%node_id(n_data_lines('NODE')), model%element_id(n_data_lines('ELEMENT')))
-      allocate (model%x(3, size(model%node_id)), source=0.0_dp)
-      allocate (model%connectivity(2, size(model%element_id)), model%element_type(size(model%element_id)), source=0)
-      allocate (self%node_line(size(model%node_id)), self%node_ok(size(model%node_id)), &
-         self%element_line(size(model%element_id)))
+      card_of_file = pack([(card, card=1, self%deck%n_cards)], &
+         [(keyword_of(self, card) == 'MESH', card=1, self%deck%n_cards)])
+      allocate (files(size(card_of_file)))
+      do i = 1, size(files)
+         call open_mesh_file(self, card_of_file(i), files(i))
+      end do
+      if (self%missed_mesh) return
+      call allocate_mesh(self, files, model)
       do card = 1, self%deck%n_cards
          if (keyword_of(self, card) == 'NODE') call read_nodes(self, card, model)
       end do
+      do i = 1, size(files)
+         call take_nodes(self, card_of_file(i), files(i), model)
+      end do
       do card = 1, self%deck%n_cards
          if (keyword_of(self, card) == 'ELEMENT') call read_elements(self, card, model)
+      end do
+      do i = 1, size(files)
+         call take_elements(self, card_of_file(i), files(i), model)
+         call take_sets(self, card_of_file(i), 'node', files(i)%node_sets, self%node_sets, self%nodes)
+         call take_sets(self, card_of_file(i), 'element', files(i)%element_sets, self%element_sets, self%elements)
       end do
       model%node_id = model%node_id(:model%n_nodes)
       model%x = model%x(:, :model%n_nodes)
       model%element_id = model%element_id(:model%n_elements)
       model%element_type = model%element_type(:model%n_elements)
       model%connectivity = model%connectivity(:, :model%n_elements)
+   end subroutine read_mesh
+
+   !> What a *MESH names.
+   subroutine open_mesh_file(self, card, mesh)
+      type(reader_t), intent(inout) :: self
+      integer, intent(in) :: card
+      type(mesh_file_t), intent(out) :: mesh
+      type(error_t), allocatable :: error
+      type(token_t) :: token
+
+      token = parameter_of(self, card, 'INPUT')
+      self%missed_mesh = self%missed_mesh .or. token%last < token%first
+      if (token%last < token%first) return
+      call read_mesh_file(relative_to(self%deck%sources(self%deck%lines(token%line)%source)%path, &
+         self%deck%text(token)), mesh, error)
+      if (.not. allocated(error)) return
+      self%missed_mesh = .true.
+      call fail_at(self, token, 'the mesh file '//self%deck%shown(token)//': '//error%message)
+   end subroutine open_mesh_file
+
+   !> Room for all nodes and elements of the deck and of its mesh files.
+   subroutine allocate_mesh(self, files, model)
+      type(reader_t), intent(inout) :: self
+      type(mesh_file_t), intent(in) :: files(:)
+      type(model_t), intent(inout) :: model
+      integer :: n_nodes, n_elements, i
+
+      n_nodes = n_data_lines('NODE')
+      n_elements = n_data_lines('ELEMENT')
+      do i = 1, size(files)
+         n_nodes = n_nodes + size(files(i)%node_id)
+         n_elements = n_elements + size(files(i)%element_id)
+      end do
+      allocate (model%node_id(n_nodes), self%node_line(n_nodes), self%node_ok(n_nodes))
+      allocate (model%x(3, n_nodes), source=0.0_dp)
+      allocate (model%element_id(n_elements), self%element_line(n_elements))
+      allocate (model%connectivity(2, n_elements), model%element_type(n_elements), source=0)
 
    contains
 
       integer function n_data_lines(keyword) result(n)
          character(len=*), intent(in) :: keyword
+         integer :: card
 
          n = 0
          do card = 1, self%deck%n_cards
@@ -48,14 +105,13 @@ contains
          end do
       end function n_data_lines
 
-   end subroutine read_mesh
+   end subroutine allocate_mesh
 
-   !> A node whose position could not be read is kept, so that what refers to it is not reported as well.
    subroutine read_nodes(self, card, model)
       type(reader_t), intent(inout) :: self
       integer, intent(in) :: card
       type(model_t), intent(inout) :: model
-      integer :: line, set, known, n
+      integer :: line, set
       logical :: ok
 
       call open_set(self, self%node_sets, parameter_of(self, card, 'NSET'), set)
@@ -63,30 +119,71 @@ contains
          call read_line(self, card, line, ok)
          self%broken_nodes = self%broken_nodes .or. .not. self%values%given(1)
          if (.not. self%values%given(1)) cycle
-         associate (id => self%values%whole(1))
-            known = self%nodes%get(id)
-            if (known > 0) then
-               call fail_at(self, self%values%token(1), 'node '//to_text(id)//' is defined twice; first in '// &
-                  self%deck%place(self%node_line(known)))
-               cycle
-            end if
-            n = model%n_nodes + 1
-            model%n_nodes = n
-            model%node_id(n) = id
-            model%x(:, n) = self%values%real(2:4)
-            self%node_line(n) = line
-            self%node_ok(n) = ok
-            call self%nodes%put(id, n)
-            call add_member(self%node_sets, set, n)
-         end associate
+         call add_node(self, model, self%values%token(1), self%values%whole(1), self%values%real(2:4), ok, set)
       end do
    end subroutine read_nodes
+
+   subroutine take_nodes(self, card, mesh, model)
+      type(reader_t), intent(inout) :: self
+      integer, intent(in) :: card
+      type(mesh_file_t), intent(in) :: mesh
+      type(model_t), intent(inout) :: model
+      type(token_t) :: token
+      integer :: i
+      logical :: ok
+
+      token = parameter_of(self, card, 'INPUT')
+      do i = 1, size(mesh%node_id)
+         associate (id => mesh%node_id(i), position => mesh%position(:, i))
+            ok = all(ieee_is_finite(position))
+            if (id < 1) then
+               self%broken_nodes = .true.
+               call fail_at(self, token, 'the mesh file has a node of the number '//to_text(id)// &
+                  '; numbers must be greater than 0')
+               cycle
+            end if
+            if (.not. ok) call fail_at(self, token, 'the position of node '//to_text(id)// &
+               ' in the mesh file is not finite')
+            call add_node(self, model, token, id, position, ok, 0)
+         end associate
+      end do
+   end subroutine take_nodes
+
+   !> A node whose position could not be read is kept, so that what refers to it is not reported as well.
+   subroutine add_node(self, model, token, id, position, ok, set)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(inout) :: model
+      !> Where it is defined
+      type(token_t), intent(in) :: token
+      integer, intent(in) :: id
+      real(dp), intent(in) :: position(3)
+      !> The position could be read
+      logical, intent(in) :: ok
+      !> Set that it is put into; 0: none
+      integer, intent(in) :: set
+      integer :: known, n
+
+      known = self%nodes%get(id)
+      if (known > 0) then
+         call fail_at(self, token, 'node '//to_text(id)//' is defined twice; first in '// &
+            self%deck%place(self%node_line(known)))
+         return
+      end if
+      n = model%n_nodes + 1
+      model%n_nodes = n
+      model%node_id(n) = id
+      model%x(:, n) = position
+      self%node_line(n) = token%line
+      self%node_ok(n) = ok
+      call self%nodes%put(id, n)
+      call add_member(self%node_sets, set, n)
+   end subroutine add_node
 
    subroutine read_elements(self, card, model)
       type(reader_t), intent(inout) :: self
       integer, intent(in) :: card
       type(model_t), intent(inout) :: model
-      integer :: line, set, known, n, kind
+      integer :: line, set, kind, element
       logical :: ok
 
       call open_set(self, self%element_sets, parameter_of(self, card, 'ELSET'), set)
@@ -95,40 +192,110 @@ contains
          call read_line(self, card, line, ok)
          self%broken_elements = self%broken_elements .or. .not. ok
          if (.not. self%values%given(1)) cycle
-         associate (id => self%values%whole(1))
-            known = self%elements%get(id)
-            if (known > 0) then
-               self%broken_elements = .true.
-               call fail_at(self, self%values%token(1), 'element '//to_text(id)//' is defined twice; first in '// &
-                  self%deck%place(self%element_line(known)))
-               cycle
-            end if
-            n = model%n_elements + 1
-            model%n_elements = n
-            model%element_id(n) = id
-            model%element_type(n) = kind
-            self%element_line(n) = line
-            call self%elements%put(id, n)
-            call add_member(self%element_sets, set, n)
-            if (ok) call join_nodes(self, model, n)
-         end associate
+         call add_element(self, model, self%values%token(1), self%values%whole(1), kind, set, element)
+         if (ok .and. element > 0) call join_nodes(self, model, element, self%values%token(2:3), self%values%whole(2:3))
       end do
    end subroutine read_elements
 
-   !> Find the nodes of the element on the line read last.
-   subroutine join_nodes(self, model, element)
+   subroutine take_elements(self, card, mesh, model)
+      type(reader_t), intent(inout) :: self
+      integer, intent(in) :: card
+      type(mesh_file_t), intent(in) :: mesh
+      type(model_t), intent(inout) :: model
+      type(token_t) :: token
+      integer :: i, element
+
+      token = parameter_of(self, card, 'INPUT')
+      do i = 1, size(mesh%element_id)
+         associate (id => mesh%element_id(i))
+            if (id < 1) then
+               self%broken_elements = .true.
+               call fail_at(self, token, 'the mesh file has an element of the number '//to_text(id)// &
+                  '; numbers must be greater than 0')
+               cycle
+            end if
+            call add_element(self, model, token, id, mesh%element_type(i), 0, element)
+         end associate
+         if (element > 0) call join_nodes(self, model, element, [token, token], mesh%element_nodes(:, i))
+      end do
+   end subroutine take_elements
+
+   subroutine add_element(self, model, token, id, kind, set, element)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(inout) :: model
+      !> Where it is defined
+      type(token_t), intent(in) :: token
+      !> `element_b31` or `element_b33`
+      integer, intent(in) :: id, kind
+      !> Set that it is put into; 0: none
+      integer, intent(in) :: set
+      !> Its index; 0 after an error
+      integer, intent(out) :: element
+      integer :: known
+
+      known = self%elements%get(id)
+      element = 0
+      if (known > 0) then
+         self%broken_elements = .true.
+         call fail_at(self, token, 'element '//to_text(id)//' is defined twice; first in '// &
+            self%deck%place(self%element_line(known)))
+         return
+      end if
+      element = model%n_elements + 1
+      model%n_elements = element
+      model%element_id(element) = id
+      model%element_type(element) = kind
+      self%element_line(element) = token%line
+      call self%elements%put(id, element)
+      call add_member(self%element_sets, set, element)
+   end subroutine add_element
+
+   !> The sets of a mesh file, which may have members defined elsewhere.
+   subroutine take_sets(self, card, what, sets, builder, map)
+      type(reader_t), intent(inout) :: self
+      integer, intent(in) :: card
+      !> `node` or `element`
+      character(len=*), intent(in) :: what
+      type(mesh_set_t), intent(in) :: sets(:)
+      type(set_builder_t), intent(inout) :: builder
+      type(id_map_t), intent(in) :: map
+      type(token_t) :: token
+      integer :: i, k, set, member
+
+      token = parameter_of(self, card, 'INPUT')
+      do i = 1, size(sets)
+         call open_named_set(self, builder, token, sets(i)%name, set)
+         if (set == 0) cycle
+         do k = 1, size(sets(i)%ids)
+            member = map%get(sets(i)%ids(k))
+            if (member > 0) then
+               call add_member(builder, set, member)
+            else if (.not. (self%broken_nodes .or. self%broken_elements)) then
+               call fail_at(self, token, 'the '//what//' set '//shown(sets(i)%name)//' of the mesh file has '//what// &
+                  ' '//to_text(sets(i)%ids(k))//', which is not defined')
+               exit
+            end if
+         end do
+      end do
+   end subroutine take_sets
+
+   !> Find the nodes of an element by their numbers.
+   subroutine join_nodes(self, model, element, tokens, ids)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(inout) :: model
       integer, intent(in) :: element
+      !> Where the nodes are named, and their numbers
+      type(token_t), intent(in) :: tokens(2)
+      integer, intent(in) :: ids(2)
       real(dp) :: length
       integer :: k
 
       do k = 1, 2
-         associate (id => self%values%whole(k + 1))
+         associate (id => ids(k))
             model%connectivity(k, element) = self%nodes%get(id)
             if (model%connectivity(k, element) > 0 .or. self%broken_nodes) cycle
             self%broken_elements = .true.
-            call fail_at(self, self%values%token(k + 1), &
+            call fail_at(self, tokens(k), &
                'element '//to_text(model%element_id(element))//' has node '//to_text(id)//', which is not defined')
          end associate
       end do

@@ -9,7 +9,7 @@ module litz_reader
    use litz_deck, only: deck_t, token_t, no_token
    use litz_keywords, only: keyword_table_t, parameter_spec_t, data_spec_t, field_spec_t, kind_flag, kind_integer, &
       kind_real, &
-      kind_choice, kind_name, kind_item, kind_text, limit_words, within_limit
+      kind_choice, kind_name, kind_item, kind_text, limit_none, limit_words, within_limit
    use litz_model, only: name_length
    implicit none
    private
@@ -62,6 +62,8 @@ module litz_reader
       integer, allocatable :: node_line(:), element_line(:)
       !> The position of the node could be read
       logical, allocatable :: node_ok(:)
+      !> A mesh file could not be read: nothing more can be said about the deck
+      logical :: missed_mesh = .false.
       !> Some line of a node or element could not be read, so that what is missing in the mesh is no news
       logical :: broken_nodes = .false., broken_elements = .false.
       type(set_builder_t) :: node_sets, element_sets
@@ -311,13 +313,38 @@ contains
             end if
             return
          end if
-         call check_value(self, token, field%kind, field%limit, field%choices, 'value '//to_text(i)//', '// &
-            field_words(field)//',', whole, real_value, ok)
+         call take_number(self%deck%sources(self%deck%lines(token%line)%source)%text(token%first:token%last), field, &
+            whole, real_value, ok)
+         if (.not. ok) call check_value(self, token, field%kind, field%limit, field%choices, 'value '//to_text(i)// &
+            ', '//field_words(field)//',', whole, real_value, ok)
          self%values%whole(i) = whole
          self%values%real(i) = real_value
          self%values%given(i) = ok
       end associate
    end subroutine read_value
+
+   !> A number that is as it should be, by the shortest way: a deck may have millions of them.
+   pure subroutine take_number(text, field, whole, real_value, ok)
+      character(len=*), intent(in) :: text
+      type(field_spec_t), intent(in) :: field
+      integer, intent(out) :: whole
+      real(dp), intent(out) :: real_value
+      !> .false.: not a number, or one with something wrong about it
+      logical, intent(out) :: ok
+      integer :: status
+
+      whole = 0
+      real_value = 0
+      status = number_not_one
+      if (field%kind == kind_integer) then
+         call parse_integer(text, whole, status)
+         real_value = real(whole, dp)
+      else if (field%kind == kind_real) then
+         call parse_real(text, real_value, status)
+      end if
+      ok = status == number_ok
+      if (ok .and. field%limit /= limit_none) ok = within_limit(real_value, field%limit)
+   end subroutine take_number
 
    !> Understand a value, of a data line or a parameter, or say what is wrong about it.
    subroutine check_value(self, token, kind, limit, choices, what, whole, real_value, ok)

@@ -1,16 +1,16 @@
 !> Sets of nodes and elements: growing while the deck is read, then sorted lists of indices.
 module litz_sets
-   use litz_text, only: to_text
+   use litz_text, only: to_text, shown, upper
    use litz_numbers, only: parse_integer, number_not_one
    use litz_sorting, only: sort_integers
    use litz_deck, only: token_t
    use litz_lookup, only: id_map_t
-   use litz_model, only: model_t, named_set_t
+   use litz_model, only: model_t, named_set_t, name_length
    use litz_reader, only: reader_t, set_builder_t, fail_at, read_line, parameter_of, has_flag, name_of, keyword_of, &
       names_hint
    implicit none
    private
-   public :: open_set, add_member, read_sets, find_set, find_item
+   public :: open_set, open_named_set, add_member, read_sets, find_set, find_item
 
 contains
 
@@ -21,17 +21,34 @@ contains
       !> The name; empty when the card has none
       type(token_t), intent(in) :: token
       integer, intent(out) :: set
+
+      set = 0
+      if (token%last >= token%first) call open_named_set(self, builder, token, self%deck%text(token), set)
+   end subroutine open_set
+
+   !> The set of a name, new or not, upper and lower case alike; 0 after an error.
+   subroutine open_named_set(self, builder, token, name, set)
+      type(reader_t), intent(inout) :: self
+      type(set_builder_t), intent(inout) :: builder
+      !> Where it is named
+      type(token_t), intent(in) :: token
+      character(len=*), intent(in) :: name
+      integer, intent(out) :: set
       integer, allocatable :: grown(:)
       integer :: number, status
 
       set = 0
-      if (token%last < token%first) return
-      call parse_integer(self%deck%text(token), number, status)
+      call parse_integer(name, number, status)
       if (status /= number_not_one) then
-         call fail_at(self, token, 'the name of a set must not be a number; found '//self%deck%shown(token))
+         call fail_at(self, token, 'the name of a set must not be a number; found '//shown(name))
          return
       end if
-      call builder%names%put(name_of(self, token), set)
+      if (len(name) > name_length) then
+         call fail_at(self, token, 'the name of a set must not be longer than '//to_text(name_length)// &
+            ' characters; found '//shown(name))
+         return
+      end if
+      call builder%names%put(upper(name), set)
       if (.not. allocated(builder%head)) then
          allocate (builder%head(64), builder%member(1024), builder%next(1024))
          builder%head = 0
@@ -41,7 +58,7 @@ contains
          grown(:size(builder%head)) = builder%head
          call move_alloc(grown, builder%head)
       end if
-   end subroutine open_set
+   end subroutine open_named_set
 
    pure subroutine add_member(builder, set, member)
       type(set_builder_t), intent(inout) :: builder

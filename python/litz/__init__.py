@@ -21,7 +21,7 @@ from .run import (
 )
 
 # Loaded when first asked for, so that starting the program does not wait for HDF5, VTK and numpy.
-_LAZY_MODULES = ("closed_forms", "kernels", "plots", "results")
+_LAZY_MODULES = ("build", "closed_forms", "kernels", "plots", "results")
 _LAZY_NAMES = {"Results": "results", "plot": "plots"}
 
 __all__ = [
@@ -32,6 +32,7 @@ __all__ = [
     "NotConvergedError",
     "Results",
     "SolverError",
+    "build",
     "closed_forms",
     "kernels",
     "plot",

@@ -4,12 +4,16 @@ import warnings
 from collections.abc import Callable, Mapping
 from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import h5py
 import numpy as np
 
 from .run import FileError
 from .tables import Table, read_aligned, read_csv, unknown_name
+
+if TYPE_CHECKING:
+    from .network import ContactNetwork
 
 _FORMAT_VERSION = 1
 _GROUPS = ("PointData", "CellData")
@@ -259,6 +263,37 @@ class Results:
         if not rows.n_rows:
             raise KeyError(f"there is no contact {contact_id}; there are {np.unique(ledger['id'])}")
         return rows
+
+    # The network
+
+    def conductance(self, plus: str, minus: str, increment: int = -1) -> float:
+        """Conductance between two electrodes: current over voltage [S].
+
+        Parameters
+        ----------
+        plus, minus : str
+            Node sets with prescribed potential, or with currents applied.
+        increment : int
+            Index of the increment.
+        """
+        from .network import conductance
+
+        for name in (plus, minus):
+            if name not in self.node_sets:
+                raise KeyError(unknown_name("node set", name, self.node_sets))
+        return conductance(self, plus, minus, increment)
+
+    def wire_currents(self, increment: int = -1) -> np.ndarray:
+        """Largest current along each wire, with its sign, in the order of `litz.wires.find_wires`, (n_wires) [A]."""
+        from .network import wire_currents
+
+        return wire_currents(self, increment)
+
+    def contact_network(self, increment: int = -1) -> "ContactNetwork":
+        """Wires and the closed contacts between them, as arrays; `to_csv` and `to_graphml` write them."""
+        from .network import contact_network
+
+        return contact_network(self, increment)
 
     @property
     def status(self) -> Table:

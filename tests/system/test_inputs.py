@@ -1,5 +1,7 @@
 """The decks in inputs/ give the values that their headers state, and those are what the closed forms give."""
 
+import importlib.util
+import itertools
 import math
 import re
 
@@ -23,7 +25,10 @@ DECKS = [
     "08_elastica",
     "09_paper_law",
     "10_pushed_cantilever",
+    "11_fibre_mat",
+    "12_woven_fabric",
 ]
+THIN_COPPER = {"radius": 0.1e-3, "young": 120e9, "poisson": 0.34, "resistivity": 1 / 58.8e6}
 
 
 @pytest.fixture
@@ -298,3 +303,114 @@ def test_a_cantilever_pushed_far_aside_has_the_independent_solution(results_of, 
         assert u[:2] == pytest.approx([ux, uy], abs=1e-6)
         assert contact["force"] == pytest.approx(force, rel=1e-5)
         assert contact["gap"] == pytest.approx(gap, rel=1e-5)
+
+
+def wire_resistance(length):
+    return THIN_COPPER["resistivity"] * length / (math.pi * THIN_COPPER["radius"] ** 2)
+
+
+def kirchhoff(n_points, links, held):
+    """Current into the points held at 1 V, with `links` (point, point, conductance) and `held` (point: potential)."""
+    matrix = np.zeros((n_points, n_points))
+    for first, second, value in links:
+        matrix[[first, second], [first, second]] += value
+        matrix[[first, second], [second, first]] -= value
+    potential = np.array([held.get(point, 0.0) for point in range(n_points)])
+    free = [point for point in range(n_points) if point not in held]
+    potential[free] = np.linalg.solve(matrix[np.ix_(free, free)], -(matrix @ potential)[free])
+    return (matrix @ potential)[[point for point, value in held.items() if value == 1.0]].sum()
+
+
+def test_generated_decks_are_those_of_the_generator(inputs):
+    specification = importlib.util.spec_from_file_location("make_decks", inputs / "make_decks.py")
+    make_decks = importlib.util.module_from_spec(specification)
+    specification.loader.exec_module(make_decks)
+    for name, make in (("11_fibre_mat", make_decks.fibre_mat), ("12_woven_fabric", make_decks.woven_fabric)):
+        assert (inputs / f"{name}.inp").read_text(encoding="utf-8") == make().to_deck()
+
+
+def test_mat_conducts_better_the_more_it_is_pressed(results_of):
+    results = results_of("11_fibre_mat")
+    resistance = results.history["resistance PLUS to MINUS"]
+    touching = np.isfinite(resistance)
+    # the gaps of 5 microns are closed at 0.45 of the time
+    assert results.times[touching][0] == pytest.approx(0.5)
+    assert touching.sum() >= 6
+    assert (np.diff(resistance[touching]) < 0).all()
+    network = results.contact_network()
+    assert len(network.wire_length) == 128 + 12
+    for contact in range(0, len(network.id), 50):
+        holm = cf.hertz_contact(network.force[contact], angle=network.angle[contact], **THIN_COPPER)
+        assert network.resistance[contact] == pytest.approx(holm.resistance, rel=1e-6)
+
+
+def test_mat_is_the_network_of_its_contacts(results_of):
+    results = results_of("11_fibre_mat")
+    network = results.contact_network()
+    electrodes = {0: range(6), 1: range(6, 12)}
+    n_contacts = len(network.id)
+    point = np.arange(2 * n_contacts).reshape(n_contacts, 2)
+    links = [(*point[k], 1 / network.resistance[k]) for k in range(n_contacts)]
+    held = {}
+    for wire in range(len(network.wire_length)):
+        k, side = np.nonzero(network.wires == wire)
+        along = sorted(zip(network.arc[k, side], point[k, side], strict=True))
+        if wire < 12:
+            held |= {at: float(wire in electrodes[1]) for _, at in along}
+            continue
+        links += [(p, q, 1 / wire_resistance(b - a)) for (a, p), (b, q) in itertools.pairwise(along)]
+    # the linear potential of an element knows each of several contacts alone; halving the elements leaves 3.4 %
+    assert results.conductance("PLUS", "MINUS") == pytest.approx(kirchhoff(point.size, links, held), rel=0.10)
+    assert results.conductance("PLUS", "MINUS") * results.history["resistance PLUS to MINUS"][-1] == pytest.approx(1)
+
+
+def fabric_cell(press, pitch, gap):
+    """Force between plate and wire and between wires, far from the edges of a fabric."""
+    radius = THIN_COPPER["radius"]
+    x = (np.arange(2000) + 0.5) / 2000 * pitch
+    slope = math.pi * (radius + gap / 2) / pitch * np.sin(math.pi * x / pitch)
+    stiffness = THIN_COPPER["young"] * math.pi * radius**4 / 4
+    flexibility = np.mean((pitch / 2 - x) ** 2 * np.sqrt(1 + slope**2)) * pitch / stiffness
+
+    def closing(crest):
+        """How far the plates come down when the crests do by `crest`, and the two forces."""
+        wires = cf.hertz_force(2 * crest - gap, angle=math.pi / 2, **THIN_COPPER)
+        plate = wires + 4 * crest / flexibility
+        return gap + crest + cf.hertz_contact(plate, angle=math.pi / 4, **THIN_COPPER).approach, plate, wires
+
+    low, high = gap / 2 * (1 + 1e-9), press / 2
+    for _ in range(80):
+        middle = (low + high) / 2
+        low, high = (middle, high) if closing(middle)[0] < press / 2 else (low, middle)
+    length = np.mean(np.sqrt(1 + slope**2)) * pitch
+    return *closing(low)[1:], length
+
+
+def test_fabric_carries_the_forces_of_its_unit_cell(results_of, inputs):
+    results = results_of("12_woven_fabric")
+    plate, wires, length = fabric_cell(6.5e-6, 1e-3, 1e-6)
+    text = (inputs / "12_woven_fabric.inp").read_text(encoding="utf-8")
+    assert f"plate F = {plate:.4f} N, wires N = {wires:.4f} N" in text
+    network = results.contact_network()
+    between_wires = (network.wires < 16).all(axis=1)
+    middle = np.abs(network.point[:, :2] - 4e-3).max(axis=1) < 0.6e-3
+    assert between_wires.sum() == 64
+    assert len(network.id) == 3 * 64
+    # shear and stretch of the wires, and the edges three crossings away
+    assert network.force[between_wires & middle] == pytest.approx(wires, rel=5e-3)
+    assert network.force[~between_wires & middle] == pytest.approx(plate, rel=5e-3)
+
+    plate_spot = cf.hertz_contact(plate, angle=math.pi / 4, **THIN_COPPER).resistance
+    to_plate = 1 / (plate_spot + wire_resistance(2 * THIN_COPPER["radius"]) / 4)
+    between = 1 / cf.hertz_contact(wires, angle=math.pi / 2, **THIN_COPPER).resistance
+    links, top, bottom = [], 128, 129
+    for i, j in itertools.product(range(8), range(8)):
+        warp, weft = 8 * i + j, 64 + 8 * i + j
+        over, under = (warp, weft) if (i + j) % 2 == 0 else (weft, warp)
+        links += [(top, over, to_plate), (over, under, between), (under, bottom, to_plate)]
+        links += [(warp, warp + 8, 1 / wire_resistance(length))] if i < 7 else []
+        links += [(weft, weft + 1, 1 / wire_resistance(length))] if j < 7 else []
+    resistance = 1 / kirchhoff(130, links, {top: 1.0, bottom: 0.0})
+    assert f"resistance between the plates {1e3 * resistance:.5f} mohm" in text
+    # each wire element has two contacts, of which its linear potential knows each alone
+    assert results.history["resistance PLUS to MINUS"][-1] == pytest.approx(resistance, rel=0.02)

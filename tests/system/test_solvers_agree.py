@@ -8,7 +8,8 @@ import pytest
 
 from litz import Results
 
-INPUTS = sorted((Path(__file__).parents[2] / "inputs").glob("*.inp"))
+# the mat is too large for the skyline and for the full unsymmetric matrix
+INPUTS = [path for path in sorted((Path(__file__).parents[2] / "inputs").glob("*.inp")) if path.stem != "11_fibre_mat"]
 
 
 def with_solver(text, solver):

@@ -1,4 +1,4 @@
-"""Skyline, UMFPACK and block elimination take the same steps on every deck in inputs/.
+"""Skyline, UMFPACK and block elimination take the same steps on every deck in inputs/ but the large one.
 
 Source: block forward substitution of a block triangular system is exact (G. H. Golub, C. F. Van Loan, Matrix
 Computations, section 3.2): with currents that do not act on forces, one monolithic Newton step is a solve with the
@@ -62,7 +62,8 @@ def measure(workspace):
     residuals = {solver: 0.0 for solver in SOLVERS[1:]}
     differences = {solver: 0.0 for solver in SOLVERS[1:]}
     figure = {}
-    for path in sorted(INPUTS.glob("*.inp")):
+    # the mat is too large for the skyline and for the full unsymmetric matrix
+    for path in sorted(set(INPUTS.glob("*.inp")) - {INPUTS / "11_fibre_mat.inp"}):
         if workspace.quick and path.stem not in QUICK:
             continue
         text = path.read_text(encoding="utf-8")

@@ -1,0 +1,56 @@
+"""Writes the decks 11 and 12, which are too long to be typed: `python inputs/make_decks.py`."""
+
+from pathlib import Path
+
+from litz import build
+
+INPUTS = Path(__file__).parent
+INCREMENTS = (0.1, 1.0, 1e-5, 0.1)
+
+
+def fibre_mat() -> build.Model:
+    """128 copper fibres in eight layers, pressed between two electrodes."""
+    model = build.fibre_mat((30e-3, 30e-3), 16, radius=0.1e-3, seed=1, n_layers=8, clearance=5e-6, spread=0.5)
+    model.title = "A mat of 128 copper fibres pressed between two electrodes"
+    model.press(0.1e-3, voltage=1e-3, increments=INCREMENTS).node_totals += [("PLUS", "RF"), ("MINUS", "RF")]
+    model.comments = """\
+Model    Eight layers of 16 straight copper fibres of 0.1 mm radius, layers along x and y in turn, each fibre turned at
+         random by up to 0.5 rad (29 degrees). Below and above lie the electrodes, six rigid bars each. The ends of the
+         fibres are held in a frame of 30 mm x 30 mm that is pressed together with the upper electrode: without friction,
+         fibres with free ends would slide off each other. The gaps of 5 microns close at 0.45 of the time, all at once.
+         1 mV between the electrodes.
+Contact  Hertz and Holm, between neighbouring layers. Copper this thin would yield: the forces are those of elastic wires.
+Source   litz.build.fibre_mat, called in inputs/make_decks.py.
+Expect   The resistance falls at every increment after first touch, to 0.14 mohm. Kirchhoff's laws for the wires and contacts
+         of `contact_network` of `litz.Results` give 0.130 mohm: the linear potential of an element knows each of several
+         contacts alone. The difference of 9 % falls to 3.4 % with elements half as long. Each contact has the
+         resistance that Holm gives for its force. Electrodes and frame balance each other.""".splitlines()
+    return model
+
+
+def woven_fabric() -> build.Model:
+    """A plain weave of 8 x 8 copper yarns, pressed between two plates of stiff wires."""
+    model = build.woven_fabric(8, 8, pitch=1e-3, radius=0.1e-3, clearance=1e-6, elements_per_pitch=8)
+    model.title = "A plain-woven fabric pressed between two plates"
+    model.press(6.5e-6, voltage=1e-3, increments=INCREMENTS).node_totals += [("PLUS", "RF"), ("MINUS", "RF")]
+    model.comments = """\
+Model    8 x 8 copper wires of 0.1 mm radius at a pitch of 1 mm, woven one over one, with axes z = +-a cos(pi s/pitch).
+         litz has no rigid surfaces: each plate is a row of straight wires, all of whose nodes are prescribed, one along each
+         diagonal of crests, which it crosses at 45 degrees. The upper plate comes down by 6.5 microns, of which 3 close
+         the gaps. The ends of the wires are held across and go down by half, the middles are held along the wire.
+         1 mV between the plates.
+Contact  Hertz and Holm, plates with wires at 45 degrees, wires with each other at 90 degrees.
+Source   litz.build.woven_fabric, called in inputs/make_decks.py. By symmetry all crossings far from the edge are alike:
+         plate on wire (force F), wire on wire (force N), and wires that bend from crest to crest,
+            delta_45(F) + u = d,  delta_90(N) = 2 u - c,  F - N = 4 u/f,  f = integral of (pitch/2 - s)^2 dl/(E I),
+         with d = 2.25 microns, the approach of the plates to the middle without the gap, and c = 1 micron. f is that of the
+         curved wire. Resistance: Kirchhoff's laws for 64 crossings of two points each, and for the elements of the plates,
+         of two radii, that bring the current to each contact.
+Expect   forces at the four crossings in the middle: plate F = 1.5082 N, wires N = 1.0385 N, both within 0.5 %
+         resistance between the plates 0.02381 mohm, within 2 % (two contacts share an element of each wire)""".splitlines()
+    return model
+
+
+if __name__ == "__main__":
+    fibre_mat().write(INPUTS / "11_fibre_mat.inp")
+    woven_fabric().write(INPUTS / "12_woven_fabric.inp")

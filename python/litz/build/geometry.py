@@ -1,0 +1,138 @@
+"""Segments, their distances, and the room between the wires of a model."""
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from litz.kernels import contact_search
+from litz.wires import element_curves, find_wires, hermite
+
+from .model import Model
+
+#: Significant digits of a coordinate, counted from the size of the model
+_DIGITS = 7
+
+
+def rounded(x: ArrayLike, size: float) -> NDArray[np.float64]:
+    """Coordinates [m] as decimals of seven digits for the given size [m], so that the deck is readable."""
+    return np.round(np.asarray(x, dtype=float), _DIGITS - 1 - math.floor(math.log10(size))) + 0.0
+
+
+def straight(start: ArrayLike, end: ArrayLike, n_elements: int) -> NDArray[np.float64]:
+    """Nodes of a straight wire at equal distances, (n_elements + 1, 3) [m]."""
+    start, end = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
+    return start + np.linspace(0, 1, n_elements + 1)[:, None] * (end - start)
+
+
+def end_distance(a: ArrayLike, b: ArrayLike, c: ArrayLike, d: ArrayLike) -> NDArray[np.float64]:
+    """Smallest distance of an end of the segments ab and cd from the other one, (n) [m].
+
+    Parameters
+    ----------
+    a, b, c, d : (n, k) arrays
+        End points in k dimensions [m].
+    """
+    a, b, c, d = (np.atleast_2d(np.asarray(point, dtype=float)) for point in (a, b, c, d))
+    return np.minimum.reduce(
+        [_point_distance(a, c, d), _point_distance(b, c, d), _point_distance(c, a, b), _point_distance(d, a, b)]
+    )
+
+
+def segment_distance(a: ArrayLike, b: ArrayLike, c: ArrayLike, d: ArrayLike) -> NDArray[np.float64]:
+    """Distance between the segments ab and cd, (n) [m].
+
+    The smallest of the distances of each end from the other segment and, where the common normal of the lines meets
+    both segments, its length.
+
+    Parameters
+    ----------
+    a, b, c, d : (n, k) arrays
+        End points in k dimensions [m].
+    """
+    a, b, c, d = (np.atleast_2d(np.asarray(point, dtype=float)) for point in (a, b, c, d))
+    u, v, w = b - a, d - c, a - c
+    uu, uv, vv = _dot(u, u), _dot(u, v), _dot(v, v)
+    uw, vw = _dot(u, w), _dot(v, w)
+    determinant = uu * vv - uv**2
+    crossing = determinant > 1e-14 * uu * vv
+    safe = np.where(crossing, determinant, 1.0)
+    s, t = (uv * vw - vv * uw) / safe, (uu * vw - uv * uw) / safe
+    inside = crossing & (s >= 0) & (s <= 1) & (t >= 0) & (t <= 1)
+    between = np.linalg.norm(w + s[:, None] * u - t[:, None] * v, axis=1)
+    return np.minimum(end_distance(a, b, c, d), np.where(inside, between, np.inf))
+
+
+def crossing_angle(u: ArrayLike, v: ArrayLike) -> NDArray[np.float64]:
+    """Angle between lines of the directions u and v, 0 to pi/2, (n) [rad]."""
+    u, v = np.atleast_2d(np.asarray(u, dtype=float)), np.atleast_2d(np.asarray(v, dtype=float))
+    return np.arccos(np.clip(np.abs(_dot(u, v)) / np.linalg.norm(u, axis=1) / np.linalg.norm(v, axis=1), 0, 1))
+
+
+def clip_line(point: ArrayLike, direction: ArrayLike, size: ArrayLike) -> tuple[NDArray, NDArray]:
+    """The part of a line inside the box from the origin to `size`: its two ends.
+
+    Parameters
+    ----------
+    point, direction, size : (k,) arrays
+        A point inside the box [m], the direction of the line, the opposite corner of the box [m].
+    """
+    point, direction, size = (np.asarray(value, dtype=float) for value in (point, direction, size))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        to_walls = np.stack([-point / direction, (size - point) / direction])
+    to_walls[:, direction == 0] = [[-np.inf], [np.inf]]
+    return point + to_walls.min(axis=0).max() * direction, point + to_walls.max(axis=0).min() * direction
+
+
+def smallest_gap(model: Model, *, within: float | None = None, parts: int = 1) -> float:
+    """Smallest distance between the surfaces of two wires of a model; negative where they overlap [m].
+
+    Parameters
+    ----------
+    model : Model
+        Wires, each with its smooth (Hermite) axis.
+    within : float, optional
+        Distances above this are not looked for [m]; the mean radius when left out.
+    parts : int
+        Each element is taken as this many straight pieces of its axis; 1 is exact for straight wires.
+
+    Returns
+    -------
+    float
+        The distance, or infinity where none is below `within`. Pieces of one wire are not compared.
+    """
+    radius = np.repeat(model.radius, parts)
+    wire = np.repeat(model.wire_of_element, parts)
+    nodes = _points_on_axes(model, parts)
+    starts, ends = nodes[:, :-1].reshape(-1, 3), nodes[:, 1:].reshape(-1, 3)
+    within = float(radius.mean()) if within is None else within
+    pieces = np.arange(2 * len(starts)).reshape(2, -1).T
+    pairs = contact_search(np.concatenate([starts, ends]), pieces, radius, skin=within)
+    i, j = pairs[wire[pairs[:, 0]] != wire[pairs[:, 1]]].T
+    if not len(i):
+        return math.inf
+    return float((segment_distance(starts[i], ends[i], starts[j], ends[j]) - radius[i] - radius[j]).min())
+
+
+def _points_on_axes(model: Model, parts: int) -> NDArray[np.float64]:
+    """Points of the axis of each element, (m, parts + 1, 3)."""
+    return model.x[model.connectivity] if parts == 1 else smooth_axis(model.x, model.connectivity, parts)
+
+
+def smooth_axis(x: NDArray, connectivity: NDArray, parts: int) -> NDArray[np.float64]:
+    """Points of the Hermite axis of each element, which divide it into parts, (m, parts + 1, 3) [m]."""
+    still = np.zeros_like(x)
+    positions, slopes = element_curves(x, still, still, find_wires(connectivity), len(connectivity))
+    along = np.linspace(-1, 1, parts + 1)
+    return np.stack([hermite(positions, slopes, np.full(len(connectivity), xi)) for xi in along], axis=1)
+
+
+def _dot(u: NDArray, v: NDArray) -> NDArray:
+    return np.sum(u * v, axis=1)
+
+
+def _point_distance(point: NDArray, start: NDArray, end: NDArray) -> NDArray:
+    """Distance of points from segments."""
+    along = end - start
+    share = np.clip(_dot(point - start, along) / np.maximum(_dot(along, along), np.finfo(float).tiny), 0, 1)
+    return np.linalg.norm(point - start - share[:, None] * along, axis=1)

@@ -1,0 +1,175 @@
+"""The contact network of a run: wires as nodes, contacts as edges, for numpy and for network tools."""
+
+import csv
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING
+from xml.etree import ElementTree
+
+import numpy as np
+
+from .wires import find_wires
+
+if TYPE_CHECKING:
+    from .results import Results
+
+#: Columns of the ledger that an edge carries, and the unit of each
+_OF_CONTACT = {
+    "force": "N",
+    "gap": "m",
+    "angle": "rad",
+    "resistance": "ohm",
+    "current": "A",
+    "voltage_gap": "V",
+    "joule_heat": "W",
+}
+
+
+@dataclass(frozen=True)
+class ContactNetwork:
+    """Wires and the closed contacts between them at one increment.
+
+    Attributes
+    ----------
+    first_element : (n,) array of int
+        Number in the deck of the first element of each wire, which names it.
+    wire_length : (n,) array
+        Length of each wire before deformation [m].
+    wire_potential : (n,) array
+        Mean potential of the nodes of each wire [V].
+    wire_current : (n,) array
+        Largest current along each wire [A], positive from its first to its last node.
+    wires : (k, 2) array of int
+        The wires that each contact joins, counted from 0: the barred one first.
+    id : (k,) array of int
+        Number of each contact in the ledger.
+    arc : (k, 2) array
+        Where it is along the two wires, before deformation [m].
+    point : (k, 3) array
+        Its place, halfway between the axes [m].
+    force, gap, angle, resistance, current, voltage_gap, joule_heat : (k,) arrays
+        As in the contact ledger [N, m, rad, ohm, A, V, W].
+
+    Notes
+    -----
+    `np.bincount(network.wires.ravel(), minlength=len(network.wire_length))` is the number of contacts of each wire.
+    """
+
+    first_element: np.ndarray
+    wire_length: np.ndarray
+    wire_potential: np.ndarray
+    wire_current: np.ndarray
+    wires: np.ndarray
+    id: np.ndarray
+    arc: np.ndarray
+    point: np.ndarray
+    force: np.ndarray
+    gap: np.ndarray
+    angle: np.ndarray
+    resistance: np.ndarray
+    current: np.ndarray
+    voltage_gap: np.ndarray
+    joule_heat: np.ndarray
+
+    def to_csv(self, path: str | PathLike) -> Path:
+        """Write the contacts as a table, a row for each: an edge list with the wires counted from 1."""
+        path = Path(path)
+        with path.open("w", newline="", encoding="utf-8") as file:
+            table = csv.writer(file)
+            names = [f"{name} [{unit}]" for name, unit in _OF_CONTACT.items()]
+            table.writerow(["id", "wire_1", "wire_2", "arc_1 [m]", "arc_2 [m]", "x [m]", "y [m]", "z [m]", *names])
+            numbers = np.column_stack([self.arc, self.point, *(getattr(self, name) for name in _OF_CONTACT)])
+            for contact, pair, row in zip(self.id, self.wires + 1, numbers, strict=True):
+                table.writerow([contact, *pair, *(repr(float(value)) for value in row)])
+        return path
+
+    def to_graphml(self, path: str | PathLike) -> Path:
+        """Write a GraphML file, which NetworkX, igraph, Gephi and others read; names hold the units.
+
+        Several contacts of the same two wires are parallel edges.
+        """
+        of_wire = {
+            "first_element": (self.first_element, "long"),
+            "length_m": (self.wire_length, "double"),
+            "potential_V": (self.wire_potential, "double"),
+            "current_A": (self.wire_current, "double"),
+        }
+        of_contact = {
+            "arc_1_m": (self.arc[:, 0], "double"),
+            "arc_2_m": (self.arc[:, 1], "double"),
+            **{f"{axis}_m": (self.point[:, i], "double") for i, axis in enumerate("xyz")},
+            **{f"{name}_{unit}": (getattr(self, name), "double") for name, unit in _OF_CONTACT.items()},
+        }
+        root = ElementTree.Element("graphml", xmlns="http://graphml.graphdrawing.org/xmlns")
+        for what, columns in (("node", of_wire), ("edge", of_contact)):
+            for name, (_, kind) in columns.items():
+                key = {"id": f"{what}_{name}", "for": what, "attr.name": name, "attr.type": kind}
+                ElementTree.SubElement(root, "key", key)
+        graph = ElementTree.SubElement(root, "graph", id="contacts", edgedefault="undirected")
+        for wire in range(len(self.wire_length)):
+            node = ElementTree.SubElement(graph, "node", id=f"wire{wire + 1}")
+            _add_data(node, "node", of_wire, wire)
+        for row, (contact, pair) in enumerate(zip(self.id, self.wires + 1, strict=True)):
+            source, target = (f"wire{wire}" for wire in pair)
+            edge = ElementTree.SubElement(graph, "edge", id=f"contact{contact}", source=source, target=target)
+            _add_data(edge, "edge", of_contact, row)
+        path = Path(path)
+        ElementTree.indent(root)
+        ElementTree.ElementTree(root).write(path, encoding="utf-8", xml_declaration=True)
+        return path
+
+
+def contact_network(results: "Results", increment: int) -> ContactNetwork:
+    """The network of a run at an increment."""
+    wires = find_wires(results.elements)
+    wire_of_element, arc_start, sign = (np.zeros(len(results.elements)) for _ in range(3))
+    lengths = np.linalg.norm(np.diff(results.nodes[results.elements], axis=1)[:, 0], axis=1)
+    for number, wire in enumerate(wires):
+        wire_of_element[wire.elements] = number
+        arc_start[wire.elements] = np.cumsum(lengths[wire.elements]) - lengths[wire.elements]
+        sign[wire.elements] = wire.signs
+    ledger = results.contacts_at(increment)
+    ledger = ledger.where(ledger["force"] > 0)
+    rows = np.stack([_rows_of(results.element_ids, ledger[name]) for name in ("element_bar", "element")], axis=1)
+    xi = np.stack([ledger["xi_bar"], ledger["xi"]], axis=1)
+    potential = results.field("potential", increment)
+    return ContactNetwork(
+        first_element=np.array([results.element_ids[wire.elements[0]] for wire in wires]),
+        wire_length=np.array([lengths[wire.elements].sum() for wire in wires]),
+        wire_potential=np.array([potential[wire.nodes].mean() for wire in wires]),
+        wire_current=wire_currents(results, increment),
+        wires=wire_of_element[rows].astype(int),
+        id=ledger["id"],
+        arc=arc_start[rows] + (1 + sign[rows] * xi) / 2 * lengths[rows],
+        point=np.stack([(ledger[f"point_bar_{axis}"] + ledger[f"point_{axis}"]) / 2 for axis in "xyz"], axis=1),
+        **{name: ledger[name] for name in _OF_CONTACT},
+    )
+
+
+def wire_currents(results: "Results", increment: int) -> np.ndarray:
+    """Largest current along each wire, with its sign, (n_wires) [A]."""
+    current = results.field("element_current", increment)
+    along = [wire.signs * current[wire.elements] for wire in find_wires(results.elements)]
+    return np.array([values[np.argmax(np.abs(values))] for values in along])
+
+
+def conductance(results: "Results", plus: str, minus: str, increment: int) -> float:
+    """Current over voltage between two node sets [S]."""
+    entering = results.field("reaction_current", increment) + results.field("applied_current", increment)
+    potential = results.field("potential", increment)
+    rows = [results.node_sets[name] for name in (plus, minus)]
+    voltage = potential[rows[0]].mean() - potential[rows[1]].mean()
+    if voltage == 0:
+        raise ValueError(f"there is no voltage between {plus} and {minus}, so that no conductance can be told")
+    return float(entering[rows[0]].sum() / voltage)
+
+
+def _rows_of(ids: np.ndarray, wanted: np.ndarray) -> np.ndarray:
+    order = np.argsort(ids)
+    return order[np.searchsorted(ids, wanted, sorter=order)]
+
+
+def _add_data(parent: ElementTree.Element, what: str, columns: dict, row: int) -> None:
+    for name, (values, _) in columns.items():
+        ElementTree.SubElement(parent, "data", key=f"{what}_{name}").text = repr(values[row].item())
