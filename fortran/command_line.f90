@@ -15,7 +15,7 @@ module litz_command_line
       'help', '--help', '--version']
    character(len=word_length), parameter :: run_options(*) = [character(len=word_length) :: '-o', '--output', &
       '--solver', &
-      '--threads', '--quiet', '--timing']
+      '--threads', '--restart', '--quiet', '--timing']
    character(len=word_length), parameter :: keywords_options(*) = [character(len=word_length) :: '--markdown']
    character(len=word_length), parameter :: no_options(0) = [character(len=word_length) ::]
 
@@ -29,6 +29,9 @@ module litz_command_line
       integer :: solver = 0
       !> 0: as OpenMP says
       integer :: threads = 0
+      !> Restart file, empty: none; step and increment to go on from, 0: the last one in the file
+      character(len=:), allocatable :: restart_path
+      integer :: restart_step = 0, restart_increment = 0
       logical :: quiet = .false., timing = .false., markdown = .false.
    end type command_t
 
@@ -43,6 +46,7 @@ contains
 
       command%argument = ''
       command%output_directory = '.'
+      command%restart_path = ''
       if (command_argument_count() == 0) return
       next = 1
       word = argument(next)
@@ -167,6 +171,8 @@ contains
          call read_solver(value, command%solver, error)
       case ('--threads')
          call read_threads(value, command%threads, error)
+      case ('--restart')
+         call read_restart(command, value)
       end select
    end subroutine read_option
 
@@ -219,6 +225,27 @@ contains
       end if
    end subroutine read_threads
 
+   !> `FILE` or `FILE:step:increment`
+   subroutine read_restart(command, value)
+      type(command_t), intent(inout) :: command
+      character(len=*), intent(in) :: value
+      integer :: first, second, step, increment, status(2)
+
+      command%restart_path = value
+      second = index(value, ':', back=.true.)
+      if (second == 0) return
+      first = index(value(:second - 1), ':', back=.true.)
+      if (first < 2) return
+      call parse_integer(value(first + 1:second - 1), step, status(1))
+      call parse_integer(value(second + 1:), increment, status(2))
+      ! a name may hold colons itself
+      if (any(status /= number_ok)) return
+      if (step < 1 .or. increment < 1) return
+      command%restart_path = value(:first - 1)
+      command%restart_step = step
+      command%restart_increment = increment
+   end subroutine read_restart
+
    !> `litz keywords`, with a keyword that may be several words and may begin with an asterisk.
    subroutine read_keyword(command, next, error)
       type(command_t), intent(inout) :: command
@@ -244,8 +271,11 @@ contains
 
       text = 'litz - beams and wires in electro-mechanical contact'//nl//nl// &
          '  litz run DECK.inp [-o DIR] [--solver S] [--threads N] [--quiet] [--timing]'//nl// &
+         '           [--restart FILE[:STEP:INCREMENT]]'//nl// &
          '      run all steps; result files go to DIR, which is made where it is missing,'//nl// &
          '      or to the current directory; S is BLOCK, UMFPACK or SKYLINE;'//nl// &
+         '      --restart goes on from an increment that *RESTART, WRITE has kept, the last one'//nl// &
+         '      or the one named;'//nl// &
          '      --timing prints in the end where the time and the memory went'//nl// &
          '  litz check DECK.inp'//nl// &
          '      read and check the deck, print the model, stop'//nl// &

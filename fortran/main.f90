@@ -1,6 +1,7 @@
 !> The program: arguments, call, exit code. The only place that prints errors and stops.
 program litz
    use, intrinsic :: iso_fortran_env, only: output_unit, error_unit, compiler_version
+   use, intrinsic :: iso_c_binding, only: c_int, c_intptr_t, c_funptr, c_null_funptr
    use hdf5, only: h5open_f, h5get_libversion_f
    use litz_analysis, only: run_options_t, run_analysis, check_model
    use litz_blas_threads, only: blas_name
@@ -22,6 +23,7 @@ program litz
    type(command_t) :: command
    type(error_t), allocatable :: error
 
+   call ignore_file_size_signal()
    call read_command(command, error)
    if (allocated(error)) call end_with(error)
    select case (command%action)
@@ -39,6 +41,23 @@ program litz
 
 contains
 
+   !> A file that grows beyond the user's limit is then a write that fails, with a message, like that on a full disk.
+   subroutine ignore_file_size_signal()
+      interface
+         type(c_funptr) function c_signal(number, handler) bind(c, name='signal')
+            import :: c_int, c_funptr
+            integer(c_int), value :: number
+            type(c_funptr), value :: handler
+         end function c_signal
+      end interface
+      !> SIGXFSZ and SIG_IGN of Linux and the BSDs
+      integer(c_int), parameter :: file_size_signal = 25
+      integer(c_intptr_t), parameter :: ignore = 1
+      type(c_funptr) :: old
+
+      old = c_signal(file_size_signal, transfer(ignore, c_null_funptr))
+   end subroutine ignore_file_size_signal
+
    subroutine run(command)
       type(command_t), intent(in) :: command
       type(model_t) :: model
@@ -54,6 +73,9 @@ contains
       options%output_directory = command%output_directory
       options%solver = command%solver
       options%threads = command%threads
+      options%restart_path = command%restart_path
+      options%restart_step = command%restart_step
+      options%restart_increment = command%restart_increment
       options%quiet = command%quiet
       options%print_timing = command%timing
       call run_analysis(model, options, error)
@@ -148,7 +170,7 @@ contains
 
       interface
          subroutine c_exit(status) bind(c, name='exit')
-            use, intrinsic :: iso_c_binding, only: c_int
+            import :: c_int
             integer(c_int), value :: status
          end subroutine c_exit
       end interface

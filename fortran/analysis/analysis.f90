@@ -7,15 +7,17 @@ module litz_analysis
    use litz_contact_pairs, only: contact_point_t, prepare_contact, find_candidates, locate_points
    use litz_element_library, only: prepare_elements
    use litz_equations, only: number_equations
-   use litz_errors, only: error_t, fail, exit_input, exit_not_converged
-   use litz_loading, only: start_loading, load_targets, next_break_point
+   use litz_errors, only: error_t, fail, exit_input, exit_not_converged, exit_files
+   use litz_loading, only: loading_t, start_loading, load_targets, next_break_point
    use litz_model, only: model_t, step_t, solver_block, coupling_default, coupling_monolithic, coupling_updated, &
       request_contact
    use litz_newton, only: problem_t, outcome_t, solve_increment
    use litz_parallel_wires, only: shallow_angle, parallel_warning
-   use litz_results, only: results_t, iteration_report_t, increment_report_t
-   use litz_solver_factory, only: create_solver, resolved_solver
    use litz_step_control, only: step_control_t
+   use litz_restart_file, only: restart_file_t, course_t, read_restart, wants_restart
+   use litz_results, only: results_t, iteration_report_t, increment_report_t
+   use litz_output_files, only: check_writable, same_file
+   use litz_solver_factory, only: create_solver, resolved_solver
    use litz_timing, only: timing_t, peak_memory, phase_preparation, phase_search, phase_update, phase_output
    use litz_wires, only: build_wires
 !$ use omp_lib, only: omp_set_num_threads
@@ -34,6 +36,9 @@ module litz_analysis
       integer :: solver = 0
       !> 0: as the environment says
       integer :: threads = 0
+      !> Restart file to go on from, empty: none; step and increment in it, 0: the last one
+      character(len=:), allocatable :: restart_path
+      integer :: restart_step = 0, restart_increment = 0
       !> No progress on the terminal
       logical :: quiet = .false.
       !> Print where time and memory went
@@ -51,8 +56,11 @@ contains
       type(error_t), allocatable, intent(out) :: error
       type(problem_t) :: problem
       type(results_t) :: results
+      type(restart_file_t) :: restart
+      type(course_t) :: course
       real(dp), allocatable :: overlap(:)
       type(error_t), allocatable :: close_error
+      logical :: continued
       integer :: i
 
 !$    if (options%threads > 0) call omp_set_num_threads(options%threads)
@@ -62,22 +70,66 @@ contains
       call find_initial_overlap(problem, overlap, error)
       if (allocated(error)) return
       call problem%timing%lap(phase_search)
-      call results%open(model, options%output_directory, deck_stem(options%deck_path), error)
+      continued = len(options%restart_path) > 0
+      if (continued) call continue_from(options, problem, course, error)
       if (allocated(error)) return
+      if (problem%state%step > 1) overlap = 0
+      call open_restart_file(restart, problem, options, error)
+      call results%open(model, options%output_directory, deck_stem(options%deck_path), problem%state, error)
+      if (allocated(error)) then
+         call restart%close(close_error)
+         return
+      end if
       if (.not. options%quiet) call print_header(model, parallel_warning(model, problem%elements, problem%contact))
-      call results%write_increment(model, problem%state, error)
+      call results%write_increment(model, problem%state, .true., error)
       call problem%timing%lap(phase_output)
-      do i = 1, size(model%steps)
+      do i = max(1, problem%state%step), size(model%steps)
          if (allocated(error)) exit
-         call run_step(problem, model%steps(i), i, overlap, options, results, error)
+         call run_step(problem, model%steps(i), i, overlap, continued, course, options, results, restart, error)
          overlap = 0
+         continued = .false.
       end do
       call results%close(.not. allocated(error), close_error)
+      call restart%close(close_error)
       if (.not. allocated(error) .and. allocated(close_error)) call move_alloc(close_error, error)
       call problem%timing%lap(phase_output)
       if (options%print_timing) write (output_unit, '(a)', advance='no') problem%timing%table(problem%n_iterations)
       if (.not. (allocated(error) .or. options%quiet)) call print_end(problem, options)
    end subroutine run_analysis
+
+   !> Take over a converged increment of an earlier run.
+   subroutine continue_from(options, problem, course, error)
+      type(run_options_t), intent(in) :: options
+      type(problem_t), intent(inout) :: problem
+      type(course_t), intent(out) :: course
+      type(error_t), allocatable, intent(inout) :: error
+
+      if (same_file(options%restart_path, restart_path(options))) then
+         error = fail(exit_files, 'the results of the run that is continued, '//result_base(options)// &
+            '.*, would be overwritten; name another directory with -o')
+         return
+      end if
+      call read_restart(options%restart_path, options%restart_step, options%restart_increment, problem, course, error)
+   end subroutine continue_from
+
+   !> The file from which this run can be continued, where a step asks for it.
+   subroutine open_restart_file(restart, problem, options, error)
+      type(restart_file_t), intent(inout) :: restart
+      type(problem_t), intent(inout) :: problem
+      type(run_options_t), intent(in) :: options
+      type(error_t), allocatable, intent(inout) :: error
+
+      if (.not. any(problem%model%steps%restart_frequency > 0)) return
+      call check_writable(restart_path(options), error)
+      call restart%open(restart_path(options), problem, error)
+   end subroutine open_restart_file
+
+   pure function restart_path(options) result(path)
+      type(run_options_t), intent(in) :: options
+      character(len=:), allocatable :: path
+
+      path = result_base(options)//'.restart.h5'
+   end function restart_path
 
    !> What can be told without solving: wires, and the crossings at the start.
    subroutine check_model(model, report, error)
@@ -175,26 +227,40 @@ contains
 
    end subroutine find_initial_overlap
 
-   subroutine run_step(problem, step, number, overlap, options, results, error)
+   subroutine run_step(problem, step, number, overlap, continued, course, options, results, restart, error)
       type(problem_t), intent(inout) :: problem
       type(step_t), intent(in) :: step
       integer, intent(in) :: number
       !> Interference that this step resolves, one per contact pair [m]
       real(dp), intent(in) :: overlap(:)
+      !> The problem stands somewhere in this step, and the course with it
+      logical, intent(in) :: continued
+      type(course_t), intent(inout) :: course
       type(run_options_t), intent(in) :: options
       type(results_t), intent(inout) :: results
+      type(restart_file_t), intent(inout) :: restart
       type(error_t), allocatable, intent(out) :: error
-      type(step_control_t) :: control
-      real(dp) :: step_time, start_time
+      type(loading_t) :: restored
+      real(dp) :: step_time
       character(len=120) :: text
 
+      restored = problem%loading
       call begin_step(problem, step, options, error)
       if (allocated(error)) return
-      call control%start(step)
-      problem%state%step = number
-      problem%state%increment = 0
-      start_time = problem%state%time
-      step_time = 0
+      if (continued) then
+         if (any(restored%fixed .neqv. problem%loading%fixed)) then
+            error = fail(exit_input, 'the supports of the step that is continued are not those of the deck')
+            return
+         end if
+         problem%loading = restored
+      else
+         call course%control%start(step)
+         problem%state%step = number
+         problem%state%increment = 0
+         problem%state%step_time = 0
+         course%start_time = problem%state%time
+      end if
+      step_time = problem%state%step_time
       do while (step_time < step%total*(1 - 1.0e-9_dp))
          if (problem%state%increment >= step%max_increments) then
             write (text, '(a, i0, a, i0, a, es10.3, a, es10.3)') 'step ', number, ': the ', step%max_increments, &
@@ -202,7 +268,10 @@ contains
             error = fail(exit_not_converged, trim(text))
             return
          end if
-         call run_increment(problem, step, overlap, control, start_time, step_time, options, results, error)
+         call run_increment(problem, step, overlap, course%control, course%start_time, step_time, options, results, error)
+         if (allocated(error)) return
+         if (.not. wants_restart(step, problem%state%increment, step_time)) cycle
+         call restart%write(problem, course, error)
          if (allocated(error)) return
       end do
    end subroutine run_step
@@ -298,7 +367,7 @@ contains
       call problem%timing%lap(phase_update)
       call report_increment(problem, outcome, attempt, increment, step_time, start_time, options, results, error)
       if (allocated(error)) return
-      call results%write_increment(problem%model, problem%state, error)
+      call results%write_increment(problem%model, problem%state, .false., error)
       call problem%timing%lap(phase_output)
       call control%accept(step, outcome%iterations)
    end subroutine run_increment

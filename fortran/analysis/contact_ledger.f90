@@ -8,7 +8,7 @@ module litz_contact_ledger
    use litz_output_files, only: text_file_t
    use litz_hdf5_helpers, only: hid_t, hdf5_create_group, hdf5_write_attribute
    use litz_vtkhdf_writer, only: vtkhdf_file_t, on_points, vtk_vertex
-   use litz_wire_results, only: format_version
+   use litz_wire_results, only: format_version, most_written_increments
    implicit none
    private
    public :: contact_ledger_t
@@ -37,18 +37,22 @@ module litz_contact_ledger
 
 contains
 
-   subroutine ledger_open(self, table_path, points_path, error)
+   subroutine ledger_open(self, model, state, table_path, points_path, error)
       class(contact_ledger_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      !> Where the run starts: its contacts are not new
+      type(state_t), intent(in) :: state
       !> The .csv and the .vtkhdf file
       character(len=*), intent(in) :: table_path, points_path
       type(error_t), allocatable, intent(inout) :: error
 
       if (allocated(error)) return
       allocate (self%last_elements(2, 0))
+      if (allocated(state%contacts)) call remember(state%contacts, self%last_elements)
       call self%table%create(table_path, error)
       call self%table%write_line(header, error)
       call self%table%flush(error)
-      call self%file%create(points_path, 1, 1, error)
+      call self%file%create(points_path, 1, 1, most_written_increments(model), error)
       call hdf5_create_group(self%file%file, 'litz', self%litz_group, error)
       call hdf5_write_attribute(self%litz_group, 'format_version', format_version, error)
       call hdf5_write_attribute(self%litz_group, 'version', version, error)

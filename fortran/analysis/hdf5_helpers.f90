@@ -3,25 +3,27 @@
 !> Every procedure passes `error` through and does nothing once it is allocated, so that a sequence of calls needs
 !> one check at its end.
 module litz_hdf5_helpers
-   use, intrinsic :: iso_c_binding, only: c_char, c_loc, c_null_char, c_ptr
+   use, intrinsic :: iso_c_binding, only: c_char, c_int, c_loc, c_null_char, c_ptr
    use hdf5, only: hid_t, hsize_t, size_t, h5fcreate_f, h5fflush_f, h5fclose_f, h5fget_name_f, h5gcreate_f, &
-      h5pcreate_f, h5pclose_f, h5pset_chunk_f, h5pset_fclose_degree_f, &
+      h5pcreate_f, h5pclose_f, h5pset_chunk_f, h5pset_fclose_degree_f, h5pset_istore_k_f, &
       h5screate_f, h5screate_simple_f, h5sclose_f, h5sselect_hyperslab_f, &
       h5acreate_f, h5aopen_f, h5awrite_f, h5aclose_f, h5aexists_f, &
       h5dcreate_f, h5dwrite_f, h5dclose_f, h5dset_extent_f, h5dget_space_f, &
       h5tcopy_f, h5tclose_f, h5tset_size_f, h5tset_strpad_f, h5tset_cset_f, h5kind_to_type, &
       H5F_ACC_TRUNC_F, H5F_SCOPE_GLOBAL_F, H5F_CLOSE_STRONG_F, H5P_DEFAULT_F, H5P_FILE_ACCESS_F, &
-      H5P_DATASET_CREATE_F, H5S_SCALAR_F, H5S_SELECT_SET_F, H5S_UNLIMITED_F, H5_INTEGER_KIND, &
+      H5P_FILE_CREATE_F, H5P_DATASET_CREATE_F, H5S_SCALAR_F, H5S_SELECT_SET_F, H5S_UNLIMITED_F, H5_INTEGER_KIND, &
       H5T_NATIVE_CHARACTER, H5T_STR_NULLPAD_F, H5T_CSET_UTF8_F, H5T_NATIVE_DOUBLE, &
       H5T_IEEE_F64LE, H5T_STD_I64LE, H5T_STD_U8LE
    use litz_kinds, only: dp, int64
    use litz_errors, only: error_t, fail, exit_files
    use litz_hdf5_library, only: hdf5_start
+   use litz_output_files, only: unpublished
    implicit none
    private
    public :: hid_t, hdf5_rows_t
    public :: hdf5_real, hdf5_integer, hdf5_byte
-   public :: hdf5_start, hdf5_create_file, hdf5_create_group, hdf5_flush, hdf5_close_file
+   public :: hdf5_start, hdf5_create_file, hdf5_create_group, hdf5_flush, hdf5_publish_file, hdf5_close_file, &
+      hdf5_discard_file
    public :: hdf5_write_attribute, hdf5_write_text
 
    !> How the numbers of a dataset are stored: 64-bit floating point, 64-bit integer, unsigned byte
@@ -49,14 +51,31 @@ module litz_hdf5_helpers
       procedure :: write_attribute_integer
    end interface hdf5_write_attribute
 
+   interface
+      !> Not 0 when it fails
+      integer(c_int) function c_rename(old, new) bind(c, name='rename')
+         import :: c_char, c_int
+         character(kind=c_char), intent(in) :: old(*), new(*)
+      end function c_rename
+
+      integer(c_int) function c_unlink(path) bind(c, name='unlink')
+         import :: c_char, c_int
+         character(kind=c_char), intent(in) :: path(*)
+      end function c_unlink
+   end interface
+
 contains
 
-   !> Begins a file anew; what it held is lost.
-   subroutine hdf5_create_file(path, file, error)
+   !> Begins a file anew, beside the one of that path until `hdf5_publish_file` puts it there.
+   subroutine hdf5_create_file(path, expected_chunks, file, error)
       character(len=*), intent(in) :: path
+      !> Number of chunks that its largest dataset may come to have
+      integer, intent(in) :: expected_chunks
       integer(hid_t), intent(out) :: file
       type(error_t), allocatable, intent(inout) :: error
-      integer(hid_t) :: access
+      !> Half the places in a node of the index of chunks: HDF5's default, and what costs a megabyte in some 30 datasets
+      integer, parameter :: fewest = 32, most = 512
+      integer(hid_t) :: access, creation
       integer :: status, ignored
 
       file = -1
@@ -64,9 +83,13 @@ contains
       call h5pcreate_f(H5P_FILE_ACCESS_F, access, status)
       ! closing the file closes its groups and datasets
       if (status == 0) call h5pset_fclose_degree_f(access, H5F_CLOSE_STRONG_F, status)
-      if (status == 0) call h5fcreate_f(path, H5F_ACC_TRUNC_F, file, status, access_prp=access)
+      call h5pcreate_f(H5P_FILE_CREATE_F, creation, ignored)
+      ! an index that need not split: between the writes of a split nothing of the file could be read
+      if (status == 0) call h5pset_istore_k_f(creation, min(most, max(fewest, expected_chunks/2 + 1)), status)
+      if (status == 0) call h5fcreate_f(path//unpublished, H5F_ACC_TRUNC_F, file, status, creation, access)
       if (status /= 0) error = cannot_write(path, 'it cannot be created')
       call h5pclose_f(access, ignored)
+      call h5pclose_f(creation, ignored)
    end subroutine hdf5_create_file
 
    subroutine hdf5_create_group(parent, name, group, error)
@@ -92,6 +115,33 @@ contains
       call h5fflush_f(file, H5F_SCOPE_GLOBAL_F, status)
       if (status /= 0) error = cannot_write(file_name(file), 'the data do not reach the disk')
    end subroutine hdf5_flush
+
+   !> Puts a file that was created in the place of an older one.
+   subroutine hdf5_publish_file(file, error)
+      integer(hid_t), intent(in) :: file
+      type(error_t), allocatable, intent(inout) :: error
+      character(len=:), allocatable :: path
+
+      if (allocated(error)) return
+      path = file_name(file)
+      if (c_rename(path//unpublished//c_null_char, path//c_null_char) /= 0) then
+         error = fail(exit_files, 'cannot write "'//path//'": the system refuses to give "'//path//unpublished// &
+            '" that name')
+      end if
+   end subroutine hdf5_publish_file
+
+   !> Closes a file that was not published, and removes it.
+   subroutine hdf5_discard_file(file)
+      integer(hid_t), intent(inout) :: file
+      character(len=:), allocatable :: path
+      integer(c_int) :: status
+
+      if (file < 0) return
+      path = file_name(file)
+      call h5fclose_f(file, status)
+      file = -1
+      status = c_unlink(path//unpublished//c_null_char)
+   end subroutine hdf5_discard_file
 
    !> Closes the file, also after an error.
    subroutine hdf5_close_file(file, error)
@@ -335,7 +385,7 @@ contains
       end select
    end function stored_type
 
-   !> Path of the file that an object is in.
+   !> Path of the file that an object is in, as the user knows it.
    function file_name(object) result(name)
       integer(hid_t), intent(in) :: object
       character(len=:), allocatable :: name
@@ -346,6 +396,8 @@ contains
       buffer = ''
       call h5fget_name_f(object, buffer, length, status)
       name = trim(buffer)
+      if (len(name) <= len(unpublished)) return
+      if (name(len(name) - len(unpublished) + 1:) == unpublished) name = name(:len(name) - len(unpublished))
    end function file_name
 
    pure function cannot_write(path, what) result(error)

@@ -7,8 +7,10 @@ module litz_output_files
    use litz_errors, only: error_t, fail, exit_files
    implicit none
    private
-   public :: text_file_t, make_directory, check_writable
+   public :: text_file_t, make_directory, check_writable, same_file, unpublished
 
+   !> A file has this ending until it holds something worth keeping: whatever happens before, an older file stays whole
+   character(len=*), parameter :: unpublished = '.part'
    character(len=*), parameter :: refused = 'the system refuses; is the disk full?'
 
    !> A text file that is written line by line.
@@ -29,6 +31,13 @@ module litz_output_files
          character(kind=c_char), intent(in) :: path(*)
          integer(c_int), value :: mode
       end function c_mkdir
+
+      !> A null pointer when there is no such file
+      type(c_ptr) function c_realpath(path, resolved) bind(c, name='realpath')
+         import :: c_char, c_ptr
+         character(kind=c_char), intent(in) :: path(*)
+         character(kind=c_char), intent(out) :: resolved(*)
+      end function c_realpath
 
       type(c_ptr) function c_fopen(path, mode) bind(c, name='fopen')
          import :: c_char, c_ptr
@@ -85,11 +94,15 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       logical :: was_there
       integer :: unit, status
+      character(len=:), allocatable :: tried
       character(len=256) :: reason
 
       if (allocated(error)) return
       inquire (file=path, exist=was_there)
-      open (newunit=unit, file=path, status='unknown', action='readwrite', position='append', &
+      tried = path
+      ! a run that is killed here must not leave an empty file in the place of a result
+      if (.not. was_there) tried = path//unpublished
+      open (newunit=unit, file=tried, status='unknown', action='readwrite', position='append', &
          iostat=status, iomsg=reason)
       if (status /= 0) then
          error = cannot_write(path, reason)
@@ -99,6 +112,19 @@ contains
          close (unit, status='delete')
       end if
    end subroutine check_writable
+
+   !> Two paths lead to one file, which exists.
+   logical function same_file(a, b)
+      character(len=*), intent(in) :: a, b
+      integer, parameter :: longest_path = 4096
+      character(kind=c_char) :: real_a(longest_path + 1), real_b(longest_path + 1)
+
+      real_a = c_null_char
+      real_b = c_null_char
+      same_file = c_associated(c_realpath(a//c_null_char, real_a))
+      if (same_file) same_file = c_associated(c_realpath(b//c_null_char, real_b))
+      if (same_file) same_file = all(real_a == real_b)
+   end function same_file
 
    !> Begins the file anew; what it held is lost.
    subroutine text_file_create(self, path, error)

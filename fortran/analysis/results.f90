@@ -39,13 +39,15 @@ module litz_results
 contains
 
    !> Begins all files, in a directory that is made where it does not exist.
-   subroutine results_open(self, model, output_directory, stem, error)
+   subroutine results_open(self, model, output_directory, stem, state, error)
       class(results_t), intent(inout) :: self
       type(model_t), intent(in) :: model
       !> Empty: the current directory
       character(len=*), intent(in) :: output_directory
       !> Name of the deck without directory and ending
       character(len=*), intent(in) :: stem
+      !> Where the run starts
+      type(state_t), intent(in) :: state
       type(error_t), allocatable, intent(out) :: error
       type(error_t), allocatable :: ignored
       character(len=:), allocatable :: base
@@ -61,7 +63,7 @@ contains
       end do
       call self%history%build(model, error)
       call self%wires%open(model, base//'.vtkhdf', error)
-      call self%ledger%open(base//'_contacts.csv', base//'_contacts.vtkhdf', error)
+      call self%ledger%open(model, state, base//'_contacts.csv', base//'_contacts.vtkhdf', error)
       call begin_table(self%history_file, base//'_history.csv', self%history%header(), error)
       call begin_table(self%status_file, base//'.sta', increment_header(), error)
       call begin_table(self%convergence_file, base//'.cvg', iteration_header(), error)
@@ -101,29 +103,30 @@ contains
 
    !> History and contact ledger of a converged increment; the fields, and the contacts as points, as often as the step
    !> wants them.
-   subroutine results_write_increment(self, model, state, error)
+   subroutine results_write_increment(self, model, state, at_start, error)
       class(results_t), intent(inout) :: self
       type(model_t), intent(in) :: model
       type(state_t), intent(in) :: state
+      !> It is what the run starts from
+      logical, intent(in) :: at_start
       type(error_t), allocatable, intent(out) :: error
 
       call self%history_file%write_line(self%history%line(state), error)
       call self%history_file%flush(error)
       call self%ledger%write_table(model, state, error)
-      if (wants_fields(model, state)) then
-         call self%ledger%write_points(model, state, error)
-         call self%wires%write(model, state, error)
+      if (.not. at_start) then
+         if (.not. wants_fields(model, state)) return
       end if
+      call self%ledger%write_points(model, state, error)
+      call self%wires%write(model, state, error)
    end subroutine results_write_increment
 
-   !> At every n-th increment of a step, at its last, and at the start.
+   !> At every n-th increment of a step and at its last.
    pure logical function wants_fields(model, state)
       type(model_t), intent(in) :: model
       type(state_t), intent(in) :: state
       real(dp), parameter :: round_off = 1.0e-9_dp
 
-      wants_fields = .true.
-      if (state%step == 0) return
       associate (step => model%steps(state%step))
          wants_fields = mod(state%increment, step%output_frequency) == 0 .or. &
             state%step_time >= step%total*(1 - round_off)

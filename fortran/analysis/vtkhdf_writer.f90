@@ -10,7 +10,7 @@ module litz_vtkhdf_writer
    use litz_kinds, only: dp, int64
    use litz_errors, only: error_t, fail, exit_internal
    use litz_hdf5_helpers, only: hid_t, hdf5_rows_t, hdf5_real, hdf5_integer, hdf5_byte, hdf5_start, hdf5_create_file, &
-      hdf5_create_group, hdf5_flush, hdf5_close_file, hdf5_write_attribute
+      hdf5_create_group, hdf5_flush, hdf5_publish_file, hdf5_close_file, hdf5_discard_file, hdf5_write_attribute
    implicit none
    private
    public :: vtkhdf_file_t, vtkhdf_field_t
@@ -65,18 +65,20 @@ module litz_vtkhdf_writer
 contains
 
    !> Begins the file anew with the groups and the datasets of the mesh.
-   subroutine vtkhdf_create(self, path, expected_points, expected_cells, error)
+   subroutine vtkhdf_create(self, path, expected_points, expected_cells, expected_steps, error)
       class(vtkhdf_file_t), intent(inout) :: self
       character(len=*), intent(in) :: path
       !> Usual numbers in a step: a guide for the layout of the file
       integer, intent(in) :: expected_points, expected_cells
+      !> Most steps that may come
+      integer, intent(in) :: expected_steps
       type(error_t), allocatable, intent(inout) :: error
 
       if (allocated(error)) return
       self%n_steps = 0
       allocate (self%fields(0))
       call hdf5_start(error)
-      call hdf5_create_file(path, self%file, error)
+      call hdf5_create_file(path, expected_steps, self%file, error)
       call hdf5_create_group(self%file, 'VTKHDF', self%root, error)
       call hdf5_write_attribute(self%root, 'Version', [2, 0], error)
       call hdf5_write_attribute(self%root, 'Type', 'UnstructuredGrid', error)
@@ -255,12 +257,14 @@ contains
       if (.not. allocated(error)) self%n_steps = self%n_steps + 1
       call hdf5_write_attribute(self%steps, 'NSteps', self%n_steps, error)
       call hdf5_flush(self%file, error)
+      if (self%n_steps == 1) call hdf5_publish_file(self%file, error)
    end subroutine vtkhdf_end_step
 
    subroutine vtkhdf_close(self, error)
       class(vtkhdf_file_t), intent(inout) :: self
       type(error_t), allocatable, intent(inout) :: error
 
+      if (self%n_steps == 0) call hdf5_discard_file(self%file)
       call hdf5_close_file(self%file, error)
    end subroutine vtkhdf_close
 

@@ -13,10 +13,13 @@ module litz_wire_results
    use litz_vtkhdf_writer, only: vtkhdf_file_t, on_points, on_cells, vtk_line
    implicit none
    private
-   public :: wire_results_t, format_version
+   public :: wire_results_t, format_version, most_written_increments
 
    !> Of what stands in /litz; the layout of /VTKHDF has its own number
    integer, parameter :: format_version = 1
+
+   !> More steps than this make no difference to the layout of the file
+   integer, parameter :: most_increments = 10000
 
    character(len=*), parameter :: unit_system = &
       'SI (m, N, s, V, A, W, rad), or the consistent set the deck is written in'
@@ -49,7 +52,7 @@ contains
       character(len=*), intent(in) :: path
       type(error_t), allocatable, intent(inout) :: error
 
-      call self%file%create(path, model%n_nodes, model%n_elements, error)
+      call self%file%create(path, model%n_nodes, model%n_elements, most_written_increments(model), error)
       call self%file%write_cells(vtk_line, model%connectivity, model%n_nodes, error)
       call add_point_fields(self%file, model%n_nodes, error)
       call add_cell_fields(self%file, model%n_elements, error)
@@ -59,6 +62,21 @@ contains
       call write_sets(self%litz_group, 'element_sets', model%element_sets, model%element_id, error)
       call hdf5_flush(self%file%file, error)
    end subroutine wire_results_open
+
+   !> The start, and the increments of all steps as often as they are written.
+   pure integer function most_written_increments(model) result(n)
+      type(model_t), intent(in) :: model
+      integer :: i
+
+      n = 1
+      if (.not. allocated(model%steps)) return
+      do i = 1, size(model%steps)
+         associate (step => model%steps(i))
+            n = n + min(most_increments, step%max_increments/step%output_frequency + 1)
+         end associate
+      end do
+      n = min(n, most_increments)
+   end function most_written_increments
 
    subroutine add_point_fields(file, n, error)
       type(vtkhdf_file_t), intent(inout) :: file

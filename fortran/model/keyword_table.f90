@@ -15,7 +15,7 @@ module litz_keyword_table
 
    !> Keywords of Abaqus and CalculiX that a user may expect, and that litz does not have
    character(len=32), parameter :: not_in_this_version(*) = [character(len=32) :: &
-      'FRICTION', 'DLOAD', 'RESTART', 'DYNAMIC', 'FREQUENCY', 'BUCKLE', 'DENSITY', 'EXPANSION', 'PLASTIC', &
+      'FRICTION', 'DLOAD', 'DYNAMIC', 'FREQUENCY', 'BUCKLE', 'DENSITY', 'EXPANSION', 'PLASTIC', &
       'TEMPERATURE', 'INITIAL CONDITIONS', 'EQUATION', 'MPC', 'RIGID BODY', 'SURFACE', 'TIE', 'COUPLING', &
       'BEAM GENERAL SECTION', 'SOLID SECTION', 'SHELL SECTION', 'ORIENTATION', 'TRANSFORM', 'PART', 'ASSEMBLY', &
       'INSTANCE', 'OUTPUT', 'NODE OUTPUT', 'ELEMENT OUTPUT', 'CONTACT OUTPUT', 'MONITOR', 'NGEN', 'NFILL', 'ELGEN', &
@@ -324,6 +324,13 @@ contains
       call k%add(count_of('FREQUENCY', 'every n-th increment, and the last of the step', '1'))
       call k%add_data([choice_field('quantity', node_quantities, 'all are written, whichever are named')], &
          required=.false., last=0, repeats=0)
+      call finish(table, k)
+
+      call begin(k, 'RESTART', place_step, &
+         'Writes increments from which a run can go on, to DECK.restart.h5: litz run DECK.inp --restart'// &
+         ' DECK.restart.h5[:STEP:INCREMENT]. It holds for the later steps too.')
+      call k%add(flag('WRITE', 'increments are written; without it no longer'))
+      call k%add(count_of('FREQUENCY', 'every n-th increment, and the last of the step', '1'))
       call finish(table, k)
 
       call begin(k, 'EL FILE', place_step, 'As *NODE FILE.')

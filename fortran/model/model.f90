@@ -155,6 +155,8 @@ module litz_model
       type(output_request_t), allocatable :: requests(:)
       !> Fields are written at every n-th increment, and at the last of the step
       integer :: output_frequency = 1
+      !> A run can go on from every n-th increment, and from the last of the step; 0: from none
+      integer :: restart_frequency = 0
       type(controls_t) :: controls
       integer :: solver = solver_default, coupling = coupling_default
    end type step_t

@@ -58,6 +58,10 @@ contains
             call read_static(self, card, model%steps(step))
          case ('NODE PRINT', 'EL PRINT', 'CONTACT PRINT', 'ELECTRODE PRINT', 'NODE FILE', 'EL FILE')
             call read_request(self, model, card, requests, model%steps(step))
+         case ('RESTART')
+            model%steps(step)%restart_frequency = 0
+            if (has_flag(self, card, 'WRITE')) model%steps(step)%restart_frequency = &
+               integer_parameter(self, card, 'FREQUENCY', 1)
          case ('CONTROLS')
             call read_controls(self, card, model%steps(step)%controls)
          case ('SOLVER')
@@ -75,6 +79,7 @@ contains
                this%solver = model%steps(step - 1)%solver
                this%coupling = model%steps(step - 1)%coupling
                this%output_frequency = model%steps(step - 1)%output_frequency
+               this%restart_frequency = model%steps(step - 1)%restart_frequency
                call begin_step(boundary, model, model%steps(step - 1)%total)
                call begin_step(load, model, model%steps(step - 1)%total)
                call begin_step(current, model, model%steps(step - 1)%total)

@@ -64,13 +64,14 @@ def program_path():
     return program
 
 
-def run(deck, *, output_directory=".", solver=None, threads=None, quiet=True):
+def run(deck, *, output_directory=".", solver=None, threads=None, restart=None, quiet=True):
     """Run a deck and return its `litz.Results`.
 
     deck              path of the .inp file
     output_directory  where the result files go; made when it is not there
     solver            "block", "umfpack" or "skyline" in place of what the deck says
     threads           number of threads
+    restart           restart file to go on from, or "FILE:STEP:INCREMENT"; what *RESTART, WRITE has kept
     quiet             False: print what the program prints, as it comes
 
     Raises `InputError`, `NotConvergedError`, `SolverError`, `FileError` or `InternalError`, all of them `LitzError`.
@@ -81,6 +82,8 @@ def run(deck, *, output_directory=".", solver=None, threads=None, quiet=True):
         command += ["--solver", str(solver)]
     if threads is not None:
         command += ["--threads", str(threads)]
+    if restart is not None:
+        command += ["--restart", str(restart)]
 
     exit_code, printed, message = _call(command, quiet)
     results_path = output_directory / (deck.stem + ".vtkhdf")

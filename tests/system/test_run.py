@@ -66,8 +66,9 @@ def test_a_crash_is_an_internal_error_that_names_the_signal(stand_in, tmp_path):
 def test_options_are_passed_on_and_output_is_shown_on_request(stand_in, tmp_path, capsys):
     stand_in(1)
     with pytest.raises(litz.InputError):
-        litz.run("deck.inp", output_directory=tmp_path, solver="skyline", threads=2, quiet=False)
-    assert capsys.readouterr().out == f"arguments: run deck.inp -o {tmp_path} --solver skyline --threads 2\n"
+        litz.run("deck.inp", output_directory=tmp_path, solver="skyline", threads=2, restart="old.h5:1:3", quiet=False)
+    words = f"arguments: run deck.inp -o {tmp_path} --solver skyline --threads 2 --restart old.h5:1:3\n"
+    assert capsys.readouterr().out == words
 
 
 def test_a_quiet_run_prints_nothing(stand_in, tmp_path, capfd):

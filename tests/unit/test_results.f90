@@ -31,12 +31,12 @@ program test_results
    if (how == 'limited') call ignore_file_size_signal()
    call make_crossed_wires(model)
    if (how == 'seldom') model%steps(1)%output_frequency = 2
-   call results%open(model, directory, 'crossed', error)
+   call results%open(model, directory, 'crossed', state, error)
    call stop_on(error)
    do increment = 1, 3
       call make_state(model, increment, state)
       call write_iterations(increment)
-      call results%write_increment(model, state, error)
+      call results%write_increment(model, state, state%step == 0, error)
       call stop_on(error)
       call results%write_status(increment_report_t(step=1, increment=increment, attempts=merge(2, 1, increment == 2), &
          iterations=3, time=state%time, step_time=state%step_time, time_increment=state%time_increment, &

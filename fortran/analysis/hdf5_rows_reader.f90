@@ -1,0 +1,162 @@
+!> Rows of the datasets that `litz_hdf5_helpers` writes, read back: a range of them, so that a long file costs no more
+!> than what is wanted of it.
+!>
+!> Every procedure passes `error` through and does nothing once it is allocated. Messages begin with what is wrong; the
+!> caller names the file.
+module litz_hdf5_rows_reader
+   use, intrinsic :: iso_c_binding, only: c_char, c_loc, c_ptr
+   use hdf5, only: hid_t, hsize_t, size_t, h5aopen_by_name_f, h5aread_f, h5aclose_f, h5aget_type_f, h5tget_size_f, &
+      h5tclose_f, h5dopen_f, h5dread_f, h5dclose_f, h5dget_space_f, h5sget_simple_extent_ndims_f, &
+      h5sget_simple_extent_dims_f, h5sselect_hyperslab_f, h5screate_simple_f, h5sclose_f, h5kind_to_type, &
+      H5S_SELECT_SET_F, H5_INTEGER_KIND, H5T_NATIVE_DOUBLE
+   use litz_kinds, only: dp, int64
+   use litz_errors, only: error_t, fail, exit_files
+   implicit none
+   private
+   public :: read_attribute_integer, read_attribute_text, read_real_rows, read_integer_rows
+
+contains
+
+   subroutine read_attribute_integer(file, object, name, value, error)
+      integer(hid_t), intent(in) :: file
+      !> Group or dataset that has the attribute
+      character(len=*), intent(in) :: object, name
+      integer, intent(out) :: value
+      type(error_t), allocatable, intent(inout) :: error
+      integer(int64), target :: buffer
+      type(c_ptr) :: address
+      integer(hid_t) :: attribute
+      integer :: status, ignored
+
+      value = 0
+      if (allocated(error)) return
+      call h5aopen_by_name_f(file, object, name, attribute, status)
+      if (status == 0) then
+         address = c_loc(buffer)
+         call h5aread_f(attribute, h5kind_to_type(int64, H5_INTEGER_KIND), address, status)
+         call h5aclose_f(attribute, ignored)
+      end if
+      if (status == 0) then
+         value = int(buffer)
+      else
+         error = missing(object//' '//name)
+      end if
+   end subroutine read_attribute_integer
+
+   subroutine read_attribute_text(file, object, name, text, error)
+      integer(hid_t), intent(in) :: file
+      character(len=*), intent(in) :: object, name
+      character(len=:), allocatable, intent(out) :: text
+      type(error_t), allocatable, intent(inout) :: error
+      character(kind=c_char), allocatable, target :: buffer(:)
+      type(c_ptr) :: address
+      integer(hid_t) :: attribute, type
+      integer(size_t) :: length
+      integer :: status, ignored, i
+
+      text = ''
+      if (allocated(error)) return
+      call h5aopen_by_name_f(file, object, name, attribute, status)
+      if (status /= 0) then
+         error = missing(object//' '//name)
+         return
+      end if
+      call h5aget_type_f(attribute, type, status)
+      call h5tget_size_f(type, length, status)
+      allocate (buffer(length))
+      address = c_loc(buffer)
+      call h5aread_f(attribute, type, address, status)
+      call h5tclose_f(type, ignored)
+      call h5aclose_f(attribute, ignored)
+      if (status /= 0) then
+         error = missing(object//' '//name)
+         return
+      end if
+      text = repeat(' ', int(length))
+      do i = 1, int(length)
+         text(i:i) = buffer(i)
+      end do
+      text = text(:verify(text, achar(0), back=.true.))
+   end subroutine read_attribute_text
+
+   subroutine read_real_rows(file, name, components, first, count, values, error)
+      integer(hid_t), intent(in) :: file
+      character(len=*), intent(in) :: name
+      integer, intent(in) :: components
+      !> Rows to be passed over, and rows to read
+      integer(int64), intent(in) :: first, count
+      !> (components, count)
+      real(dp), allocatable, intent(out) :: values(:, :)
+      type(error_t), allocatable, intent(inout) :: error
+      real(dp), allocatable, target :: buffer(:, :)
+
+      if (allocated(error)) return
+      allocate (buffer(components, count))
+      call read_buffer(file, name, components, first, count, H5T_NATIVE_DOUBLE, c_loc(buffer), error)
+      call move_alloc(buffer, values)
+   end subroutine read_real_rows
+
+   subroutine read_integer_rows(file, name, components, first, count, values, error)
+      integer(hid_t), intent(in) :: file
+      character(len=*), intent(in) :: name
+      integer, intent(in) :: components
+      integer(int64), intent(in) :: first, count
+      !> (components, count)
+      integer(int64), allocatable, intent(out) :: values(:, :)
+      type(error_t), allocatable, intent(inout) :: error
+      integer(int64), allocatable, target :: buffer(:, :)
+
+      if (allocated(error)) return
+      allocate (buffer(components, count))
+      call read_buffer(file, name, components, first, count, h5kind_to_type(int64, H5_INTEGER_KIND), c_loc(buffer), &
+         error)
+      call move_alloc(buffer, values)
+   end subroutine read_integer_rows
+
+   subroutine read_buffer(file, name, components, first, count, memory_type, buffer, error)
+      integer(hid_t), intent(in) :: file, memory_type
+      character(len=*), intent(in) :: name
+      integer, intent(in) :: components
+      integer(int64), intent(in) :: first, count
+      type(c_ptr), intent(in) :: buffer
+      type(error_t), allocatable, intent(inout) :: error
+      type(c_ptr) :: address
+      integer(hid_t) :: dataset, file_space, memory_space
+      integer(hsize_t) :: extent(2), largest(2), start(2), range(2)
+      integer :: rank, from, status, ignored
+
+      call h5dopen_f(file, name, dataset, status)
+      if (status /= 0) then
+         error = missing(name)
+         return
+      end if
+      rank = merge(1, 2, components == 1)
+      from = 3 - rank
+      extent = components
+      call h5dget_space_f(dataset, file_space, status)
+      call h5sget_simple_extent_ndims_f(file_space, status, ignored)
+      if (status == rank) call h5sget_simple_extent_dims_f(file_space, extent(from:), largest(from:), ignored)
+      if (status /= rank .or. extent(1) /= components .or. extent(2) < first + count) then
+         error = fail(exit_files, 'its dataset '//name//' has not the rows that it should have')
+      else if (count > 0) then
+         start = [0_hsize_t, int(first, hsize_t)]
+         range = [int(components, hsize_t), int(count, hsize_t)]
+         call h5sselect_hyperslab_f(file_space, H5S_SELECT_SET_F, start(from:), range(from:), status)
+         call h5screate_simple_f(rank, range(from:), memory_space, status)
+         address = buffer
+         call h5dread_f(dataset, memory_type, address, status, memory_space, file_space)
+         call h5sclose_f(memory_space, ignored)
+         if (status /= 0) error = fail(exit_files, 'its dataset '//name//' cannot be read: the file is damaged')
+      end if
+      call h5sclose_f(file_space, ignored)
+      call h5dclose_f(dataset, ignored)
+   end subroutine read_buffer
+
+   pure function missing(what) result(error)
+      character(len=*), intent(in) :: what
+      type(error_t) :: error
+
+      error = fail(exit_files, 'it has no '//what//': it is not a restart file of this version of litz')
+   end function missing
+
+end module litz_hdf5_rows_reader

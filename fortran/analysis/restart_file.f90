@@ -1,0 +1,526 @@
+!> Converged increments from which a run can go on, bit for bit as if it had never stopped: `STEM.restart.h5`.
+!>
+!> Each written increment adds rows to every dataset; `row_ends` says where they end. The attribute `n_increments` is
+!> written last, after everything else has reached the disk: a file that a killed run leaves is whole up to there.
+module litz_restart_file
+   use litz_kinds, only: dp, int64
+   use litz_contact_pairs, only: contact_point_t
+   use litz_errors, only: error_t, fail, exit_files, exit_input
+   use litz_hdf5_helpers, only: hid_t, hdf5_rows_t, hdf5_real, hdf5_integer, hdf5_start, hdf5_create_file, hdf5_flush, &
+      hdf5_publish_file, hdf5_close_file, hdf5_discard_file, hdf5_write_attribute
+   use litz_hdf5_input, only: hdf5_open_file, hdf5_close_input
+   use litz_hdf5_rows_reader, only: read_attribute_integer, read_attribute_text, read_real_rows, read_integer_rows
+   use litz_model, only: model_t, step_t
+   use litz_newton, only: problem_t
+   use litz_restart_record, only: record_t, exchange_point, exchange_contact, name_length
+   use litz_state, only: contact_t
+   use litz_step_control, only: step_control_t
+   use litz_text, only: to_text
+   use litz_version, only: version
+   implicit none
+   private
+   public :: restart_file_t, course_t, read_restart, wants_restart
+
+   integer, parameter :: format_version = 1
+   integer, parameter :: creating = 1, writing = 2, reading = 3
+   integer, parameter :: most_datasets = 40
+
+   !> Where a run stands beside its state.
+   type :: course_t
+      type(step_control_t) :: control
+      !> Total time at the start of the step [s]
+      real(dp) :: start_time = 0
+   end type course_t
+
+   type :: restart_file_t
+      private
+      integer(hid_t) :: file = -1
+      integer :: mode = creating
+      !> Number of datasets, and the one that comes next in the order of `exchange_all`
+      integer :: n_datasets = 0, next = 0
+      type(hdf5_rows_t) :: rows(most_datasets), row_ends
+      !> Where the rows of the increment that is read begin and end
+      integer(int64) :: first_row(most_datasets) = 0, end_row(most_datasets) = 0
+      integer :: n_increments = 0
+      !> Rows of the arrays that are not there yet: a guide for the layout
+      integer :: usual_rows = 1
+   contains
+      procedure :: open => restart_open
+      procedure :: write => restart_write
+      procedure :: close => restart_close
+      procedure, private :: reals, scalars, rotations, integers, logicals
+      generic, private :: array => reals, scalars, rotations, integers, logicals
+   end type restart_file_t
+
+contains
+
+   !> At every n-th increment of a step and at its last, where the deck asks for it.
+   pure logical function wants_restart(step, increment, step_time)
+      type(step_t), intent(in) :: step
+      integer, intent(in) :: increment
+      real(dp), intent(in) :: step_time
+      real(dp), parameter :: round_off = 1.0e-9_dp
+
+      wants_restart = .false.
+      if (step%restart_frequency == 0) return
+      wants_restart = mod(increment, step%restart_frequency) == 0 .or. step_time >= step%total*(1 - round_off)
+   end function wants_restart
+
+   !> Begins the file.
+   subroutine restart_open(self, path, problem, error)
+      class(restart_file_t), intent(inout) :: self
+      character(len=*), intent(in) :: path
+      type(problem_t), intent(inout) :: problem
+      type(error_t), allocatable, intent(inout) :: error
+      type(course_t) :: course
+
+      if (allocated(error)) return
+      call hdf5_start(error)
+      call hdf5_create_file(path, sum(problem%model%steps%max_increments), self%file, error)
+      call hdf5_write_attribute(self%file, 'format_version', format_version, error)
+      call hdf5_write_attribute(self%file, 'version', version, error)
+      call hdf5_write_attribute(self%file, 'n_increments', 0, error)
+      self%mode = creating
+      self%usual_rows = problem%model%n_nodes
+      call exchange_all(self, problem, course, error)
+      self%n_datasets = self%next
+      call self%row_ends%create(self%file, 'row_ends', self%n_datasets, hdf5_integer, 1, error)
+   end subroutine restart_open
+
+   !> Adds the converged increment.
+   subroutine restart_write(self, problem, course, error)
+      class(restart_file_t), intent(inout) :: self
+      !> Only read, although `exchange_all` could also set it
+      type(problem_t), intent(inout) :: problem
+      type(course_t), intent(inout) :: course
+      type(error_t), allocatable, intent(inout) :: error
+
+      if (allocated(error)) return
+      self%mode = writing
+      call exchange_all(self, problem, course, error)
+      call self%row_ends%append(reshape(self%rows(:self%n_datasets)%n_rows, [self%n_datasets, 1]), error)
+      call hdf5_flush(self%file, error)
+      self%n_increments = self%n_increments + 1
+      call hdf5_write_attribute(self%file, 'n_increments', self%n_increments, error)
+      call hdf5_flush(self%file, error)
+      if (self%n_increments == 1) call hdf5_publish_file(self%file, error)
+   end subroutine restart_write
+
+   subroutine restart_close(self, error)
+      class(restart_file_t), intent(inout) :: self
+      type(error_t), allocatable, intent(inout) :: error
+
+      if (self%n_increments == 0) call hdf5_discard_file(self%file)
+      call hdf5_close_file(self%file, error)
+   end subroutine restart_close
+
+   !> Sets the problem and its course to what they were at a written increment.
+   subroutine read_restart(path, step, increment, problem, course, error)
+      character(len=*), intent(in) :: path
+      !> 0, 0: the last one in the file
+      integer, intent(in) :: step, increment
+      type(problem_t), intent(inout) :: problem
+      type(course_t), intent(out) :: course
+      type(error_t), allocatable, intent(inout) :: error
+      type(restart_file_t) :: self
+      integer :: found
+
+      if (allocated(error)) return
+      call hdf5_open_file(path, self%file, error)
+      call read_attribute_integer(self%file, '.', 'format_version', found, error)
+      if (.not. allocated(error) .and. found /= format_version) error = fail(exit_files, &
+         'it has format '//to_text(found)//', this litz reads format '//to_text(format_version))
+      call read_attribute_integer(self%file, '.', 'n_increments', self%n_increments, error)
+      call find_increment(self, step, increment, found, error)
+      if (.not. allocated(error)) then
+         self%mode = creating
+         ! the number of datasets, without any file
+         call count_datasets(self, problem)
+         call read_row_ends(self, found, error)
+         self%mode = reading
+         call exchange_all(self, problem, course, error)
+      end if
+      call hdf5_close_input(self%file)
+      if (.not. allocated(error)) call check_course(problem, error)
+      if (allocated(error)) error%message = 'cannot continue from "'//path//'": '//error%message
+   end subroutine read_restart
+
+   !> Place of an increment among those written.
+   subroutine find_increment(self, step, increment, found, error)
+      type(restart_file_t), intent(inout) :: self
+      integer, intent(in) :: step, increment
+      integer, intent(out) :: found
+      type(error_t), allocatable, intent(inout) :: error
+      integer(int64), allocatable :: steps(:, :)
+      character(len=:), allocatable :: there
+      integer :: i
+
+      found = self%n_increments
+      if (allocated(error)) return
+      if (self%n_increments == 0) then
+         error = fail(exit_files, 'no increment has been written to it')
+         return
+      end if
+      if (step == 0) return
+      call read_integer_rows(self%file, 'increment', 2, 0_int64, int(self%n_increments, int64), steps, error)
+      if (allocated(error)) return
+      there = ''
+      do found = 1, self%n_increments
+         if (all(steps(:, found) == [step, increment])) return
+      end do
+      do i = max(1, self%n_increments - 9), self%n_increments
+         there = there//' '//to_text(int(steps(1, i)))//':'//to_text(int(steps(2, i)))
+      end do
+      if (self%n_increments > 10) there = ' ...'//there
+      error = fail(exit_input, 'it has no increment '//to_text(step)//':'//to_text(increment)//'; it has'//there)
+   end subroutine find_increment
+
+   subroutine count_datasets(self, problem)
+      type(restart_file_t), intent(inout) :: self
+      type(problem_t), intent(inout) :: problem
+      type(course_t) :: course
+      !> Nothing is created once an error is there
+      type(error_t), allocatable :: stop_here
+
+      stop_here = fail(exit_files, '')
+      call exchange_all(self, problem, course, stop_here)
+      self%n_datasets = self%next
+   end subroutine count_datasets
+
+   subroutine read_row_ends(self, found, error)
+      type(restart_file_t), intent(inout) :: self
+      integer, intent(in) :: found
+      type(error_t), allocatable, intent(inout) :: error
+      integer(int64), allocatable :: ends(:, :)
+
+      call read_integer_rows(self%file, 'row_ends', self%n_datasets, 0_int64, int(found, int64), ends, error)
+      if (allocated(error)) return
+      self%end_row(:self%n_datasets) = ends(:, found)
+      if (found > 1) self%first_row(:self%n_datasets) = ends(:, found - 1)
+   end subroutine read_row_ends
+
+   !> The increment must be one that this deck can have reached.
+   subroutine check_course(problem, error)
+      type(problem_t), intent(in) :: problem
+      type(error_t), allocatable, intent(inout) :: error
+
+      if (problem%state%step <= size(problem%model%steps)) return
+      error = fail(exit_input, 'it stands in step '//to_text(problem%state%step)//', but the deck has '// &
+         to_text(size(problem%model%steps)))
+   end subroutine check_course
+
+   !> Everything that the next increment depends on; a line for each array, the same for all that is done with it.
+   subroutine exchange_all(self, problem, course, error)
+      type(restart_file_t), intent(inout) :: self
+      type(problem_t), intent(inout) :: problem
+      type(course_t), intent(inout) :: course
+      type(error_t), allocatable, intent(inout) :: error
+
+      self%next = 0
+      call exchange_model(self, problem%model, error)
+      call exchange_course(self, problem, course, error)
+      associate (state => problem%state, loading => problem%loading, contact => problem%contact)
+         call self%array('displacement', state%displacement, error)
+         call self%array('rotation', state%rotation, error)
+         call self%array('rotation_vector', state%rotation_vector, error)
+         call self%array('potential', state%potential, error)
+         call self%array('reaction', state%reaction, error)
+         call self%array('applied_load', state%applied_load, error)
+         call self%array('reaction_current', state%reaction_current, error)
+         call self%array('applied_current', state%applied_current, error)
+         call self%array('section_forces', state%section_forces, error)
+         call self%array('element_current', state%element_current, error)
+         call self%array('joule_heat', state%joule_heat, error)
+         call self%array('loading_fixed', loading%fixed, 7, error)
+         call self%array('loading_start_value', loading%start_value, error, 7)
+         call self%array('loading_start_load', loading%start_load, error, 7)
+         call self%array('loading_value', loading%value, error, 7)
+         call self%array('loading_load', loading%load, error, 7)
+         call self%array('loading_converged_value', loading%converged_value, error, 7)
+         call self%array('candidates', contact%candidates, 3, error)
+         call self%array('positions_at_search', contact%x_collected, error, 3)
+         if (self%mode == reading .and. .not. contact%present) deallocate (contact%x_collected)
+         call exchange_points(self, contact%points, error)
+         call exchange_contacts(self, state%contacts, error)
+      end associate
+   end subroutine exchange_all
+
+   !> Sizes and sums that tell whether the deck still has the mesh that the increment belongs to.
+   subroutine exchange_model(self, model, error)
+      type(restart_file_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      type(error_t), allocatable, intent(inout) :: error
+      integer, allocatable :: sizes(:, :), here(:, :)
+      real(dp), allocatable :: sums(:), sums_here(:)
+
+      here = reshape([model%n_nodes, model%n_elements, size(model%contact_pairs), checksum(model%connectivity), &
+         checksum(reshape(model%node_id, [1, model%n_nodes])), &
+         checksum(reshape(model%element_id, [1, model%n_elements]))], [6, 1])
+      sums_here = [sum(model%x(1, :)), sum(model%x(2, :)), sum(model%x(3, :)), sum(model%x**2)]
+      sizes = here
+      sums = sums_here
+      call self%array('model_sizes', sizes, 6, error)
+      call self%array('model_positions', sums, error)
+      if (allocated(error) .or. self%mode /= reading) return
+      if (size(sums) == size(sums_here)) then
+         if (all(sizes == here) .and. .not. any(abs(sums - sums_here) > 0)) return
+      end if
+      error = fail(exit_input, 'the deck has another mesh than the run that wrote it')
+   end subroutine exchange_model
+
+   !> A number that changes when numbers change or change places.
+   pure integer function checksum(numbers)
+      integer, intent(in) :: numbers(:, :)
+      integer, parameter :: modulus = 65521
+      integer :: i, j, a, b
+
+      a = 1
+      b = 0
+      do j = 1, size(numbers, 2)
+         do i = 1, size(numbers, 1)
+            a = modulo(a + modulo(numbers(i, j), modulus), modulus)
+            b = modulo(a + b, modulus)
+         end do
+      end do
+      checksum = ieor(a, ishft(b, 15))
+   end function checksum
+
+   subroutine exchange_course(self, problem, course, error)
+      type(restart_file_t), intent(inout) :: self
+      type(problem_t), intent(inout) :: problem
+      type(course_t), intent(inout) :: course
+      type(error_t), allocatable, intent(inout) :: error
+      integer, allocatable :: numbers(:, :)
+      real(dp), allocatable :: reals(:)
+
+      associate (state => problem%state, contact => problem%contact, control => course%control)
+         numbers = reshape([state%step, state%increment], [2, 1])
+         call self%array('increment', numbers, 2, error)
+         if (.not. allocated(error)) then
+            state%step = numbers(1, 1)
+            state%increment = numbers(2, 1)
+         end if
+         numbers = reshape([state%iterations, control%quick, contact%last_id], [3, 1])
+         call self%array('counts', numbers, 3, error)
+         reals = [state%time, state%step_time, state%time_increment, course%start_time, control%wanted]
+         call self%array('times', reals, error)
+         call self%array('clearance', contact%clearance, error)
+         if (allocated(error) .or. self%mode /= reading) return
+         state%iterations = numbers(1, 1)
+         control%quick = numbers(2, 1)
+         contact%last_id = numbers(3, 1)
+         state%time = reals(1)
+         state%step_time = reals(2)
+         state%time_increment = reals(3)
+         course%start_time = reals(4)
+         control%wanted = reals(5)
+      end associate
+   end subroutine exchange_course
+
+   subroutine exchange_points(self, points, error)
+      type(restart_file_t), intent(inout) :: self
+      type(contact_point_t), allocatable, intent(inout) :: points(:)
+      type(error_t), allocatable, intent(inout) :: error
+      type(contact_point_t) :: blank
+      type(record_t), allocatable :: records(:)
+      type(record_t) :: layout
+      integer :: i
+
+      call exchange_point(layout, blank)
+      allocate (records(size(points)))
+      if (self%mode == writing) then
+         do i = 1, size(points)
+            call exchange_point(records(i), points(i))
+         end do
+      end if
+      call exchange_records(self, 'points', layout, records, error)
+      if (allocated(error) .or. self%mode /= reading) return
+      deallocate (points)
+      allocate (points(size(records)))
+      do i = 1, size(points)
+         call exchange_point(records(i), points(i))
+      end do
+   end subroutine exchange_points
+
+   subroutine exchange_contacts(self, contacts, error)
+      type(restart_file_t), intent(inout) :: self
+      type(contact_t), allocatable, intent(inout) :: contacts(:)
+      type(error_t), allocatable, intent(inout) :: error
+      type(contact_t) :: blank
+      type(record_t), allocatable :: records(:)
+      type(record_t) :: layout
+      integer :: i
+
+      call exchange_contact(layout, blank)
+      allocate (records(size(contacts)))
+      if (self%mode == writing) then
+         do i = 1, size(contacts)
+            call exchange_contact(records(i), contacts(i))
+         end do
+      end if
+      call exchange_records(self, 'contacts', layout, records, error)
+      if (allocated(error) .or. self%mode /= reading) return
+      deallocate (contacts)
+      allocate (contacts(size(records)))
+      do i = 1, size(contacts)
+         call exchange_contact(records(i), contacts(i))
+      end do
+   end subroutine exchange_contacts
+
+   !> Records as two datasets, whose columns have names.
+   subroutine exchange_records(self, name, layout, records, error)
+      type(restart_file_t), intent(inout) :: self
+      character(len=*), intent(in) :: name
+      !> A record with all fields
+      type(record_t), intent(in) :: layout
+      type(record_t), allocatable, intent(inout) :: records(:)
+      type(error_t), allocatable, intent(inout) :: error
+      real(dp), allocatable :: reals(:, :)
+      integer, allocatable :: integers(:, :)
+      integer :: i, n_reals, n_integers
+
+      n_reals = layout%n_reals
+      n_integers = layout%n_integers
+      allocate (reals(n_reals, size(records)), integers(n_integers, size(records)))
+      do i = 1, size(records)
+         reals(:, i) = records(i)%reals(:n_reals)
+         integers(:, i) = int(records(i)%integers(:n_integers))
+      end do
+      call self%array(name//'_reals', reals, error, n_reals)
+      call exchange_columns(self, name//'_reals', layout%real_names(:n_reals), error)
+      call self%array(name//'_integers', integers, n_integers, error)
+      call exchange_columns(self, name//'_integers', layout%integer_names(:n_integers), error)
+      if (allocated(error) .or. self%mode /= reading) return
+      deallocate (records)
+      allocate (records(size(reals, 2)))
+      do i = 1, size(records)
+         records(i)%restoring = .true.
+         records(i)%reals(:n_reals) = reals(:, i)
+         records(i)%integers(:n_integers) = integers(:, i)
+      end do
+   end subroutine exchange_records
+
+   !> Names of the columns of a dataset, as an attribute; other names belong to another version of litz.
+   subroutine exchange_columns(self, name, columns, error)
+      type(restart_file_t), intent(inout) :: self
+      character(len=*), intent(in) :: name
+      character(len=name_length), intent(in) :: columns(:)
+      type(error_t), allocatable, intent(inout) :: error
+      character(len=:), allocatable :: text, found
+      integer :: i
+
+      text = ''
+      do i = 1, size(columns)
+         text = text//trim(columns(i))//' '
+      end do
+      text = trim(text)
+      if (self%mode == creating) call hdf5_write_attribute(self%rows(self%next)%dataset, 'columns', text, error)
+      if (self%mode == reading) then
+         call read_attribute_text(self%file, name, 'columns', found, error)
+         if (allocated(error)) return
+         if (found /= text) error = fail(exit_files, 'another version of litz wrote it')
+      end if
+   end subroutine exchange_columns
+
+   !> Rows of real numbers: (components, rows).
+   subroutine reals(self, name, values, error, components)
+      class(restart_file_t), intent(inout) :: self
+      character(len=*), intent(in) :: name
+      real(dp), allocatable, intent(inout) :: values(:, :)
+      type(error_t), allocatable, intent(inout) :: error
+      !> Where the array may not be allocated yet
+      integer, intent(in), optional :: components
+      integer :: n
+
+      self%next = self%next + 1
+      if (allocated(error)) return
+      if (present(components)) n = components
+      if (allocated(values)) n = size(values, 1)
+      associate (i => self%next)
+         select case (self%mode)
+         case (creating)
+            call self%rows(i)%create(self%file, name, n, hdf5_real, expected_rows(), error)
+         case (writing)
+            if (allocated(values)) call self%rows(i)%append(values, error)
+         case (reading)
+            call read_real_rows(self%file, name, n, self%first_row(i), self%end_row(i) - self%first_row(i), values, error)
+         end select
+      end associate
+
+   contains
+
+      pure integer function expected_rows()
+         expected_rows = self%usual_rows
+         if (allocated(values)) expected_rows = size(values, 2)
+      end function expected_rows
+
+   end subroutine reals
+
+   !> A number per row.
+   subroutine scalars(self, name, values, error)
+      class(restart_file_t), intent(inout) :: self
+      character(len=*), intent(in) :: name
+      real(dp), allocatable, intent(inout) :: values(:)
+      type(error_t), allocatable, intent(inout) :: error
+      real(dp), allocatable :: rows(:, :)
+
+      rows = reshape(values, [1, size(values)])
+      call self%reals(name, rows, error)
+      if (.not. allocated(error) .and. self%mode == reading) values = rows(1, :)
+   end subroutine scalars
+
+   !> A matrix per row.
+   subroutine rotations(self, name, values, error)
+      class(restart_file_t), intent(inout) :: self
+      character(len=*), intent(in) :: name
+      !> (3, 3, rows)
+      real(dp), allocatable, intent(inout) :: values(:, :, :)
+      type(error_t), allocatable, intent(inout) :: error
+      real(dp), allocatable :: rows(:, :)
+
+      rows = reshape(values, [9, size(values, 3)])
+      call self%reals(name, rows, error)
+      if (.not. allocated(error) .and. self%mode == reading) values = reshape(rows, [3, 3, size(rows, 2)])
+   end subroutine rotations
+
+   !> Rows of whole numbers: (components, rows).
+   subroutine integers(self, name, values, components, error)
+      class(restart_file_t), intent(inout) :: self
+      character(len=*), intent(in) :: name
+      integer, allocatable, intent(inout) :: values(:, :)
+      integer, intent(in) :: components
+      type(error_t), allocatable, intent(inout) :: error
+      integer(int64), allocatable :: rows(:, :)
+
+      self%next = self%next + 1
+      if (allocated(error)) return
+      associate (i => self%next)
+         select case (self%mode)
+         case (creating)
+            call self%rows(i)%create(self%file, name, components, hdf5_integer, size(values, 2), error)
+         case (writing)
+            call self%rows(i)%append(int(values, int64), error)
+         case (reading)
+            call read_integer_rows(self%file, name, components, self%first_row(i), &
+               self%end_row(i) - self%first_row(i), rows, error)
+            if (.not. allocated(error)) values = int(rows)
+         end select
+      end associate
+   end subroutine integers
+
+   !> Rows of truths: (components, rows).
+   subroutine logicals(self, name, values, components, error)
+      class(restart_file_t), intent(inout) :: self
+      character(len=*), intent(in) :: name
+      logical, allocatable, intent(inout) :: values(:, :)
+      integer, intent(in) :: components
+      type(error_t), allocatable, intent(inout) :: error
+      integer, allocatable :: numbers(:, :)
+
+      allocate (numbers(components, 0))
+      if (allocated(values)) numbers = merge(1, 0, values)
+      call self%integers(name, numbers, components, error)
+      if (.not. allocated(error) .and. self%mode == reading) values = numbers /= 0
+   end subroutine logicals
+
+end module litz_restart_file
