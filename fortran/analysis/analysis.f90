@@ -1,6 +1,7 @@
 !> A run from the resolved model to the closed result files: steps, increments, cut-backs.
 module litz_analysis
    use, intrinsic :: iso_fortran_env, only: output_unit
+   use litz_audit, only: audit_t, audit_increment, audit_error, penetration_warning
    use litz_available_memory, only: memory_text
    use litz_kinds, only: dp, pi
    use litz_capture, only: start_state, capture_state
@@ -11,7 +12,7 @@ module litz_analysis
    use litz_loading, only: loading_t, start_loading, load_targets, next_break_point
    use litz_model, only: model_t, step_t, solver_block, coupling_default, coupling_monolithic, coupling_updated, &
       request_contact
-   use litz_newton, only: problem_t, outcome_t, solve_increment
+   use litz_newton, only: problem_t, outcome_t, solve_increment, measure_scales
    use litz_parallel_wires, only: shallow_angle, parallel_warning
    use litz_step_control, only: step_control_t
    use litz_restart_file, only: restart_file_t, course_t, read_restart, wants_restart
@@ -268,7 +269,8 @@ contains
             error = fail(exit_not_converged, trim(text))
             return
          end if
-         call run_increment(problem, step, overlap, course%control, course%start_time, step_time, options, results, error)
+         call run_increment(problem, step, overlap, course%control, course%start_time, step_time, options, results, &
+            error)
          if (allocated(error)) return
          if (.not. wants_restart(step, problem%state%increment, step_time)) cycle
          call restart%write(problem, course, error)
@@ -329,6 +331,7 @@ contains
       type(contact_point_t), allocatable :: converged_points(:)
       type(iteration_report_t) :: report
       type(outcome_t) :: outcome
+      type(audit_t) :: audit
       real(dp) :: break_point, increment, target
       integer :: attempt
 
@@ -348,7 +351,7 @@ contains
          if (allocated(error)) return
          problem%n_iterations = problem%n_iterations + outcome%iterations
          if (outcome%converged) exit
-         call report_increment(problem, outcome, attempt, increment, target, start_time, options, results, error)
+         call report_increment(problem, outcome, audit, attempt, increment, target, start_time, options, results, error)
          if (allocated(error)) return
          problem%contact%points = converged_points
          if (.not. control%cut(step, increment, attempt)) then
@@ -364,8 +367,11 @@ contains
       problem%state%time = start_time + step_time
       problem%state%time_increment = increment
       call capture_state(problem)
+      audit = audit_increment(problem%model, problem%state, outcome%last%residual, measure_scales(problem))
+      problem%state%audit = [audit%force, audit%moment, audit%current, audit%power, audit%penetration]
       call problem%timing%lap(phase_update)
-      call report_increment(problem, outcome, attempt, increment, step_time, start_time, options, results, error)
+      call report_increment(problem, outcome, audit, attempt, increment, step_time, start_time, options, results, error)
+      if (.not. allocated(error) .and. len(audit%finding) > 0) error = audit_error(problem%state, audit)
       if (allocated(error)) return
       call results%write_increment(problem%model, problem%state, .false., error)
       call problem%timing%lap(phase_output)
@@ -373,9 +379,12 @@ contains
    end subroutine run_increment
 
    !> A line of the .sta file, and of the terminal.
-   subroutine report_increment(problem, outcome, attempt, increment, step_time, start_time, options, results, error)
+   subroutine report_increment(problem, outcome, audit, attempt, increment, step_time, start_time, options, &
+      results, error)
       type(problem_t), intent(in) :: problem
       type(outcome_t), intent(in) :: outcome
+      !> Of an accepted increment
+      type(audit_t), intent(in) :: audit
       integer, intent(in) :: attempt
       real(dp), intent(in) :: increment, step_time, start_time
       type(run_options_t), intent(in) :: options
@@ -396,6 +405,11 @@ contains
       report%negative_pivots = outcome%negative_pivots
       report%contacts = outcome%last%contacts_active
       remark = remark_of(problem, outcome)
+      if (outcome%converged) then
+         report%audit = problem%state%audit
+         remark = remark//penetration_warning(problem%model, problem%state%contacts, audit)
+         if (len(audit%finding) > 0) remark = 'audit failed: '//audit%finding
+      end if
       report%remark = remark
       if (outcome%converged .and. outcome%at_round_off) report%remark = remark//'accepted at the limit of round-off'
       call results%write_status(report, error)

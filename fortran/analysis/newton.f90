@@ -7,6 +7,7 @@ module litz_newton
    use litz_kinds, only: dp
    use litz_assembly, only: iterate_t, forces_t, clear_system, assemble_beams, assemble_conductors, &
       assemble_load_stiffness
+   use litz_audit, only: scales_t
    use litz_contact_forces, only: apply_normal_law, assemble_contacts, predict_contacts
    use litz_contact_pairs, only: contact_set_t, find_candidates, locate_points
    use litz_element_library, only: elements_t
@@ -25,7 +26,7 @@ module litz_newton
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: problem_t, outcome_t, solve_increment
+   public :: problem_t, outcome_t, solve_increment, measure_scales
 
    !> Everything an increment works on.
    type :: problem_t
@@ -235,7 +236,7 @@ contains
       type(iteration_report_t), intent(inout) :: report
       !> A field is accepted for round-off only, above its own tolerance
       logical, intent(out) :: at_round_off
-      real(dp) :: reference(3), round_off(3), extent
+      type(scales_t) :: scales
       integer :: node
 
       report%residual = 0
@@ -247,15 +248,26 @@ contains
                report%residual(3) = largest(report%residual(3), r(7:7), [equations%electric(node) > 0])
             end associate
          end do
-         reference = max(problem%forces%reference, &
+      end associate
+      scales = measure_scales(problem)
+      report%allowed = max(step%controls%r_n*scales%reference, scales%round_off)
+      at_round_off = any(report%residual > max(step%controls%r_n, worth_telling)*scales%reference)
+   end subroutine measure_residual
+
+   !> What residuals are measured by: the largest forces at nodes, and their round-off.
+   pure function measure_scales(problem) result(scales)
+      type(problem_t), intent(in) :: problem
+      type(scales_t) :: scales
+      real(dp) :: extent
+
+      associate (load => problem%loading%load)
+         scales%reference = max(problem%forces%reference, &
             [maxval(abs(load(1:3, :))), maxval(abs(load(4:6, :))), maxval(abs(load(7, :)))])
       end associate
       extent = maxval(abs(problem%iterate%x))
-      round_off = 3*epsilon(1.0_dp)*[problem%forces%stiffness(1)*extent, problem%forces%stiffness(2)*extent, &
+      scales%round_off = 3*epsilon(1.0_dp)*[problem%forces%stiffness(1)*extent, problem%forces%stiffness(2)*extent, &
          problem%forces%conductance*maxval(abs(problem%iterate%potential))]
-      report%allowed = max(step%controls%r_n*reference, round_off)
-      at_round_off = any(report%residual > max(step%controls%r_n, worth_telling)*reference)
-   end subroutine measure_residual
+   end function measure_scales
 
    !> Larger of a value and the masked entries; a value that is not a number wins.
    pure real(dp) function largest(value, entries, mask)

@@ -43,6 +43,8 @@ module litz_progress_tables
       !> Negative pivots of the last factorisation; -1: not known
       integer :: negative_pivots = -1
       integer :: contacts = 0
+      !> Worst figures of the audit, as in the state; 0 where an increment was given up
+      real(dp) :: audit(5) = 0
       !> What is worth knowing, such as why the increment was cut
       character(len=:), allocatable :: remark
    end type increment_report_t
@@ -79,9 +81,10 @@ contains
       character(len=:), allocatable :: line
       character(len=512) :: buffer
 
-      write (buffer, '(a5, a10, a9, a11, 2a15, a19, 3a13, a16, a10, 2x, a)') &
+      write (buffer, '(a5, a10, a9, a11, 2a15, a19, 3a13, a16, a10, 5a18, 2x, a)') &
          'step', 'increment', 'attempts', 'iterations', 'time[s]', 'step_time[s]', 'time_increment[s]', &
-         'force[N]', 'moment[Nm]', 'current[A]', 'negative_pivots', 'contacts', 'remark'
+         'force[N]', 'moment[Nm]', 'current[A]', 'negative_pivots', 'contacts', 'force_balance', 'moment_balance', &
+         'current_balance', 'power_balance', 'penetration_ratio', 'remark'
       line = trim(buffer)
    end function increment_header
 
@@ -90,9 +93,10 @@ contains
       character(len=:), allocatable :: line
       character(len=512) :: buffer
 
-      write (buffer, '(i5, i10, i9, i11, 2es15.7, es19.7, 3es13.3e3, i16, i10)') &
+      write (buffer, '(i5, i10, i9, i11, 2es15.7, es19.7, 3es13.3e3, i16, i10, 5es18.2e3)') &
          report%step, report%increment, report%attempts, report%iterations, &
-         report%time, report%step_time, report%time_increment, report%residual, report%negative_pivots, report%contacts
+         report%time, report%step_time, report%time_increment, report%residual, report%negative_pivots, report%contacts, &
+         report%audit
       line = trim(buffer)
       if (allocated(report%remark)) line = trim(line//'  '//report%remark)
    end function increment_line

@@ -302,7 +302,7 @@ contains
          end if
          numbers = reshape([state%iterations, control%quick, contact%last_id], [3, 1])
          call self%array('counts', numbers, 3, error)
-         reals = [state%time, state%step_time, state%time_increment, course%start_time, control%wanted]
+         reals = [state%time, state%step_time, state%time_increment, course%start_time, control%wanted, state%audit]
          call self%array('times', reals, error)
          call self%array('clearance', contact%clearance, error)
          if (allocated(error) .or. self%mode /= reading) return
@@ -314,6 +314,7 @@ contains
          state%time_increment = reals(3)
          course%start_time = reals(4)
          control%wanted = reals(5)
+         state%audit = reals(6:)
       end associate
    end subroutine exchange_course
 
@@ -443,7 +444,8 @@ contains
          case (writing)
             if (allocated(values)) call self%rows(i)%append(values, error)
          case (reading)
-            call read_real_rows(self%file, name, n, self%first_row(i), self%end_row(i) - self%first_row(i), values, error)
+            call read_real_rows(self%file, name, n, self%first_row(i), self%end_row(i) - self%first_row(i), values, &
+               error)
          end select
       end associate
 

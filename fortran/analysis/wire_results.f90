@@ -29,14 +29,15 @@ module litz_wire_results
       'shear force Q2 along the first section axis', 'shear force Q3 along the second section axis', &
       'torsion moment T', 'bending moment M2 about the first section axis', &
       'bending moment M3 about the second section axis']
-   character(len=*), parameter :: table_names(6) = [character(len=14) :: 'step', 'increment', 'iterations', 'time', &
-      'step_time', 'time_increment']
+   character(len=*), parameter :: table_names(11) = [character(len=17) :: 'step', 'increment', 'iterations', 'time', &
+      'step_time', 'time_increment', 'force_balance', 'moment_balance', 'current_balance', 'power_balance', &
+      'penetration_ratio']
 
    type :: wire_results_t
       type(vtkhdf_file_t), private :: file
       integer(hid_t), private :: litz_group = -1
       !> A row per written increment, in the order of `table_names`
-      type(hdf5_rows_t), private :: tables(6)
+      type(hdf5_rows_t), private :: tables(size(table_names))
    contains
       procedure :: open => wire_results_open
       procedure :: write => wire_results_write
@@ -163,10 +164,10 @@ contains
          call hdf5_write_text(group, 'deck', text_or_nothing(model%deck_text), error)
          call hdf5_create_group(group, 'increments', increments, error)
       end associate
-      do i = 1, 6
+      do i = 1, size(table_names)
          call self%tables(i)%create(increments, trim(table_names(i)), 1, &
             merge(hdf5_integer, hdf5_real, i <= 3), 1, error)
-         call hdf5_write_attribute(self%tables(i)%dataset, 'unit', merge('1', 's', i <= 3), error)
+         call hdf5_write_attribute(self%tables(i)%dataset, 'unit', merge('s', '1', i > 3 .and. i <= 6), error)
       end do
    end subroutine write_origin
 
@@ -263,13 +264,15 @@ contains
       type(state_t), intent(in) :: state
       type(error_t), allocatable, intent(inout) :: error
       integer :: counts(3), i
-      real(dp) :: times(3)
+      real(dp) :: reals(size(table_names) - 3)
 
       counts = [state%step, state%increment, state%iterations]
-      times = [state%time, state%step_time, state%time_increment]
-      do i = 1, 3
+      reals = [state%time, state%step_time, state%time_increment, state%audit]
+      do i = 1, size(counts)
          call self%tables(i)%append(int(counts(i), kind(self%tables(i)%n_rows)), error)
-         call self%tables(3 + i)%append(reshape(times(i:i), [1, 1]), error)
+      end do
+      do i = 1, size(reals)
+         call self%tables(size(counts) + i)%append(reshape(reals(i:i), [1, 1]), error)
       end do
    end subroutine write_tables
 

@@ -50,6 +50,8 @@ module litz_state
       real(dp), allocatable :: section_forces(:, :)
       !> Current from first to second node (n_elements) [A], heat (n_elements) [W]
       real(dp), allocatable :: element_current(:), joule_heat(:)
+      !> Worst figures of the audit: balance of forces, of moments, of currents, of power; overlap over radius [-]
+      real(dp) :: audit(5) = 0
       !> Active contacts
       type(contact_t), allocatable :: contacts(:)
    end type state_t

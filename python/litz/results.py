@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from .network import ContactNetwork
 
 _FORMAT_VERSION = 1
+_AUDIT = ("force_balance", "moment_balance", "current_balance", "power_balance", "penetration_ratio")
 _GROUPS = ("PointData", "CellData")
 
 
@@ -109,6 +110,16 @@ class Results:
     def increments(self) -> np.ndarray:
         """Number of each increment in its step, (n_increments)."""
         return self._increment_table("increment")
+
+    @property
+    def audit(self) -> dict[str, np.ndarray]:
+        """Worst figures of the audit of each increment, (n_increments) [-].
+
+        What is left of sums that should vanish, over the largest force, moment, current or power in them:
+        `force_balance`, `moment_balance`, `current_balance`, `power_balance`; and `penetration_ratio`, the deepest
+        overlap over the smaller radius.
+        """
+        return {name: self._increment_table(name) for name in _AUDIT}
 
     def _increment_table(self, name: str) -> np.ndarray:
         with self._open() as file:

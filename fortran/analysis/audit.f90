@@ -1,0 +1,318 @@
+!> What every accepted increment must fulfil, checked from the state that goes into the results, apart from the
+!> iteration that has found it.
+!>
+!> Source: theory section 8, the invariants of every run.
+module litz_audit
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use litz_kinds, only: dp
+   use litz_errors, only: error_t, fail, exit_not_converged
+   use litz_model, only: model_t, normal_linear
+   use litz_rotations, only: cross
+   use litz_state, only: state_t, contact_t
+   use litz_text, only: to_text
+   implicit none
+   private
+   public :: audit_t, scales_t, audit_increment, audit_error, penetration_warning
+   public :: force_imbalance, moment_imbalance, current_imbalance, spot_imbalance, power_imbalance, not_finite, &
+      crossed_contact, deepest_contact
+   public :: allowed_imbalance, allowed_penetration
+
+   !> A sum that should vanish may be this part of the largest force, moment, current or power in it. The residuals that
+   !> *CONTROLS allows by itself are far below: more is a mistake, or a tolerance that lets a wrong answer pass.
+   real(dp), parameter :: allowed_imbalance = 1.0e-4_dp
+   !> Overlap that needs no warning, over the smaller radius
+   real(dp), parameter :: allowed_penetration = 0.05_dp
+
+   !> What the sums are measured by.
+   type :: scales_t
+      !> Largest nodal force [N], moment [N m] and current [A] of any element, contact or load
+      real(dp) :: reference(3) = 0
+      !> What round-off makes of each at a node
+      real(dp) :: round_off(3) = 0
+   end type scales_t
+
+   !> The worst figures, each over its scale.
+   type :: audit_t
+      !> Largest sum of forces, of moments, at a node or over the model; of currents at a node or spot; power less heat
+      real(dp) :: force = 0, moment = 0, current = 0, power = 0
+      !> Deepest overlap over the smaller radius, and its place among the contacts (0: none)
+      real(dp) :: penetration = 0
+      integer :: deepest = 0
+      !> What is wrong, in words; empty: nothing
+      character(len=:), allocatable :: finding
+   end type audit_t
+
+contains
+
+   pure function audit_increment(model, state, residual, scales) result(audit)
+      type(model_t), intent(in) :: model
+      type(state_t), intent(in) :: state
+      !> Largest force [N], moment [N m] and current [A] that is left at a node
+      real(dp), intent(in) :: residual(3)
+      type(scales_t), intent(in) :: scales
+      type(audit_t) :: audit
+      real(dp) :: extent, heat, potential
+      integer :: worst, n
+
+      audit%finding = not_finite(model, state)
+      if (len(audit%finding) > 0) return
+      n = model%n_nodes
+      extent = maxval(maxval(model%x, 2) - minval(model%x, 2))
+      potential = maxval(abs(state%potential))
+      heat = sum(abs(state%joule_heat)) + sum(abs(state%contacts%joule_heat))
+      call weigh('the forces at a node do not balance', residual(1), scales%reference(1), n*scales%round_off(1), &
+         audit%force)
+      call weigh('the moments at a node do not balance', residual(2), scales%reference(2), n*scales%round_off(2), &
+         audit%moment)
+      call weigh('the forces on the model do not balance', norm2(force_imbalance(state)), scales%reference(1), &
+         n*scales%round_off(1), audit%force)
+      call weigh('the moments on the model do not balance', norm2(moment_imbalance(model, state)), &
+         scales%reference(2) + scales%reference(1)*extent, n*(scales%round_off(2) + scales%round_off(1)*extent), &
+         audit%moment)
+      associate (currents => abs(current_imbalance(model, state)))
+         worst = maxloc(currents, 1)
+         call weigh('the currents at node '//to_text(model%node_id(worst))//' do not balance', currents(worst), &
+            scales%reference(3), n*scales%round_off(3), audit%current)
+      end associate
+      if (size(state%contacts) > 0) then
+         associate (spots => abs(spot_imbalance(state%contacts)))
+            worst = maxloc(spots, 1)
+            call weigh('current and voltage of contact '//to_text(state%contacts(worst)%id)//' disagree', &
+               spots(worst), scales%reference(3), n*scales%round_off(3), audit%current)
+         end associate
+      end if
+      call weigh('the power of the supports is not the Joule heat', abs(power_imbalance(state)), heat, &
+         n*scales%round_off(3)*potential, audit%power)
+      worst = crossed_contact(model, state%contacts)
+      if (worst > 0 .and. len(audit%finding) == 0) then
+         audit%finding = 'the axes of '//contact_words(model, state%contacts(worst))//' have passed each other'
+      end if
+      audit%deepest = deepest_contact(model, state%contacts)
+      if (audit%deepest > 0) audit%penetration = penetration(model, state%contacts(audit%deepest))
+
+   contains
+
+      pure subroutine weigh(words, imbalance, scale, round_off, figure)
+         character(len=*), intent(in) :: words
+         real(dp), intent(in) :: imbalance, scale, round_off
+         !> The larger of this one and what it was
+         real(dp), intent(inout) :: figure
+
+         real(dp) :: measure
+
+         ! a field of nothing but round-off has no scale of its own
+         measure = scale + round_off/allowed_imbalance
+         if (measure > 0) figure = max(figure, imbalance/measure)
+         if (imbalance <= allowed_imbalance*measure .or. len(audit%finding) > 0) return
+         audit%finding = words//': '//to_text(imbalance)//' is left of '//to_text(scale)//', allowed is a part of '// &
+            to_text(allowed_imbalance)
+      end subroutine weigh
+
+   end function audit_increment
+
+   !> A failed audit ends the run.
+   pure function audit_error(state, audit) result(error)
+      type(state_t), intent(in) :: state
+      type(audit_t), intent(in) :: audit
+      type(error_t) :: error
+
+      error = fail(exit_not_converged, 'step '//to_text(state%step)//', increment '//to_text(state%increment)// &
+         ' has converged, but fails its audit: '//audit%finding//'. It is not in the results. Smaller tolerances of'// &
+         ' *CONTROLS, PARAMETERS=FIELD or smaller increments may help; if they do not, this is a defect of litz')
+   end function audit_error
+
+   !> The field that has an entry which is not a finite number, in words; empty: none.
+   pure function not_finite(model, state) result(words)
+      type(model_t), intent(in) :: model
+      type(state_t), intent(in) :: state
+      character(len=:), allocatable :: words
+      logical :: finite(model%n_nodes)
+      integer :: i
+
+      words = ''
+      do i = 1, model%n_nodes
+         finite(i) = all(ieee_is_finite(state%displacement(:, i))) .and. all(ieee_is_finite(state%rotation(:, :, i))) &
+            .and. ieee_is_finite(state%potential(i)) .and. all(ieee_is_finite(state%reaction(:, i))) &
+            .and. ieee_is_finite(state%reaction_current(i))
+      end do
+      if (.not. all(finite)) then
+         words = 'a value at node '//to_text(model%node_id(findloc(finite, .false., 1)))//' is not a number'
+         return
+      end if
+      do i = 1, model%n_elements
+         if (all(ieee_is_finite(state%section_forces(:, i))) .and. ieee_is_finite(state%element_current(i)) &
+            .and. ieee_is_finite(state%joule_heat(i))) cycle
+         words = 'a value in element '//to_text(model%element_id(i))//' is not a number'
+         return
+      end do
+      do i = 1, size(state%contacts)
+         associate (c => state%contacts(i))
+            if (all(ieee_is_finite([c%gap, c%force, c%resistance, c%current, c%voltage_gap, c%joule_heat, &
+               c%angle]))) cycle
+            words = 'a value of '//contact_words(model, c)//' is not a number'
+            return
+         end associate
+      end do
+   end function not_finite
+
+   !> Sum of what supports and loads do to the model [N].
+   pure function force_imbalance(state) result(total)
+      type(state_t), intent(in) :: state
+      real(dp) :: total(3)
+
+      total = sum(state%reaction(1:3, :) + state%applied_load(1:3, :), 2)
+   end function force_imbalance
+
+   !> The same for moments, about the centre of the nodes in their present places [N m].
+   pure function moment_imbalance(model, state) result(total)
+      type(model_t), intent(in) :: model
+      type(state_t), intent(in) :: state
+      real(dp) :: total(3), centre(3), x(3)
+      integer :: node
+
+      centre = sum(model%x + state%displacement, 2)/model%n_nodes
+      total = 0
+      do node = 1, model%n_nodes
+         x = model%x(:, node) + state%displacement(:, node) - centre
+         total = total + state%reaction(4:6, node) + state%applied_load(4:6, node) &
+            + cross(x, state%reaction(1:3, node) + state%applied_load(1:3, node))
+      end do
+   end function moment_imbalance
+
+   !> Kirchhoff's law: current that enters each node from outside less what leaves it into elements and spots [A].
+   pure function current_imbalance(model, state) result(left)
+      type(model_t), intent(in) :: model
+      type(state_t), intent(in) :: state
+      real(dp) :: left(model%n_nodes)
+      integer :: i
+
+      left = state%reaction_current + state%applied_current
+      do i = 1, model%n_elements
+         associate (node => model%connectivity(:, i))
+            left(node(1)) = left(node(1)) - state%element_current(i)
+            left(node(2)) = left(node(2)) + state%element_current(i)
+         end associate
+      end do
+      do i = 1, size(state%contacts)
+         associate (c => state%contacts(i))
+            call share(c%element_bar, c%xi_bar, -c%current)
+            call share(c%element, c%xi, c%current)
+         end associate
+      end do
+
+   contains
+
+      !> A current into an element at `xi` comes to its nodes as the linear voltage has it.
+      pure subroutine share(element, xi, current)
+         integer, intent(in) :: element
+         real(dp), intent(in) :: xi, current
+
+         associate (node => model%connectivity(:, element))
+            left(node(1)) = left(node(1)) + (1 - xi)/2*current
+            left(node(2)) = left(node(2)) + (1 + xi)/2*current
+         end associate
+      end subroutine share
+
+   end function current_imbalance
+
+   !> Current of each spot less what its voltage drives through its resistance [A].
+   pure function spot_imbalance(contacts) result(left)
+      type(contact_t), intent(in) :: contacts(:)
+      real(dp) :: left(size(contacts))
+
+      left = contacts%current
+      where (contacts%resistance > 0) left = contacts%current - contacts%voltage_gap/contacts%resistance
+   end function spot_imbalance
+
+   !> `sum V I` over what comes in, less the heat in elements and spots [W].
+   pure real(dp) function power_imbalance(state) result(left)
+      type(state_t), intent(in) :: state
+
+      left = sum(state%potential*(state%reaction_current + state%applied_current)) - sum(state%joule_heat) &
+         - sum(state%contacts%joule_heat)
+   end function power_imbalance
+
+   !> A contact whose axes are on the wrong side of each other, where the deck does not allow that; 0: none.
+   pure integer function crossed_contact(model, contacts) result(i)
+      type(model_t), intent(in) :: model
+      type(contact_t), intent(in) :: contacts(:)
+
+      do i = 1, size(contacts)
+         if (is_unlimited(model, contacts(i))) cycle
+         if (dot_product(contacts(i)%point_bar - contacts(i)%point, contacts(i)%normal) <= 0) return
+      end do
+      i = 0
+   end function crossed_contact
+
+   !> The contact of the deepest overlap for its radius; 0: none. Overlaps that the deck allows do not count.
+   pure integer function deepest_contact(model, contacts) result(deepest)
+      type(model_t), intent(in) :: model
+      type(contact_t), intent(in) :: contacts(:)
+      real(dp) :: largest
+      integer :: i
+
+      deepest = 0
+      largest = 0
+      do i = 1, size(contacts)
+         if (is_unlimited(model, contacts(i))) cycle
+         if (penetration(model, contacts(i)) <= largest) cycle
+         largest = penetration(model, contacts(i))
+         deepest = i
+      end do
+   end function deepest_contact
+
+   !> Overlap over the smaller radius.
+   pure real(dp) function penetration(model, contact)
+      type(model_t), intent(in) :: model
+      type(contact_t), intent(in) :: contact
+
+      penetration = max(0.0_dp, -contact%gap)/smaller_radius(model, contact)
+   end function penetration
+
+   pure real(dp) function smaller_radius(model, contact)
+      type(model_t), intent(in) :: model
+      type(contact_t), intent(in) :: contact
+
+      smaller_radius = minval(model%sections(model%element_section([contact%element_bar, &
+         contact%element]))%contact_radius)
+   end function smaller_radius
+
+   pure logical function is_unlimited(model, contact)
+      type(model_t), intent(in) :: model
+      type(contact_t), intent(in) :: contact
+
+      is_unlimited = model%interactions(model%contact_pairs(contact%pair)%interaction)%unlimited_penetration
+   end function is_unlimited
+
+   pure function contact_words(model, contact) result(words)
+      type(model_t), intent(in) :: model
+      type(contact_t), intent(in) :: contact
+      character(len=:), allocatable :: words
+
+      words = 'contact '//to_text(contact%id)//' (elements '//to_text(model%element_id(contact%element_bar))// &
+         ' and '//to_text(model%element_id(contact%element))//')'
+   end function contact_words
+
+   !> What to do about an overlap that is deeper than it should be; empty: there is none.
+   pure function penetration_warning(model, contacts, audit) result(words)
+      type(model_t), intent(in) :: model
+      type(contact_t), intent(in) :: contacts(:)
+      type(audit_t), intent(in) :: audit
+      character(len=:), allocatable :: words
+
+      words = ''
+      if (audit%penetration <= allowed_penetration) return
+      associate (contact => contacts(audit%deepest))
+         words = contact_words(model, contact)//' overlaps by '//to_text(100*audit%penetration)// &
+            ' % of the smaller radius (above '//to_text(100*allowed_penetration)//' %)'
+         if (model%interactions(model%contact_pairs(contact%pair)%interaction)%normal_law == normal_linear) then
+            words = words//': a penalty of '// &
+               to_text(contact%force/(allowed_penetration*smaller_radius(model, contact)))// &
+               ' N/m at least would hold it; '
+         else
+            words = words//': the law of Hertz is for smaller ones; '
+         end if
+      end associate
+   end function penetration_warning
+
+end module litz_audit

@@ -1,0 +1,64 @@
+"""Every accepted increment is audited: figures in the .sta file and the results, a failed audit is a failed run."""
+
+import re
+
+import numpy as np
+import pytest
+from decks import crossed
+
+FIGURES = ("force_balance", "moment_balance", "current_balance", "power_balance", "penetration_ratio")
+SOFT = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n {}"
+
+
+@pytest.mark.parametrize("element", ["B31", "B33"])
+def test_the_worst_figures_stand_in_the_sta_file_and_in_the_results(run, element):
+    process, results = run(crossed(element=element, static="0.25, 1", push="-5e-4"))
+    assert process.returncode == 0, process.stderr
+    assert set(results.audit) == set(FIGURES)
+    for name in FIGURES:
+        # three digits in the table; the results begin with the start
+        np.testing.assert_allclose(results.audit[name][1:], results.status[name], rtol=6e-3, atol=1e-99)
+    for name in FIGURES[:4]:
+        # equilibrium is found to R_n = 1e-8
+        assert results.audit[name].max() < 1e-7
+    gap = [results.contacts_at(k)["gap"].min() for k in range(1, len(results.times))]
+    np.testing.assert_allclose(results.audit["penetration_ratio"][1:], -np.array(gap) / 1e-3, rtol=1e-12)
+
+
+def test_a_tolerance_that_lets_a_wrong_answer_pass_is_caught(run):
+    """With R_n = 5 the iteration calls converged what it has after the first iteration."""
+    loose = "*CONTROLS, PARAMETERS=FIELD\n 5\n"
+    process, results = run(crossed(push="-2e-3", extra=loose))
+    assert process.returncode == 2
+    assert "fails its audit" in process.stderr and "do not balance" in process.stderr
+    assert "audit failed" in results.status["remark"][-1]
+    # the start is there, the wrong increment is not
+    assert results.times.tolist() == [0]
+
+
+def test_a_deep_overlap_is_told_with_the_contact_and_the_penalty_that_cures_it(run):
+    penalty, overlaps = 1e3, []
+    for attempt in range(8):
+        process, results = run(crossed(behavior=SOFT.format(penalty), push="-5e-4"), name=f"attempt{attempt}")
+        assert process.returncode == 0, process.stderr
+        remark = results.status["remark"][-1]
+        told = re.search(
+            r"contact 1 \(elements 3 and 13\) overlaps by (\S+) % .* a penalty of (\S+) N/m at least would hold it", remark
+        )
+        if not told:
+            break
+        assert told[0] in process.stdout
+        overlaps.append(float(told[1]))
+        assert overlaps[-1] == pytest.approx(100 * results.audit["penetration_ratio"][-1], rel=1e-4)
+        # stiffer contacts carry more force, so that the advice is followed with a margin
+        penalty = 1.2 * float(told[2])
+    assert overlaps and overlaps == sorted(overlaps, reverse=True)
+    assert "overlaps" not in remark
+    assert results.audit["penetration_ratio"][-1] <= 0.05
+
+
+def test_an_overlap_that_is_meant_needs_no_warning(run):
+    soft = SOFT.format("1e3").replace("=LINEAR", "=LINEAR, PENETRATION=UNLIMITED")
+    process, results = run(crossed(behavior=soft, push="-5e-4"))
+    assert process.returncode == 0, process.stderr
+    assert "overlaps" not in results.status["remark"][-1]

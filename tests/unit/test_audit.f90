@@ -1,0 +1,182 @@
+!> The audit passes a state that is right, and fails each that is wrong in one thing.
+!>
+!> Two wires of four nodes cross in their middles: the lower one (nodes 1, 2) along x, the upper one (3, 4) along y,
+!> pressed together by a force `f`; a current `i` enters at node 1, crosses the spot and leaves at node 3.
+program test_audit
+   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
+   use litz_kinds, only: dp
+   use litz_audit, only: audit_t, scales_t, audit_increment, audit_error, penetration_warning
+   use litz_errors, only: error_t, exit_not_converged
+   use litz_model, only: model_t, normal_linear, normal_hertz
+   use litz_state, only: state_t
+   implicit none
+
+   real(dp), parameter :: radius = 1.0e-3_dp, half = 0.05_dp, f = 8, i = 3, overlap = 1.0e-5_dp
+   real(dp), parameter :: r_wire = 2.0e-4_dp, r_spot = 5.0e-4_dp
+   real(dp), parameter :: at_rest(3) = 0
+   type(model_t) :: model
+   type(state_t) :: right, wrong
+   type(scales_t) :: scales
+   type(audit_t) :: audit
+   type(error_t) :: error
+   character(len=:), allocatable :: words
+
+   call make_model(model)
+   call make_state(right)
+   scales%reference = [f/2, f/2*half, i]
+   scales%round_off = epsilon(1.0_dp)*[f, f*half, i]
+
+   audit = audit_increment(model, right, at_rest, scales)
+   call expect(len(audit%finding) == 0, 'the right state passes: '//audit%finding)
+   call expect(max(audit%force, audit%moment, audit%current, audit%power) < 1.0e-12_dp, 'its sums vanish')
+   call expect(abs(audit%penetration - overlap/radius) < 1.0e-12_dp, 'its overlap is that of the contact')
+
+   ! equal and opposite residuals cancel in the sum over the model
+   audit = audit_increment(model, right, [1.0e-3_dp*f, 0.0_dp, 0.0_dp], scales)
+   call expect(index(audit%finding, 'the forces at a node') == 1, 'a force is left: '//audit%finding)
+   audit = audit_increment(model, right, [0.0_dp, 1.0e-3_dp*f*half, 0.0_dp], scales)
+   call expect(index(audit%finding, 'the moments at a node') == 1, 'a moment is left: '//audit%finding)
+
+   wrong = right
+   wrong%reaction(3, 2) = wrong%reaction(3, 2)*(1 + 1.0e-3_dp)
+   call expect_finding(wrong, 'the forces on the model do not balance')
+
+   wrong = right
+   wrong%reaction(1, 3) = 1
+   wrong%reaction(1, 4) = -1
+   call expect_finding(wrong, 'the moments on the model do not balance')
+
+   wrong = right
+   wrong%element_current(2) = wrong%element_current(2)*(1 + 1.0e-3_dp)
+   call expect_finding(wrong, 'the currents at node 13 do not balance')
+
+   wrong = right
+   wrong%contacts(1)%voltage_gap = wrong%contacts(1)%voltage_gap*(1 + 1.0e-3_dp)
+   call expect_finding(wrong, 'current and voltage of contact 7 disagree')
+
+   wrong = right
+   wrong%joule_heat(1) = wrong%joule_heat(1)*(1 + 1.0e-2_dp)
+   call expect_finding(wrong, 'the power of the supports is not the Joule heat')
+
+   wrong = right
+   wrong%contacts(1)%normal = -wrong%contacts(1)%normal
+   call expect_finding(wrong, 'the axes of contact 7 (elements 101 and 102) have passed each other')
+   model%interactions(1)%unlimited_penetration = .true.
+   audit = audit_increment(model, wrong, at_rest, scales)
+   call expect(len(audit%finding) == 0, 'PENETRATION=UNLIMITED lets axes pass')
+   call expect(audit%deepest == 0, 'PENETRATION=UNLIMITED has no deepest contact')
+   model%interactions(1)%unlimited_penetration = .false.
+
+   wrong = right
+   wrong%potential(4) = ieee_value(1.0_dp, ieee_quiet_nan)
+   call expect_finding(wrong, 'a value at node 14 is not a number')
+   wrong = right
+   wrong%section_forces(6, 2) = ieee_value(1.0_dp, ieee_quiet_nan)
+   call expect_finding(wrong, 'a value in element 102 is not a number')
+   wrong = right
+   wrong%contacts(1)%resistance = ieee_value(1.0_dp, ieee_quiet_nan)
+   call expect_finding(wrong, 'a value of contact 7 (elements 101 and 102) is not a number')
+
+   wrong = right
+   wrong%reaction(3, 1) = 0
+   wrong%step = 2
+   wrong%increment = 5
+   error = audit_error(wrong, audit_increment(model, wrong, at_rest, scales))
+   call expect(error%code == exit_not_converged, 'a failed audit is a failed run')
+   call expect(index(error%message, 'step 2, increment 5') > 0, 'the increment is named')
+
+   words = penetration_warning(model, right%contacts, audit_increment(model, right, at_rest, scales))
+   call expect(len(words) == 0, 'a slight overlap needs no warning')
+   wrong = right
+   wrong%contacts(1)%gap = -0.2_dp*radius
+   words = penetration_warning(model, wrong%contacts, audit_increment(model, wrong, at_rest, scales))
+   call expect(index(words, 'contact 7 (elements 101 and 102) overlaps by 20 %') > 0, 'a deep one is told: '//words)
+   ! the force over 5 % of the radius
+   call expect(index(words, 'a penalty of 160000 N/m at least would hold it') > 0, 'with the penalty that cures it: '//words)
+   model%interactions(1)%normal_law = normal_hertz
+   words = penetration_warning(model, wrong%contacts, audit_increment(model, wrong, at_rest, scales))
+   call expect(index(words, 'Hertz') > 0 .and. index(words, 'penalty') == 0, 'without one where there is none: '//words)
+
+   model%interactions(1)%normal_law = normal_linear
+   call make_state(wrong)
+   wrong%reaction = 0
+   wrong%reaction(3, 1) = 1.0e-14_dp
+   wrong%contacts = wrong%contacts(:0)
+   wrong%reaction_current = 0
+   wrong%element_current = 0
+   wrong%joule_heat = 0
+   scales%reference = [1.0e-14_dp, 0.0_dp, 0.0_dp]
+   scales%round_off = [1.0e-13_dp, 1.0e-14_dp, 0.0_dp]
+   audit = audit_increment(model, wrong, at_rest, scales)
+   call expect(len(audit%finding) == 0, 'a model at rest is not failed for its round-off: '//audit%finding)
+
+contains
+
+   subroutine make_model(model)
+      type(model_t), intent(out) :: model
+
+      model%n_nodes = 4
+      model%n_elements = 2
+      model%node_id = [11, 12, 13, 14]
+      model%element_id = [101, 102]
+      model%x = reshape([-half, 0.0_dp, 0.0_dp, half, 0.0_dp, 0.0_dp, &
+         0.0_dp, -half, 2*radius - overlap, 0.0_dp, half, 2*radius - overlap], [3, 4])
+      model%connectivity = reshape([1, 2, 3, 4], [2, 2])
+      model%element_section = [1, 1]
+      allocate (model%sections(1), model%interactions(1), model%contact_pairs(1))
+      model%sections(1)%contact_radius = radius
+      model%interactions(1)%normal_law = normal_linear
+      model%contact_pairs(1)%interaction = 1
+   end subroutine make_model
+
+   subroutine make_state(state)
+      type(state_t), intent(out) :: state
+      real(dp), parameter :: unit_matrix(9) = [1, 0, 0, 0, 1, 0, 0, 0, 1]
+
+      allocate (state%displacement(3, 4), state%reaction(6, 4), state%applied_load(6, 4), state%section_forces(6, 2), &
+         state%applied_current(4), state%reaction_current(4), source=0.0_dp)
+      state%rotation = spread(reshape(unit_matrix, [3, 3]), 3, 4)
+      state%reaction(3, :) = [f/2, f/2, -f/2, -f/2]
+      ! half of the current leaves each wire at either end of its element, as the linear voltage has it
+      state%reaction_current(1) = i
+      state%reaction_current(3) = -i
+      state%element_current = [i/2, -i/2]
+      allocate (state%contacts(1))
+      associate (c => state%contacts(1))
+         c%id = 7
+         c%pair = 1
+         c%element_bar = 1
+         c%element = 2
+         c%gap = -overlap
+         c%force = f
+         c%normal = [0, 0, -1]
+         c%point_bar = 0
+         c%point = [0.0_dp, 0.0_dp, 2*radius - overlap]
+         c%current = i
+         c%resistance = r_spot
+         c%voltage_gap = r_spot*i
+         c%joule_heat = r_spot*i**2
+      end associate
+      ! each wire carries i/2, and the mean of its ends stands for its middle
+      state%potential = [r_wire*i/4 + r_spot*i, -r_wire*i/4 + r_spot*i, -r_wire*i/4, r_wire*i/4]
+      state%joule_heat = [r_wire, r_wire]*(i/2)**2
+   end subroutine make_state
+
+   subroutine expect_finding(state, text)
+      type(state_t), intent(in) :: state
+      character(len=*), intent(in) :: text
+
+      audit = audit_increment(model, state, at_rest, scales)
+      call expect(index(audit%finding, text) == 1, 'expected "'//text//'", found "'//audit%finding//'"')
+   end subroutine expect_finding
+
+   subroutine expect(holds, text)
+      logical, intent(in) :: holds
+      character(len=*), intent(in) :: text
+
+      if (holds) return
+      write (*, '(a)') text
+      error stop
+   end subroutine expect
+
+end program test_audit
