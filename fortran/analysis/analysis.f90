@@ -191,6 +191,7 @@ contains
       associate (model => problem%model, contact => problem%contact, state => problem%state)
          call find_candidates(model, problem%wires, problem%elements, model%x, model%x, contact, changed)
          call locate_points(model, problem%wires, problem%elements, model%x, model%x, state%rotation, contact)
+         contact%converged = contact%points
          n_refused = 0
          worst = 0
          do i = 1, size(contact%points)
@@ -328,7 +329,6 @@ contains
       type(run_options_t), intent(in) :: options
       type(results_t), intent(inout) :: results
       type(error_t), allocatable, intent(out) :: error
-      type(contact_point_t), allocatable :: converged_points(:)
       type(iteration_report_t) :: report
       type(outcome_t) :: outcome
       type(audit_t) :: audit
@@ -338,7 +338,6 @@ contains
       report%step = problem%state%step
       report%increment = problem%state%increment + 1
       break_point = next_break_point(problem%model, step, step_time, start_time + step_time)
-      allocate (converged_points, source=problem%contact%points)
       attempt = 0
       do
          attempt = attempt + 1
@@ -353,7 +352,6 @@ contains
          if (outcome%converged) exit
          call report_increment(problem, outcome, audit, attempt, increment, target, start_time, options, results, error)
          if (allocated(error)) return
-         problem%contact%points = converged_points
          if (.not. control%cut(step, increment, attempt)) then
             error = not_converged(problem, step, report, step_time, increment, outcome%reason)
             return

@@ -1,7 +1,9 @@
 !> The converged iterate as a state: fields for the results and the start of the next increment.
 module litz_capture
    use litz_kinds, only: dp, pi
+   use litz_contact_history, only: contact_history_t, advanced_history
    use litz_contact_pairs, only: contact_point_t
+   use litz_energies, only: advanced_energies
    use litz_newton, only: problem_t
    use litz_rotations, only: identity3, nearest_rotation_vector
    use litz_state, only: state_t, contact_t
@@ -41,6 +43,8 @@ contains
 
       associate (state => problem%state, iterate => problem%iterate, loading => problem%loading, &
          internal => problem%forces%internal)
+         state%energies = advanced_energies(problem%model, state, iterate, loading, internal, &
+            problem%forces%strain_energy, problem%contact)
          state%displacement = iterate%x - problem%model%x
          state%rotation = iterate%rotation
          state%potential = iterate%potential
@@ -72,7 +76,13 @@ contains
          allocate (state%contacts(count(contact%points%closed)))
          m = 0
          do i = 1, size(contact%points)
-            if (.not. contact%points(i)%closed) cycle
+            if (.not. contact%points(i)%closed) then
+               contact%points(i)%history = contact_history_t()
+               cycle
+            end if
+            associate (point => contact%points(i))
+               point%history = advanced_history(point%history, [point%arc_bar, point%arc], point%force, point%friction)
+            end associate
             if (contact%points(i)%id == 0) then
                contact%last_id = contact%last_id + 1
                contact%points(i)%id = contact%last_id
@@ -87,6 +97,8 @@ contains
                   + point%current**2*point%missed_resistance(2)
             end associate
          end do
+         contact%converged = contact%points
+         contact%converged_clearance = contact%clearance
       end associate
    end subroutine capture_contacts
 
@@ -106,6 +118,10 @@ contains
       contact%point_bar = point%kinematics%point_bar
       contact%point = point%kinematics%point
       contact%force = point%force
+      contact%friction_status = point%friction%status
+      contact%traction = point%traction_on_bar
+      contact%slip_path = point%history%slip_path
+      contact%dissipation = point%history%dissipation
       contact%semi_major = point%semi_major
       contact%semi_minor = point%semi_minor
       if (point%conductance > 0) contact%resistance = 1/point%conductance

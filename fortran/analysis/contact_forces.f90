@@ -12,6 +12,9 @@ module litz_contact_forces
    use litz_contact_spot, only: contact_spot_of_ellipse
    use litz_element_library, only: elements_t
    use litz_equations, only: equations_t
+   use litz_friction_forces, only: has_friction, add_friction
+   use litz_friction_iteration, only: predict_friction
+   use litz_friction_law, only: friction_law_t, friction_slip
    use litz_hertz, only: hertz_ellipse
    use litz_linear_solver, only: system_matrix_t
    use litz_model, only: model_t, normal_hertz, spot_none, spot_hertz, spot_film
@@ -124,7 +127,7 @@ contains
       touching = pack([(i, i=1, size(contact%points))], contact%points%active .or. contact%points%closed)
       n = min(chunk, size(touching))
       allocate (k(24, 24, n), r(24, n), k_ee(4, 4, n), r_e(4, n), k_me(4, 24, n), nodes(4, n))
-      call clear_currents(contact%points)
+      call clear_results(contact%points)
       do first = 1, size(touching), chunk
          n = min(chunk, size(touching) - first + 1)
          associate (points => touching(first:first + n - 1))
@@ -134,6 +137,7 @@ contains
                   k_me(:, :, i))
             end do
             !$omp end parallel do
+            if (any(contact%points(points)%friction_iteration%limit > 0)) matrix%mm_symmetric = .false.
             do i = 1, n
                call add_iteration_force(contact%points(points(i)), nodes(:, i), forces)
             end do
@@ -154,38 +158,54 @@ contains
          integer, intent(out) :: nodes_p(4)
          real(dp), intent(out) :: k_p(24, 24), r_p(24), k_ee_p(4, 4), r_e_p(4), k_me_p(4, 24)
          real(dp) :: x(3, 4), t(3, 4), length(2)
+         real(dp) :: radius(2), young(2), poisson(2), resistivity(2), force, dforce_dgap, dforce_dangle
+         integer :: info
 
          nodes_p = [model%connectivity(:, point%element_bar), model%connectivity(:, point%element)]
          call pair_geometry(model, wires, elements, point%element_bar, point%element, iterate%x, iterate%rotation, &
             x, t, length)
-         call contact_mechanics(point%kinematics, t, point%force, point%stiffness, point%geometric_force, form_hessian, &
-            k_p, r_p)
+         call contact_mechanics(point%kinematics, t, point%force, point%stiffness, point%geometric_force, &
+            form_hessian, k_p, r_p)
+         call materials_of(model, elements, point, radius, young, poisson, resistivity)
+         associate (law => model%interactions(model%contact_pairs(point%pair)%interaction))
+            if (has_friction(law, point)) call add_friction(law, wires, x, t, length, young, poisson, point, k_p, r_p)
+            call normal_force_of_ellipse(law%normal_law, law%penalty, point%gap, point%ellipse, force, dforce_dgap, &
+               dforce_dangle, info)
+         end associate
          k_ee_p = 0
          r_e_p = 0
          k_me_p = 0
          if (point%closed .and. all(elements%resistivity([point%element_bar, point%element]) > 0)) then
-            call evaluate_current(point, nodes_p, k_ee_p, r_e_p, k_me_p)
+            call evaluate_current(point, nodes_p, radius, young, poisson, resistivity, dforce_dgap, dforce_dangle, &
+               k_ee_p, r_e_p, k_me_p)
          end if
       end subroutine evaluate
 
-      subroutine evaluate_current(point, nodes_p, k_ee_p, r_e_p, k_me_p)
+      subroutine evaluate_current(point, nodes_p, radius, young, poisson, resistivity, dforce_dgap, dforce_dangle, &
+         k_ee_p, r_e_p, k_me_p)
          type(contact_point_t), intent(inout) :: point
          integer, intent(in) :: nodes_p(4)
+         real(dp), intent(in) :: radius(2), young(2), poisson(2), resistivity(2), dforce_dgap, dforce_dangle
          real(dp), intent(inout) :: k_ee_p(4, 4), r_e_p(4), k_me_p(4, 24)
-         real(dp) :: radius(2), young(2), poisson(2), resistivity(2), approach, dg_dforce, dg_dangle, series(2)
-         real(dp) :: force, dforce_dgap, dforce_dangle
+         real(dp) :: approach, dg_dforce, dg_dangle, series(2), spot_force, dspot_force
          type(contact_electricity_t) :: electricity
          integer :: info, pair(2)
 
          pair = [point%element_bar, point%element]
          associate (law => model%interactions(model%contact_pairs(point%pair)%interaction))
             if (law%spot_law == spot_none) return
-            call materials_of(model, elements, point, radius, young, poisson, resistivity)
-            call contact_spot_of_ellipse(law%spot_law, point%force, radius, young, poisson, resistivity, &
+            ! a remembered spot does not follow the force
+            dspot_force = 1
+            spot_force = point%force
+            if (law%spot_memory .and. point%friction%status /= friction_slip .and. &
+               point%history%largest_force > point%force) then
+               dspot_force = 0
+               spot_force = point%history%largest_force
+            end if
+            call contact_spot_of_ellipse(law%spot_law, spot_force, radius, young, poisson, resistivity, &
                point%ellipse, law%spot_value, law%table_force, law%table_resistance, point%semi_major, &
                point%semi_minor, approach, point%conductance, dg_dforce, dg_dangle, info)
-            call normal_force_of_ellipse(law%normal_law, law%penalty, point%gap, point%ellipse, force, dforce_dgap, &
-               dforce_dangle, info)
+            dg_dforce = dg_dforce*dspot_force
             series = 0
             if (law%voltage_correction) series = resistivity*elements%length(pair)/(4*elements%area(pair))
          end associate
@@ -211,22 +231,25 @@ contains
             point%stiffness*maxval(elements%length([point%element_bar, point%element])))
          do a = 1, 4
             forces%iteration(1:6, nodes_p(a)) = forces%iteration(1:6, nodes_p(a)) &
-               - (point%iteration_force - point%force)*point%kinematics%dgap(6*a - 5:6*a)
+               - (point%iteration_force - point%force)*point%kinematics%dgap(6*a - 5:6*a) &
+               + point%friction_iteration%difference(6*a - 5:6*a)
          end do
       end subroutine add_iteration_force
 
    end subroutine assemble_contacts
 
-   elemental subroutine clear_currents(point)
+   elemental subroutine clear_results(point)
       type(contact_point_t), intent(inout) :: point
 
+      point%friction = friction_law_t()
+      point%traction_on_bar = 0
       point%conductance = 0
       point%current = 0
       point%voltage_gap = 0
       point%missed_resistance = 0
       point%semi_major = 0
       point%semi_minor = 0
-   end subroutine clear_currents
+   end subroutine clear_results
 
    !> Take each point's force and gap along with the step `eta dq` of the unknowns.
    subroutine predict_contacts(model, eta, step, contact)
@@ -234,16 +257,15 @@ contains
       !> Fraction of the step that is taken, and the step (7, n_nodes)
       real(dp), intent(in) :: eta, step(:, :)
       type(contact_set_t), intent(inout) :: contact
-      real(dp) :: dgap, force
-      integer :: i, a, nodes(4)
+      real(dp) :: dq(24), dgap, force
+      integer :: i, nodes(4)
 
       do i = 1, size(contact%points)
          associate (point => contact%points(i))
             nodes = [model%connectivity(:, point%element_bar), model%connectivity(:, point%element)]
-            dgap = 0
-            do a = 1, 4
-               dgap = dgap + dot_product(point%kinematics%dgap(6*a - 5:6*a), step(1:6, nodes(a)))
-            end do
+            dq = reshape(step(1:6, nodes), [24])
+            dgap = dot_product(point%kinematics%dgap, dq)
+            call predict_friction(eta*dq, point%friction_iteration)
             point%predicted = .true.
             point%predicted_gap = point%gap + eta*dgap
             if (.not. point%active) cycle

@@ -17,8 +17,11 @@ module litz_contact_ledger
       'step,increment,time [s],id,element_bar,element,xi_bar,xi,angle [rad],gap [m],'// &
       'force [N],normal_x,normal_y,normal_z,point_bar_x [m],point_bar_y [m],point_bar_z [m],'// &
       'point_x [m],point_y [m],point_z [m],semi_major [m],semi_minor [m],resistance [ohm],current [A],'// &
-      'voltage_gap [V],joule_heat [W],status'
+      'voltage_gap [V],joule_heat [W],traction_x [N],traction_y [N],traction_z [N],slip_path [m],'// &
+      'dissipation [J],friction,status'
 
+   !> Values of the column `friction`, by `friction_...` of litz_friction_law
+   character(len=*), parameter :: friction_names(0:2) = [character(len=5) :: 'none', 'stick', 'slip']
    !> Values of the column `status`: not there in the last increment | with the same elements as then | now with others
    character(len=*), parameter :: status_new = 'new', status_active = 'active', status_moved = 'moved'
 
@@ -81,6 +84,10 @@ contains
       call file%add_field(on_points, 'current', 1, 'A', 'current from the barred to the unbarred wire', 1, error)
       call file%add_field(on_points, 'voltage_gap', 1, 'V', 'potential of the barred minus the unbarred wire', 1, error)
       call file%add_field(on_points, 'joule_heat', 1, 'W', 'heat in the spot', 1, error)
+      call file%add_field(on_points, 'friction', 1, '1', '0 none, 1 stick, 2 slip', 1, error, .true.)
+      call file%add_field(on_points, 'traction', 3, 'N', 'what the barred wire feels of friction', 1, error)
+      call file%add_field(on_points, 'slip_path', 1, 'm', 'path of the slip since the contact closed', 1, error)
+      call file%add_field(on_points, 'dissipation', 1, 'J', 'heat of friction since the contact closed', 1, error)
    end subroutine add_fields
 
    !> Adds the contacts of an increment to the table.
@@ -98,7 +105,8 @@ contains
             write (line, '(*(g0, :, ","))') state%step, state%increment, state%time, c%id, &
                model%element_id(c%element_bar), model%element_id(c%element), c%xi_bar, c%xi, c%angle, c%gap, c%force, &
                c%normal, c%point_bar, c%point, c%semi_major, c%semi_minor, c%resistance, c%current, c%voltage_gap, &
-               c%joule_heat, trim(contact_status(c, self%last_elements))
+               c%joule_heat, c%traction, c%slip_path, c%dissipation, trim(friction_names(c%friction_status)), &
+               trim(contact_status(c, self%last_elements))
          end associate
          call self%table%write_line(trim(line), error)
       end do
@@ -170,6 +178,7 @@ contains
       call file%write_field('id', contacts%id, error)
       call file%write_field('element_bar', model%element_id(contacts%element_bar), error)
       call file%write_field('element', model%element_id(contacts%element), error)
+      call file%write_field('friction', contacts%friction_status, error)
    end subroutine write_integer_fields
 
    subroutine write_real_fields(file, contacts, error)
@@ -193,6 +202,9 @@ contains
       call file%write_field('current', contacts%current, error)
       call file%write_field('voltage_gap', contacts%voltage_gap, error)
       call file%write_field('joule_heat', contacts%joule_heat, error)
+      call file%write_field('traction', reshape([(contacts(i)%traction, i=1, n)], [3, n]), error)
+      call file%write_field('slip_path', contacts%slip_path, error)
+      call file%write_field('dissipation', contacts%dissipation, error)
    end subroutine write_real_fields
 
    !> Closes both files, and notes whether the run came to its end.

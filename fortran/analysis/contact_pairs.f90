@@ -7,9 +7,12 @@ module litz_contact_pairs
    use litz_kinds, only: dp, int64
    use litz_closest_points, only: closest_points, end_tolerance, search_limit, closest_inside, closest_beyond, &
       closest_not_unique, closest_parallel, closest_not_converged
+   use litz_contact_history, only: contact_history_t
    use litz_contact_kinematics, only: contact_kinematics_t, contact_kinematics, kinematics_ok
    use litz_contact_search, only: near_segments
    use litz_element_library, only: elements_t
+   use litz_friction_iteration, only: friction_iteration_t
+   use litz_friction_law, only: friction_law_t
    use litz_hertz, only: hertz_ellipse_t
    use litz_model, only: model_t, axis_hermite
    use litz_parallel, only: worth_threads
@@ -53,6 +56,12 @@ module litz_contact_pairs
       real(dp) :: force = 0, stiffness = 0, iteration_force = 0
       !> Force of the geometric stiffness [N]; zero at first touch, where no force is known yet
       real(dp) :: geometric_force = 0
+      !> Memory of the converged state: from when the increment began until it has converged
+      type(contact_history_t) :: history
+      !> Traction at the present place; as the barred wire feels it [N]
+      type(friction_law_t) :: friction
+      real(dp) :: traction_on_bar(3) = 0
+      type(friction_iteration_t) :: friction_iteration
       !> Spot [m], conductance [S], current [A], voltage across the spot [V]
       real(dp) :: semi_major = 0, semi_minor = 0, conductance = 0, current = 0, voltage_gap = 0
       !> Resistance in each wire that the linear voltage inside its element misses (theory section 7) [ohm]
@@ -72,11 +81,15 @@ module litz_contact_pairs
       !> Largest overlap when the increment began [m]
       real(dp) :: depth = 0
       type(contact_point_t), allocatable :: points(:)
+      !> The points of the last converged state
+      type(contact_point_t), allocatable :: converged(:)
       !> Candidates that overlap although their axes run parallel: point contact cannot describe them
       integer :: n_parallel = 0
       integer :: last_id = 0
       !> Clearance that stands for the interference left at this time, one per contact pair [m]
       real(dp), allocatable :: clearance(:)
+      !> The same in the last converged state
+      real(dp), allocatable :: converged_clearance(:)
    end type contact_set_t
 
 contains
@@ -87,8 +100,9 @@ contains
       type(contact_set_t), intent(out) :: contact
       integer :: p, e
 
-      allocate (contact%points(0), contact%candidates(3, 0))
+      allocate (contact%points(0), contact%converged(0), contact%candidates(3, 0))
       allocate (contact%clearance(size(model%contact_pairs)), source=0.0_dp)
+      contact%converged_clearance = contact%clearance
       contact%present = size(model%contact_pairs) > 0
       if (.not. contact%present) return
       allocate (contact%in_bar(model%n_elements, size(model%contact_pairs)), source=.false.)
@@ -232,6 +246,7 @@ contains
          call inherit(contact%points(c), origin(c))
       end do
       !$omp end parallel do
+      call recall_history(wires, elements, contact)
       contact%n_parallel = contact%n_parallel + count(.not. contact%points%regular .and. contact%points%gap < 0)
       if (.not. all(contact%points%regular)) contact%points = pack(contact%points, contact%points%regular)
 
@@ -363,6 +378,7 @@ contains
             point%predicted = old(from)%predicted
             point%predicted_gap = old(from)%predicted_gap
             point%mixed_force = old(from)%mixed_force
+            point%friction_iteration = old(from)%friction_iteration
          end if
          associate (eb => point%element_bar, e => point%element, &
             axis => model%interactions(model%contact_pairs(point%pair)%interaction)%axis)
@@ -458,6 +474,21 @@ contains
       end function side_of_elements
 
    end subroutine locate_points
+
+   !> Each point remembers what it was in the converged state, whatever the iteration has been through since.
+   subroutine recall_history(wires, elements, contact)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(contact_set_t), intent(inout) :: contact
+      integer, allocatable :: origin(:)
+      integer :: i
+
+      if (.not. any(contact%converged%history%closed)) return
+      call match_points(wires, elements, contact%converged, contact%points, origin)
+      do i = 1, size(contact%points)
+         if (origin(i) > 0) contact%points(i)%history = contact%converged(origin(i))%history
+      end do
+   end subroutine recall_history
 
    !> Nodal positions and tangents, barred element first, as the kernels want them.
    pure subroutine pair_geometry(model, wires, elements, eb, e, x, rotation, xe, t, length)

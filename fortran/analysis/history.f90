@@ -1,12 +1,13 @@
-!> The history table: the quantities that *NODE PRINT, *EL PRINT and *ELECTRODE PRINT ask for, over time.
+!> The history table: the quantities that *NODE PRINT, *EL PRINT, *ENERGY PRINT and *ELECTRODE PRINT ask for, over time.
 !>
 !> The columns are those of all steps together, each once, and every increment fills all of them.
 module litz_history
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf, ieee_quiet_nan
    use litz_kinds, only: dp
    use litz_errors, only: error_t, fail, exit_internal
-   use litz_model, only: model_t, output_request_t, request_node, request_element, request_electrode
-   use litz_state, only: state_t
+   use litz_model, only: model_t, output_request_t, request_node, request_element, request_electrode, &
+      request_energy
+   use litz_state, only: state_t, energies_t
    implicit none
    private
    public :: history_t
@@ -17,7 +18,8 @@ module litz_history
    !> What a column holds; the order is that of `quantities`, then the three of electrodes
    integer, parameter :: quantity_u = 1, quantity_ur = 2, quantity_rf = 3, quantity_rm = 4, quantity_cf = 5, &
       quantity_cm = 6, quantity_epot = 7, quantity_rcurr = 8, quantity_cecur = 9, quantity_sf = 10, quantity_epg = 11, &
-      quantity_joule = 12, electrode_voltage = 13, electrode_current = 14, electrode_resistance = 15
+      quantity_joule = 12, electrode_voltage = 13, electrode_current = 14, electrode_resistance = 15, &
+      quantity_energy = 16
 
    !> A quantity that a deck may ask for.
    type :: quantity_t
@@ -37,6 +39,10 @@ module litz_history
       quantity_t('EPG', request_element, 1, 'A', .false.), quantity_t('JOULE', request_element, 1, 'W', .true.)]
 
    character(len=*), parameter :: section_force_names(6) = ['N ', 'Q2', 'Q3', 'T ', 'M2', 'M3']
+
+   !> Abaqus's names of the energies: external work, in the beams, in the contacts, heat of friction, and what of these
+   !> does not balance
+   character(len=*), parameter :: energy_names(5) = [character(len=6) :: 'ALLWK', 'ALLSE', 'ALLCCE', 'ALLFD', 'ETOTAL']
 
    type :: column_t
       character(len=:), allocatable :: name
@@ -106,6 +112,10 @@ contains
       select case (request%kind)
       case (request_electrode)
          call add_electrodes(self, model, request)
+      case (request_energy)
+         do i = 1, size(energy_names)
+            call add_column(self, trim(energy_names(i))//' [J]', quantity_energy, i, the_one, [integer ::])
+         end do
       case (request_node, request_element)
          do i = 1, size(request%quantities)
             q = quantity_index(request%quantities(i), request%kind)
@@ -296,6 +306,10 @@ contains
       type(state_t), intent(in) :: state
       integer :: i
 
+      if (column%quantity == quantity_energy) then
+         value = energy_value(state%energies, column%component)
+         return
+      end if
       if (column%quantity >= electrode_voltage) then
          value = electrode_value(self, column%quantity, column%members, column%members_2, state)
          return
@@ -339,6 +353,20 @@ contains
          value = state%joule_heat(member)
       end select
    end function member_value
+
+   pure real(dp) function energy_value(energies, component) result(value)
+      type(energies_t), intent(in) :: energies
+      !> Index into `energy_names`
+      integer, intent(in) :: component
+      real(dp) :: values(4)
+
+      values = [energies%work, energies%strain, energies%contact, energies%friction]
+      if (component <= 4) then
+         value = values(component)
+      else
+         value = sum(values(2:4)) - values(1)
+      end if
+   end function energy_value
 
    !> Voltage of the positive against the negative electrode (means over their nodes), the current that enters the body
    !> at the positive one, and their quotient: positive for a passive body, infinite where there is no current but

@@ -150,6 +150,7 @@ contains
       problem%iterate%potential = problem%state%potential
       problem%iterate%turn = 0
       problem%iterate%sigma_from_strain = .true.
+      problem%contact%points = problem%contact%converged
       problem%contact%points%predicted = .false.
       problem%contact%points%mixed_force = problem%contact%points%force
       problem%contact%depth = max(0.0_dp, maxval(-problem%contact%points%kinematics%gap))

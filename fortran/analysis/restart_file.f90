@@ -13,7 +13,7 @@ module litz_restart_file
    use litz_model, only: model_t, step_t
    use litz_newton, only: problem_t
    use litz_restart_record, only: record_t, exchange_point, exchange_contact, name_length
-   use litz_state, only: contact_t
+   use litz_state, only: contact_t, energies_t
    use litz_step_control, only: step_control_t
    use litz_text, only: to_text
    use litz_version, only: version
@@ -240,7 +240,7 @@ contains
          call self%array('candidates', contact%candidates, 3, error)
          call self%array('positions_at_search', contact%x_collected, error, 3)
          if (self%mode == reading .and. .not. contact%present) deallocate (contact%x_collected)
-         call exchange_points(self, contact%points, error)
+         call exchange_points(self, contact%converged, error)
          call exchange_contacts(self, state%contacts, error)
       end associate
    end subroutine exchange_all
@@ -291,7 +291,7 @@ contains
       type(course_t), intent(inout) :: course
       type(error_t), allocatable, intent(inout) :: error
       integer, allocatable :: numbers(:, :)
-      real(dp), allocatable :: reals(:)
+      real(dp), allocatable :: reals(:), energies(:)
 
       associate (state => problem%state, contact => problem%contact, control => course%control)
          numbers = reshape([state%step, state%increment], [2, 1])
@@ -304,6 +304,8 @@ contains
          call self%array('counts', numbers, 3, error)
          reals = [state%time, state%step_time, state%time_increment, course%start_time, control%wanted, state%audit]
          call self%array('times', reals, error)
+         energies = [state%energies%work, state%energies%strain, state%energies%contact, state%energies%friction]
+         call self%array('energies', energies, error)
          call self%array('clearance', contact%clearance, error)
          if (allocated(error) .or. self%mode /= reading) return
          state%iterations = numbers(1, 1)
@@ -315,6 +317,8 @@ contains
          course%start_time = reals(4)
          control%wanted = reals(5)
          state%audit = reals(6:)
+         state%energies = energies_t(energies(1), energies(2), energies(3), energies(4))
+         contact%converged_clearance = contact%clearance
       end associate
    end subroutine exchange_course
 

@@ -3,6 +3,7 @@
 !> One procedure per type names the fields, and serves both ways: a new field is one line there.
 module litz_restart_record
    use litz_kinds, only: dp, int64
+   use litz_contact_history, only: contact_history_t
    use litz_contact_pairs, only: contact_point_t
    use litz_state, only: contact_t
    implicit none
@@ -45,7 +46,23 @@ contains
       call record%field('gap', point%gap)
       call record%field('distance_gap', point%kinematics%gap)
       call record%field('force', point%force)
+      call exchange_history(record, point%history)
    end subroutine exchange_point
+
+   pure subroutine exchange_history(record, history)
+      type(record_t), intent(inout) :: record
+      type(contact_history_t), intent(inout) :: history
+
+      call record%field('was_closed', history%closed)
+      call record%field('converged_arc_bar', history%arc(1))
+      call record%field('converged_arc', history%arc(2))
+      call record%field('traction_1', history%traction(1))
+      call record%field('traction_2', history%traction(2))
+      call record%field('slip_path', history%slip_path)
+      call record%field('dissipation', history%dissipation)
+      call record%field('elastic_energy', history%elastic_energy)
+      call record%field('largest_force', history%largest_force)
+   end subroutine exchange_history
 
    pure subroutine exchange_contact(record, contact)
       type(record_t), intent(inout) :: record
@@ -69,6 +86,10 @@ contains
       call record%field('current', contact%current)
       call record%field('voltage_gap', contact%voltage_gap)
       call record%field('joule_heat', contact%joule_heat)
+      call record%field('friction', contact%friction_status)
+      call record%field('traction', contact%traction)
+      call record%field('slip_path', contact%slip_path)
+      call record%field('dissipation', contact%dissipation)
    end subroutine exchange_contact
 
    pure subroutine real_field(self, name, value)

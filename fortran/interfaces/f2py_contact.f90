@@ -12,7 +12,7 @@ module f2py_contact
    use litz_contact_mechanics, only: core_contact_mechanics => contact_mechanics
    use litz_friction_law, only: friction_law_t, core_friction_law => friction_law, &
       core_mindlin_ratio => mindlin_ratio
-   use litz_contact_friction, only: core_contact_friction => contact_friction
+   use litz_contact_friction, only: slip_t, slip_kinematics, friction_residual, friction_tangent
    implicit none
 contains
 
@@ -123,24 +123,30 @@ contains
    end subroutine mindlin_ratio
 
    ! Residual and tangent of the traction at given closest points. force: F, dF/dg, dF/dangle; stiffness: k_t, dk_t/dF
-   ! values: traction (2), plastic slip (2), dissipation, and the status as a number
+   ! values: traction (2), plastic slip (2), dissipation, status; on_bar: the force on the barred wire
    subroutine contact_friction(x, t, length, axis, radius, xi_bar, xi, side, direction, moved, mu, force, stiffness, &
-      traction_start, k, r, values, info)
+      traction_start, k, r, values, on_bar, info)
       real(c_double), intent(in) :: x(3, 4), t(3, 4), length(2), radius(2), xi_bar, xi
       integer(c_int), intent(in) :: axis, side, direction(2)
       real(c_double), intent(in) :: moved(2), mu, force(3), stiffness(2), traction_start(2)
-      real(c_double), intent(out) :: k(24, 24), r(24), values(6)
+      real(c_double), intent(out) :: k(24, 24), r(24), values(6), on_bar(3)
       integer(c_int), intent(out) :: info
       type(contact_kinematics_t) :: kinematics
+      type(slip_t) :: slip
       type(friction_law_t) :: law
       k = 0
       r = 0
       values = 0
+      on_bar = 0
       call core_contact_kinematics(x, t, length, axis, radius, xi_bar, xi, side, kinematics, info)
       if (info /= 0) return
-      call core_contact_friction(kinematics, x, t, length, axis, direction, moved, mu, force(1), force(2), force(3), &
-         stiffness(1), stiffness(2), traction_start, k, r, law)
+      slip = slip_kinematics(kinematics, x, t, length, axis, direction, moved)
+      law = core_friction_law(mu, force(1), stiffness(1), stiffness(2), traction_start, slip%slip)
+      r = friction_residual(kinematics, slip, law%traction)
+      k = friction_tangent(kinematics, slip, t, law, force(2)*kinematics%dgap + force(3)*kinematics%dangle, &
+         law%traction)
       values = [law%traction, law%plastic_slip, law%dissipation, real(law%status, c_double)]
+      on_bar = -matmul(slip%frame, law%traction)
    end subroutine contact_friction
 
    ! numbers: xi_bar, xi, gap, angle, force, semi_major, semi_minor, resistance, current, voltage_gap, side

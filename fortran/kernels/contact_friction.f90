@@ -20,11 +20,11 @@ module litz_contact_friction
    use litz_kinds, only: dp, pi
    use litz_axis, only: axis_shape, axis_third_derivative, on_axis, axis_row
    use litz_contact_kinematics, only: contact_kinematics_t
-   use litz_friction_law, only: friction_law_t, friction_law
+   use litz_friction_law, only: friction_law_t
    use litz_rotations, only: identity3
    implicit none
    private
-   public :: contact_friction
+   public :: slip_t, slip_kinematics, friction_residual, friction_tangent
 
    !> Weights and derivatives of one axis at its closest point, 0th to 3rd.
    type :: axis_point_t
@@ -33,11 +33,24 @@ module litz_contact_friction
       real(dp) :: x(3, 0:3) = 0
    end type axis_point_t
 
+   !> The slip of a contact, and how it changes with the 24 mechanical unknowns.
+   type :: slip_t
+      !> D1, D2 [m]; derivatives (24, 2)
+      real(dp) :: slip(2) = 0, dslip(24, 2) = 0
+      !> Frame (e1, e2) in space (3, 2)
+      real(dp) :: frame(3, 2) = 0
+      !> cos(psi/2), sin(psi/2) and derivatives of psi
+      real(dp), private :: c = 0, s = 0, dpsi(24) = 0
+      !> Arc length over xi, barred and unbarred [m]
+      real(dp), private :: half(2) = 0
+      !> Unbarred and barred axis
+      type(axis_point_t), private :: a, b
+   end type slip_t
+
 contains
 
-   !> Residual and tangent of the traction, and the traction itself.
-   pure subroutine contact_friction(kinematics, x, t, length, axis, direction, moved, mu, force, dforce_dgap, &
-      dforce_dangle, stiffness, dstiffness_dforce, traction_start, k, r, law)
+   !> Slip since the increment began.
+   pure function slip_kinematics(kinematics, x, t, length, axis, direction, moved) result(slip)
       !> Of the present closest points
       type(contact_kinematics_t), intent(in) :: kinematics
       !> Nodal positions [m] and unit tangents (3, 4): barred 1, barred 2, 1, 2
@@ -51,64 +64,91 @@ contains
       integer, intent(in) :: direction(2)
       !> Arc lengths by which the closest points have moved along the wires since the increment began (2) [m]
       real(dp), intent(in) :: moved(2)
-      !> Coefficient of friction [-]
-      real(dp), intent(in) :: mu
-      !> Normal force [N] with its derivatives [N/m], [N/rad]
-      real(dp), intent(in) :: force, dforce_dgap, dforce_dangle
-      !> Tangential stiffness [N/m] and how it changes with the force [1/m]
-      real(dp), intent(in) :: stiffness, dstiffness_dforce
-      !> Traction when the increment began (2) [N], in the frame (e1, e2)
-      real(dp), intent(in) :: traction_start(2)
-      !> Tangent (24, 24) with respect to spins, and residual (24)
-      real(dp), intent(out) :: k(24, 24), r(24)
-      type(friction_law_t), intent(out) :: law
-      real(dp) :: psi, c, s, dpsi(24), arcs(24, 2), half(2), dslip(24, 2), dforce(24), dtraction(24, 2)
-      real(dp) :: tau(2), dtau(24, 2)
-      integer :: i
+      type(slip_t) :: slip
+      real(dp) :: psi, arcs(24, 2), e(3), eb(3)
 
       psi = kinematics%angle
-      dpsi = kinematics%dangle
+      slip%dpsi = kinematics%dangle
       if (product(direction) < 0) then
          psi = pi - psi
-         dpsi = -dpsi
+         slip%dpsi = -slip%dpsi
       end if
-      c = cos(psi/2)
-      s = sin(psi/2)
-      half = direction*length/2                                                           ! ds = half dxi
-      arcs(:, 1) = half(1)*kinematics%dxi_bar
-      arcs(:, 2) = half(2)*kinematics%dxi
-      law = friction_law(mu, force, stiffness, dstiffness_dforce, traction_start, &
-         [c*(moved(2) - moved(1)), s*(moved(2) + moved(1))])                              ! D1, D2
-      associate (traction => law%traction)
-         tau = half([2, 1])*[traction(1)*c + traction(2)*s, -traction(1)*c + traction(2)*s]
-         r = tau(1)*kinematics%dxi + tau(2)*kinematics%dxi_bar                            ! R = X^T tau
-
-         dslip(:, 1) = c*(arcs(:, 2) - arcs(:, 1)) - s*(moved(2) - moved(1))/2*dpsi
-         dslip(:, 2) = s*(arcs(:, 2) + arcs(:, 1)) + c*(moved(2) + moved(1))/2*dpsi
-         dforce = dforce_dgap*kinematics%dgap + dforce_dangle*kinematics%dangle
-         do i = 1, 2
-            dtraction(:, i) = matmul(dslip, law%dtraction_dslip(i, :)) + law%dtraction_dforce(i)*dforce
-         end do
-         dtau(:, 1) = half(2)*(c*dtraction(:, 1) + s*dtraction(:, 2) + (-s*traction(1) + c*traction(2))/2*dpsi)
-         dtau(:, 2) = half(1)*(-c*dtraction(:, 1) + s*dtraction(:, 2) + (s*traction(1) + c*traction(2))/2*dpsi)
+      slip%half = direction*length/2                                                      ! ds = half dxi
+      arcs(:, 1) = slip%half(1)*kinematics%dxi_bar
+      arcs(:, 2) = slip%half(2)*kinematics%dxi
+      slip%c = cos(psi/2)
+      slip%s = sin(psi/2)
+      associate (c => slip%c, s => slip%s)
+         slip%slip = [c*(moved(2) - moved(1)), s*(moved(2) + moved(1))]                   ! D1, D2
+         slip%dslip(:, 1) = c*(arcs(:, 2) - arcs(:, 1)) - s*(moved(2) - moved(1))/2*slip%dpsi
+         slip%dslip(:, 2) = s*(arcs(:, 2) + arcs(:, 1)) + c*(moved(2) + moved(1))/2*slip%dpsi
       end associate
-      call tangent_of_closest_points(kinematics, x, t, length, axis, tau, dtau, k)
-   end subroutine contact_friction
+      slip%a = axis_point(axis, length(2), kinematics%xi, x(:, 3:4), t(:, 3:4))
+      slip%b = axis_point(axis, length(1), kinematics%xi_bar, x(:, 1:2), t(:, 1:2))
+      e = direction(2)*slip%a%x(:, 1)/norm2(slip%a%x(:, 1))
+      eb = direction(1)*slip%b%x(:, 1)/norm2(slip%b%x(:, 1))
+      slip%frame(:, 1) = (e + eb)/(2*slip%c)
+      slip%frame(:, 2) = (e - eb)/(2*slip%s)
+   end function slip_kinematics
+
+   !> `R = X^T tau`.
+   pure function friction_residual(kinematics, slip, traction) result(r)
+      type(contact_kinematics_t), intent(in) :: kinematics
+      type(slip_t), intent(in) :: slip
+      !> T1, T2 [N]
+      real(dp), intent(in) :: traction(2)
+      real(dp) :: r(24), tau(2)
+
+      tau = forces_on_places(slip, traction)
+      r = tau(1)*kinematics%dxi + tau(2)*kinematics%dxi_bar
+   end function friction_residual
+
+   !> Forces on (xi, xib) [N m].
+   pure function forces_on_places(slip, traction) result(tau)
+      type(slip_t), intent(in) :: slip
+      real(dp), intent(in) :: traction(2)
+      real(dp) :: tau(2)
+
+      tau = slip%half([2, 1])*[traction(1)*slip%c + traction(2)*slip%s, -traction(1)*slip%c + traction(2)*slip%s]
+   end function forces_on_places
+
+   !> Tangent with respect to spins.
+   pure function friction_tangent(kinematics, slip, t, law, dforce, geometric_traction) result(k)
+      type(contact_kinematics_t), intent(in) :: kinematics
+      type(slip_t), intent(in) :: slip
+      !> Nodal unit tangents (3, 4)
+      real(dp), intent(in) :: t(3, 4)
+      type(friction_law_t), intent(in) :: law
+      !> How the normal force changes (24)
+      real(dp), intent(in) :: dforce(24)
+      !> Traction in the geometric part [N]: `law%traction` for the exact tangent; a mixed iteration has its own
+      real(dp), intent(in) :: geometric_traction(2)
+      real(dp) :: k(24, 24)
+      real(dp) :: dtraction(24, 2), dtau(24, 2)
+      integer :: i
+
+      do i = 1, 2
+         dtraction(:, i) = matmul(slip%dslip, law%dtraction_dslip(i, :)) + law%dtraction_dforce(i)*dforce
+      end do
+      associate (c => slip%c, s => slip%s, traction => geometric_traction, half => slip%half)
+         dtau(:, 1) = half(2)*(c*dtraction(:, 1) + s*dtraction(:, 2) + (-s*traction(1) + c*traction(2))/2*slip%dpsi)
+         dtau(:, 2) = half(1)*(-c*dtraction(:, 1) + s*dtraction(:, 2) + (s*traction(1) + c*traction(2))/2*slip%dpsi)
+      end associate
+      k = tangent_of_closest_points(kinematics, slip%a, slip%b, t, forces_on_places(slip, geometric_traction), dtau)
+   end function friction_tangent
 
    !> `K = d(tau^T X)/dp` for given `tau` and `dtau`.
-   pure subroutine tangent_of_closest_points(kinematics, x, t, length, axis, tau, dtau, k)
+   pure function tangent_of_closest_points(kinematics, a, b, t, tau, dtau) result(k)
       type(contact_kinematics_t), intent(in) :: kinematics
-      real(dp), intent(in) :: x(3, 4), t(3, 4), length(2)
-      integer, intent(in) :: axis
+      !> Unbarred and barred axis at the closest points
+      type(axis_point_t), intent(in) :: a, b
+      real(dp), intent(in) :: t(3, 4)
       !> Forces on (xi, xib) [N m], and their derivatives (24, 2)
       real(dp), intent(in) :: tau(2), dtau(24, 2)
-      real(dp), intent(out) :: k(24, 24)
-      type(axis_point_t) :: a, b
+      real(dp) :: k(24, 24)
       real(dp) :: mu(2), w(3), left(24, 10), right(24, 10), moves(24, 2), phi_p_xi(24, 2), phi_xi_xi(2, 2)
       integer :: i
 
-      a = axis_point(axis, length(2), kinematics%xi, x(:, 3:4), t(:, 3:4))
-      b = axis_point(axis, length(1), kinematics%xi_bar, x(:, 1:2), t(:, 1:2))
       w = kinematics%distance*kinematics%normal
       mu = -matmul(kinematics%between_q, tau)                                             ! mu = -M^-1 tau
       moves(:, 1) = kinematics%dxi
@@ -126,7 +166,7 @@ contains
          call add_turning_tangent(t(:, 2 + i), -mu(1)*a%h(2*i, 1)*w + a%h(2*i, 0)*(mu(1)*a%x(:, 1) - mu(2)*b%x(:, 1)), &
             12 + 6*i - 2, k)
       end do
-   end subroutine tangent_of_closest_points
+   end function tangent_of_closest_points
 
    pure type(axis_point_t) function axis_point(axis, length, xi, x, t) result(point)
       integer, intent(in) :: axis
@@ -142,7 +182,6 @@ contains
 
    !> Second derivatives of `Phi = -mu1 x'.w + mu2 xb'.w` over positions and tangents `p` and the places (xi, xib).
    pure subroutine second_derivatives(a, b, t, w, mu, left, right, phi_p_xi, phi_xi_xi)
-      !> Unbarred and barred axis at the closest points
       type(axis_point_t), intent(in) :: a, b
       real(dp), intent(in) :: t(3, 4), w(3), mu(2)
       !> Columns 1 to 6: `Phi_pp = left right^T` = Z^T S + S^T Z with `Z = -mu1 S1 + mu2 Sb1`

@@ -23,19 +23,25 @@ module litz_friction_law
       real(dp) :: traction(2) = 0
       !> dT/dD (2, 2) [N/m], and dT/dF (2) [-], with the stiffness following the force
       real(dp) :: dtraction_dslip(2, 2) = 0, dtraction_dforce(2) = 0
+      !> Work of the elastic part of the slip, `(T_n + T) . D_elastic/2` [J]
+      real(dp) :: elastic_work = 0
+      !> What elastic work and dissipation have beyond `(T_n + T) . D/2`, because slip begins within the increment [J]
+      real(dp) :: work_beyond_mean = 0
       !> Part of the slip that is not elastic (2) [m], and the work that it turns to heat, never negative [J]
       real(dp) :: plastic_slip(2) = 0, dissipation = 0
    end type friction_law_t
 
 contains
 
-   pure function friction_law(mu, force, stiffness, dstiffness_dforce, traction_start, slip) result(law)
+   pure function friction_law(mu, force, stiffness, dstiffness_dforce, traction_start, slip, taken_as) result(law)
       !> Coefficient of friction [-], and normal force [N]; both at least 0
       real(dp), intent(in) :: mu, force
       !> Tangential stiffness k_t [N/m], greater than 0, and how it changes with the normal force [1/m]
       real(dp), intent(in) :: stiffness, dstiffness_dforce
       !> Traction at the start of the increment (2) [N], and slip since then (2) [m]
       real(dp), intent(in) :: traction_start(2), slip(2)
+      !> `friction_stick` or `friction_slip`: the status that an iteration supposes, whatever the trial traction says
+      integer, intent(in), optional :: taken_as
       type(friction_law_t) :: law
       real(dp) :: trial(2), dtrial_dforce(2), size_of_trial, direction(2), ratio
       integer :: i
@@ -43,14 +49,14 @@ contains
       trial = traction_start + stiffness*slip                                             ! T* = T_n + k_t D
       dtrial_dforce = dstiffness_dforce*slip
       size_of_trial = norm2(trial)
-      if (size_of_trial <= mu*force) then
-         law%status = friction_stick
+      law%status = merge(friction_stick, friction_slip, size_of_trial <= mu*force)
+      if (present(taken_as)) law%status = taken_as
+      if (law%status == friction_stick .or. .not. size_of_trial > 0) then
          law%traction = trial
          law%dtraction_dforce = dtrial_dforce
          law%dtraction_dslip(1, 1) = stiffness
          law%dtraction_dslip(2, 2) = stiffness
       else
-         law%status = friction_slip
          direction = trial/size_of_trial
          ratio = mu*force/size_of_trial
          law%traction = mu*force*direction                                                ! T = mu F T*/|T*|
@@ -62,6 +68,8 @@ contains
          law%plastic_slip = (size_of_trial - mu*force)/stiffness*direction
          law%dissipation = mu*force*(size_of_trial - mu*force)/stiffness
       end if
+      law%elastic_work = dot_product(traction_start + law%traction, slip - law%plastic_slip)/2
+      law%work_beyond_mean = law%dissipation - dot_product(traction_start + law%traction, law%plastic_slip)/2
    end function friction_law
 
    !> Tangential over normal stiffness of a round Hertz spot that sticks: `k_t/k_n = 4 G*/E*`.

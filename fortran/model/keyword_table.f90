@@ -15,7 +15,7 @@ module litz_keyword_table
 
    !> Keywords of Abaqus and CalculiX that a user may expect, and that litz does not have
    character(len=32), parameter :: not_in_this_version(*) = [character(len=32) :: &
-      'FRICTION', 'DLOAD', 'DYNAMIC', 'FREQUENCY', 'BUCKLE', 'DENSITY', 'EXPANSION', 'PLASTIC', &
+      'DLOAD', 'DYNAMIC', 'FREQUENCY', 'BUCKLE', 'DENSITY', 'EXPANSION', 'PLASTIC', &
       'TEMPERATURE', 'INITIAL CONDITIONS', 'EQUATION', 'MPC', 'RIGID BODY', 'SURFACE', 'TIE', 'COUPLING', &
       'BEAM GENERAL SECTION', 'SOLID SECTION', 'SHELL SECTION', 'ORIENTATION', 'TRANSFORM', 'PART', 'ASSEMBLY', &
       'INSTANCE', 'OUTPUT', 'NODE OUTPUT', 'ELEMENT OUTPUT', 'CONTACT OUTPUT', 'MONITOR', 'NGEN', 'NFILL', 'ELGEN', &
@@ -186,6 +186,18 @@ contains
          when='PRESSURE-OVERCLOSURE=LINEAR')
       call finish(table, k)
 
+      call begin(k, 'FRICTION', place_model, &
+         'Coulomb friction of the contact points, the same in every direction of the plane of the two wires. Before it'// &
+         ' slips, a contact gives way elastically: by Mindlin''s tangential stiffness, 2(1-nu)/(2-nu) of the'// &
+         ' normal stiffness for equal materials, or by one of the parameters. Without this keyword the wires slide'// &
+         ' freely. A contact grips from the increment after the one in which it closes.', after='SURFACE INTERACTION')
+      call k%add(number('ELASTIC SLIP', 'slip at which friction reaches its limit [m], whatever the force', &
+         limit_positive))
+      call k%add(number('STICK STIFFNESS', 'tangential stiffness of a contact [N/m] (own word of litz)', &
+         limit_positive))
+      call k%add_data([real_field('mu', '-', 'coefficient of friction', limit_not_negative)])
+      call finish(table, k)
+
       call begin(k, 'GAP ELECTRICAL CONDUCTANCE', place_model, &
          'Resistance of the contact spot. PAPER: circular spot of the'// &
          ' paper by Boso, Litewka, Schrefler and Wriggers. HERTZ: elliptic Hertz spot with Holm''s constriction'// &
@@ -197,6 +209,9 @@ contains
       call k%add(choice('VOLTAGE', 'CORRECTED|LINEAR', &
          'CORRECTED adds the resistance that the linear voltage within an'// &
          ' element misses', default='CORRECTED'))
+      call k%add(choice('SPOT', 'PRESENT FORCE|LARGEST FORCE', &
+         'LARGEST FORCE: a spot that has been pressed stays, with the resistance of the largest force since the'// &
+         ' contact closed or last slipped (own word of litz)', default='PRESENT FORCE'))
       call k%add_data([real_field('H', 'Pa', 'hardness', limit_positive)], when='LAW=PLASTIC')
       call k%add_data([real_field('sigma_f', 'ohm m^2', 'film resistance times area', limit_positive)], when='LAW=FILM')
       call k%add_data([real_field('R_c', 'ohm', 'resistance of a contact', limit_positive)], when='LAW=CONSTANT')
@@ -312,6 +327,12 @@ contains
       call begin(k, 'CONTACT PRINT', place_step, &
          'Asks for a line about the contacts at every increment in the terminal; the'// &
          ' contact ledger is always written.')
+      call finish(table, k)
+
+      call begin(k, 'ENERGY PRINT', place_step, &
+         'Asks for energies since the beginning in the history file. ALLWK: done by supports and loads.'// &
+         ' ALLSE: in the beams. ALLCCE: in the contacts. ALLFD: made heat by friction. ETOTAL: ALLSE + ALLCCE + ALLFD - ALLWK,'// &
+         ' which goes to zero with the size of the increments.')
       call finish(table, k)
 
       call begin(k, 'ELECTRODE PRINT', place_step, &

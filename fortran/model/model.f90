@@ -3,8 +3,8 @@
 !> Node and element indices run from 1 without gaps; `node_id` and `element_id` hold the user's numbers.
 module litz_model
    use litz_kinds, only: dp
-   use litz_laws, only: axis_linear, axis_hermite, normal_linear, normal_hertz, spot_none, spot_paper, spot_hertz, &
-      spot_plastic, spot_film, spot_constant, spot_table
+   use litz_laws, only: axis_linear, axis_hermite, normal_linear, normal_hertz, stick_mindlin, stick_elastic_slip, &
+      stick_stiffness, spot_none, spot_paper, spot_hertz, spot_plastic, spot_film, spot_constant, spot_table
    use litz_solver_names, only: solver_default, solver_block, solver_umfpack, solver_skyline
    implicit none
    private
@@ -14,10 +14,11 @@ module litz_model
    public :: element_b31, element_b33
    public :: axis_linear, axis_hermite
    public :: normal_linear, normal_hertz
+   public :: stick_mindlin, stick_elastic_slip, stick_stiffness
    public :: spot_none, spot_paper, spot_hertz, spot_plastic, spot_film, spot_constant, spot_table
    public :: solver_default, solver_block, solver_umfpack, solver_skyline
    public :: coupling_default, coupling_monolithic, coupling_updated
-   public :: request_node, request_element, request_contact, request_electrode
+   public :: request_node, request_element, request_contact, request_electrode, request_energy
    public :: dof_potential, amplitude_factor
 
    !> Longest name of a set, material, ... (longer ones are refused)
@@ -30,7 +31,8 @@ module litz_model
 
    integer, parameter :: coupling_default = 0, coupling_monolithic = 1, coupling_updated = 2
 
-   integer, parameter :: request_node = 1, request_element = 2, request_contact = 3, request_electrode = 4
+   integer, parameter :: request_node = 1, request_element = 2, request_contact = 3, request_electrode = 4, &
+      request_energy = 5
 
    type :: named_set_t
       character(len=:), allocatable :: name
@@ -77,6 +79,10 @@ module litz_model
       real(dp) :: penalty = 0
       !> .true.: penetration beyond the axes is accepted (soft penalties on purpose)
       logical :: unlimited_penetration = .false.
+      !> Coefficient of friction; how stiff a contact sticks, and the number that belongs to it
+      real(dp) :: friction = 0
+      integer :: stick_law = stick_mindlin
+      real(dp) :: stick_value = 0
       integer :: spot_law = spot_none
       !> Data of the spot law: hardness [Pa] | film resistivity [ohm m^2] | resistance [ohm] | -
       real(dp) :: spot_value = 0
@@ -86,6 +92,8 @@ module litz_model
       integer :: axis = axis_hermite
       !> Add the resistance that the linear voltage inside an element misses, theory section 7
       logical :: voltage_correction = .true.
+      !> The spot stays as large as it has been since the contact closed or slipped
+      logical :: spot_memory = .false.
    end type interaction_t
 
    type :: contact_pair_t

@@ -1,7 +1,8 @@
 !> The resolved model in words, for `litz check`.
 module litz_model_summary
    use litz_kinds, only: dp
-   use litz_laws, only: axis_hermite, normal_linear, spot_none, spot_plastic, spot_film, spot_constant, spot_table
+   use litz_laws, only: axis_hermite, normal_linear, stick_elastic_slip, stick_stiffness, spot_none, spot_plastic, &
+      spot_film, spot_constant, spot_table
    use litz_model, only: model_t, step_t, interaction_t, output_request_t, named_set_t, nodal_value_t, &
       element_b31, coupling_default, coupling_monolithic, request_node, request_element, request_contact, dof_potential
    use litz_parts, only: parts_t, find_parts
@@ -131,6 +132,7 @@ contains
       else
          words = words//'Hertz force'
       end if
+      if (interaction%friction > 0) words = words//friction_words(interaction)
       if (interaction%unlimited_penetration) words = words//', unlimited penetration'
       if (interaction%spot_law == spot_none) then
          words = words//', no current'
@@ -147,8 +149,22 @@ contains
       case (spot_table)
          words = words//' of '//plural(size(interaction%table_force), 'point')
       end select
+      if (interaction%spot_memory) words = words//' of the largest force'
       words = words//', '//trim(merge('corrected', 'linear   ', interaction%voltage_correction))//' voltage'
    end function interaction_words
+
+   pure function friction_words(interaction) result(words)
+      type(interaction_t), intent(in) :: interaction
+      character(len=:), allocatable :: words
+
+      words = ', friction '//to_text(interaction%friction)
+      select case (interaction%stick_law)
+      case (stick_elastic_slip)
+         words = words//' with elastic slip '//to_text(interaction%stick_value)//' m'
+      case (stick_stiffness)
+         words = words//' with stick stiffness '//to_text(interaction%stick_value)//' N/m'
+      end select
+   end function friction_words
 
    pure function step_lines(model, s) result(text)
       type(model_t), intent(in) :: model

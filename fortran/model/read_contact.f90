@@ -1,12 +1,13 @@
 !> *SURFACE INTERACTION and *CONTACT PAIR with what belongs to them.
 module litz_read_contact
+   use litz_kinds, only: dp
    use litz_text, only: to_text
    use litz_deck, only: token_t
-   use litz_laws, only: axis_linear, normal_linear, normal_hertz, spot_none, spot_paper, spot_hertz, spot_plastic, &
-      spot_film, spot_constant, spot_table
+   use litz_laws, only: axis_linear, normal_linear, normal_hertz, stick_elastic_slip, stick_stiffness, &
+      spot_none, spot_paper, spot_hertz, spot_plastic, spot_film, spot_constant, spot_table
    use litz_model, only: model_t, interaction_t, contact_pair_t
-   use litz_reader, only: reader_t, fail_at, read_line, parameter_of, choice_of, has_flag, keyword_of, add_definition, &
-      find_definition
+   use litz_reader, only: reader_t, fail_at, read_line, parameter_of, choice_of, real_parameter, has_flag, keyword_of, &
+      add_definition, find_definition
    use litz_sets, only: find_set
    implicit none
    private
@@ -20,16 +21,18 @@ contains
       type(interaction_t), allocatable :: grown(:)
       type(token_t) :: token
       integer :: card, index
-      logical :: has_behavior
+      logical :: has_behavior, has_friction
 
       allocate (model%interactions(0))
       index = 0
       has_behavior = .false.
+      has_friction = .false.
       do card = 1, self%deck%n_cards
          select case (keyword_of(self, card))
          case ('SURFACE INTERACTION')
             index = 0
             has_behavior = .false.
+            has_friction = .false.
             token = parameter_of(self, card, 'NAME')
             if (token%last >= token%first) call add_definition(self, self%interactions, 'surface interaction', token, &
                index)
@@ -44,6 +47,11 @@ contains
                'this surface interaction has two *SURFACE BEHAVIOR')
             has_behavior = .true.
             if (index > 0) call read_behavior(self, card, model%interactions(index))
+         case ('FRICTION')
+            if (has_friction) call fail_at(self, self%deck%cards(card)%name, &
+               'this surface interaction has two *FRICTION')
+            has_friction = .true.
+            if (index > 0) call read_friction(self, card, model%interactions(index))
          case ('GAP ELECTRICAL CONDUCTANCE')
             if (index == 0) cycle
             if (model%interactions(index)%spot_law /= spot_none) call fail_at(self, self%deck%cards(card)%name, &
@@ -67,6 +75,27 @@ contains
       if (ok) interaction%penalty = self%values%real(1)
    end subroutine read_behavior
 
+   subroutine read_friction(self, card, interaction)
+      type(reader_t), intent(inout) :: self
+      integer, intent(in) :: card
+      type(interaction_t), intent(inout) :: interaction
+      logical :: ok
+
+      if (has_flag(self, card, 'ELASTIC SLIP')) then
+         interaction%stick_law = stick_elastic_slip
+         interaction%stick_value = real_parameter(self, card, 'ELASTIC SLIP', 1.0_dp)
+      end if
+      if (has_flag(self, card, 'STICK STIFFNESS')) then
+         if (interaction%stick_law == stick_elastic_slip) call fail_at(self, self%deck%cards(card)%name, &
+            '*FRICTION takes ELASTIC SLIP or STICK STIFFNESS, not both')
+         interaction%stick_law = stick_stiffness
+         interaction%stick_value = real_parameter(self, card, 'STICK STIFFNESS', 1.0_dp)
+      end if
+      if (.not. has_data(self, card)) return
+      call read_line(self, card, self%deck%cards(card)%first_data, ok)
+      if (ok) interaction%friction = self%values%real(1)
+   end subroutine read_friction
+
    pure logical function has_data(self, card)
       type(reader_t), intent(in) :: self
       integer, intent(in) :: card
@@ -81,6 +110,7 @@ contains
       logical :: ok
 
       interaction%voltage_correction = choice_of(self, card, 'VOLTAGE') == 'CORRECTED'
+      interaction%spot_memory = choice_of(self, card, 'SPOT') == 'LARGESTFORCE'
       select case (choice_of(self, card, 'LAW'))
       case ('PAPER')
          interaction%spot_law = spot_paper

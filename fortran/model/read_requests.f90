@@ -1,11 +1,11 @@
-!> *NODE PRINT, *EL PRINT, *CONTACT PRINT, *ELECTRODE PRINT, *NODE FILE and *EL FILE.
+!> *NODE PRINT, *EL PRINT, *CONTACT PRINT, *ENERGY PRINT, *ELECTRODE PRINT, *NODE FILE and *EL FILE.
 !>
 !> A step that asks for a kind of output replaces all requests of that kind; the others are carried over.
 module litz_read_requests
    use litz_text, only: to_text, words_of, word_length
    use litz_deck, only: token_t
    use litz_model, only: model_t, step_t, output_request_t, request_node, request_element, request_contact, &
-      request_electrode
+      request_electrode, request_energy
    use litz_reader, only: reader_t, fail_at, read_line, parameter_of, choice_of, integer_parameter, keyword_of
    use litz_sets, only: find_set
    use litz_nodal_values, only: nodes_with_potential
@@ -16,7 +16,7 @@ module litz_read_requests
    type :: request_list_t
       type(output_request_t), allocatable :: items(:)
       !> Kinds that this step has asked for
-      logical :: asked(4) = .false.
+      logical :: asked(5) = .false.
    end type request_list_t
 
 contains
@@ -46,6 +46,9 @@ contains
          call read_print(self, card, 'ELSET', list, request)
       case ('CONTACT PRINT')
          request%kind = request_contact
+         call add_request(list, request)
+      case ('ENERGY PRINT')
+         request%kind = request_energy
          call add_request(list, request)
       case ('ELECTRODE PRINT')
          request%kind = request_electrode

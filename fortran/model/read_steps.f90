@@ -56,7 +56,7 @@ contains
             if (has_procedure) call fail_at(self, self%deck%cards(card)%name, 'this step has two *STATIC')
             has_procedure = .true.
             call read_static(self, card, model%steps(step))
-         case ('NODE PRINT', 'EL PRINT', 'CONTACT PRINT', 'ELECTRODE PRINT', 'NODE FILE', 'EL FILE')
+         case ('NODE PRINT', 'EL PRINT', 'CONTACT PRINT', 'ENERGY PRINT', 'ELECTRODE PRINT', 'NODE FILE', 'EL FILE')
             call read_request(self, model, card, requests, model%steps(step))
          case ('RESTART')
             model%steps(step)%restart_frequency = 0

@@ -3,7 +3,7 @@ module litz_state
    use litz_kinds, only: dp
    implicit none
    private
-   public :: state_t, contact_t
+   public :: state_t, contact_t, energies_t
 
    !> One point contact. "Barred" is the first of its two elements; the normal points from the unbarred to the barred.
    type :: contact_t
@@ -22,6 +22,12 @@ module litz_state
       real(dp) :: normal(3) = 0, point_bar(3) = 0, point(3) = 0
       !> Contact force [N], pushing the wires apart
       real(dp) :: force = 0
+      !> `friction_...` of litz_friction_law: none, stick or slip
+      integer :: friction_status = 0
+      !> What the barred wire feels of friction (3) [N]
+      real(dp) :: traction(3) = 0
+      !> Path of the slip [m] and heat of friction [J] since the contact closed
+      real(dp) :: slip_path = 0, dissipation = 0
       !> Semi-axes of the spot [m]
       real(dp) :: semi_major = 0, semi_minor = 0
       !> Contact resistance [ohm] (0 without a spot law), current from barred to unbarred [A], voltage across the spot [V]
@@ -29,6 +35,16 @@ module litz_state
       !> Heat in the spot [W]
       real(dp) :: joule_heat = 0
    end type contact_t
+
+   !> Energies since the beginning [J]
+   type :: energies_t
+      !> Done by supports, loads and the resolving of interference
+      real(dp) :: work = 0
+      !> In the beams; in the contacts, normal and tangential
+      real(dp) :: strain = 0, contact = 0
+      !> Made heat by friction
+      real(dp) :: friction = 0
+   end type energies_t
 
    type :: state_t
       integer :: step = 0, increment = 0, iterations = 0
@@ -52,6 +68,7 @@ module litz_state
       real(dp), allocatable :: element_current(:), joule_heat(:)
       !> Worst figures of the audit: balance of forces, of moments, of currents, of power; overlap over radius [-]
       real(dp) :: audit(5) = 0
+      type(energies_t) :: energies
       !> Active contacts
       type(contact_t), allocatable :: contacts(:)
    end type state_t

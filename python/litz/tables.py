@@ -13,7 +13,8 @@ _INTEGER_COLUMNS = frozenset(
     "step increment attempt attempts iteration iterations id element element_bar "
     "node_u node_phi node_V active new lost negative_pivots contacts".split()
 )
-_TEXT_COLUMNS = frozenset(["status", "remark"])
+#: The last columns of a table may hold words
+_TEXT_COLUMNS = frozenset(["friction", "status", "remark"])
 
 
 class Table(Mapping):
@@ -84,7 +85,7 @@ def _read(path: Path, separator: str | None) -> Table:
     rows = lines[1:]
 
     columns: dict[str, np.ndarray] = {}
-    n_numbers = len(names) - (names[-1] in _TEXT_COLUMNS)
+    n_numbers = sum(name not in _TEXT_COLUMNS for name in names)
     numbers = np.empty((0, n_numbers))
     try:
         if rows:
@@ -93,11 +94,9 @@ def _read(path: Path, separator: str | None) -> Table:
         raise FileError(f"{path} is not a table that litz has written: {error}") from None
     for i, name in enumerate(names[:n_numbers]):
         columns[name] = numbers[:, i].astype(int) if name in _INTEGER_COLUMNS else numbers[:, i]
-    if n_numbers < len(names):
-        cells = [row.split(separator, n_numbers) for row in rows]
-        columns[names[-1]] = np.array(
-            [row[n_numbers].strip() if len(row) > n_numbers else "" for row in cells], dtype=str
-        )
+    cells = [row.split(separator, len(names) - 1) for row in rows]
+    for i, name in enumerate(names[n_numbers:], start=n_numbers):
+        columns[name] = np.array([row[i].strip() if len(row) > i else "" for row in cells], dtype=str)
     return Table(columns, dict(heads))
 
 

@@ -260,7 +260,7 @@ KEYWORDS = [
         "unknown keyword, nothing near", "*STATIC", "*XYZZY\n*STATIC",
         'unknown keyword "XYZZY"; `litz keywords` lists', "*XYZZY",
     ),
-    case("keyword of Abaqus", "*GAP", "*FRICTION\n*GAP", "*FRICTION is not a keyword of this version", "*FRICTION"),
+    case("keyword of Abaqus", "*GAP", "*DENSITY\n*GAP", "*DENSITY is not a keyword of this version", "*DENSITY"),
     case(
         "unknown parameter", "*NODE, NSET=ALL", "*NODE, NSETT=ALL",
         'unknown parameter "NSETT" of *NODE; did you mean NSET?', "NSETT",

@@ -59,7 +59,7 @@ class RubbedPair(Pair):
         xi, (_, gap, *_) = self.kinematics(x, t)
         force = -EPS_N * gap
         moved = self.direction * self.length / 2 * (xi - self.start)
-        k, r, values, info = _core.f2py_contact.contact_friction(
+        k, r, values, _, info = _core.f2py_contact.contact_friction(
             x.T, t.T, self.length, AXES[self.axis], self.properties["radius"], *xi, self.laws.get("side", 0),
             self.direction, moved, self.mu, [force, -EPS_N, 0.0], self.tangential_stiffness(force),
             self.traction_start,
@@ -160,7 +160,7 @@ def test_friction_is_isotropic_in_the_plane_of_the_axes(degrees):
             found = closest_points(x, t, length)
             xi = np.array([found.xi_bar, found.xi])
             moved = length / 2 * xi
-            _, r, values, info = _core.f2py_contact.contact_friction(
+            _, r, values, on_bar, info = _core.f2py_contact.contact_friction(
                 x.T, t.T, length, AXES["hermite"], radius, *xi, 0, [1, 1], moved, 0.4, [0.1, -2.0, 0.0], [50.0, 0.0],
                 [0, 0]
             )  # fmt: skip
@@ -169,6 +169,7 @@ def test_friction_is_isotropic_in_the_plane_of_the_axes(degrees):
             # R is internal minus external: positive against a displacement
             resisting = r.reshape(4, 6)[:2, :3].sum(axis=0)
             assert resisting == pytest.approx(min(50 * distance, 0.4 * 0.1) * push, abs=1e-12)
+            assert on_bar == pytest.approx(-resisting, abs=1e-12)
 
 
 def test_a_point_rubbed_to_and_fro_dissipates_the_area_of_its_loop():

@@ -9,6 +9,7 @@
 program test_results
    use litz_kinds, only: dp
    use litz_errors, only: error_t
+   use litz_friction_law, only: friction_slip
    use litz_model, only: model_t, section_t, material_t, named_set_t, step_t, output_request_t, element_b31, &
       request_node, request_element, request_electrode
    use litz_state, only: state_t, contact_t
@@ -133,7 +134,8 @@ contains
          gap=-1.0e-6_dp, &
          normal=[0.0_dp, 0.0_dp, -1.0_dp], point_bar=[0.0_dp, 0.0_dp, 0.0_dp], point=[0.0_dp, 0.0_dp, 0.02_dp], &
          force=10.0_dp*increment, semi_major=2.0e-5_dp, semi_minor=1.0e-5_dp, resistance=1.0e-3_dp, current=5.0_dp, &
-         voltage_gap=5.0e-3_dp, joule_heat=2.5e-2_dp)
+         voltage_gap=5.0e-3_dp, joule_heat=2.5e-2_dp, friction_status=friction_slip, &
+         traction=[3.0_dp, 0.0_dp, 0.0_dp], slip_path=1.0e-4_dp*increment, dissipation=3.0e-4_dp*increment)
       allocate (contacts(0))
       if (increment == 1) return
       if (increment == 2) contacts = [contact]

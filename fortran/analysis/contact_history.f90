@@ -1,0 +1,57 @@
+!> What a contact remembers from one converged increment to the next: friction and the largest spot.
+!>
+!> The memory is that of the converged state. An increment that fails leaves no trace in it, because the iteration only
+!> reads it; a contact that opens loses it.
+module litz_contact_history
+   use litz_kinds, only: dp
+   use litz_friction_law, only: friction_law_t, friction_slip
+   implicit none
+   private
+   public :: contact_history_t, advanced_history, moved_arcs
+
+   type :: contact_history_t
+      !> The contact was closed; all else is zero where it was not
+      logical :: closed = .false.
+      !> Arc lengths of the closest points along the barred and the unbarred wire (2) [m]
+      real(dp) :: arc(2) = 0
+      !> Traction in the frame of litz_contact_friction (2) [N]
+      real(dp) :: traction(2) = 0
+      !> Path of the slip since the contact closed [m], and the heat that friction made of it [J]
+      real(dp) :: slip_path = 0, dissipation = 0
+      !> Energy of the tangential spring [J]
+      real(dp) :: elastic_energy = 0
+      !> Largest force since the contact closed or last slipped [N]
+      real(dp) :: largest_force = 0
+   end type contact_history_t
+
+contains
+
+   !> The memory of a contact that is closed when an increment has converged.
+   pure function advanced_history(start, arc, force, friction) result(history)
+      type(contact_history_t), intent(in) :: start
+      !> Arc lengths (2) [m], normal force [N]
+      real(dp), intent(in) :: arc(2), force
+      type(friction_law_t), intent(in) :: friction
+      type(contact_history_t) :: history
+
+      history%closed = .true.
+      history%arc = arc
+      history%traction = friction%traction
+      history%slip_path = start%slip_path + norm2(friction%plastic_slip)
+      history%dissipation = start%dissipation + friction%dissipation
+      history%elastic_energy = start%elastic_energy + friction%elastic_work
+      history%largest_force = merge(force, max(force, start%largest_force), friction%status == friction_slip)
+   end function advanced_history
+
+   !> How far the closest points have moved along the wires, the short way around a closed wire.
+   pure function moved_arcs(start, arc, circumference) result(moved)
+      type(contact_history_t), intent(in) :: start
+      !> Present arc lengths, and lengths around the wires (2) [m], 0: the wire has two ends
+      real(dp), intent(in) :: arc(2), circumference(2)
+      real(dp) :: moved(2)
+
+      moved = arc - start%arc
+      where (circumference > 0) moved = moved - circumference*anint(moved/max(circumference, tiny(1.0_dp)))
+   end function moved_arcs
+
+end module litz_contact_history

@@ -1,0 +1,285 @@
+"""Friction of crossing wires: the law as a run shows it, and its memory."""
+
+import numpy as np
+import pytest
+from decks import CONDUCTOR, straight, wire
+
+MU = 0.3
+PENALTY = 1e7
+#: Overlap of the rigid wires [m], and so the force between them [N]
+OVERLAP = 2e-7
+FORCE = PENALTY * OVERLAP
+STICK = 1e5
+
+
+def rubbing(*steps, friction=f"*FRICTION, STICK STIFFNESS={STICK}\n {MU}", degrees=90.0, spot=""):
+    """A fixed wire along x, and one across it, pressed on it with a constant force; `steps` move it, all of it alike."""
+    a = np.radians(degrees)
+    along = 0.02 * np.array([np.cos(a), np.sin(a), 0.0])
+    up = np.array([0, 0, 2e-3])
+    lower = wire("LOWER", straight((-0.02, 0, 0), (0.02, 0, 0), 10), 1, element="B33", backwards=(3, 5, 6))
+    upper = wire("UPPER", straight(up - along, up + along, 10), 101, element="B33", backwards=(4, 7))
+    return f"""*HEADING
+rubbing
+{lower}{upper}{CONDUCTOR}*BEAM SECTION, ELSET=LOWER, MATERIAL=COPPER, SECTION=CIRC
+ 1e-3
+*BEAM SECTION, ELSET=UPPER, MATERIAL=COPPER, SECTION=CIRC
+ 1e-3
+*SURFACE INTERACTION, NAME=TOUCH
+*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR
+ {PENALTY}
+{friction}
+{spot}*CONTACT PAIR, INTERACTION=TOUCH
+ LOWER, UPPER
+*BOUNDARY
+ LOWER, ENCASTRE
+ UPPER, 1, 6
+ 1, 9
+ 101, 9
+*STEP
+*STATIC
+ 1, 1
+*BOUNDARY
+ UPPER, 3, 3, {-OVERLAP}
+*NODE PRINT, NSET=UPPER, TOTALS=ONLY
+ RF
+*ENERGY PRINT
+*END STEP
+{"".join(steps)}"""
+
+
+def move(x, y=0.0, *, increments=10, z=-OVERLAP):
+    return f"""*STEP, INC=1000
+*STATIC, DIRECT
+ {1 / increments!r}, 1
+*BOUNDARY
+ UPPER, 1, 1, {x:.17g}
+ UPPER, 2, 2, {y:.17g}
+ UPPER, 3, 3, {z:.17g}
+*END STEP
+"""
+
+
+def reaction(results):
+    """In-plane force that the supports of the moving wire need, over the increments (n, 2)."""
+    return np.stack([results.history[f"RF{i} sum UPPER"] for i in (1, 2)], axis=-1)
+
+
+def steps_of(results):
+    return results.history["step"]
+
+
+@pytest.mark.parametrize("increments", [4, 40])
+def test_a_rubbing_cycle_has_the_loop_of_stick_and_slip(run, increments):
+    """F = min(k u, mu N) going, and 4 mu N (U - mu N/k) of heat in a cycle, in large and in small increments."""
+    amplitude = 1e-4
+    process, results = run(rubbing(*[move(x, increments=increments) for x in (amplitude, -amplitude, amplitude)]))
+    assert process.returncode == 0, process.stderr
+    going = steps_of(results) == 2
+    u = np.linspace(0, amplitude, increments + 1)[1:]
+    np.testing.assert_allclose(reaction(results)[going, 0], np.minimum(STICK * u, MU * FORCE), rtol=1e-7)
+    heat = results.history["ALLFD"]
+    cycle = heat[-1] - heat[going][-1]
+    assert cycle == pytest.approx(4 * MU * FORCE * (amplitude - MU * FORCE / STICK), rel=1e-9)
+    # what is stored and what has become heat is what the supports have done
+    assert np.abs(results.history["ETOTAL"]).max() < 1e-9 * results.history["ALLWK"][-1]
+    contact = results.contacts_at(-1)
+    assert contact["dissipation"] == pytest.approx(heat[-1], rel=1e-12)
+    assert contact["slip_path"] == pytest.approx(heat[-1] / (MU * FORCE), rel=1e-9)
+
+
+@pytest.mark.parametrize("degrees", [90, 40, 150])
+def test_friction_is_the_same_in_every_direction_of_the_plane(run, degrees):
+    for phi in np.radians([0, 35, 100, 215]):
+        push = np.array([np.cos(phi), np.sin(phi)])
+        _, results = run(rubbing(move(*1e-5 * push), move(*5e-5 * push), degrees=degrees))
+        forces = reaction(results)
+        for i in range(len(results.times)):
+            if steps_of(results)[i] > 1:
+                size = np.linalg.norm(forces[i])
+                np.testing.assert_allclose(forces[i], size * push, atol=1e-7 * MU * FORCE)
+        np.testing.assert_allclose(np.linalg.norm(forces[steps_of(results) == 2][4]), STICK * 5e-6, rtol=1e-7)
+        np.testing.assert_allclose(np.linalg.norm(forces[-1]), MU * FORCE, rtol=1e-9)
+
+
+def test_a_rubbed_wire_keeps_its_traction_over_the_ends_of_elements(run):
+    """Over four elements of one wire and two of the other, some of which run against their wire."""
+    _, results = run(rubbing(move(1.3e-2, 7e-3, increments=37), degrees=60))
+    path = np.hypot(1.3e-2, 7e-3)
+    contacts = results.contacts
+    assert len(set(contacts["id"])) == 1
+    assert len(set(contacts["element"])) > 2
+    assert len(set(contacts["element_bar"])) > 3
+    slipping = contacts["friction"] == "slip"
+    assert slipping[1:].all()
+    traction = np.stack([contacts[f"traction_{i}"] for i in "xyz"], axis=-1)[1:]
+    np.testing.assert_allclose(traction, MU * FORCE * np.array([1.3e-2, 7e-3, 0]) / path * np.ones((37, 1)), rtol=1e-6,
+                               atol=1e-7)  # fmt: skip
+    assert contacts["dissipation"][-1] == pytest.approx(MU * FORCE * (path - MU * FORCE / STICK), rel=1e-6)
+
+
+def test_a_contact_that_opens_forgets_its_traction(run):
+    _, results = run(rubbing(move(1e-4), move(1e-4, z=1e-6), move(1e-4), move(1.02e-4, increments=1)))
+    contacts = results.contacts
+    reclosed = contacts["time"] > 3.0
+    last = results.contacts_at(-1)
+    assert (contacts["dissipation"][reclosed] == 0).all()
+    # sticks again, from where it closed
+    assert list(last["friction"]) == ["stick"]
+    assert reaction(results)[-1, 0] == pytest.approx(STICK * 2e-6, rel=1e-7)
+
+
+def test_elastic_slip_is_where_friction_reaches_its_limit(run):
+    _, results = run(rubbing(move(1e-5), friction=f"*FRICTION, ELASTIC SLIP=4e-6\n {MU}"))
+    u = np.linspace(0, 1e-5, 11)[1:]
+    expected = MU * FORCE * np.minimum(u / 4e-6, 1)
+    np.testing.assert_allclose(reaction(results)[steps_of(results) == 2, 0], expected, rtol=1e-7)
+
+
+def test_without_a_stiffness_a_contact_sticks_as_stiff_as_mindlin_says(run):
+    _, results = run(rubbing(move(1e-8), friction=f"*FRICTION\n {MU}"))
+    assert reaction(results)[-1, 0] == pytest.approx(2 * (1 - 0.34) / (2 - 0.34) * PENALTY * 1e-8, rel=1e-6)
+
+
+def test_no_friction_is_a_coefficient_of_zero(run):
+    steps = [move(1e-4, 2e-4)]
+    _, without = run(rubbing(*steps, friction=""), name="without")
+    _, zero = run(rubbing(*steps, friction="*FRICTION\n 0"), name="zero")
+    for name in ("displacement", "reaction_force", "axial_force"):
+        np.testing.assert_array_equal(zero.field(name, None), without.field(name, None))
+
+
+def test_a_spot_that_remembers_keeps_the_resistance_of_the_largest_force_until_it_slips(run):
+    spot = "*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ, SPOT=LARGEST FORCE\n"
+    pressed, released = -5 * OVERLAP, -OVERLAP
+    _, results = run(rubbing(move(0, z=pressed), move(0, z=released), move(1e-4, z=released), spot=spot))
+    contacts = results.contacts
+    resistance = {step: contacts["resistance"][contacts["step"] == step] for step in (1, 2, 3, 4)}
+    # slightly more force: slightly less resistance, down to a fifth of the force to the power of one third
+    assert resistance[2][-1] == pytest.approx(resistance[1][-1] * 5 ** (-1 / 3), rel=1e-7)
+    np.testing.assert_allclose(resistance[3], resistance[2][-1], rtol=1e-12)
+    np.testing.assert_allclose(resistance[4][-1], resistance[1][-1], rtol=1e-7)
+
+
+# with wires that bend
+
+
+def bending(*steps, law="HERTZ", friction=f"*FRICTION\n {MU}", degrees=70.0):
+    """Two clamped copper wires that cross; their ends are moved."""
+    a = np.radians(degrees)
+    along = 0.05 * np.array([np.cos(a), np.sin(a), 0.0])
+    up = np.array([0, 0, 2e-3])
+    lower = wire("LOWER", straight((-0.05, 0, 0), (0.05, 0, 0), 11), 1, element="B33")
+    upper = wire("UPPER", straight(up - along, up + along, 11), 101, element="B33")
+    return f"""*HEADING
+rubbing of wires that bend
+{lower}{upper}{CONDUCTOR}*NSET, NSET=ENDS
+ 101, 112
+*NSET, NSET=FIXED
+ 1, 12
+*BEAM SECTION, ELSET=LOWER, MATERIAL=COPPER, SECTION=CIRC
+ 1e-3
+*BEAM SECTION, ELSET=UPPER, MATERIAL=COPPER, SECTION=CIRC
+ 1e-3
+*SURFACE INTERACTION, NAME=TOUCH
+*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE={law}
+{friction}
+*CONTACT PAIR, INTERACTION=TOUCH
+ LOWER, UPPER
+*BOUNDARY
+ FIXED, ENCASTRE
+ ENDS, 1, 6
+ 1, 9
+ 101, 9
+*STEP
+*STATIC, DIRECT
+ 0.5, 1
+*BOUNDARY
+ ENDS, 3, 3, -1e-4
+*ENERGY PRINT
+*END STEP
+{"".join(steps)}"""
+
+
+def drag(x, y=0.0, *, static="0.1, 1", direct=True, extra=""):
+    return f"""*STEP, INC=1000
+*STATIC{", DIRECT" if direct else ""}
+ {static}
+*BOUNDARY
+ ENDS, 1, 1, {x:.17g}
+ ENDS, 2, 2, {y:.17g}
+{extra}*END STEP
+"""
+
+
+@pytest.mark.parametrize("status, distance", [("stick", 2e-7), ("slip", 1e-3)])
+@pytest.mark.parametrize("law", ["HERTZ", "LINEAR\n 1e6"])
+def test_the_iteration_converges_quadratically_in_stick_and_in_slip(run, law, status, distance):
+    _, results = run(bending(drag(distance, distance / 3, extra="*CONTROLS, PARAMETERS=FIELD\n 1e-12\n"), law=law))
+    assert list(results.contacts_at(-1)["friction"]) == [status]
+    table = results.convergence
+    last = (table["step"] == 2) & (table["increment"] == 2)
+    force = table["force"][last]
+    force = force[force > 10 * table["force_allowed"][last]][1:] / (MU * results.contacts_at(-1)["force"])
+    assert len(force) <= 4
+    for before, after in zip(force[:-1], force[1:], strict=True):
+        assert after < before**2
+
+
+def test_a_turn_of_the_whole_model_leaves_the_traction_as_it_is(run):
+    """All supports turn about z by half a radian, with a contact that sticks under load."""
+    drags = drag(2e-7, 1e-7)
+    _, results = run(bending(drags), name="first")
+    before = results.contacts_at(-1)
+    ids = list(results.node_ids)
+    turns = []
+    for angle in np.linspace(0, 0.5, 11)[1:]:
+        turned = z_rotation(angle)
+        cards = ""
+        for node in (1, 12, 101, 112):
+            row = ids.index(node)
+            u = turned @ results.positions()[row] - results.nodes[row]
+            cards += "".join(f" {node}, {dof}, {dof}, {u[dof - 1]:.17g}\n" for dof in (1, 2, 3))
+            cards += f" {node}, 4, 5\n {node}, 6, 6, {angle:.17g}\n"
+        turns.append(f"*STEP\n*STATIC, DIRECT\n 1, 1\n*BOUNDARY\n{cards}*END STEP\n")
+    process, results = run(bending(drags, *turns), name="turned")
+    assert process.returncode == 0, process.stderr
+    after = results.contacts_at(-1)
+    assert list(after["friction"]) == list(before["friction"]) == ["stick"]
+    vectors = [np.array([table[f"traction_{i}"][0] for i in "xyz"]) for table in (before, after)]
+    assert np.linalg.norm(vectors[0]) > 1e-3
+    np.testing.assert_allclose(vectors[1], turned @ vectors[0], atol=1e-6 * np.linalg.norm(vectors[0]))
+    assert after["force"] == pytest.approx(before["force"], rel=1e-9)
+
+
+def z_rotation(angle):
+    c, s = np.cos(angle), np.sin(angle)
+    return np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+
+
+def test_an_increment_that_is_cut_leaves_no_trace(run):
+    """The first attempt slips far and fails for want of iterations; what follows is as if it had never been."""
+    cut = "*CONTROLS, PARAMETERS=TIME INCREMENTATION\n , , , 5\n"
+    _, tried = run(bending(drag(4e-3, 2e-3, static="1, 1, 1e-3", direct=False, extra=cut)), name="tried")
+    assert tried.status["attempts"].max() > 1
+    times = tried.history["time"][tried.history["step"] == 2] - 1
+    steps = [
+        drag(4e-3 * last, 2e-3 * last, static=f"{last - first:.17g}, {last - first:.17g}")
+        for first, last in zip([0.0, *times[:-1]], times, strict=True)
+    ]
+    _, straight_on = run(bending(*steps), name="straight_on")
+    np.testing.assert_allclose(tried.field("displacement"), straight_on.field("displacement"), rtol=0, atol=1e-11)
+    for name in ("force", "traction_x", "traction_y", "slip_path", "dissipation"):
+        assert tried.contacts_at(-1)[name] == pytest.approx(straight_on.contacts_at(-1)[name], rel=1e-6), name
+
+
+@pytest.mark.parametrize("law", ["HERTZ", "LINEAR\n 1e6"])
+def test_the_energies_balance_as_the_increments_become_small(run, law):
+    errors = []
+    for n in (10, 20):
+        _, results = run(bending(drag(1e-3, 2e-3, static=f"{1 / n!r}, 1"), law=law), name=f"steps{n}")
+        history = results.history
+        dragging = history["step"] == 2
+        errors.append(abs(history["ETOTAL"][-1] - history["ETOTAL"][~dragging][-1]) / history["ALLFD"][-1])
+    assert errors[0] < 1e-6
+    assert errors[1] < 0.65 * errors[0]
