@@ -187,8 +187,8 @@ contains
       call finish(table, k)
 
       call begin(k, 'FRICTION', place_model, &
-         'Coulomb friction of the contact points, the same in every direction of the plane of the two wires. Before it'// &
-         ' slips, a contact gives way elastically: by Mindlin''s tangential stiffness, 2(1-nu)/(2-nu) of the'// &
+         'Coulomb friction of the contact points, the same in every direction of the plane of the two wires. Before'// &
+         ' it slips, a contact gives way elastically: by Mindlin''s tangential stiffness, 2(1-nu)/(2-nu) of the'// &
          ' normal stiffness for equal materials, or by one of the parameters. Without this keyword the wires slide'// &
          ' freely. A contact grips from the increment after the one in which it closes.', after='SURFACE INTERACTION')
       call k%add(number('ELASTIC SLIP', 'slip at which friction reaches its limit [m], whatever the force', &
@@ -331,7 +331,8 @@ contains
 
       call begin(k, 'ENERGY PRINT', place_step, &
          'Asks for energies since the beginning in the history file. ALLWK: done by supports and loads.'// &
-         ' ALLSE: in the beams. ALLCCE: in the contacts. ALLFD: made heat by friction. ETOTAL: ALLSE + ALLCCE + ALLFD - ALLWK,'// &
+         ' ALLSE: in the beams. ALLCCE: in the contacts. ALLFD: made heat by friction.'// &
+         ' ETOTAL: ALLSE + ALLCCE + ALLFD - ALLWK,'// &
          ' which goes to zero with the size of the increments.')
       call finish(table, k)
 

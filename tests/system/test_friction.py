@@ -283,3 +283,18 @@ def test_the_energies_balance_as_the_increments_become_small(run, law):
         errors.append(abs(history["ETOTAL"][-1] - history["ETOTAL"][~dragging][-1]) / history["ALLFD"][-1])
     assert errors[0] < 1e-6
     assert errors[1] < 0.65 * errors[0]
+
+
+def test_a_restart_remembers_traction_slip_and_energies(run, tmp_path):
+    steps = [drag(3e-4, 1e-4), drag(-2e-4)]
+    deck = bending(*steps).replace("*ENERGY PRINT", "*ENERGY PRINT\n*RESTART, WRITE, FREQUENCY=1", 1)
+    _, whole = run(deck, name="whole")
+    restart = tmp_path / "whole" / "whole.restart.h5"
+    process, continued = run(deck, "--restart", f"{restart}:2:5", name="continued")
+    assert process.returncode == 0, process.stderr
+    for name in ("displacement", "rotation", "reaction_force"):
+        np.testing.assert_array_equal(continued.field(name), whole.field(name))
+    for column in ("force", "traction_x", "traction_y", "slip_path", "dissipation"):
+        assert continued.contacts_at(-1)[column] == whole.contacts_at(-1)[column]
+    for column in ("ALLWK", "ALLSE", "ALLCCE", "ALLFD"):
+        assert continued.history[column][-1] == whole.history[column][-1]
