@@ -64,7 +64,8 @@ contains
       type(set_builder_t), intent(inout) :: builder
       !> 0: nothing is done
       integer, intent(in) :: set
-      integer, intent(in) :: member
+      !> A copy: it may come from the list that grows here
+      integer, value :: member
       integer, allocatable :: grown(:)
 
       if (set == 0) return
