@@ -6,13 +6,14 @@ module litz_analysis
    use litz_kinds, only: dp, pi
    use litz_capture, only: start_state, capture_state
    use litz_contact_pairs, only: contact_point_t, prepare_contact, find_candidates, locate_points
+   use litz_diagnosis, only: not_converged
    use litz_element_library, only: prepare_elements
    use litz_equations, only: number_equations
    use litz_errors, only: error_t, fail, exit_input, exit_not_converged, exit_files
    use litz_loading, only: loading_t, start_loading, load_targets, next_break_point
    use litz_model, only: model_t, step_t, solver_block, coupling_default, coupling_monolithic, coupling_updated, &
       request_contact
-   use litz_newton, only: problem_t, outcome_t, solve_increment, measure_scales
+   use litz_newton, only: problem_t, outcome_t, solve_increment, measure_scales, cause_not_finite
    use litz_parallel_wires, only: shallow_angle, parallel_warning
    use litz_step_control, only: step_control_t
    use litz_restart_file, only: restart_file_t, course_t, read_restart, wants_restart
@@ -353,9 +354,10 @@ contains
          call report_increment(problem, outcome, audit, attempt, increment, target, start_time, options, results, error)
          if (allocated(error)) return
          if (.not. control%cut(step, increment, attempt)) then
-            error = not_converged(problem, step, report, step_time, increment, outcome%reason)
+            call give_up(problem, step, outcome, step_time, increment, attempt, results, options, error)
             return
          end if
+         problem%contact%points = converged_points
       end do
       step_time = target
       problem%n_increments = problem%n_increments + 1
@@ -375,6 +377,35 @@ contains
       call problem%timing%lap(phase_output)
       call control%accept(step, outcome%iterations)
    end subroutine run_increment
+
+   !> End the run in words, and write down how far the iteration had come.
+   subroutine give_up(problem, step, outcome, step_time, increment, attempts, results, options, error)
+      type(problem_t), intent(inout) :: problem
+      type(step_t), intent(in) :: step
+      type(outcome_t), intent(in) :: outcome
+      real(dp), intent(in) :: step_time, increment
+      integer, intent(in) :: attempts
+      type(results_t), intent(inout) :: results
+      type(run_options_t), intent(in) :: options
+      type(error_t), allocatable, intent(out) :: error
+      type(error_t), allocatable :: write_error
+
+      error = not_converged(problem, step, outcome, step_time, increment, attempts)
+      if (problem%n_increments > 0) error%message = error%message//' The results hold all increments before.'
+      if (outcome%cause == cause_not_finite) return
+      problem%state%increment = outcome%last%increment
+      problem%state%iterations = outcome%iterations
+      problem%state%time = problem%state%time + increment
+      problem%state%step_time = step_time + increment
+      problem%state%time_increment = increment
+      problem%state%audit = 0
+      call results%begin_unconverged(problem%model, problem%state, write_error)
+      call capture_state(problem)
+      call results%write_unconverged(problem%model, problem%state, write_error)
+      if (allocated(write_error)) return
+      error%message = error%message//' The iterate that was given up, and its contacts, are in '// &
+         result_base(options)//'_unconverged*.'
+   end subroutine give_up
 
    !> A line of the .sta file, and of the terminal.
    subroutine report_increment(problem, outcome, audit, attempt, increment, step_time, start_time, options, &
@@ -484,29 +515,6 @@ contains
          remark = remark//trim(text)//' '
       end if
    end function remark_of
-
-   function not_converged(problem, step, report, step_time, increment, reason) result(error)
-      type(problem_t), intent(in) :: problem
-      type(step_t), intent(in) :: step
-      type(iteration_report_t), intent(in) :: report
-      real(dp), intent(in) :: step_time, increment
-      character(len=*), intent(in) :: reason
-      type(error_t) :: error
-      character(len=400) :: text
-
-      write (text, '(a, i0, a, i0, a, es10.3, a, es10.3, 3a)') 'step ', report%step, ', increment ', &
-         report%increment, ' did not converge from step time', step_time, ' with an increment of', increment, ': ', &
-         reason, '. '
-      if (step%direct) then
-         text = trim(text)//' Increments of *STATIC, DIRECT are not cut.'
-      else
-         text = trim(text)//' A smaller increment is below the smallest of *STATIC or over the cut-backs allowed.'
-      end if
-      if (problem%state%increment > 0 .or. report%step > 1) then
-         text = trim(text)//' The results hold all increments before.'
-      end if
-      error = fail(exit_not_converged, trim(text))
-   end function not_converged
 
    !> Directory and stem that the result files share.
    pure function result_base(options) result(base)

@@ -27,6 +27,10 @@ module litz_newton
    implicit none
    private
    public :: problem_t, outcome_t, solve_increment, measure_scales
+   public :: cause_iterations, cause_not_finite, cause_singular, cause_crossed
+
+   !> Why an increment is given up
+   integer, parameter :: cause_iterations = 1, cause_not_finite = 2, cause_singular = 3, cause_crossed = 4
 
    !> Everything an increment works on.
    type :: problem_t
@@ -54,11 +58,16 @@ module litz_newton
       integer :: iterations = 0
       !> Why it was given up, in words
       character(len=:), allocatable :: reason
-      type(iteration_report_t) :: last
+      !> One of the causes above; 0: it was not
+      integer :: cause = 0
+      !> The last iteration and the one before
+      type(iteration_report_t) :: last, before
       !> The tolerance that ended the iteration was that of round-off in one of the fields
       logical :: at_round_off = .false.
       !> Negative pivots of the last factorisation; -1: not known
       integer :: negative_pivots = -1
+      !> Some factorisation of this try had negative pivots
+      logical :: passed_critical = .false.
    end type outcome_t
 
    !> A residual that only round-off excuses is told of above this fraction of the reference
@@ -91,6 +100,7 @@ contains
       do
          call evaluate(problem, x_start, increment, error)
          if (allocated(error)) return
+         outcome%before = outcome%last
          call measure_residual(problem, step, outcome%last, outcome%at_round_off)
          call count_contacts(problem%contact, outcome%last)
          if (problem%coupling /= coupling_monolithic .and. (.not. any(abs(increment) > 0))) then
@@ -98,7 +108,7 @@ contains
                call update_potentials(problem, x_start, increment, outcome%last, solver_error, error)
                if (allocated(error)) return
                if (allocated(solver_error)) then
-                  call give_up(outcome, solver_error%message)
+                  call give_up(outcome, cause_singular, solver_error%message)
                   return
                end if
                call measure_residual(problem, step, outcome%last, outcome%at_round_off)
@@ -109,35 +119,38 @@ contains
          call problem%timing%lap(phase_output)
          if (allocated(error)) return
          if (.not. all(ieee_is_finite(outcome%last%residual))) then
-            call give_up(outcome, 'the iteration left the range of finite numbers')
+            call give_up(outcome, cause_not_finite, 'the iteration left the range of finite numbers')
             return
          end if
          if ((.not. any(abs(increment) > 0)) .and. all(outcome%last%residual <= outcome%last%allowed)) then
             if (corrections_small(step, problem, x_start, outcome%last)) exit
          end if
          if (outcome%iterations >= step%controls%i_c) then
-            call give_up(outcome, worst_field(outcome%last))
+            call give_up(outcome, cause_iterations, worst_field(problem%model, outcome%last))
             return
          end if
          call solve_step(problem, increment, correction, solver_error)
          if (allocated(solver_error)) then
-            call give_up(outcome, solver_error%message)
+            call give_up(outcome, cause_singular, solver_error%message)
             return
          end if
          outcome%iterations = outcome%iterations + 1
          outcome%last%iteration = outcome%iterations
          outcome%negative_pivots = problem%solver%negative_pivots
+         outcome%passed_critical = outcome%passed_critical .or. outcome%negative_pivots > 0
          call update(problem, step, correction, any(abs(increment(1:6, :)) > 0), outcome%last)
          increment = 0
       end do
       call refuse_crossed_axes(problem, outcome)
    end subroutine solve_increment
 
-   subroutine give_up(outcome, reason)
+   subroutine give_up(outcome, cause, reason)
       type(outcome_t), intent(inout) :: outcome
+      integer, intent(in) :: cause
       character(len=*), intent(in) :: reason
 
       outcome%converged = .false.
+      outcome%cause = cause
       outcome%reason = reason
    end subroutine give_up
 
@@ -241,18 +254,36 @@ contains
       integer :: node
 
       report%residual = 0
+      report%residual_node = 0
       associate (internal => problem%forces%internal, load => problem%loading%load, equations => problem%equations)
          do node = 1, size(internal, 2)
             associate (free => equations%mechanical(:, node) > 0, r => abs(internal(:, node) - load(:, node)))
-               report%residual(1) = largest(report%residual(1), r(1:3), free(1:3))
-               report%residual(2) = largest(report%residual(2), r(4:6), free(4:6))
-               report%residual(3) = largest(report%residual(3), r(7:7), [equations%electric(node) > 0])
+               call take_larger(1, r(1:3), free(1:3))
+               call take_larger(2, r(4:6), free(4:6))
+               call take_larger(3, r(7:7), [equations%electric(node) > 0])
             end associate
          end do
       end associate
       scales = measure_scales(problem)
       report%allowed = max(step%controls%r_n*scales%reference, scales%round_off)
       at_round_off = any(report%residual > max(step%controls%r_n, worth_telling)*scales%reference)
+
+   contains
+
+      !> A value that is not a number wins.
+      subroutine take_larger(field, entries, mask)
+         integer, intent(in) :: field
+         real(dp), intent(in) :: entries(:)
+         logical, intent(in) :: mask(:)
+         integer :: i
+
+         do i = 1, size(entries)
+            if (.not. mask(i) .or. entries(i) <= report%residual(field)) cycle
+            report%residual(field) = entries(i)
+            report%residual_node(field) = node
+         end do
+      end subroutine take_larger
+
    end subroutine measure_residual
 
    !> What residuals are measured by: the largest forces at nodes, and their round-off.
@@ -269,18 +300,6 @@ contains
       scales%round_off = 3*epsilon(1.0_dp)*[problem%forces%stiffness(1)*extent, problem%forces%stiffness(2)*extent, &
          problem%forces%conductance*maxval(abs(problem%iterate%potential))]
    end function measure_scales
-
-   !> Larger of a value and the masked entries; a value that is not a number wins.
-   pure real(dp) function largest(value, entries, mask)
-      real(dp), intent(in) :: value, entries(:)
-      logical, intent(in) :: mask(:)
-      integer :: i
-
-      largest = value
-      do i = 1, size(entries)
-         if (mask(i) .and. .not. entries(i) <= largest) largest = entries(i)
-      end do
-   end function largest
 
    pure logical function mechanics_converged(report)
       type(iteration_report_t), intent(in) :: report
@@ -451,8 +470,8 @@ contains
             if (point%closed .and. point%kinematics%distance <= 0) then
                write (first, '(i0)') model%element_id(point%element_bar)
                write (second, '(i0)') model%element_id(point%element)
-               call give_up(outcome, 'the wires of elements '//trim(first)//' and '//trim(second)// &
-                  ' went through each other''s axis; a stiffer contact or smaller increments are needed')
+               call give_up(outcome, cause_crossed, 'the wires of elements '//trim(first)//' and '//trim(second)// &
+                  ' went through each other''s axis')
                return
             end if
          end associate
@@ -460,18 +479,21 @@ contains
    end subroutine refuse_crossed_axes
 
    !> Why the iteration limit was met: the field that is farthest from its tolerance.
-   function worst_field(report) result(text)
+   function worst_field(model, report) result(text)
+      type(model_t), intent(in) :: model
       type(iteration_report_t), intent(in) :: report
       character(len=:), allocatable :: text
       character(len=8), parameter :: names(3) = ['force  ', 'moment ', 'current']
       character(len=4), parameter :: units(3) = ['N   ', 'N m ', 'A   ']
-      character(len=120) :: buffer
+      character(len=200) :: buffer
       integer :: field
 
       field = maxloc(report%residual/max(report%allowed, tiny(1.0_dp)), 1)
       write (buffer, '(3a, es9.2, 1x, 2a, es9.2, a, i0, a)') 'the largest ', trim(names(field)), ' residual is', &
          report%residual(field), trim(units(field)), ', allowed are', report%allowed(field), ', after ', &
          report%iteration, ' iterations'
+      if (report%residual_node(field) > 0) write (buffer(len_trim(buffer) + 1:), '(a, i0)') ', at node ', &
+         model%node_id(report%residual_node(field))
       text = trim(buffer)
    end function worst_field
 

@@ -7,7 +7,7 @@ module litz_output_files
    use litz_errors, only: error_t, fail, exit_files
    implicit none
    private
-   public :: text_file_t, make_directory, check_writable, same_file, unpublished
+   public :: text_file_t, make_directory, check_writable, same_file, remove_file, unpublished
 
    !> A file has this ending until it holds something worth keeping: whatever happens before, an older file stays whole
    character(len=*), parameter :: unpublished = '.part'
@@ -112,6 +112,22 @@ contains
          close (unit, status='delete')
       end if
    end subroutine check_writable
+
+   !> Removes a file of an earlier run, if there is one.
+   subroutine remove_file(path, error)
+      character(len=*), intent(in) :: path
+      type(error_t), allocatable, intent(inout) :: error
+      logical :: there
+      integer :: unit, status
+      character(len=256) :: reason
+
+      if (allocated(error)) return
+      inquire (file=path, exist=there)
+      if (.not. there) return
+      open (newunit=unit, file=path, status='old', iostat=status, iomsg=reason)
+      if (status == 0) close (unit, status='delete', iostat=status, iomsg=reason)
+      if (status /= 0) error = cannot_write(path, reason)
+   end subroutine remove_file
 
    !> Two paths lead to one file, which exists.
    logical function same_file(a, b)

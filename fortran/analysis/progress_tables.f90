@@ -23,6 +23,8 @@ module litz_progress_tables
       integer :: iteration = 0
       !> Residual norms and their allowed values: force [N], moment [N m], current [A]
       real(dp) :: residual(n_fields) = 0, allowed(n_fields) = 0
+      !> The nodes where they are (internal indices; 0: none)
+      integer :: residual_node(n_fields) = 0
       !> Largest corrections: displacement [m], rotation [rad], potential [V]
       real(dp) :: correction(n_fields) = 0
       !> The nodes where they are (internal indices; 0: none)

@@ -4,13 +4,15 @@
 !>     STEM_contacts.vtkhdf     the contacts as points       STEM.sta           a line per increment
 !>     STEM_contacts.csv        the contacts as a table      STEM.cvg           a line per iteration
 !>
+!> and where the run had to give up, the last iterate as STEM_unconverged with the first three endings.
+!>
 !> Files of an earlier run are replaced when all six can be written, and none of them otherwise.
 module litz_results
    use litz_kinds, only: dp
    use litz_errors, only: error_t
    use litz_model, only: model_t
    use litz_state, only: state_t
-   use litz_output_files, only: text_file_t, make_directory, check_writable
+   use litz_output_files, only: text_file_t, make_directory, check_writable, remove_file
    use litz_wire_results, only: wire_results_t
    use litz_contact_ledger, only: contact_ledger_t
    use litz_history, only: history_t
@@ -23,16 +25,25 @@ module litz_results
    character(len=*), parameter :: endings(6) = [character(len=16) :: '.vtkhdf', '_contacts.vtkhdf', '_contacts.csv', &
       '_history.csv', '.sta', '.cvg']
 
+   character(len=*), parameter :: unconverged = '_unconverged'
+
    type :: results_t
       type(wire_results_t), private :: wires
       type(contact_ledger_t), private :: ledger
       type(history_t), private :: history
+      !> Directory and stem
+      character(len=:), allocatable, private :: base
+      !> The iterate at which the run gave up
+      type(wire_results_t), private :: unconverged_wires
+      type(contact_ledger_t), private :: unconverged_ledger
       type(text_file_t), private :: history_file, status_file, convergence_file
    contains
       procedure :: open => results_open
       procedure :: write_iteration => results_write_iteration
       procedure :: write_status => results_write_status
       procedure :: write_increment => results_write_increment
+      procedure :: begin_unconverged => results_begin_unconverged
+      procedure :: write_unconverged => results_write_unconverged
       procedure :: close => results_close
    end type results_t
 
@@ -58,8 +69,12 @@ contains
          call make_directory(trim(output_directory), error)
          base = trim(output_directory)//'/'//base
       end if
+      self%base = base
       do i = 1, size(endings)
          call check_writable(base//trim(endings(i)), error)
+      end do
+      do i = 1, 3
+         call remove_file(base//unconverged//trim(endings(i)), error)
       end do
       call self%history%build(model, error)
       call self%wires%open(model, base//'.vtkhdf', error)
@@ -120,6 +135,33 @@ contains
       call self%ledger%write_points(model, state, error)
       call self%wires%write(model, state, error)
    end subroutine results_write_increment
+
+   !> Begins the files of the iterate at which the run gives up.
+   subroutine results_begin_unconverged(self, model, state, error)
+      class(results_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      !> With the contacts of the last converged state: what is new or moved is so beside them
+      type(state_t), intent(in) :: state
+      type(error_t), allocatable, intent(inout) :: error
+
+      call self%unconverged_wires%open(model, self%base//unconverged//'.vtkhdf', error)
+      call self%unconverged_ledger%open(model, state, self%base//unconverged//'_contacts.csv', &
+         self%base//unconverged//'_contacts.vtkhdf', error)
+   end subroutine results_begin_unconverged
+
+   !> Writes the iterate, and closes its files.
+   subroutine results_write_unconverged(self, model, state, error)
+      class(results_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      type(state_t), intent(in) :: state
+      type(error_t), allocatable, intent(inout) :: error
+
+      call self%unconverged_ledger%write_table(model, state, error)
+      if (.not. allocated(error)) call self%unconverged_ledger%write_points(model, state, error)
+      if (.not. allocated(error)) call self%unconverged_wires%write(model, state, error)
+      call self%unconverged_ledger%close(.false., error)
+      call self%unconverged_wires%close(.false., error)
+   end subroutine results_write_unconverged
 
    !> At every n-th increment of a step and at its last.
    pure logical function wants_fields(model, state)

@@ -1,0 +1,135 @@
+!> Why an increment could not be solved, in words: where the iteration stood, and which setting of the deck helps.
+module litz_diagnosis
+   use litz_kinds, only: dp
+   use litz_errors, only: error_t, fail, exit_not_converged
+   use litz_model, only: step_t
+   use litz_newton, only: problem_t, outcome_t, cause_iterations, cause_not_finite, cause_singular, cause_crossed
+   use litz_text, only: to_text
+   implicit none
+   private
+   public :: not_converged
+
+contains
+
+   !> The error that ends the run. The problem holds the iterate that was given up.
+   function not_converged(problem, step, outcome, step_time, increment, attempts) result(error)
+      type(problem_t), intent(in) :: problem
+      type(step_t), intent(in) :: step
+      type(outcome_t), intent(in) :: outcome
+      !> Last converged step time, and the increment from there that failed [s]
+      real(dp), intent(in) :: step_time, increment
+      !> Tries of this increment
+      integer, intent(in) :: attempts
+      type(error_t) :: error
+
+      error = fail(exit_not_converged, 'step '//to_text(outcome%last%step)//', increment '// &
+         to_text(outcome%last%increment)//' did not converge from step time '//to_text(step_time)// &
+         ' with an increment of '//to_text(increment)//': '//outcome%reason//'. '//worst_contact(problem)// &
+         cause_words(problem, step, outcome)//limit_words(step, attempts))
+   end function not_converged
+
+   !> The contact whose force the iteration was least sure of; empty: there is none.
+   function worst_contact(problem) result(words)
+      type(problem_t), intent(in) :: problem
+      character(len=:), allocatable :: words
+      integer :: i
+
+      words = ''
+      associate (points => problem%contact%points)
+         if (.not. any(points%active .or. points%closed)) return
+         i = maxloc(abs(points%iteration_force - points%force), 1, points%active .or. points%closed)
+         words = 'The least settled contact is that of the elements '// &
+            to_text(problem%model%element_id(points(i)%element_bar))//' and '// &
+            to_text(problem%model%element_id(points(i)%element))//' (gap '//to_text(points(i)%gap)//' m, force '// &
+            to_text(points(i)%force)//' N). '
+      end associate
+   end function worst_contact
+
+   !> What the iteration failed of, and what helps.
+   function cause_words(problem, step, outcome) result(words)
+      type(problem_t), intent(in) :: problem
+      type(step_t), intent(in) :: step
+      type(outcome_t), intent(in) :: outcome
+      character(len=:), allocatable :: words
+
+      words = ''
+      select case (outcome%cause)
+      case (cause_crossed)
+         words = 'Stiffen the contact (*SURFACE BEHAVIOR), or begin with a smaller increment (first value of'// &
+            ' *STATIC). '
+      case (cause_singular)
+         words = free_unknown(problem)//'Something can move freely, or a voltage is not determined: add supports'// &
+            ' (*BOUNDARY). '
+      case (cause_not_finite)
+         words = 'Begin with a smaller increment (first value of *STATIC). '
+      case (cause_iterations)
+         if (outcome%passed_critical) then
+            words = 'The stiffness has negative pivots, the model is beyond a critical load: prescribe a'// &
+               ' displacement (*BOUNDARY) in place of the load. '
+         else if (outcome%last%contacts_new + outcome%last%contacts_lost > 0) then
+            words = to_text(outcome%last%contacts_new)//' contacts closed and '// &
+               to_text(outcome%last%contacts_lost)//' opened in the last iteration: they need smaller increments. '
+         else if (still_converges(outcome)) then
+            words = 'It was still converging: allow more iterations (I_C of *CONTROLS, PARAMETERS=TIME'// &
+               ' INCREMENTATION, now '//to_text(step%controls%i_c)//'). '
+         end if
+      end select
+   end function cause_words
+
+   !> The worst residual of the last iteration is less than half of what it was before.
+   pure logical function still_converges(outcome)
+      type(outcome_t), intent(in) :: outcome
+
+      still_converges = ratio(outcome%last%residual, outcome%last%allowed) &
+         < ratio(outcome%before%residual, outcome%before%allowed)/2
+
+   contains
+
+      pure real(dp) function ratio(residual, allowed)
+         real(dp), intent(in) :: residual(:), allowed(:)
+
+         ratio = maxval(residual/max(allowed, tiny(1.0_dp)))
+      end function ratio
+
+   end function still_converges
+
+   !> The node at which the linear solver gave up; empty: it does not know.
+   function free_unknown(problem) result(words)
+      type(problem_t), intent(in) :: problem
+      character(len=:), allocatable :: words
+      character(len=*), parameter :: unknowns(6) = [character(len=22) :: 'displacement along x', &
+         'displacement along y', 'displacement along z', 'rotation about x', 'rotation about y', 'rotation about z']
+      integer :: at(2), failed
+
+      words = ''
+      failed = problem%solver%failed_equation
+      if (failed <= 0) return
+      if (failed > problem%equations%n_mechanical) then
+         at(2) = findloc(problem%equations%electric, failed - problem%equations%n_mechanical, 1)
+         if (at(2) > 0) words = 'The equation is that of the potential of node '// &
+            to_text(problem%model%node_id(at(2)))//'. '
+      else
+         at = findloc(problem%equations%mechanical, failed)
+         if (all(at > 0)) words = 'The equation is that of the '//trim(unknowns(at(1)))//' of node '// &
+            to_text(problem%model%node_id(at(2)))//'. '
+      end if
+   end function free_unknown
+
+   !> Why the increment was not cut once more.
+   pure function limit_words(step, attempts) result(words)
+      type(step_t), intent(in) :: step
+      integer, intent(in) :: attempts
+      character(len=:), allocatable :: words
+
+      if (step%direct) then
+         words = 'Increments of *STATIC, DIRECT are not cut: leave DIRECT out.'
+      else if (attempts > step%controls%i_a) then
+         words = 'All cut-backs are used up (I_A of *CONTROLS, PARAMETERS=TIME INCREMENTATION, now '// &
+            to_text(step%controls%i_a)//').'
+      else
+         words = 'The next smaller increment is below the smallest allowed (third value of *STATIC, now '// &
+            to_text(step%smallest)//').'
+      end if
+   end function limit_words
+
+end module litz_diagnosis
