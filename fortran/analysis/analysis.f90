@@ -357,7 +357,6 @@ contains
             call give_up(problem, step, outcome, step_time, increment, attempt, results, options, error)
             return
          end if
-         problem%contact%points = converged_points
       end do
       step_time = target
       problem%n_increments = problem%n_increments + 1
