@@ -4,17 +4,18 @@ program litz
    use, intrinsic :: iso_c_binding, only: c_int, c_intptr_t, c_funptr, c_null_funptr
    use hdf5, only: h5open_f, h5get_libversion_f
    use litz_analysis, only: run_options_t, run_analysis, check_model
-   use litz_blas_threads, only: blas_name
+   use litz_blas_threads, only: blas_name, reserve_blas_memory
    use litz_command_line, only: command_t, read_command, help_text, action_run, action_check, action_keywords, &
       action_version
    use litz_deck_reader, only: read_deck
-   use litz_errors, only: error_t, error_list_t, fail, exit_success, exit_input
+   use litz_errors, only: error_t, error_list_t, fail, exit_success, exit_input, exit_memory
    use litz_keyword_reference, only: keyword_list, keyword_page, keyword_markdown
    use litz_keyword_table, only: keyword_table
    use litz_keywords, only: keyword_table_t
    use litz_model, only: model_t
    use litz_model_summary, only: model_summary
    use litz_output_files, only: make_directory
+   use litz_size_check, only: check_size
    use litz_solver_factory, only: available_solvers
    use litz_timing, only: phase_reading
    use litz_text, only: shown, squeezed, nearest_word
@@ -23,7 +24,13 @@ program litz
    type(command_t) :: command
    type(error_t), allocatable :: error
 
+   interface
+      subroutine watch_memory() bind(c, name='litz_watch_memory')
+      end subroutine watch_memory
+   end interface
+
    call ignore_file_size_signal()
+   call watch_memory()
    call read_command(command, error)
    if (allocated(error)) call end_with(error)
    select case (command%action)
@@ -67,6 +74,8 @@ contains
       call options%timing%start()
       call read_model(command%argument, model)
       call options%timing%lap(phase_reading)
+      call check_size(model, error)
+      if (allocated(error)) call end_with(error)
       call make_directory(command%output_directory, error)
       if (allocated(error)) call end_with(error)
       options%deck_path = command%argument
@@ -101,6 +110,8 @@ contains
       type(model_t), intent(out) :: model
       type(error_list_t) :: errors, warnings
 
+      if (.not. reserve_blas_memory()) call end_with(fail(exit_memory, 'not enough memory: the linear algebra needs '// &
+         'another 140 MB of addresses (see ulimit -v)'))
       call read_deck(path, model, errors, warnings)
       call print_error_text(warnings%text())
       if (errors%count == 0) return
@@ -173,11 +184,17 @@ contains
             import :: c_int
             integer(c_int), value :: status
          end subroutine c_exit
+         subroutine c_exit_at_once(status) bind(c, name='_exit')
+            use, intrinsic :: iso_c_binding, only: c_int
+            integer(c_int), value :: status
+         end subroutine c_exit_at_once
       end interface
 
       if (code == exit_success) return
       flush (output_unit)
       flush (error_unit)
+      ! without memory OpenBLAS's threads, which are ended before the program, wait for it for ever
+      if (code == exit_memory) call c_exit_at_once(code)
       call c_exit(code)
    end subroutine stop_with
 

@@ -6,7 +6,7 @@ module litz_errors
    implicit none
    private
    public :: error_t, error_list_t, fail
-   public :: exit_success, exit_input, exit_not_converged, exit_solver, exit_files, exit_internal
+   public :: exit_success, exit_input, exit_not_converged, exit_solver, exit_files, exit_internal, exit_memory
 
    !> Most errors that a list keeps, and most that it shows
    integer, parameter :: most_kept = 200, most_shown = 50
@@ -17,6 +17,7 @@ module litz_errors
    integer, parameter :: exit_solver = 3
    integer, parameter :: exit_files = 4
    integer, parameter :: exit_internal = 5
+   integer, parameter :: exit_memory = 6
 
    type :: error_t
       !> One of the exit codes above

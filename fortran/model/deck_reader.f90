@@ -2,6 +2,7 @@
 module litz_deck_reader
    use litz_errors, only: error_t, error_list_t
    use litz_deck_scanner, only: scan_deck
+   use litz_growing_text, only: growing_text_t
    use litz_keyword_table, only: keyword_table
    use litz_model, only: model_t
    use litz_reader, only: reader_t, fail_at, keyword_of
@@ -43,7 +44,7 @@ contains
 
       call check_cards(self)
       if (self%deck%n_lines == 0) then
-         call self%errors%add(error_t(message='the deck is empty', file=self%deck%sources(1)%path))
+         call report_empty_deck(self)
          return
       end if
       call read_heading(self, model)
@@ -63,19 +64,32 @@ contains
       call report_unused(self, self%interactions, 'surface interaction')
    end subroutine read_cards
 
+   !> Components are assigned one by one: gfortran 12 writes beyond the end of the text when a structure constructor
+   !> takes a component of deferred length for one of its own.
+   subroutine report_empty_deck(self)
+      type(reader_t), intent(inout) :: self
+      type(error_t) :: error
+
+      error%message = 'the deck is empty'
+      error%file = self%deck%sources(1)%path
+      call self%errors%add(error)
+   end subroutine report_empty_deck
+
    subroutine read_heading(self, model)
       type(reader_t), intent(in) :: self
       type(model_t), intent(inout) :: model
+      type(growing_text_t) :: heading
       integer :: card, line
 
-      model%heading = ''
       do card = 1, self%deck%n_cards
          if (keyword_of(self, card) /= 'HEADING') cycle
          do line = self%deck%cards(card)%first_data, self%deck%cards(card)%last_data
-            if (len(model%heading) > 0) model%heading = model%heading//new_line('a')
-            model%heading = model%heading//self%deck%text(self%deck%line_token(line))
+            call heading%append(self%deck%text(self%deck%line_token(line))//new_line('a'))
          end do
       end do
+      model%heading = heading%text()
+      ! the last line has no end
+      model%heading = model%heading(:len(model%heading) - 1)
    end subroutine read_heading
 
    !> What the checks of the whole model found, at the line of the element it is about.

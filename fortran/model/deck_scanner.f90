@@ -290,10 +290,12 @@ contains
       type(token_t), allocatable :: fields(:)
       type(scanner_t) :: ahead
       type(line_t) :: line
-      integer :: i, n, first_field
+      type(parameter_t), allocatable :: parameters(:)
+      integer :: i, n, n_parameters, first_field
       logical :: found
 
-      allocate (card%parameters(0))
+      allocate (parameters(8))
+      n_parameters = 0
       call split_keyword_line(deck, deck%n_lines, fields, n, errors)
       card%name = fields(1)
       card%name%first = card%name%first + 1
@@ -304,7 +306,7 @@ contains
       first_field = 2
       do
          do i = first_field, n
-            if (fields(i)%last >= fields(i)%first) call append_parameter(deck, card, fields(i))
+            if (fields(i)%last >= fields(i)%first) call append_parameter(deck, parameters, n_parameters, fields(i))
          end do
          line = deck%lines(deck%n_lines)
          if (deck%sources(source)%text(line%last:line%last) /= ',') exit
@@ -323,6 +325,7 @@ contains
          call split_keyword_line(deck, deck%n_lines, fields, n, errors)
          first_field = 1
       end do
+      card%parameters = parameters(:n_parameters)
       card%first_data = deck%n_lines + 1
       card%last_data = deck%n_lines
    end subroutine read_card
@@ -352,10 +355,13 @@ contains
    end subroutine split_keyword_line
 
    !> `NAME`, `NAME=value` or `NAME="value"`
-   pure subroutine append_parameter(deck, card, field)
+   pure subroutine append_parameter(deck, parameters, n, field)
       type(deck_t), intent(in) :: deck
-      type(card_t), intent(inout) :: card
+      type(parameter_t), allocatable, intent(inout) :: parameters(:)
+      !> Number of those that are set
+      integer, intent(inout) :: n
       type(token_t), intent(in) :: field
+      type(parameter_t), allocatable :: grown(:)
       type(parameter_t) :: parameter
       type(line_t) :: range
       integer :: equals
@@ -382,7 +388,13 @@ contains
             parameter%value = token_t(field%line, range%first, range%last)
          end if
       end associate
-      card%parameters = [card%parameters, parameter]
+      if (n == size(parameters)) then
+         allocate (grown(2*n))
+         grown(:n) = parameters
+         call move_alloc(grown, parameters)
+      end if
+      n = n + 1
+      parameters(n) = parameter
    end subroutine append_parameter
 
    !> Read what an *INCLUDE names, in place of the line.

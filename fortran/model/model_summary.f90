@@ -1,5 +1,6 @@
 !> The resolved model in words, for `litz check`.
 module litz_model_summary
+   use litz_growing_text, only: growing_text_t
    use litz_kinds, only: dp
    use litz_laws, only: axis_hermite, normal_linear, stick_elastic_slip, stick_stiffness, spot_none, spot_plastic, &
       spot_film, spot_constant, spot_table
@@ -24,36 +25,37 @@ contains
    pure function model_summary(model) result(text)
       type(model_t), intent(in) :: model
       character(len=:), allocatable :: text
+      type(growing_text_t) :: summary
       type(parts_t) :: parts
       logical, allocatable :: included(:)
       integer :: i
 
       allocate (included(model%n_elements), source=.true.)
       call find_parts(model, included, parts)
-      text = ''
-      if (len(model%heading) > 0) text = model%heading//nl
-      text = text//plural(model%n_nodes, 'node')//', '//plural(model%n_elements, 'element')//' ('// &
+      if (len(model%heading) > 0) call summary%append(model%heading//nl)
+      call summary%append(plural(model%n_nodes, 'node')//', '//plural(model%n_elements, 'element')//' ('// &
          to_text(count(model%element_type == element_b31))//' B31, '// &
-         to_text(count(model%element_type /= element_b31))//' B33), '//plural(parts%n, 'connected part')//nl
+         to_text(count(model%element_type /= element_b31))//' B33), '//plural(parts%n, 'connected part')//nl)
       do i = 1, size(model%materials)
-         text = text//material_line(i)
+         call summary%append(material_line(i))
       end do
       do i = 1, size(model%sections)
-         text = text//section_lines(model, i)
+         call summary%append(section_lines(model, i))
       end do
-      text = text//set_lines('node set', model%node_sets)//set_lines('element set', model%element_sets)
+      call summary%append(set_lines('node set', model%node_sets)//set_lines('element set', model%element_sets))
       do i = 1, size(model%amplitudes)
          associate (this => model%amplitudes(i))
-            text = text//'amplitude '//this%name//': '//plural(size(this%time), 'point')//', '// &
-               trim(merge('total time', 'step time ', this%total_time))//nl
+            call summary%append('amplitude '//this%name//': '//plural(size(this%time), 'point')//', '// &
+               trim(merge('total time', 'step time ', this%total_time))//nl)
          end associate
       end do
       do i = 1, size(model%contact_pairs)
-         text = text//pair_line(model, i)
+         call summary%append(pair_line(model, i))
       end do
       do i = 1, size(model%steps)
-         text = text//step_lines(model, i)
+         call summary%append(step_lines(model, i))
       end do
+      text = summary%text()
 
    contains
 

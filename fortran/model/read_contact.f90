@@ -7,7 +7,7 @@ module litz_read_contact
       spot_none, spot_paper, spot_hertz, spot_plastic, spot_film, spot_constant, spot_table
    use litz_model, only: model_t, interaction_t, contact_pair_t
    use litz_reader, only: reader_t, fail_at, read_line, parameter_of, choice_of, real_parameter, has_flag, keyword_of, &
-      add_definition, find_definition
+      add_definition, find_definition, n_cards_of
    use litz_sets, only: find_set
    implicit none
    private
@@ -18,12 +18,11 @@ contains
    subroutine read_interactions(self, model)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(inout) :: model
-      type(interaction_t), allocatable :: grown(:)
       type(token_t) :: token
       integer :: card, index
       logical :: has_behavior, has_friction
 
-      allocate (model%interactions(0))
+      allocate (model%interactions(n_cards_of(self, 'SURFACE INTERACTION')))
       index = 0
       has_behavior = .false.
       has_friction = .false.
@@ -37,11 +36,8 @@ contains
             if (token%last >= token%first) call add_definition(self, self%interactions, 'surface interaction', token, &
                index)
             if (index == 0) cycle
-            allocate (grown(index))
-            grown(:index - 1) = model%interactions
-            grown(index)%name = self%interactions%names%name(index)
-            if (choice_of(self, card, 'AXIS') == 'LINEAR') grown(index)%axis = axis_linear
-            call move_alloc(grown, model%interactions)
+            model%interactions(index)%name = self%interactions%names%name(index)
+            if (choice_of(self, card, 'AXIS') == 'LINEAR') model%interactions(index)%axis = axis_linear
          case ('SURFACE BEHAVIOR')
             if (has_behavior) call fail_at(self, self%deck%cards(card)%name, &
                'this surface interaction has two *SURFACE BEHAVIOR')
@@ -59,6 +55,7 @@ contains
             call read_spot_law(self, card, model%interactions(index))
          end select
       end do
+      model%interactions = model%interactions(:self%interactions%names%n)
    end subroutine read_interactions
 
    subroutine read_behavior(self, card, interaction)

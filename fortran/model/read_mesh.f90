@@ -10,7 +10,7 @@ module litz_read_mesh
    use litz_text, only: to_text, shown
    use litz_model, only: model_t, element_b31, element_b33
    use litz_reader, only: reader_t, set_builder_t, fail_at, read_line, parameter_of, choice_of, keyword_of
-   use litz_sets, only: open_set, open_named_set, add_member
+   use litz_sets, only: open_set, open_named_set, continue_set, add_member, add_once
    implicit none
    private
    public :: read_mesh
@@ -46,8 +46,9 @@ contains
       end do
       do i = 1, size(files)
          call take_elements(self, card_of_file(i), files(i), model)
-         call take_sets(self, card_of_file(i), 'node', files(i)%node_sets, self%node_sets, self%nodes)
-         call take_sets(self, card_of_file(i), 'element', files(i)%element_sets, self%element_sets, self%elements)
+         call take_sets(self, card_of_file(i), 'node', files(i)%node_sets, self%node_sets, self%nodes, model%n_nodes)
+         call take_sets(self, card_of_file(i), 'element', files(i)%element_sets, self%element_sets, self%elements, &
+            model%n_elements)
       end do
       model%node_id = model%node_id(:model%n_nodes)
       model%x = model%x(:, :model%n_nodes)
@@ -251,7 +252,7 @@ contains
    end subroutine add_element
 
    !> The sets of a mesh file, which may have members defined elsewhere.
-   subroutine take_sets(self, card, what, sets, builder, map)
+   subroutine take_sets(self, card, what, sets, builder, map, n_items)
       type(reader_t), intent(inout) :: self
       integer, intent(in) :: card
       !> `node` or `element`
@@ -259,6 +260,8 @@ contains
       type(mesh_set_t), intent(in) :: sets(:)
       type(set_builder_t), intent(inout) :: builder
       type(id_map_t), intent(in) :: map
+      !> Number of nodes or elements
+      integer, intent(in) :: n_items
       type(token_t) :: token
       integer :: i, k, set, member
 
@@ -266,10 +269,11 @@ contains
       do i = 1, size(sets)
          call open_named_set(self, builder, token, sets(i)%name, set)
          if (set == 0) cycle
+         call continue_set(builder, set, n_items)
          do k = 1, size(sets(i)%ids)
             member = map%get(sets(i)%ids(k))
             if (member > 0) then
-               call add_member(builder, set, member)
+               call add_once(builder, set, member)
             else if (.not. (self%broken_nodes .or. self%broken_elements)) then
                call fail_at(self, token, 'the '//what//' set '//shown(sets(i)%name)//' of the mesh file has '//what// &
                   ' '//to_text(sets(i)%ids(k))//', which is not defined')

@@ -6,7 +6,7 @@ module litz_read_properties
    use litz_model, only: model_t, section_t
    use litz_reader, only: reader_t, definitions_t, fail_at, read_line, parameter_of, choice_of, has_flag, keyword_of, &
       real_parameter, &
-      add_definition, find_definition
+      add_definition, find_definition, n_cards_of
    use litz_rotations, only: cross
    use litz_sets, only: find_set
    implicit none
@@ -81,17 +81,6 @@ contains
       ok = self%deck%cards(card)%last_data >= self%deck%cards(card)%first_data
       if (ok) call read_line(self, card, self%deck%cards(card)%first_data, ok)
    end subroutine read_only_line
-
-   pure integer function n_cards_of(self, keyword) result(n)
-      type(reader_t), intent(in) :: self
-      character(len=*), intent(in) :: keyword
-      integer :: card
-
-      n = 0
-      do card = 1, self%deck%n_cards
-         if (keyword_of(self, card) == keyword) n = n + 1
-      end do
-   end function n_cards_of
 
    !> Sections, and the section of every element.
    subroutine read_sections(self, model)

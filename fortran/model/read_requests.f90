@@ -15,6 +15,7 @@ module litz_read_requests
 
    type :: request_list_t
       type(output_request_t), allocatable :: items(:)
+      integer :: n = 0
       !> Kinds that this step has asked for
       logical :: asked(5) = .false.
    end type request_list_t
@@ -24,7 +25,7 @@ contains
    pure subroutine begin_requests(list)
       type(request_list_t), intent(inout) :: list
 
-      if (.not. allocated(list%items)) allocate (list%items(0))
+      if (.not. allocated(list%items)) allocate (list%items(16))
       list%asked = .false.
    end subroutine begin_requests
 
@@ -67,21 +68,21 @@ contains
 
       if (.not. list%asked(request%kind)) then
          n = 0
-         do i = 1, size(list%items)
+         do i = 1, list%n
             if (list%items(i)%kind == request%kind) cycle
             n = n + 1
             list%items(n) = list%items(i)
          end do
+         list%n = n
          list%asked(request%kind) = .true.
-      else
-         n = size(list%items)
       end if
-      allocate (grown(n + 1))
-      do i = 1, n
-         grown(i) = list%items(i)
-      end do
-      grown(n + 1) = request
-      call move_alloc(grown, list%items)
+      if (list%n == size(list%items)) then
+         allocate (grown(2*list%n))
+         grown(:list%n) = list%items
+         call move_alloc(grown, list%items)
+      end if
+      list%n = list%n + 1
+      list%items(list%n) = request
    end subroutine add_request
 
    !> *NODE PRINT or *EL PRINT: members, sums, or both.

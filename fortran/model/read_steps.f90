@@ -2,6 +2,7 @@
 module litz_read_steps
    use litz_kinds, only: dp
    use litz_text, only: to_text
+   use litz_growing_text, only: growing_text_t
    use litz_deck, only: token_t
    use litz_model, only: model_t, step_t
    use litz_reader, only: reader_t, fail_at, read_line, parameter_of, choice_of, has_flag, integer_parameter, &
@@ -99,7 +100,7 @@ contains
          model%steps(step)%boundary = boundary%items(:boundary%n)
          model%steps(step)%load = load%items(:load%n)
          model%steps(step)%current = current%items(:current%n)
-         model%steps(step)%requests = requests%items
+         model%steps(step)%requests = requests%items(:requests%n)
       end subroutine close_step
 
    end subroutine read_steps
@@ -111,20 +112,22 @@ contains
       type(name_map_t), intent(inout) :: names
       type(step_t), intent(inout) :: step
       type(token_t) :: token
+      type(growing_text_t) :: title
       integer :: line, index
 
-      step%title = ''
       token = parameter_of(self, card, 'NAME')
       if (token%last >= token%first) then
-         step%title = self%deck%text(token)
+         call title%append(' '//self%deck%text(token))
          if (names%get(name_of(self, token)) > 0) call fail_at(self, token, 'there are two steps of the name '// &
             self%deck%shown(token))
          call names%put(name_of(self, token), index)
       end if
       do line = self%deck%cards(card)%first_data, self%deck%cards(card)%last_data
-         if (len(step%title) > 0) step%title = step%title//' '
-         step%title = step%title//self%deck%text(self%deck%line_token(line))
+         call title%append(' '//self%deck%text(self%deck%line_token(line)))
       end do
+      step%title = title%text()
+      ! the first word has no blank before it
+      step%title = step%title(2:)
       step%max_increments = integer_parameter(self, card, 'INC', step%max_increments)
       if (choice_of(self, card, 'NLGEOM') == 'NO') call fail_at(self, parameter_of(self, card, 'NLGEOM'), &
          'NLGEOM=NO is not possible: litz always takes large displacements into account; leave it out')

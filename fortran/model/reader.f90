@@ -16,7 +16,7 @@ module litz_reader
    public :: reader_t, values_t, set_builder_t, definitions_t
    public :: fail_at, read_line, applies, names_hint, name_of, parameter_of, has_flag, choice_of, name_parameter, &
       real_parameter, &
-      integer_parameter, keyword_of, check_value, find_definition, add_definition
+      integer_parameter, keyword_of, n_cards_of, check_value, find_definition, add_definition
 
    !> After this many errors no more hints are searched for
    integer, parameter :: most_hints = 100
@@ -36,9 +36,13 @@ module litz_reader
       type(name_map_t) :: names
       !> First entry of each set, 0: none
       integer, allocatable :: head(:)
-      !> Members of all sets in the order of reading, repetitions included, and the next entry of the same set
+      !> Members of all sets in the order of reading, and the next entry of the same set
       integer, allocatable :: member(:), next(:)
       integer :: n = 0
+      !> A set that each node or element is a member of; the one being filled, for all its members. 0: none
+      integer, allocatable :: put_into(:)
+      !> There was no memory for all members
+      logical :: is_full = .false.
    end type set_builder_t
 
    !> Names of materials, amplitudes or interactions, with the line of each and whether anything refers to it.
@@ -100,6 +104,18 @@ contains
       keyword = ''
       if (self%spec(card) > 0) keyword = trim(self%table%keywords(self%spec(card))%name)
    end function keyword_of
+
+   !> How many cards have this keyword.
+   pure integer function n_cards_of(self, keyword) result(n)
+      type(reader_t), intent(in) :: self
+      character(len=*), intent(in) :: keyword
+      integer :: card
+
+      n = 0
+      do card = 1, self%deck%n_cards
+         if (keyword_of(self, card) == keyword) n = n + 1
+      end do
+   end function n_cards_of
 
    !> A name as it is stored and compared: capitals.
    pure function name_of(self, token) result(name)
@@ -489,18 +505,35 @@ contains
       integer, intent(out) :: index
       integer :: before
 
-      if (.not. allocated(definitions%token)) allocate (definitions%token(0), definitions%used(0))
+      call make_room(definitions)
       before = definitions%names%n
       call definitions%names%put(name_of(self, token), index)
       if (definitions%names%n > before) then
-         definitions%token = [definitions%token, token]
-         definitions%used = [definitions%used, .false.]
+         definitions%token(index) = token
+         definitions%used(index) = .false.
       else
          call fail_at(self, token, 'the '//what//' '//self%deck%shown(token)//' is defined twice; first in '// &
             self%deck%place(definitions%token(index)%line))
          index = 0
       end if
    end subroutine add_definition
+
+   !> Room for one more definition.
+   pure subroutine make_room(definitions)
+      type(definitions_t), intent(inout) :: definitions
+      type(token_t), allocatable :: token(:)
+      logical, allocatable :: used(:)
+
+      if (.not. allocated(definitions%token)) allocate (definitions%token(16), definitions%used(16))
+      associate (n => definitions%names%n)
+         if (n < size(definitions%token)) return
+         allocate (token(2*n), used(2*n))
+         token(:n) = definitions%token
+         used(:n) = definitions%used
+      end associate
+      call move_alloc(token, definitions%token)
+      call move_alloc(used, definitions%used)
+   end subroutine make_room
 
    !> Look a name up and mark it as used; 0 and an error when it does not exist.
    subroutine find_definition(self, definitions, what, token, index)

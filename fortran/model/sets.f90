@@ -10,7 +10,10 @@ module litz_sets
       names_hint
    implicit none
    private
-   public :: open_set, open_named_set, add_member, read_sets, find_set, find_item
+   public :: open_set, open_named_set, continue_set, add_member, add_once, read_sets, find_set, find_item
+
+   !> Most members that all sets of one kind may have: they are counted in default integers, and room for them doubles
+   integer, parameter :: most_members = 2**30
 
 contains
 
@@ -60,28 +63,62 @@ contains
       end if
    end subroutine open_named_set
 
+   !> A member that the set does not have yet.
    pure subroutine add_member(builder, set, member)
       type(set_builder_t), intent(inout) :: builder
       !> 0: nothing is done
       integer, intent(in) :: set
       !> A copy: it may come from the list that grows here
       integer, value :: member
-      integer, allocatable :: grown(:)
+      integer, allocatable :: members(:), next(:)
+      integer :: status
 
-      if (set == 0) return
+      if (set == 0 .or. builder%is_full) return
       if (builder%n == size(builder%member)) then
-         allocate (grown(2*builder%n))
-         grown(:builder%n) = builder%member
-         call move_alloc(grown, builder%member)
-         allocate (grown(2*builder%n))
-         grown(:builder%n) = builder%next
-         call move_alloc(grown, builder%next)
+         builder%is_full = builder%n >= most_members
+         if (builder%is_full) return
+         allocate (members(2*builder%n), next(2*builder%n), stat=status)
+         builder%is_full = status /= 0
+         if (builder%is_full) return
+         members(:builder%n) = builder%member
+         next(:builder%n) = builder%next
+         call move_alloc(members, builder%member)
+         call move_alloc(next, builder%next)
       end if
       builder%n = builder%n + 1
       builder%member(builder%n) = member
       builder%next(builder%n) = builder%head(set)
       builder%head(set) = builder%n
    end subroutine add_member
+
+   !> A member that the set, made ready by `continue_set`, may have already.
+   pure subroutine add_once(builder, set, member)
+      type(set_builder_t), intent(inout) :: builder
+      integer, intent(in) :: set
+      !> A copy: it may come from the list that grows here
+      integer, value :: member
+
+      if (builder%put_into(member) == set) return
+      builder%put_into(member) = set
+      call add_member(builder, set, member)
+   end subroutine add_once
+
+   !> Mark the members that the set has.
+   pure subroutine continue_set(builder, set, n_items)
+      type(set_builder_t), intent(inout) :: builder
+      integer, intent(in) :: set
+      !> Number of nodes or elements
+      integer, intent(in) :: n_items
+      integer :: entry
+
+      if (.not. allocated(builder%put_into)) allocate (builder%put_into(n_items), source=0)
+      if (set == 0) return
+      entry = builder%head(set)
+      do while (entry > 0)
+         builder%put_into(builder%member(entry)) = set
+         entry = builder%next(entry)
+      end do
+   end subroutine continue_set
 
    !> *NSET and *ELSET, and all sets into the model.
    subroutine read_sets(self, model)
@@ -96,7 +133,11 @@ contains
          case ('ELSET')
             call read_set(self, card, 'element', self%element_sets, self%elements, model%element_id)
          end select
+         if (self%node_sets%is_full .or. self%element_sets%is_full) exit
       end do
+      if (card <= self%deck%n_cards) call fail_at(self, self%deck%cards(card)%name, &
+         'there is not enough memory for the members of all sets; up to here they are '// &
+         to_text(self%node_sets%n)//' nodes and '//to_text(self%element_sets%n)//' elements')
       call finish_sets(self%node_sets, model%n_nodes, model%node_sets)
       call finish_sets(self%element_sets, model%n_elements, model%element_sets)
    end subroutine read_sets
@@ -114,6 +155,7 @@ contains
       logical :: ok
 
       call open_set(self, builder, parameter_of(self, card, keyword_of(self, card)), set)
+      call continue_set(builder, set, size(ids))
       associate (this => self%deck%cards(card))
          do line = this%first_data, this%last_data
             call read_line(self, card, line, ok)
@@ -138,11 +180,12 @@ contains
       do i = 1, self%values%n
          if (.not. self%values%given(i)) cycle
          call find_item(self, what, builder, map, i, index, other)
-         if (index > 0) call add_member(builder, set, index)
+         if (set == 0) cycle
+         if (index > 0) call add_once(builder, set, index)
          if (other == 0 .or. other == set) cycle
          entry = builder%head(other)
          do while (entry > 0)
-            call add_member(builder, set, builder%member(entry))
+            call add_once(builder, set, builder%member(entry))
             entry = builder%next(entry)
          end do
       end do
@@ -156,8 +199,10 @@ contains
       integer, intent(in) :: set
       type(id_map_t), intent(in) :: map
       integer, intent(in) :: ids(:)
-      integer :: first, last, step, i, n, n_before
+      integer :: first, last, step, i, n
+      logical :: found
 
+      if (set == 0) return
       first = self%values%whole(1)
       last = self%values%whole(2)
       step = merge(self%values%whole(3), 1, self%values%given(3))
@@ -166,22 +211,31 @@ contains
             ', is smaller than the first, '//to_text(first))
          return
       end if
-      n_before = builder%n
+      found = .false.
       n = (last - first)/step
       if (n <= size(ids)) then
          do i = 0, n
-            if (map%get(first + i*step) > 0) call add_member(builder, set, map%get(first + i*step))
+            if (map%get(first + i*step) > 0) call take(map%get(first + i*step))
          end do
       else
          do i = 1, size(ids)
             if (ids(i) >= first .and. ids(i) <= last) then
-               if (mod(ids(i) - first, step) == 0) call add_member(builder, set, i)
+               if (mod(ids(i) - first, step) == 0) call take(i)
             end if
          end do
       end if
-      if (builder%n == n_before .and. set > 0 .and. .not. is_broken(self, what)) call fail_at(self, &
-         self%values%token(1), 'there is no '//what// &
+      if (.not. (found .or. is_broken(self, what))) call fail_at(self, self%values%token(1), 'there is no '//what// &
          ' with a number in this range')
+
+   contains
+
+      subroutine take(member)
+         integer, intent(in) :: member
+
+         found = .true.
+         call add_once(builder, set, member)
+      end subroutine take
+
    end subroutine generate_members
 
    !> Nodes or elements may be missing because their lines could not be read, which was reported.
@@ -249,29 +303,22 @@ contains
 
    end subroutine find_set
 
-   !> Sort the members of each set and drop repetitions.
+   !> Sort the members of each set.
    pure subroutine finish_sets(builder, n_items, sets)
       type(set_builder_t), intent(in) :: builder
       !> Number of nodes or elements
       integer, intent(in) :: n_items
       type(named_set_t), allocatable, intent(out) :: sets(:)
-      !> The last set that each node or element was put into
-      integer, allocatable :: put_into(:), members(:)
+      integer, allocatable :: members(:)
       integer :: set, n, entry
 
       allocate (sets(builder%names%n), members(n_items))
-      allocate (put_into(n_items), source=0)
       do set = 1, size(sets)
          n = 0
          entry = builder%head(set)
          do while (entry > 0)
-            associate (member => builder%member(entry))
-               if (put_into(member) /= set) then
-                  put_into(member) = set
-                  n = n + 1
-                  members(n) = member
-               end if
-            end associate
+            n = n + 1
+            members(n) = builder%member(entry)
             entry = builder%next(entry)
          end do
          call sort_integers(members(:n))

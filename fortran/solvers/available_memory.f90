@@ -7,25 +7,41 @@ module litz_available_memory
 
 contains
 
-   !> [bytes] what Linux reports as available; the largest number where nothing is reported.
+   !> [bytes] what Linux reports as available, within the limits of this process and of its control group; the largest
+   !> number where nothing is reported.
    integer(int64) function available_memory() result(bytes)
-      character(len=80) :: line
-      integer(int64) :: kilobytes
+      integer(int64) :: limit
+
+      bytes = number_behind('/proc/meminfo', 'MemAvailable:', 1024)
+      limit = number_behind('/proc/self/limits', 'Max address space', 1)
+      if (limit < huge(limit)) bytes = min(bytes, limit - number_behind('/proc/self/status', 'VmSize:', 1024))
+      limit = number_behind('/sys/fs/cgroup/memory.max', '', 1)
+      if (limit < huge(limit)) bytes = min(bytes, limit - number_behind('/sys/fs/cgroup/memory.current', '', 1))
+      bytes = max(0_int64, bytes)
+   end function available_memory
+
+   !> The number behind a word at the beginning of a line, in bytes; the largest number when there is none.
+   integer(int64) function number_behind(file, word, unit_of_file) result(bytes)
+      character(len=*), intent(in) :: file, word
+      !> [bytes]
+      integer, intent(in) :: unit_of_file
+      character(len=200) :: line
+      integer(int64) :: number
       integer :: unit, status
 
       bytes = huge(bytes)
-      open (newunit=unit, file='/proc/meminfo', status='old', action='read', iostat=status)
+      open (newunit=unit, file=file, status='old', action='read', iostat=status)
       if (status /= 0) return
       do
          read (unit, '(a)', iostat=status) line
          if (status /= 0) exit
-         if (index(line, 'MemAvailable:') /= 1) cycle
-         read (line(14:), *, iostat=status) kilobytes
-         if (status == 0) bytes = 1024*kilobytes
+         if (index(line, word) /= 1) cycle
+         read (line(len(word) + 1:), *, iostat=status) number
+         if (status == 0 .and. number < huge(number)/unit_of_file) bytes = unit_of_file*number
          exit
       end do
       close (unit)
-   end function available_memory
+   end function number_behind
 
    !> In the unit a reader likes: `3.8 GB`, `12.0 MB`.
    pure function memory_text(bytes) result(text)

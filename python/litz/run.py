@@ -51,7 +51,16 @@ class InternalError(LitzError):
     exit_code = 5
 
 
-_ERRORS = {error.exit_code: error for error in (InputError, NotConvergedError, SolverError, FileError, InternalError)}
+class OutOfMemoryError(LitzError):
+    """The model does not fit into the memory of this machine, or into what the process may take of it."""
+
+    exit_code = 6
+
+
+_ERRORS = {
+    error.exit_code: error
+    for error in (InputError, NotConvergedError, SolverError, FileError, InternalError, OutOfMemoryError)
+}
 
 
 def program_path():
@@ -74,7 +83,8 @@ def run(deck, *, output_directory=".", solver=None, threads=None, restart=None, 
     restart           restart file to go on from, or "FILE:STEP:INCREMENT"; what *RESTART, WRITE has kept
     quiet             False: print what the program prints, as it comes
 
-    Raises `InputError`, `NotConvergedError`, `SolverError`, `FileError` or `InternalError`, all of them `LitzError`.
+    Raises `InputError`, `NotConvergedError`, `SolverError`, `FileError`, `InternalError` or `OutOfMemoryError`, all of
+    them `LitzError`.
     """
     deck, output_directory = Path(deck), Path(output_directory)
     command = [program_path(), "run", deck, "-o", output_directory]

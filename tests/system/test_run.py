@@ -36,6 +36,7 @@ def stand_in(tmp_path, monkeypatch):
         (3, litz.SolverError),
         (4, litz.FileError),
         (5, litz.InternalError),
+        (6, litz.OutOfMemoryError),
         (77, litz.InternalError),
     ],
 )

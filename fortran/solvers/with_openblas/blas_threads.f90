@@ -1,9 +1,13 @@
 !> The number of threads of the BLAS, OpenBLAS here.
 module litz_blas_threads
    use, intrinsic :: iso_c_binding, only: c_int, c_char, c_ptr, c_null_char, c_f_pointer
+   use litz_kinds, only: dp
    implicit none
    private
-   public :: set_blas_threads, default_blas_threads, blas_name
+   public :: set_blas_threads, default_blas_threads, reserve_blas_memory, blas_name
+
+   !> What OpenBLAS takes for the work of a thread is 128 MB of addresses and a little [bytes]
+   integer, parameter :: blas_memory = 140000000
 
    !> Somebody has chosen the number of threads
    logical, save :: chosen = .false.
@@ -13,6 +17,13 @@ module litz_blas_threads
          import :: c_int
          integer(c_int), value :: threads
       end subroutine openblas_set_num_threads
+      subroutine dsymv(uplo, n, alpha, a, lda, x, incx, beta, y, incy)
+         import :: dp
+         character(len=1), intent(in) :: uplo
+         integer, intent(in) :: n, lda, incx, incy
+         real(dp), intent(in) :: alpha, beta, a(lda, *), x(*)
+         real(dp), intent(inout) :: y(*)
+      end subroutine dsymv
       type(c_ptr) function openblas_get_config() bind(c)
          import :: c_ptr
       end function openblas_get_config
@@ -32,6 +43,22 @@ contains
    subroutine default_blas_threads()
       if (.not. chosen) call openblas_set_num_threads(1_c_int)
    end subroutine default_blas_threads
+
+   !> Have OpenBLAS take its memory now, while there is some: later it would try for ever. .false.: there is none.
+   logical function reserve_blas_memory() result(ok)
+      character(len=1), allocatable :: room(:)
+      real(dp) :: a(1, 1), x(1), y(1)
+      integer :: status
+
+      allocate (room(blas_memory), stat=status)
+      ok = status == 0
+      if (.not. ok) return
+      deallocate (room)
+      a = 1
+      x = 1
+      y = 0
+      call dsymv('U', 1, 1.0_dp, a, 1, x, 1, 0.0_dp, y, 1)
+   end function reserve_blas_memory
 
    !> For `litz --version`: name, version and build of the library.
    function blas_name() result(name)

@@ -2,7 +2,7 @@
 module litz_blas_threads
    implicit none
    private
-   public :: set_blas_threads, default_blas_threads, blas_name
+   public :: set_blas_threads, default_blas_threads, reserve_blas_memory, blas_name
 
 contains
 
@@ -17,6 +17,11 @@ contains
    !> Without effect.
    subroutine default_blas_threads()
    end subroutine default_blas_threads
+
+   !> Always .true.: nothing is known about this BLAS.
+   pure logical function reserve_blas_memory() result(ok)
+      ok = .true.
+   end function reserve_blas_memory
 
    !> For `litz --version`.
    pure function blas_name() result(name)

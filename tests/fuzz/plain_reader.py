@@ -1,0 +1,341 @@
+"""A second reader of decks, short because it believes every deck to be right: what litz accepts must mean the same here.
+
+It gives the lines that `model_listing.f90` prints.
+"""
+
+import math
+import re
+import struct
+import sys
+
+ELEMENT_TYPES = {"B31": 1, "B33": 2}
+SPOT_LAWS = {"PAPER": 1, "HERTZ": 2, "PLASTIC": 3, "FILM": 4, "CONSTANT": 5, "TABLE": 6}
+AXES = {"LINEAR": 1, "HERMITE": 2}
+SOLVERS = {"BLOCK": 1, "UMFPACK": 2, "SKYLINE": 3}
+COUPLINGS = {"MONOLITHIC": 1, "UPDATED": 2}
+KINDS = {"NODEPRINT": 1, "ELPRINT": 2, "CONTACTPRINT": 3, "ELECTRODEPRINT": 4}
+LOADS = {"BOUNDARY": "boundary", "CLOAD": "load", "CECURRENT": "current"}
+CONTROLS = {"i_c": 16, "i_l": 10, "i_g": 6, "i_a": 8, "r_n": 1e-8, "c_n": 0.0, "d_f": 0.25, "d_b": 0.75, "d_d": 1.5, "cap": 0.6}
+sys.set_int_max_str_digits(0)
+BLANKS = " \t\r"
+
+
+def squeezed(text):
+    return text.translate({9: None, 32: None}).translate({code: code - 32 for code in range(97, 123)})
+
+
+def capitals(text):
+    return text.translate({code: code - 32 for code in range(97, 123)})
+
+
+def fields(line):
+    """A line split at its commas, those in quotes left alone, without blanks and quotes around each piece."""
+    pieces = re.split(r',(?=(?:[^"]*"[^"]*")*[^"]*$)', line)
+    pieces = [piece.strip(" \t") for piece in pieces]
+    return [piece[1:-1] if len(piece) > 1 and piece[0] == piece[-1] == '"' else piece for piece in pieces]
+
+
+def values(line):
+    found = fields(line)
+    while found and not found[-1]:
+        found.pop()
+    return found
+
+
+def number(text):
+    """Zero has no sign in litz."""
+    return float(re.sub("[dD]", "e", text)) + 0.0
+
+
+def cards(text):
+    """Keyword, parameters and data lines, one card after another. The files that are included are empty ones."""
+    lines = [line.strip(BLANKS) for line in text.removeprefix("\xef\xbb\xbf").split("\n")]
+    lines = [line for line in lines if line and not line.startswith("**")]
+    found = []
+    i = 0
+    while i < len(lines):
+        line = lines[i]
+        i += 1
+        if not line.startswith("*"):
+            found[-1][2].append(line)
+            continue
+        pieces = fields(line)
+        while line.endswith(","):
+            line = lines[i]
+            i += 1
+            pieces += fields(line)
+        if squeezed(pieces[0]) == "*INCLUDE":
+            continue
+        parameters = {}
+        for piece in filter(None, pieces[1:]):
+            name, equals, value = piece.partition("=")
+            value = value.strip(BLANKS)
+            if len(value) > 1 and value[0] == value[-1] == '"':
+                value = value[1:-1]
+            parameters[squeezed(name.strip(BLANKS))] = value if equals else None
+        found.append((squeezed(pieces[0][1:]), parameters, []))
+    return found
+
+
+def show(numbers):
+    """As the listing has them: whole numbers in digits, real ones by their bits."""
+    return "".join(
+        f" {value}" if isinstance(value, int) else f" {struct.pack('>d', value).hex().upper()}" for value in numbers
+    )
+
+
+def rounded(value):
+    """Ten digits and an exponent of three: what both readers compute may differ in the last bit."""
+    mantissa, _, exponent = f"{value:.9E}".partition("E")
+    return f"{mantissa:>12}E{int(exponent):+04d}"
+
+
+class PlainReader:
+    def __init__(self, text):
+        self.cards = cards(text)
+        self.nodes, self.elements = {}, {}
+        self.sets = {"NSET": {}, "ELSET": {}}
+        self.names = {"MATERIAL": [], "AMPLITUDE": [], "SURFACEINTERACTION": []}
+        self.amplitudes = {}
+        self.lines = []
+
+    def listing(self):
+        self.read_mesh()
+        self.read_sets()
+        properties = [*self.materials(), *self.sections(), *self.read_amplitudes(), *self.interactions(), *self.pairs()]
+        mesh = [f"node {id}{show(x)}" for id, x in self.nodes.items()]
+        mesh += [f"element {id}{show([*data])} {self.section_of.get(id, 0)}" for id, data in self.elements.items()]
+        for kind in ("NSET", "ELSET"):
+            order = {id: i for i, id in enumerate(self.nodes if kind == "NSET" else self.elements)}
+            for name, members in self.sets[kind].items():
+                mesh.append(f"{kind.lower()} {name}{show(sorted(members, key=order.__getitem__))}")
+        return mesh + properties + self.steps()
+
+    def of(self, keyword):
+        return [card for card in self.cards if card[0] == keyword]
+
+    def read_mesh(self):
+        for _, parameters, data in self.of("NODE"):
+            members = self.members("NSET", parameters.get("NSET"))
+            for line in data:
+                id, *x = values(line)
+                self.nodes[int(id)] = [number(value) for value in x]
+                members.add(int(id))
+        for _, parameters, data in self.of("ELEMENT"):
+            members = self.members("ELSET", parameters.get("ELSET"))
+            for line in data:
+                id, a, b = map(int, values(line))
+                self.elements[id] = (ELEMENT_TYPES[squeezed(parameters["TYPE"])], a, b)
+                members.add(id)
+
+    def members(self, kind, name):
+        return set() if name is None else self.sets[kind].setdefault(capitals(name), set())
+
+    def read_sets(self):
+        for kind, parameters, data in self.cards:
+            if kind not in self.sets:
+                continue
+            known = self.nodes if kind == "NSET" else self.elements
+            members = self.members(kind, parameters[kind])
+            for line in data:
+                if "GENERATE" in parameters:
+                    first, last, step = (list(map(int, values(line))) + [1])[:3]
+                    members |= {id for id in known if id in range(first, last + 1, step)}
+                else:
+                    for item in filter(None, values(line)):
+                        members |= self.items(kind, item)
+
+    def items(self, kind, item):
+        return {int(item)} if re.fullmatch("[+-]?[0-9]+", item) else set(self.sets[kind][capitals(item)])
+
+    def materials(self):
+        found = []
+        for keyword, parameters, data in self.cards:
+            if keyword == "MATERIAL":
+                found.append([capitals(parameters["NAME"]), 0.0, 0.0, 0.0])
+            elif keyword == "ELASTIC":
+                found[-1][1:3] = map(number, values(data[0]))
+            elif keyword == "ELECTRICALCONDUCTIVITY":
+                found[-1][3] = number(data[0].strip(" ,\t\""))
+        self.names["MATERIAL"] = [name for name, *_ in found]
+        return [f"material {name}{show(data)}" for name, *data in found]
+
+    def sections(self):
+        found = []
+        self.section_of = {}
+        for n, (_, parameters, data) in enumerate(self.of("BEAMSECTION"), 1):
+            name = capitals(parameters["ELSET"])
+            self.section_of |= dict.fromkeys(self.sets["ELSET"][name], n)
+            given = [number(value) for value in values(data[0])]
+            if squeezed(parameters["SECTION"]) == "CIRC":
+                (r,) = given
+                contact_radius, shape = r, [math.pi * r**2, math.pi * r**4 / 4, math.pi * r**4 / 4, math.pi * r**4 / 2]
+            else:
+                contact_radius, shape = 0.0, [given[0], given[1], given[3], given[4]]
+            if "CONTACTRADIUS" in parameters:
+                contact_radius = number(parameters["CONTACTRADIUS"])
+            n1 = [number(value) for value in values(data[1])] if len(data) > 1 else [0.0, 0.0, 0.0]
+            material = self.names["MATERIAL"].index(capitals(parameters["MATERIAL"])) + 1
+            current = int(squeezed(parameters.get("CONDUCTION", "")) == "CURRENTLENGTH")
+            found.append(f"section {name}{show([material, current, contact_radius, *n1])} ")
+            found[-1] += " ".join(map(rounded, shape))
+        return found
+
+    def read_amplitudes(self):
+        found = []
+        for _, parameters, data in self.of("AMPLITUDE"):
+            name = capitals(parameters["NAME"])
+            given = [number(value) for line in data for value in values(line)]
+            total = squeezed(parameters.get("TIME", "")) == "TOTALTIME"
+            self.names["AMPLITUDE"].append(name)
+            self.amplitudes[name] = (total, given[0::2], given[1::2])
+            found.append(f"amplitude {name} {int(total)}{show(given[0::2])}{show(given[1::2])}")
+        return found
+
+    def interactions(self):
+        found = []
+        for keyword, parameters, data in self.cards:
+            given = [number(value) for line in data for value in values(line)] if keyword in (
+                "SURFACEBEHAVIOR", "GAPELECTRICALCONDUCTANCE") else []  # fmt: skip
+            if keyword == "SURFACEINTERACTION":
+                self.names[keyword].append(capitals(parameters["NAME"]))
+                axis = AXES[squeezed(parameters.get("AXIS", "HERMITE"))]
+                found.append([2, 0, axis, 0, 1, 0.0, 0.0])
+            elif keyword == "SURFACEBEHAVIOR":
+                linear = squeezed(parameters["PRESSURE-OVERCLOSURE"]) == "LINEAR"
+                found[-1][0] = 1 if linear else 2
+                found[-1][3] = int(squeezed(parameters.get("PENETRATION", "")) == "UNLIMITED")
+                found[-1][5] = given[0] if linear else 0.0
+            elif keyword == "GAPELECTRICALCONDUCTANCE":
+                law = squeezed(parameters["LAW"])
+                found[-1][1] = SPOT_LAWS[law]
+                found[-1][4] = int(squeezed(parameters.get("VOLTAGE", "")) != "LINEAR")
+                if law == "TABLE":
+                    found[-1] += given[0::2] + given[1::2]
+                elif given:
+                    found[-1][6] = given[0]
+        return [
+            f"interaction {name}{show(data)}" for name, data in zip(self.names["SURFACEINTERACTION"], found, strict=True)
+        ]
+
+    def pairs(self):
+        found = []
+        names = list(self.sets["ELSET"])
+        for _, parameters, data in self.of("CONTACTPAIR"):
+            sets = [names.index(capitals(name)) + 1 for name in values(data[0])]
+            interaction = self.names["SURFACEINTERACTION"].index(capitals(parameters["INTERACTION"])) + 1
+            found.append(f"pair{show([interaction, sets[0], sets[-1], int('INTERFERENCEFIT' in parameters)])}")
+        return found
+
+    def steps(self):
+        lines, in_force, requests = [], {kind: {} for kind in LOADS}, []
+        step, earlier, fresh = None, {"frequency": 1, "solver": 0, "coupling": 0, "controls": CONTROLS, "total": 0.0}, {}
+        for keyword, parameters, data in self.cards:
+            if keyword == "STEP":
+                step = {**earlier, "controls": dict(earlier["controls"]), "inc": int(parameters.get("INC", 100))}
+                fresh, asked = {kind: set() for kind in LOADS}, set()
+                for kind in LOADS:
+                    self.freeze(in_force[kind], earlier["total"])
+            elif keyword in LOADS:
+                self.read_values(keyword, parameters, data, in_force[keyword], fresh.get(keyword, set()))
+            elif keyword == "STATIC":
+                given = [number(value) if value else None for value in values(data[0])] if data else []
+                given += [None] * (4 - len(given))
+                step["total"] = 1.0 if given[1] is None else given[1]
+                step["first"] = step["total"] if given[0] is None else given[0]
+                step["direct"] = int("DIRECT" in parameters)
+                step["largest"] = step["total"] if given[3] is None else given[3]
+                step["largest"] = step["first"] if step["direct"] else step["largest"]
+            elif keyword == "CONTROLS":
+                self.read_controls(parameters, data, step["controls"])
+            elif keyword == "SOLVER":
+                step["solver"] = SOLVERS[squeezed(parameters["NAME"])]
+                if "COUPLING" in parameters:
+                    step["coupling"] = COUPLINGS[squeezed(parameters["COUPLING"])]
+            elif keyword in ("NODEFILE", "ELFILE"):
+                step["frequency"] = int(parameters.get("FREQUENCY", step["frequency"]))
+            elif keyword in KINDS:
+                new = self.requests(keyword, parameters, data)
+                if new and keyword not in asked:
+                    asked.add(keyword)
+                    requests = [request for request in requests if request[0] != KINDS[keyword]]
+                requests = requests + new
+            elif keyword == "ENDSTEP":
+                lines.append("step" + show([step[key] for key in ("inc", "frequency", "solver", "coupling", "direct")])
+                             + show([step[key] for key in ("first", "total", "largest")]))  # fmt: skip
+                lines.append("controls" + show(step["controls"].values()))
+                for kind, word in LOADS.items():
+                    lines += [f"{word}{show([*key, *value])}" for key, value in in_force[kind].items()]
+                lines += ["".join([f"request{show(request[:4])}", *(f" {name:8}" for name in request[4])]) for request in requests]
+                earlier = step
+        return lines
+
+    def freeze(self, in_force, time):
+        """What followed an amplitude in step time keeps the value of the step's end."""
+        for key, (amplitude, value) in in_force.items():
+            if amplitude == 0:
+                continue
+            total, t, a = self.amplitudes[self.names["AMPLITUDE"][amplitude - 1]]
+            if total:
+                continue
+            after = sum(point <= time for point in t)
+            if after in (0, len(t)):
+                factor = a[max(0, after - 1)]
+            else:
+                factor = a[after - 1] + (a[after] - a[after - 1]) * (time - t[after - 1]) / (t[after] - t[after - 1])
+            in_force[key] = (0, value * factor)
+
+    def read_values(self, keyword, parameters, data, in_force, fresh):
+        if squeezed(parameters.get("OP") or "") == "NEW" and not fresh:
+            in_force.clear()
+        fresh.add(None)
+        amplitude = 0
+        if "AMPLITUDE" in parameters:
+            amplitude = self.names["AMPLITUDE"].index(capitals(parameters["AMPLITUDE"])) + 1
+        order = {id: i for i, id in enumerate(self.nodes)}
+        for line in data:
+            item, *rest = values(line)
+            rest += [""] * (3 - len(rest))
+            if keyword == "BOUNDARY":
+                names = {"ENCASTRE": (1, 6), "PINNED": (1, 3)}
+                first, last = names.get(capitals(rest[0])) or (int(rest[0]), int(rest[1] or rest[0]))
+                value = number(rest[2]) if rest[2] else 0.0
+            else:
+                first = last = 9 if keyword == "CECURRENT" else int(rest[0])
+                value = number(rest[1])
+            for node in sorted(self.items("NSET", item), key=order.__getitem__):
+                for dof in range(first, last + 1):
+                    if keyword != "BOUNDARY" and (node, dof) in fresh:
+                        in_force[node, dof] = (amplitude, in_force[node, dof][1] + value)
+                    elif (node, dof) not in fresh:
+                        in_force[node, dof] = (amplitude, value)
+                    fresh.add((node, dof))
+
+    def read_controls(self, parameters, data, controls):
+        kind = squeezed(parameters["PARAMETERS"])
+        names = {"FIELD": [["r_n", "c_n"]], "ROTATION": [["cap"]],
+                 "TIMEINCREMENTATION": [["", "", "", "i_c", "i_l", "i_g", "", "i_a"],
+                                        ["d_f", "", "d_b", "", "", "", "d_d"]]}[kind]  # fmt: skip
+        for row, line in zip(names, data, strict=False):
+            for name, value in zip(row, values(line), strict=False):
+                if name and value:
+                    controls[name] = int(value) if name.startswith("i") else number(value)
+
+    def requests(self, keyword, parameters, data):
+        kind = KINDS[keyword]
+        if keyword == "CONTACTPRINT":
+            return [(kind, 0, 0, 0, [])]
+        if keyword == "ELECTRODEPRINT":
+            names = list(self.sets["NSET"])
+            return [(kind, *(names.index(capitals(name)) + 1 for name in values(line)), 0, []) for line in data]
+        of = "NSET" if keyword == "NODEPRINT" else "ELSET"
+        quantities = [squeezed(word) for line in data for word in values(line) if word]
+        set_index = list(self.sets[of]).index(capitals(parameters[of])) + 1
+        totals = squeezed(parameters.get("TOTALS", "NO"))
+        wanted = {"NO": [0], "YES": [0, 1], "ONLY": [1]}[totals]
+        return [(kind, set_index, 0, total, quantities) for total in wanted if quantities]
+
+
+def listing(deck):
+    """The lines of the model that a right deck, given as bytes, describes."""
+    return PlainReader(deck.decode("latin-1")).listing()
