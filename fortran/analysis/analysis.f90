@@ -19,6 +19,7 @@ module litz_analysis
    use litz_restart_file, only: restart_file_t, course_t, read_restart, wants_restart
    use litz_results, only: results_t, iteration_report_t, increment_report_t
    use litz_output_files, only: check_writable, same_file
+   use litz_stabilization, only: damping_stiffness
    use litz_solver_factory, only: create_solver, resolved_solver
    use litz_timing, only: timing_t, peak_memory, phase_preparation, phase_search, phase_update, phase_output
    use litz_wires, only: build_wires
@@ -347,6 +348,8 @@ contains
          report%attempt = attempt
          call load_targets(problem%model, step, target, start_time + target, problem%loading)
          problem%contact%clearance = overlap*max(0.0_dp, 1 - target/step%total)
+         problem%damping = damping_stiffness(problem%model, problem%elements%length, step%controls%stabilize, &
+            increment/step%total)
          call solve_increment(problem, step, report, results, outcome, error)
          if (allocated(error)) return
          problem%n_iterations = problem%n_iterations + outcome%iterations
@@ -503,6 +506,11 @@ contains
          return
       end if
       if (outcome%negative_pivots > 0) remark = 'negative pivots: beyond a critical load; '
+      if (any(problem%damping > 0)) then
+         write (text, '(a, es9.2, a, es9.2, a)') 'stabilization has taken', problem%state%energies%stabilization, &
+            ' J, the beams hold', problem%state%energies%strain, ' J;'
+         remark = remark//trim(text)//' '
+      end if
       n = count(problem%contact%points%closed .and. sin(problem%contact%points%kinematics%angle) < sin(shallow_angle))
       if (n > 0) then
          write (text, '(i0, a)') n, ' contacts cross at less than 10 degrees, where point contact is not valid;'

@@ -51,6 +51,9 @@ module litz_assembly
       !> Largest conductance of an element or a contact [S]
       real(dp) :: conductance = 0
       real(dp) :: strain_energy = 0
+      !> Stabilization: forces on the free unknowns, part of the internal ones (6, n_nodes), and their work [J]
+      real(dp), allocatable :: damping(:, :)
+      real(dp) :: damping_work = 0
    end type forces_t
 
 contains
@@ -74,6 +77,8 @@ contains
       forces%stiffness = 0
       forces%conductance = 0
       forces%strain_energy = 0
+      forces%damping = reshape([real(dp) ::], [6, n_nodes], [0.0_dp])
+      forces%damping_work = 0
    end subroutine clear_system
 
    !> Beams: `R = B^T C e`, `K = B^T C B + G(sigma)`; theory sections 7 and 9.

@@ -160,22 +160,22 @@ contains
       type(state_t), intent(in) :: state
       real(dp) :: total(3)
 
-      total = sum(state%reaction(1:3, :) + state%applied_load(1:3, :), 2)
+      total = sum(state%reaction(1:3, :) + state%applied_load(1:3, :) + state%stabilizing_force(1:3, :), 2)
    end function force_imbalance
 
    !> The same for moments, about the centre of the nodes in their present places [N m].
    pure function moment_imbalance(model, state) result(total)
       type(model_t), intent(in) :: model
       type(state_t), intent(in) :: state
-      real(dp) :: total(3), centre(3), x(3)
+      real(dp) :: total(3), centre(3), x(3), force(6)
       integer :: node
 
       centre = sum(model%x + state%displacement, 2)/model%n_nodes
       total = 0
       do node = 1, model%n_nodes
          x = model%x(:, node) + state%displacement(:, node) - centre
-         total = total + state%reaction(4:6, node) + state%applied_load(4:6, node) &
-            + cross(x, state%reaction(1:3, node) + state%applied_load(1:3, node))
+         force = state%reaction(:, node) + state%applied_load(:, node) + state%stabilizing_force(:, node)
+         total = total + force(4:6) + cross(x, force(1:3))
       end do
    end function moment_imbalance
 

@@ -22,7 +22,7 @@ contains
       m = problem%model%n_elements
       associate (state => problem%state, iterate => problem%iterate)
          allocate (state%displacement(3, n), state%rotation_vector(3, n), state%reaction(6, n), &
-            state%applied_load(6, n), source=0.0_dp)
+            state%applied_load(6, n), state%stabilizing_force(6, n), source=0.0_dp)
          allocate (state%potential(n), state%reaction_current(n), state%applied_current(n), source=0.0_dp)
          allocate (state%section_forces(6, m), source=0.0_dp)
          allocate (state%element_current(m), state%joule_heat(m), source=0.0_dp)
@@ -39,12 +39,16 @@ contains
    subroutine capture_state(problem)
       type(problem_t), intent(inout) :: problem
       logical :: mechanical_fixed(6), potential_fixed
+      real(dp) :: stabilization
       integer :: node
 
       associate (state => problem%state, iterate => problem%iterate, loading => problem%loading, &
          internal => problem%forces%internal)
+         stabilization = state%energies%stabilization
          state%energies = advanced_energies(problem%model, state, iterate, loading, internal, &
             problem%forces%strain_energy, problem%contact)
+         state%energies%stabilization = stabilization + problem%forces%damping_work
+         state%stabilizing_force = -problem%forces%damping
          state%displacement = iterate%x - problem%model%x
          state%rotation = iterate%rotation
          state%potential = iterate%potential

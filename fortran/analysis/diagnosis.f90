@@ -59,13 +59,13 @@ contains
             ' *STATIC). '
       case (cause_singular)
          words = free_unknown(problem)//'Something can move freely, or a voltage is not determined: add supports'// &
-            ' (*BOUNDARY). '
+            ' (*BOUNDARY), or damp what only contacts hold (*CONTROLS, PARAMETERS=STABILIZE). '
       case (cause_not_finite)
          words = 'Begin with a smaller increment (first value of *STATIC). '
       case (cause_iterations)
          if (outcome%passed_critical) then
             words = 'The stiffness has negative pivots, the model is beyond a critical load: prescribe a'// &
-               ' displacement (*BOUNDARY) in place of the load. '
+               ' displacement (*BOUNDARY) in place of the load, or damp the snap (*CONTROLS, PARAMETERS=STABILIZE). '
          else if (outcome%last%contacts_new + outcome%last%contacts_lost > 0) then
             words = to_text(outcome%last%contacts_new)//' contacts closed and '// &
                to_text(outcome%last%contacts_lost)//' opened in the last iteration: they need smaller increments. '

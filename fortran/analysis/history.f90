@@ -42,7 +42,8 @@ module litz_history
 
    !> Abaqus's names of the energies: external work, in the beams, in the contacts, heat of friction, and what of these
    !> does not balance
-   character(len=*), parameter :: energy_names(5) = [character(len=6) :: 'ALLWK', 'ALLSE', 'ALLCCE', 'ALLFD', 'ETOTAL']
+   character(len=*), parameter :: energy_names(6) = [character(len=6) :: 'ALLWK', 'ALLSE', 'ALLCCE', 'ALLFD', 'ALLSD', &
+      'ETOTAL']
 
    type :: column_t
       character(len=:), allocatable :: name
@@ -358,13 +359,13 @@ contains
       type(energies_t), intent(in) :: energies
       !> Index into `energy_names`
       integer, intent(in) :: component
-      real(dp) :: values(4)
+      real(dp) :: values(5)
 
-      values = [energies%work, energies%strain, energies%contact, energies%friction]
-      if (component <= 4) then
+      values = [energies%work, energies%strain, energies%contact, energies%friction, energies%stabilization]
+      if (component <= size(values)) then
          value = values(component)
       else
-         value = sum(values(2:4)) - values(1)
+         value = sum(values(2:)) - values(1)
       end if
    end function energy_value
 

@@ -20,6 +20,7 @@ module litz_newton
    use litz_parallel, only: worth_threads
    use litz_results, only: results_t, iteration_report_t
    use litz_rotations, only: rotation_exp
+   use litz_stabilization, only: assemble_stabilization
    use litz_state, only: state_t
    use litz_timing, only: timing_t, phase_search, phase_contact, phase_assembly, phase_analyse, phase_factor, &
       phase_solve, phase_update, phase_output
@@ -46,6 +47,8 @@ module litz_newton
       type(forces_t) :: forces
       class(linear_solver_t), allocatable :: solver
       integer :: coupling = coupling_monolithic
+      !> Damping of the increment against displacement [N/m] and rotation [N m]; 0: none
+      real(dp) :: damping(2) = 0
       !> The pattern must be built and analysed before the next solve
       logical :: pattern_changed = .true.
       !> Converged increments, and iterations with those of rejected increments, since the run began
@@ -195,6 +198,8 @@ contains
          call assemble_contacts(model, wires, elements, problem%equations, increment, iterate, contact, &
             problem%matrix, problem%forces, timing)
          call assemble_load_stiffness(problem%equations, problem%loading%load, problem%forces, problem%matrix)
+         if (any(problem%damping > 0)) call assemble_stabilization(problem%damping, problem%equations, x_start, &
+            increment, iterate, problem%matrix, problem%forces)
          call ground_floating_conductors(model, elements, contact, problem%equations, &
             problem%loading%fixed(slot_potential, :), problem%loading%load(slot_potential, :), problem%matrix, error)
          call timing%lap(phase_assembly)

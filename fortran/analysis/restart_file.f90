@@ -304,7 +304,8 @@ contains
          call self%array('counts', numbers, 3, error)
          reals = [state%time, state%step_time, state%time_increment, course%start_time, control%wanted, state%audit]
          call self%array('times', reals, error)
-         energies = [state%energies%work, state%energies%strain, state%energies%contact, state%energies%friction]
+         energies = [state%energies%work, state%energies%strain, state%energies%contact, state%energies%friction, &
+            state%energies%stabilization]
          call self%array('energies', energies, error)
          call self%array('clearance', contact%clearance, error)
          if (allocated(error) .or. self%mode /= reading) return
@@ -317,7 +318,7 @@ contains
          course%start_time = reals(4)
          control%wanted = reals(5)
          state%audit = reals(6:)
-         state%energies = energies_t(energies(1), energies(2), energies(3), energies(4))
+         state%energies = energies_t(energies(1), energies(2), energies(3), energies(4), energies(5))
          contact%converged_clearance = contact%clearance
       end associate
    end subroutine exchange_course

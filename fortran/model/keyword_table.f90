@@ -332,7 +332,8 @@ contains
       call begin(k, 'ENERGY PRINT', place_step, &
          'Asks for energies since the beginning in the history file. ALLWK: done by supports and loads.'// &
          ' ALLSE: in the beams. ALLCCE: in the contacts. ALLFD: made heat by friction.'// &
-         ' ETOTAL: ALLSE + ALLCCE + ALLFD - ALLWK,'// &
+         ' ALLSD: taken by stabilization.'// &
+         ' ETOTAL: ALLSE + ALLCCE + ALLFD + ALLSD - ALLWK,'// &
          ' which goes to zero with the size of the increments.')
       call finish(table, k)
 
@@ -368,8 +369,11 @@ contains
 
       call begin(k, 'CONTROLS', place_step, 'Convergence and increments, with CalculiX''s names and places. FIELD:'// &
          ' convergence. TIME INCREMENTATION: counts of iterations, then factors. ROTATION: cap on an iteration'// &
-         ' (own word of litz). Places left empty keep what they have.')
-      call k%add(choice('PARAMETERS', 'FIELD|TIME INCREMENTATION|ROTATION', 'what the data are', required=.true.))
+         ' (own word of litz). STABILIZE: damping of all free motion, for wires that nothing holds yet and for'// &
+         ' snaps (own word of litz); its energy is ALLSD, and stands in the .sta file. Places left empty keep what'// &
+         ' they have.')
+      call k%add(choice('PARAMETERS', 'FIELD|TIME INCREMENTATION|ROTATION|STABILIZE', 'what the data are', &
+         required=.true.))
       call k%add_data([real_field('R_n', '-', 'largest residual over the reference of its field', limit_positive, &
          .false.), &
          real_field('C_n', '-', 'largest correction over the increment; 0: not asked', limit_not_negative, .false.)], &
@@ -386,6 +390,9 @@ contains
          when='PARAMETERS=TIME INCREMENTATION', first=2, required=.false.)
       call k%add_data([real_field('cap', 'rad', 'largest rotation of a node in one iteration', limit_positive)], &
          when='PARAMETERS=ROTATION')
+      call k%add_data([real_field('factor', '-', &
+         'damping over the least stiffness of an element, 1e-8 without this line; 0: none', limit_not_negative)], &
+         when='PARAMETERS=STABILIZE', required=.false.)
       call finish(table, k)
 
       call begin(k, 'SOLVER', place_step, &

@@ -145,6 +145,8 @@ module litz_model
       real(dp) :: d_f = 0.25_dp, d_b = 0.75_dp, d_d = 1.5_dp
       !> Most cut-backs of one increment
       integer :: i_a = 8
+      !> Damping of all free motion, over the least stiffness of an element; 0: none
+      real(dp) :: stabilize = 0
       !> Largest nodal rotation in one iteration [rad]
       real(dp) :: rotation_cap = 0.6_dp
    end type controls_t

@@ -104,7 +104,7 @@ contains
                n_alike = n_alike + 1
                if (n_alike > 1) cycle
                first_alike = part
-               first_words = beam_words()//'; only contacts can hold it'
+               first_words = beam_words()//'; only contacts can hold it, or *CONTROLS, PARAMETERS=STABILIZE damp it'
             else
                call add(findings, n, beam_words()//'; *BOUNDARY must prevent that', parts%first_element(part), .false.)
             end if

@@ -9,6 +9,9 @@ module litz_read_controls
    private
    public :: read_controls, read_solver
 
+   !> Of *CONTROLS, PARAMETERS=STABILIZE without a number
+   real(dp), parameter :: default_stabilization = 1.0e-8_dp
+
 contains
 
    subroutine read_controls(self, card, controls)
@@ -18,6 +21,7 @@ contains
       integer :: line
       logical :: ok
 
+      if (choice_of(self, card, 'PARAMETERS') == 'STABILIZE') controls%stabilize = default_stabilization
       do line = self%deck%cards(card)%first_data, self%deck%cards(card)%last_data
          call read_line(self, card, line, ok)
          select case (choice_of(self, card, 'PARAMETERS'))
@@ -35,6 +39,8 @@ contains
                call take_factor(3, controls%d_b, below_one=.true.)
                call take_factor(7, controls%d_d, below_one=.false.)
             end if
+         case ('STABILIZE')
+            call take_real(1, controls%stabilize)
          case ('ROTATION')
             call take_real(1, controls%rotation_cap)
          end select

@@ -44,6 +44,8 @@ module litz_state
       real(dp) :: strain = 0, contact = 0
       !> Made heat by friction
       real(dp) :: friction = 0
+      !> Taken by the damping of *CONTROLS, PARAMETERS=STABILIZE
+      real(dp) :: stabilization = 0
    end type energies_t
 
    type :: state_t
@@ -66,6 +68,8 @@ module litz_state
       real(dp), allocatable :: section_forces(:, :)
       !> Current from first to second node (n_elements) [A], heat (n_elements) [W]
       real(dp), allocatable :: element_current(:), joule_heat(:)
+      !> Forces of stabilization on the free unknowns (6, n_nodes) [N, N m]: against the motion of the increment
+      real(dp), allocatable :: stabilizing_force(:, :)
       !> Worst figures of the audit: balance of forces, of moments, of currents, of power; overlap over radius [-]
       real(dp) :: audit(5) = 0
       type(energies_t) :: energies

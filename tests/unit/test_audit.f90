@@ -133,7 +133,7 @@ contains
       type(state_t), intent(out) :: state
       real(dp), parameter :: unit_matrix(9) = [1, 0, 0, 0, 1, 0, 0, 0, 1]
 
-      allocate (state%displacement(3, 4), state%reaction(6, 4), state%applied_load(6, 4), state%section_forces(6, 2), &
+      allocate (state%displacement(3, 4), state%reaction(6, 4), state%applied_load(6, 4), state%stabilizing_force(6, 4), state%section_forces(6, 2), &
          state%applied_current(4), state%reaction_current(4), source=0.0_dp)
       state%rotation = spread(reshape(unit_matrix, [3, 3]), 3, 4)
       state%reaction(3, :) = [f/2, f/2, -f/2, -f/2]

@@ -1,0 +1,63 @@
+"""*CONTROLS, PARAMETERS=STABILIZE: loose wires and snaps become solvable, and what it takes is shown."""
+
+import numpy as np
+import pytest
+from decks import crossed
+from test_increments import RISE, arch, snap_load
+
+STABILIZE = "*CONTROLS, PARAMETERS=STABILIZE\n {}\n"
+LOOSE = "*ENERGY PRINT\n"
+
+
+def loose(extra, height="2.1e-3", rest=""):
+    """The upper wire is held by nothing: forces push it onto the lower one, 0.1 mm away at the start."""
+    text = crossed(height=height, extra=extra + LOOSE + "*CLOAD\n 13, 3, -0.5\n 14, 3, -0.5\n" + rest, static="0.1, 1")
+    for line in (" UPPER_ENDS, 1, 2\n", " UPPER_ENDS, 4, 6\n", " UPPER_ENDS, 3, 3, -1e-4\n"):
+        assert line in text
+        text = text.replace(line, "")
+    return text
+
+
+def test_a_wire_that_only_an_open_contact_could_hold_is_named_before_the_solve(run):
+    process, _ = run(loose(""))
+    assert process.returncode == 2
+    warning, error = process.stderr.split("error: ")
+    assert "nothing holds UPPER" in warning and "PARAMETERS=STABILIZE" in warning
+    assert "The equation is that of the" in error and "PARAMETERS=STABILIZE" in error
+
+
+def test_a_loose_wire_falls_onto_the_other_and_rests_there(run):
+    """Forces of 0.5 N at 5 and 6 mm from the contact do not balance about it: a counter-force does."""
+    process, results = run(loose(STABILIZE.format("1e-6"), rest=" 16, 3, -0.01\n"))
+    assert process.returncode == 0, process.stderr
+    assert len(results.contacts_at(-1)["id"]) == 1
+    taken = results.history["ALLSD"]
+    assert (np.diff(taken) >= 0).all() and taken[-1] > 0
+    assert "stabilization has taken" in results.status["remark"][-1]
+    # the audit holds with the damping as a force
+    assert max(figure.max() for name, figure in results.audit.items() if name.endswith("balance")) < 1e-6
+
+
+def test_what_moves_no_more_is_not_resisted(run):
+    """Held wires: a second step in which nothing changes ends in the equilibrium without stabilization."""
+    hold = "*STEP\n*STATIC\n 1, 1\n*END STEP\n"
+    _, free = run(crossed(push="-5e-4", static="0.25, 1") + hold, name="free")
+    _, damped = run(crossed(push="-5e-4", static="0.25, 1", extra=STABILIZE.format("1e-5")) + 3 * hold, name="damped")
+    end = {results: results.contacts["force"][results.contacts["step"] == 1][-1] for results in (free, damped)}
+    assert abs(end[damped] / end[free] - 1) > 1e-6
+    # the steps in which nothing else moves relax what the damping had held up
+    assert damped.contacts["force"][-1] == pytest.approx(free.contacts["force"][-1], rel=1e-6)
+
+
+def test_a_snap_is_damped_and_ends_on_the_other_side(run):
+    load = f"*BOUNDARY\n 11, 1\n 11, 4, 6\n*CLOAD\n 11, 3, {-1.5 * snap_load():.6g}"
+    process, results = run(arch(load, "0.05, 1, 1e-7, 0.05", STABILIZE.format("1e-7")))
+    assert process.returncode == 0, process.stderr
+    assert results.field("displacement")[10, 2] < -2 * RISE
+
+
+def test_without_it_nothing_is_taken(run):
+    process, results = run(crossed(extra=LOOSE))
+    assert process.returncode == 0, process.stderr
+    assert (results.history["ALLSD"] == 0).all()
+    assert "stabilization" not in results.status["remark"][-1]
