@@ -27,6 +27,7 @@ DECKS = [
     "10_pushed_cantilever",
     "11_fibre_mat",
     "12_woven_fabric",
+    "13_stick_slip",
 ]
 THIN_COPPER = {"radius": 0.1e-3, "young": 120e9, "poisson": 0.34, "resistivity": 1 / 58.8e6}
 
@@ -303,6 +304,21 @@ def test_a_cantilever_pushed_far_aside_has_the_independent_solution(results_of, 
         assert u[:2] == pytest.approx([ux, uy], abs=1e-6)
         assert contact["force"] == pytest.approx(force, rel=1e-5)
         assert contact["gap"] == pytest.approx(gap, rel=1e-5)
+
+
+def test_a_dragged_cantilever_sticks_and_slips_as_derived(results_of, header):
+    results = results_of("13_stick_slip")
+    rows = header("13_stick_slip")
+    assert len(rows) == 9
+    for time, way, force in rows:
+        increment = at(results, time)
+        assert results.history["U1 node 201"][increment] == pytest.approx(1e-3 * way, abs=1e-12)
+        assert results.history["RF1 node 201"][increment] == pytest.approx(1e-3 * force, abs=1e-4 * 0.95e-3)
+    # the spot keeps its size while the contact sticks under less force, but for the crossing angle, which changes by 5e-5
+    contacts = results.contacts
+    sticking = (contacts["step"] == 2) & (contacts["friction"] == "stick")
+    np.testing.assert_allclose(contacts["resistance"][sticking], contacts["resistance"][0], rtol=1e-6)
+    assert contacts["resistance"][contacts["friction"] == "slip"][0] > 1.0005 * contacts["resistance"][0]
 
 
 def wire_resistance(length):

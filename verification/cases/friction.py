@@ -103,6 +103,7 @@ def draw(values, path):
         loop_axes.plot(1e6 * np.array(measured["way"]), 1e3 * np.array(measured["force"]), "o", mfc="none", ms=4,
                        color=figures.STYLES["B33"]["color"], label="litz")  # fmt: skip
         loop_axes.set(xlabel="way of the clamp [µm]", ylabel="force along the way [mN]")
+        loop_axes.set_ylim(-1.15, 1.5)
         loop_axes.legend(loc="upper left")
         resistance.plot(measured["contact_time"], 1e3 * np.array(measured["resistance"]), "o-", ms=3,
                         color=figures.STYLES["B33"]["color"])  # fmt: skip
