@@ -76,6 +76,9 @@ module litz_newton
    !> A residual that only round-off excuses is told of above this fraction of the reference
    real(dp), parameter :: worth_telling = 1.0e-6_dp
 
+   !> Iterations at most, in multiples of I_C, where contacts open and close as predicted all the way
+   integer, parameter :: most_iterations = 4
+
 contains
 
    !> Bring the iterate from the last converged state to equilibrium with the loading's present targets.
@@ -91,6 +94,7 @@ contains
       real(dp) :: increment(7, problem%model%n_nodes), correction(7, problem%model%n_nodes)
       real(dp) :: x_start(3, problem%model%n_nodes)
       type(error_t), allocatable :: solver_error
+      integer :: counted
 
       call start_iterate(problem)
       x_start = problem%iterate%x
@@ -100,12 +104,15 @@ contains
          increment(slot_potential, :) = 0
       end if
       outcome%last = report
+      outcome%last%contacts_active = count(problem%contact%points%closed)
+      counted = 0
       do
          call evaluate(problem, x_start, increment, error)
          if (allocated(error)) return
          outcome%before = outcome%last
          call measure_residual(problem, step, outcome%last, outcome%at_round_off)
          call count_contacts(problem%contact, outcome%last)
+         if (.not. only_contacts_changed(outcome%last, outcome%before%contacts_active)) counted = counted + 1
          if (problem%coupling /= coupling_monolithic .and. (.not. any(abs(increment) > 0))) then
             if (mechanics_converged(outcome%last)) then
                call update_potentials(problem, x_start, increment, outcome%last, solver_error, error)
@@ -128,8 +135,8 @@ contains
          if ((.not. any(abs(increment) > 0)) .and. all(outcome%last%residual <= outcome%last%allowed)) then
             if (corrections_small(step, problem, x_start, outcome%last)) exit
          end if
-         if (outcome%iterations >= step%controls%i_c) then
-            call give_up(outcome, cause_iterations, worst_field(problem%model, outcome%last))
+         if (counted > step%controls%i_c .or. outcome%iterations >= most_iterations*step%controls%i_c) then
+            call give_up(outcome, cause_iterations, worst_field(problem%model, problem%coupling, outcome%last))
             return
          end if
          call solve_step(problem, increment, correction, solver_error)
@@ -339,6 +346,16 @@ contains
       end do
    end subroutine count_contacts
 
+   !> More or fewer contacts are closed than before, each one as the linear equations predicted: they hold for the whole
+   !> increment, and one of any smaller size (at first touch) would go through the same changes. Not worth a cut.
+   pure logical function only_contacts_changed(report, contacts_before)
+      type(iteration_report_t), intent(in) :: report
+      integer, intent(in) :: contacts_before
+
+      only_contacts_changed = report%contacts_active /= contacts_before .and. report%contacts_new == 0 .and. &
+         report%contacts_lost == 0
+   end function only_contacts_changed
+
    !> Voltages with the conductances of the new displacements: exact in one linear solve.
    subroutine update_potentials(problem, x_start, increment, report, solver_error, error)
       type(problem_t), intent(inout) :: problem
@@ -483,17 +500,20 @@ contains
       end do
    end subroutine refuse_crossed_axes
 
-   !> Why the iteration limit was met: the field that is farthest from its tolerance.
-   function worst_field(model, report) result(text)
+   !> Why the iteration limit was met: the field that is farthest from its tolerance. Voltages that are found after the
+   !> displacements are not to blame while these are not.
+   function worst_field(model, coupling, report) result(text)
       type(model_t), intent(in) :: model
+      integer, intent(in) :: coupling
       type(iteration_report_t), intent(in) :: report
       character(len=:), allocatable :: text
       character(len=8), parameter :: names(3) = ['force  ', 'moment ', 'current']
       character(len=4), parameter :: units(3) = ['N   ', 'N m ', 'A   ']
       character(len=200) :: buffer
-      integer :: field
+      integer :: field, n_fields
 
-      field = maxloc(report%residual/max(report%allowed, tiny(1.0_dp)), 1)
+      n_fields = merge(3, 2, coupling == coupling_monolithic .or. mechanics_converged(report))
+      field = maxloc(report%residual(:n_fields)/max(report%allowed(:n_fields), tiny(1.0_dp)), 1)
       write (buffer, '(3a, es9.2, 1x, 2a, es9.2, a, i0, a)') 'the largest ', trim(names(field)), ' residual is', &
          report%residual(field), trim(units(field)), ', allowed are', report%allowed(field), ', after ', &
          report%iteration, ' iterations'

@@ -379,7 +379,8 @@ contains
          real_field('C_n', '-', 'largest correction over the increment; 0: not asked', limit_not_negative, .false.)], &
          when='PARAMETERS=FIELD')
       call k%add_data([unused('I_0'), unused('I_R'), unused('I_P'), &
-         integer_field('I_C', 'most iterations before the increment is cut', limit_positive, .false.), &
+         integer_field('I_C', 'most iterations before the increment is cut; those that do no more than open and'// &
+         ' close contacts as predicted do not count, up to four times as many', limit_positive, .false.), &
          integer_field('I_L', 'more iterations than this shrink the next increment', limit_positive, .false.), &
          integer_field('I_G', 'two increments of at most this many let it grow', limit_positive, .false.), &
          unused('I_S'), integer_field('I_A', 'most cut-backs of one increment', limit_positive, .false.)], &

@@ -135,7 +135,7 @@ module litz_model
       real(dp) :: r_n = 1.0e-8_dp
       !> Largest correction relative to the increment of the field; 0: not asked
       real(dp) :: c_n = 0.0_dp
-      !> Most iterations in an increment before it is cut
+      !> Most iterations in an increment before it is cut, without those that only open and close contacts
       integer :: i_c = 16
       !> More iterations than this shrink the next increment
       integer :: i_l = 10

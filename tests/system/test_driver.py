@@ -215,6 +215,29 @@ def test_an_increment_that_cannot_converge_ends_the_run_and_keeps_what_was_reach
     assert len(results.times) == 1
 
 
+def held_at_the_ends(most):
+    """A grid whose upper wires follow their supports only, with I_C = `most`."""
+    deck = grid(12).replace(" LOWER, 3\n", "")
+    for dofs in ("1, 2", "4, 6", "3, 3"):
+        deck = deck.replace(f" UPPER, {dofs}", f" UPPER_ENDS, {dofs}")
+    return deck.replace(" 1., 1.\n", f" 1., 1.\n*CONTROLS, PARAMETERS=TIME INCREMENTATION\n , , , {most}\n")
+
+
+def test_iterations_in_which_contacts_open_and_close_as_predicted_do_not_count(run):
+    """Linear contacts at zero gap: which of them stay closed is the same for any load, so a cut would not help."""
+    process, results = run(held_at_the_ends(4))
+    assert process.returncode == 0, process.stderr
+    assert results.status["attempts"].tolist() == [1]
+    assert 4 < results.status["iterations"][0] <= 16
+
+
+def test_voltages_are_not_blamed_while_the_displacements_have_not_converged(run):
+    process, _ = run(held_at_the_ends(1).replace(" 1., 1.\n", " 1., 1., 0.5\n"))
+    assert process.returncode == 2
+    assert "the largest force residual" in process.stderr or "the largest moment residual" in process.stderr
+    assert "current residual" not in process.stderr
+
+
 def test_wires_that_overlap_at_the_start_are_refused(litz, tmp_path):
     deck = tmp_path / "deck.inp"
     text = crossed(height="1.9e-3")
