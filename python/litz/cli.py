@@ -39,7 +39,7 @@ def _show_warning(message, *_):
 
 def _run_program(arguments):
     """Become the Fortran program, so that signals, standard streams and the exit code are its own."""
-    from .run import program_path
+    from .run import program_environment, program_path
 
     program = str(program_path())
     if not arguments or arguments[0] in ("help", "-h", "--help"):
@@ -49,7 +49,7 @@ def _run_program(arguments):
         print(_PYTHON_HELP, end="")
         return exit_code
     sys.stdout.flush()
-    os.execv(program, [program, *arguments])
+    os.execve(program, [program, *arguments], program_environment())
 
 
 def _parser(command, description):
