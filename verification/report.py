@@ -24,7 +24,7 @@ _COLUMNS = (
     "verdict",
 )
 
-_STYLE = """
+STYLE = """
 body { font: 15px/1.45 system-ui, sans-serif; margin: 2em auto; max-width: 95em; padding: 0 1em; color: #222; }
 table { border-collapse: collapse; font-size: 13px; margin: 1em 0; }
 th, td { border-bottom: 1px solid #ddd; padding: .35em .6em; text-align: left; vertical-align: top; }
@@ -105,7 +105,7 @@ def _markdown(head, reports):
 def _page(head, reports):
     parts = [
         "<!doctype html><html lang=en><meta charset=utf-8><title>Verification of litz</title>",
-        f"<style>{_STYLE}</style><h1>Verification of litz</h1><ul>",
+        f"<style>{STYLE}</style><h1>Verification of litz</h1><ul>",
         *(f"<li>{html.escape(line)}" for line in head),
         "</ul>",
     ]
@@ -118,7 +118,7 @@ def _page(head, reports):
             parts.append("<tr>" + _row(_cells(report, verdict), verdict.passed))
         parts.append("</table>")
         if report.picture:
-            parts.append(f'<img alt="{report.name}" src="{_embedded(report.picture)}">')
+            parts.append(f'<img alt="{report.name}" src="{embedded(report.picture)}">')
     return "\n".join(parts) + "\n"
 
 
@@ -134,6 +134,7 @@ def _row(cells, passed):
     return "".join(row)
 
 
-def _embedded(picture):
+def embedded(picture):
+    """A picture as a data URL."""
     kind = {".svg": "image/svg+xml", ".png": "image/png"}[picture.suffix]
     return f"data:{kind};base64,{base64.b64encode(picture.read_bytes()).decode('ascii')}"

@@ -3,9 +3,10 @@
 !> The free unknowns of a node are numbered one after the other, and all rows of a node have the same columns. So a
 !> node pair is found by one offset within its rows, and an element or a contact scatters whole node blocks.
 module litz_equations
-   use litz_kinds, only: dp
+   use litz_kinds, only: dp, int64
+   use litz_errors, only: error_t
    use litz_linear_solver, only: csr_matrix_t, system_matrix_t
-   use litz_sparse_pattern, only: pattern_from_cliques
+   use litz_sparse_pattern, only: pattern_from_cliques, check_entries
    implicit none
    private
    public :: equations_t, number_equations, build_system, block_offset
@@ -51,15 +52,27 @@ contains
    end subroutine number_equations
 
    !> Patterns of the three blocks from the groups of nodes that share an element or may share a contact.
-   subroutine build_system(clique_start, clique_nodes, equations, matrix)
+   subroutine build_system(clique_start, clique_nodes, equations, matrix, error)
       !> (n + 1) and members: nodes of group i are `clique_nodes(clique_start(i):clique_start(i + 1) - 1)`
       integer, intent(in) :: clique_start(:), clique_nodes(:)
       type(equations_t), intent(inout) :: equations
       type(system_matrix_t), intent(inout) :: matrix
-      integer :: n
+      !> There are more entries than can be counted
+      type(error_t), allocatable, intent(out) :: error
+      integer(int64) :: entries
+      integer :: n, node
 
       n = size(equations%n_free)
       call pattern_from_cliques(n, clique_start, clique_nodes, equations%nodes)
+      entries = 0
+      do node = 1, n
+         associate (first => equations%nodes%row_start(node), last => equations%nodes%row_start(node + 1) - 1)
+            entries = entries &
+               + int(equations%n_free(node), int64)*sum(equations%n_free(equations%nodes%column(first:last)))
+         end associate
+      end do
+      call check_entries(equations%n_mechanical, entries, error)
+      if (allocated(error)) return
       call place_blocks(equations)
       call expand(equations, .true., .true., matrix%mm)
       call expand(equations, .false., .true., matrix%me)

@@ -248,7 +248,8 @@ contains
             problem%model%connectivity(:, problem%contact%candidates(1:2, i)), [4])
       end do
       start(size(start)) = size(nodes) + 1
-      call build_system(start, nodes, problem%equations, problem%matrix)
+      call build_system(start, nodes, problem%equations, problem%matrix, error)
+      if (allocated(error)) return
       call problem%timing%lap(phase_assembly)
       call problem%solver%analyse(problem%matrix, error)
       call problem%timing%lap(phase_analyse)

@@ -83,61 +83,99 @@ contains
       real(dp), intent(in) :: a(:, :), b(:, :), reach(:)
       type(grid_t), allocatable, intent(out) :: grids(:)
       real(dp), allocatable :: length(:), lower(:, :), upper(:, :), extent(:)
-      integer, allocatable :: pieces(:), segment(:), level(:)
-      integer :: i, g, n, boxes_at(most_grids)
+      integer, allocatable :: segment(:), level(:), members(:)
+      real(dp) :: mean, largest
+      integer :: i, g, n, first(most_grids + 1), free(most_grids)
 
       n = size(reach)
-      allocate (length(n), pieces(n))
+      allocate (length(n))
+      !$omp parallel do schedule(static) if (n >= worth_threads)
       do i = 1, n
          length(i) = norm2(b(:, i) - a(:, i))
       end do
-      associate (longest => max(longest_in_reaches*reach, longest_in_means*sum(length)/max(1, n)))
-         pieces = 1
-         where (length > longest) pieces = ceiling(length/longest)
-      end associate
-      call cut_segments(a, b, reach, pieces, segment, lower, upper)
-      allocate (level(size(segment)))
-      extent = max(maxval(upper - lower, 1), tiny(1.0_dp))
-      if (size(extent) > 0) level = min(most_grids, exponent(maxval(extent)/extent))
-      boxes_at = 0
-      do i = 1, size(level)
-         boxes_at(level(i)) = boxes_at(level(i)) + 1
+      !$omp end parallel do
+      mean = sum(length)/max(1, n)
+      call cut_segments(a, b, reach, length, longest_in_means*mean, segment, lower, upper)
+
+      n = size(segment)
+      allocate (extent(n), level(n), members(n))
+      largest = 0
+      !$omp parallel do schedule(static) reduction(max: largest) if (n >= worth_threads)
+      do i = 1, n
+         extent(i) = max(maxval(upper(:, i) - lower(:, i)), tiny(1.0_dp))
+         largest = max(largest, extent(i))
       end do
-      allocate (grids(count(boxes_at > 0)))
+      !$omp end parallel do
+      !$omp parallel do schedule(static) if (n >= worth_threads)
+      do i = 1, n
+         level(i) = min(most_grids, exponent(largest/extent(i)))
+      end do
+      !$omp end parallel do
+      call count_by(level, first)
+      free = first(:most_grids)
+      do i = 1, n
+         members(free(level(i))) = i
+         free(level(i)) = free(level(i)) + 1
+      end do
+      allocate (grids(count(first(2:) > first(:most_grids))))
       n = 0
       do g = 1, most_grids
-         if (boxes_at(g) == 0) cycle
+         if (first(g + 1) == first(g)) cycle
          n = n + 1
-         call build_grid(pack([(i, i=1, size(level))], level == g), a, b, reach, segment, lower, upper, &
-            grids(n))
+         call build_grid(members(first(g):first(g + 1) - 1), a, b, reach, segment, lower, upper, grids(n))
       end do
    end subroutine build_grids
 
+   !> First place of each value 1, 2, ... when the values are sorted, and one past the last place.
+   pure subroutine count_by(values, first)
+      integer, intent(in) :: values(:)
+      integer, intent(out) :: first(:)
+      integer :: i
+
+      first = 0
+      do i = 1, size(values)
+         first(values(i) + 1) = first(values(i) + 1) + 1
+      end do
+      first(1) = 1
+      do i = 1, size(first) - 1
+         first(i + 1) = first(i) + first(i + 1)
+      end do
+   end subroutine count_by
+
    !> Boxes around the pieces of all segments.
-   pure subroutine cut_segments(a, b, reach, pieces, segment, lower, upper)
+   subroutine cut_segments(a, b, reach, length, longest, segment, lower, upper)
       real(dp), intent(in) :: a(:, :), b(:, :), reach(:)
-      !> How many pieces each segment is cut into
-      integer, intent(in) :: pieces(:)
+      !> Of each segment, and of a piece that is longer than thick [m]
+      real(dp), intent(in) :: length(:), longest
       !> Segment of each piece, and corners of its box (3, pieces) [m]
       integer, allocatable, intent(out) :: segment(:)
       real(dp), allocatable, intent(out) :: lower(:, :), upper(:, :)
       real(dp) :: p(3), q(3)
-      integer :: i, k, n
+      integer :: i, k, pieces, n
+      integer, allocatable :: first(:)
 
-      allocate (segment(sum(pieces)), lower(3, sum(pieces)), upper(3, sum(pieces)))
-      n = 0
+      allocate (first(size(reach) + 1))
+      first(1) = 1
       do i = 1, size(reach)
+         first(i + 1) = first(i) + max(1, ceiling(length(i)/max(longest_in_reaches*reach(i), longest, tiny(1.0_dp))))
+      end do
+      n = first(size(first)) - 1
+      allocate (segment(n), lower(3, n), upper(3, n))
+      !$omp parallel do schedule(static) private(k, pieces, n, p, q) if (size(reach) >= worth_threads)
+      do i = 1, size(reach)
+         pieces = first(i + 1) - first(i)
          q = a(:, i)
-         do k = 1, pieces(i)
+         do k = 1, pieces
             p = q
             q = b(:, i)
-            if (k < pieces(i)) q = a(:, i) + real(k, dp)/pieces(i)*(b(:, i) - a(:, i))
-            n = n + 1
+            if (k < pieces) q = a(:, i) + real(k, dp)/pieces*(b(:, i) - a(:, i))
+            n = first(i) + k - 1
             segment(n) = i
             lower(:, n) = min(p, q) - reach(i)
             upper(:, n) = max(p, q) + reach(i)
          end do
       end do
+      !$omp end parallel do
    end subroutine cut_segments
 
    !> Counting sort of some boxes by the entries of the table that their cells are folded onto.
@@ -149,26 +187,41 @@ contains
       !> Most cells along one direction: their number stays within 64 bits
       integer(int64), parameter :: most_cells = 2_int64**20
       integer(int64), allocatable :: cell(:)
-      integer, allocatable :: free(:)
-      real(dp) :: extent(3)
-      integer :: i, place
+      integer, allocatable :: free(:), member_at(:)
+      real(dp) :: extent(3), origin(3), corner(3), edge
+      integer :: i, n
       integer(int64) :: entry
 
-      grid%origin = minval(lower(:, members), 2)
-      extent = maxval(lower(:, members), 2) - grid%origin
-      grid%edge = max(maxval(upper(:, members) - lower(:, members)), maxval(extent)/most_cells, tiny(1.0_dp))
+      n = size(members)
+      origin = huge(1.0_dp)
+      corner = -huge(1.0_dp)
+      edge = tiny(1.0_dp)
+      !$omp parallel do schedule(static) reduction(min: origin) reduction(max: corner, edge) if (n >= worth_threads)
+      do i = 1, n
+         origin = min(origin, lower(:, members(i)))
+         corner = max(corner, lower(:, members(i)))
+         edge = max(edge, maxval(upper(:, members(i)) - lower(:, members(i))))
+      end do
+      !$omp end parallel do
+      grid%origin = origin
+      extent = corner - origin
+      grid%edge = max(edge, maxval(extent)/most_cells)
       ! odd numbers of cells spread the layers over the table
       grid%cells = 2*(int(extent/grid%edge, int64)/2) + 5
       grid%mask = 1
-      do while (grid%mask < 2*size(members))
+      do while (grid%mask < 2*n)
          grid%mask = 2*grid%mask
       end do
       grid%mask = grid%mask - 1
 
-      allocate (cell(size(members)))
-      allocate (grid%start(0:grid%mask + 1), source=0)
-      do i = 1, size(members)
+      allocate (cell(n), member_at(n))
+      !$omp parallel do schedule(static) if (n >= worth_threads)
+      do i = 1, n
          cell(i) = cell_number(grid, cell_of(grid, lower(:, members(i))))
+      end do
+      !$omp end parallel do
+      allocate (grid%start(0:grid%mask + 1), source=0)
+      do i = 1, n
          entry = iand(cell(i), grid%mask)
          grid%start(entry + 1) = grid%start(entry + 1) + 1
       end do
@@ -178,20 +231,25 @@ contains
       end do
       allocate (free(0:grid%mask))
       free = grid%start(:grid%mask)
-      allocate (grid%cell(size(members)), grid%segment(size(members)))
-      allocate (grid%corners(6, size(members)), grid%ends(7, size(members)))
-      do i = 1, size(members)
+      do i = 1, n
          entry = iand(cell(i), grid%mask)
-         place = free(entry)
-         free(entry) = place + 1
-         grid%cell(place) = cell(i)
-         grid%segment(place) = segment(members(i))
-         grid%corners(:3, place) = lower(:, members(i))
-         grid%corners(4:, place) = upper(:, members(i))
-         grid%ends(:3, place) = a(:, segment(members(i)))
-         grid%ends(4:6, place) = b(:, segment(members(i)))
-         grid%ends(7, place) = reach(segment(members(i)))
+         member_at(free(entry)) = i
+         free(entry) = free(entry) + 1
       end do
+      allocate (grid%cell(n), grid%segment(n), grid%corners(6, n), grid%ends(7, n))
+      !$omp parallel do schedule(static) if (n >= worth_threads)
+      do i = 1, n
+         associate (member => members(member_at(i)))
+            grid%cell(i) = cell(member_at(i))
+            grid%segment(i) = segment(member)
+            grid%corners(:3, i) = lower(:, member)
+            grid%corners(4:, i) = upper(:, member)
+            grid%ends(:3, i) = a(:, segment(member))
+            grid%ends(4:6, i) = b(:, segment(member))
+            grid%ends(7, i) = reach(segment(member))
+         end associate
+      end do
+      !$omp end parallel do
    end subroutine build_grid
 
    !> Cell of a point, (1, 1, 1) for the origin.
@@ -322,7 +380,7 @@ contains
       type(pair_list_t), intent(in) :: lists(:)
       integer, allocatable, intent(out) :: pairs(:, :)
       integer, allocatable :: start(:), free(:), second(:), kept(:)
-      integer :: l, p, i, n
+      integer :: l, p, i
 
       allocate (start(n_segments + 1), kept(n_segments), source=0)
       do l = 1, size(lists)
@@ -344,17 +402,24 @@ contains
             end associate
          end do
       end do
+      !$omp parallel do schedule(static) if (n_segments >= worth_threads)
       do i = 1, n_segments
          call sort_once(second(start(i):start(i + 1) - 1), kept(i))
       end do
-      allocate (pairs(2, sum(kept)))
-      n = 0
+      !$omp end parallel do
+      free(1) = 0
       do i = 1, n_segments
-         do p = start(i), start(i) + kept(i) - 1
-            n = n + 1
-            pairs(:, n) = [i, second(p)]
+         free(i + 1) = free(i) + kept(i)
+      end do
+      allocate (pairs(2, free(n_segments + 1)))
+      !$omp parallel do schedule(static) private(p) if (n_segments >= worth_threads)
+      do i = 1, n_segments
+         do p = 1, kept(i)
+            pairs(1, free(i) + p) = i
+            pairs(2, free(i) + p) = second(start(i) + p - 1)
          end do
       end do
+      !$omp end parallel do
    end subroutine sort_pairs
 
    !> Insertion sort of a short list that keeps equal values once, at the front.

@@ -1,11 +1,12 @@
 !> Patterns and products of sparse matrices in compressed rows.
 module litz_sparse_pattern
-   use litz_kinds, only: dp
+   use litz_kinds, only: dp, int64
+   use litz_errors, only: error_t, fail, exit_solver
    use litz_linear_solver, only: csr_matrix_t
    use litz_parallel, only: worth_threads
    implicit none
    private
-   public :: pattern_from_cliques, csr_position, csr_transpose, csr_multiply, csr_add_product, csr_entries
+   public :: pattern_from_cliques, csr_position, csr_transpose, csr_multiply, csr_add_product, csr_entries, check_entries
 
 contains
 
@@ -136,6 +137,21 @@ contains
       entries = 0
       if (matrix%n_rows > 0) entries = matrix%row_start(matrix%n_rows + 1) - 1
    end function csr_entries
+
+   !> Entries of a matrix are counted in default integers (its factors are not): more of them are refused.
+   subroutine check_entries(equations, entries, error)
+      integer, intent(in) :: equations
+      !> That the matrix would have
+      integer(int64), intent(in) :: entries
+      type(error_t), allocatable, intent(out) :: error
+      character(len=120) :: text
+
+      if (entries <= huge(1)) return
+      write (text, '(a, i0, a, i0, a, i0)') 'the matrix of ', equations, ' equations has ', entries, &
+         ' entries; at most ', huge(1)
+      error = fail(exit_solver, 'linear solver: '//trim(text)// &
+         ' can be counted. Take a coarser mesh, or let fewer wires be in contact.')
+   end subroutine check_entries
 
    !> `transpose = matrix^T`, columns ascending.
    pure subroutine csr_transpose(matrix, transpose)

@@ -1,9 +1,10 @@
 !> Patterns, products and orderings of sparse matrices against dense ones.
 program test_sparse_pattern
-   use litz_kinds, only: dp
+   use litz_kinds, only: dp, int64
+   use litz_errors, only: error_t
    use litz_linear_solver, only: csr_matrix_t
    use litz_sparse_pattern, only: pattern_from_cliques, csr_position, csr_transpose, csr_multiply, csr_add_product, &
-      csr_entries
+      csr_entries, check_entries
    use litz_equilibration, only: equilibrate
    use litz_reverse_cuthill_mckee, only: reverse_cuthill_mckee
    implicit none
@@ -20,9 +21,20 @@ program test_sparse_pattern
    call loose_parts_are_all_ordered()
    call scaling_gives_a_positive_definite_matrix_unit_diagonal()
    call scaling_bounds_an_indefinite_matrix()
+   call more_entries_than_can_be_counted_are_refused()
    if (failures > 0) error stop 1
 
 contains
+
+   subroutine more_entries_than_can_be_counted_are_refused()
+      type(error_t), allocatable :: error
+
+      call check_entries(10, int(huge(1), int64), error)
+      call check(.not. allocated(error), 'as many entries as can be counted are allowed')
+      call check_entries(10, huge(1) + 1_int64, error)
+      call check(allocated(error), 'one more entry is refused')
+      if (allocated(error)) call check(index(error%message, '2147483648 entries') > 0, 'the message has the number')
+   end subroutine more_entries_than_can_be_counted_are_refused
 
    !> Random cliques with repeated members and with zeros, compared entry by entry.
    subroutine members_of_a_clique_are_coupled()

@@ -1,1 +1,8 @@
 """Measurements of time and memory; nothing here is a test."""
+
+import os
+
+from litz.run import program_environment
+
+# before any library that has threads is loaded
+os.environ.update(program_environment())

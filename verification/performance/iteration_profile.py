@@ -1,78 +1,103 @@
-"""Where the time of one Newton iteration goes, and the memory, over the number of beam elements.
+"""Where the time of one Newton iteration goes, and the memory
 
-    python -m verification.performance.iteration_profile [SIZES ...]
-
-Runs the strut lattice for each size (default 1000, 10 000 and 100 000 elements) several times with `litz run --timing`
-and prints a JSON object: for each size and phase the median of the seconds per iteration, the share of the phases that
-are not the factorisation, the seconds in all, and the most memory per element.
+The strut lattice, by the table of `litz run --timing`: seconds of each phase over the iterations. The factorisation is the
+numeric and, once for a pattern, the symbolic work. Memory: most of the process over the elements, and what a contact adds,
+from a grid of wires (its crossings closed) and the same grid without contact.
 """
 
-import json
-import os
 import statistics
-import subprocess
-import sys
-import tempfile
-from pathlib import Path
 
-from litz.run import program_path
+from verification import figures
+from verification.cases.crossings import Grid
 
+from .growth import exponent
 from .lattice import lattice_deck
+from .process import OUTSIDE, median, run_litz
 
-#: Phases that belong to the run, not to its iterations
-OUTSIDE = ("reading", "preparation", "output")
-ANALYSIS = ("analyse", "factor")
-
-
-def timing_table(text):
-    """Seconds of each phase, of the table that `litz run --timing` prints."""
-    lines = text[text.index("phase ") :].splitlines()[1:]
-    table = {}
-    for line in lines:
-        words = line.split()
-        table[words[0]] = float(words[1])
-        if words[0] == "total":
-            return table
-    raise ValueError("the table of times has no total")
+SIZES = (1_000, 10_000, 100_000)
+QUICK_SIZES = (1_000, 3_000)
+FACTORISATION = ("analyse", "factor")
+#: Wires of each layer of the grid whose contacts are weighed
+WIRES, QUICK_WIRES = 60, 20
 
 
-def run_once(deck, directory, threads):
-    """Phases [s], iterations and peak memory [bytes] of one run."""
-    command = [program_path(), "run", deck, "-o", directory, "--timing", "--threads", str(threads)]
-    with subprocess.Popen([str(word) for word in command], stdout=subprocess.PIPE, text=True) as process:
-        printed = process.stdout.read()
-        _, status, usage = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
-    if process.returncode != 0:
-        raise RuntimeError(f"litz ended with code {process.returncode}:\n{printed}")
-    finished = printed[printed.index("finished: ") :].split()
-    return timing_table(printed), int(finished[3]), 1024 * usage.ru_maxrss
-
-
-def measure(sizes=(1_000, 10_000, 100_000), repetitions=3, threads=2):
-    """One row per size; see the head of this file."""
+def measure(quick, directory):
     rows = []
-    with tempfile.TemporaryDirectory() as directory:
-        for size in sizes:
-            text, n = lattice_deck(size)
-            deck = Path(directory) / f"lattice_{n}.inp"
-            deck.write_text(text, encoding="utf-8")
-            runs = [run_once(deck, directory, threads) for _ in range(repetitions)]
-            iterations = runs[0][1]
-            phases = {name: statistics.median(run[0][name] for run in runs) for name in runs[0][0]}
-            newton = sum(seconds for name, seconds in phases.items() if name not in (*OUTSIDE, "total"))
-            rows.append(
-                {
-                    "elements": n,
-                    "iterations": iterations,
-                    "seconds": phases.pop("total"),
-                    "seconds_per_iteration": {name: seconds / iterations for name, seconds in phases.items()},
-                    "share_besides_factorisation": 1 - sum(phases[name] for name in ANALYSIS) / newton,
-                    "bytes_per_element": max(run[2] for run in runs) / n,
-                }
-            )
-    return {"threads": threads, "load_average": os.getloadavg()[0], "sizes": rows}
+    for size in QUICK_SIZES if quick else SIZES:
+        text, n = lattice_deck(size)
+        deck = directory / f"profile_{n}.inp"
+        deck.write_text(text, encoding="utf-8")
+        runs = [run_litz(deck, directory / f"profile_{n}") for _ in range(3 if quick or n > 50_000 else 5)]
+        iterations = sum(runs[0].iterations)
+        share = [1 - sum(run.phases[name] for name in FACTORISATION) / run.newton_seconds for run in runs]
+        rows.append(
+            {
+                "elements": n,
+                "iterations": iterations,
+                "seconds": median(runs, lambda run: run.run.seconds),
+                "phases": {
+                    name: statistics.median(run.phases[name] for run in runs) / (1 if name in OUTSIDE else iterations)
+                    for name in runs[0].phases
+                },
+                "share_besides_factorisation": statistics.median(share),
+                "memory": max(run.memory for run in runs),
+            }
+        )
+    n = [row["elements"] for row in rows]
+    growth = {key: exponent(n, [row[key] for row in rows]) for key in ("seconds", "memory")}
+    return {"sizes": rows, "growth": growth, "contacts": weigh_contacts(QUICK_WIRES if quick else WIRES, directory)}
 
 
-if __name__ == "__main__":
-    print(json.dumps(measure(*([tuple(map(int, sys.argv[1:]))] if sys.argv[1:] else [])), indent=1))
+def weigh_contacts(wires, directory):
+    """Memory with and without the contacts of a grid pressed by a small load on every node."""
+    grid = Grid(wires, 1e4, load=1e-4, clearance=1e-9, length=0.008 * (wires + 1), elements=wires + 1)
+    text = grid.deck()
+    first = text.index("*SURFACE INTERACTION")
+    last = text.index("*BOUNDARY", first)
+    memory = {}
+    for name, deck_text in (("with", text), ("without", text[:first] + text[last:])):
+        deck = directory / f"grid_{name}.inp"
+        deck.write_text(deck_text, encoding="utf-8")
+        memory[name] = run_litz(deck, directory / f"grid_{name}").memory
+    elements = 2 * wires * (wires + 1)
+    contacts = wires**2
+    return {"elements": elements, "contacts": contacts, **memory, "bytes": (memory["with"] - memory["without"]) / contacts}
+
+
+def tables(values):
+    names = list(values["sizes"][0]["phases"])
+    lines = [
+        [name + (" (in all)" if name in OUTSIDE else ""), *(row["phases"][name] for row in values["sizes"])] for name in names
+    ]
+    lines.append(["share besides factorisation", *(row["share_besides_factorisation"] for row in values["sizes"])])
+    lines.append(["memory [kB] per element", *(row["memory"] / row["elements"] / 1e3 for row in values["sizes"])])
+    weighed = values["contacts"]
+    return [
+        ("Seconds of an iteration", ["phase", *(f"{row['elements']} elements" for row in values["sizes"])], lines),
+        (
+            "Memory of a contact",
+            ["elements", "contacts", "with [MB]", "without [MB]", "per contact [kB]"],
+            [[weighed["elements"], weighed["contacts"], weighed["with"] / 1e6, weighed["without"] / 1e6, weighed["bytes"] / 1e3]],
+        ),
+        ("Exponents of the growth", ["time", "memory"], [list(values["growth"].values())]),
+    ]
+
+
+def aims(values):
+    row = values["sizes"][-1]
+    return [(f"share besides the factorisation, {row['elements']} elements", row["share_besides_factorisation"], 0.25)]
+
+
+def draw(values, path):
+    with figures.panels(path, columns=1, height=3.6) as axes:
+        labels = [str(row["elements"]) for row in values["sizes"]]
+        bottom = [0.0] * len(labels)
+        for name in values["sizes"][0]["phases"]:
+            if name in OUTSIDE:
+                continue
+            whole = [sum(v for k, v in row["phases"].items() if k not in OUTSIDE) for row in values["sizes"]]
+            share = [row["phases"][name] / total for row, total in zip(values["sizes"], whole, strict=True)]
+            axes.bar(labels, share, bottom=bottom, label=name)
+            bottom = [a + b for a, b in zip(bottom, share, strict=True)]
+        axes.set(xlabel="elements", ylabel="share of an iteration")
+        axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.18), ncols=4)

@@ -7,6 +7,8 @@ corners, each of two elements. Bottom clamped; top pushed down, held laterally a
 import numpy as np
 
 RADIUS, YOUNG, POISSON = 0.05, 1000.0, 0.3
+#: Compression of the network over its height
+STRAIN = 0.02
 
 
 def lattice(n, *, per_strut=2, seed=1, jitter=0.1):
@@ -33,7 +35,7 @@ def lattice(n, *, per_strut=2, seed=1, jitter=0.1):
     return nodes, np.stack([chain[:, :-1], chain[:, 1:]], axis=-1).reshape(-1, 2), nz
 
 
-def lattice_deck(n, *, element="B33", strain=0.02, increments=5, **options):
+def lattice_deck(n, *, element="B33", strain=STRAIN, increments=5, **options):
     """Text of the deck, and the number of elements."""
     nodes, connectivity, height = lattice(n, **options)
     rows = [f"{i}, {x:.16g}, {y:.16g}, {z:.16g}" for i, (x, y, z) in enumerate(nodes, start=1)]

@@ -1,0 +1,83 @@
+"""Other programs: each in an environment of its own, made from the Python package index on first use.
+
+The scripts of this folder but this one are run by the interpreters of these environments; they see nothing of litz.
+"""
+
+import json
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from verification.performance.process import Run, run_process
+
+ROOT = Path(__file__).parents[3]
+ENVIRONMENTS = ROOT / ".venv" / "peers"
+
+#: Packages of each program
+PACKAGES = {
+    "OpenSeesPy": ("numpy", "openseespy"),
+    "Kratos": (
+        "numpy",
+        "KratosMultiphysics",
+        "KratosStructuralMechanicsApplication",
+        "KratosLinearSolversApplication",
+        "KratosConstitutiveLawsApplication",
+    ),
+    "Exudyn": ("numpy", "exudyn"),
+}
+
+
+@dataclass(frozen=True)
+class PeerRun:
+    """What came of one run of another program."""
+
+    run: Run
+    #: What its script printed: seconds, iterations of each increment, reaction, whether it finished; None: it failed
+    result: dict | None
+
+    @property
+    def finished(self):
+        return self.result is not None and self.result["finished"]
+
+
+def interpreter(name):
+    """Python of a program's environment, which is made when it is not there."""
+    python = ENVIRONMENTS / name.lower() / "bin" / "python"
+    ready = python.parent.parent / "ready"
+    if not ready.exists():
+        print(f"making an environment for {name} ...", flush=True)
+        for command in (
+            [sys.executable, "-m", "venv", "--clear", python.parent.parent],
+            [python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *PACKAGES[name]],
+        ):
+            done = subprocess.run(list(map(str, command)), capture_output=True, text=True, check=False)
+            if done.returncode != 0:
+                raise RuntimeError(f"{name} could not be installed: {done.stderr.strip().splitlines()[-1]}")
+        ready.touch()
+    return python
+
+
+def version(name):
+    """Version of a program's main package."""
+    code = "import sys; from importlib.metadata import version; print(version(sys.argv[1]))"
+    done = subprocess.run([interpreter(name), "-c", code, PACKAGES[name][1]], capture_output=True, text=True, check=True)
+    return done.stdout.strip()
+
+
+def write_frame(path, **arrays):
+    """The problem file that all scripts read; see frame.py."""
+    np.savez(path, **arrays)
+
+
+def run_peer(name, problem, *options, limit=600.0):
+    """Run a program's script on a problem; it stops by itself after `limit` seconds, and is ended after twice that."""
+    script = Path(__file__).with_name(f"{name.lower()}_frame.py")
+    run = run_process([interpreter(name), script, problem, limit, *options], limit=2 * limit)
+    result = None
+    for line in run.printed.splitlines():
+        if line.startswith('{"seconds"'):
+            result = json.loads(line)
+    return PeerRun(run, result if run.code == 0 else None)
