@@ -86,7 +86,7 @@ module litz_model
       integer :: spot_law = spot_none
       !> Data of the spot law: hardness [Pa] | film resistivity [ohm m^2] | resistance [ohm] | -
       real(dp) :: spot_value = 0
-      !> `spot_table`: forces [N], ascending, and resistances [ohm]
+      !> `spot_table`: forces [N], ascending, and resistances [ohm]; without entries with the other laws
       real(dp), allocatable :: table_force(:), table_resistance(:)
       !> Interpolation of the axis that touches
       integer :: axis = axis_hermite

@@ -37,6 +37,7 @@ contains
                index)
             if (index == 0) cycle
             model%interactions(index)%name = self%interactions%names%name(index)
+            allocate (model%interactions(index)%table_force(0), model%interactions(index)%table_resistance(0))
             if (choice_of(self, card, 'AXIS') == 'LINEAR') model%interactions(index)%axis = axis_linear
          case ('SURFACE BEHAVIOR')
             if (has_behavior) call fail_at(self, self%deck%cards(card)%name, &
@@ -139,7 +140,8 @@ contains
 
       associate (this => self%deck%cards(card))
          n = max(0, this%last_data - this%first_data + 1)
-         allocate (interaction%table_force(n), interaction%table_resistance(n))
+         interaction%table_force = spread(0.0_dp, 1, n)
+         interaction%table_resistance = interaction%table_force
          n = 0
          do line = this%first_data, this%last_data
             call read_line(self, card, line, ok)
