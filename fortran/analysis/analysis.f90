@@ -86,12 +86,14 @@ contains
       if (.not. options%quiet) call print_header(model, parallel_warning(model, problem%elements, problem%contact))
       call results%write_increment(model, problem%state, .true., error)
       call problem%timing%lap(phase_output)
+      call problem%progress%start(.not. options%quiet, sum(model%steps%total), problem%state%time)
       do i = max(1, problem%state%step), size(model%steps)
          if (allocated(error)) exit
          call run_step(problem, model%steps(i), i, overlap, continued, course, options, results, restart, error)
          overlap = 0
          continued = .false.
       end do
+      call problem%progress%clear
       call results%close(.not. allocated(error), close_error)
       call restart%close(close_error)
       if (.not. allocated(error) .and. allocated(close_error)) call move_alloc(close_error, error)
@@ -412,7 +414,7 @@ contains
    !> A line of the .sta file, and of the terminal.
    subroutine report_increment(problem, outcome, audit, attempt, increment, step_time, start_time, options, &
       results, error)
-      type(problem_t), intent(in) :: problem
+      type(problem_t), intent(inout) :: problem
       type(outcome_t), intent(in) :: outcome
       !> Of an accepted increment
       type(audit_t), intent(in) :: audit
@@ -445,6 +447,8 @@ contains
       if (outcome%converged .and. outcome%at_round_off) report%remark = remark//'accepted at the limit of round-off'
       call results%write_status(report, error)
       if (options%quiet) return
+      call problem%progress%clear
+      if (outcome%converged) problem%progress%done = report%time
       write (line, '(i5, i6, i5, i6, 2es13.5, i10, es13.5)') report%step, report%increment, attempt, &
          outcome%iterations, report%time, increment, report%contacts, sum(problem%contact%points%force)
       write (output_unit, '(a)') trim(trim(line)//'  '//remark)

@@ -15,6 +15,7 @@ module litz_newton
    use litz_errors, only: error_t, exit_solver
    use litz_grounding, only: ground_floating_conductors
    use litz_linear_solver, only: linear_solver_t, system_matrix_t
+   use litz_live_progress, only: live_progress_t
    use litz_loading, only: loading_t, prescribed_increment, slot_potential
    use litz_model, only: model_t, step_t, coupling_monolithic
    use litz_parallel, only: worth_threads
@@ -54,6 +55,7 @@ module litz_newton
       !> Converged increments, and iterations with those of rejected increments, since the run began
       integer :: n_increments = 0, n_iterations = 0
       type(timing_t) :: timing
+      type(live_progress_t) :: progress
    end type problem_t
 
    type :: outcome_t
@@ -126,6 +128,7 @@ contains
          end if
          call problem%timing%lap(phase_update)
          call results%write_iteration(problem%model, outcome%last, error)
+         call problem%progress%show(outcome%last)
          call problem%timing%lap(phase_output)
          if (allocated(error)) return
          if (.not. all(ieee_is_finite(outcome%last%residual))) then
