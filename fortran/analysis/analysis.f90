@@ -22,7 +22,7 @@ module litz_analysis
    use litz_stabilization, only: damping_stiffness
    use litz_solver_factory, only: create_solver, resolved_solver
    use litz_timing, only: timing_t, peak_memory, phase_preparation, phase_search, phase_update, phase_output
-   use litz_wires, only: build_wires
+   use litz_wires, only: build_wires, measure_wires
 !$ use omp_lib, only: omp_set_num_threads
    implicit none
    private
@@ -176,6 +176,7 @@ contains
       problem%model = model
       call build_wires(model, problem%wires)
       call prepare_elements(model, problem%wires, problem%elements)
+      call measure_wires(problem%elements%length, problem%wires)
       call prepare_contact(model, problem%elements, problem%contact)
       call start_state(problem)
    end subroutine prepare_problem

@@ -1,8 +1,9 @@
 !> Which crossings there are: candidates from the broad phase, points from the closest points of the curves.
 !>
 !> A crossing belongs to the pair of wires, not of elements: when it slides over a node, the point of the next
-!> element takes over its memory. The memory includes the side on which one wire passes the other, so that the gap
-!> keeps its sign when a step has pushed the axes through each other.
+!> element takes over its memory. The memory includes the normal, by which the gap keeps its sign when a step has pushed
+!> the axes through each other: they have passed if the line between them has turned round. Only axes that have moved far
+!> enough for that are asked; for all others the gap is what it is now.
 module litz_contact_pairs
    use litz_kinds, only: dp, int64
    use litz_closest_points, only: closest_points, end_tolerance, search_limit, closest_inside, closest_beyond, &
@@ -16,7 +17,6 @@ module litz_contact_pairs
    use litz_hertz, only: hertz_ellipse_t
    use litz_model, only: model_t, axis_hermite
    use litz_parallel, only: worth_threads
-   use litz_rotations, only: cross
    use litz_wires, only: wires_t
    implicit none
    private
@@ -29,6 +29,8 @@ module litz_contact_pairs
    real(dp), parameter :: near_node = 1.0e-6_dp
    !> Surface distance up to which an element pair is a candidate, in mean radii of the two
    real(dp), parameter :: skin = 1.0_dp
+   !> Axes have passed each other if the cosine between the normals before and now is below this: turned by 120 degrees
+   real(dp), parameter :: turned_round = -0.5_dp
 
    !> A crossing of two wires, open or closed.
    type :: contact_point_t
@@ -38,8 +40,6 @@ module litz_contact_pairs
       real(dp) :: xi_bar = 0, xi = 0
       !> Arc lengths along the two wires [m]
       real(dp) :: arc_bar = 0, arc = 0
-      !> Orientation of (tangent, barred tangent, barred minus unbarred point) along the wires, +1 or -1
-      integer :: side = 0
       type(contact_kinematics_t) :: kinematics
       !> .false.: the axes are nearly parallel there, or touch along a line
       logical :: regular = .true.
@@ -342,16 +342,21 @@ contains
          !> A candidate, the last point on a node of the same barred wire, and the one before each of those
          integer, intent(in) :: k, last, before(:)
          integer :: other, j
-         real(dp) :: tolerance
+         real(dp) :: distance
 
          claimed_before = .false.
          other = last
          do while (other > 0)
             do j = 1, 2
-               if (wires%wire(contact%candidates(j, k)) /= wires%wire(contact%candidates(j, other))) exit
-               tolerance = 4*end_tolerance*elements%length(contact%candidates(j, k))
-               if (abs(arc_at(contact%candidates(j, k), xi(j, k)) &
-                  - arc_at(contact%candidates(j, other), xi(j, other))) > tolerance) exit
+               associate (e => contact%candidates(j, k), e_other => contact%candidates(j, other))
+                  if (wires%wire(e) /= wires%wire(e_other)) exit
+                  distance = abs(arc_at(e, xi(j, k)) - arc_at(e_other, xi(j, other)))
+                  ! where a closed wire begins it also ends
+                  associate (around => wires%circumference(wires%wire(e)))
+                     if (around > 0) distance = min(distance, abs(around - distance))
+                  end associate
+                  if (distance > near_node*elements%length(e)) exit
+               end associate
             end do
             claimed_before = j > 2
             if (claimed_before) return
@@ -369,42 +374,56 @@ contains
       subroutine inherit(point, from)
          type(contact_point_t), intent(inout) :: point
          integer, intent(in) :: from
-         real(dp) :: xe(3, 4), t(3, 4), length(2)
-         integer :: info, orientation
+         real(dp) :: xe(3, 4), t(3, 4), length(2), normal_before(3)
+         integer :: info
 
+         normal_before = 0
          if (from > 0) then
             point%id = old(from)%id
-            point%side = old(from)%side
             point%predicted = old(from)%predicted
             point%predicted_gap = old(from)%predicted_gap
             point%mixed_force = old(from)%mixed_force
             point%friction_iteration = old(from)%friction_iteration
+            normal_before = old(from)%kinematics%normal
          end if
-         associate (eb => point%element_bar, e => point%element, &
+         associate (eb => point%element_bar, e => point%element, kinematics => point%kinematics, &
             axis => model%interactions(model%contact_pairs(point%pair)%interaction)%axis)
-            orientation = wires%direction(eb)*wires%direction(e)
-            if (point%side == 0) then
-               point%side = orientation*side_at_start(eb, e, axis)
-            end if
             call pair_geometry(model, wires, elements, eb, e, x, rotation, xe, t, length)
-            call contact_kinematics(xe, t, length, axis, elements%radius([eb, e]), point%xi_bar, point%xi, &
-               orientation*point%side, point%kinematics, info)
+            call contact_kinematics(xe, t, length, axis, elements%radius([eb, e]), point%xi_bar, point%xi, 0, &
+               kinematics, info)
+            if (may_have_passed(eb, e, kinematics%distance)) then
+               if (from == 0) normal_before = normal_at_start(eb, e, axis)
+               if (dot_product(normal_before, kinematics%normal) < turned_round) then
+                  call contact_kinematics(xe, t, length, axis, elements%radius([eb, e]), point%xi_bar, point%xi, &
+                     -kinematics%side, kinematics, info)
+               end if
+            end if
             point%regular = info == kinematics_ok
-            if (point%side == 0) point%side = orientation*point%kinematics%side
-            point%gap = point%kinematics%gap + contact%clearance(point%pair)
+            point%gap = kinematics%gap + contact%clearance(point%pair)
          end associate
       end subroutine inherit
 
-      !> Side on which a crossing without memory began the increment, be it in other elements of the same two wires;
-      !> 0 if it was not one then. A wire that touches itself is asked about these two elements only.
-      integer function side_at_start(eb, e, axis) result(side)
+      !> Whether two axes at this distance may lie on the wrong side of each other: they have moved that far since the
+      !> increment began, or had been there before. Axes that bend move by a little more than their nodes.
+      pure logical function may_have_passed(eb, e, distance)
+         integer, intent(in) :: eb, e
+         real(dp), intent(in) :: distance
+
+         may_have_passed = distance <= relative_motion(eb, e) + contact%depth + sum(elements%radius([eb, e]))/2
+      end function may_have_passed
+
+      !> Direction from the unbarred to the barred wire at a crossing without memory when the increment began, be it in
+      !> other elements of the same two wires; 0 if it was not one then. A wire that touches itself is asked about these
+      !> two elements only.
+      function normal_at_start(eb, e, axis) result(normal)
          integer, intent(in) :: eb, e, axis
+         real(dp) :: normal(3)
          real(dp) :: motion
          integer :: i, j, near_bar(2), near(2)
 
-         side = side_of_elements(eb, e, axis, search_limit)
-         if (side /= 0 .or. wires%wire(eb) == wires%wire(e)) return
          motion = relative_motion(eb, e)
+         normal = normal_of_elements(eb, e, axis, search_limit)
+         if (any(abs(normal) > 0) .or. wires%wire(eb) == wires%wire(e)) return
          near_bar = elements_along(eb, motion)
          near = elements_along(e, motion)
          do i = near_bar(1), near_bar(2)
@@ -412,14 +431,12 @@ contains
                associate (other_bar => wires%element(i), other => wires%element(j))
                   if (centre_distance(other_bar, other) > elements%length(other_bar) + elements%length(other) + motion &
                      + elements%radius(eb) + elements%radius(e)) cycle
-                  side = side_of_elements(other_bar, other, axis, 1 + end_tolerance)
-                  if (side == 0) cycle
-                  side = side*wires%direction(eb)*wires%direction(e)*wires%direction(other_bar)*wires%direction(other)
-                  return
+                  normal = normal_of_elements(other_bar, other, axis, 1 + end_tolerance)
+                  if (any(abs(normal) > 0)) return
                end associate
             end do
          end do
-      end function side_at_start
+      end function normal_at_start
 
       !> First and last element of the same wire, in the order of `wires%element`, that lie within a distance along it.
       pure function elements_along(e, distance) result(range)
@@ -455,23 +472,24 @@ contains
             sum(x_start(:, model%connectivity(:, eb)), 2) - sum(x_start(:, model%connectivity(:, e)), 2))/2
       end function centre_distance
 
-      !> Side on which two elements passed each other when the increment began; 0 if not within `|xi| < limit`.
-      integer function side_of_elements(eb, e, axis, limit) result(side)
+      !> Unit vector between the closest points of two elements when the increment began; 0 if not within `|xi| < limit`.
+      function normal_of_elements(eb, e, axis, limit) result(normal)
          integer, intent(in) :: eb, e, axis
          real(dp), intent(in) :: limit
-         real(dp) :: xe(3, 4), t(3, 4), length(2), xi_start(2), volume
+         real(dp) :: normal(3)
+         real(dp) :: xe(3, 4), t(3, 4), length(2), xi_start(2), w(3)
          integer :: status_start
 
-         side = 0
+         normal = 0
          call pair_geometry(model, wires, elements, eb, e, x_start, rotation, xe, t, length)
          t(:, 1:2) = spread(xe(:, 2) - xe(:, 1), 2, 2)/norm2(xe(:, 2) - xe(:, 1))
          t(:, 3:4) = spread(xe(:, 4) - xe(:, 3), 2, 2)/norm2(xe(:, 4) - xe(:, 3))
          call closest_points(xe, t, length, axis, xi_start(1), xi_start(2), status_start)
          if (status_start == closest_parallel .or. status_start == closest_not_converged) return
          if (any(abs(xi_start) >= limit)) return
-         volume = dot_product(xe(:, 1) - xe(:, 3), cross(t(:, 3), t(:, 1)))
-         side = merge(1, -1, volume >= 0)
-      end function side_of_elements
+         w = on_chord(xe(:, 1:2), xi_start(1)) - on_chord(xe(:, 3:4), xi_start(2))
+         if (norm2(w) > 0) normal = w/norm2(w)
+      end function normal_of_elements
 
    end subroutine locate_points
 

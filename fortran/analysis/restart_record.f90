@@ -37,7 +37,6 @@ contains
       call record%field('element_bar', point%element_bar)
       call record%field('element', point%element)
       call record%field('pair', point%pair)
-      call record%field('side', point%side)
       call record%field('closed', point%closed)
       call record%field('xi_bar', point%xi_bar)
       call record%field('xi', point%xi)
@@ -45,6 +44,7 @@ contains
       call record%field('arc', point%arc)
       call record%field('gap', point%gap)
       call record%field('distance_gap', point%kinematics%gap)
+      call record%field('normal', point%kinematics%normal)
       call record%field('force', point%force)
       call exchange_history(record, point%history)
    end subroutine exchange_point

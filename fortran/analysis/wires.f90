@@ -8,7 +8,7 @@ module litz_wires
    use litz_rotations, only: cross
    implicit none
    private
-   public :: wires_t, build_wires
+   public :: wires_t, build_wires, measure_wires
 
    !> A sharper angle between two elements [rad] is a corner, not a smooth wire (20 degrees, as in Abaqus)
    real(dp), parameter :: corner_angle = 20*pi/180
@@ -52,7 +52,7 @@ contains
          chord(:, e) = chord(:, e)/length(e)
       end do
       call join_elements(model, chord, wires)
-      call number_wires(length, wires)
+      call number_wires(model%n_elements, wires)
       call nodal_triads(model, chord, length, wires)
    end subroutine build_wires
 
@@ -89,49 +89,39 @@ contains
    end subroutine join_elements
 
    !> Walk each chain from one of its ends (from any element where it is closed).
-   subroutine number_wires(length, wires)
-      real(dp), intent(in) :: length(:)
+   subroutine number_wires(n, wires)
+      integer, intent(in) :: n
       type(wires_t), intent(inout) :: wires
-      integer :: e, n, pass, n_walked
+      integer :: e, pass, n_walked
 
-      n = size(length)
       n_walked = 0
       allocate (wires%element(n), wires%place(n), wires%first(n + 1), source=0)
-      allocate (wires%circumference(n), source=0.0_dp)
       allocate (wires%wire(n), wires%direction(n), source=0)
-      allocate (wires%arc(n), source=0.0_dp)
       do pass = 1, 2
          do e = 1, n
             if (wires%wire(e) /= 0) cycle
             if (pass == 1 .and. all(wires%next(:, e) /= 0)) cycle
             call walk(e)
-            if (pass == 2) wires%circumference(wires%n_wires) = &
-               sum(length(wires%element(wires%first(wires%n_wires):n_walked)))
          end do
       end do
       wires%first = [wires%first(:wires%n_wires), n + 1]
-      wires%circumference = wires%circumference(:wires%n_wires)
 
    contains
 
       subroutine walk(start)
          integer, intent(in) :: start
          integer :: current, from, exit_side
-         real(dp) :: s
 
          wires%n_wires = wires%n_wires + 1
          wires%first(wires%n_wires) = n_walked + 1
          current = start
          exit_side = merge(2, 1, wires%next(1, start) == 0 .or. wires%next(2, start) /= 0)
-         s = 0
          do
             wires%wire(current) = wires%n_wires
             n_walked = n_walked + 1
             wires%element(n_walked) = current
             wires%place(current) = n_walked
             wires%direction(current) = merge(1, -1, exit_side == 2)
-            wires%arc(current) = s + length(current)/2
-            s = s + length(current)
             from = current
             current = wires%next(exit_side, from)
             if (current == 0) exit
@@ -153,6 +143,28 @@ contains
       end function entered_at_first
 
    end subroutine number_wires
+
+   !> Arc lengths along the wires, from the lengths of their curved elements: a node has one, whichever element it is
+   !> reached by.
+   pure subroutine measure_wires(length, wires)
+      !> Reference lengths (n_elements) [m]
+      real(dp), intent(in) :: length(:)
+      type(wires_t), intent(inout) :: wires
+      real(dp) :: s
+      integer :: w, i
+
+      allocate (wires%arc(size(length)), wires%circumference(wires%n_wires), source=0.0_dp)
+      do w = 1, wires%n_wires
+         s = 0
+         do i = wires%first(w), wires%first(w + 1) - 1
+            associate (e => wires%element(i))
+               wires%arc(e) = s + length(e)/2
+               s = s + length(e)
+            end associate
+         end do
+         if (all(wires%next(:, wires%element(wires%first(w))) /= 0)) wires%circumference(w) = s
+      end do
+   end subroutine measure_wires
 
    !> Tangents at the nodes from a parabola through three neighbours (at the end of a wire: the circle that goes on),
    !> section axes perpendicular to them.

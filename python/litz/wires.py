@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-# Two elements that meet at a sharper angle than this are joined by a kink, not by a smooth curve.
-_SHARPEST_BEND = np.radians(50.0)
+# Two elements that meet at a sharper angle than this are joined by a kink, not by a smooth curve: the rule of the program.
+_SHARPEST_BEND = np.radians(20.0)
 
 
 @dataclass(frozen=True)

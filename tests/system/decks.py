@@ -161,6 +161,18 @@ def wire(name, points, first=1, *, element="B31", closed=False, backwards=()):
     return "\n".join([f"*NODE, NSET={name}", *nodes, f"*ELEMENT, TYPE={element}, ELSET={name}", *elements, ""])
 
 
+def pair_of_wires(first, second, supports, prescribed="", static="1., 1."):
+    """Two steel wires A and B of 1 mm radius that may touch; supports of the model and prescribed values of its step."""
+    return (
+        f"{first}{second}{MATERIAL}*ELSET, ELSET=WIRES\n A, B\n"
+        "*BEAM SECTION, ELSET=WIRES, MATERIAL=STEEL, SECTION=CIRC\n 1e-3\n"
+        "*SURFACE INTERACTION, NAME=TOUCH\n*CONTACT PAIR, INTERACTION=TOUCH\n A, B\n"
+        f"*BOUNDARY\n{supports}*STEP\n*STATIC\n {static}\n"
+        + (f"*BOUNDARY\n{prescribed}" if prescribed else "")
+        + "*END STEP\n"
+    )
+
+
 def straight(start, end, n):
     """Points at equal distances from start to end, for n elements."""
     return np.linspace(start, end, n + 1)

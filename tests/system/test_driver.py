@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from decks import MATERIAL, crossed, grid, thin_mat, wire
+from decks import MATERIAL, crossed, grid, pair_of_wires, thin_mat, wire
 
 from litz import Results
 
@@ -189,6 +189,71 @@ def test_an_overlap_of_many_radii_is_not_lost_between_short_elements(run):
     process, results = run(crossed(push="-60e-3", behavior=soft, static="0.1, 1., 0.05, 0.1"))
     assert process.returncode == 0, process.stderr
     assert results.contacts_at(-1)["gap"][0] == pytest.approx(-60e-3, rel=1e-3)
+
+
+#: Nodes [mm] of a wire beside one along x. Chord and curve of an element cross the other wire in opposite senses.
+BESIDE = {
+    "an element": ((-27, 2.7, -0.3), (-7, 2.7, -0.9), (13, 3.1, 0.3), (33, 3.7, -0.9)),
+    "its neighbour": ((-31, 3.5, -0.5), (-11, 4.1, 0.7), (9, 4.1, 0.0), (29, 4.1, 0.3)),
+}
+
+
+@pytest.mark.parametrize("where", BESIDE)
+def test_wires_side_by_side_at_a_distance_do_not_overlap(litz, tmp_path, where):
+    """Nothing has moved yet, so nothing has passed, however the tangents are turned."""
+    deck = tmp_path / "deck.inp"
+    along = wire("A", np.c_[np.linspace(-0.03, 0.03, 4), np.zeros((4, 2))])
+    deck.write_text(pair_of_wires(along, wire("B", 1e-3 * np.array(BESIDE[where]), 11), " A, ENCASTRE\n B, ENCASTRE\n"))
+    process = litz("check", deck)
+    assert process.returncode == 0, process.stderr
+
+
+def test_wires_that_turn_through_parallel_have_not_passed_each_other(run):
+    """The upper wire turns from one side of the lower one's direction to the other, 0.3 mm above it."""
+    lower = wire("A", np.c_[np.linspace(-0.05, 0.05, 6), np.zeros((6, 2))])
+    s = np.linspace(-1, 1, 6)
+    upper = wire("B", np.c_[0.05 * s, 0.01 * s, np.full(6, 2.3e-3)], 11)
+    turn = " 11, 2, 2, 20e-3\n 16, 2, 2, -20e-3\n 11, 3\n 16, 3\n 11, 1\n 11, 4\n"
+    process, results = run(pair_of_wires(lower, upper, " A, ENCASTRE\n", turn, static="0.4, 1., 1e-3, 0.4"))
+    assert process.returncode == 0, process.stderr
+    assert results.status["attempts"].max() == 1
+    assert not (results.contacts["force"] > 0).any()
+
+
+def bows():
+    """Two arches whose crowns are nodes and touch there."""
+    s = np.array([-30e-3, -12e-3, 0, 12e-3, 30e-3])
+    lower = wire("A", np.c_[s, 0 * s, -3 * s**2])
+    upper = wire("B", np.c_[0 * s, s, 2e-3 + 3 * s**2], 11)
+    return pair_of_wires(lower, upper, " 1, ENCASTRE\n 5, ENCASTRE\n", held_and_pushed((11, 15), 3))
+
+
+def ring():
+    """A wire that touches a ring at the node where its numbering begins and ends."""
+    angle = np.arange(36) * 2 * np.pi / 36
+    s = np.linspace(-20e-3, 20e-3, 5)
+    around = wire("A", np.c_[10e-3 * np.cos(angle), 10e-3 * np.sin(angle), 0 * angle], closed=True)
+    across = wire("B", np.c_[np.full(5, 12e-3), 0 * s, s], 101)
+    return pair_of_wires(around, across, " 19, ENCASTRE\n", held_and_pushed((101, 105), 1))
+
+
+def held_and_pushed(nodes, dof):
+    """Both nodes are clamped and moved by -0.1 mm."""
+    return "".join(
+        f" {node}, {other}, {other}, {-1e-4 if other == dof else 0}\n" for node in nodes for other in range(1, 7)
+    )
+
+
+@pytest.mark.parametrize("deck", [bows, ring])
+def test_a_contact_at_nodes_of_curved_wires_is_one_contact(run, deck):
+    process, results = run(deck())
+    assert process.returncode == 0, process.stderr
+    contacts = results.contacts_at(-1)
+    assert len(contacts["force"]) == 1
+    # it did not leave the node: this is the case that is meant
+    assert abs(contacts["xi"][0]) == pytest.approx(1, abs=1e-9) or abs(contacts["xi_bar"][0]) == pytest.approx(1, abs=1e-9)
+    pushed = np.abs(results.field("reaction_force")[results.node_sets["B"]].sum(axis=0)).max()
+    assert contacts["force"][0] == pytest.approx(pushed, rel=1e-9)
 
 
 def test_penetration_beyond_the_axes_can_be_allowed_and_keeps_its_sign(run):

@@ -185,6 +185,14 @@ def test_rope_of_seven_strands_of_seven_wires():
     assert max(np.hypot(x[:, 0], x[:, 1]).max() for x in wires_of(model)) + 0.1e-3 < 1.15 * 9e-4
 
 
+def test_wires_of_a_coarse_rope_have_room_where_the_program_sees_corners(litz, tmp_path):
+    """Elements that bend by more than 20 degrees: their axes have corners, and the wires more room."""
+    model = build.cable([[1, 6], [1, 6]], radius=0.1e-3, lay_lengths=[-4e-3, 10e-3], length=5e-3, elements_per_lay=8)
+    model.press(1e-9, voltage=1e-3)
+    done = litz("check", model.write(tmp_path / "rope.inp"))
+    assert done.returncode == 0, done.stderr
+
+
 def test_a_run_of_a_strand_says_that_line_contact_is_missing(litz, tmp_path):
     model = MODELS["strand"]()
     model.press(1e-9, voltage=1e-3)
