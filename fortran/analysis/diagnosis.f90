@@ -25,7 +25,7 @@ contains
       error = fail(exit_not_converged, 'step '//to_text(outcome%last%step)//', increment '// &
          to_text(outcome%last%increment)//' did not converge from step time '//to_text(step_time)// &
          ' with an increment of '//to_text(increment)//': '//outcome%reason//'. '//worst_contact(problem)// &
-         cause_words(problem, step, outcome)//limit_words(step, attempts))
+         cause_words(problem, step, outcome, attempts)//limit_words(step, attempts))
    end function not_converged
 
    !> The contact whose force the iteration was least sure of; empty: there is none.
@@ -46,10 +46,12 @@ contains
    end function worst_contact
 
    !> What the iteration failed of, and what helps.
-   function cause_words(problem, step, outcome) result(words)
+   function cause_words(problem, step, outcome, attempts) result(words)
       type(problem_t), intent(in) :: problem
       type(step_t), intent(in) :: step
       type(outcome_t), intent(in) :: outcome
+      !> Tries of this increment
+      integer, intent(in) :: attempts
       character(len=:), allocatable :: words
 
       words = ''
@@ -69,6 +71,9 @@ contains
          else if (outcome%last%contacts_new + outcome%last%contacts_lost > 0) then
             words = to_text(outcome%last%contacts_new)//' contacts closed and '// &
                to_text(outcome%last%contacts_lost)//' opened in the last iteration: they need smaller increments. '
+         else if (attempts > 1) then
+            words = 'Smaller increments did no better: where wires are about to snap or to slip off each other, damp'// &
+               ' that (*CONTROLS, PARAMETERS=STABILIZE), or let them rub (*FRICTION). '
          else if (still_converges(outcome)) then
             words = 'It was still converging: allow more iterations (I_C of *CONTROLS, PARAMETERS=TIME'// &
                ' INCREMENTATION, now '//to_text(step%controls%i_c)//'). '
