@@ -1,9 +1,9 @@
 !> Which crossings there are: candidates from the broad phase, points from the closest points of the curves.
 !>
 !> A crossing belongs to the pair of wires, not of elements: when it slides over a node, the point of the next
-!> element takes over its memory. The memory includes the normal, by which the gap keeps its sign when a step has pushed
-!> the axes through each other: they have passed if the line between them has turned round. Only axes that have moved far
-!> enough for that are asked; for all others the gap is what it is now.
+!> element takes over its memory. The memory includes the normal, by which the gap keeps its sign when a step has
+!> pushed the axes through each other: they have passed if the line between them has turned round. Only axes that have
+!> moved far enough for that are asked; for all others the gap is what it is now.
 module litz_contact_pairs
    use litz_kinds, only: dp, int64
    use litz_closest_points, only: closest_points, end_tolerance, search_limit, closest_inside, closest_beyond, &
@@ -472,7 +472,8 @@ contains
             sum(x_start(:, model%connectivity(:, eb)), 2) - sum(x_start(:, model%connectivity(:, e)), 2))/2
       end function centre_distance
 
-      !> Unit vector between the closest points of two elements when the increment began; 0 if not within `|xi| < limit`.
+      !> Unit vector between the closest points of two elements when the increment began; 0 if not within
+      !> `|xi| < limit`.
       function normal_of_elements(eb, e, axis, limit) result(normal)
          integer, intent(in) :: eb, e, axis
          real(dp), intent(in) :: limit

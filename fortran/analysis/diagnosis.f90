@@ -72,8 +72,8 @@ contains
             words = to_text(outcome%last%contacts_new)//' contacts closed and '// &
                to_text(outcome%last%contacts_lost)//' opened in the last iteration: they need smaller increments. '
          else if (attempts > 1) then
-            words = 'Smaller increments did no better: where wires are about to snap or to slip off each other, damp'// &
-               ' that (*CONTROLS, PARAMETERS=STABILIZE), or let them rub (*FRICTION). '
+            words = 'Smaller increments did no better: where wires are about to snap or to slip off each other,'// &
+               ' damp that (*CONTROLS, PARAMETERS=STABILIZE), or let them rub (*FRICTION). '
          else if (still_converges(outcome)) then
             words = 'It was still converging: allow more iterations (I_C of *CONTROLS, PARAMETERS=TIME'// &
                ' INCREMENTATION, now '//to_text(step%controls%i_c)//'). '
