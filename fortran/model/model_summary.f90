@@ -5,7 +5,8 @@ module litz_model_summary
    use litz_laws, only: axis_hermite, normal_linear, stick_elastic_slip, stick_stiffness, spot_none, spot_plastic, &
       spot_film, spot_constant, spot_table
    use litz_model, only: model_t, step_t, interaction_t, output_request_t, named_set_t, nodal_value_t, &
-      element_b31, coupling_default, coupling_monolithic, request_node, request_element, request_contact, dof_potential
+      element_b31, coupling_default, coupling_monolithic, request_node, request_element, request_contact, &
+      request_energy, dof_potential
    use litz_parts, only: parts_t, find_parts
    use litz_solver_names, only: solver_default, solver_keyword
    use litz_text, only: to_text, plural
@@ -241,6 +242,8 @@ contains
          line = '  output of node set '//model%node_sets(request%set)%name//':'
       case (request_element)
          line = '  output of element set '//model%element_sets(request%set)%name//':'
+      case (request_energy)
+         line = '  output of energies'
       case (request_contact)
          line = '  output of contacts in the terminal'
       case default
