@@ -92,7 +92,8 @@ contains
       if (allocated(interaction%table_force)) table = show(interaction%table_force)//show(interaction%table_resistance)
       write (unit, '(a)') 'interaction '//interaction%name//show([interaction%normal_law, interaction%spot_law, &
          interaction%axis, merge(1, 0, interaction%unlimited_penetration), &
-         merge(1, 0, interaction%voltage_correction)])//show([interaction%penalty, interaction%spot_value])//table
+         merge(1, 0, interaction%voltage_correction), interaction%stick_law, merge(1, 0, interaction%spot_memory)])// &
+         show([interaction%penalty, interaction%spot_value, interaction%friction, interaction%stick_value])//table
    end subroutine print_interaction
 
    subroutine print_step(unit, model, step)

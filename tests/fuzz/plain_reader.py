@@ -13,7 +13,7 @@ SPOT_LAWS = {"PAPER": 1, "HERTZ": 2, "PLASTIC": 3, "FILM": 4, "CONSTANT": 5, "TA
 AXES = {"LINEAR": 1, "HERMITE": 2}
 SOLVERS = {"BLOCK": 1, "UMFPACK": 2, "SKYLINE": 3}
 COUPLINGS = {"MONOLITHIC": 1, "UPDATED": 2}
-KINDS = {"NODEPRINT": 1, "ELPRINT": 2, "CONTACTPRINT": 3, "ELECTRODEPRINT": 4}
+KINDS = {"NODEPRINT": 1, "ELPRINT": 2, "CONTACTPRINT": 3, "ELECTRODEPRINT": 4, "ENERGYPRINT": 5}
 LOADS = {"BOUNDARY": "boundary", "CLOAD": "load", "CECURRENT": "current"}
 CONTROLS = {"i_c": 16, "i_l": 10, "i_g": 6, "i_a": 8, "r_n": 1e-8, "c_n": 0.0, "d_f": 0.25, "d_b": 0.75, "d_d": 1.5, "cap": 0.6}
 sys.set_int_max_str_digits(0)
@@ -196,24 +196,30 @@ class PlainReader:
         found = []
         for keyword, parameters, data in self.cards:
             given = [number(value) for line in data for value in values(line)] if keyword in (
-                "SURFACEBEHAVIOR", "GAPELECTRICALCONDUCTANCE") else []  # fmt: skip
+                "SURFACEBEHAVIOR", "FRICTION", "GAPELECTRICALCONDUCTANCE") else []  # fmt: skip
             if keyword == "SURFACEINTERACTION":
                 self.names[keyword].append(capitals(parameters["NAME"]))
                 axis = AXES[squeezed(parameters.get("AXIS", "HERMITE"))]
-                found.append([2, 0, axis, 0, 1, 0.0, 0.0])
+                found.append([2, 0, axis, 0, 1, 1, 0, 0.0, 0.0, 0.0, 0.0])
             elif keyword == "SURFACEBEHAVIOR":
                 linear = squeezed(parameters["PRESSURE-OVERCLOSURE"]) == "LINEAR"
                 found[-1][0] = 1 if linear else 2
                 found[-1][3] = int(squeezed(parameters.get("PENETRATION", "")) == "UNLIMITED")
-                found[-1][5] = given[0] if linear else 0.0
+                found[-1][7] = given[0] if linear else 0.0
+            elif keyword == "FRICTION":
+                found[-1][9] = given[0]
+                for law, parameter in ((2, "ELASTICSLIP"), (3, "STICKSTIFFNESS")):
+                    if parameter in parameters:
+                        found[-1][5], found[-1][10] = law, number(parameters[parameter])
             elif keyword == "GAPELECTRICALCONDUCTANCE":
                 law = squeezed(parameters["LAW"])
                 found[-1][1] = SPOT_LAWS[law]
                 found[-1][4] = int(squeezed(parameters.get("VOLTAGE", "")) != "LINEAR")
+                found[-1][6] = int(squeezed(parameters.get("SPOT", "")) == "LARGESTFORCE")
                 if law == "TABLE":
                     found[-1] += given[0::2] + given[1::2]
                 elif given:
-                    found[-1][6] = given[0]
+                    found[-1][8] = given[0]
         return [
             f"interaction {name}{show(data)}" for name, data in zip(self.names["SURFACEINTERACTION"], found, strict=True)
         ]
@@ -323,7 +329,7 @@ class PlainReader:
 
     def requests(self, keyword, parameters, data):
         kind = KINDS[keyword]
-        if keyword == "CONTACTPRINT":
+        if keyword in ("CONTACTPRINT", "ENERGYPRINT"):
             return [(kind, 0, 0, 0, [])]
         if keyword == "ELECTRODEPRINT":
             names = list(self.sets["NSET"])
