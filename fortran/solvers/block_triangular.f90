@@ -1,11 +1,12 @@
-!> The solver that makes use of the zero block: `mm` and `ee` are factored apart, by Cholesky where they are symmetric
-!> and positive definite. Forward substitution through `me` then gives the monolithic step exactly.
+!> The solver that makes use of the zero block: `mm` and `ee` are factored apart, by Cholesky where they are positive
+!> definite. Forward substitution through `me` then gives the monolithic step exactly.
 module litz_block_triangular
    use litz_kinds, only: dp
    use litz_errors, only: error_t
    use litz_linear_solver, only: linear_solver_t, csr_matrix_t, system_matrix_t, check_right_side
    use litz_sparse_pattern, only: csr_add_product
    use litz_equilibration, only: equilibrate
+   use litz_concus_golub_widlund, only: symmetric_part, solve_by_symmetric_part
    use litz_scaled_factor, only: scaled_factor_t
    use litz_cholmod, only: cholmod_factor_t
    use litz_umfpack, only: umfpack_factor_t
@@ -13,9 +14,14 @@ module litz_block_triangular
    private
    public :: block_solver_t
 
-   !> One block on the diagonal: Cholesky first, LU where that cannot be.
+   !> One block on the diagonal: Cholesky first, of the symmetric part where the block has another; LU where that cannot
+   !> be, or where the skew part is too large for it.
    type :: diagonal_block_t
       type(scaled_factor_t) :: cholesky, lu
+      !> The values are symmetric
+      logical :: symmetric = .true.
+      !> The symmetric part was of no use for this pattern
+      logical :: far_from_symmetric = .false.
       !> The LU has its symbolic work done
       logical :: lu_analysed = .false.
       !> The last factorisation is the LU
@@ -51,6 +57,7 @@ contains
 
       self%offset = offset
       self%lu_analysed = .false.
+      self%far_from_symmetric = .false.
       if (.not. allocated(self%cholesky%backend)) allocate (cholmod_factor_t :: self%cholesky%backend)
       if (.not. allocated(self%lu%backend)) allocate (umfpack_factor_t :: self%lu%backend)
       call self%lu%release()
@@ -62,33 +69,70 @@ contains
       type(csr_matrix_t), intent(in) :: matrix
       logical, intent(in) :: symmetric
       type(error_t), allocatable, intent(out) :: error
-      real(dp) :: scale(matrix%n_rows)
 
-      call equilibrate(matrix, scale)
       call self%lu%release()
-      self%lu_used = .not. symmetric
-      if (symmetric) then
-         call self%cholesky%factor(matrix, scale, scale, error)
+      self%symmetric = symmetric
+      self%lu_used = self%far_from_symmetric .and. .not. symmetric
+      if (.not. self%lu_used) then
+         call factor_cholesky(self, matrix, error)
          self%failed_equation = self%cholesky%failed_equation
          self%lu_used = self%failed_equation > 0
       end if
-      if (.not. self%lu_used) return
+      if (self%lu_used) call factor_lu(self, matrix, error)
+   end subroutine block_factor
+
+   subroutine factor_cholesky(self, matrix, error)
+      class(diagonal_block_t), intent(inout) :: self
+      type(csr_matrix_t), intent(in) :: matrix
+      type(error_t), allocatable, intent(out) :: error
+      type(csr_matrix_t) :: part
+      real(dp) :: scale(matrix%n_rows)
+
+      if (self%symmetric) then
+         call equilibrate(matrix, scale)
+         call self%cholesky%factor(matrix, scale, scale, error)
+      else
+         call symmetric_part(matrix, part)
+         call equilibrate(part, scale)
+         call self%cholesky%factor(part, scale, scale, error)
+      end if
+   end subroutine factor_cholesky
+
+   subroutine factor_lu(self, matrix, error)
+      class(diagonal_block_t), intent(inout) :: self
+      type(csr_matrix_t), intent(in) :: matrix
+      type(error_t), allocatable, intent(out) :: error
+      real(dp) :: scale(matrix%n_rows)
+
       call self%cholesky%release()
       if (.not. self%lu_analysed) then
          call self%lu%analyse(matrix, self%offset, error)
          if (allocated(error)) return
          self%lu_analysed = .true.
       end if
+      call equilibrate(matrix, scale)
       call self%lu%factor(matrix, scale, scale, error)
       self%failed_equation = self%lu%failed_equation
-   end subroutine block_factor
+   end subroutine factor_lu
 
-   subroutine block_solve(self, b, x, error)
+   subroutine block_solve(self, matrix, b, x, error)
       class(diagonal_block_t), intent(inout) :: self
+      !> What was factored
+      type(csr_matrix_t), intent(in) :: matrix
       real(dp), intent(in) :: b(:)
       real(dp), intent(out) :: x(:)
       type(error_t), allocatable, intent(out) :: error
+      logical :: converged
 
+      if (.not. (self%lu_used .or. self%symmetric)) then
+         call solve_by_symmetric_part(matrix, self%cholesky, b, x, converged, error)
+         self%failed_equation = self%cholesky%failed_equation
+         if (allocated(error) .or. converged) return
+         self%far_from_symmetric = .true.
+         self%lu_used = .true.
+         call factor_lu(self, matrix, error)
+         if (allocated(error)) return
+      end if
       if (self%lu_used) then
          call self%lu%solve(b, x, error)
          self%failed_equation = self%lu%failed_equation
@@ -127,11 +171,11 @@ contains
       call self%mechanical%factor(matrix%mm, matrix%mm_symmetric, error)
       self%failed_equation = self%mechanical%failed_equation
       if (allocated(error)) return
-      if (matrix%mm_symmetric) call count_negative_pivots(self)
+      if (matrix%mm_symmetric .or. .not. self%mechanical%lu_used) call count_negative_pivots(self)
    end subroutine block_solver_factor_mechanical
 
    !> That Cholesky failed says only that there is a negative pivot; how many, the LU tells if it could keep to the
-   !> diagonal.
+   !> diagonal. A matrix with a positive definite symmetric part has none.
    subroutine count_negative_pivots(self)
       class(block_solver_t), intent(inout) :: self
 
@@ -176,7 +220,7 @@ contains
 
       call check_right_side(matrix%mm, b, error)
       if (allocated(error)) return
-      call self%mechanical%solve(b, x, error)
+      call self%mechanical%solve(matrix%mm, b, x, error)
       self%failed_equation = self%mechanical%failed_equation
    end subroutine block_solver_solve_mechanical
 
@@ -189,7 +233,7 @@ contains
 
       call check_right_side(matrix%ee, b, error)
       if (allocated(error)) return
-      call self%electric%solve(b, x, error)
+      call self%electric%solve(matrix%ee, b, x, error)
       call set_electric_failure(self)
    end subroutine block_solver_solve_electric
 

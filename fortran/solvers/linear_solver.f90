@@ -29,8 +29,8 @@ module litz_linear_solver
    type, abstract :: linear_solver_t
       !> One of the constants of litz_solver_names
       integer :: kind = solver_default
-      !> Negative eigenvalues of a symmetric `mm`, counted by the pivots of the last `factor`: 0 where it is positive
-      !> definite (stable equilibrium); -1: the solver cannot tell, or `mm` is not symmetric
+      !> Negative eigenvalues of a symmetric `mm`, counted by the pivots of the last `factor`; 0 where it, or the
+      !> symmetric part of an unsymmetric one, is positive definite (stable equilibrium); -1: the solver cannot tell
       integer :: negative_pivots = -1
       !> .false.: there are at least so many
       logical :: negative_pivots_exact = .true.

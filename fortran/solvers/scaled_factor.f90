@@ -31,6 +31,7 @@ module litz_scaled_factor
       procedure :: analyse => scaled_factor_analyse
       procedure :: factor => scaled_factor_factor
       procedure :: solve => scaled_factor_solve
+      procedure :: solve_once => scaled_factor_solve_once
       procedure :: release => scaled_factor_release
    end type scaled_factor_t
 
@@ -133,6 +134,17 @@ contains
       end if
       x = self%column_scale*(x + correction)
    end subroutine scaled_factor_solve
+
+   !> The same without refinement and verdict, for iterations that correct themselves; `solve` has been called before.
+   subroutine scaled_factor_solve_once(self, b, x, error)
+      class(scaled_factor_t), intent(inout) :: self
+      real(dp), intent(in) :: b(:)
+      real(dp), intent(out) :: x(:)
+      type(error_t), allocatable, intent(out) :: error
+
+      call self%backend%solve(self%row_scale*b, x, error)
+      x = self%column_scale*x
+   end subroutine scaled_factor_solve_once
 
    subroutine give_up(self, equation, reason, error)
       class(scaled_factor_t), intent(inout) :: self

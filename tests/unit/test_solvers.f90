@@ -257,7 +257,7 @@ contains
       matrix%mm_symmetric = .false.
       call solver%factor(matrix, error)
       call stop_on(error)
-      call check(solver%negative_pivots == -1, solver%name()//': no count for an unsymmetric matrix')
+      call check(solver%negative_pivots == -1, solver%name()//': no count for an unstable unsymmetric matrix')
    end subroutine negative_pivots_are_negative_eigenvalues
 
    subroutine an_equation_without_entries_is_named(kind)

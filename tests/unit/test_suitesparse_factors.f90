@@ -2,10 +2,13 @@
 program test_suitesparse_factors
    use litz_kinds, only: dp
    use litz_errors, only: error_t
-   use litz_linear_solver, only: csr_matrix_t
+   use litz_linear_solver, only: csr_matrix_t, system_matrix_t
+   use litz_scaled_factor, only: scaled_factor_t
    use litz_sparse_factor, only: sparse_factor_t
-   use litz_sparse_pattern, only: pattern_from_cliques, csr_position
+   use litz_sparse_pattern, only: pattern_from_cliques, csr_position, csr_add_product
+   use litz_block_triangular, only: block_solver_t
    use litz_cholmod, only: cholmod_factor_t
+   use litz_concus_golub_widlund, only: symmetric_part, solve_by_symmetric_part
    use litz_umfpack, only: umfpack_factor_t
    use litz_skyline, only: skyline_factor_t
    implicit none
@@ -18,6 +21,8 @@ program test_suitesparse_factors
    call pivots_multiply_to_the_determinant(factor, 'CHOLMOD')
    call a_negative_diagonal_is_found(factor, 'CHOLMOD')
    call a_factor_that_does_not_fit_is_refused()
+   call the_symmetric_part_solves_what_is_nearly_symmetric()
+   call the_solver_falls_back_where_the_skew_part_is_large()
    deallocate (factor)
    allocate (umfpack_factor_t :: factor)
    call pivots_multiply_to_the_determinant(factor, 'UMFPACK')
@@ -52,6 +57,68 @@ contains
       call check(factor%diagonal_pivots, name//': pivots on the diagonal')
       call check(abs(sum(log(factor%pivot)) - log(sinh((n + 1)*a)/sinh(a))) < 1.0e-12_dp, name//': determinant')
    end subroutine pivots_multiply_to_the_determinant
+
+   !> 3 on the diagonal, -1 + s above it and -1 - s below.
+   subroutine skew_chain(s, matrix)
+      real(dp), intent(in) :: s
+      type(csr_matrix_t), intent(out) :: matrix
+      integer :: i
+
+      call pattern_from_cliques(n, [(2*i - 1, i=1, n)], [(i, i + 1, i=1, n - 1)], matrix)
+      do i = 1, n
+         matrix%value(csr_position(matrix, i, i)) = 3
+         if (i == n) exit
+         matrix%value(csr_position(matrix, i, i + 1)) = s - 1
+         matrix%value(csr_position(matrix, i + 1, i)) = -s - 1
+      end do
+   end subroutine skew_chain
+
+   subroutine the_symmetric_part_solves_what_is_nearly_symmetric()
+      type(scaled_factor_t) :: cholesky
+      type(csr_matrix_t) :: matrix, part
+      type(error_t), allocatable :: error
+      real(dp) :: b(n), x(n)
+      logical :: converged
+      integer :: i
+
+      call skew_chain(0.3_dp, matrix)
+      call symmetric_part(matrix, part)
+      call check(abs(part%value(csr_position(part, 7, 8)) + 1) < epsilon(1.0_dp) .and. &
+         abs(part%value(csr_position(part, 8, 7)) + 1) < epsilon(1.0_dp), 'the symmetric part is the mean')
+      allocate (cholmod_factor_t :: cholesky%backend)
+      call cholesky%analyse(part, 0, error)
+      call cholesky%factor(part, [(1.0_dp, i=1, n)], [(1.0_dp, i=1, n)], error)
+      b = [(sin(1.0_dp*i), i=1, n)]
+      call solve_by_symmetric_part(matrix, cholesky, b, x, converged, error)
+      call check(converged .and. .not. allocated(error), 'a small skew part converges')
+      call csr_add_product(matrix, -1.0_dp, x, b)
+      call check(maxval(abs(b)) < 1.0e-14_dp, 'to a residual of round-off')
+      call skew_chain(100.0_dp, matrix)
+      call solve_by_symmetric_part(matrix, cholesky, b, x, converged, error)
+      call check(.not. converged, 'a large skew part does not converge, and says so')
+   end subroutine the_symmetric_part_solves_what_is_nearly_symmetric
+
+   subroutine the_solver_falls_back_where_the_skew_part_is_large()
+      type(block_solver_t) :: solver
+      type(system_matrix_t) :: matrix
+      type(error_t), allocatable :: error
+      real(dp) :: b(n), x(n)
+      integer :: i, try
+
+      call skew_chain(100.0_dp, matrix%mm)
+      matrix%mm_symmetric = .false.
+      call pattern_from_cliques(0, [1], [integer ::], matrix%ee)
+      call solver%analyse(matrix, error)
+      do try = 1, 2
+         call solver%factor_mechanical(matrix, error)
+         call check(.not. allocated(error), 'factors')
+         b = [(sin(1.0_dp*i), i=1, n)]
+         call solver%solve_mechanical(matrix, b, x, error)
+         call check(.not. allocated(error) .and. solver%mechanical%lu_used, 'solves by LU')
+         call csr_add_product(matrix%mm, -1.0_dp, x, b)
+         call check(maxval(abs(b)) < 1.0e-13_dp, 'the solution of the fallback')
+      end do
+   end subroutine the_solver_falls_back_where_the_skew_part_is_large
 
    subroutine a_negative_diagonal_is_found(factor, name)
       class(sparse_factor_t), intent(inout) :: factor
