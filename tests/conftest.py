@@ -33,7 +33,12 @@ def litz(litz_program):
     def run(*arguments, cwd=None, timeout=120, env=None):
         return subprocess.run(
             [str(litz_program), *map(str, arguments)],
-            cwd=cwd, timeout=timeout, env=env, capture_output=True, text=True, check=False,
+            cwd=cwd,
+            timeout=timeout,
+            env=env,
+            capture_output=True,
+            text=True,
+            check=False,
         )
 
     return run

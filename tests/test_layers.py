@@ -35,7 +35,9 @@ def used_modules(path):
 
 def defined_modules(path):
     """Modules that a source file defines."""
-    statement = re.compile(r"^\s*module\s+(?!procedure\b|function\b|subroutine\b)(\w+)\s*$", re.IGNORECASE | re.MULTILINE)
+    statement = re.compile(
+        r"^\s*module\s+(?!procedure\b|function\b|subroutine\b)(\w+)\s*$", re.IGNORECASE | re.MULTILINE
+    )
     return {name.lower() for name in statement.findall(path.read_text(encoding="utf-8"))}
 
 

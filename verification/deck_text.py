@@ -55,7 +55,7 @@ def step(*cards, increments=1, most=100, direct=True, controls=""):
     """A *STEP of time 1 in equal increments of fixed size, or with `direct` false in increments that may be cut."""
     first = f"{1.0 / increments:.16g}"
     static = ["*STATIC, DIRECT", f" {first}, 1."] if direct else ["*STATIC", f" {first}, 1., 1.e-4, {first}"]
-    return "\n".join(["*STEP, INC=%d" % most, *static, controls, *cards, "*END STEP"]).replace("\n\n", "\n")
+    return "\n".join([f"*STEP, INC={most:d}", *static, controls, *cards, "*END STEP"]).replace("\n\n", "\n")
 
 
 def straight(length, n, direction=(1.0, 0.0, 0.0)):

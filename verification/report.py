@@ -125,12 +125,12 @@ def _page(head, reports):
 def _row(cells, passed):
     row = []
     for column, cell in zip(_COLUMNS, cells, strict=True):
-        style = ""
+        style, text = "", cell
         if column in ("reference", "litz", "difference", "tolerance"):
-            style, cell = ' class="number"', cell.replace(", ", "\n")
+            style, text = ' class="number"', cell.replace(", ", "\n")
         elif column == "verdict":
             style = f' class="{"pass" if passed else "miss"}"'
-        row.append(f"<td{style}>{html.escape(cell)}")
+        row.append(f"<td{style}>{html.escape(text)}")
     return "".join(row)
 
 

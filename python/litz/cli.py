@@ -42,14 +42,14 @@ def _run_program(arguments):
     from .run import program_environment, program_path
 
     program = str(program_path())
-    if not arguments or arguments[0] in ("help", "-h", "--help"):
-        import subprocess
+    if arguments and arguments[0] not in ("help", "-h", "--help"):
+        sys.stdout.flush()
+        os.execve(program, [program, *arguments], program_environment())
+    import subprocess
 
-        exit_code = subprocess.run([program, "--help"], check=False).returncode
-        print(_PYTHON_HELP, end="")
-        return exit_code
-    sys.stdout.flush()
-    os.execve(program, [program, *arguments], program_environment())
+    exit_code = subprocess.run([program, "--help"], check=False).returncode
+    print(_PYTHON_HELP, end="")
+    return exit_code
 
 
 def _parser(command, description):

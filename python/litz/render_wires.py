@@ -4,6 +4,7 @@
 the whole process, which must not be the user's.
 """
 
+import itertools
 import sys
 
 import numpy as np
@@ -42,10 +43,7 @@ def main(job_path: str, picture_path: str) -> None:
 
 def polylines(points: np.ndarray, starts: np.ndarray) -> pv.PolyData:
     """Lines through points; `starts` has the first point of each and, at its end, the number of points."""
-    cells = [
-        np.concatenate(([stop - start], np.arange(start, stop)))
-        for start, stop in zip(starts[:-1], starts[1:], strict=True)
-    ]
+    cells = [np.concatenate(([stop - start], np.arange(start, stop))) for start, stop in itertools.pairwise(starts)]
     lines = pv.PolyData()
     lines.points = points
     lines.lines = np.concatenate(cells)

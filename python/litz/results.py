@@ -57,6 +57,7 @@ class Results:
             warnings.warn(f"{self.path}: the run did not finish (or still runs); it {end}", stacklevel=2)
 
     def __repr__(self) -> str:
+        """File, sizes and whether the run finished."""
         state = "finished" if self.finished else "not finished"
         sizes = f"{len(self.nodes)} nodes, {len(self.elements)} elements, {len(self.times)} increments"
         return f"<Results {self.path}: {sizes}, {state}>"

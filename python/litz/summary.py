@@ -36,8 +36,7 @@ def _increments(results: "Results") -> str:
     if status.n_rows > _MOST_ROWS:
         half = _MOST_ROWS // 2
         picked = [*range(half), None, *range(status.n_rows - half, status.n_rows)]
-    for i in picked:
-        rows.append(("...",) * len(heads) if i is None else tuple(_cell(status[head][i]) for head in heads))
+    rows += [("...",) * len(heads) if i is None else tuple(_cell(status[head][i]) for head in heads) for i in picked]
     return _aligned(rows)
 
 
@@ -61,8 +60,10 @@ def _last_increment(results: "Results") -> str:
     if heat_wires + heat_contacts > 0:
         lines += [
             f"  electric power in      {potential @ entering:12.5g} W",
-            f"  Joule heat             {heat_wires + heat_contacts:12.5g} W    "
-            f"(wires {heat_wires:.5g} W, contacts {heat_contacts:.5g} W)",
+            (
+                f"  Joule heat             {heat_wires + heat_contacts:12.5g} W    "
+                f"(wires {heat_wires:.5g} W, contacts {heat_contacts:.5g} W)"
+            ),
         ]
     history = results.history
     lines += [f"  {name}  {history[name][-1]:.8g} ohm" for name in history if name.startswith("resistance ")]

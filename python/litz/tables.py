@@ -10,8 +10,25 @@ import numpy as np
 from .run import FileError
 
 _INTEGER_COLUMNS = frozenset(
-    "step increment attempt attempts iteration iterations id element element_bar "
-    "node_u node_phi node_V active new lost negative_pivots contacts".split()
+    [
+        "step",
+        "increment",
+        "attempt",
+        "attempts",
+        "iteration",
+        "iterations",
+        "id",
+        "element",
+        "element_bar",
+        "node_u",
+        "node_phi",
+        "node_V",
+        "active",
+        "new",
+        "lost",
+        "negative_pivots",
+        "contacts",
+    ]
 )
 #: The last columns of a table may hold words
 _TEXT_COLUMNS = frozenset(["friction", "status", "remark"])
@@ -33,18 +50,22 @@ class Table(Mapping):
         self.n_rows = len(next(iter(self._columns.values()), ()))
 
     def __getitem__(self, name: str) -> np.ndarray:
+        """Values of a column (n_rows); a `KeyError` names columns that are spelt alike."""
         try:
             return self._columns[name]
         except KeyError:
             raise KeyError(unknown_name("column", name, self._columns)) from None
 
     def __iter__(self) -> Iterator[str]:
+        """Names of the columns."""
         return iter(self._columns)
 
     def __len__(self) -> int:
+        """Number of columns; that of the rows is `n_rows`."""
         return len(self._columns)
 
     def __repr__(self) -> str:
+        """Sizes and columns."""
         return f"<Table of {self.n_rows} rows: {', '.join(self)}>"
 
     def where(self, mask: np.ndarray) -> "Table":

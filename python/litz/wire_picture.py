@@ -306,7 +306,7 @@ def _draw_flat(axes: Axes, scene: Scene, camera: Camera, points_per_metre: float
             linewidths=np.maximum(width[order] * thickness, 0.4),
             zorder=2,
             capstyle="butt",
-        )  # fmt: skip
+        )
     )
     for start, stop in zip(scene.reference_starts[:-1], scene.reference_starts[1:], strict=True):
         line = camera.project(scene.reference[start:stop])
@@ -333,7 +333,7 @@ def _draw_spots(axes: Axes, scene: Scene, camera: Camera) -> None:
             linewidths=0.5,
             alpha=0.8,
             zorder=4,
-        )  # fmt: skip
+        )
     )
 
 

@@ -7,29 +7,40 @@ WORD = re.compile(rb"[^\s,=]+|[,=]|\n|[ \t\r]+")
 
 #: What a random change puts in: borders of what numbers can hold, words with a meaning, signs with one.
 NUMBERS = (
-    b"0", b"-0", b"1", b"-1", b"2", b"7", b"9", b"10", b"1e-300", b"1e-320", b"1e-400", b"1e300", b"1e308", b"-1e308", b"1e309",
-    b"2147483647", b"2147483648", b"-2147483648", b"4294967296", b"9223372036854775808", b"1" * 400, b"0." + b"0" * 400 + b"1",
-    b"nan", b"inf", b"-inf", b"1d5", b"1.5.2", b"1e", b"e5", b".", b"+", b"-", b"+-1", b"1_000", b"0x10", b"1,,", b"1e99999999999",
+    b"0", b"-0", b"1", b"-1", b"2", b"7", b"9", b"10", b"1e-300", b"1e-320", b"1e-400", b"1e300", b"1e308",
+    b"-1e308", b"1e309",
+    b"2147483647", b"2147483648", b"-2147483648", b"4294967296", b"9223372036854775808", b"1" * 400,
+    b"0." + b"0" * 400 + b"1",
+    b"nan", b"inf", b"-inf", b"1d5", b"1.5.2", b"1e", b"e5", b".", b"+", b"-", b"+-1", b"1_000", b"0x10", b"1,,",
+    b"1e99999999999",
     b"123456789012345678901234567890", b"0.1", b"1e-3", b"3.0", b"1 2",
 )  # fmt: skip
 WORDS = (
-    b"", b"X", b"ENCASTRE", b"PINNED", b"GENERATE", b"NSET", b"ELSET", b"NAME", b"OP", b"NEW", b"MOD", b"YES", b"NO", b"ONLY",
+    b"", b"X", b"ENCASTRE", b"PINNED", b"GENERATE", b"NSET", b"ELSET", b"NAME", b"OP", b"NEW", b"MOD", b"YES",
+    b"NO", b"ONLY",
     b"B31", b"B33", b"CIRC", b"GENERAL", b"HERTZ", b"LINEAR", b"PAPER", b"TABLE", b"FILM", b"PLASTIC", b"CONSTANT",
     b"INTERFERENCE FIT", b"AMPLITUDE", b"TOTAL TIME", b"DIRECT", b"INC", b"U", b"RF", b"EPOT", b"SF", b"TOTALS",
     b"BLOCK", b"SKYLINE", b"MONOLITHIC", b"UPDATED", b"FREQUENCY", b"FIELD", b"TIME INCREMENTATION", b"ROTATION",
     b"CONTACT RADIUS", b"CURRENT LENGTH", b"UNLIMITED", b"A" * 81, b"A" * 5000,
 )  # fmt: skip
 LINES = (
-    b"*NODE", b"*NODE, NSET=LOWER", b"*ELEMENT, TYPE=B31, ELSET=LOWER", b"*NSET, NSET=LOWER, GENERATE\n 1, 2147483647, 1",
+    b"*NODE", b"*NODE, NSET=LOWER", b"*ELEMENT, TYPE=B31, ELSET=LOWER",
+    b"*NSET, NSET=LOWER, GENERATE\n 1, 2147483647, 1",
     b"*NSET, NSET=ALL, GENERATE\n 1, 2147483646, 2147483645", b"*ELSET, ELSET=X, GENERATE\n 1, 1000000000",
-    b"*STEP", b"*STEP, INC=2147483647", b"*END STEP", b"*STATIC\n 1e-300, 1e300", b"*STATIC, DIRECT\n 1, 1", b"*HEADING", b"**", b"*", b"* ,",
+    b"*STEP", b"*STEP, INC=2147483647", b"*END STEP", b"*STATIC\n 1e-300, 1e300", b"*STATIC, DIRECT\n 1, 1",
+    b"*HEADING", b"**", b"*", b"* ,",
     b"*INCLUDE, INPUT=no_such_file.inp", b"*INCLUDE, INPUT=/dev/null", b"*INCLUDE, INPUT=.", b"*INCLUDE",
-    b"*AMPLITUDE, NAME=A\n 0, 0, 1, 1", b"*BOUNDARY, OP=NEW", b"*BOUNDARY\n 1, ENCASTRE", b"*CLOAD\n 1, 1, 1e308\n 1, 1, 1e308",
-    b"*CECURRENT\n 1, , 1", b"*CONTROLS, PARAMETERS=FIELD\n 1e-300", b"*CONTROLS, PARAMETERS=TIME INCREMENTATION\n ,,, 2147483647",
-    b"*CONTACT PRINT", b"*NODE PRINT, NSET=LOWER, TOTALS=YES\n U, RF", b"*EL PRINT, ELSET=LOWER\n SF", b"*NODE FILE, FREQUENCY=2147483647",
+    b"*AMPLITUDE, NAME=A\n 0, 0, 1, 1", b"*BOUNDARY, OP=NEW", b"*BOUNDARY\n 1, ENCASTRE",
+    b"*CLOAD\n 1, 1, 1e308\n 1, 1, 1e308",
+    b"*CECURRENT\n 1, , 1", b"*CONTROLS, PARAMETERS=FIELD\n 1e-300",
+    b"*CONTROLS, PARAMETERS=TIME INCREMENTATION\n ,,, 2147483647",
+    b"*CONTACT PRINT", b"*NODE PRINT, NSET=LOWER, TOTALS=YES\n U, RF", b"*EL PRINT, ELSET=LOWER\n SF",
+    b"*NODE FILE, FREQUENCY=2147483647",
     b"*SOLVER, NAME=SKYLINE", b"*MATERIAL, NAME=M", b"*ELASTIC\n 1e308, 0.3", b"*ELECTRICAL CONDUCTIVITY\n 1e308",
-    b"*BEAM SECTION, ELSET=LOWER, MATERIAL=COPPER, SECTION=GENERAL\n 1, 1, 0, 1, 1\n 0, 0, 1", b"*TRANSVERSE SHEAR STIFFNESS\n 1, 1",
-    b"*SURFACE INTERACTION, NAME=X", b"*GAP ELECTRICAL CONDUCTANCE, LAW=TABLE\n 1, 1\n 2, 1", b"*CONTACT PAIR, INTERACTION=TOUCH\n LOWER",
+    b"*BEAM SECTION, ELSET=LOWER, MATERIAL=COPPER, SECTION=GENERAL\n 1, 1, 0, 1, 1\n 0, 0, 1",
+    b"*TRANSVERSE SHEAR STIFFNESS\n 1, 1",
+    b"*SURFACE INTERACTION, NAME=X", b"*GAP ELECTRICAL CONDUCTANCE, LAW=TABLE\n 1, 1\n 2, 1",
+    b"*CONTACT PAIR, INTERACTION=TOUCH\n LOWER",
 )  # fmt: skip
 BYTES = b'\x00\t\n\r !"#*,-.0159=Ee_\x1f\x7f\x80\xc3\xe2\xff'
 

@@ -15,7 +15,18 @@ SOLVERS = {"BLOCK": 1, "UMFPACK": 2, "SKYLINE": 3}
 COUPLINGS = {"MONOLITHIC": 1, "UPDATED": 2}
 KINDS = {"NODEPRINT": 1, "ELPRINT": 2, "CONTACTPRINT": 3, "ELECTRODEPRINT": 4, "ENERGYPRINT": 5}
 LOADS = {"BOUNDARY": "boundary", "CLOAD": "load", "CECURRENT": "current"}
-CONTROLS = {"i_c": 16, "i_l": 10, "i_g": 6, "i_a": 8, "r_n": 1e-8, "c_n": 0.0, "d_f": 0.25, "d_b": 0.75, "d_d": 1.5, "cap": 0.6}
+CONTROLS = {
+    "i_c": 16,
+    "i_l": 10,
+    "i_g": 6,
+    "i_a": 8,
+    "r_n": 1e-8,
+    "c_n": 0.0,
+    "d_f": 0.25,
+    "d_b": 0.75,
+    "d_d": 1.5,
+    "cap": 0.6,
+}
 sys.set_int_max_str_digits(0)
 BLANKS = " \t\r"
 
@@ -103,10 +114,13 @@ class PlainReader:
         self.read_mesh()
         self.read_sets()
         properties = [*self.materials(), *self.sections(), *self.read_amplitudes(), *self.interactions(), *self.pairs()]
-        mesh = [f"node {id}{show(x)}" for id, x in self.nodes.items()]
-        mesh += [f"element {id}{show([*data])} {self.section_of.get(id, 0)}" for id, data in self.elements.items()]
+        mesh = [f"node {node}{show(x)}" for node, x in self.nodes.items()]
+        mesh += [
+            f"element {element}{show([*data])} {self.section_of.get(element, 0)}"
+            for element, data in self.elements.items()
+        ]
         for kind in ("NSET", "ELSET"):
-            order = {id: i for i, id in enumerate(self.nodes if kind == "NSET" else self.elements)}
+            order = {member: i for i, member in enumerate(self.nodes if kind == "NSET" else self.elements)}
             for name, members in self.sets[kind].items():
                 mesh.append(f"{kind.lower()} {name}{show(sorted(members, key=order.__getitem__))}")
         return mesh + properties + self.steps()
@@ -118,15 +132,15 @@ class PlainReader:
         for _, parameters, data in self.of("NODE"):
             members = self.members("NSET", parameters.get("NSET"))
             for line in data:
-                id, *x = values(line)
-                self.nodes[int(id)] = [number(value) for value in x]
-                members.add(int(id))
+                node, *x = values(line)
+                self.nodes[int(node)] = [number(value) for value in x]
+                members.add(int(node))
         for _, parameters, data in self.of("ELEMENT"):
             members = self.members("ELSET", parameters.get("ELSET"))
             for line in data:
-                id, a, b = map(int, values(line))
-                self.elements[id] = (ELEMENT_TYPES[squeezed(parameters["TYPE"])], a, b)
-                members.add(id)
+                element, a, b = map(int, values(line))
+                self.elements[element] = (ELEMENT_TYPES[squeezed(parameters["TYPE"])], a, b)
+                members.add(element)
 
     def members(self, kind, name):
         return set() if name is None else self.sets[kind].setdefault(capitals(name), set())
@@ -139,8 +153,8 @@ class PlainReader:
             members = self.members(kind, parameters[kind])
             for line in data:
                 if "GENERATE" in parameters:
-                    first, last, step = (list(map(int, values(line))) + [1])[:3]
-                    members |= {id for id in known if id in range(first, last + 1, step)}
+                    first, last, step = [*map(int, values(line)), 1][:3]
+                    members |= {member for member in known if member in range(first, last + 1, step)}
                 else:
                     for item in filter(None, values(line)):
                         members |= self.items(kind, item)
@@ -156,7 +170,7 @@ class PlainReader:
             elif keyword == "ELASTIC":
                 found[-1][1:3] = map(number, values(data[0]))
             elif keyword == "ELECTRICALCONDUCTIVITY":
-                found[-1][3] = number(data[0].strip(" ,\t\""))
+                found[-1][3] = number(data[0].strip(' ,\t"'))
         self.names["MATERIAL"] = [name for name, *_ in found]
         return [f"material {name}{show(data)}" for name, *data in found]
 
@@ -221,7 +235,8 @@ class PlainReader:
                 elif given:
                     found[-1][8] = given[0]
         return [
-            f"interaction {name}{show(data)}" for name, data in zip(self.names["SURFACEINTERACTION"], found, strict=True)
+            f"interaction {name}{show(data)}"
+            for name, data in zip(self.names["SURFACEINTERACTION"], found, strict=True)
         ]
 
     def pairs(self):
@@ -235,7 +250,8 @@ class PlainReader:
 
     def steps(self):
         lines, in_force, requests = [], {kind: {} for kind in LOADS}, []
-        step, earlier, fresh = None, {"frequency": 1, "solver": 0, "coupling": 0, "controls": CONTROLS, "total": 0.0}, {}
+        earlier = {"frequency": 1, "solver": 0, "coupling": 0, "controls": CONTROLS, "total": 0.0}
+        step, fresh = None, {}
         for keyword, parameters, data in self.cards:
             if keyword == "STEP":
                 step = {**earlier, "controls": dict(earlier["controls"]), "inc": int(parameters.get("INC", 100))}
@@ -245,19 +261,12 @@ class PlainReader:
             elif keyword in LOADS:
                 self.read_values(keyword, parameters, data, in_force[keyword], fresh.get(keyword, set()))
             elif keyword == "STATIC":
-                given = [number(value) if value else None for value in values(data[0])] if data else []
-                given += [None] * (4 - len(given))
-                step["total"] = 1.0 if given[1] is None else given[1]
-                step["first"] = step["total"] if given[0] is None else given[0]
-                step["direct"] = int("DIRECT" in parameters)
-                step["largest"] = step["total"] if given[3] is None else given[3]
-                step["largest"] = step["first"] if step["direct"] else step["largest"]
+                self.read_times(parameters, data, step)
             elif keyword == "CONTROLS":
                 self.read_controls(parameters, data, step["controls"])
             elif keyword == "SOLVER":
                 step["solver"] = SOLVERS[squeezed(parameters["NAME"])]
-                if "COUPLING" in parameters:
-                    step["coupling"] = COUPLINGS[squeezed(parameters["COUPLING"])]
+                step["coupling"] = COUPLINGS.get(squeezed(parameters.get("COUPLING", "")), step["coupling"])
             elif keyword in ("NODEFILE", "ELFILE"):
                 step["frequency"] = int(parameters.get("FREQUENCY", step["frequency"]))
             elif keyword in KINDS:
@@ -272,9 +281,21 @@ class PlainReader:
                 lines.append("controls" + show(step["controls"].values()))
                 for kind, word in LOADS.items():
                     lines += [f"{word}{show([*key, *value])}" for key, value in in_force[kind].items()]
-                lines += ["".join([f"request{show(request[:4])}", *(f" {name:8}" for name in request[4])]) for request in requests]
+                lines += [
+                    "".join([f"request{show(request[:4])}", *(f" {name:8}" for name in request[4])])
+                    for request in requests
+                ]
                 earlier = step
         return lines
+
+    def read_times(self, parameters, data, step):
+        given = [number(value) if value else None for value in values(data[0])] if data else []
+        given += [None] * (4 - len(given))
+        step["total"] = 1.0 if given[1] is None else given[1]
+        step["first"] = step["total"] if given[0] is None else given[0]
+        step["direct"] = int("DIRECT" in parameters)
+        step["largest"] = step["total"] if given[3] is None else given[3]
+        step["largest"] = step["first"] if step["direct"] else step["largest"]
 
     def freeze(self, in_force, time):
         """What followed an amplitude in step time keeps the value of the step's end."""
@@ -298,7 +319,7 @@ class PlainReader:
         amplitude = 0
         if "AMPLITUDE" in parameters:
             amplitude = self.names["AMPLITUDE"].index(capitals(parameters["AMPLITUDE"])) + 1
-        order = {id: i for i, id in enumerate(self.nodes)}
+        order = {node: i for i, node in enumerate(self.nodes)}
         for line in data:
             item, *rest = values(line)
             rest += [""] * (3 - len(rest))

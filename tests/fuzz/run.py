@@ -31,13 +31,15 @@ class Reader:
         self.program, self.limited, self.process = program, limited, None
 
     def start(self):
-        def limit():
-            if self.limited:
-                resource.setrlimit(resource.RLIMIT_AS, (GIGABYTES * 2**30,) * 2)
-
         self.process = subprocess.Popen(
-            [self.program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=limit, bufsize=0
+            [self.program],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            bufsize=0,
         )
+        if self.limited:
+            resource.prlimit(self.process.pid, resource.RLIMIT_AS, (GIGABYTES * 2**30,) * 2)
 
     def ask(self, path):
         """The answer in lines, without the full stop; None with a reason when there is none."""
@@ -117,11 +119,17 @@ def main():
     parser.add_argument("--no-memory-limit", action="store_true", help="for programs under the address sanitizer")
     arguments = parser.parse_args()
     totals, found = fuzz(
-        arguments.program.resolve(), arguments.count, arguments.seed, arguments.findings, limited=not arguments.no_memory_limit
+        arguments.program.resolve(),
+        arguments.count,
+        arguments.seed,
+        arguments.findings,
+        limited=not arguments.no_memory_limit,
     )
     for i, wrong in found[:20]:
         print(f"deck {arguments.seed}-{i}: {wrong}")
-    print(f"{arguments.count} decks: " + ", ".join(f"{totals[key]} {key}" for key in ("accepted", "refused", "findings")))
+    print(
+        f"{arguments.count} decks: " + ", ".join(f"{totals[key]} {key}" for key in ("accepted", "refused", "findings"))
+    )
     return 1 if found else 0
 
 

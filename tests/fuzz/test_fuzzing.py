@@ -11,7 +11,6 @@ from mutations import mutated
 from plain_reader import listing
 from run import INPUTS, Reader, fuzz, judge
 
-
 #: Decks of a few kilobytes, of which thousands are read in seconds
 SHORT = [path.read_bytes() for path in sorted(INPUTS.glob("*.inp")) if path.stat().st_size < 20_000]
 
@@ -61,7 +60,9 @@ def test_the_same_seed_makes_the_same_decks():
     assert len(set(first)) > 40
 
 
-@pytest.mark.parametrize("deck", [b"", b"\n", b"** nothing\n", b"\xef\xbb\xbf", b"\x00", b"1", b"*", b"**", b"*NODE", b'"'])
+@pytest.mark.parametrize(
+    "deck", [b"", b"\n", b"** nothing\n", b"\xef\xbb\xbf", b"\x00", b"1", b"*", b"**", b"*NODE", b'"']
+)
 def test_the_shortest_decks_are_refused(deck, ask):
     answer, reason = ask(deck)
     assert reason == ""

@@ -85,6 +85,7 @@ def crossed(**changes):
     assert not unknown, f"no such placeholder: {unknown}"
     return CROSSED.format(**{**DEFAULTS, **changes})
 
+
 #: Angle to the x-axis [degrees] and distance from the origin [mm] of three lower and three upper wires
 MAT = (((-2.49, -11.58), (-2.44, -0.40), (1.41, 7.68)), ((89.58, -9.48), (88.71, 0.89), (87.01, 12.84)))
 
@@ -106,7 +107,9 @@ def thin_mat(push):
             lines.append(f"*NSET, NSET={name}_ENDS\n {first}, {first + 11}")
             lines.append(f"*ELEMENT, TYPE=B33, ELSET={name}")
             lines += [f" {first + k}, {first + k}, {first + k + 1}" for k in range(11)]
-    return "\n".join(lines) + f"""
+    return (
+        "\n".join(lines)
+        + f"""
 *MATERIAL, NAME=COPPER
 *ELASTIC
  120e9, 0.34
@@ -129,6 +132,7 @@ def thin_mat(push):
  UPPER_ENDS, 3, 3, {-push}
 *END STEP
 """
+    )
 
 
 MATERIAL = """\
@@ -203,7 +207,9 @@ def grid(n, pitch=0.01):
             blocks.append(wire(name, points, first, element="B33"))
             ends[name] += [f" {first}", f" {first + n + 1}"]
     blocks += [f"*NSET, NSET={name}_ENDS\n" + "\n".join(lines) + "\n" for name, lines in ends.items()]
-    return "".join(blocks) + f"""\
+    return (
+        "".join(blocks)
+        + f"""\
 *ELSET, ELSET=WIRES
  LOWER, UPPER
 {MATERIAL.strip()}
@@ -231,3 +237,4 @@ def grid(n, pitch=0.01):
  UPPER_ENDS, 9, 9, 0
 *END STEP
 """
+    )

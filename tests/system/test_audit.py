@@ -4,6 +4,7 @@ import re
 
 import numpy as np
 import pytest
+
 from decks import crossed
 
 FIGURES = ("force_balance", "moment_balance", "current_balance", "power_balance", "penetration_ratio")
@@ -30,7 +31,8 @@ def test_a_tolerance_that_lets_a_wrong_answer_pass_is_caught(run):
     loose = "*CONTROLS, PARAMETERS=FIELD\n 5\n"
     process, results = run(crossed(push="-2e-3", extra=loose))
     assert process.returncode == 2
-    assert "fails its audit" in process.stderr and "do not balance" in process.stderr
+    assert "fails its audit" in process.stderr
+    assert "do not balance" in process.stderr
     assert "audit failed" in results.status["remark"][-1]
     # the start is there, the wrong increment is not
     assert results.times.tolist() == [0]
@@ -43,7 +45,8 @@ def test_a_deep_overlap_is_told_with_the_contact_and_the_penalty_that_cures_it(r
         assert process.returncode == 0, process.stderr
         remark = results.status["remark"][-1]
         told = re.search(
-            r"contact 1 \(elements 3 and 13\) overlaps by (\S+) % .* a penalty of (\S+) N/m at least would hold it", remark
+            r"contact 1 \(elements 3 and 13\) overlaps by (\S+) % .* a penalty of (\S+) N/m at least would hold it",
+            remark,
         )
         if not told:
             break
@@ -52,7 +55,8 @@ def test_a_deep_overlap_is_told_with_the_contact_and_the_penalty_that_cures_it(r
         assert overlaps[-1] == pytest.approx(100 * results.audit["penetration_ratio"][-1], rel=1e-4)
         # stiffer contacts carry more force, so that the advice is followed with a margin
         penalty = 1.2 * float(told[2])
-    assert overlaps and overlaps == sorted(overlaps, reverse=True)
+    assert overlaps
+    assert overlaps == sorted(overlaps, reverse=True)
     assert "overlaps" not in remark
     assert results.audit["penetration_ratio"][-1] <= 0.05
 

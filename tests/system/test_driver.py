@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from decks import MATERIAL, crossed, grid, pair_of_wires, thin_mat, wire
 
+from decks import MATERIAL, crossed, grid, pair_of_wires, thin_mat, wire
 from litz import Results
 
 SOFT = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR{}\n 1e3"
@@ -251,7 +251,9 @@ def test_a_contact_at_nodes_of_curved_wires_is_one_contact(run, deck):
     contacts = results.contacts_at(-1)
     assert len(contacts["force"]) == 1
     # it did not leave the node: this is the case that is meant
-    assert abs(contacts["xi"][0]) == pytest.approx(1, abs=1e-9) or abs(contacts["xi_bar"][0]) == pytest.approx(1, abs=1e-9)
+    assert abs(contacts["xi"][0]) == pytest.approx(1, abs=1e-9) or abs(contacts["xi_bar"][0]) == pytest.approx(
+        1, abs=1e-9
+    )
     pushed = np.abs(results.field("reaction_force")[results.node_sets["B"]].sum(axis=0)).max()
     assert contacts["force"][0] == pytest.approx(pushed, rel=1e-9)
 
@@ -318,9 +320,7 @@ def test_wires_that_overlap_at_the_start_are_refused(litz, tmp_path):
 
 
 def test_an_interference_fit_is_resolved_over_the_first_step(run):
-    process, results = run(
-        crossed(height="1.9e-3", pair=", INTERFERENCE FIT", push="0", static="0.25, 1, 1e-3, 0.25")
-    )
+    process, results = run(crossed(height="1.9e-3", pair=", INTERFERENCE FIT", push="0", static="0.25, 1, 1e-3, 0.25"))
     assert process.returncode == 0, process.stderr
     force = results.contacts["force"]
     assert (np.diff(force) > 0).all()
@@ -342,15 +342,15 @@ def test_a_contact_keeps_its_force_and_identity_over_the_nodes(litz, tmp_path, r
     assert len(drag["force"]) == len(np.unique(drag["increment"]))
     second_difference = np.abs(np.diff(drag["force"], 2)) / drag["force"][1:-1]
     handed_over = np.flatnonzero(np.diff(elements) != 0)
-    elsewhere = np.delete(second_difference, np.clip(np.r_[handed_over - 1, handed_over], 0, len(second_difference) - 1))
+    elsewhere = np.delete(
+        second_difference, np.clip(np.r_[handed_over - 1, handed_over], 0, len(second_difference) - 1)
+    )
     assert second_difference.max() <= 2 * elsewhere.max()
 
 
 def test_a_conductor_that_loses_contact_keeps_its_potential_without_current(run):
     """The upper wire floats while the contact is open: no singular system, no current."""
-    process, results = run(
-        crossed(push="1e-4", static="0.5, 1, 1e-3, 0.5").replace(" 11, 9, 9, 0\n", "")
-    )
+    process, results = run(crossed(push="1e-4", static="0.5, 1, 1e-3, 0.5").replace(" 11, 9, 9, 0\n", ""))
     assert process.returncode == 0, process.stderr
     assert np.abs(results.field("element_current")).max() < 1e-12
     assert results.field("potential")[results.node_sets["LOWER"]] == pytest.approx(1e-3)

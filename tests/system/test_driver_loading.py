@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+
 from decks import cantilever
 
 TORSION_STIFFNESS = 200e9 / 2.6 * np.pi * 1e-3**4 / 2 / 0.1
@@ -21,8 +22,10 @@ def test_a_prescribed_twist_may_pass_full_turns_in_one_increment(run, element, h
 
 def test_a_prescribed_bend_beyond_a_full_turn_is_the_same_in_one_and_in_many_increments(run):
     bend = "*BOUNDARY\n 11, 6, 6, 6.5"
-    results = [run(cantilever(bend, static=static), name=name)[1] for name, static in
-               (("one", "1, 1, 1e-3, 1"), ("many", "0.05, 1, 1e-3, 0.05"))]
+    results = [
+        run(cantilever(bend, static=static), name=name)[1]
+        for name, static in (("one", "1, 1, 1e-3, 1"), ("many", "0.05, 1, 1e-3, 0.05"))
+    ]
     for result in results:
         assert result.field("rotation")[-1] == pytest.approx([0, 0, 6.5], abs=1e-9)
     np.testing.assert_allclose(*[result.field("displacement") for result in results], atol=1e-9)

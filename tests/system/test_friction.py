@@ -1,7 +1,10 @@
 """Friction of crossing wires: the law as a run shows it, and its memory."""
 
+import itertools
+
 import numpy as np
 import pytest
+
 from decks import CONDUCTOR, straight, wire
 
 MU = 0.3
@@ -212,7 +215,7 @@ def drag(x, y=0.0, *, static="0.1, 1", direct=True, extra=""):
 """
 
 
-@pytest.mark.parametrize("status, distance", [("stick", 2e-7), ("slip", 1e-3)])
+@pytest.mark.parametrize(("status", "distance"), [("stick", 2e-7), ("slip", 1e-3)])
 @pytest.mark.parametrize("law", ["HERTZ", "LINEAR\n 1e6"])
 def test_the_iteration_converges_quadratically_in_stick_and_in_slip(run, law, status, distance):
     _, results = run(bending(drag(distance, distance / 3, extra="*CONTROLS, PARAMETERS=FIELD\n 1e-12\n"), law=law))
@@ -222,7 +225,7 @@ def test_the_iteration_converges_quadratically_in_stick_and_in_slip(run, law, st
     force = table["force"][last]
     force = force[force > 10 * table["force_allowed"][last]][1:] / (MU * results.contacts_at(-1)["force"])
     assert len(force) <= 4
-    for before, after in zip(force[:-1], force[1:], strict=True):
+    for before, after in itertools.pairwise(force):
         assert after < before**2
 
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from decks import MATERIAL, crossed, grid, wire
 
+from decks import MATERIAL, crossed, grid, wire
 from litz import Results
 
 RISE, SPAN = 0.0012, 0.2
@@ -81,7 +81,8 @@ def test_first_touch_within_an_increment(run, height):
     process, results = run(crossed(height=height, push="-1.5e-3", static="0.25, 1"))
     assert process.returncode == 0, process.stderr
     touched = np.flatnonzero(np.isin(results.increments, results.contacts["increment"]))
-    assert touched[0] >= 1 and touched[-1] == len(results.times) - 1
+    assert touched[0] >= 1
+    assert touched[-1] == len(results.times) - 1
     assert (results.contacts["force"] > 0).all()
 
 
@@ -131,7 +132,7 @@ def test_giving_up_keeps_the_converged_states_and_writes_the_iterate_beside_them
 
 
 def test_the_message_names_node_contact_and_setting(gave_up):
-    process, results, _ = gave_up
+    process, _, _ = gave_up
     for words in (
         "step 2, increment 1 did not converge",
         "after 2 iterations, at node ",
@@ -154,9 +155,11 @@ def test_a_later_run_that_converges_removes_the_iterate(litz, gave_up):
 def test_settings_that_would_help_are_named(run):
     direct = crossed(push="-4e-3", extra=HOPELESS.format(2, 1)).replace("*STATIC", "*STATIC, DIRECT")
     process, _ = run(direct, name="direct")
-    assert process.returncode == 2 and "leave DIRECT out" in process.stderr
+    assert process.returncode == 2
+    assert "leave DIRECT out" in process.stderr
     process, _ = run(crossed(push="-4e-3", static="1, 1, 0.5", extra=HOPELESS.format(2, 8)), name="smallest")
-    assert process.returncode == 2 and "third value of *STATIC, now 0.5" in process.stderr
+    assert process.returncode == 2
+    assert "third value of *STATIC, now 0.5" in process.stderr
     process, _ = run(crossed(push="-4e-3", static="1, 1, 1e-3", extra=HOPELESS.format(4, 1)), name="slow")
     if process.returncode:
         assert "I_C of *CONTROLS" in process.stderr or "smaller increments" in process.stderr

@@ -177,7 +177,9 @@ def test_oblique_wires_of_unequal_radii_and_metals_touch_in_hertz_ellipse(result
         assert contact["semi_minor"] == pytest.approx(spot.semi_minor, rel=4e-4 * slope)
         assert contact["resistance"] == pytest.approx(spot.resistance, rel=4e-4 * slope)
         # the arms change with the points of contact: 0.021 mm*14 mohm/m + 0.016 mm*22 mohm/m of 1.8 mohm
-        assert results.history["resistance PLUS to MINUS"][increment] == pytest.approx(spot.resistance + arms, rel=6e-4 * slope)
+        assert results.history["resistance PLUS to MINUS"][increment] == pytest.approx(
+            spot.resistance + arms, rel=6e-4 * slope
+        )
     for row, time in zip(header("02_oblique_crossing"), (1.0, 2.0), strict=True):
         contact = only_contact(results, at(results, time))
         values = contact["force"], contact["semi_major"] * 1e6, contact["semi_minor"] * 1e6, contact["resistance"] * 1e3

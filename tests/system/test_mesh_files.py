@@ -98,7 +98,10 @@ def test_mesh_file_and_cards_together(check):
         ({"nodes/id": [0, 5, 7]}, "node of the number 0; numbers must be greater than 0"),
         ({"nodes/id": [3, 5, 5]}, "node 5 is defined twice"),
         ({"elements/B31/id": [11]}, "element 11 is defined twice"),
-        ({"nodes/position": [[0, 0, 0], [np.nan, 0, 0], [1, 0, 0]]}, "the position of node 5 in the mesh file is not finite"),
+        (
+            {"nodes/position": [[0, 0, 0], [np.nan, 0, 0], [1, 0, 0]]},
+            "the position of node 5 in the mesh file is not finite",
+        ),
         ({"elements/B33/nodes": [[3, 4]]}, "element 11 has node 4, which is not defined"),
         ({"elements/B33/nodes": [[3, 3]]}, "element 11 has no length"),
         ({"node_sets/root": [3, 8]}, 'the node set "root" of the mesh file has node 8, which is not defined'),

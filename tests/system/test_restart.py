@@ -11,8 +11,8 @@ import warnings
 import h5py
 import numpy as np
 import pytest
-from decks import cantilever, crossed
 
+from decks import cantilever, crossed
 from litz import Results
 
 KEEP_ALL = "*RESTART, WRITE\n"
@@ -40,7 +40,8 @@ def later_rows(table, step, increment):
 def assert_same_end(whole, part, step, increment):
     """Everything after the given increment is the same, to the last bit."""
     start = whole.index(step, increment)
-    assert part.steps[0] == step and part.increments[0] == increment
+    assert part.steps[0] == step
+    assert part.increments[0] == increment
     assert np.array_equal(part.times, whole.times[start:])
     for name in whole.fields:
         assert np.array_equal(part.field(name, None), whole.field(name, None)[start:]), name
@@ -244,9 +245,7 @@ def readable(directory, reference):
     return n
 
 
-def test_a_run_killed_at_any_write_leaves_files_that_are_whole_and_can_be_continued(
-    litz, tmp_path, kill_at_write
-):
+def test_a_run_killed_at_any_write_leaves_files_that_are_whole_and_can_be_continued(litz, tmp_path, kill_at_write):
     deck = tmp_path / "deck.inp"
     deck.write_text(crossed(static="0.1, 1, 1e-3, 0.1", extra=KEEP_ALL))
     count = tmp_path / "count"
@@ -315,16 +314,22 @@ def test_a_full_disk_leaves_what_fits_and_says_so(litz_program, tmp_path, kiloby
 
     done = subprocess.run(
         [litz_program, "run", deck, "-o", tmp_path / "out"],
-        capture_output=True, text=True, check=False, preexec_fn=limit,
+        capture_output=True,
+        text=True,
+        check=False,
+        preexec_fn=limit,
     )
     assert done.returncode == 4
-    assert "is the disk full?" in done.stderr and "HDF5-DIAG" not in done.stderr
+    assert "is the disk full?" in done.stderr
+    assert "HDF5-DIAG" not in done.stderr
     assert not list((tmp_path / "out").glob("*.part"))
     if (tmp_path / "out" / "deck.restart.h5").exists():
         last = written(tmp_path / "out" / "deck.restart.h5")[-1]
         on = subprocess.run(
             [litz_program, "run", deck, "-o", tmp_path / "on", "--restart", tmp_path / "out" / "deck.restart.h5"],
-            capture_output=True, text=True, check=False,
+            capture_output=True,
+            text=True,
+            check=False,
         )
         assert on.returncode == 0, on.stderr
         assert (Results(tmp_path / "on").steps[0], Results(tmp_path / "on").increments[0]) == last

@@ -86,7 +86,8 @@ def test_a_model_that_cannot_fit_is_refused_with_the_estimate(litz_program, long
     done = limited(litz_program, 500, "run", long_wire, "-o", tmp_path / "results")
     assert done.returncode == EXIT_MEMORY, done.stderr
     assert re.fullmatch(
-        r"error: not enough memory: 100000 elements need 500\.000 MB at least, and [0-9.]+ MB are available\n", done.stderr
+        r"error: not enough memory: 100000 elements need 500\.000 MB at least, and [0-9.]+ MB are available\n",
+        done.stderr,
     )
     assert not (tmp_path / "results").exists()
 

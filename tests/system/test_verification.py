@@ -8,13 +8,13 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
-from verification.claims import Claim, ClaimError, judge, missed, read_claims  # noqa: E402
-from verification.cases.elastica import LOADS  # noqa: E402
-from verification.cases.solvers import INPUTS, residual_difference  # noqa: E402
-from verification.deck_text import Rigidity  # noqa: E402
-from verification.deck_transform import Units, in_units, renumbered, rotated, swapped_contact_pairs  # noqa: E402
-from verification.kernel_frame import rotation  # noqa: E402
-from verification.references import (  # noqa: E402
+from verification.cases.elastica import LOADS
+from verification.cases.solvers import INPUTS, residual_difference
+from verification.claims import Claim, ClaimError, judge, missed, read_claims
+from verification.deck_text import Rigidity
+from verification.deck_transform import Units, in_units, renumbered, rotated, swapped_contact_pairs
+from verification.kernel_frame import rotation
+from verification.references import (
     contact_element,
     crossed_wires,
     elastica,
@@ -24,8 +24,8 @@ from verification.references import (  # noqa: E402
     pushed_cantilever,
     rod,
 )
-from verification.report import write_reports  # noqa: E402
-from verification.run import CaseReport, verify  # noqa: E402
+from verification.report import write_reports
+from verification.run import CaseReport, verify
 
 CLAIM = {
     "id": "elastica.test",

@@ -1,8 +1,8 @@
 """Random pairs of elements in contact, and how they move."""
 
 import numpy as np
-from derivatives import rotation
 
+from derivatives import rotation
 from litz import _core
 from litz.kernels import closest_points, contact_em
 

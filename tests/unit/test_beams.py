@@ -5,10 +5,12 @@ seventh derivative over 140, round-off about 2e-13 times the size of what is dif
 of each 3x3 block with orders to spare, also where a block is much smaller than the matrix.
 """
 
+from typing import ClassVar
+
 import numpy as np
 import pytest
-from derivatives import derivative, rotation, skew
 
+from derivatives import derivative, rotation, skew
 from litz import _core, kernels
 
 STIFFNESS = {
@@ -445,8 +447,12 @@ class RollUp:
             for e in range(n):
                 pair, rows = slice(e, e + 2), slice(6 * e, 6 * e + 12)
                 part = kernel(
-                    x[pair], triads[pair], self.x0[pair], self.triads0[pair],
-                    **self.stiffness, sigma=sigma[e],
+                    x[pair],
+                    triads[pair],
+                    self.x0[pair],
+                    self.triads0[pair],
+                    **self.stiffness,
+                    sigma=sigma[e],
                 )
                 k[rows, rows] += part.K
                 r[rows] += part.R
@@ -463,7 +469,7 @@ class RollUp:
 class TestRollUp:
     N = 8
     #: The strains of B31 are linear in the chord: three solves; the chord of B33 has to turn back from far off
-    ITERATIONS = {"b31": 4, "b33": 14}
+    ITERATIONS: ClassVar = {"b31": 4, "b33": 14}
 
     @elements
     def test_nodal_rotations_are_exact_and_the_circle_closes(self, element):

@@ -4,7 +4,6 @@ import importlib
 
 import numpy as np
 import pytest
-
 from verification.performance import factorisation, growth, page, pile, process
 from verification.performance.lattice import lattice
 from verification.performance.run import BENCHMARKS
@@ -14,7 +13,9 @@ from verification.performance.run import BENCHMARKS
 def test_a_benchmark_says_what_it_measures(name):
     module = importlib.import_module(f"verification.performance.{name}")
     title, empty, text = module.__doc__.split("\n", 2)
-    assert title and not empty and text
+    assert title
+    assert not empty
+    assert text
     assert all(callable(getattr(module, part)) for part in ("measure", "tables", "aims", "draw"))
 
 
@@ -66,12 +67,20 @@ def test_the_pile_of_the_other_programs_has_a_node_of_both_fibres_at_each_crossi
         assert abs(apart[:, :2]).max() < 1e-9
         assert np.allclose(apart[:, 2], gap + 2 * pile.RADIUS, atol=1e-12)
         lengths = np.linalg.norm(np.diff(nodes[problem["elements"]], axis=1), axis=2)
-        assert lengths.sum() == pytest.approx(np.linalg.norm(np.diff(model.x[model.connectivity], axis=1), axis=2).sum())
+        assert lengths.sum() == pytest.approx(
+            np.linalg.norm(np.diff(model.x[model.connectivity], axis=1), axis=2).sum()
+        )
 
 
 def test_a_benchmark_that_failed_is_on_the_page(tmp_path):
     machine = {"time": "now", "processor": "any", "cores": 2}
-    record = {"failure": "RuntimeError: no <network>", "load_average": [1, 2], "seconds": 3.0, "quick": True, "machine": machine}
+    record = {
+        "failure": "RuntimeError: no <network>",
+        "load_average": [1, 2],
+        "seconds": 3.0,
+        "quick": True,
+        "machine": machine,
+    }
     page.write_page({"program": "litz", "benchmarks": {"search": record}}, tmp_path)
     assert "Failed: RuntimeError: no &lt;network&gt;" in (tmp_path / "bench.html").read_text(encoding="utf-8")
     assert "Failed: RuntimeError: no <network>" in (tmp_path / "bench.md").read_text(encoding="utf-8")

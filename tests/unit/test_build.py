@@ -113,7 +113,9 @@ def test_layers_of_a_mat_lie_at_their_heights_and_turn():
 
 
 def test_isotropic_fibres_have_all_directions():
-    model = build.fibre_mat((1.0, 1.0, 1.0), 400, radius=1e-4, seed=1, orientation="isotropic", n_elements=1, overlap=True)
+    model = build.fibre_mat(
+        (1.0, 1.0, 1.0), 400, radius=1e-4, seed=1, orientation="isotropic", n_elements=1, overlap=True
+    )
     along = np.array([x[-1] - x[0] for x in wires_of(model)])
     along /= np.linalg.norm(along, axis=1, keepdims=True)
     # the mean of n n^T of uniform directions is 1/3; its standard deviation is sqrt(4/45/400) = 0.015. Lines that cut a
@@ -144,7 +146,7 @@ def test_grid_has_its_pitch():
 def test_yarns_of_a_fabric_go_over_and_under():
     model = build.woven_fabric(4, 5, pitch=1e-3, radius=0.1e-3, clearance=4e-6, plates=False)
     heights = {}
-    for name, along in (("WARP", 0), ("WEFT", 1)):
+    for name in ("WARP", "WEFT"):
         for number, wire in enumerate(model.groups[name].wires):
             x = smooth(model.x[np.array(wire.nodes) - 1])
             # four elements per pitch in eight parts each, a half element at the start: crossings after 20, 52, ... parts

@@ -48,7 +48,9 @@ def test_incomplete_integrals_agree_with_an_arbitrary_precision_library(phi, m):
         (20, 0.1080053783, 3.467076289, 0.3744628863, 0.4984602126, 0.3677639947, 0.3323068084),
     ],
 )
-def test_unit_cylinders_have_the_ellipse_of_an_independent_computation(angle, ratio, a, b, approach, pressure, resistance):
+def test_unit_cylinders_have_the_ellipse_of_an_independent_computation(
+    angle, ratio, a, b, approach, pressure, resistance
+):
     spot = cf.hertz_contact(1.0, **UNIT, angle=math.radians(angle))
     # ten digits are given
     assert spot.semi_minor / spot.semi_major == pytest.approx(ratio, rel=1e-9)
@@ -121,7 +123,9 @@ def test_deflections_are_reciprocal_and_solve_the_beam_equation(support):
         ("supported", 1e-4, 0.2257784636, 1.840041e-7, 1.356481e-5, 6.2662132e-4, 85.634905, 0.053660658),
     ],
 )
-def test_crossed_copper_wires_as_computed_independently(support, u, force, approach, radius, resistance, current, voltage):
+def test_crossed_copper_wires_as_computed_independently(
+    support, u, force, approach, radius, resistance, current, voltage
+):
     compliance = cf.beam_compliance(COPPER_WIRE.bending_stiffness, COPPER_WIRE.length, support)
     f = cf.crossed_beams(u, (compliance, compliance), **COPPER)
     spot = cf.hertz_contact(f, **COPPER)
@@ -150,7 +154,9 @@ def test_a_grid_of_one_crossing_is_a_pair_of_crossed_beams():
 def test_a_wide_grid_touches_at_its_corners_and_in_its_middle_only():
     force = cf.wire_grid(1e-4, (0.2, 0.4, 0.6, 0.8), COPPER_WIRE)
     touching = force > 0
-    assert touching.tolist() == [[i in (0, 3) and j in (0, 3) or i in (1, 2) and j in (1, 2) for j in range(4)] for i in range(4)]
+    assert touching.tolist() == [
+        [(i in (0, 3) and j in (0, 3)) or (i in (1, 2) and j in (1, 2)) for j in range(4)] for i in range(4)
+    ]
 
 
 # ---- Current

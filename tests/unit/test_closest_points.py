@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from derivatives import rotation
 
+from derivatives import rotation
 from litz.kernels import closest_points
 
 ROUNDINGS = 100 * np.finfo(float).eps
@@ -22,9 +22,7 @@ def point_on_axis(x, t, length, axis, xi):
     g1 = [s * (-1 - 2 * xi + 3 * xi**2) / 4, s * (-1 + 2 * xi + 3 * xi**2) / 4]
     h2 = [1.5 * xi, -1.5 * xi]
     g2 = [s * (-1 + 3 * xi) / 2, s * (1 + 3 * xi) / 2]
-    return tuple(
-        a[0] * x[0] + a[1] * x[1] + b[0] * t[0] + b[1] * t[1] for a, b in ((h, g), (h1, g1), (h2, g2))
-    )
+    return tuple(a[0] * x[0] + a[1] * x[1] + b[0] * t[0] + b[1] * t[1] for a, b in ((h, g), (h1, g1), (h2, g2)))
 
 
 class Pair:
@@ -80,7 +78,8 @@ class Pair:
         offsets = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1) if i or j]
         lower = np.all([inner < d[1 + i : n - 1 + i, 1 + j : n - 1 + j] for i, j in offsets], axis=0)
         distances = []
-        for xi in zip(*(s[1:-1][k] for k in np.nonzero(lower)), strict=True):
+        for start in zip(*(s[1:-1][k] for k in np.nonzero(lower)), strict=True):
+            xi = np.array(start)
             for _ in range(30):
                 correction, lowest = self.newton(*xi)
                 xi = xi + correction

@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from derivatives import derivative
 
+from derivatives import derivative
 from litz import kernels
 
 configurations = pytest.mark.parametrize("seed", range(50))

@@ -6,11 +6,13 @@ root of the gap. A step of 2 % of the overlap leaves a truncation of 1e-10 (sixt
 a small turn moves the closest points far, and an overlap beyond the axes is no small length: there the step is smaller.
 """
 
+from typing import ClassVar
+
 import numpy as np
 import pytest
-from contact_pair import CLASSES, SPOT_LAWS, Pair, turned
-from derivatives import derivative, rotation, skew
 
+from contact_pair import CLASSES, Pair, turned
+from derivatives import derivative, rotation, skew
 from litz import _core
 from litz.kernels import closest_points, contact_coupling, contact_em, contact_spot
 
@@ -164,9 +166,7 @@ class TestWhatHoldsExactly:
 
     def test_the_parts_of_the_coupling_add_up(self, pair):
         result = pair.evaluate()
-        parts = contact_coupling(
-            pair.x, pair.t, pair.length, pair.v, axis=pair.axis, **pair.properties, **pair.laws
-        )
+        parts = contact_coupling(pair.x, pair.t, pair.length, pair.v, axis=pair.axis, **pair.properties, **pair.laws)
         size = max(np.abs(part).max() for part in parts)
         assert np.abs(sum(parts) - result.K[ME]).max() <= 1e-14 * size
         angle_matters = pair.laws["spot_law"] in ("hertz", "film") or pair.laws.get("normal_law") == "hertz"
@@ -259,7 +259,7 @@ class TestByHand:
     length = np.array([2.0, 2.0])
     t = np.eye(3)[[0, 0, 1, 1]]
     v = np.array([1.0, 0.6, 0.2, 0.0])
-    wires = dict(radius=0.1, young=2.0, poisson=0.0, resistivity=3.0)
+    wires: ClassVar = dict(radius=0.1, young=2.0, poisson=0.0, resistivity=3.0)
 
     def x(self, height, place_bar=0.0, place=0.0):
         bar = [[-1 - place_bar, 0, height], [1 - place_bar, 0, height]]
@@ -367,8 +367,8 @@ class TestSide:
 
 
 class TestWiresWithoutAPointContact:
-    length = [2.0, 2.0]
-    wires = dict(radius=0.1, young=2.0, poisson=0.0, resistivity=3.0, eps_n=5.0)
+    length = (2.0, 2.0)
+    wires: ClassVar = dict(radius=0.1, young=2.0, poisson=0.0, resistivity=3.0, eps_n=5.0)
 
     def evaluate(self, apart):
         x = np.array([[-1, 0, apart], [1, 0, apart], [-1, 0, 0], [1, 0, 0]], dtype=float)

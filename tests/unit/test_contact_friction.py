@@ -5,9 +5,9 @@ Noise of the differences as in test_contact_em: 1e-8 of the largest entry of the
 
 import numpy as np
 import pytest
+
 from contact_pair import CLASSES, Pair
 from derivatives import derivative, rotation
-
 from litz import _core
 from litz.kernels import closest_points
 
@@ -176,8 +176,12 @@ def test_a_point_rubbed_to_and_fro_dissipates_the_area_of_its_loop():
     """Four mu N (U - mu N/k_t) a cycle under constant force, in any steps."""
     mu, force, stiffness, amplitude = 0.3, 2.0, 40.0, 0.05
     for n in (1, 3, 10):
-        path = amplitude * np.concatenate([np.linspace(0, 1, n + 1), *2 * [np.r_[np.linspace(1, -1, 2 * n + 1)[1:],
-                                           np.linspace(-1, 1, 2 * n + 1)[1:]]]])
+        path = amplitude * np.concatenate(
+            [
+                np.linspace(0, 1, n + 1),
+                *2 * [np.r_[np.linspace(1, -1, 2 * n + 1)[1:], np.linspace(-1, 1, 2 * n + 1)[1:]]],
+            ]
+        )
         traction, heat = np.zeros(2), np.zeros(len(path))
         for i in range(1, len(path)):
             slip = (path[i] - path[i - 1]) * np.array([0.6, 0.8])

@@ -8,20 +8,14 @@ from litz import kernels
 
 def segment_distances(p0, p1, q0, q1):
     """Least distance of segments p and q, by a bounded minimisation over both parameters in closed form."""
-    best = np.inf
     u, v, w = p1 - p0, q1 - q0, p0 - q0
     a, b, c, d, e = u @ u, u @ v, v @ v, u @ w, v @ w
     candidates = []
     if a * c - b * b > 1e-14 * a * c:
         candidates.append(((b * e - c * d) / (a * c - b * b), (a * e - b * d) / (a * c - b * b)))
-    for s in (0.0, 1.0):
-        candidates.append((s, (b * s + e) / c))
-    for t in (0.0, 1.0):
-        candidates.append(((b * t - d) / a, t))
-    for s, t in candidates:
-        s, t = np.clip(s, 0, 1), np.clip(t, 0, 1)
-        best = min(best, np.linalg.norm(w + s * u - t * v))
-    return best
+    candidates += [(s, (b * s + e) / c) for s in (0.0, 1.0)]
+    candidates += [((b * t - d) / a, t) for t in (0.0, 1.0)]
+    return min(np.linalg.norm(w + s * u - t * v) for s, t in np.clip(candidates, 0, 1))
 
 
 def random_pile(rng, n, *, long_element):
@@ -77,7 +71,12 @@ def all_distances(start, end):
 @pytest.mark.parametrize("offset", [0.0, -1e4])
 @pytest.mark.parametrize(
     ("thicknesses", "lengths"),
-    [((0.01, 0.02), (0.05, 0.1)), ((1e-4, 0.3), (0.05, 0.1)), ((0.001, 0.002), (1e-3, 3.0)), ((1e-4, 0.2), (1e-4, 2.0))],
+    [
+        ((0.01, 0.02), (0.05, 0.1)),
+        ((1e-4, 0.3), (0.05, 0.1)),
+        ((0.001, 0.002), (1e-3, 3.0)),
+        ((1e-4, 0.2), (1e-4, 2.0)),
+    ],
     ids=["alike", "thick and thin", "whiskers", "everything"],
 )
 def test_any_mixture_of_radii_and_lengths_agrees_with_brute_force(thicknesses, lengths, offset):
@@ -132,6 +131,4 @@ def test_bad_input_is_refused_in_words(change, message):
         **change,
     }
     with pytest.raises(ValueError, match=message):
-        kernels.contact_search(
-            arguments["x"], arguments["connectivity"], arguments["radius"], skin=arguments["skin"]
-        )
+        kernels.contact_search(arguments["x"], arguments["connectivity"], arguments["radius"], skin=arguments["skin"])

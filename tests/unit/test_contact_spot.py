@@ -3,8 +3,8 @@
 import mpmath
 import numpy as np
 import pytest
-from derivatives import derivative
 
+from derivatives import derivative
 from litz import _core
 from litz.kernels import contact_spot
 
@@ -105,9 +105,7 @@ def test_barber_s_identity_links_conductance_and_contact_stiffness(wires, angle,
     wires = {key: np.broadcast_to(value, 2) for key, value in wires.items()}
     spot = contact_spot(force, angle=angle * DEGREE, **wires)
     properties = [wires[key] for key in ("radius", "young", "poisson")]
-    (found, dforce_dgap, _), info = _core.f2py_contact.normal_force(
-        2, 0.0, -spot.approach, *properties, angle * DEGREE
-    )
+    (found, dforce_dgap, _), info = _core.f2py_contact.normal_force(2, 0.0, -spot.approach, *properties, angle * DEGREE)
     assert info == 0
     assert found == pytest.approx(force, rel=1e-14)
     stiffness = spot.conductance * modulus(**wires) * wires["resistivity"].sum() / 2

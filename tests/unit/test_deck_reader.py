@@ -89,7 +89,7 @@ def test_given_shear_stiffnesses_replace_those_of_the_section(check):
 
 
 @pytest.mark.parametrize(
-    "cards, n",
+    ("cards", "n"),
     [
         ("*NSET, NSET=A\n 30, 20\n", 2),
         ("*NSET, NSET=A\n 30, 20, 30,\n 20\n", 2),
@@ -173,8 +173,10 @@ def test_a_step_keeps_what_it_does_not_redefine(check):
         "*CLOAD, AMPLITUDE=UP\n10, 3, 1.\n*END STEP\n"
     )
     assert section(lines, "step 1 (FIRST)") == [
-        "step 1 (FIRST): time 2 s, increments first 0.5, smallest 0.001, largest 1 s, at most 100, solver SKYLINE, "
-        "coupling updated",
+        (
+            "step 1 (FIRST): time 2 s, increments first 0.5, smallest 0.001, largest 1 s, at most 100, solver SKYLINE, "
+            "coupling updated"
+        ),
         *[f"  prescribed at degree of freedom {dof}: 1 node, 0" for dof in range(1, 7)],
         "  loads at degree of freedom 2: 1 node, 3",
         "  output of node set END: U",
@@ -227,7 +229,8 @@ def test_op_new_removes_what_was_before(check):
 
 
 @pytest.mark.parametrize(
-    "time, factor", [("STEP TIME", 1.0), ("TOTAL TIME", 3.0)],
+    ("time", "factor"),
+    [("STEP TIME", 1.0), ("TOTAL TIME", 3.0)],
 )
 def test_a_load_that_followed_step_time_keeps_the_value_of_the_step_end(check, time, factor):
     # the amplitude is 1/3 at the end of the first step, at 0.5 s; in total time it goes on, and the load stays 3
@@ -267,12 +270,14 @@ A, B
 
 
 @pytest.mark.parametrize(
-    "laws, words",
+    ("laws", "words"),
     [
         ("", "Hermite axis, Hertz force, no current"),
         ("*GAP ELECTRICAL CONDUCTANCE, LAW=PAPER, VOLTAGE=LINEAR\n", "Hertz force, spot PAPER, linear voltage"),
-        ("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR, PENETRATION=UNLIMITED\n1e3\n",
-         "penalty 1000 N/m, unlimited penetration, no current"),
+        (
+            "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR, PENETRATION=UNLIMITED\n1e3\n",
+            "penalty 1000 N/m, unlimited penetration, no current",
+        ),
         ("*GAP ELECTRICAL CONDUCTANCE, LAW=PLASTIC\n1e9\n", "spot PLASTIC with hardness 1e+09 Pa, corrected voltage"),
         ("*GAP ELECTRICAL CONDUCTANCE, LAW=FILM\n1e-12\n", "spot FILM with film 1e-12 ohm m^2"),
         ("*GAP ELECTRICAL CONDUCTANCE, LAW=CONSTANT\n0.002\n", "spot CONSTANT of 0.002 ohm"),
@@ -358,7 +363,7 @@ def test_help_tells_all_commands(litz):
 
 
 @pytest.mark.parametrize(
-    "arguments, message",
+    ("arguments", "message"),
     [
         (["rum", "x.inp"], 'unknown command "rum"; did you mean litz run?'),
         (["x.inp"], 'unknown command "x.inp"; did you mean litz run x.inp?'),

@@ -3,8 +3,8 @@
 import mpmath
 import numpy as np
 import pytest
-from derivatives import derivative
 
+from derivatives import derivative
 from litz import _core
 
 NAMES = ["K", "E", "B", "D", "C", "dK/dm", "dE/dm"]

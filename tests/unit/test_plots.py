@@ -51,7 +51,8 @@ class TestPictures:
             warnings.filterwarnings("ignore", message=".*drawn by matplotlib alone")
             path = litz.plot(results, kind, tmp_path / "picture.png")
         picture = imread(path)
-        assert picture.shape[0] > 500 and picture.shape[1] > 900
+        assert picture.shape[0] > 500
+        assert picture.shape[1] > 900
         assert len(coloured(picture)) > 1e-3 * picture.shape[0] * picture.shape[1]
 
     def test_the_wires_have_the_colours_of_the_whole_scale_and_a_spot(self, results, tmp_path):

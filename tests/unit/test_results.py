@@ -58,7 +58,7 @@ class TestWhatVtkReads:
             ]
             assert times == [0.25, 0.5, 0.75]
 
-    @pytest.mark.parametrize("step", [0, 1, 2, 1, 0])
+    @pytest.mark.parametrize("step", [0, 1, 2])
     def test_fields_of_the_wires_at_each_step(self, written, step):
         _, grid = read_step(written / "crossed.vtkhdf", step)
         increment = step + 1
@@ -107,7 +107,7 @@ class TestWhatVtkReads:
         area = 4e-4
         np.testing.assert_allclose(array(grid.GetCellData(), "radius"), [0.01, 0.01, *[np.sqrt(area / np.pi)] * 2])
 
-    @pytest.mark.parametrize(("step", "ids"), [(0, []), (1, [1, 2]), (2, [2]), (0, [])])
+    @pytest.mark.parametrize(("step", "ids"), [(0, []), (1, [1, 2]), (2, [2])])
     def test_the_number_of_contacts_changes(self, written, step, ids):
         _, grid = read_step(written / "crossed_contacts.vtkhdf", step)
         assert (grid.GetNumberOfPoints(), grid.GetNumberOfCells()) == (len(ids), len(ids))
@@ -131,7 +131,8 @@ class TestWhatStandsInTheFile:
                 fields = [*file["VTKHDF/PointData"].values(), *file["VTKHDF/CellData"].values()]
                 assert fields
                 for field in fields:
-                    assert field.attrs["unit"] and field.attrs["description"]
+                    assert field.attrs["unit"]
+                    assert field.attrs["description"]
                     assert field.attrs["components"] == (b"x, y, z" if field.ndim == 2 else b"scalar")
 
     def test_the_deck_is_inside(self, results):
@@ -164,7 +165,9 @@ class TestResults:
             "ENDS": [10, 30],
             "LOOSE": [50],
         }
-        assert {name: list(results.element_ids[rows]) for name, rows in results.element_sets.items()} == {"LOWER": [101, 102]}
+        assert {name: list(results.element_ids[rows]) for name, rows in results.element_sets.items()} == {
+            "LOWER": [101, 102]
+        }
 
     def test_time(self, results):
         np.testing.assert_array_equal(results.times, [0.25, 0.5, 0.75])
@@ -297,7 +300,7 @@ class TestResults:
         shutil.copy(written / "crossed.vtkhdf", tmp_path / "b.vtkhdf")
         with pytest.raises(litz.FileError, match=r"several: a\.vtkhdf, b\.vtkhdf"):
             litz.Results(tmp_path)
-        with pytest.raises(litz.FileError, match="a_contacts.csv"):
+        with pytest.raises(litz.FileError, match=r"a_contacts\.csv"):
             _ = litz.Results(tmp_path / "a").contacts
 
     def test_a_file_that_is_no_result_file(self, tmp_path):
@@ -374,7 +377,8 @@ class TestWhenThingsGoWrong:
         before = {path.name: path.read_bytes() for path in tmp_path.iterdir() if path.is_file()}
         done = subprocess.run([writer, tmp_path], capture_output=True, text=True, check=False)
         assert done.returncode != 0
-        assert str(blocked) in done.stdout and "directory" in done.stdout
+        assert str(blocked) in done.stdout
+        assert "directory" in done.stdout
         assert {path.name: path.read_bytes() for path in tmp_path.iterdir() if path.is_file()} == before
 
     @pytest.mark.skipif(os.geteuid() == 0, reason="root may write anywhere")
@@ -399,7 +403,8 @@ class TestWhenThingsGoWrong:
             [writer, tmp_path, "limited"], capture_output=True, text=True, check=False, preexec_fn=limit
         )
         assert done.returncode > 0
-        assert done.stdout.startswith("error: ") and str(tmp_path) in done.stdout
+        assert done.stdout.startswith("error: ")
+        assert str(tmp_path) in done.stdout
         # HDF5 would tell its own story in a dozen lines
         assert "HDF5-DIAG" not in done.stderr
 

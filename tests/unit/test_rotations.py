@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from derivatives import derivative, rotation, skew
 
+from derivatives import derivative, rotation, skew
 from litz import _core
 
 rotations = _core.f2py_rotations

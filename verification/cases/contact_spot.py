@@ -47,7 +47,7 @@ def slope(forces, values):
     return float(np.log(values[-1] / values[0]) / np.log(forces[-1] / forces[0]))
 
 
-def measure(workspace):  # noqa: ARG001: nothing is written
+def measure(workspace):
     unit = [spot(1.0, degrees) for degrees in ANGLES]
     copper = [spot(force, degrees, WIRES) for force, degrees in COPPER_STATES]
     values = {

@@ -98,7 +98,7 @@ def _distance(a, b, scale=None):
     return float(np.abs(a - b).max() / (scale or np.abs(b).max()))
 
 
-def measure(workspace):  # noqa: ARG001: nothing is written
+def measure(workspace):
     worst, figure = {}, {}
     for axis in AXES:
         for law in LAWS:

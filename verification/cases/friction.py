@@ -40,9 +40,7 @@ def rubbed(degrees, *moves):
     a = math.radians(degrees)
     along = 0.02 * np.array([math.cos(a), math.sin(a), 0.0])
     up = np.array([0.0, 0.0, 2e-3])
-    cards = [
-        f"*BOUNDARY\n UPPER, 1, 1, {x:.17g}\n UPPER, 2, 2, {y:.17g}\n UPPER, 3, 3, {-OVERLAP}" for x, y in moves
-    ]
+    cards = [f"*BOUNDARY\n UPPER, 1, 1, {x:.17g}\n UPPER, 2, 2, {y:.17g}\n UPPER, 3, 3, {-OVERLAP}" for x, y in moves]
     return join(
         heading("Rigid wires rubbed", "Model   all nodes are led", "Source  see verification/cases/friction.py"),
         chain(np.linspace([-0.02, 0, 0], [0.02, 0, 0], 5), "B33", "LOWER"),
@@ -97,7 +95,9 @@ def measure(workspace):
 def draw(values, path):
     measured = values["figure"]
     with figures.panels(path) as (loop_axes, resistance):
-        way = np.concatenate([np.linspace(0, 1, 41), np.linspace(1, -1, 81)[1:], np.linspace(-1, 1, 81)[1:]]) * AMPLITUDE
+        way = (
+            np.concatenate([np.linspace(0, 1, 41), np.linspace(1, -1, 81)[1:], np.linspace(-1, 1, 81)[1:]]) * AMPLITUDE
+        )
         exact = [force for _, force in reference().path(way)]
         loop_axes.plot(1e6 * way, 1e3 * np.array(exact), "k-", lw=1, label="two cantilevers, Hertz, Coulomb")
         loop_axes.plot(1e6 * np.array(measured["way"]), 1e3 * np.array(measured["force"]), "o", mfc="none", ms=4,

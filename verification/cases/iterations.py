@@ -94,7 +94,7 @@ def measure(workspace):
 
 
 def draw(values, path):
-    with open(OTHERS, "rb") as file:
+    with OTHERS.open("rb") as file:
         others = tomllib.load(file)["bend_600_six_steps"]
     with figures.panels(path) as (six, one):
         bars = {f"litz {element}": [values[f"iterations.{element}.bend_600_six_steps"]] * 2 for element in ELEMENTS}
@@ -106,7 +106,15 @@ def draw(values, path):
         six.set_yticks(range(len(bars)), list(bars))
         six.invert_yaxis()
         six.set(xlabel="iterations, all steps", title="45-degree bend, P = 600, six steps")
-        names = ["bend_600", "bend_1200", "bend_3000", "elastica_10", "circle", "slender", *(f"{name}_x{f}" for name, f in product(NEW, FACTORS))]
+        names = [
+            "bend_600",
+            "bend_1200",
+            "bend_3000",
+            "elastica_10",
+            "circle",
+            "slender",
+            *(f"{name}_x{f}" for name, f in product(NEW, FACTORS)),
+        ]
         for shift, element in ((-0.2, "B31"), (0.2, "B33")):
             one.barh(
                 np.arange(len(names)) + shift,

@@ -40,9 +40,7 @@ def deck(n_beam, n_cantilever):
         " 4.e-2, 2.e-4, 0., 2.e-4, 4.e-4\n*TRANSVERSE SHEAR STIFFNESS\n 2.e6, 2.e6"
         for name in ("BEAM", "CANTILEVER")
     ]
-    motion = (
-        step(f"*BOUNDARY\n 1001, 1, 1, {DRIFT * k:.16g}\n 1001, 3, 3, {0.3 * k:.16g}") for k in range(1, 7)
-    )
+    motion = (step(f"*BOUNDARY\n 1001, 1, 1, {DRIFT * k:.16g}\n 1001, 3, 3, {0.3 * k:.16g}") for k in range(1, 7))
     return join(
         heading(
             "Cantilever pressed against a clamped beam: Zavarise and Wriggers (2000), Example 2, frictionless",

@@ -11,9 +11,9 @@ inputs/03_large_sliding.inp.
 
 import math
 
-import litz
 import numpy as np
 
+import litz
 from verification import figures
 from verification.references import crossed_wires, hertz
 from verification.wire_decks import COPPER, INPUTS, Crossing, interaction

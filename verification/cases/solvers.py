@@ -59,8 +59,8 @@ def field_difference(first, second):
 
 
 def measure(workspace):
-    residuals = {solver: 0.0 for solver in SOLVERS[1:]}
-    differences = {solver: 0.0 for solver in SOLVERS[1:]}
+    residuals = dict.fromkeys(SOLVERS[1:], 0.0)
+    differences = dict.fromkeys(SOLVERS[1:], 0.0)
     figure = {}
     # the mat is too large for the skyline and for the full unsymmetric matrix
     for path in sorted(set(INPUTS.glob("*.inp")) - {INPUTS / "11_fibre_mat.inp"}):

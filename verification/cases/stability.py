@@ -114,7 +114,7 @@ PROBLEMS = {
 }
 
 
-def measure(workspace):  # noqa: ARG001: nothing is written
+def measure(workspace):
     values, loads = {}, {}
     for element in ELEMENTS:
         for name, problem in PROBLEMS.items():

@@ -26,7 +26,7 @@ def deck(hardness):
     blocks, ends = [chain(np.outer(np.linspace(-0.01, 0.01, 5), [1, 0, 0]), "B33", "THICK", 1)], []
     for k, x in enumerate((-DISTANCE / 2, DISTANCE / 2)):
         first = 101 + 100 * k
-        points = [x, 0, THICK.radius + THIN.radius] + np.outer(np.linspace(-5e-3, 5e-3, 4), [0, 1, 0])
+        points = np.array([x, 0, THICK.radius + THIN.radius]) + np.outer(np.linspace(-5e-3, 5e-3, 4), [0, 1, 0])
         blocks.append(chain(points, "B33", f"THIN{k + 1}", first))
         ends += [first, first + 3]
     return join(

@@ -51,7 +51,7 @@ def two(workspace, name, nodes, voltage):
     """Currents of two wires that cross a third one in the same element, or with a node between."""
     blocks = [chain(np.outer(nodes, [1, 0, 0]), "B33", "LOWER", 1001)]
     for k, x in enumerate(TWO, 2):
-        points = [x, -LENGTH / 2, 2 * COPPER.radius] + np.outer(NODES, [0, 1, 0])
+        points = np.array([x, -LENGTH / 2, 2 * COPPER.radius]) + np.outer(NODES, [0, 1, 0])
         blocks.append(chain(points, "B33", f"UPPER{k}", 1000 * k + 1))
     last = len(NODES)
     ends = [end for k in (2, 3) for end in (1000 * k + 1, 1000 * k + last)]

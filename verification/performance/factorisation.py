@@ -68,7 +68,7 @@ def lattice_stiffness(n):
 
 
 def write_matrix(path, matrix):
-    with open(path, "wb") as file:
+    with path.open("wb") as file:
         np.array([matrix.shape[0], matrix.nnz], dtype=np.int32).tofile(file)
         (matrix.indptr + 1).astype(np.int32).tofile(file)
         (matrix.indices + 1).astype(np.int32).tofile(file)
@@ -78,7 +78,9 @@ def write_matrix(path, matrix):
 def program():
     """The measuring program, built where litz was built."""
     build = Path(os.environ.get("LITZ_BUILD", Path(sys.prefix) / "build"))
-    done = subprocess.run(["ninja", "-C", build, "verification/factorisation"], capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        ["ninja", "-C", build, "verification/factorisation"], capture_output=True, text=True, check=False
+    )
     if done.returncode != 0:
         raise RuntimeError(f"verification/factorisation does not build in {build}:\n{done.stdout}")
     return build / "verification" / "factorisation"
@@ -98,7 +100,9 @@ def measure(quick, directory):
         for line in run.printed.splitlines():
             name, value = line.split()
             found.setdefault(name, []).append(float(value))
-        rows.append({"elements": elements, "equations": matrix.shape[0], **{k: statistics.median(v) for k, v in found.items()}})
+        rows.append(
+            {"elements": elements, "equations": matrix.shape[0], **{k: statistics.median(v) for k, v in found.items()}}
+        )
         row = rows[-1]
         # of the same repetition: what else the machine did changes from one to the next
         ratios = [a / b for a, b in zip(found["litz_factor"], found["cholmod_default_factor"], strict=True)]
@@ -132,7 +136,8 @@ def tables(values):
 
 def aims(values):
     return [
-        (f"{row['elements']} elements: factorisation over CHOLMOD's own", row["factor_ratio"], 1.3) for row in values["sizes"]
+        (f"{row['elements']} elements: factorisation over CHOLMOD's own", row["factor_ratio"], 1.3)
+        for row in values["sizes"]
     ]
 
 

@@ -61,13 +61,19 @@ def weigh_contacts(wires, directory):
         memory[name] = run_litz(deck, directory / f"grid_{name}").memory
     elements = 2 * wires * (wires + 1)
     contacts = wires**2
-    return {"elements": elements, "contacts": contacts, **memory, "bytes": (memory["with"] - memory["without"]) / contacts}
+    return {
+        "elements": elements,
+        "contacts": contacts,
+        **memory,
+        "bytes": (memory["with"] - memory["without"]) / contacts,
+    }
 
 
 def tables(values):
     names = list(values["sizes"][0]["phases"])
     lines = [
-        [name + (" (in all)" if name in OUTSIDE else ""), *(row["phases"][name] for row in values["sizes"])] for name in names
+        [name + (" (in all)" if name in OUTSIDE else ""), *(row["phases"][name] for row in values["sizes"])]
+        for name in names
     ]
     lines.append(["share besides factorisation", *(row["share_besides_factorisation"] for row in values["sizes"])])
     lines.append(["memory [kB] per element", *(row["memory"] / row["elements"] / 1e3 for row in values["sizes"])])
@@ -77,7 +83,15 @@ def tables(values):
         (
             "Memory of a contact",
             ["elements", "contacts", "with [MB]", "without [MB]", "per contact [kB]"],
-            [[weighed["elements"], weighed["contacts"], weighed["with"] / 1e6, weighed["without"] / 1e6, weighed["bytes"] / 1e3]],
+            [
+                [
+                    weighed["elements"],
+                    weighed["contacts"],
+                    weighed["with"] / 1e6,
+                    weighed["without"] / 1e6,
+                    weighed["bytes"] / 1e3,
+                ]
+            ],
         ),
         ("Exponents of the growth", ["time", "memory"], [list(values["growth"].values())]),
     ]

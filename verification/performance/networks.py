@@ -91,7 +91,9 @@ def measure(quick, directory):
             for name, solver in programs:
                 # a run of minutes is not repeated
                 if i == 0 or others[name, solver][0].run.seconds < 60:
-                    others[name, solver].append(peers.run_peer(name, problem, *([solver] if solver else []), limit=LIMIT))
+                    others[name, solver].append(
+                        peers.run_peer(name, problem, *([solver] if solver else []), limit=LIMIT)
+                    )
                     ours.append(run_litz(deck, results))
         row = {"elements": elements, "litz": ours_row(ours, reaction(results, stem)), "others": []}
         for (name, solver), runs in others.items():
@@ -160,7 +162,9 @@ def growth(rows):
 
 
 def tables(values):
-    header = "elements,program,iterations,time [s],per iteration [s],memory [MB],time / litz,iteration / litz,memory / litz"
+    header = (
+        "elements,program,iterations,time [s],per iteration [s],memory [MB],time / litz,iteration / litz,memory / litz"
+    )
     lines = []
     for row in values["sizes"]:
         ours = row["litz"]
@@ -177,7 +181,11 @@ def tables(values):
     growths = [[name, *(g.get(key) for key in _GROWTH)] for name, g in values["growth"].items()]
     return [
         ("Time and memory", header.split(","), lines),
-        ("Exponents of the growth with the number of elements", ["program", "time", "time per iteration", "memory"], growths),
+        (
+            "Exponents of the growth with the number of elements",
+            ["program", "time", "time per iteration", "memory"],
+            growths,
+        ),
     ]
 
 

@@ -20,7 +20,9 @@ def sections(document):
         if "failure" in record:
             yield title, f"{text}\n\nFailed: {record['failure']}", [], None
             continue
-        found = [[wanted, value, bound, "met" if value <= bound else "MISSED"] for wanted, value, bound in record["aims"]]
+        found = [
+            [wanted, value, bound, "met" if value <= bound else "MISSED"] for wanted, value, bound in record["aims"]
+        ]
         aims = [("Aims", ["what", "measured", "at most", ""], found)] if found else []
         yield title, text, [*module.tables(record["values"]), *aims], f"{name}.svg"
 
@@ -45,7 +47,9 @@ def write_page(document, directory):
         for table, columns, rows in tables:
             lines += ["", f"{table}:", "", "| " + " | ".join(columns) + " |", "|" + "---|" * len(columns)]
             lines += ["| " + " | ".join(map(cell, row)) + " |" for row in rows]
-            parts.append(f"<h3>{html.escape(table)}</h3><table><tr>" + "".join(f"<th>{html.escape(c)}" for c in columns))
+            parts.append(
+                f"<h3>{html.escape(table)}</h3><table><tr>" + "".join(f"<th>{html.escape(c)}" for c in columns)
+            )
             parts += ["<tr>" + "".join(f"<td>{html.escape(cell(value))}" for value in row) for row in rows]
             parts.append("</table>")
         if picture and (directory / picture).exists():

@@ -8,6 +8,7 @@ sliding, no direction of contact to follow, and more elements (they are cut at t
 the same penalty, load, increments and largest residual force.
 """
 
+import itertools
 import math
 
 import numpy as np
@@ -98,7 +99,7 @@ def write_problem(path, model, penalty, tolerance):
                     number[own[share]] = len(nodes)
                 nodes.append(first + share * (last - first))
             chain = range(len(nodes) - len(own.keys() | places.get(wire, set())), len(nodes))
-            elements += zip(chain[:-1], chain[1:], strict=True)
+            elements += itertools.pairwise(chain)
     for a, b, s, t, gap in pairs:
         links.append((at[a, s], at[b, t]))
         gaps.append(gap)
@@ -174,10 +175,9 @@ def tables(values):
             if "failed" in run:
                 lines.append([*size, name, run["failed"], *[None] * 5])
                 continue
-            if not run.get("finished", True):
-                name += f" (gave up after increment {run['increments']})"
+            label = name if run.get("finished", True) else f"{name} (gave up after increment {run['increments']})"
             numbers = run["iterations"], run["seconds"], run["seconds_per_iteration"], run["memory"] / 1e6
-            lines.append([*size, name, *numbers, run["reaction"], run.get("time_ratio", 1)])
+            lines.append([*size, label, *numbers, run["reaction"], run.get("time_ratio", 1)])
     return [("Time, memory and force on the upper plate", header.split(","), lines)]
 
 

@@ -40,7 +40,11 @@ def run_benchmark(name, quick, directory):
     except Exception as error:  # the others go on
         (directory / f"{name}_failure.txt").write_text(traceback.format_exc(), encoding="utf-8")
         record = {"failure": f"{type(error).__name__}: {error}"}
-    return record | {"load_average": [before, machine()["load_average"]], "seconds": time.monotonic() - begin, "quick": quick}
+    return record | {
+        "load_average": [before, machine()["load_average"]],
+        "seconds": time.monotonic() - begin,
+        "quick": quick,
+    }
 
 
 def main(arguments=None):
@@ -50,7 +54,10 @@ def main(arguments=None):
     parser.add_argument("-o", "--output", type=Path, default=Path("results/bench"), metavar="DIRECTORY")
     options = parser.parse_args(arguments)
     if unknown := set(options.names) - set(BENCHMARKS):
-        print(f"error: there is no benchmark {', '.join(sorted(unknown))}; there are {', '.join(BENCHMARKS)}", file=sys.stderr)
+        print(
+            f"error: there is no benchmark {', '.join(sorted(unknown))}; there are {', '.join(BENCHMARKS)}",
+            file=sys.stderr,
+        )
         return 2
     matplotlib.use("Agg")
     options.output.mkdir(parents=True, exist_ok=True)
@@ -64,7 +71,10 @@ def main(arguments=None):
         if "failure" in records[name]:
             print(f"   failed: {records[name]['failure']}")
         for text, value, bound in records[name].get("aims", ()):
-            print(f"   {'met   ' if value <= bound else 'MISSED'} {text}: {value:.3g}, aim at most {bound:.3g}", flush=True)
+            print(
+                f"   {'met   ' if value <= bound else 'MISSED'} {text}: {value:.3g}, aim at most {bound:.3g}",
+                flush=True,
+            )
         program = subprocess.run([program_path(), "--version"], capture_output=True, text=True, check=True)
         ordered = {known: records[known] for known in BENCHMARKS if known in records}
         document = {"program": " ".join(program.stdout.split()), "benchmarks": ordered}

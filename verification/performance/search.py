@@ -69,7 +69,10 @@ def measure(quick, directory):
             }
         rows.append(row)
     n = [row["elements"] for row in rows]
-    return {"sizes": rows, "exponent": {c: exponent(n, [row[f"cores_{c}"]["seconds"] for row in rows]) for c in {1, CORES}}}
+    return {
+        "sizes": rows,
+        "exponent": {c: exponent(n, [row[f"cores_{c}"]["seconds"] for row in rows]) for c in {1, CORES}},
+    }
 
 
 def tables(values):
@@ -86,9 +89,13 @@ def tables(values):
 def aims(values):
     largest = values["sizes"][-1]
     found = [
-        (f"microseconds per element and core, {largest['elements']} elements, {key.removeprefix('cores_')} cores",
-         largest[key]["microseconds_per_element_and_core"], 1.0)
-        for key in largest if key.startswith("cores_")
+        (
+            f"microseconds per element and core, {largest['elements']} elements, {key.removeprefix('cores_')} cores",
+            largest[key]["microseconds_per_element_and_core"],
+            1.0,
+        )
+        for key in largest
+        if key.startswith("cores_")
     ]
     return found + [(f"exponent of growth, {cores} cores", value, 1.1) for cores, value in values["exponent"].items()]
 

@@ -161,7 +161,9 @@ def woven_fabric(
         bars = {"radius": radius if bar_radius is None else bar_radius, "material": material}
         _add_diagonal_plates(model, (n_warp, n_weft), pitch, height, pitch, bars)
         model.contacts += [
-            ContactPair(interaction, plate, yarn) for plate in ("PLATE_BOTTOM", "PLATE_TOP") for yarn in ("WARP", "WEFT")
+            ContactPair(interaction, plate, yarn)
+            for plate in ("PLATE_BOTTOM", "PLATE_TOP")
+            for yarn in ("WARP", "WEFT")
         ]
         model.node_sets |= {"PLUS": model.groups["PLATE_TOP"].nodes, "MINUS": model.groups["PLATE_BOTTOM"].nodes}
     model.element_sets["WIRES"] = list(model.groups)

@@ -47,7 +47,8 @@ def fibre_mat(
     """Random mat of straight fibres in a box, to be pressed along z between two electrodes.
 
     Layered: `n_layers` layers of level fibres, each turned by 90 degrees against the one below with a random deviation
-    up to `spread`; fibres of one layer do not touch. Below and above lie the electrodes, plates of parallel rigid bars of one potential.
+    up to `spread`; fibres of one layer do not touch. Below and above lie the electrodes, plates of parallel rigid bars
+    of one potential.
     The ends of the fibres are held in a frame that follows the pressing according to their height: without friction,
     fibres with free ends would slide off each other. Fibres may touch those of the layers above and below; those of one
     layer do not touch at the start and are taken not to later, nor are those of every second layer.

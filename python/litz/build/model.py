@@ -271,7 +271,9 @@ class Model:
         points = [np.array(axis, dtype=float) for axis in axes]
         for axis in points:
             if axis.ndim != 2 or axis.shape[1] != 3 or len(axis) < 2 or not np.isfinite(axis).all():
-                raise ValueError(f"an axis must hold the positions of 2 or more nodes, not an array of shape {axis.shape}")
+                raise ValueError(
+                    f"an axis must hold the positions of 2 or more nodes, not an array of shape {axis.shape}"
+                )
             if not np.linalg.norm(np.diff(axis, axis=0), axis=1).all():
                 raise ValueError("two successive nodes of an axis coincide")
         group = WireGroup(name, float(radius), material, element)

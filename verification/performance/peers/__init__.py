@@ -63,7 +63,9 @@ def interpreter(name):
 def version(name):
     """Version of a program's main package."""
     code = "import sys; from importlib.metadata import version; print(version(sys.argv[1]))"
-    done = subprocess.run([interpreter(name), "-c", code, PACKAGES[name][1]], capture_output=True, text=True, check=True)
+    done = subprocess.run(
+        [interpreter(name), "-c", code, PACKAGES[name][1]], capture_output=True, text=True, check=True
+    )
     return done.stdout.strip()
 
 

@@ -85,9 +85,7 @@ def build(frame):
             return [0.0, 0.0, final * t, 0.0, 0.0, 0.0]
 
         moving.append(
-            joint(
-                place, np.eye(3), at[node][0], offsetUserFunction=offset, offsetUserFunctionParameters=[0.0] * 6
-            )
+            joint(place, np.eye(3), at[node][0], offsetUserFunction=offset, offsetUserFunctionParameters=[0.0] * 6)
         )
     system.Assemble()
     return system, moving

@@ -49,7 +49,7 @@ def build(frame):
 
 def main():
     frame, clock, _ = arguments()
-    model, part = build(frame)
+    _model, part = build(frame)
     solver = python_linear_solver_factory.ConstructSolver(
         KM.Parameters('{"solver_type": "LinearSolversApplication.sparse_lu"}')
     )
