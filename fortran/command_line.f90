@@ -16,7 +16,8 @@ module litz_command_line
    character(len=word_length), parameter :: run_options(*) = [character(len=word_length) :: '-o', '--output', &
       '--solver', &
       '--threads', '--restart', '--quiet', '--timing']
-   character(len=word_length), parameter :: keywords_options(*) = [character(len=word_length) :: '--markdown']
+   character(len=word_length), parameter :: keywords_options(*) = [character(len=word_length) :: '--markdown', &
+      '--json']
    character(len=word_length), parameter :: no_options(0) = [character(len=word_length) ::]
 
    type :: command_t
@@ -32,7 +33,7 @@ module litz_command_line
       !> Restart file, empty: none; step and increment to go on from, 0: the last one in the file
       character(len=:), allocatable :: restart_path
       integer :: restart_step = 0, restart_increment = 0
-      logical :: quiet = .false., timing = .false., markdown = .false.
+      logical :: quiet = .false., timing = .false., markdown = .false., json = .false.
    end type command_t
 
 contains
@@ -145,11 +146,12 @@ contains
          return
       end if
       select case (option)
-      case ('--quiet', '--timing', '--markdown')
+      case ('--quiet', '--timing', '--markdown', '--json')
          if (equals > 0) error = fail(exit_input, 'the option '//option//' takes no value')
          command%quiet = command%quiet .or. option == '--quiet'
          command%timing = command%timing .or. option == '--timing'
          command%markdown = command%markdown .or. option == '--markdown'
+         command%json = command%json .or. option == '--json'
          return
       end select
       if (equals > 0) then
@@ -279,8 +281,8 @@ contains
          '      --timing prints in the end where the time and the memory went'//nl// &
          '  litz check DECK.inp'//nl// &
          '      read and check the deck, print the model, stop'//nl// &
-         '  litz keywords [NAME | --markdown]'//nl// &
-         '      what a deck can say: a list, one keyword, or the whole reference'//nl// &
+         '  litz keywords [NAME | --markdown | --json]'//nl// &
+         '      what a deck can say: a list, one keyword, the whole reference, or a table for programs'//nl// &
          '  litz --version'//nl// &
          '      version, compiler, libraries'//nl//nl// &
          'Exit codes: 0 every step finished, 1 input, 2 not converged, 3 linear solver, 4 files, 5 internal.'//nl

@@ -9,6 +9,7 @@ program litz
       action_version
    use litz_deck_reader, only: read_deck
    use litz_errors, only: error_t, error_list_t, fail, exit_success, exit_input, exit_memory
+   use litz_keyword_json, only: keyword_json
    use litz_keyword_reference, only: keyword_list, keyword_page, keyword_markdown
    use litz_keyword_table, only: keyword_table
    use litz_keywords, only: keyword_table_t
@@ -128,6 +129,8 @@ contains
       table = keyword_table()
       if (command%markdown) then
          call print_text(keyword_markdown(table))
+      else if (command%json) then
+         call print_text(keyword_json(table))
       else if (len(command%argument) == 0) then
          call print_text(keyword_list(table))
       else

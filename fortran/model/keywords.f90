@@ -49,7 +49,7 @@ module litz_keywords
       integer :: limit = limit_none
       character(len=120) :: choices = ''
       logical :: required = .true.
-      character(len=120) :: help = ''
+      character(len=200) :: help = ''
    end type field_spec_t
 
    !> One or several data lines of the same form.

@@ -23,9 +23,11 @@ from .run import (
 
 # Loaded when first asked for, so that starting the program does not wait for HDF5, VTK and numpy.
 _LAZY_MODULES = ("build", "closed_forms", "kernels", "plots", "results")
-_LAZY_NAMES = {"Results": "results", "plot": "plots"}
+_LAZY_NAMES = {"Card": "deck", "Deck": "deck", "Results": "results", "keywords": "keyword_table", "plot": "plots"}
 
 __all__ = [
+    "Card",
+    "Deck",
     "FileError",
     "InputError",
     "InternalError",
@@ -37,6 +39,7 @@ __all__ = [
     "build",
     "closed_forms",
     "kernels",
+    "keywords",
     "plot",
     "program_path",
     "run",

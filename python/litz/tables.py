@@ -73,11 +73,17 @@ class Table(Mapping):
         return Table({name: values[mask] for name, values in self._columns.items()}, self.units)
 
 
+def nearest_name(name: str, known) -> str:
+    """The question whether a name like it was meant, or nothing where there is none like it."""
+    spelt = {str(one).upper(): one for one in known}
+    nearest = difflib.get_close_matches(str(name).upper(), spelt, n=1)
+    return f"; did you mean {spelt[nearest[0]]!r}?" if nearest else ""
+
+
 def unknown_name(what: str, name: str, known) -> str:
     """Message for a name that is not there: the nearest one, and all there are."""
     known = list(known)
-    nearest = difflib.get_close_matches(str(name), known, n=1)
-    hint = f"; did you mean {nearest[0]!r}?" if nearest else ""
+    hint = nearest_name(name, known)
     listed = ", ".join(known[:40]) + (", ..." if len(known) > 40 else "")
     return f"there is no {what} {name!r}{hint} There are: {listed or 'none'}"
 
