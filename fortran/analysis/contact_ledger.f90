@@ -35,6 +35,7 @@ module litz_contact_ledger
       procedure :: open => ledger_open
       procedure :: write_table => ledger_write_table
       procedure :: write_points => ledger_write_points
+      procedure :: publish => ledger_publish
       procedure :: close => ledger_close
    end type contact_ledger_t
 
@@ -206,6 +207,15 @@ contains
       call file%write_field('slip_path', contacts%slip_path, error)
       call file%write_field('dissipation', contacts%dissipation, error)
    end subroutine write_real_fields
+
+   !> Puts both files in the place of older ones.
+   subroutine ledger_publish(self, error)
+      class(contact_ledger_t), intent(inout) :: self
+      type(error_t), allocatable, intent(inout) :: error
+
+      call self%file%publish(error)
+      call self%table%publish(error)
+   end subroutine ledger_publish
 
    !> Closes both files, and notes whether the run came to its end.
    subroutine ledger_close(self, finished, error)

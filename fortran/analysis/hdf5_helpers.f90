@@ -17,7 +17,7 @@ module litz_hdf5_helpers
    use litz_kinds, only: dp, int64
    use litz_errors, only: error_t, fail, exit_files
    use litz_hdf5_library, only: hdf5_start
-   use litz_output_files, only: unpublished
+   use litz_output_files, only: publish_file, unpublished
    implicit none
    private
    public :: hid_t, hdf5_rows_t
@@ -52,12 +52,6 @@ module litz_hdf5_helpers
    end interface hdf5_write_attribute
 
    interface
-      !> Not 0 when it fails
-      integer(c_int) function c_rename(old, new) bind(c, name='rename')
-         import :: c_char, c_int
-         character(kind=c_char), intent(in) :: old(*), new(*)
-      end function c_rename
-
       integer(c_int) function c_unlink(path) bind(c, name='unlink')
          import :: c_char, c_int
          character(kind=c_char), intent(in) :: path(*)
@@ -124,10 +118,7 @@ contains
 
       if (allocated(error)) return
       path = file_name(file)
-      if (c_rename(path//unpublished//c_null_char, path//c_null_char) /= 0) then
-         error = fail(exit_files, 'cannot write "'//path//'": the system refuses to give "'//path//unpublished// &
-            '" that name')
-      end if
+      call publish_file(path, path, error)
    end subroutine hdf5_publish_file
 
    !> Closes a file that was not published, and removes it.

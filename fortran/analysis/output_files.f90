@@ -7,20 +7,22 @@ module litz_output_files
    use litz_errors, only: error_t, fail, exit_files
    implicit none
    private
-   public :: text_file_t, make_directory, check_writable, same_file, remove_file, unpublished
+   public :: text_file_t, make_directory, check_writable, same_file, remove_file, publish_file, unpublished
 
    !> A file has this ending until it holds something worth keeping: whatever happens before, an older file stays whole
    character(len=*), parameter :: unpublished = '.part'
    character(len=*), parameter :: refused = 'the system refuses; is the disk full?'
 
-   !> A text file that is written line by line.
+   !> A text file that is written line by line, beside the one of its path until it is published.
    type :: text_file_t
       character(len=:), allocatable :: path
+      logical, private :: is_published = .false.
       type(c_ptr), private :: file = c_null_ptr
    contains
       procedure :: create => text_file_create
       procedure :: write_line => text_file_write_line
       procedure :: flush => text_file_flush
+      procedure :: publish => text_file_publish
       procedure :: close => text_file_close
    end type text_file_t
 
@@ -62,6 +64,12 @@ module litz_output_files
          import :: c_int, c_ptr
          type(c_ptr), value :: file
       end function c_fclose
+
+      !> Not 0 when it fails
+      integer(c_int) function c_rename(old, new) bind(c, name='rename')
+         import :: c_char, c_int
+         character(kind=c_char), intent(in) :: old(*), new(*)
+      end function c_rename
    end interface
 
 contains
@@ -129,6 +137,18 @@ contains
       if (status /= 0) error = cannot_write(path, reason)
    end subroutine remove_file
 
+   !> Puts what was written for a path in the place of an older file, in one step.
+   subroutine publish_file(path, place, error)
+      !> The path that it was written for, and the one that it gets
+      character(len=*), intent(in) :: path, place
+      type(error_t), allocatable, intent(inout) :: error
+
+      if (allocated(error)) return
+      if (c_rename(path//unpublished//c_null_char, place//c_null_char) /= 0) then
+         error = cannot_write(place, 'the system refuses to give "'//path//unpublished//'" that name')
+      end if
+   end subroutine publish_file
+
    !> Two paths lead to one file, which exists.
    logical function same_file(a, b)
       character(len=*), intent(in) :: a, b
@@ -142,7 +162,7 @@ contains
       if (same_file) same_file = all(real_a == real_b)
    end function same_file
 
-   !> Begins the file anew; what it held is lost.
+   !> Begins the file anew; an older one stays until this one is published.
    subroutine text_file_create(self, path, error)
       class(text_file_t), intent(inout) :: self
       character(len=*), intent(in) :: path
@@ -150,7 +170,8 @@ contains
 
       if (allocated(error)) return
       self%path = path
-      self%file = c_fopen(path//c_null_char, 'w'//c_null_char)
+      self%is_published = .false.
+      self%file = c_fopen(path//unpublished//c_null_char, 'w'//c_null_char)
       if (.not. c_associated(self%file)) error = cannot_write(path, refused)
    end subroutine text_file_create
 
@@ -172,16 +193,36 @@ contains
       if (c_fflush(self%file) /= 0) error = cannot_write(self%path, refused)
    end subroutine text_file_flush
 
-   !> Closes the file, also after an error.
+   !> Gives the file its name, in the place of an older one. It stays open.
+   subroutine text_file_publish(self, error, place)
+      class(text_file_t), intent(inout) :: self
+      type(error_t), allocatable, intent(inout) :: error
+      !> Another path than the one it was created with
+      character(len=*), intent(in), optional :: place
+      character(len=:), allocatable :: path
+
+      if (allocated(error)) return
+      path = self%path
+      if (present(place)) self%path = place
+      call publish_file(path, self%path, error)
+      self%is_published = .not. allocated(error)
+   end subroutine text_file_publish
+
+   !> Closes the file, also after an error; one that was not published is removed.
    subroutine text_file_close(self, error)
       class(text_file_t), intent(inout) :: self
       type(error_t), allocatable, intent(inout) :: error
+      type(error_t), allocatable :: ignored
       integer(c_int) :: status
 
       if (.not. c_associated(self%file)) return
       status = c_fclose(self%file)
       self%file = c_null_ptr
-      if (status /= 0 .and. .not. allocated(error)) error = cannot_write(self%path, refused)
+      if (.not. self%is_published) then
+         call remove_file(self%path//unpublished, ignored)
+      else if (status /= 0 .and. .not. allocated(error)) then
+         error = cannot_write(self%path, refused)
+      end if
    end subroutine text_file_close
 
    pure function cannot_write(path, reason) result(error)

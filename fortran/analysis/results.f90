@@ -6,7 +6,8 @@
 !>
 !> and where the run had to give up, the last iterate as STEM_unconverged with the first three endings.
 !>
-!> Files of an earlier run are replaced when all six can be written, and none of them otherwise.
+!> Files of an earlier run stay as they are until this one has its first complete increment, and are then replaced
+!> together. A run that ends before leaves them alone, and its own tables as STEM_unconverged.sta and .cvg.
 module litz_results
    use litz_kinds, only: dp
    use litz_errors, only: error_t
@@ -25,7 +26,10 @@ module litz_results
    character(len=*), parameter :: endings(6) = [character(len=16) :: '.vtkhdf', '_contacts.vtkhdf', '_contacts.csv', &
       '_history.csv', '.sta', '.cvg']
 
+   !> What an iterate has of them, and a run that leaves older results alone
    character(len=*), parameter :: unconverged = '_unconverged'
+   character(len=*), parameter :: unconverged_endings(5) = [character(len=16) :: '.vtkhdf', '_contacts.vtkhdf', &
+      '_contacts.csv', '.sta', '.cvg']
 
    type :: results_t
       type(wire_results_t), private :: wires
@@ -37,6 +41,9 @@ module litz_results
       type(wire_results_t), private :: unconverged_wires
       type(contact_ledger_t), private :: unconverged_ledger
       type(text_file_t), private :: history_file, status_file, convergence_file
+      !> There are results of an earlier run, and these are not yet in their place
+      logical, private :: over_older = .false.
+      logical, private :: is_published = .false., iterate_written = .false.
    contains
       procedure :: open => results_open
       procedure :: write_iteration => results_write_iteration
@@ -44,6 +51,7 @@ module litz_results
       procedure :: write_increment => results_write_increment
       procedure :: begin_unconverged => results_begin_unconverged
       procedure :: write_unconverged => results_write_unconverged
+      procedure :: leaves_older => results_leaves_older
       procedure :: close => results_close
    end type results_t
 
@@ -62,6 +70,7 @@ contains
       type(error_t), allocatable, intent(out) :: error
       type(error_t), allocatable :: ignored
       character(len=:), allocatable :: base
+      logical :: there
       integer :: i
 
       base = trim(stem)
@@ -71,10 +80,9 @@ contains
       end if
       self%base = base
       do i = 1, size(endings)
+         inquire (file=base//trim(endings(i)), exist=there)
+         self%over_older = self%over_older .or. there
          call check_writable(base//trim(endings(i)), error)
-      end do
-      do i = 1, 3
-         call remove_file(base//unconverged//trim(endings(i)), error)
       end do
       call self%history%build(model, error)
       call self%wires%open(model, base//'.vtkhdf', error)
@@ -129,12 +137,37 @@ contains
       call self%history_file%write_line(self%history%line(state), error)
       call self%history_file%flush(error)
       call self%ledger%write_table(model, state, error)
-      if (.not. at_start) then
-         if (.not. wants_fields(model, state)) return
+      if (at_start .or. wants_fields(model, state)) then
+         call self%ledger%write_points(model, state, error)
+         call self%wires%write(model, state, error)
       end if
-      call self%ledger%write_points(model, state, error)
-      call self%wires%write(model, state, error)
+      if (.not. (at_start .or. self%is_published)) call publish(self, error)
    end subroutine results_write_increment
+
+   !> Puts all files in the place of older ones.
+   subroutine publish(self, error)
+      class(results_t), intent(inout) :: self
+      type(error_t), allocatable, intent(inout) :: error
+
+      if (.not. self%iterate_written) call remove_iterate(self, error)
+      call self%wires%publish(error)
+      call self%ledger%publish(error)
+      call self%history_file%publish(error)
+      call self%status_file%publish(error)
+      call self%convergence_file%publish(error)
+      self%is_published = .not. allocated(error)
+   end subroutine publish
+
+   !> Removes what an earlier run has left that gave up.
+   subroutine remove_iterate(self, error)
+      class(results_t), intent(in) :: self
+      type(error_t), allocatable, intent(inout) :: error
+      integer :: i
+
+      do i = 1, size(unconverged_endings)
+         call remove_file(self%base//unconverged//trim(unconverged_endings(i)), error)
+      end do
+   end subroutine remove_iterate
 
    !> Begins the files of the iterate at which the run gives up.
    subroutine results_begin_unconverged(self, model, state, error)
@@ -159,6 +192,9 @@ contains
       call self%unconverged_ledger%write_table(model, state, error)
       if (.not. allocated(error)) call self%unconverged_ledger%write_points(model, state, error)
       if (.not. allocated(error)) call self%unconverged_wires%write(model, state, error)
+      call self%unconverged_ledger%publish(error)
+      call self%unconverged_wires%publish(error)
+      self%iterate_written = .not. allocated(error)
       call self%unconverged_ledger%close(.false., error)
       call self%unconverged_wires%close(.false., error)
    end subroutine results_write_unconverged
@@ -175,12 +211,28 @@ contains
       end associate
    end function wants_fields
 
+   !> The run has ended before its first increment, and the results of an earlier one are still there.
+   pure logical function results_leaves_older(self)
+      class(results_t), intent(in) :: self
+
+      results_leaves_older = self%over_older .and. .not. self%is_published
+   end function results_leaves_older
+
    !> Closes all files, also after an error; the result files note whether the run came to its end.
    subroutine results_close(self, finished, error)
       class(results_t), intent(inout) :: self
       logical, intent(in) :: finished
       type(error_t), allocatable, intent(out) :: error
 
+      if (.not. self%is_published) then
+         if (finished .or. .not. self%over_older) then
+            call publish(self, error)
+         else
+            if (.not. self%iterate_written) call remove_iterate(self, error)
+            call self%status_file%publish(error, self%base//unconverged//'.sta')
+            call self%convergence_file%publish(error, self%base//unconverged//'.cvg')
+         end if
+      end if
       call close_files(self, finished, error)
    end subroutine results_close
 

@@ -3,7 +3,7 @@
 !> Order of calls: `create`, `add_field` for each field, then for each step `write_cells` (once, if the cells stay the
 !> same), `write_points`, `write_field` for each field, `end_step`; at last `close`. A field that is not written at a
 !> step keeps its values. After `end_step` the file on the disk is complete up to that step, whatever happens to the
-!> program.
+!> program. `publish` puts the file in the place of an older one, which stays whole until then.
 !>
 !> Errors are passed through as in `litz_hdf5_helpers`.
 module litz_vtkhdf_writer
@@ -39,6 +39,8 @@ module litz_vtkhdf_writer
    type :: vtkhdf_file_t
       integer(hid_t) :: file = -1
       integer :: n_steps = 0
+      !> The file is in its place, or comes there with its first step
+      logical, private :: is_public = .false.
       integer(hid_t), private :: root = -1, steps = -1
       integer(hid_t), private :: data_group(2) = -1, offset_group(2) = -1
       type(vtkhdf_field_t), allocatable, private :: fields(:)
@@ -59,6 +61,7 @@ module litz_vtkhdf_writer
       procedure, private :: write_field_integer => vtkhdf_write_field_integer
       generic :: write_field => write_field_real, write_field_scalar, write_field_integer
       procedure :: end_step => vtkhdf_end_step
+      procedure :: publish => vtkhdf_publish
       procedure :: close => vtkhdf_close
    end type vtkhdf_file_t
 
@@ -76,6 +79,7 @@ contains
 
       if (allocated(error)) return
       self%n_steps = 0
+      self%is_public = .false.
       allocate (self%fields(0))
       call hdf5_start(error)
       call hdf5_create_file(path, expected_steps, self%file, error)
@@ -257,14 +261,25 @@ contains
       if (.not. allocated(error)) self%n_steps = self%n_steps + 1
       call hdf5_write_attribute(self%steps, 'NSteps', self%n_steps, error)
       call hdf5_flush(self%file, error)
-      if (self%n_steps == 1) call hdf5_publish_file(self%file, error)
+      if (self%is_public .and. self%n_steps == 1) call hdf5_publish_file(self%file, error)
    end subroutine vtkhdf_end_step
 
+   !> Puts the file in the place of an older one, as soon as a step is complete in it.
+   subroutine vtkhdf_publish(self, error)
+      class(vtkhdf_file_t), intent(inout) :: self
+      type(error_t), allocatable, intent(inout) :: error
+
+      if (allocated(error)) return
+      if (self%n_steps > 0) call hdf5_publish_file(self%file, error)
+      self%is_public = .not. allocated(error)
+   end subroutine vtkhdf_publish
+
+   !> Closes the file; one that was not published is removed.
    subroutine vtkhdf_close(self, error)
       class(vtkhdf_file_t), intent(inout) :: self
       type(error_t), allocatable, intent(inout) :: error
 
-      if (self%n_steps == 0) call hdf5_discard_file(self%file)
+      if (.not. self%is_public .or. self%n_steps == 0) call hdf5_discard_file(self%file)
       call hdf5_close_file(self%file, error)
    end subroutine vtkhdf_close
 

@@ -41,6 +41,7 @@ module litz_wire_results
    contains
       procedure :: open => wire_results_open
       procedure :: write => wire_results_write
+      procedure :: publish => wire_results_publish
       procedure :: close => wire_results_close
    end type wire_results_t
 
@@ -275,6 +276,14 @@ contains
          call self%tables(size(counts) + i)%append(reshape(reals(i:i), [1, 1]), error)
       end do
    end subroutine write_tables
+
+   !> Puts the file in the place of an older one.
+   subroutine wire_results_publish(self, error)
+      class(wire_results_t), intent(inout) :: self
+      type(error_t), allocatable, intent(inout) :: error
+
+      call self%file%publish(error)
+   end subroutine wire_results_publish
 
    !> Closes the file, and notes whether the run came to its end.
    subroutine wire_results_close(self, finished, error)

@@ -127,11 +127,13 @@ contains
          associate (material => model%materials(section%material))
             select case (choice_of(self, card, 'SECTION'))
             case ('CIRC')
-               call set_circular(section, self%values%real(1), material%young, material%poisson)
+               call check_range(self, material%young, self%values%real(1), [2, 4], ok)
+               if (ok) call set_circular(section, self%values%real(1), material%young, material%poisson)
             case ('GENERAL')
-               call set_general(section, self%values%real(1:5), material%young, material%poisson)
+               call check_range(self, material%young, minval(self%values%real([1, 2, 4, 5])), [1], ok)
+               if (ok) call check_range(self, material%young, maxval(self%values%real([1, 2, 4, 5])), [1], ok)
+               if (ok) call set_general(section, self%values%real(1:5), material%young, material%poisson)
             end select
-            if (material%young > 0) call check_range(self, section, material%young)
          end associate
       end if
       section%contact_radius = real_parameter(self, card, 'CONTACT RADIUS', section%contact_radius)
@@ -141,16 +143,21 @@ contains
       if (name%last < name%first) self%missed_section = .true.
    end subroutine read_section
 
-   !> Stiffnesses must be numbers that the program can hold.
-   subroutine check_range(self, section, young)
+   !> Stiffnesses, which are Young's modulus times powers of a datum of the section, must be numbers that the program
+   !> can hold. Told from exponents, because the numbers themselves might overflow.
+   subroutine check_range(self, young, datum, powers, ok)
       type(reader_t), intent(inout) :: self
-      type(section_t), intent(in) :: section
-      real(dp), intent(in) :: young
-      real(dp) :: stiffness(6)
+      real(dp), intent(in) :: young, datum
+      integer, intent(in) :: powers(:)
+      logical, intent(out) :: ok
+      !> Leaves room for the factors of a section, for those of Poisson's ratio and for sums
+      real(dp), parameter :: largest = 290
 
-      stiffness = [young*[section%area, section%i2, section%i3, section%j], section%ga2, section%ga3]
-      if (all(stiffness >= tiny(young) .and. stiffness <= huge(young))) return
-      call fail_at(self, self%values%token(1), &
+      ! wrong values were reported
+      ok = young > 0 .and. datum > 0
+      if (.not. ok) return
+      ok = all(abs(powers*log10(datum)) < largest) .and. all(abs(log10(young) + powers*log10(datum)) < largest)
+      if (.not. ok) call fail_at(self, self%values%token(1), &
          'the stiffnesses of this section are too large or too small for this program; check the units')
    end subroutine check_range
 

@@ -338,7 +338,7 @@ class Results:
 def _find(path: Path) -> Path:
     """The result file of the wires that a path stands for."""
     if path.is_dir():
-        found = sorted(file for file in path.glob("*.vtkhdf") if not file.stem.endswith("_contacts"))
+        found = sorted(file for file in path.glob("*.vtkhdf") if not file.stem.endswith(("_contacts", "_unconverged")))
         if len(found) == 1:
             return found[0]
         what = "several: " + ", ".join(file.name for file in found) if found else "none"

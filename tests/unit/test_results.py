@@ -410,7 +410,9 @@ class TestWhenThingsGoWrong:
 
     @pytest.mark.parametrize("ending", ["_contacts.csv", "_history.csv", ".sta", ".cvg"])
     def test_a_text_file_on_a_full_disk(self, writer, tmp_path, ending):
-        (tmp_path / ("crossed" + ending)).symlink_to("/dev/full")
+        # an older file, for the check before the run not to touch what stands for the disk
+        (tmp_path / ("crossed" + ending)).write_text("older")
+        (tmp_path / ("crossed" + ending + ".part")).symlink_to("/dev/full")
         done = subprocess.run([writer, tmp_path], capture_output=True, text=True, check=False)
         assert done.returncode > 0
         assert f'crossed{ending}": the system refuses; is the disk full?' in done.stdout
