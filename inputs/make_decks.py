@@ -5,14 +5,13 @@ from pathlib import Path
 from litz import build
 
 INPUTS = Path(__file__).parent
-INCREMENTS = (0.1, 1.0, 1e-5, 0.1)
 
 
 def fibre_mat() -> build.Model:
     """128 copper fibres in eight layers, pressed between two electrodes."""
     model = build.fibre_mat((30e-3, 30e-3), 16, radius=0.1e-3, seed=1, n_layers=8, clearance=5e-6, spread=0.5)
     model.title = "A mat of 128 copper fibres pressed between two electrodes"
-    model.press(0.1e-3, voltage=1e-3, increments=INCREMENTS).node_totals += [("PLUS", "RF"), ("MINUS", "RF")]
+    add_step(model, 0.1e-3)
     model.comments = """\
 Model    Eight layers of 16 straight copper fibres of 0.1 mm radius, layers along x and y in turn, each fibre turned at
          random by up to 0.5 rad (29 degrees). Below and above lie the electrodes, six rigid bars each. The ends of the
@@ -32,7 +31,7 @@ def woven_fabric() -> build.Model:
     """A plain weave of 8 x 8 copper yarns, pressed between two plates of stiff wires."""
     model = build.woven_fabric(8, 8, pitch=1e-3, radius=0.1e-3, clearance=1e-6, elements_per_pitch=8)
     model.title = "A plain-woven fabric pressed between two plates"
-    model.press(6.5e-6, voltage=1e-3, increments=INCREMENTS).node_totals += [("PLUS", "RF"), ("MINUS", "RF")]
+    add_step(model, 6.5e-6)
     model.comments = """\
 Model    8 x 8 copper wires of 0.1 mm radius at a pitch of 1 mm, woven one over one, with axes z = +-a cos(pi s/pitch).
          litz has no rigid surfaces: each plate is a row of straight wires, all of whose nodes are prescribed, one along each
@@ -49,6 +48,13 @@ Source   litz.build.woven_fabric, called in inputs/make_decks.py. By symmetry al
 Expect   forces at the four crossings in the middle: plate F = 1.5082 N, wires N = 1.0385 N, both within 0.5 %
          resistance between the plates 0.02381 mohm, within 2 % (two contacts share an element of each wire)""".splitlines()
     return model
+
+
+def add_step(model: build.Model, displacement: float) -> None:
+    """Press, with 1 mV between the electrodes, and ask for the forces on both."""
+    step = model.press(displacement, voltage=1e-3)
+    for electrode in ("PLUS", "MINUS"):
+        step.node_print(electrode, "RF", totals="ONLY")
 
 
 if __name__ == "__main__":

@@ -1,5 +1,7 @@
 """litz: finite elements for wires that touch and pass current through their contacts.
 
+    model = litz.Model("title")              build a model of wires, run it
+    deck = litz.Deck.read("deck.inp")        read a deck, change it, write it
     results = litz.run("deck.inp")           run a deck, read its results
     results = litz.Results("deck.vtkhdf")    read the results of an earlier run
     litz.plot(results)                       make a picture of them
@@ -22,24 +24,68 @@ from .run import (
 )
 
 # Loaded when first asked for, so that starting the program does not wait for HDF5, VTK and numpy.
-_LAZY_MODULES = ("build", "closed_forms", "kernels", "plots", "results")
-_LAZY_NAMES = {"Card": "deck", "Deck": "deck", "Results": "results", "keywords": "keyword_table", "plot": "plots"}
+_LAZY_MODULES = ("build", "closed_forms", "kernels", "model", "plots", "results")
+_MODEL_NAMES = (
+    "COPPER",
+    "Circular",
+    "ConstantSpot",
+    "FilmSpot",
+    "Friction",
+    "General",
+    "Hertz",
+    "HertzSpot",
+    "Interaction",
+    "Linear",
+    "Material",
+    "Model",
+    "PaperSpot",
+    "PlasticSpot",
+    "SILVER",
+    "STEEL",
+    "TableSpot",
+)
+_LAZY_NAMES = {
+    "Card": "deck",
+    "Deck": "deck",
+    "Results": "results",
+    "keywords": "keyword_table",
+    "plot": "plots",
+    **dict.fromkeys(_MODEL_NAMES, "model"),
+}
 
 __all__ = [
+    "COPPER",
+    "SILVER",
+    "STEEL",
     "Card",
+    "Circular",
+    "ConstantSpot",
     "Deck",
     "FileError",
+    "FilmSpot",
+    "Friction",
+    "General",
+    "Hertz",
+    "HertzSpot",
     "InputError",
+    "Interaction",
     "InternalError",
+    "Linear",
     "LitzError",
+    "Material",
+    "Model",
     "NotConvergedError",
     "OutOfMemoryError",
+    "PaperSpot",
+    "PlasticSpot",
     "Results",
     "SolverError",
+    "TableSpot",
     "build",
     "closed_forms",
     "kernels",
     "keywords",
+    "model",
     "plot",
     "program_path",
     "run",

@@ -15,6 +15,8 @@ from .run import FileError
 
 #: What a data value may be; None stands for a place that is left empty
 Value = int | float | str | None
+#: Keyword, parameters, data lines
+CardSpec = tuple[str, dict[str, Any], Sequence[Sequence[Value]]]
 _BYTE_ORDER_MARK = "\ufeff"
 
 
@@ -53,9 +55,24 @@ def from_text(text: str) -> Value:
     return text
 
 
+def card_lines(name: str, parameters: dict[str, Any], rows: Iterable[Sequence[Value]] = ()) -> Iterator[str]:
+    """The lines of a card, without their ends."""
+    yield _head(name, parameters)
+    for row in rows:
+        yield data_line(row)
+
+
+def data_line(row: Sequence[Value]) -> str:
+    """A data line; places at its end that are empty are left out."""
+    texts = [to_text(value) for value in row]
+    while len(texts) > 1 and not texts[-1]:
+        texts.pop()
+    return " " + ", ".join(texts)
+
+
 @dataclass(eq=False)
 class Card:
-    """A keyword line with its data lines, and the comments that stand before it.
+    r"""A keyword line with its data lines, and the comments that stand before it.
 
     `card["INC"]` is a parameter (True for a flag), `card[0, 1]` the second value of the first data line; both can be set,
     and `del card["INC"]` removes a parameter. Only what is set changes its text.
@@ -71,7 +88,7 @@ class Card:
 
     Examples
     --------
-    >>> card = Card.parse("*STATIC\\n 0.1, 1.")
+    >>> card = Card.parse("*STATIC\n 0.1, 1.")
     >>> card[0, 0] = 0.05
     >>> card["DIRECT"] = True
     >>> print(card.text, end="")
@@ -86,7 +103,7 @@ class Card:
     @classmethod
     def make(cls, name: str, parameters: dict[str, Any] | None = None, rows: Iterable[Sequence[Value]] = ()) -> "Card":
         """A card from a keyword, its parameters and its data."""
-        card = cls(head=[_head(name, parameters or {})])
+        card = cls(head=[_head(name, parameters or {}) + "\n"])
         card.data = rows
         return card
 
@@ -104,6 +121,7 @@ class Card:
         return "".join([*self.comments, *self.head, *self.body])
 
     def __repr__(self) -> str:
+        """One line."""
         head = " ".join(line.strip() for line in self.head)
         n_rows = len(self._data_lines())
         return f"<Card {head}: {n_rows} data line{'s' * (n_rows != 1)}>"
@@ -132,9 +150,11 @@ class Card:
         return default
 
     def __contains__(self, name: str) -> bool:
+        """Whether a parameter stands on the card."""
         return self.get(name) is not None
 
     def __getitem__(self, key: str | tuple[int, int]) -> Any:
+        """A parameter, or a data value by row and column."""
         if isinstance(key, tuple):
             row, column = key
             return self.data[row][column]
@@ -145,12 +165,14 @@ class Card:
         return value
 
     def __setitem__(self, key: str | tuple[int, int], value: Any) -> None:
+        """Sets a parameter, or a data value by row and column."""
         if isinstance(key, tuple):
             self._set_value(*key, value)
         else:
             self._set_parameter(key, value)
 
     def __delitem__(self, key: str) -> None:
+        """Removes a parameter."""
         self[key]
         fields = self._fields()
         kept = [one for one in fields[1:] if one.strip() and squeezed(one.split("=")[0]) != squeezed(key)]
@@ -188,8 +210,10 @@ class Card:
 
     @property
     def data(self) -> list[list[Value]]:
-        """The values of the data lines: numbers, texts, None for places left empty. A copy: set `data`, or
-        `card[row, column]`, to change them."""
+        """The values of the data lines: numbers, texts, None for places left empty.
+
+        A copy: set `data`, or `card[row, column]`, to change them.
+        """
         return [[from_text(one) for one in _split(line)] for line in self._data_lines()]
 
     @data.setter
@@ -198,7 +222,7 @@ class Card:
         end = _line_end(self.head)
         if self.head and not self.head[-1].endswith("\n"):
             self.head[-1] += end
-        self.body = [" " + ", ".join(map(to_text, row)) + end for row in rows]
+        self.body = [data_line(row) + end for row in rows]
 
     def _data_lines(self) -> list[str]:
         return [line.strip() for line in self.body if not _is_comment(line)]
@@ -222,7 +246,7 @@ class Card:
 
 
 class Deck:
-    """A deck of any program that writes them as Abaqus does, as a list of cards.
+    r"""A deck of any program that writes them as Abaqus does, as a list of cards.
 
     Keywords, comments, blanks and order stay as they were; what is not changed is written byte by byte as it was read.
     Included files stay apart: `*INCLUDE` is a card like others, and `included` reads what it names.
@@ -238,9 +262,9 @@ class Deck:
 
     Examples
     --------
-    >>> deck = Deck.parse("*MATERIAL, NAME=COPPER\\n*ELASTIC\\n 120e9, 0.34\\n")
+    >>> deck = Deck.parse("*MATERIAL, NAME=COPPER\n*ELASTIC\n 120e9, 0.34\n")
     >>> deck.card("ELASTIC")[0, 0] = 110e9
-    >>> deck.insert("*ELECTRICAL CONDUCTIVITY\\n 5.8e7", after=deck.card("ELASTIC"))
+    >>> deck.insert("*ELECTRICAL CONDUCTIVITY\n 5.8e7", after=deck.card("ELASTIC"))
     >>> print(deck.text, end="")
     *MATERIAL, NAME=COPPER
     *ELASTIC
@@ -298,13 +322,16 @@ class Deck:
         return "".join([card.text for card in self.cards] + self.tail)
 
     def __repr__(self) -> str:
+        """One line."""
         n_steps = sum(card.is_a("STEP") for card in self.cards)
         return f"<Deck {self.path or 'not in a file'}: {len(self.cards)} cards, {n_steps} step{'s' * (n_steps != 1)}>"
 
     def __iter__(self) -> Iterator[Card]:
+        """Goes over the cards."""
         return iter(self.cards)
 
     def __len__(self) -> int:
+        """Number of cards."""
         return len(self.cards)
 
     def find(self, keyword: str, /, *, step: int | None = None, **parameters: Any) -> list[Card]:
@@ -397,7 +424,7 @@ def _head(name: str, parameters: dict[str, Any]) -> str:
         if value is None or value is False:
             continue
         parts.append(key if value is True else f"{key}={_quoted(to_text(value))}")
-    return ", ".join(parts) + "\n"
+    return ", ".join(parts)
 
 
 def _fits(card: Card, parameters: dict[str, Any]) -> bool:

@@ -175,7 +175,9 @@ def check_name(name: str, what: str = "a name") -> str:
     if not isinstance(name, str):
         raise ValueError(f"{what} must be a text, not {name!r}")
     if not re.fullmatch(r"[^\s,=\"*][^,=\"\n\r]*", name) or name != name.strip():
-        raise ValueError(f"{what} may not be empty, begin with *, or hold commas, equals signs or quotes; found {name!r}")
+        raise ValueError(
+            f"{what} may not be empty, begin with *, or hold commas, equals signs or quotes; found {name!r}"
+        )
     if name.isdecimal():
         raise ValueError(f"{what} may not be a number, which would mean a node or element; found {name!r}")
     return name

@@ -14,6 +14,7 @@ import math
 import numpy as np
 
 from litz import build
+from litz.model import Linear
 from verification import figures
 
 from . import peers
@@ -54,13 +55,14 @@ def pile(per_layer, seed=1):
         n_elements=round(ELEMENTS * side / SIDE),
         n_bars=round(BARS * side / SIDE),
         material=STEEL,
-        interaction=build.Interaction(penalty=penalty, spot_law=None),
+        interaction=build.Interaction(behaviour=Linear(penalty)),
     )
     # a node with one rotation held and two free has an unsymmetric tangent
-    model.supports += [build.Prescribed(f"LAYER{layer}_ENDS", 4, 6) for layer in range(1, LAYERS + 1)]
+    for layer in range(1, LAYERS + 1):
+        model.fix(f"LAYER{layer}_ENDS", "rotations")
     share = 1.0 / INCREMENTS
-    step = model.press(PRESSED * 2 * RADIUS * (LAYERS + 1), increments=(share, 1.0, 1e-3, share))
-    step.node_totals.append(("PLATE_TOP", "RF"))
+    step = model.press(PRESSED * 2 * RADIUS * (LAYERS + 1), increment=share, smallest=1e-3)
+    step.node_print("PLATE_TOP", "RF", totals="ONLY")
     return model, penalty
 
 
@@ -129,7 +131,7 @@ def _supports(model, number, at):
     for support in model.supports:
         for node in model.nodes_of(support.target):
             held |= {(number[node], dof - 1) for dof in range(support.first, support.last + 1)}
-    for prescribed in model.steps[0].boundary:
+    for prescribed in model.steps[0].prescribed:
         for node in model.nodes_of(prescribed.target):
             moved[number[node]] = prescribed.value
     # all nodes of a plate belong to it, also those at crossings

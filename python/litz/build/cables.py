@@ -6,8 +6,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from ..model import COPPER, HERTZ_AND_HOLM, Interaction, Material, Model
 from .geometry import rounded, smallest_gap
-from .model import COPPER, ContactPair, Interaction, Material, Model, Prescribed
 
 #: Straight pieces of each element when overlaps are looked for
 _PARTS = 4
@@ -24,7 +24,7 @@ def strand(
     clearance: float | None = None,
     elements_per_lay: int = 16,
     material: Material = COPPER,
-    interaction: Interaction | None = None,
+    interaction: Interaction = HERTZ_AND_HOLM,
     element: str = "B33",
 ) -> Model:
     """Helical strand: a straight core wire, if the first layer has one wire, and layers of helices around it.
@@ -33,7 +33,10 @@ def strand(
 
     Examples
     --------
-    >>> strand([1, 6, 12], radius=0.1e-3, lay_length=[4e-3, -8e-3], length=8e-3)
+    >>> strand([1, 6], radius=0.1e-3, lay_length=4e-3, length=8e-3)
+    <Model 'Cable of 7 wires': 231 nodes, 224 elements
+      <7 wires WIRES: 224 B33 elements, radius 0.0001, COPPER>
+      contact among WIRES: TOUCH>
     """
     return cable(
         [layers],
@@ -57,7 +60,7 @@ def cable(
     clearance: float | None = None,
     elements_per_lay: int = 16,
     material: Material = COPPER,
-    interaction: Interaction | None = None,
+    interaction: Interaction = HERTZ_AND_HOLM,
     element: str = "B33",
 ) -> Model:
     """Cable of several stages along z: wires are laid to strands, strands to ropes, and so on.
@@ -85,7 +88,7 @@ def cable(
     elements_per_lay : int
         Elements of a wire on each turn of the shortest lay.
     material, interaction, element
-        What the wires are made of, the laws of their contacts (Hertz and Holm when left out), type of the elements.
+        What the wires are made of, the laws of their contacts, type of the elements.
 
     Returns
     -------
@@ -115,7 +118,7 @@ def cable(
         axes = _lay_cable(stages, lays, radius, room, np.linspace(0, length, n_elements + 1))
         model = Model("Cable of " + " x ".join(str(sum(layers)) for layers in reversed(stages)) + " wires")
         axes = [rounded(axis, length) for axis in axes]
-        model.add_wires("WIRES", axes, radius=radius, material=material, element=element)
+        model.wires("WIRES", axes, radius=radius, material=material, element=element)
         gap = smallest_gap(model, within=2 * clearance, parts=_PARTS)
         if gap >= 0.5 * clearance:
             break
@@ -123,7 +126,7 @@ def cable(
     else:
         raise ValueError("the wires overlap however much room is between them: the lay is too short")
     _hold_ends(model)
-    model.contacts.append(ContactPair(Interaction() if interaction is None else interaction, "WIRES"))
+    model.contact("WIRES", interaction=interaction)
     return model
 
 
@@ -203,6 +206,8 @@ def _layer_radius(count: int, member: float, lay: float, inner: float, room: flo
 def _hold_ends(model: Model) -> None:
     """The lower ends clamped, the upper ones held but along z."""
     wires = model.groups["WIRES"].wires
-    model.node_sets |= {"MINUS": [wire.nodes[0] for wire in wires], "PLUS": [wire.nodes[-1] for wire in wires]}
-    model.supports += [Prescribed("MINUS", 1, 6), Prescribed("PLUS", 1, 2), Prescribed("PLUS", 4, 6)]
+    model.node_set("MINUS", [wire.nodes[0] for wire in wires])
+    model.node_set("PLUS", [wire.nodes[-1] for wire in wires])
+    model.fix("MINUS")
+    model.fix("PLUS", "x", "y", "rotations")
     model.guides["PLUS"] = 1.0

@@ -1,13 +1,14 @@
 """Regular crossings: a grid of straight wires, and a plain-woven fabric between two plates."""
 
+import itertools
 import math
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..model import COPPER, HERTZ_AND_HOLM, Interaction, Material, Model, straight
 from .frame import add_plate
-from .geometry import rounded, smooth_axis, straight
-from .model import COPPER, ContactPair, Interaction, Material, Model, Prescribed
+from .geometry import rounded, smooth_axis
 
 #: Largest crimp over pitch at which yarns that wrap each other stay apart beside the crossing: 1/(pi sqrt(2)), and a margin
 _LARGEST_CRIMP = 0.22
@@ -22,7 +23,7 @@ def wire_grid(
     clearance: float = 0.0,
     elements_per_pitch: int = 2,
     material: Material = COPPER,
-    interaction: Interaction | None = None,
+    interaction: Interaction = HERTZ_AND_HOLM,
     element: str = "B33",
 ) -> Model:
     """Straight wires along y that lie on straight wires along x, to be pressed together.
@@ -43,7 +44,7 @@ def wire_grid(
     elements_per_pitch : int
         Elements of each wire between two crossings.
     material, interaction, element
-        What the wires are made of, the laws of their contacts (Hertz and Holm when left out), type of the elements.
+        What the wires are made of, the laws of their contacts, type of the elements.
 
     Returns
     -------
@@ -62,19 +63,20 @@ def wire_grid(
         return rounded(straight(start, end, count * elements_per_pitch), max(n_x, n_y) * pitch)
 
     wires = {"radius": radius, "material": material, "element": element}
-    model.add_wires("LOWER", [axis((0, y, 0), (n_y * pitch, y, 0), n_y) for y in across[:n_x]], **wires)
+    model.wires("LOWER", [axis((0, y, 0), (n_y * pitch, y, 0), n_y) for y in across[:n_x]], **wires)
     upper = [axis((x, 0, height), (x, n_x * pitch, height), n_x) for x in across[:n_y]]
-    model.add_wires("UPPER", upper, **wires)
+    model.wires("UPPER", upper, **wires)
     for name, along in (("LOWER", 1), ("UPPER", 2)):
         starts, ends = zip(*(wire.ends for wire in model.groups[name].wires), strict=True)
-        model.node_sets |= {f"{name}_STARTS": list(starts), f"{name}_ENDS": list(ends)}
-        for which in ("STARTS", "ENDS"):
+        for which, nodes in (("STARTS", starts), ("ENDS", ends)):
+            model.node_set(f"{name}_{which}", nodes)
             fixed = [dof for dof in (1, 2, 4, 5, 6) if dof != along or which == "STARTS"]
-            model.supports += [Prescribed(f"{name}_{which}", dof, dof) for dof in fixed]
+            model.fix(f"{name}_{which}", *fixed)
             model.guides[f"{name}_{which}"] = 1.0 if name == "UPPER" else 0.0
-    model.node_sets |= {"PLUS": model.node_sets["UPPER_STARTS"], "MINUS": model.node_sets["LOWER_STARTS"]}
-    model.element_sets["WIRES"] = ["LOWER", "UPPER"]
-    model.contacts.append(ContactPair(Interaction() if interaction is None else interaction, "LOWER", "UPPER"))
+    model.node_set("PLUS", "UPPER_STARTS")
+    model.node_set("MINUS", "LOWER_STARTS")
+    model.element_set("WIRES", ["LOWER", "UPPER"])
+    model.contact("LOWER", "UPPER", interaction=interaction)
     return model
 
 
@@ -89,7 +91,7 @@ def woven_fabric(
     plates: bool = True,
     bar_radius: float | None = None,
     material: Material = COPPER,
-    interaction: Interaction | None = None,
+    interaction: Interaction = HERTZ_AND_HOLM,
     element: str = "B33",
 ) -> Model:
     """Plain weave of round wires, to be pressed along z between two plates.
@@ -118,7 +120,7 @@ def woven_fabric(
     bar_radius : float, optional
         Radius of the wires of the plates [m]; that of the yarns when left out.
     material, interaction, element
-        What yarns and bars are made of, the laws of their contacts (Hertz and Holm when left out), type of the elements.
+        What yarns and bars are made of, the laws of their contacts, type of the elements.
 
     Returns
     -------
@@ -150,23 +152,20 @@ def woven_fabric(
             points[:, 1 - along] = (index + 0.5) * pitch
             points[:, 2] = (-1) ** (index + along) * amplitude * np.cos(math.pi * (s - 0.5))
             axes.append(rounded(points, size.max()))
-        model.add_wires(name, axes, **yarns)
+        model.wires(name, axes, **yarns)
         _hold_yarns(model, name, along)
-    interaction = Interaction() if interaction is None else interaction
-    model.contacts.append(ContactPair(interaction, "WARP", "WEFT"))
-    starts = {name: [wire.nodes[0] for wire in model.groups[name].wires] for name in ("WARP", "WEFT")}
-    model.node_sets |= {"PLUS": starts["WARP"], "MINUS": starts["WEFT"]}
+    model.contact("WARP", "WEFT", interaction=interaction)
+    electrodes = {name: model.groups[yarn].start for name, yarn in (("PLUS", "WARP"), ("MINUS", "WEFT"))}
     if plates:
         height = crimp + radius + clearance + (radius if bar_radius is None else bar_radius)
         bars = {"radius": radius if bar_radius is None else bar_radius, "material": material}
         _add_diagonal_plates(model, (n_warp, n_weft), pitch, height, pitch, bars)
-        model.contacts += [
-            ContactPair(interaction, plate, yarn)
-            for plate in ("PLATE_BOTTOM", "PLATE_TOP")
-            for yarn in ("WARP", "WEFT")
-        ]
-        model.node_sets |= {"PLUS": model.groups["PLATE_TOP"].nodes, "MINUS": model.groups["PLATE_BOTTOM"].nodes}
-    model.element_sets["WIRES"] = list(model.groups)
+        for plate, yarn in itertools.product(("PLATE_BOTTOM", "PLATE_TOP"), ("WARP", "WEFT")):
+            model.contact(plate, yarn, interaction=interaction)
+        electrodes = {"PLUS": model.groups["PLATE_TOP"].nodes, "MINUS": model.groups["PLATE_BOTTOM"].nodes}
+    for name, nodes in electrodes.items():
+        model.node_set(name, nodes)
+    model.element_set("WIRES", list(model.groups))
     return model
 
 
@@ -188,12 +187,8 @@ def _hold_yarns(model: Model, name: str, along: int) -> None:
     """Ends across the yarn and in height, middles along it and against spin."""
     group = model.groups[name]
     middles = [wire.nodes[len(wire.nodes) // 2] for wire in group.wires]
-    model.node_sets |= {f"{name}_ENDS": group.ends, f"{name}_MIDDLES": middles}
-    model.supports += [
-        Prescribed(f"{name}_ENDS", 2 - along, 2 - along),
-        Prescribed(f"{name}_MIDDLES", 1 + along, 1 + along),
-        Prescribed(f"{name}_MIDDLES", 4 + along, 4 + along),
-    ]
+    model.fix(group.ends, 2 - along)
+    model.fix(model.node_set(f"{name}_MIDDLES", middles), 1 + along, 4 + along)
     model.guides[f"{name}_ENDS"] = 0.5
 
 

@@ -8,6 +8,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from ..model import COPPER, HERTZ_AND_HOLM, Interaction, Material, Model, straight
 from .frame import add_plate, evenly, hold_in_frame, parallel_bars, unit
 from .geometry import (
     clip_line,
@@ -15,9 +16,7 @@ from .geometry import (
     end_distance,
     rounded,
     segment_distance,
-    straight,
 )
-from .model import COPPER, ContactPair, Interaction, Material, Model, Prescribed
 
 #: Random fibres tried for each one that is placed, before the mat counts as full
 _TRIES = 400
@@ -41,7 +40,7 @@ def fibre_mat(
     n_bars: int = 6,
     bar_radius: float | None = None,
     material: Material = COPPER,
-    interaction: Interaction | None = None,
+    interaction: Interaction = HERTZ_AND_HOLM,
     element: str = "B33",
 ) -> Model:
     """Random mat of straight fibres in a box, to be pressed along z between two electrodes.
@@ -88,7 +87,7 @@ def fibre_mat(
     bar_radius : float, optional
         Radius of the bars [m]; that of the fibres when left out.
     material, interaction, element
-        What fibres and bars are made of, the laws of their contacts (Hertz and Holm when left out), type of the elements.
+        What fibres and bars are made of, the laws of their contacts, type of the elements.
 
     Returns
     -------
@@ -106,7 +105,6 @@ def fibre_mat(
     clearance = radius / 10 if clearance is None else clearance
     if not (overlap or clearance > 0):
         raise ValueError(f"clearance must be greater than 0, not {clearance:g}")
-    interaction = Interaction() if interaction is None else interaction
     rng = np.random.default_rng(seed)
     fibre = {"radius": radius, "material": material, "element": element}
     if orientation == "layered":
@@ -122,22 +120,22 @@ def fibre_mat(
         layers = {"n_layers": n_layers, "n_fibres": n_fibres, "spread": spread, "clearance": clearance}
         bars = {"number": n_bars, "radius": radius if bar_radius is None else bar_radius}
         _stack(model, rng, np.array(size, dtype=float), fibre, layers, bars, n_elements)
+        model.element_set("WIRES", list(model.groups))
+        names = ["PLATE_BOTTOM", *(f"LAYER{number}" for number in range(1, n_layers + 1)), "PLATE_TOP"]
+        for pair in itertools.pairwise(names):
+            model.contact(*pair, interaction=interaction)
     elif orientation == "isotropic":
         if len(size) != 3:
             raise ValueError("size of an isotropic mat: x, y and z")
         model = Model(f"Isotropic mat of {n_fibres} fibres, seed {seed}")
         distance = -math.inf if overlap else 2 * radius + clearance
         ends = _isotropic(rng, n_fibres, np.array(size), distance, 4 * radius, smallest_angle)
-        model.add_wires("FIBRES", [rounded(straight(*pair, n_elements), max(size)) for pair in ends], **fibre)
+        model.wires("FIBRES", [rounded(straight(*pair, n_elements), max(size)) for pair in ends], **fibre)
         _hold_isotropic(model, size[2])
+        model.element_set("WIRES", list(model.groups))
+        model.contact("WIRES", interaction=interaction, interference_fit=overlap)
     else:
         raise ValueError(f'orientation must be "layered" or "isotropic", not {orientation!r}')
-    model.element_sets["WIRES"] = list(model.groups)
-    if orientation == "layered":
-        names = ["PLATE_BOTTOM", *(f"LAYER{number}" for number in range(1, n_layers + 1)), "PLATE_TOP"]
-        model.contacts += [ContactPair(interaction, *pair) for pair in itertools.pairwise(names)]
-    else:
-        model.contacts.append(ContactPair(interaction, "WIRES", interference_fit=overlap))
     return model
 
 
@@ -222,10 +220,10 @@ def _stack(
             margin,
         )
         axes = [straight([*start, height], [*end, height], n_elements) for start, end in below]
-        model.add_wires(name, [to_decimals(axis) for axis in axes], **fibre)
+        model.wires(name, [to_decimals(axis) for axis in axes], **fibre)
         hold_in_frame(model, name, float(f"{height / top:.9g}"))
-    model.node_sets["PLUS"] = model.groups["PLATE_TOP"].nodes
-    model.node_sets["MINUS"] = model.groups["PLATE_BOTTOM"].nodes
+    model.node_set("PLUS", "PLATE_TOP")
+    model.node_set("MINUS", "PLATE_BOTTOM")
 
 
 def _isotropic(
@@ -259,10 +257,11 @@ def _hold_isotropic(model: Model, height: float) -> None:
     bottom = [node for node in ends if x[node - 1, 2] <= height * 1e-6]
     if not (top and bottom):
         raise ValueError("no fibre reaches the bottom or the top of the box: take more fibres or another seed")
-    model.node_sets |= {"ENDS": ends, "PLUS": top, "MINUS": bottom}
-    model.supports.append(Prescribed("ENDS", 1, 2))
+    for name, nodes in (("ENDS", ends), ("PLUS", top), ("MINUS", bottom)):
+        model.node_set(name, nodes)
+    model.fix("ENDS", "x", "y")
     for node in ends:
         model.guides[node] = float(f"{x[node - 1, 2] / height:.9g}")
     for wire in wires:
         spin = 4 + int(np.argmax(np.abs(x[wire.nodes[-1] - 1] - x[wire.nodes[0] - 1])))
-        model.supports.append(Prescribed(wire.nodes[0], spin, spin))
+        model.fix(wire.nodes[0], spin)

@@ -5,8 +5,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from .geometry import rounded, segment_distance, straight
-from .model import SILVER, ContactPair, Interaction, Material, Model, Prescribed
+from ..model import HERTZ_AND_HOLM, SILVER, Interaction, Material, Model, straight
+from .geometry import rounded, segment_distance
 
 #: Random places tried for each wire before the film counts as full
 _TRIES = 400
@@ -23,7 +23,7 @@ def nanowire_film(
     smallest_angle: float = math.radians(15),
     n_elements: int = 12,
     material: Material = SILVER,
-    interaction: Interaction | None = None,
+    interaction: Interaction = HERTZ_AND_HOLM,
     element: str = "B33",
 ) -> Model:
     """Straight nanowires dropped at random on a plane, with an electrode at each end of the film.
@@ -50,7 +50,7 @@ def nanowire_film(
     n_elements : int
         Elements of each wire.
     material, interaction, element
-        What the wires are made of, the laws of their contacts (Hertz and Holm when left out), type of the elements.
+        What the wires are made of, the laws of their contacts, type of the elements.
 
     Returns
     -------
@@ -74,7 +74,7 @@ def nanowire_film(
         rounded(straight([*start, z], [*end, z], n_elements), max(size))
         for (start, end), z in zip(ends, heights, strict=True)
     ]
-    model.add_wires("FILM", axes, radius=radius, material=material, element=element)
+    model.wires("FILM", axes, radius=radius, material=material, element=element)
     _hold(model, heights)
     x = model.x
     cut = {
@@ -83,8 +83,9 @@ def nanowire_film(
     }
     if not all(cut.values()):
         raise ValueError("no wire reaches one of the electrodes: take more or longer wires, or another seed")
-    model.node_sets |= cut
-    model.contacts.append(ContactPair(Interaction() if interaction is None else interaction, "FILM"))
+    for name, nodes in cut.items():
+        model.node_set(name, nodes)
+    model.contact("FILM", interaction=interaction)
     return model
 
 
@@ -151,16 +152,15 @@ def _cross(u: NDArray, v: NDArray) -> NDArray[np.float64]:
 def _hold(model: Model, heights: NDArray) -> None:
     """All ends in the plane, with heights that follow a pressing, and one spin of each wire."""
     group, x = model.groups["FILM"], model.x
-    model.node_sets["ENDS"] = group.ends
-    model.supports.append(Prescribed("ENDS", 1, 2))
+    model.fix(model.node_set("ENDS", group.ends), "x", "y")
     top = max(heights.max(), np.finfo(float).tiny)
     for level, height in enumerate(np.unique(heights)):
         name = f"LEVEL{level}_ENDS"
-        model.node_sets[name] = [
-            node for wire, z in zip(group.wires, heights, strict=True) if z == height for node in wire.ends
-        ]
+        model.node_set(
+            name, [node for wire, z in zip(group.wires, heights, strict=True) if z == height for node in wire.ends]
+        )
         model.guides[name] = float(f"{height / top:.9g}")
     for wire in group.wires:
         along = np.abs(x[wire.nodes[-1] - 1] - x[wire.nodes[0] - 1])
         spin = 4 + int(np.argmax(along[:2]))
-        model.supports.append(Prescribed(wire.nodes[0], spin, spin))
+        model.fix(wire.nodes[0], spin)

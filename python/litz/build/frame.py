@@ -6,8 +6,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .geometry import clip_line, straight
-from .model import Material, Model, Prescribed, Wire
+from ..model import Material, Model, Wire, straight
+from .geometry import clip_line
 
 
 def parallel_bars(
@@ -49,8 +49,8 @@ def add_plate(
     rounding: Callable[[NDArray], NDArray],
 ) -> None:
     """Add a rigid plate: all nodes of its bars are held, and follow a pressing by `share`."""
-    model.add_wires(name, [rounding(bar) for bar in bars], radius=radius, material=material)
-    model.supports += [Prescribed(name, 1, 2), Prescribed(name, 4, 6)]
+    model.wires(name, [rounding(bar) for bar in bars], radius=radius, material=material)
+    model.fix(name, "x", "y", "rotations")
     model.guides[name] = share
 
 
@@ -62,14 +62,12 @@ def hold_in_frame(model: Model, group: str, share: float) -> None:
     """
     wires = model.groups[group].wires
     ends = f"{group}_ENDS"
-    model.node_sets[ends] = model.groups[group].ends
-    model.supports.append(Prescribed(ends, 1, 2))
+    model.fix(model.groups[group].ends, "x", "y")
     model.guides[ends] = share
     for axis, dof in (("X", 4), ("Y", 5)):
         nodes = [wire.nodes[0] for wire in wires if _main_axis(model, wire) == axis]
         if nodes:
-            model.node_sets[f"{group}_SPIN_{axis}"] = nodes
-            model.supports.append(Prescribed(f"{group}_SPIN_{axis}", dof, dof))
+            model.fix(model.node_set(f"{group}_SPIN_{axis}", nodes), dof)
 
 
 def evenly(width: float, count: int) -> NDArray[np.float64]:

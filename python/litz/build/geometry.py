@@ -6,9 +6,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from litz.kernels import contact_search
+from litz.model import Model
 from litz.wires import element_curves, find_wires, hermite
-
-from .model import Model
 
 #: Significant digits of a coordinate, counted from the size of the model
 _DIGITS = 7
@@ -17,12 +16,6 @@ _DIGITS = 7
 def rounded(x: ArrayLike, size: float) -> NDArray[np.float64]:
     """Coordinates [m] as decimals of seven digits for the given size [m], so that the deck is readable."""
     return np.round(np.asarray(x, dtype=float), _DIGITS - 1 - math.floor(math.log10(size))) + 0.0
-
-
-def straight(start: ArrayLike, end: ArrayLike, n_elements: int) -> NDArray[np.float64]:
-    """Nodes of a straight wire at equal distances, (n_elements + 1, 3) [m]."""
-    start, end = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
-    return start + np.linspace(0, 1, n_elements + 1)[:, None] * (end - start)
 
 
 def end_distance(a: ArrayLike, b: ArrayLike, c: ArrayLike, d: ArrayLike) -> NDArray[np.float64]:

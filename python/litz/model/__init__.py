@@ -1,0 +1,55 @@
+"""Models of wires: nodes, wires, materials, contacts, supports and steps, written as a deck and run."""
+
+from .curves import along_curve, along_polyline, along_spline, straight
+from .laws import (
+    HERTZ_AND_HOLM,
+    ConstantSpot,
+    ContactPair,
+    FilmSpot,
+    Friction,
+    Hertz,
+    HertzSpot,
+    Interaction,
+    Linear,
+    PaperSpot,
+    PlasticSpot,
+    TableSpot,
+)
+from .loading import Amplitude, Load, Prescribed
+from .materials import COPPER, SILVER, STEEL, Circular, General, Material
+from .model import Model
+from .steps import Step
+from .wires import Nodes, Wire, WireGroup
+
+__all__ = [
+    "COPPER",
+    "HERTZ_AND_HOLM",
+    "SILVER",
+    "STEEL",
+    "Amplitude",
+    "Circular",
+    "ConstantSpot",
+    "ContactPair",
+    "FilmSpot",
+    "Friction",
+    "General",
+    "Hertz",
+    "HertzSpot",
+    "Interaction",
+    "Linear",
+    "Load",
+    "Material",
+    "Model",
+    "Nodes",
+    "PaperSpot",
+    "PlasticSpot",
+    "Prescribed",
+    "Step",
+    "TableSpot",
+    "Wire",
+    "WireGroup",
+    "along_curve",
+    "along_polyline",
+    "along_spline",
+    "straight",
+]

@@ -1,0 +1,307 @@
+"""The laws of a contact: force over penetration, resistance of the spot, friction."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+
+from ..deck import CardSpec
+from ..keyword_table import check_card, check_name
+from .materials import predefined
+
+
+class _Law:
+    """A law is checked when it is made."""
+
+    def __post_init__(self):
+        """Checks the values."""
+        check_card(*self.card())
+
+    def card(self) -> CardSpec:
+        """The card of the law."""
+        raise NotImplementedError
+
+
+# Contact force over penetration
+
+
+@dataclass(frozen=True)
+class Hertz(_Law):
+    """Elastic approach of two wires by Hertz; it has no data.
+
+    Attributes
+    ----------
+    penetration : {"LIMITED", "UNLIMITED"}
+        UNLIMITED: deep penetration is no error.
+    """
+
+    penetration: str = "LIMITED"
+
+    def card(self) -> CardSpec:
+        """The card of the law."""
+        return "SURFACE BEHAVIOR", {"PRESSURE-OVERCLOSURE": "HERTZ", **_unless(self, penetration="LIMITED")}, []
+
+
+@dataclass(frozen=True)
+class Linear(_Law):
+    """Contact force in proportion to the penetration.
+
+    Attributes
+    ----------
+    penalty : float
+        Contact force per penetration [N/m].
+    penetration : {"LIMITED", "UNLIMITED"}
+        UNLIMITED: the soft penalty is meant, deep penetration is no error.
+    """
+
+    penalty: float
+    penetration: str = "LIMITED"
+
+    def card(self) -> CardSpec:
+        """The card of the law."""
+        parameters = {"PRESSURE-OVERCLOSURE": "LINEAR", **_unless(self, penetration="LIMITED")}
+        return "SURFACE BEHAVIOR", parameters, [[self.penalty]]
+
+
+# Resistance of the spot
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Spot(_Law):
+    """What all laws of the spot share.
+
+    Attributes
+    ----------
+    voltage : {"CORRECTED", "LINEAR"}
+        CORRECTED adds the resistance that the linear voltage within an element misses.
+    spot : {"PRESENT FORCE", "LARGEST FORCE"}
+        LARGEST FORCE: a spot that has been pressed stays, with the resistance of the largest force since the contact
+        closed or last slipped.
+    """
+
+    voltage: str = "CORRECTED"
+    spot: str = "PRESENT FORCE"
+
+    def card(self) -> CardSpec:
+        """The card of the law."""
+        law, rows = self._law()
+        parameters = {"LAW": law, **_unless(self, voltage="CORRECTED", spot="PRESENT FORCE")}
+        return "GAP ELECTRICAL CONDUCTANCE", parameters, rows
+
+    def _law(self) -> tuple[str, list]:
+        raise NotImplementedError
+
+
+@dataclass(frozen=True)
+class HertzSpot(_Spot):
+    """Elliptic spot of Hertz with Holm's constriction resistance; it has no data."""
+
+    def _law(self):
+        return "HERTZ", []
+
+
+@dataclass(frozen=True)
+class PaperSpot(_Spot):
+    """Circular spot of the paper by Boso, Litewka, Schrefler and Wriggers, to replay it."""
+
+    def _law(self):
+        return "PAPER", []
+
+
+@dataclass(frozen=True)
+class PlasticSpot(_Spot):
+    """Spot whose area is force over hardness.
+
+    Attributes
+    ----------
+    hardness : float
+        Hardness [Pa].
+    """
+
+    hardness: float
+
+    def _law(self):
+        return "PLASTIC", [[self.hardness]]
+
+
+@dataclass(frozen=True)
+class FilmSpot(_Spot):
+    """Spot of Hertz with a film in series.
+
+    Attributes
+    ----------
+    film_resistivity : float
+        Film resistance times area [ohm m^2].
+    """
+
+    film_resistivity: float
+
+    def _law(self):
+        return "FILM", [[self.film_resistivity]]
+
+
+@dataclass(frozen=True)
+class ConstantSpot(_Spot):
+    """Given resistance.
+
+    Attributes
+    ----------
+    resistance : float
+        Resistance of a contact [ohm].
+    """
+
+    resistance: float
+
+    def _law(self):
+        return "CONSTANT", [[self.resistance]]
+
+
+@dataclass(frozen=True)
+class TableSpot(_Spot):
+    """Measured resistance over force.
+
+    Attributes
+    ----------
+    force : sequence of float
+        Contact forces, ascending [N].
+    resistance : sequence of float
+        Resistance of a contact at each [ohm].
+    """
+
+    force: Sequence[float]
+    resistance: Sequence[float]
+
+    def __post_init__(self):
+        """Checks the values."""
+        for name in ("force", "resistance"):
+            object.__setattr__(self, name, tuple(float(value) for value in getattr(self, name)))
+        if len(self.force) != len(self.resistance):
+            raise ValueError(f"{len(self.force)} forces need as many resistances, not {len(self.resistance)}")
+        for i in range(1, len(self.force)):
+            if not self.force[i] > self.force[i - 1]:
+                raise ValueError(f"the forces of a table must ascend; {self.force[i]:g} follows {self.force[i - 1]:g}")
+        super().__post_init__()
+
+    def _law(self):
+        return "TABLE", [list(row) for row in zip(self.force, self.resistance, strict=True)]
+
+
+# Friction
+
+
+@dataclass(frozen=True)
+class Friction(_Law):
+    """Coulomb friction, the same in every direction of the plane of the two wires.
+
+    Attributes
+    ----------
+    mu : float
+        Coefficient of friction [-].
+    elastic_slip : float, optional
+        Slip at which friction reaches its limit [m]; without it and `stick_stiffness`, Mindlin's stiffness.
+    stick_stiffness : float, optional
+        Tangential stiffness of a contact [N/m].
+    """
+
+    mu: float
+    elastic_slip: float | None = None
+    stick_stiffness: float | None = None
+
+    def __post_init__(self):
+        """Checks the values."""
+        if self.elastic_slip is not None and self.stick_stiffness is not None:
+            raise ValueError("friction takes elastic_slip or stick_stiffness, not both")
+        super().__post_init__()
+
+    def card(self) -> CardSpec:
+        """The card of the law."""
+        parameters = {"ELASTIC SLIP": self.elastic_slip, "STICK STIFFNESS": self.stick_stiffness}
+        return "FRICTION", {name: value for name, value in parameters.items() if value is not None}, [[self.mu]]
+
+
+@dataclass(frozen=True)
+class Interaction:
+    """The laws of a contact.
+
+    Attributes
+    ----------
+    name : str
+        Name in the deck.
+    behaviour : Hertz or Linear
+        Contact force over penetration.
+    conductance : HertzSpot, PaperSpot, PlasticSpot, FilmSpot, ConstantSpot or TableSpot, optional
+        Resistance of the spot; None: no current crosses.
+    friction : Friction or float, optional
+        Friction, or its coefficient alone; None: the wires slide freely.
+    axis : {"HERMITE", "LINEAR"}
+        Interpolation of the axes that touch.
+    """
+
+    name: str = "TOUCH"
+    behaviour: Hertz | Linear = field(default_factory=Hertz)
+    conductance: _Spot | None = None
+    friction: Friction | float | None = None
+    axis: str = "HERMITE"
+
+    def __post_init__(self):
+        """Checks the values."""
+        check_name(self.name, "the name of an interaction")
+        if not isinstance(self.behaviour, Hertz | Linear):
+            raise ValueError(f"behaviour must be Hertz() or Linear(penalty), not {self.behaviour!r}")
+        if not (self.conductance is None or isinstance(self.conductance, _Spot)):
+            raise ValueError(
+                "conductance must be None, HertzSpot(), PaperSpot(), PlasticSpot(hardness), FilmSpot(film_resistivity), "
+                f"ConstantSpot(resistance) or TableSpot(force, resistance), not {self.conductance!r}"
+            )
+        if not (self.friction is None or isinstance(self.friction, Friction)):
+            object.__setattr__(self, "friction", Friction(self.friction))
+        for card in self.cards():
+            check_card(*card)
+
+    def cards(self) -> Iterator[CardSpec]:
+        """The cards of the interaction."""
+        yield "SURFACE INTERACTION", {"NAME": self.name, **_unless(self, axis="HERMITE")}, []
+        for law in (self.behaviour, self.friction, self.conductance):
+            if law is not None:
+                yield law.card()
+
+
+#: Elastic wires of clean metal: the forces of Hertz, the spots of Hertz and Holm
+HERTZ_AND_HOLM: Interaction = predefined(
+    Interaction,
+    name="TOUCH",
+    behaviour=predefined(Hertz, penetration="LIMITED"),
+    conductance=predefined(HertzSpot, voltage="CORRECTED", spot="PRESENT FORCE"),
+    friction=None,
+    axis="HERMITE",
+)
+
+
+@dataclass(frozen=True)
+class ContactPair:
+    """Two element sets that may touch.
+
+    Attributes
+    ----------
+    interaction : Interaction
+        The laws of the contact.
+    first, second : str
+        Names of groups or element sets; `second` is None for contact within the first.
+    interference_fit : bool
+        Wires that overlap at the start are meant to.
+    """
+
+    interaction: Interaction
+    first: str
+    second: str | None = None
+    interference_fit: bool = False
+
+    def cards(self) -> Iterator[CardSpec]:
+        """The card of the pair."""
+        parameters: dict = {"INTERACTION": self.interaction.name}
+        if self.interference_fit:
+            parameters["INTERFERENCE FIT"] = True
+        yield "CONTACT PAIR", parameters, [[self.first] if self.second is None else [self.first, self.second]]
+
+
+def _unless(law, **defaults: str) -> dict[str, str]:
+    """Parameters that differ from what the deck takes without them; their names are those of the deck in lower case."""
+    return {name.upper(): getattr(law, name) for name, usual in defaults.items() if getattr(law, name) != usual}

@@ -1,0 +1,299 @@
+"""Load steps: what is prescribed and loaded, what is asked for, how it is solved."""
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from ..deck import CardSpec
+from ..keyword_table import check_card, keyword, squeezed
+from ..tables import nearest_name
+from .loading import POTENTIAL, Amplitude, Direction, Load, Prescribed, degree_of_freedom, grouped, ranges_of
+
+if TYPE_CHECKING:
+    from .model import Model
+    from .wires import Nodes, WireGroup
+
+    #: A node, some nodes, the nodes of a wire, or the name of a node set
+    AnyNodes = int | str | Nodes | WireGroup
+
+#: Room for increments that are cut back, where the most increments of a step are not given
+_ROOM = 10
+_LEAST_INCREMENTS = 100
+#: Smallest increment where none is given, as a part of the step
+_SMALLEST = 1e-5
+
+
+class Step:
+    """A load step, made by `Model.step`.
+
+    What it prescribes goes linearly from its value at the start of the step to the one given, or follows an amplitude.
+    A step keeps what earlier steps have prescribed, loaded and set and it does not change.
+
+    Attributes
+    ----------
+    name : str
+        Name in the deck.
+    prescribed : list of Prescribed
+        Prescribed displacements, rotations and potentials.
+    loads : list of Load
+        Forces, moments and currents.
+    cards : list of tuple
+        Controls, solver and requests: keyword, parameters, data lines.
+    """
+
+    def __init__(
+        self,
+        model: "Model",
+        name: str,
+        *,
+        total: float = 1.0,
+        increment: float | None = None,
+        first: float | None = None,
+        smallest: float | None = None,
+        largest: float | None = None,
+        inc: int | None = None,
+        direct: bool = False,
+        boundary_op: str = "MOD",
+        cload_op: str = "MOD",
+        cecurrent_op: str = "MOD",
+    ):
+        self._model = model
+        self.name = name
+        self.prescribed: list[Prescribed] = []
+        self.loads: list[Load] = []
+        self.cards: list[CardSpec] = []
+        first = (total if increment is None else increment) if first is None else first
+        largest = (total if increment is None else increment) if largest is None else largest
+        self._static: CardSpec = ("STATIC", {"DIRECT": True} if direct else {}, [[first, total, smallest, largest]])
+        check_card(*self._static)
+        if direct:
+            largest = first
+            self._static[2][0][2:] = []
+        else:
+            smallest = min(_SMALLEST * total, first) if smallest is None else smallest
+            self._static[2][0][2:] = [smallest, largest]
+            if not smallest <= first <= largest:
+                raise ValueError(
+                    f"increments must satisfy smallest <= first <= largest, not {smallest:g}, {first:g}, {largest:g}"
+                )
+        if first > total:
+            raise ValueError(f"the first increment, {first:g} s, is larger than the step, {total:g} s")
+        needed = math.ceil(total / largest * (1 - 1e-9))
+        if inc is None:
+            inc = max(_LEAST_INCREMENTS, _ROOM * needed)
+        self._step: CardSpec = ("STEP", {"NAME": name, "INC": inc}, [])
+        check_card(*self._step)
+        if needed > inc:
+            raise ValueError(f"the step needs {needed} increments at least, but inc allows {inc}")
+        self._ops = {"BOUNDARY": boundary_op, "CLOAD": cload_op, "CECURRENT": cecurrent_op}
+        for op in self._ops.values():
+            check_card("BOUNDARY", {"OP": op}, [[1, 1]])
+
+    def __repr__(self) -> str:
+        """One line."""
+        first, total = self._static[2][0][:2]
+        parts = [f"{total:g} s, first increment {first:g} s"]
+        parts += [f"{len(self.prescribed)} prescribed"] if self.prescribed else []
+        parts += [f"{len(self.loads)} loads"] if self.loads else []
+        parts += [", ".join(dict.fromkeys(card[0] for card in self.cards))] if self.cards else []
+        return f"<Step {self.name}: {'; '.join(parts)}>"
+
+    # What is prescribed
+
+    def boundary(
+        self,
+        nodes: "AnyNodes",
+        first: Direction,
+        last: Direction | None = None,
+        value: float = 0.0,
+        amplitude: Amplitude | str | None = None,
+    ) -> None:
+        """Prescribe a value as `*BOUNDARY` does.
+
+        Parameters
+        ----------
+        nodes : int, str, Nodes, WireGroup or sequence
+            Where.
+        first, last : int or str
+            First and last degree of freedom: 1-3 or "x", "y", "z"; 4-6 or "rx", "ry", "rz"; 9 or "potential".
+        value : float
+            Value at the end of the step [m, rad, V].
+        amplitude : Amplitude or str, optional
+            Factor over time.
+        """
+        first = degree_of_freedom(first)
+        last = first if last is None else degree_of_freedom(last)
+        if last < first:
+            raise ValueError(f"the last degree of freedom, {last}, comes before the first, {first}")
+        item = Prescribed(self._model.target(nodes), first, last, value, self._amplitude(amplitude))
+        check_card("BOUNDARY", {}, [[item.target, first, last, value]])
+        self.prescribed.append(item)
+
+    def move(
+        self, nodes: "AnyNodes", direction: Direction, value: float, amplitude: Amplitude | str | None = None
+    ) -> None:
+        """Prescribe a displacement [m] or rotation [rad], counted from the start of the first step.
+
+        Parameters
+        ----------
+        nodes : int, str, Nodes, WireGroup or sequence
+            Where.
+        direction : {"x", "y", "z", "rx", "ry", "rz"} or 1 to 6
+            Direction.
+        value : float
+            Value at the end of the step [m, rad].
+        amplitude : Amplitude or str, optional
+            Factor over time.
+        """
+        self.boundary(nodes, degree_of_freedom(direction, range(1, 7)), None, value, amplitude)
+
+    def hold(self, nodes: "AnyNodes", *directions: Direction) -> None:
+        """Prescribe zeros, as `Model.fix` does from the start: all of 1-6 without directions."""
+        for first, last in ranges_of(directions):
+            self.boundary(nodes, first, last)
+
+    def potential(self, nodes: "AnyNodes", value: float, amplitude: Amplitude | str | None = None) -> None:
+        """Prescribe a potential [V]."""
+        self.boundary(nodes, POTENTIAL, None, value, amplitude)
+
+    # Loads
+
+    def cload(self, nodes: "AnyNodes", dof: Direction, value: float, amplitude: Amplitude | str | None = None) -> None:
+        """A force [N] or moment [N m] of fixed direction at each of the nodes; `dof` as the direction of `move`."""
+        dof = degree_of_freedom(dof, range(1, 7))
+        self._load("CLOAD", Load(self._model.target(nodes), dof, value, self._amplitude(amplitude)))
+
+    def force(
+        self, nodes: "AnyNodes", direction: Direction, value: float, amplitude: Amplitude | str | None = None
+    ) -> None:
+        """A force [N] along "x", "y" or "z" at each of the nodes."""
+        self.cload(nodes, degree_of_freedom(direction, range(1, 4)), value, amplitude)
+
+    def moment(
+        self, nodes: "AnyNodes", direction: Direction, value: float, amplitude: Amplitude | str | None = None
+    ) -> None:
+        """A moment [N m] about "x", "y" or "z" at each of the nodes."""
+        about = f"r{direction}" if direction in ("x", "y", "z") else direction
+        self.cload(nodes, degree_of_freedom(about, range(4, 7)), value, amplitude)
+
+    def current(self, nodes: "AnyNodes", value: float, amplitude: Amplitude | str | None = None) -> None:
+        """A current [A] into the body at each of the nodes."""
+        self._load("CECURRENT", Load(self._model.target(nodes), POTENTIAL, value, self._amplitude(amplitude)))
+
+    cecurrent = current
+
+    def _load(self, keyword_name: str, load: Load) -> None:
+        check_card(keyword_name, {}, [load.row()])
+        self.loads.append(load)
+
+    def _amplitude(self, amplitude: Amplitude | str | None) -> str | None:
+        if amplitude is None:
+            return None
+        name = amplitude.name if isinstance(amplitude, Amplitude) else amplitude
+        if name not in self._model.amplitudes:
+            known = list(self._model.amplitudes)
+            raise ValueError(f"there is no amplitude {name!r}{nearest_name(name, known)}; there are: {known or 'none'}")
+        return name
+
+    # Requests
+
+    def node_print(self, nodes: "AnyNodes", *quantities: str, totals: str = "NO") -> None:
+        """Ask for quantities of nodes in the history.
+
+        Parameters
+        ----------
+        nodes : str, Nodes or WireGroup
+            Where.
+        *quantities : str
+            U, UR, RF, RM, CF, CM, EPOT, RCURR, CECUR.
+        totals : {"NO", "YES", "ONLY"}
+            Sums over the set (means of U, UR, EPOT): not at all, besides the nodes, or alone.
+        """
+        parameters = {"NSET": self._model.node_set_of(nodes)}
+        if totals != "NO":
+            parameters["TOTALS"] = totals
+        self.card("NODE PRINT", parameters, [list(quantities)] if quantities else [])
+
+    def el_print(self, elements: "str | WireGroup", *quantities: str, totals: str = "NO") -> None:
+        """Ask for quantities of elements in the history: SF, EPG, JOULE; arguments as those of `node_print`."""
+        parameters = {"ELSET": self._model.element_set_of(elements)}
+        if totals != "NO":
+            parameters["TOTALS"] = totals
+        self.card("EL PRINT", parameters, [list(quantities)] if quantities else [])
+
+    def electrode_print(self, plus: "AnyNodes", minus: "AnyNodes") -> None:
+        """Ask for voltage, current and resistance between two electrodes in the history."""
+        self.card("ELECTRODE PRINT", {}, [[self._model.node_set_of(plus), self._model.node_set_of(minus)]])
+
+    def energy_print(self) -> None:
+        """Ask for energies in the history."""
+        self.card("ENERGY PRINT")
+
+    def contact_print(self) -> None:
+        """Ask for a line about each contact at every increment in the terminal."""
+        self.card("CONTACT PRINT")
+
+    def node_file(self, frequency: int = 1) -> None:
+        """Write the fields of every n-th increment."""
+        self.card("NODE FILE", {"FREQUENCY": frequency})
+
+    def restart(self, frequency: int = 1) -> None:
+        """Keep every n-th increment for a restart."""
+        self.card("RESTART", {"WRITE": True, "FREQUENCY": frequency})
+
+    # Solution
+
+    def controls(self, parameters: str, **values: float) -> None:
+        """Set convergence and increments, as `*CONTROLS` does.
+
+        Parameters
+        ----------
+        parameters : {"FIELD", "TIME INCREMENTATION", "ROTATION", "STABILIZE"}
+            What is set.
+        **values
+            The values by their names in the deck, in either case: `r_n=1e-6`, `i_c=25`, `cap=0.3`, `factor=1e-8`.
+        """
+        description = keyword("CONTROLS")
+        left = {name.upper(): value for name, value in values.items()}
+        forms = [form for form in description["data"] if squeezed(form["when"]) == squeezed(f"PARAMETERS={parameters}")]
+        if not forms:
+            check_card("CONTROLS", {"PARAMETERS": parameters})
+        rows = [[left.pop(value["name"].upper(), None) for value in form["values"]] for form in forms]
+        if left:
+            names = [value["name"].lower() for form in forms for value in form["values"] if "unused" not in value]
+            raise ValueError(f"*CONTROLS, PARAMETERS={parameters} has no {next(iter(left)).lower()}; there is {names}")
+        while rows and all(value is None for value in rows[-1]):
+            rows.pop()
+        self.card("CONTROLS", {"PARAMETERS": parameters.upper()}, rows)
+
+    def solver(self, name: str, coupling: str | None = None) -> None:
+        """Choose the linear solver: "BLOCK", "UMFPACK" or "SKYLINE"; coupling "MONOLITHIC" or "UPDATED"."""
+        parameters = {"NAME": name.upper()}
+        if coupling is not None:
+            parameters["COUPLING"] = coupling.upper()
+        self.card("SOLVER", parameters)
+
+    def card(self, name: str, parameters: dict[str, Any] | None = None, rows: list | None = None) -> None:
+        """Add any card that the table of keywords has in a step."""
+        spec = (name.removeprefix("*").upper(), parameters or {}, rows or [])
+        if keyword(name)["place"] == "model":
+            raise ValueError(f"*{spec[0]} stands in the model part, not in a step: Model.card adds it")
+        check_card(*spec)
+        self.cards.append(spec)
+
+    def all_cards(self) -> Iterator[CardSpec]:
+        """All cards of the step, in the order of the deck."""
+        yield self._step
+        yield self._static
+        yield from grouped("BOUNDARY", self.prescribed, self._ops["BOUNDARY"])
+        loads = [load for load in self.loads if load.dof != POTENTIAL]
+        currents = [load for load in self.loads if load.dof == POTENTIAL]
+        yield from grouped("CLOAD", loads, self._ops["CLOAD"])
+        yield from grouped("CECURRENT", currents, self._ops["CECURRENT"])
+        for name, items in (("BOUNDARY", self.prescribed), ("CLOAD", loads), ("CECURRENT", currents)):
+            if self._ops[name] != "MOD" and not items:
+                raise ValueError(
+                    f"step {self.name}: *{name}, OP={self._ops[name]} needs one value at least in the step"
+                )
+        yield from self.cards
+        yield "END STEP", {}, []

@@ -1,0 +1,347 @@
+"""litz.Model: what is built stands in the deck, the program accepts it, mistakes are told at once."""
+
+import math
+import subprocess
+
+import numpy as np
+import pytest
+
+import litz
+from litz import model as parts
+from litz.keyword_table import check_card
+
+COPPER = litz.COPPER
+WIRE = {"radius": 1e-3, "material": COPPER}
+
+
+def crossed(**contact):
+    """Two crossed copper wires with a step that presses them together."""
+    model = litz.Model("crossed")
+    lower = model.wire("LOWER", (-0.05, 0, 0), (0.05, 0, 0), elements=9, **WIRE)
+    upper = model.wire("UPPER", (0, -0.05, 2e-3), (0, 0.05, 2e-3), elements=9, **WIRE)
+    model.contact(lower, upper, **{"conductance": litz.HertzSpot(), **contact})
+    model.fix(lower.ends)
+    model.fix(upper.ends, "x", "y", "rotations")
+    step = model.step(increment=0.25)
+    step.move(upper.ends, "z", -1e-4)
+    step.potential(lower.start, 1e-3)
+    step.potential(upper.start, 0.0)
+    return model, lower, upper, step
+
+
+def deck_of(model):
+    return litz.Deck.parse(model.to_deck())
+
+
+# Wires
+
+
+def test_a_straight_wire_has_its_elements_and_ends():
+    model = litz.Model("one wire")
+    wire = model.wire("A", (0, 0, 0), (0, 3, 4), elements=5, **WIRE)
+    np.testing.assert_allclose(np.linalg.norm(np.diff(model.x, axis=0), axis=1), 1.0, rtol=1e-14)
+    assert (wire.start, wire.end, wire.ends, wire.middle) == ((1,), (6,), (1, 6), (4,))
+    assert wire.nearest((0, 1.2, 1.4)) == (3,)
+    assert list(wire.elements) == [1, 2, 3, 4, 5]
+
+
+def test_the_points_of_a_polygon_are_nodes():
+    model = litz.Model("a polygon")
+    points = np.array([(0, 0, 0), (1, 0, 0), (1, 2, 0)])
+    model.wire("A", points=points, **WIRE)
+    np.testing.assert_array_equal(model.x, points)
+
+
+def test_a_polygon_with_elements_keeps_its_corners():
+    model = litz.Model("a polygon")
+    model.wire("A", points=[(0, 0, 0), (3, 0, 0), (3, 1, 0)], elements=8, **WIRE)
+    np.testing.assert_allclose(np.linalg.norm(np.diff(model.x, axis=0), axis=1), 0.5, rtol=1e-14)
+
+
+def test_a_curve_is_divided_into_equal_lengths():
+    model = litz.Model("a helix")
+    model.wire("A", curve=lambda t: (math.cos(t), math.sin(t), t**3), span=(0, 2), elements=16, **WIRE)
+    x = model.x
+    np.testing.assert_allclose(x[-1], [math.cos(2), math.sin(2), 8], rtol=1e-14)
+    # nodes lie on the curve
+    np.testing.assert_allclose(np.arctan2(x[:, 1], x[:, 0]), np.cbrt(x[:, 2]), atol=1e-12)
+    # the length along the curve by a sum over fine chords, whose error falls with their square
+    fine = np.linspace(0, 2, 200_001)
+    points = np.column_stack([np.cos(fine), np.sin(fine), fine**3])
+    along = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
+    at_nodes = np.interp(np.cbrt(x[:, 2]), fine, along)
+    np.testing.assert_allclose(np.diff(at_nodes), along[-1] / 16, rtol=2e-3)
+
+
+def test_a_spline_goes_smoothly_through_its_points():
+    # points of a circle: the spline leaves it by far less than the chords, which are 1 - cos(pi/16) = 0.019 away
+    angles = np.linspace(0, 2 * np.pi, 17)[:-1]
+    model = litz.Model("a ring")
+    ring = model.wire(
+        "A", points=np.column_stack([np.cos(angles), np.sin(angles)]), spline=True, closed=True, elements=50, **WIRE
+    )
+    np.testing.assert_allclose(np.linalg.norm(model.x, axis=1), 1.0, atol=1e-3)
+    assert len(model.x) == 50
+    assert ring.connectivity[-1].tolist() == [50, 1]
+
+
+def test_wires_are_joined_at_shared_nodes():
+    model = litz.Model("a corner")
+    first = model.wire("A", (0, 0, 0), (1, 0, 0), elements=2, **WIRE)
+    second = model.wire("B", first.end, (1, 1, 0), elements=2, **WIRE)
+    third = model.wire("C", second.end, first.start, elements=2, **WIRE)
+    assert second.nodes == (3, 4, 5)
+    assert third.nodes == (5, 6, 1)
+    assert len(model.x) == 6
+    sets = {card["NSET"]: [node for row in card.data for node in row] for card in deck_of(model).find("NSET")}
+    assert sets == {"B": [3, 4, 5], "C": [5, 6, 1]}
+
+
+def test_a_group_of_many_wires():
+    model = litz.Model("a group")
+    group = model.wires("A", [[(0, y, 0), (1, y, 0), (2, y, 0)] for y in range(3)], **WIRE)
+    assert [wire.ends for wire in group.wires] == [(1, 3), (4, 6), (7, 9)]
+    assert (group.start, group.end) == ((1, 4, 7), (3, 6, 9))
+    assert repr(group) == "<3 wires A: 6 B33 elements, radius 0.001, COPPER>"
+    assert model.wire_of_element.tolist() == [0, 0, 1, 1, 2, 2]
+
+
+def test_elements_between_given_nodes_are_found_as_wires():
+    model = litz.Model("a star")
+    nodes = model.nodes([(0, 0, 0), (1, 0, 0), (2, 0, 0), (0, 1, 0), (0, 0, 1)], name="CORNERS")
+    star = model.elements("STAR", [(1, 2), (2, 3), (1, 4), (1, 5)], **WIRE)
+    assert list(nodes) == [1, 2, 3, 4, 5]
+    assert sorted(len(wire.elements) for wire in star.wires) == [1, 1, 2]
+    assert deck_of(model).card("NSET", nset="CORNERS")
+
+
+# What stands in the deck
+
+
+def test_the_program_accepts_all_that_can_be_said(litz_program, tmp_path):
+    model, lower, upper, step = crossed(friction=litz.Friction(0.3, elastic_slip=1e-6), axis="LINEAR")
+    general = litz.General(1e-6, 1e-13, 2e-13, 3e-13, n1=(0, 0, 1), shear=(1e4, 2e4), contact_radius=5e-4)
+    side = model.wire("SIDE", (0.2, 0, 0), (0.3, 0, 0), elements=2, section=general, material=litz.STEEL, element="B31")
+    thick = litz.Circular(1e-3, contact_radius=2e-3, conduction="CURRENT LENGTH")
+    more = model.wire("MORE", (0.2, 1, 0), (0.3, 1, 0), elements=2, section=thick, material="COPPER")
+    model.fix(side.start)
+    model.fix(more.start)
+    model.fix(more.start, "potential")
+    model.element_set("ALL", [lower, upper, "SIDE", 21])
+    model.contact([side, more], behaviour=litz.Linear(1e5, penetration="UNLIMITED"), interference_fit=True)
+    model.contact(lower, more, conductance=litz.PaperSpot(voltage="LINEAR"), name="SPOT1")
+    model.contact(upper, more, conductance=litz.PlasticSpot(1e9, spot="LARGEST FORCE"))
+    model.contact(lower, conductance=litz.FilmSpot(1e-12))
+    model.contact(upper, conductance=litz.ConstantSpot(1e-3))
+    model.contact(more, conductance=litz.TableSpot([1, 2], [3e-3, 1e-3]))
+    ramp = model.amplitude("RAMP", np.linspace(0, 1, 7), np.linspace(0, 1, 7) ** 2)
+    step.force(side.end, "x", 1.0)
+    step.moment(side.end, "y", 1e-3, amplitude=ramp)
+    step.current(more.end, 1.0, amplitude="RAMP")
+    step.node_print(upper, "U", "RF", totals="ONLY")
+    step.node_print(upper.ends, "RM")
+    step.el_print("ALL", "SF", totals="YES")
+    step.electrode_print(lower.start, upper.start)
+    step.energy_print()
+    step.contact_print()
+    step.node_file(frequency=2)
+    step.restart(frequency=5)
+    step.controls("field", r_n=1e-4)
+    step.controls("time incrementation", i_c=30, d_f=0.3)
+    step.controls("rotation", cap=0.4)
+    step.controls("stabilize")
+    step.solver("umfpack", coupling="monolithic")
+    again = model.step(total=2.0, first=0.5, smallest=1e-3, largest=1.0, inc=20, boundary_op="NEW")
+    again.hold(lower.ends)
+    again.hold(upper.ends)
+    again.hold([side.start, more.start])
+    again.hold(more.start, "potential")
+    last = model.step("LAST", direct=True, first=0.5, cload_op="NEW")
+    last.cload(int(side.end[0]), 2, 0.5)
+    deck = model.write(tmp_path / "new" / "all.inp")
+    done = subprocess.run([litz_program, "check", deck], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "step 3" in done.stdout
+    used = {card.name for card in litz.Deck.read(deck)}
+    not_built = {"INCLUDE", "MESH", "EL FILE"}
+    assert set(litz.keywords()) - used - {"UNITS"} == not_built
+
+
+def test_an_increment_alone_is_the_first_and_the_largest():
+    model, *_ = crossed()
+    assert deck_of(model).card("STATIC").data == [[0.25, 1, 1e-5, 0.25]]
+    assert deck_of(model).card("STEP")["INC"] == 100
+
+
+def test_many_increments_get_room():
+    model, *_ = crossed()
+    model.step(increment=0.001)
+    assert deck_of(model).card("STEP", step=2)["INC"] == 10_000
+
+
+def test_numbers_come_back_exactly():
+    model = litz.Model("numbers")
+    x = np.random.default_rng(1).normal(size=(200, 3))
+    model.wire("A", points=x, **WIRE)
+    np.testing.assert_array_equal(np.array(deck_of(model).card("NODE").data)[:, 1:], x)
+
+
+def test_equal_laws_share_an_interaction_and_others_do_not():
+    model, lower, upper, _ = crossed()
+    model.contact(lower, conductance=litz.HertzSpot())
+    model.contact(upper, friction=0.1)
+    assert [pair.interaction.name for pair in model.contacts] == ["TOUCH", "TOUCH", "TOUCH2"]
+    assert len(deck_of(model).find("SURFACE INTERACTION")) == 2
+
+
+def test_sets_are_written_when_they_are_used():
+    model, _, upper, step = crossed()
+    assert "UPPER_MIDDLE" not in model.node_sets
+    step.node_print(upper.middle, "U")
+    assert deck_of(model).card("NSET", nset="UPPER_MIDDLE").data == [[16]]
+
+
+@pytest.mark.parametrize("mesh_file", [False, True])
+def test_a_model_runs_and_gives_the_force_of_its_deck(mesh_file, tmp_path):
+    model, _, upper, step = crossed()
+    step.node_print(upper.ends, "RF", totals="ONLY")
+    if mesh_file:
+        deck = model.write(tmp_path / "run.inp", mesh_file=True)
+        results = litz.run(deck, output_directory=tmp_path)
+    else:
+        results = model.run(tmp_path / "run")
+    assert results.path.name == "run.vtkhdf"
+    # equilibrium: the supports of the upper wire press with the contact force
+    assert results.history["RF3 sum UPPER_ENDS"][-1] == pytest.approx(-results.contacts_at(-1)["force"].sum(), rel=1e-8)
+
+
+def test_constants_of_the_package_pass_the_checks():
+    for material in (litz.COPPER, litz.SILVER, litz.STEEL):
+        for card in material.cards():
+            check_card(*card)
+        again = litz.Material(material.name, material.young, material.poisson, material.conductivity)
+        assert again == material
+    assert litz.Interaction(conductance=litz.HertzSpot()) == parts.HERTZ_AND_HOLM
+
+
+# Mistakes
+
+
+@pytest.fixture
+def built():
+    model, lower, upper, step = crossed()
+    return {"model": model, "lower": lower, "upper": upper, "step": step, "litz": litz, "np": np, "WIRE": WIRE}
+
+
+@pytest.mark.parametrize(
+    ("mistake", "message"),
+    [
+        ("model.wire('lower', (0, 0, 0), (1, 0, 0), elements=3, **WIRE)", "a group or set lower already"),
+        ("model.wire('A', (0, 0, 0), (1, 0, 0), elements=0, **WIRE)", "whole number of 1 or more, not 0"),
+        ("model.wire('A', (0, 0, 0), (1, 0, 0), **WIRE)", "elements is needed"),
+        ("model.wire('A', (0, 0, 0), elements=2, **WIRE)", "from start to end, along points, or along a curve"),
+        ("model.wire('A', (0, 0, 0), (0, 0, 0), elements=2, **WIRE)", "coincide"),
+        ("model.wire('A', (0, 0), (1, 0), elements=2, **WIRE)", "start must be a position"),
+        ("model.wire('A', (0, 0, np.nan), (1, 0, 0), elements=2, **WIRE)", "start must be a position"),
+        ("model.wire('A', lower.ends, (1, 0, 0), elements=2, **WIRE)", "an end of a wire is one node"),
+        ("model.wire('A', points=[(0, 0, 0)], **WIRE)", r"shape \(n, 3\)"),
+        ("model.wire('A', points='line', **WIRE)", "points must be numbers"),
+        ("model.wire('A', curve=lambda t: t, elements=2, **WIRE)", "must return the position"),
+        ("model.wire('A', curve=lambda t: (t, 0, 0), span=(1, 1), elements=2, **WIRE)", "span must be"),
+        ("model.wire('A', curve=lambda t: (t, 0, 0), elements=2, closed=True, **WIRE)", "1 m apart"),
+        ("model.wire('A', points=[(0, 0), (1, 0), (1, 1)], elements=1, **WIRE)", "2 sides needs as many elements"),
+        ("model.wire('A', points=[(0, 0), (1, 0)], elements=3, spline=True, **WIRE)", "3 or more points"),
+        ("model.wire('A', (0, 0, 0), (1, 0, 0), elements=2, radius=-1, material='COPPER')", "radius .* greater than 0"),
+        ("model.wire('A', (0, 0, 0), (1, 0, 0), elements=2, material='COPPER')", "radius, or section"),
+        ("model.wire('A', (0, 0, 0), (1, 0, 0), elements=2, section=1e-3, material='COPPER')", "Circular"),
+        ("model.wire('A', (0, 0, 0), (1, 0, 0), elements=2, radius=1, material='COPER')", "did you mean 'COPPER'"),
+        ("model.wire('A', (0, 0, 0), (1, 0, 0), elements=2, element='B32', **WIRE)", "B31 or B33, not 'B32'"),
+        ("model.wire('A,B', (0, 0, 0), (1, 0, 0), elements=2, **WIRE)", "commas"),
+        ("model.wires('A', [], **WIRE)", "one wire or more"),
+        ("model.elements('A', [(1, 99)], **WIRE)", "nodes 1 to 20; found 1 to 99"),
+        ("model.elements('A', [(1, 1)], **WIRE)", "joins a node with itself"),
+        ("model.nodes([1, 2])", "positions"),
+        ("model.material('COPPER', young=1.0, poisson=0.3)", "another material of the name COPPER"),
+        ("model.material('A', young=1.0, poisson=0.5)", "between -1 and 0.5"),
+        ("model.contact('LOWR')", "did you mean 'LOWER'"),
+        ("model.contact(lower, behaviour='hertz')", r"Hertz\(\) or Linear"),
+        ("model.contact(lower, conductance='HERTZ')", r"HertzSpot\(\), PaperSpot"),
+        ("model.contact(lower, friction=-0.1)", "mu of .* 0 or greater"),
+        ("model.contact(lower, friction=0.1, interaction=litz.Interaction())", "not both"),
+        ("model.contact(upper, lower)", "a contact of UPPER with LOWER already"),
+        ("model.contact(lower, friction=0.1, name='TOUCH')", "another interaction of the name TOUCH"),
+        ("model.fix('UPER_ENDS')", "did you mean 'UPPER_ENDS'"),
+        ("model.fix(upper.ends, 'w')", "a direction must be one of"),
+        ("model.fix(21)", "nodes 1 to 20, not 21"),
+        ("model.fix([])", "no nodes"),
+        ("model.node_set('UPPER', [1])", "already"),
+        ("model.node_set('A', [])", "no members"),
+        ("model.element_set('A', [19])", "elements 1 to 18, not 19"),
+        ("model.amplitude('A', [0, 0], [1, 1])", "must ascend"),
+        ("model.amplitude('A', [0, 1], [1])", "a factor for each time"),
+        ("model.amplitude('A', [0, 1], [1, 1], time='CLOCK')", "STEP TIME or TOTAL TIME"),
+        ("model.step(increments=0.1)", "did you mean 'increment'"),
+        ("model.step('STEP1')", "a step STEP1 already"),
+        ("model.step(total=0)", "greater than 0"),
+        ("model.step(increment=2)", "larger than the step"),
+        ("model.step(first=0.1, largest=0.05)", "smallest <= first <= largest"),
+        ("model.step(increment=0.001, inc=20)", "needs 1000 increments at least, but inc allows 20"),
+        ("model.step(cload_op='ADD')", "MOD or NEW"),
+        ("model.press(1e-3)", "no guides"),
+        ("model.card('STATIC')", "stands in a step"),
+        ("model.card('DENSITY')", "no keyword"),
+        ("step.card('NODE')", "model part"),
+        ("step.move(upper.ends, 'up', 1.0)", "a direction must be one of"),
+        ("step.move(upper.ends, 9, 1.0)", "a direction must be one of"),
+        ("step.move(upper.ends, 'z', '1')", "finite number, not '1'"),
+        ("step.force(upper.ends, 'rx', 1.0)", "a direction must be one of"),
+        ("step.potential(upper.ends, float('inf'))", "finite number"),
+        ("step.potential(upper.ends, 1.0, amplitude='RAMP')", "no amplitude 'RAMP'"),
+        ("step.boundary(upper.ends, 3, 1)", "comes before"),
+        ("step.node_print(upper, 'RFF')", "U, UR, RF"),
+        ("step.node_print(upper)", "needs the values quantity"),
+        ("step.node_print(upper, 'U', totals='SUM')", "YES, NO or ONLY"),
+        ("step.el_print('UPPER_ENDS', 'SF')", "no element set"),
+        ("step.controls('fields')", "FIELD, TIME INCREMENTATION"),
+        ("step.controls('field', i_c=3)", "has no i_c"),
+        ("step.controls('time incrementation', i_0=3)", "does not use I_0"),
+        ("step.solver('PARDISO')", "BLOCK, UMFPACK or SKYLINE"),
+        ("step.node_file(frequency=0)", "greater than 0"),
+        ("litz.Model('A', units='cgs')", 'must be "SI" or labels'),
+        ("litz.Model('A').to_deck()", "no wires"),
+        ("litz.Model('A').wire('B', (0, 0, 0), (1, 0, 0), elements=1, **WIRE) and litz.Model('A').run('x')", "no step"),
+        ("litz.Model('A').contact(lower)", "belongs to another model"),
+        ("litz.General(1, 1, 1, 1, n1=(1, 0))", "n1z is missing"),
+        ("litz.Circular(1e-3, conduction='PRESENT')", "REFERENCE LENGTH or CURRENT LENGTH"),
+        ("litz.Linear(0)", "greater than 0"),
+        ("litz.TableSpot([1, 1], [2, 3])", "must ascend"),
+        ("litz.TableSpot([1, 2], [2])", "as many resistances"),
+        ("litz.Friction(0.1, elastic_slip=1e-6, stick_stiffness=1e6)", "not both"),
+        ("litz.Friction(0.1, elastic_slip=0)", "greater than 0"),
+        ("litz.Material('', young=1, poisson=0)", "may not be empty"),
+    ],
+)
+def test_a_mistake_is_told_at_once(built, mistake, message):
+    with pytest.raises(ValueError, match=message):
+        eval(mistake, built)
+
+
+def test_what_is_refused_leaves_no_trace(built):
+    before = built["model"].to_deck()
+    for mistake in (
+        "model.wire('A', (0, 0, 0), (1, 0, 0), elements=2, element='B32', **WIRE)",
+        "model.wire('LOWER', (0, 0, 0), (1, 0, 0), elements=2, **WIRE)",
+        "model.contact('LOWER', friction=-1)",
+        "step.move('UPPER', 'z', np.nan)",
+        "model.fix('LOWER', 'w')",
+    ):
+        with pytest.raises(ValueError, match=r"."):
+            eval(mistake, built)
+    assert built["model"].to_deck() == before
+
+
+def test_op_new_without_a_value_is_told(built):
+    model = built["model"]
+    model.step(cload_op="NEW")
+    with pytest.raises(ValueError, match=r"CLOAD, OP=NEW needs one value"):
+        model.to_deck()
