@@ -59,7 +59,7 @@ def history(figure: Figure, results: "Results", increment: int) -> None:
     table = results.history
     names = [name for name in table if name not in ("step", "increment", "time")]
     if not names:
-        _nothing(figure.add_subplot(), "The deck asks for no history (*NODE PRINT, *EL PRINT, *ELECTRODE PRINT)")
+        nothing_to_draw(figure.add_subplot(), "The deck asks for no history (*NODE PRINT, *EL PRINT, *ELECTRODE PRINT)")
         return
     groups: dict[str, list[str]] = {}
     for name in names:
@@ -76,7 +76,7 @@ def _history_of_one_unit(axes: Axes, table: Table, names: list[str], unit: str) 
     for i, name in enumerate(names):
         legend = name if i < _MOST_LINES else None
         axes.plot(
-            table["time"], factor * table[name], **_marker(table.n_rows), color=_colour(i, len(names)), label=legend
+            table["time"], factor * table[name], **_marker(table.n_rows), color=colour_of(i, len(names)), label=legend
         )
     if len(names) > _MOST_LINES:
         axes.plot([], [], " ", label=f"and {len(names) - _MOST_LINES} more")
@@ -90,7 +90,7 @@ def resistance_over_force(axes: Axes, results: "Results", increment: int) -> Non
     axes.set_title("Contact resistance")
     shown = ledger.where((ledger["resistance"] > 0) & (ledger["force"] > 0)) if ledger.n_rows else ledger
     if not shown.n_rows:
-        _nothing(axes, "No contact has a resistance")
+        nothing_to_draw(axes, "No contact has a resistance")
         return
     force_factor, force_unit = engineering(shown["force"], "N")
     factor, unit = engineering(shown["resistance"], "ohm")
@@ -105,7 +105,7 @@ def resistance_over_force(axes: Axes, results: "Results", increment: int) -> Non
                 ohms[one][order],
                 "o-",
                 markersize=4,
-                color=_colour(i, len(ids)),
+                color=colour_of(i, len(ids)),
                 label=f"contact {contact}",
             )
         if len(ids) > 1:
@@ -165,7 +165,7 @@ def residual_of_last_increment(axes: Axes, results: "Results", increment: int) -
     )
     axes.set_title("Convergence of this increment")
     if not one.n_rows:
-        _nothing(axes, "No iterations are recorded")
+        nothing_to_draw(axes, "No iterations are recorded")
         return
     one = one.where(one["attempt"] == one["attempt"].max())
     for i, name in enumerate(_FIELD_COLUMNS):
@@ -177,7 +177,7 @@ def residual_of_last_increment(axes: Axes, results: "Results", increment: int) -
                 np.where(ratio > 0, ratio, np.nan),
                 "o-",
                 markersize=4,
-                color=_colour(i, 3),
+                color=colour_of(i, 3),
                 label=name,
             )
     axes.axhline(1.0, color="#888888", linestyle="--", linewidth=1.0)
@@ -256,11 +256,11 @@ def contact_heat(axes: Axes, results: "Results") -> None:
     times, spots = _per_increment(results, results.contacts["joule_heat"])
     wires = results.field("joule_heat", None).sum(axis=1)
     if not (spots.any() or wires.any()):
-        _nothing(axes, "No current flows")
+        nothing_to_draw(axes, "No current flows")
         return
     factor, unit = engineering(np.concatenate([spots, wires]), "W")
-    axes.plot(times, factor * spots, **_marker(len(times)), color=_colour(1, 3), label="contacts")
-    axes.plot(results.times, factor * wires, **_marker(len(times)), color=_colour(0, 3), label="wires")
+    axes.plot(times, factor * spots, **_marker(len(times)), color=colour_of(1, 3), label="contacts")
+    axes.plot(results.times, factor * wires, **_marker(len(times)), color=colour_of(0, 3), label="wires")
     axes.set_xlabel("time [s]")
     axes.set_ylabel(label("heat", unit))
     axes.legend(loc="best")
@@ -272,7 +272,7 @@ def forces_over_time(axes: Axes, results: "Results", increment: int) -> None:
     axes.set_title("Contact forces")
     axes.set_xlabel("time [s]")
     if not ledger.n_rows:
-        _nothing(axes, "There are no contacts")
+        nothing_to_draw(axes, "There are no contacts")
         return
     factor, unit = engineering(ledger["force"], "N")
     axes.set_ylabel(label("force", unit))
@@ -284,7 +284,7 @@ def forces_over_time(axes: Axes, results: "Results", increment: int) -> None:
                 one["time"],
                 factor * one["force"],
                 **_marker(one.n_rows),
-                color=_colour(i, len(ids)),
+                color=colour_of(i, len(ids)),
                 label=f"contact {contact}",
             )
         if len(ids) > 1:
@@ -308,16 +308,16 @@ def spot_sizes(axes: Axes, results: "Results", increment: int) -> None:
     now = results.contacts_at(increment)
     axes.set_title(f"Spots at time {results.times[increment]:g} s")
     if not now.n_rows or not now["semi_major"].any():
-        _nothing(axes, "There are no spots")
+        nothing_to_draw(axes, "There are no spots")
         return
     force_factor, force_unit = engineering(now["force"], "N")
     factor, unit = engineering(now["semi_major"], "m")
     force = force_factor * now["force"]
     # rings around dots: both are seen where the spot is a circle
     axes.plot(
-        force, factor * now["semi_major"], "o", markersize=8, fillstyle="none", color=_colour(0, 3), label="longer"
+        force, factor * now["semi_major"], "o", markersize=8, fillstyle="none", color=colour_of(0, 3), label="longer"
     )
-    axes.plot(force, factor * now["semi_minor"], "o", markersize=4, color=_colour(1, 3), label="shorter")
+    axes.plot(force, factor * now["semi_minor"], "o", markersize=4, color=colour_of(1, 3), label="shorter")
     axes.margins(0.08)
     axes.set_ylim(bottom=0)
     axes.set_xlabel(label("force", force_unit))
@@ -364,7 +364,7 @@ def current_along_wires(axes: Axes, results: "Results", increment: int) -> None:
         length = np.linalg.norm(np.diff(results.nodes[wire.nodes], axis=0), axis=1)
         edges = length_factor * np.concatenate(([0.0], np.cumsum(length)))
         values = factor * wire.signs * current[wire.elements]
-        axes.stairs(values, edges, baseline=None, color=_colour(i, len(wires)), alpha=1.0 if few else 0.5,
+        axes.stairs(values, edges, baseline=None, color=colour_of(i, len(wires)), alpha=1.0 if few else 0.5,
                     linewidth=1.6 if few else 0.8, label=f"wire {i + 1}" if few else None)  # fmt: skip
     axes.set_title("Current along the wires")
     axes.set_xlabel(label("reference arc length", length_unit))
@@ -383,7 +383,7 @@ def _per_increment(results: "Results", values: np.ndarray) -> tuple[np.ndarray, 
     return times, np.array(sums)
 
 
-def _colour(i: int, n: int):
+def colour_of(i: int, n: int):
     """Colours that the colour-blind can tell apart for a few, a gradient for many."""
     few = ["#2a6f97", "#e8502a", "#5b8e3e", "#8e5ba6", "#c99700", "#4d4d4d"]
     return few[i] if n <= len(few) else _gradient()(i / max(1, n - 1))
@@ -394,7 +394,8 @@ def _marker(n: int) -> dict:
     return {"marker": "o", "markersize": 4} if n <= 40 else {}
 
 
-def _nothing(axes: Axes, text: str) -> None:
+def nothing_to_draw(axes: Axes, text: str) -> None:
+    """Say in words why a chart is empty."""
     axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color="#666666")
     axes.set_xticks([])
     axes.set_yticks([])

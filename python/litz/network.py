@@ -9,7 +9,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-from .wires import find_wires
+from .wires import arc_lengths, find_wires
 
 if TYPE_CHECKING:
     from .results import Results
@@ -123,12 +123,10 @@ class ContactNetwork:
 def contact_network(results: "Results", increment: int) -> ContactNetwork:
     """The network of a run at an increment."""
     wires = find_wires(results.elements)
-    wire_of_element, arc_start, sign = (np.zeros(len(results.elements)) for _ in range(3))
-    lengths = np.linalg.norm(np.diff(results.nodes[results.elements], axis=1)[:, 0], axis=1)
+    arc_start, lengths, sign = arc_lengths(results.nodes, results.elements, wires)
+    wire_of_element = np.zeros(len(results.elements))
     for number, wire in enumerate(wires):
         wire_of_element[wire.elements] = number
-        arc_start[wire.elements] = np.cumsum(lengths[wire.elements]) - lengths[wire.elements]
-        sign[wire.elements] = wire.signs
     ledger = results.contacts_at(increment)
     ledger = ledger.where(ledger["force"] > 0)
     rows = np.stack([_rows_of(results.element_ids, ledger[name]) for name in ("element_bar", "element")], axis=1)

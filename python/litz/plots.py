@@ -2,18 +2,21 @@
 
 import textwrap
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 
 import matplotlib as mpl
+import numpy as np
 from matplotlib.figure import Figure
 
-from . import charts
+from . import charts, friction_charts, network_chart
 from .results import Results
 from .run import FileError
+from .scene import VIEWS, Camera, Scene, SceneMaker, aim
 from .tables import unknown_name
-from .wire_picture import COLOURS, draw_frame, draw_wires, make_scene
+from .wire_picture import WITHOUT_OPENGL, draw_frame, draw_wires, render
 
-_STYLE = {
+STYLE = {
     "font.size": 10,
     "font.family": "sans-serif",
     "axes.titlesize": 11,
@@ -31,6 +34,30 @@ _STYLE = {
     "savefig.facecolor": "white",
 }
 _DPI = 150
+_LEAST_PIXELS = 200
+
+
+@dataclass(frozen=True)
+class Look:
+    """How the wires are shown; the attributes are those arguments of `plot`."""
+
+    field: str | None = None
+    scale: float = 1.0
+    spots: str | None = None
+    reference: bool = True
+    view: tuple[float, float, float] | str | None = None
+
+    def __post_init__(self):
+        if self.spots not in (None, "current", "force", "none"):
+            raise ValueError(f'spots may be "current", "force" or "none", not {self.spots!r}')
+        if isinstance(self.view, str):
+            if self.view not in VIEWS:
+                raise ValueError(unknown_name("view", self.view, VIEWS))
+            object.__setattr__(self, "view", VIEWS[self.view])
+
+    def scenes(self, results: Results, increments: list[int]) -> SceneMaker:
+        """What is seen at increments."""
+        return SceneMaker(results, increments, self.field, self.scale, self.spots, self.reference)
 
 
 def plot(
@@ -43,7 +70,8 @@ def plot(
     scale: float = 1.0,
     spots: str | None = None,
     reference: bool = True,
-    view: tuple[float, float, float] | None = None,
+    view: tuple[float, float, float] | str | None = None,
+    size: tuple[int, int] | None = None,
 ) -> Path:
     """Draw results into a picture file.
 
@@ -58,21 +86,28 @@ def plot(
         "residuals"   residual norms over the iterations of each increment, with the allowed values
         "contacts"    number, forces, spots and heat of the contacts over time
         "currents"    current of each wire, and along each wire
+        "network"     wires as dots, the contacts between them as lines, as thick as their current
+        "friction"    friction force over sliding, and the heat of friction over time
         "history"     the columns that the deck asked for, over time
     filename : path, optional
         The picture; its ending chooses the format. Default: `STEM_KIND.png` beside the results.
     increment : int
         Index of the increment that is shown, -1 the last.
     field : str, optional
-        What colours the wires, one of `Results.fields`; default: the potential, or else the displacement.
+        What colours the wires, one of `litz.scalars.scalars(results)`: any field of the file, a vector by its length
+        or as `displacement.x`, and `bending_moment` for both moments together; default: the potential, or else the
+        displacement.
     scale : float
-        Factor on the displacements of the drawn wires.
+        Factor on the displacements of the drawn wires [-].
     spots : str, optional
         "current" or "force": what the drawn size of the contact spots means; "none": no spots.
     reference : bool
         Show the axes before the deformation as thin lines.
-    view : tuple of 3 float, optional
-        Direction from the wires to the viewer; default: one that shows the model well.
+    view : tuple of 3 float or str, optional
+        Direction from the wires to the viewer, or "x", "y", "z", "-x", "-y", "-z", "iso"; default: one that shows
+        the model well.
+    size : tuple of 2 int, optional
+        Width and height of the picture in pixels; text grows with the width.
 
     Returns
     -------
@@ -81,20 +116,37 @@ def plot(
     """
     if kind not in _KINDS:
         raise ValueError(unknown_name("kind of plot", kind, _KINDS))
-    if spots not in (None, "current", "force", "none"):
-        raise ValueError(f'spots may be "current", "force" or "none", not {spots!r}')
-    results = results if isinstance(results, Results) else Results(results)
-    if not len(results.times):
-        raise FileError(f"{results.path} has no increment yet: there is nothing to draw")
+    look = Look(field, scale, spots, reference, view)
+    results = with_increments(results)
     path = Path(filename) if filename else results.path.with_name(f"{results.path.stem}_{kind}.png")
-    seen = {"field": field, "scale": scale, "spots": spots, "reference": reference, "view": view}
-    with mpl.rc_context(_STYLE):
-        figure = _KINDS[kind](results, increment, seen)
-        figure.savefig(path, dpi=_DPI)
+    draw, default_size = _KINDS[kind]
+    with mpl.rc_context(STYLE):
+        figure = new_figure(default_size, size)
+        draw(figure, results, increment, look)
+        figure.savefig(path, dpi="figure")
     return path
 
 
-def _title(results: Results, increment: int) -> str:
+def with_increments(results: Results | str | Path) -> Results:
+    """The results, of which there must be some."""
+    results = results if isinstance(results, Results) else Results(results)
+    if not len(results.times):
+        raise FileError(f"{results.path} has no increment yet: there is nothing to draw")
+    return results
+
+
+def new_figure(inches: tuple[float, float], pixels: tuple[int, int] | None) -> Figure:
+    """A figure as wide as usual in inches, with the number of pixels that is wanted."""
+    if pixels is None:
+        return Figure(figsize=inches, dpi=_DPI)
+    width, height = pixels
+    if width < _LEAST_PIXELS or height < _LEAST_PIXELS:
+        raise ValueError(f"a picture of {width} x {height} pixels is too small: at least {_LEAST_PIXELS} each way")
+    return Figure(figsize=(inches[0], inches[0] * height / width), dpi=width / inches[0])
+
+
+def title(results: Results, increment: int) -> str:
+    """Two lines above a picture: what it is of, and which increment."""
     heading = textwrap.shorten((results.heading.strip() or results.path.stem).splitlines()[0], 75, placeholder=" ...")
     return (
         f"{heading}\nstep {results.steps[increment]}, increment {results.increments[increment]}, "
@@ -102,67 +154,89 @@ def _title(results: Results, increment: int) -> str:
     )
 
 
-def _wires(results: Results, increment: int, seen: dict) -> Figure:
-    figure = Figure(figsize=(10.0, 7.0), dpi=_DPI)
-    _wires_into(figure, results, increment, seen, (0.01, 0.13, 0.98, 0.76))
-    figure.text(0.03, 0.975, _title(results, increment), va="top", fontsize="large", linespacing=1.4)
-    return figure
+def _wires(figure: Figure, results: Results, increment: int, look: Look) -> None:
+    _still(figure, results, increment, look, (0.01, 0.13, 0.98, 0.76))
+    figure.text(0.03, 0.975, title(results, increment), va="top", fontsize="large", linespacing=1.4)
 
 
-def _wires_into(figure: Figure, results: Results, increment: int, seen: dict, box: tuple) -> None:
-    """The scene in a box (left, bottom, width, height) of a figure, colour bar and legend of the spots below it."""
-    view = seen["view"]
-    scene = make_scene(results, increment, seen["field"], seen["scale"], seen["spots"], seen["reference"])
+def _still(figure: Figure, results: Results, increment: int, look: Look, box: tuple) -> None:
+    """The wires at one increment in a box (left, bottom, width, height) of a figure."""
+    scene = look.scenes(results, [increment]).scene(increment)
+    pixels = box_pixels(figure, box)
+    shown = np.concatenate([scene.points, scene.reference])
+    camera = aim(shown, scene.radius.max(), pixels[0] / pixels[1], look.view)
+    place_wires(figure, box, scene, camera, render([scene], camera, pixels)[0], look.scale)
+
+
+def box_pixels(figure: Figure, box: tuple[float, float, float, float]) -> np.ndarray:
+    """Width and height of a box (left, bottom, width, height) of a figure, in pixels."""
+    return figure.dpi * figure.get_size_inches() * np.array(box[2:])
+
+
+def place_wires(
+    figure: Figure, box: tuple, scene: Scene, camera: Camera, tubes: np.ndarray | None, scale: float
+) -> None:
+    """The scene in a box of a figure, colour bar, notes, directions and scale below it."""
     left, bottom, width, _ = box
-    camera = draw_wires(figure.add_axes(box), scene, view)
+    draw_wires(figure.add_axes(box), scene, camera, tubes)
     inch = 1.0 / figure.get_figheight()
     draw_frame(figure.add_axes((left, bottom - 0.75 * inch, width, 0.75 * inch)), camera)
     bar_axes = figure.add_axes((left + 0.04 * width, bottom - 0.30 * inch, 0.40 * width, 0.13 * inch))
-    colours = mpl.cm.ScalarMappable(mpl.colors.Normalize(*scene.limits), COLOURS)
+    colours = mpl.cm.ScalarMappable(mpl.colors.Normalize(*scene.limits), scene.colours)
     bar = figure.colorbar(colours, cax=bar_axes, orientation="horizontal")
+    bar.locator = mpl.ticker.MaxNLocator(6)
+    bar.formatter.set_powerlimits((-3, 4))
     bar.set_label(scene.title)
     bar.outline.set_visible(False)
     notes = [scene.spot_text] if scene.spot_text else []
     if len(scene.reference):
         notes.append("grey: axes before the deformation")
-    if seen["scale"] != 1.0:
-        notes.append(f"displacements times {seen['scale']:g}")
+    if scale != 1.0:
+        notes.append(f"displacements times {scale:g}")
+    if tubes is None:
+        notes.append(WITHOUT_OPENGL)
     figure.text(
-        left + 0.48 * width, bottom - 0.17 * inch, "\n".join(notes), va="top", fontsize="small", linespacing=1.5
+        left + 0.48 * width, bottom - 0.17 * inch, "\n".join(notes), va="top", fontsize="small", linespacing=1.4
     )
 
 
-def _chart(draw: Callable, size: tuple[float, float]) -> Callable[[Results, int, dict], Figure]:
-    def make(results: Results, increment: int, seen: dict) -> Figure:
-        figure = Figure(figsize=size, dpi=_DPI, layout="constrained")
+def _chart(draw: Callable, size: tuple[float, float]) -> tuple[Callable, tuple[float, float]]:
+    def make(figure: Figure, results: Results, increment: int, look: Look) -> None:
+        figure.set_layout_engine("constrained")
         draw(figure, results, increment)
-        return figure
 
-    return make
+    return make, size
 
 
-def _overview(results: Results, increment: int, seen: dict) -> Figure:
-    figure = Figure(figsize=(15.0, 8.5), dpi=_DPI)
-    _wires_into(figure, results, increment, seen, (0.01, 0.115, 0.61, 0.79))
-    figure.text(0.03, 0.98, _title(results, increment), va="top", fontsize="x-large", linespacing=1.4)
+def _overview(figure: Figure, results: Results, increment: int, look: Look) -> None:
+    _still(figure, results, increment, look, (0.01, 0.115, 0.61, 0.79))
+    figure.text(0.03, 0.98, title(results, increment), va="top", fontsize="x-large", linespacing=1.4)
     boxes = [(0.70, bottom, 0.28, 0.225) for bottom in (0.73, 0.40, 0.07)]
     drawers = [charts.residual_of_last_increment]
     contacts = results.contacts
     drawers.append(charts.forces_over_time if contacts.n_rows else charts.displacement_over_time)
     has_resistances = contacts.n_rows > 0 and contacts["resistance"].any()
     has_currents = results.field("element_current", increment).any()
-    drawers += [charts.resistance_over_force] if has_resistances else [charts.current_per_wire] if has_currents else []
+    if friction_charts.has_friction(results):
+        drawers.append(friction_charts.force_over_sliding)
+    elif has_resistances:
+        drawers.append(charts.resistance_over_force)
+    elif has_currents:
+        drawers.append(charts.current_per_wire)
     for box, draw in zip(boxes, drawers, strict=False):
         draw(figure.add_axes(box), results, increment)
-    return figure
 
 
-_KINDS: dict[str, Callable[[Results, int, dict], Figure]] = {
-    "overview": _overview,
-    "wires": _wires,
+_KINDS: dict[str, tuple[Callable[[Figure, Results, int, Look], None], tuple[float, float]]] = {
+    "overview": (_overview, (15.0, 8.5)),
+    "wires": (_wires, (10.0, 7.0)),
     "resistance": _chart(charts.resistance, (7.5, 5.5)),
     "residuals": _chart(charts.residuals, (8.0, 7.5)),
     "contacts": _chart(charts.contacts, (10.0, 7.0)),
     "currents": _chart(charts.currents, (10.0, 7.0)),
+    "network": _chart(network_chart.network, (9.0, 7.0)),
+    "friction": _chart(friction_charts.friction, (8.0, 7.0)),
     "history": _chart(charts.history, (8.0, 4.0)),
 }
+#: Kinds of pictures
+KINDS = tuple(_KINDS)

@@ -1,19 +1,25 @@
-"""Draws tubes with VTK into a picture, as a program of its own.
+"""Draws tubes with VTK into pictures, as a program of its own.
 
-`litz.wire_picture` starts it by `python render_wires.py JOB.npz PICTURE.png`: where no OpenGL is installed, VTK ends
-the whole process, which must not be the user's.
+`litz.wire_picture` starts it by `python render_wires.py FOLDER`, which makes FOLDER/0.png of FOLDER/0.npz, and so on:
+where no OpenGL is installed, VTK ends the whole process, which must not be the user's.
 """
 
 import itertools
 import sys
+from pathlib import Path
 
 import numpy as np
 import pyvista as pv
 
 
-def main(job_path: str, picture_path: str) -> None:
-    """Read the job, draw, write the picture."""
-    job = np.load(job_path)
+def main(folder: str) -> None:
+    """Read the jobs, draw, write the pictures."""
+    for job in sorted(Path(folder).glob("*.npz")):
+        draw(np.load(job), job.with_suffix(".png"))
+
+
+def draw(job, picture: Path) -> None:
+    """Draw one job."""
     width, height = (int(n) for n in job["size"])
     plotter = pv.Plotter(off_screen=True, window_size=(width, height), lighting="none")
     plotter.set_background("white")
@@ -22,10 +28,11 @@ def main(job_path: str, picture_path: str) -> None:
 
     tubes = polylines(job["points"], job["starts"])
     tubes["radius"], tubes["value"] = job["radius"], job["value"]
+    # the tube filter gives normals, also to the caps
     plotter.add_mesh(
         tubes.tube(scalars="radius", absolute=True, n_sides=int(job["sides"]), capping=True),
         scalars="value", cmap=str(job["colours"]), clim=tuple(job["limits"]), show_scalar_bar=False,
-        smooth_shading=True, split_sharp_edges=True, ambient=0.25, diffuse=0.8, specular=0.35, specular_power=25,
+        smooth_shading=True, ambient=0.25, diffuse=0.8, specular=0.35, specular_power=25,
     )  # fmt: skip
     if len(job["reference_starts"]) > 1:
         lines = polylines(job["reference"], job["reference_starts"])
@@ -38,7 +45,8 @@ def main(job_path: str, picture_path: str) -> None:
     camera.parallel_projection = True
     camera.parallel_scale = float(job["half_height"])
     plotter.reset_camera_clipping_range()
-    plotter.screenshot(picture_path)
+    plotter.screenshot(str(picture))
+    plotter.close()
 
 
 def polylines(points: np.ndarray, starts: np.ndarray) -> pv.PolyData:

@@ -187,18 +187,26 @@ class Results:
     @cached_property
     def fields(self) -> dict[str, str]:
         """Description of each field by its name."""
-        return {name: attributes["description"] for name, attributes in self._attributes.items()}
+        return {name: attributes.get("description", "") for name, attributes in self._attributes.items()}
 
     @cached_property
     def units(self) -> Mapping[str, str]:
         """Unit of each field by its name; of the columns of tables: `history.units` and the like."""
-        return {name: attributes["unit"] for name, attributes in self._attributes.items()}
+        return {name: attributes.get("unit", "") for name, attributes in self._attributes.items()}
 
     @cached_property
     def point_fields(self) -> frozenset[str]:
         """Names of the fields over nodes; the others are over elements."""
         with self._open() as file:
             return frozenset(file["VTKHDF/PointData"])
+
+    @cached_property
+    def vector_fields(self) -> frozenset[str]:
+        """Names of the fields that are vectors; the others are scalars."""
+        with self._open() as file:
+            return frozenset(
+                name for group in _GROUPS for name, data in file["VTKHDF"][group].items() if data.ndim == 2
+            )
 
     @cached_property
     def _attributes(self) -> dict[str, dict[str, str]]:

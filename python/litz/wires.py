@@ -68,6 +68,24 @@ def _follow(node: int, element: int, elements: np.ndarray, at_node: dict, left: 
     return Wire(np.array(nodes), np.array(chain), np.array(signs))
 
 
+def arc_lengths(nodes: np.ndarray, elements: np.ndarray, wires: list[Wire]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Where the elements are along their wires, before deformation.
+
+    Returns
+    -------
+    start, length : ndarray
+        Arc length at which each element begins along its wire, and its own length, (n_elements) [m].
+    sign : ndarray
+        +1 where the element points along its wire, -1 where against it, (n_elements).
+    """
+    length = np.linalg.norm(np.diff(nodes[elements], axis=1)[:, 0], axis=1)
+    start, sign = np.zeros(len(length)), np.zeros(len(length))
+    for wire in wires:
+        start[wire.elements] = np.cumsum(length[wire.elements]) - length[wire.elements]
+        sign[wire.elements] = wire.signs
+    return start, length, sign
+
+
 def end_tangents(nodes: np.ndarray, wire: Wire) -> np.ndarray:
     """Unit tangents of the reference axis at both ends of each element of a wire, along the wire, (n, 2, 3).
 
@@ -126,3 +144,11 @@ def hermite(positions: np.ndarray, slopes: np.ndarray, xi: np.ndarray) -> np.nda
     h1, h2 = (2 - 3 * xi + xi**3) / 4, (2 + 3 * xi - xi**3) / 4
     g1, g2 = (1 - xi - xi**2 + xi**3) / 4, (-1 - xi + xi**2 + xi**3) / 4
     return h1 * positions[:, 0] + h2 * positions[:, 1] + g1 * slopes[:, 0] + g2 * slopes[:, 1]
+
+
+def hermite_slope(positions: np.ndarray, slopes: np.ndarray, xi: np.ndarray) -> np.ndarray:
+    """Derivatives of the curves of `hermite` with respect to xi: (n, 2, 3), (n, 2, 3), (n) -> (n, 3)."""
+    xi = np.asarray(xi, dtype=float)[:, None]
+    h2 = 0.75 * (1 - xi**2)
+    g1, g2 = (-1 - 2 * xi + 3 * xi**2) / 4, (-1 + 2 * xi + 3 * xi**2) / 4
+    return h2 * (positions[:, 1] - positions[:, 0]) + g1 * slopes[:, 0] + g2 * slopes[:, 1]

@@ -13,7 +13,7 @@ import litz
 from litz import charts, plots, wire_picture
 from litz.quantities import engineering, label
 
-KINDS = ("overview", "wires", "resistance", "residuals", "contacts", "currents", "history")
+KINDS = ("overview", "wires", "resistance", "residuals", "contacts", "currents", "network", "friction", "history")
 
 
 def coloured(picture):
