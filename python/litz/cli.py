@@ -8,7 +8,7 @@ Commands of the Python package:
   litz summary RESULTS                    what was run, the increments, the contacts and the last increment in numbers
   litz table RESULTS                      contacts, contact force and the history that the deck asked for, over time
   litz plot RESULTS [KIND] [-o PICTURE]   a picture; KIND: overview (default), wires, resistance, residuals, contacts,
-                                          currents or history
+                                          currents, network, friction or history; --animate: a moving one
 RESULTS is a result file (.vtkhdf), a deck (.inp) that was run here, or a directory with the results of one run.
 """
 
@@ -52,7 +52,7 @@ def _run_program(arguments):
     return exit_code
 
 
-def _parser(command, description):
+def results_parser(command, description, epilog=None):
     """A parser of arguments that ends as the program does: with exit code 1 when they are wrong."""
     import argparse
 
@@ -61,7 +61,12 @@ def _parser(command, description):
             self.print_usage(sys.stderr)
             self.exit(1, f"error: {message}\n")
 
-    parser = Parser(prog=f"litz {command}", description=description)
+    parser = Parser(
+        prog=f"litz {command}",
+        description=description,
+        epilog=epilog,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
     parser.add_argument("results", metavar="RESULTS", help="result file, deck that was run, or directory with results")
     return parser
 
@@ -69,7 +74,9 @@ def _parser(command, description):
 def _summary(arguments):
     from .results import Results
 
-    options = _parser("summary", "What was run, how it went, and the last increment in numbers.").parse_args(arguments)
+    options = results_parser("summary", "What was run, how it went, and the last increment in numbers.").parse_args(
+        arguments
+    )
     print(Results(options.results).summary(), end="")
     return 0
 
@@ -78,36 +85,14 @@ def _table(arguments):
     from .history_table import history_table
     from .results import Results
 
-    options = _parser("table", "Contacts, contact force and the history of a run, over time.").parse_args(arguments)
+    options = results_parser("table", "Contacts, contact force and the history of a run, over time.").parse_args(
+        arguments
+    )
     print(history_table(Results(options.results)), end="")
     return 0
 
 
 def _plot(arguments):
-    from .plots import plot
+    from .picture_commands import plot_command
 
-    parser = _parser("plot", "Draw results into a picture file.")
-    parser.add_argument(
-        "kind",
-        nargs="?",
-        default="overview",
-        help="overview (default), wires, resistance, residuals, contacts, currents or history",
-    )
-    parser.add_argument("-o", "--output", metavar="PICTURE", help="default: STEM_KIND.png beside the results")
-    parser.add_argument("--increment", type=int, default=-1, help="counted from 0, or from the end: -1 is the last")
-    parser.add_argument("--field", help="what colours the wires; default: the potential")
-    parser.add_argument("--scale", type=float, default=1.0, help="factor on the displacements")
-    options = parser.parse_args(arguments)
-    try:
-        picture = plot(
-            options.results,
-            options.kind,
-            options.output,
-            increment=options.increment,
-            field=options.field,
-            scale=options.scale,
-        )
-    except (ValueError, LookupError) as error:
-        parser.error(error.args[0])
-    print(f"picture: {picture}")
-    return 0
+    return plot_command(arguments)

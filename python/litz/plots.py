@@ -48,6 +48,7 @@ class Look:
     view: tuple[float, float, float] | str | None = None
 
     def __post_init__(self):
+        """Check the words among the arguments, and turn the name of a view into its direction."""
         if self.spots not in (None, "current", "force", "none"):
             raise ValueError(f'spots may be "current", "force" or "none", not {self.spots!r}')
         if isinstance(self.view, str):

@@ -86,7 +86,9 @@ def scalars(results: "Results") -> dict[str, Scalar]:
     for name in names:
         base, pair = name[:-2], (name, f"{name[:-2]}_3")
         if name.endswith("_2") and pair[1] in names and base not in found:
-            found[base] = Scalar(base, pair, None, results.units[name], name in results.point_fields, f"{base}, magnitude")
+            found[base] = Scalar(
+                base, pair, None, results.units[name], name in results.point_fields, f"{base}, magnitude"
+            )
     return found
 
 

@@ -189,7 +189,9 @@ def _spots(results: "Results", increment: int, scale: _SpotScale, curves):
     drawn = thinner * np.clip(0.85 * np.sqrt(size / largest), 0.15, None)
     factor, unit = engineering(np.array([scale.largest]), contacts.units[scale.by])
     plural = "s" if contacts.n_rows > 1 else ""
-    text = f"{contacts.n_rows} contact{plural}: area of a disc by its {scale.by},\nlargest {largest * factor:.3g} {unit}"
+    text = (
+        f"{contacts.n_rows} contact{plural}: area of a disc by its {scale.by},\nlargest {largest * factor:.3g} {unit}"
+    )
     return point_bar + share[:, None] * (point - point_bar), normal, drawn, text
 
 

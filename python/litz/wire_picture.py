@@ -138,15 +138,12 @@ def _draw_spots(axes: Axes, scene: Scene, camera: Camera) -> None:
     if not len(scene.spots):
         return
     order = np.argsort(-scene.spot_radius)
-    enlarged = max(1.0, _LEAST_SPOT * camera.half_width / scene.spot_radius.max())
-    diameter = 2 * enlarged * scene.spot_radius[order]
-    normal = camera.turn(scene.spot_normal[order])
-    thickness = np.clip(np.abs(normal[:, 2]), _LEAST_THICKNESS, 1.0)
+    width, height, angle = (values[order] for values in discs(scene, camera))
     axes.add_collection(
         EllipseCollection(
-            diameter,
-            diameter * thickness,
-            np.degrees(np.arctan2(normal[:, 1], normal[:, 0])) + 90,
+            width,
+            height,
+            angle,
             units="xy",
             offsets=camera.project(scene.spots[order])[:, :2],
             offset_transform=axes.transData,
@@ -157,6 +154,17 @@ def _draw_spots(axes: Axes, scene: Scene, camera: Camera) -> None:
             zorder=4,
         )
     )
+
+
+def discs(scene: Scene, camera: Camera) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The ellipses as which the discs are seen: longer and shorter diameter [m], angle of the longer one [degrees].
+
+    Very small discs are drawn larger, all by the same factor, and those seen from their edge keep some thickness.
+    """
+    diameter = 2 * max(1.0, _LEAST_SPOT * camera.half_width / scene.spot_radius.max()) * scene.spot_radius
+    normal = camera.turn(scene.spot_normal)
+    thickness = np.clip(np.abs(normal[:, 2]), _LEAST_THICKNESS, 1.0)
+    return diameter, diameter * thickness, np.degrees(np.arctan2(normal[:, 1], normal[:, 0])) + 90
 
 
 def draw_frame(axes: Axes, camera: Camera) -> None:

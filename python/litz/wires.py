@@ -68,7 +68,9 @@ def _follow(node: int, element: int, elements: np.ndarray, at_node: dict, left: 
     return Wire(np.array(nodes), np.array(chain), np.array(signs))
 
 
-def arc_lengths(nodes: np.ndarray, elements: np.ndarray, wires: list[Wire]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def arc_lengths(
+    nodes: np.ndarray, elements: np.ndarray, wires: list[Wire]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Where the elements are along their wires, before deformation.
 
     Returns

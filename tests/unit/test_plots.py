@@ -12,6 +12,7 @@ from matplotlib.image import imread
 import litz
 from litz import charts, plots, wire_picture
 from litz.quantities import engineering, label
+from litz.scene import SceneMaker, aim
 
 KINDS = ("overview", "wires", "resistance", "residuals", "contacts", "currents", "network", "friction", "history")
 
@@ -92,44 +93,44 @@ class TestPictures:
             litz.plot(results, "wires", field="potentials")
 
     def test_every_kind_is_documented(self):
-        assert set(plots._KINDS) == set(KINDS)
+        assert set(plots.KINDS) == set(KINDS)
         for kind in KINDS:
             assert f'"{kind}"' in litz.plot.__doc__
 
 
 class TestScene:
     def test_colours_are_the_field_along_the_wires(self, results):
-        scene = wire_picture.make_scene(results, 0, None, 1.0, None, True)
+        scene = SceneMaker(results, [0]).scene(0)
         assert scene.title == "potential [V]"
         assert scene.limits == (1, 6)
         np.testing.assert_array_equal(scene.value[[0, scene.starts[1] - 1, scene.starts[1], -1]], [1, 3, 4, 6])
 
     def test_points_run_through_the_current_nodes(self, results):
-        scene = wire_picture.make_scene(results, -1, None, 1.0, None, True)
+        scene = SceneMaker(results, [-1]).scene(-1)
         current = results.positions(-1)
         ends = [0, scene.starts[1] - 1, scene.starts[1], -1]
         np.testing.assert_allclose(scene.points[ends], current[[0, 2, 3, 5]], atol=1e-14)
         np.testing.assert_allclose(scene.reference[ends], results.nodes[[0, 2, 3, 5]], atol=1e-14)
 
     def test_displacements_are_scaled(self, results):
-        scene = wire_picture.make_scene(results, -1, None, 10.0, None, True)
+        scene = SceneMaker(results, [-1], scale=10.0).scene(-1)
         np.testing.assert_allclose(scene.points[0], results.nodes[0] + 10 * results.field("displacement")[0])
 
     def test_a_vector_field_is_shown_by_its_length_in_a_readable_unit(self, results):
-        scene = wire_picture.make_scene(results, -1, "displacement", 1.0, None, True)
+        scene = SceneMaker(results, [-1], "displacement").scene(-1)
         assert scene.title == "displacement, magnitude [mm]"
         assert scene.limits[1] == pytest.approx(1e3 * np.linalg.norm(results.field("displacement"), axis=1).max())
 
     def test_spots_by_force(self, results):
-        scene = wire_picture.make_scene(results, 1, None, 1.0, "force", True)
+        scene = SceneMaker(results, [1], spots="force").scene(1)
         assert scene.spot_text.startswith("2 contacts: area of a disc by its force")
         assert "largest 20 N" in scene.spot_text
-        assert len(wire_picture.make_scene(results, 1, None, 1.0, "none", True).spots) == 0
+        assert len(SceneMaker(results, [1], spots="none").scene(1).spots) == 0
 
     def test_everything_is_inside_the_picture(self, results):
-        scene = wire_picture.make_scene(results, -1, None, 1.0, None, True)
+        scene = SceneMaker(results, [-1]).scene(-1)
         for view in (None, (1, 0, 0), (0, 0, 1), (1, 2, 3), (0, 0, -1)):
-            camera = wire_picture.aim(scene, 1.5, view)
+            camera = aim(np.concatenate([scene.points, scene.reference]), scene.radius.max(), 1.5, view)
             seen = camera.project(np.concatenate([scene.points, scene.reference]))
             assert np.abs(seen[:, 0]).max() < camera.half_width
             assert np.abs(seen[:, 1]).max() < camera.half_height

@@ -1,0 +1,181 @@
+"""Pictures of real runs: what they show is what the results hold."""
+
+import sys
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from matplotlib.image import imread
+from PIL import Image
+
+import litz
+from litz import animation
+from litz.cli import main
+from litz.friction_charts import friction_loops
+from litz.scene import SceneMaker, aim
+from litz.wire_picture import discs
+
+pytestmark = pytest.mark.filterwarnings("ignore:.*drawn by matplotlib alone")
+
+
+@pytest.fixture
+def grid(run_of_input):
+    return litz.Results(run_of_input("04_wire_grid"))
+
+
+@pytest.fixture
+def friction(run_of_input):
+    return litz.Results(run_of_input("13_stick_slip"))
+
+
+def not_white(picture):
+    return np.count_nonzero(np.any(picture[..., :3] < 0.9, axis=2))
+
+
+class TestSpots:
+    def test_a_disc_for_each_contact_with_its_area_by_the_force(self, grid):
+        scene = SceneMaker(grid, [-1], spots="force").scene(-1)
+        assert len(scene.spots) == 16
+        force = grid.contacts_at(-1)["force"]
+        large = scene.spot_radius > 0.2 * scene.spot_radius.max()
+        np.testing.assert_allclose(
+            scene.spot_radius[large] ** 2 / force[large], scene.spot_radius.max() ** 2 / force.max()
+        )
+
+    def test_a_disc_is_between_the_two_wires(self, grid):
+        """Wires of equal radius: halfway between the points of the ledger, up to the overlap."""
+        scene = SceneMaker(grid, [-1]).scene(-1)
+        ledger = grid.contacts_at(-1)
+        middle = np.stack([(ledger[f"point_bar_{axis}"] + ledger[f"point_{axis}"]) / 2 for axis in "xyz"], axis=1)
+        np.testing.assert_allclose(scene.spots, middle, atol=1e-3 * grid.radius.min())
+
+    def test_a_disc_is_a_circle_from_above_and_thin_from_the_side(self, grid):
+        """The contact planes of the grid are horizontal, but for the slopes of the wires."""
+        scene = SceneMaker(grid, [-1]).scene(-1)
+        for view, thickness in (((0, 0, 1), 1.0), ((1, 0, 0), 0.18), ((1, 0, 1), np.sqrt(0.5))):
+            width, height, _ = discs(scene, aim(scene.points, 1e-3, 1.5, view))
+            # slopes of a tenth of a degree to a degree
+            np.testing.assert_allclose(height / width, thickness, atol=0.02)
+
+
+class TestColours:
+    def test_the_bar_has_the_range_of_the_field(self, grid):
+        scene = SceneMaker(grid, [-1], "joule_heat").scene(-1)
+        heat = grid.field("joule_heat")
+        assert scene.title == "joule heat [µW]"
+        np.testing.assert_allclose(scene.limits, (1e6 * heat.min(), 1e6 * heat.max()))
+
+    def test_several_increments_share_one_range(self, grid):
+        increments = range(len(grid.times))
+        maker = SceneMaker(grid, list(increments), "element_current")
+        currents = grid.field("element_current", None)
+        for increment in increments:
+            scene = maker.scene(increment)
+            assert scene.colours == "coolwarm"
+            np.testing.assert_allclose(scene.limits[1], np.abs(currents).max())
+
+
+class TestFriction:
+    def test_the_loop_is_as_high_as_the_friction_and_its_work_is_heat(self, friction):
+        """Coulomb: the force stays within 0.3 of the contact force; the springs of Mindlin keep little of the work."""
+        (loop,) = friction_loops(friction, [1])
+        ledger = friction.contact(1)
+        assert np.abs(loop.force).max() == pytest.approx(0.3 * ledger["force"].max(), rel=0.01)
+        work = np.sum((loop.force[1:] + loop.force[:-1]) / 2 * np.diff(loop.sliding))
+        assert work == pytest.approx(ledger["dissipation"][-1], rel=0.01)
+
+    def test_the_loop_is_as_wide_as_the_clamp_goes_less_the_bending(self, friction):
+        """The clamp moves 0.2 mm to and fro; the two cantilevers take 0.06 mm of it (2 F L^3/(3 E I))."""
+        (loop,) = friction_loops(friction, [1])
+        force, length, stiffness = 0.94e-3, 0.0825, 120e9 * np.pi * 0.5e-3**4 / 4
+        bending = force * length**3 / (3 * stiffness)
+        assert np.ptp(loop.sliding) == pytest.approx(0.2e-3 - 2 * bending, rel=0.05)
+
+
+class TestAnimation:
+    def test_a_gif_has_a_frame_for_each_increment_and_they_differ(self, grid, tmp_path):
+        path = animation.animate(grid, tmp_path / "grid.gif", field="displacement", size=(300, 210))
+        with Image.open(path) as moving:
+            assert moving.n_frames == len(grid.times)
+            assert moving.size == (300, 210)
+            frames = []
+            for number in range(moving.n_frames):
+                moving.seek(number)
+                frames.append(np.asarray(moving.convert("RGB")) / 255)
+        for frame in frames:
+            assert not_white(frame) > 0.02 * frame.shape[0] * frame.shape[1]
+        assert not np.array_equal(frames[0], frames[-1])
+
+    def test_of_many_increments_an_even_choice_is_shown(self, grid, tmp_path):
+        path = animation.animate(grid, tmp_path / "grid.gif", size=(300, 210), most_frames=2)
+        with Image.open(path) as moving:
+            assert moving.n_frames == 2
+
+    def test_mp4_without_its_package_says_what_to_install(self, grid, tmp_path, monkeypatch):
+        monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
+        with pytest.raises(litz.FileError, match=r"pip install 'litz\[video\]'"):
+            animation.animate(grid, tmp_path / "grid.mp4")
+
+    def test_mp4_gets_every_frame_in_even_sizes(self, grid, tmp_path, monkeypatch):
+        """The package itself is not needed for this: what it is given is looked at."""
+        given = []
+
+        def write_frames(path, size, fps, **_):
+            assert size == (300, 210)
+            while True:
+                given.append((yield))
+
+        monkeypatch.setitem(sys.modules, "imageio_ffmpeg", SimpleNamespace(write_frames=write_frames))
+        animation.animate(grid, tmp_path / "grid.mp4", size=(301, 211), most_frames=2, frames_per_second=2)
+        assert len(given) == 2 + 3  # the last one is held for 1.5 s
+        assert all(frame.shape == (210, 300, 3) for frame in given)
+
+    def test_mp4_of_the_real_package(self, grid, tmp_path):
+        pytest.importorskip("imageio_ffmpeg", reason="imageio-ffmpeg is not installed: pip install imageio-ffmpeg")
+        path = animation.animate(grid, tmp_path / "grid.mp4", size=(300, 210), most_frames=2)
+        assert path.read_bytes()[4:8] == b"ftyp"
+
+
+class TestCommand:
+    def test_options_of_the_wires(self, run_of_input, tmp_path, capsys):
+        picture = tmp_path / "wires.png"
+        directory = run_of_input("04_wire_grid")
+        options = ["--field", "displacement.z", "--increment", "1:2", "--view", "1,-1,1", "--size", "600x400"]
+        assert main(["plot", str(directory), "wires", *options, "--spots", "force", "-o", str(picture)]) == 0
+        drawn = imread(picture)
+        assert drawn.shape[:2] == (400, 600)
+        assert not_white(drawn) > 0.02 * 600 * 400
+        assert str(picture) in capsys.readouterr().out
+
+    def test_the_ending_of_the_file_asks_for_an_animation(self, run_of_input, tmp_path):
+        moving = tmp_path / "wires.gif"
+        assert main(["plot", str(run_of_input("05_clamped_pair")), "-o", str(moving), "--size", "300x200"]) == 0
+        assert moving.read_bytes().startswith(b"GIF89a")
+
+    def test_the_fields_are_listed_with_their_units(self, run_of_input, capsys):
+        assert main(["plot", str(run_of_input("04_wire_grid")), "--list-fields"]) == 0
+        listed = capsys.readouterr().out
+        assert "joule_heat" in listed
+        assert "[W]" in listed
+        assert "bending_moment " in listed
+
+    @pytest.mark.parametrize(
+        ("options", "message"),
+        [
+            (["wires", "--view", "up"], "there is no view 'up'"),
+            (["wires", "--view", "1,2"], "a direction has three numbers"),
+            (["wires", "--view", "0,0,0"], "not all zero"),
+            (["wires", "--size", "large"], "WIDTHxHEIGHT"),
+            (["wires", "--size", "20x20"], "too small"),
+            (["wires", "--increment", "last"], "STEP:INCREMENT"),
+            (["wires", "--increment", "7:1"], "increment 1 of step 7 is not in"),
+            (["wires", "--field", "voltage"], "there is no field 'voltage'"),
+            (["residuals", "--animate"], "only the wires can be animated"),
+            (["--animate", "-o", "a.avi"], "a .gif or .mp4 file"),
+        ],
+    )
+    def test_wrong_options_are_answered_in_words(self, run_of_input, options, message, capsys):
+        with pytest.raises(SystemExit) as ended:
+            main(["plot", str(run_of_input("05_clamped_pair")), *options])
+        assert ended.value.code == 1
+        assert message in capsys.readouterr().err

@@ -1,0 +1,63 @@
+"""The graph of the contact network: which lines it has, how thick, and where the dots are."""
+
+from types import SimpleNamespace
+
+import numpy as np
+from matplotlib.collections import LineCollection
+from matplotlib.figure import Figure
+
+from litz import network_chart
+from litz.network_chart import between_wires, layout, turned
+
+
+def test_currents_of_the_contacts_of_two_wires_add_up_with_their_direction():
+    graph = SimpleNamespace(
+        id=np.arange(1, 5),
+        wires=np.array([[0, 1], [1, 0], [1, 2], [0, 1]]),
+        current=np.array([5.0, 2.0, -4.0, 1.0]),
+        force=np.array([1.0, 2.0, 3.0, 4.0]),
+    )
+    pairs, current = between_wires(graph, "current")
+    np.testing.assert_array_equal(pairs, [[0, 1], [1, 2]])
+    np.testing.assert_allclose(current, [5 - 2 + 1, 4])
+    np.testing.assert_allclose(between_wires(graph, "force")[1], [7, 3])
+
+
+def test_a_line_for_each_pair_of_wires_and_a_dot_for_each_wire(results):
+    figure = Figure()
+    network_chart.network(figure, results, 1)
+    axes = figure.axes[0]
+    (lines,) = [one for one in axes.collections if isinstance(one, LineCollection)]
+    (dots,) = [one for one in axes.collections if not isinstance(one, LineCollection)]
+    graph = results.contact_network(1)
+    assert len(lines.get_segments()) == len(np.unique(np.sort(graph.wires, axis=1), axis=0))
+    assert len(dots.get_offsets()) == len(graph.wire_length)
+
+
+def test_without_contacts_the_wires_are_still_there(results):
+    figure = Figure()
+    network_chart.network(figure, results, 0)
+    assert "2 wires, 0 contacts" in figure.get_suptitle()
+
+
+def test_the_same_network_has_the_same_picture_and_no_two_dots_in_one_place():
+    pairs = np.array([[i, 20 + j] for i in range(20) for j in range(0, 20, 3)])
+    places = layout(40, pairs)
+    np.testing.assert_array_equal(places, layout(40, pairs))
+    apart = np.linalg.norm(places[:, None] - places[None], axis=2)[~np.eye(40, dtype=bool)]
+    assert apart.min() > 0.02
+
+
+def test_wires_that_touch_are_nearer_than_those_that_do_not():
+    ring = np.array([[i, (i + 1) % 12] for i in range(12)])
+    places = layout(12, ring)
+    apart = np.linalg.norm(places[:, None] - places[None], axis=2)
+    assert apart[ring[:, 0], ring[:, 1]].max() < apart[np.arange(6), np.arange(6) + 6].min()
+
+
+def test_the_high_potential_is_on_the_left():
+    rng = np.random.default_rng(1)
+    places = rng.normal(size=(30, 2)) * [1, 4]
+    potential = places[:, 1]
+    flat = turned(places, potential)
+    assert np.corrcoef(flat[:, 0], potential)[0, 1] < -0.99

@@ -1,0 +1,78 @@
+"""What wires can be coloured by: every field of the file, whatever it is called."""
+
+import shutil
+
+import h5py
+import numpy as np
+import pytest
+
+import litz
+from litz.scalars import colours_and_limits, find_scalar, scalar_values, scalars
+from litz.scene import SceneMaker
+
+
+@pytest.fixture
+def with_temperature(written, tmp_path):
+    """The results of a program that has also computed a temperature at the nodes: 300 K, 10 K more at each node."""
+    for file in written.iterdir():
+        shutil.copy(file, tmp_path)
+    path = tmp_path / "crossed.vtkhdf"
+    with h5py.File(path, "r+") as file:
+        root = file["VTKHDF"]
+        n, increments = len(root["PointData/node_id"]), root["Steps"].attrs["NSteps"]
+        data = root["PointData"].create_dataset("temperature", data=np.tile(300.0 + 10 * np.arange(n), increments))
+        data.attrs["unit"], data.attrs["description"] = np.bytes_(b"K"), np.bytes_(b"temperature")
+        root["Steps/PointDataOffsets"].create_dataset("temperature", data=n * np.arange(increments))
+    return litz.Results(path)
+
+
+def test_a_field_that_is_new_in_the_file_colours_the_wires(with_temperature):
+    assert find_scalar(with_temperature, "temperature").at_nodes
+    scene = SceneMaker(with_temperature, [-1], "temperature").scene(-1)
+    assert scene.title == "temperature [K]"
+    assert scene.limits == (300, 350)
+    np.testing.assert_allclose(scene.value[[0, -1]], [300, 350])
+
+
+def test_every_field_but_names_and_places_can_be_chosen(results):
+    known = scalars(results)
+    assert set(results.fields) - set(known) == {"node_id", "element_id", "section", "reference_position"}
+    for name, scalar in known.items():
+        expected = len(results.nodes if scalar.at_nodes else results.elements)
+        assert scalar_values(results, scalar, -1).shape == (expected,), name
+
+
+def test_vectors_have_components_and_a_length(results):
+    displacement = results.field("displacement")
+    for component, axis in enumerate("xyz"):
+        values = scalar_values(results, find_scalar(results, f"displacement.{axis}"), -1)
+        np.testing.assert_array_equal(values, displacement[:, component])
+    length = scalar_values(results, find_scalar(results, "displacement"), -1)
+    np.testing.assert_allclose(length, np.linalg.norm(displacement, axis=1))
+
+
+def test_the_bending_moment_is_that_of_both_axes(results):
+    both = scalar_values(results, find_scalar(results, "bending_moment"), -1)
+    parts = [results.field(f"bending_moment_{axis}") for axis in (2, 3)]
+    np.testing.assert_allclose(both, np.hypot(*parts))
+
+
+def test_unknown_names_are_answered_with_the_nearest(results):
+    with pytest.raises(KeyError, match="did you mean 'axial_force'"):
+        find_scalar(results, "axial_forces")
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "one_sided", "expected"),
+    [
+        (-1.0, 2.0, False, ("coolwarm", (-2.0, 2.0))),
+        (0.0, 2.0, False, ("viridis", (0.0, 2.0))),
+        (-1e-9, 2.0, False, ("viridis", (-1e-9, 2.0))),
+        (1.0, 2.0, True, ("viridis", (1.0, 2.0))),
+        (5.0, 5.0 + 1e-12, False, ("viridis", (2.5, 7.5))),
+        (0.0, 0.0, False, ("viridis", (-0.5, 0.5))),
+    ],
+)
+def test_values_of_both_signs_have_a_scale_with_zero_in_the_middle(low, high, one_sided, expected):
+    colours, limits = colours_and_limits(low, high, one_sided)
+    assert (colours, limits) == (expected[0], pytest.approx(expected[1]))
