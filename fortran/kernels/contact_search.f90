@@ -2,11 +2,12 @@
 !> like their number, whatever mixture of lengths and thicknesses they have.
 !>
 !> Segments are cut into pieces not much longer than the mean segment, so that their boxes hug them. The boxes are sorted
-!> by size into grids whose cells are as large as their largest box; a box lies in the one cell of its lower corner. So
+!> by size into grids whose cells are as wide as their largest box; a box lies in the one cell of its lower corner. So
 !> it can only meet boxes of the cells around it in its own grid, and of a few cells in each grid of larger boxes.
-!> The cells of a grid are folded onto a table with an entry or two per box: empty space costs nothing.
+!> The cells of a grid are folded onto a table with an entry or two per box: empty space costs nothing. Cells that follow
+!> one another along x have entries that do, so that a row of cells is one list of boxes.
 module litz_contact_search
-   use litz_kinds, only: dp, int64
+   use litz_kinds, only: dp, sp, int64
    use litz_parallel, only: worth_threads
 !$ use omp_lib, only: omp_get_max_threads, omp_get_thread_num
    implicit none
@@ -19,20 +20,23 @@ module litz_contact_search
    !> Boxes smaller than the largest by more than this power of two share the last grid
    integer, parameter :: most_grids = 24
 
+   !> Cells are shorter along x than wide by this factor, which a row does not cost more for
+   integer, parameter :: cells_per_width = 4
+
    !> Boxes of like size, sorted by cell.
    type :: grid_t
-      !> Lower corner of the cell (1, 1, 1), and length of a cell [m]
-      real(dp) :: origin(3) = 0, edge = 1
+      !> No box is wider, and lengths of a cell [m]
+      real(dp) :: width = 1, edge(3) = 1
       !> Number of cells along each direction, with an empty one on both sides
       integer(int64) :: cells(3) = 0
       !> Entries of the table, a power of two, less one
       integer(int64) :: mask = 0
       !> (0:mask + 1) first box of each entry of the table
       integer, allocatable :: start(:)
-      !> Cell and segment of each box, and its lower and upper corner (6, boxes)
-      integer(int64), allocatable :: cell(:)
+      !> Segment of each box
       integer, allocatable :: segment(:)
-      real(dp), allocatable :: corners(:, :)
+      !> Lower and upper corner from the common origin, rounded outwards (6, boxes) [m]
+      real(sp), allocatable :: corners(:, :)
       !> Ends and reach of the segment of each box (7, boxes): a copy that lies where it is wanted
       real(dp), allocatable :: ends(:, :)
    end type grid_t
@@ -56,21 +60,27 @@ contains
       integer, allocatable, intent(out) :: pairs(:, :)
       type(grid_t), allocatable :: grids(:)
       type(pair_list_t), allocatable :: lists(:)
-      integer :: g, box, threads, thread
+      integer :: g, box, coarser, threads, thread
 
+      if (size(reach) < 2) then
+         allocate (pairs(2, 0))
+         return
+      end if
       call build_grids(a, b, reach, grids)
       threads = 1
 !$    threads = omp_get_max_threads()
       allocate (lists(threads))
-      !$omp parallel private(thread, g, box) if (size(reach) >= worth_threads)
+      !$omp parallel private(thread, g, box, coarser) if (size(reach) >= worth_threads)
       thread = 1
 !$    thread = omp_get_thread_num() + 1
       allocate (lists(thread)%pairs(2, 64))
       do g = 1, size(grids)
          !$omp do schedule(dynamic, 256)
          do box = 1, size(grids(g)%segment)
-            call visit_own_grid(a, b, reach, grids(g), box, lists(thread))
-            call visit_coarser_grids(a, b, reach, grids, g, box, lists(thread))
+            call visit_own_grid(grids(g), box, lists(thread))
+            do coarser = 1, g - 1
+               call visit_coarser_grid(grids(g), box, grids(coarser), lists(thread))
+            end do
          end do
          !$omp end do nowait
       end do
@@ -82,27 +92,30 @@ contains
    subroutine build_grids(a, b, reach, grids)
       real(dp), intent(in) :: a(:, :), b(:, :), reach(:)
       type(grid_t), allocatable, intent(out) :: grids(:)
-      real(dp), allocatable :: length(:), lower(:, :), upper(:, :), extent(:)
-      integer, allocatable :: segment(:), level(:), members(:)
-      real(dp) :: mean, largest
+      real(dp), allocatable :: length(:), extent(:)
+      integer, allocatable :: pieces(:), level(:), members(:)
+      real(dp) :: origin(3), corner(3), slack, longest, largest
       integer :: i, g, n, first(most_grids + 1), free(most_grids)
 
       n = size(reach)
-      allocate (length(n))
-      !$omp parallel do schedule(static) if (n >= worth_threads)
+      allocate (length(n), extent(n), pieces(n), level(n), members(n))
+      origin = huge(1.0_dp)
+      corner = -huge(1.0_dp)
+      !$omp parallel do schedule(static) reduction(min: origin) reduction(max: corner) if (n >= worth_threads)
       do i = 1, n
-         length(i) = norm2(b(:, i) - a(:, i))
+         length(i) = sqrt(sum((b(:, i) - a(:, i))**2))
+         origin = min(origin, min(a(:, i), b(:, i)) - reach(i))
+         corner = max(corner, max(a(:, i), b(:, i)) + reach(i))
       end do
       !$omp end parallel do
-      mean = sum(length)/max(1, n)
-      call cut_segments(a, b, reach, length, longest_in_means*mean, segment, lower, upper)
-
-      n = size(segment)
-      allocate (extent(n), level(n), members(n))
+      longest = longest_in_means*sum(length)/n
+      ! rounding to single precision moves a corner by half of this at most
+      slack = epsilon(1.0_sp)*maxval(corner - origin)
       largest = 0
       !$omp parallel do schedule(static) reduction(max: largest) if (n >= worth_threads)
       do i = 1, n
-         extent(i) = max(maxval(upper(:, i) - lower(:, i)), tiny(1.0_dp))
+         pieces(i) = max(1, ceiling(length(i)/max(longest_in_reaches*reach(i), longest, tiny(1.0_dp))))
+         extent(i) = max(maxval(abs(b(:, i) - a(:, i)))/pieces(i) + 2*reach(i) + 4*slack, tiny(1.0_dp))
          largest = max(largest, extent(i))
       end do
       !$omp end parallel do
@@ -122,7 +135,10 @@ contains
       do g = 1, most_grids
          if (first(g + 1) == first(g)) cycle
          n = n + 1
-         call build_grid(members(first(g):first(g + 1) - 1), a, b, reach, segment, lower, upper, grids(n))
+         associate (member => members(first(g):first(g + 1) - 1))
+            call size_grid(corner - origin, maxval(extent(member)), sum(pieces(member)), grids(n))
+            call fill_grid(member, a, b, reach, pieces, origin, slack, grids(n))
+         end associate
       end do
    end subroutine build_grids
 
@@ -142,123 +158,110 @@ contains
       end do
    end subroutine count_by
 
-   !> Boxes around the pieces of all segments.
-   subroutine cut_segments(a, b, reach, length, longest, segment, lower, upper)
-      real(dp), intent(in) :: a(:, :), b(:, :), reach(:)
-      !> Of each segment, and of a piece that is longer than thick [m]
-      real(dp), intent(in) :: length(:), longest
-      !> Segment of each piece, and corners of its box (3, pieces) [m]
-      integer, allocatable, intent(out) :: segment(:)
-      real(dp), allocatable, intent(out) :: lower(:, :), upper(:, :)
-      real(dp) :: p(3), q(3)
-      integer :: i, k, pieces, n
-      integer, allocatable :: first(:)
-
-      allocate (first(size(reach) + 1))
-      first(1) = 1
-      do i = 1, size(reach)
-         first(i + 1) = first(i) + max(1, ceiling(length(i)/max(longest_in_reaches*reach(i), longest, tiny(1.0_dp))))
-      end do
-      n = first(size(first)) - 1
-      allocate (segment(n), lower(3, n), upper(3, n))
-      !$omp parallel do schedule(static) private(k, pieces, n, p, q) if (size(reach) >= worth_threads)
-      do i = 1, size(reach)
-         pieces = first(i + 1) - first(i)
-         q = a(:, i)
-         do k = 1, pieces
-            p = q
-            q = b(:, i)
-            if (k < pieces) q = a(:, i) + real(k, dp)/pieces*(b(:, i) - a(:, i))
-            n = first(i) + k - 1
-            segment(n) = i
-            lower(:, n) = min(p, q) - reach(i)
-            upper(:, n) = max(p, q) + reach(i)
-         end do
-      end do
-      !$omp end parallel do
-   end subroutine cut_segments
-
-   !> Counting sort of some boxes by the entries of the table that their cells are folded onto.
-   subroutine build_grid(members, a, b, reach, segment, lower, upper, grid)
-      integer, intent(in) :: members(:), segment(:)
-      real(dp), intent(in) :: a(:, :), b(:, :), reach(:)
-      real(dp), intent(in) :: lower(:, :), upper(:, :)
+   !> Cells and table of a grid.
+   pure subroutine size_grid(extent, largest, n_boxes, grid)
+      !> Of all boxes together, and the widest box of the grid [m]
+      real(dp), intent(in) :: extent(3), largest
+      integer, intent(in) :: n_boxes
       type(grid_t), intent(out) :: grid
       !> Most cells along one direction: their number stays within 64 bits
-      integer(int64), parameter :: most_cells = 2_int64**20
-      integer(int64), allocatable :: cell(:)
-      integer, allocatable :: free(:), member_at(:)
-      real(dp) :: extent(3), origin(3), corner(3), edge
-      integer :: i, n
-      integer(int64) :: entry
+      integer(int64), parameter :: most_cells = 2_int64**19
 
-      n = size(members)
-      origin = huge(1.0_dp)
-      corner = -huge(1.0_dp)
-      edge = tiny(1.0_dp)
-      !$omp parallel do schedule(static) reduction(min: origin) reduction(max: corner, edge) if (n >= worth_threads)
-      do i = 1, n
-         origin = min(origin, lower(:, members(i)))
-         corner = max(corner, lower(:, members(i)))
-         edge = max(edge, maxval(upper(:, members(i)) - lower(:, members(i))))
-      end do
-      !$omp end parallel do
-      grid%origin = origin
-      extent = corner - origin
-      grid%edge = max(edge, maxval(extent)/most_cells)
+      grid%width = max(largest, maxval(extent)/most_cells)
+      grid%edge = grid%width*[1.0_dp/cells_per_width, 1.0_dp, 1.0_dp]
       ! odd numbers of cells spread the layers over the table
       grid%cells = 2*(int(extent/grid%edge, int64)/2) + 5
       grid%mask = 1
-      do while (grid%mask < 2*n)
+      do while (grid%mask < 2_int64*n_boxes)
          grid%mask = 2*grid%mask
       end do
       grid%mask = grid%mask - 1
+   end subroutine size_grid
 
-      allocate (cell(n), member_at(n))
-      !$omp parallel do schedule(static) if (n >= worth_threads)
-      do i = 1, n
-         cell(i) = cell_number(grid, cell_of(grid, lower(:, members(i))))
+   !> Counting sort of the boxes of some segments by the entries of the table that their cells are folded onto.
+   subroutine fill_grid(members, a, b, reach, pieces, origin, slack, grid)
+      !> The segments
+      integer, intent(in) :: members(:)
+      real(dp), intent(in) :: a(:, :), b(:, :), reach(:)
+      !> Number of pieces of each segment, common origin, and what boxes are larger by [m]
+      integer, intent(in) :: pieces(:)
+      real(dp), intent(in) :: origin(3), slack
+      type(grid_t), intent(inout) :: grid
+      integer, allocatable :: first(:), place(:)
+      real(sp) :: corners(6)
+      integer(int64) :: entry
+      integer :: i, k, n
+
+      allocate (first(size(members) + 1))
+      first(1) = 1
+      do i = 1, size(members)
+         first(i + 1) = first(i) + pieces(members(i))
+      end do
+      n = first(size(first)) - 1
+      ! the entry of each box, then its place
+      allocate (place(n))
+      !$omp parallel do schedule(static) private(k, corners) if (n >= worth_threads)
+      do i = 1, size(members)
+         do k = 1, pieces(members(i))
+            corners = piece_corners(members(i), k)
+            place(first(i) + k - 1) = int(iand(cell_number(grid, cell_of(grid, real(corners(:3), dp))), grid%mask))
+         end do
       end do
       !$omp end parallel do
-      allocate (grid%start(0:grid%mask + 1), source=0)
+      ! one entry ahead: filling moves each start to where the next one belongs
+      allocate (grid%start(0:grid%mask + 2), source=0)
       do i = 1, n
-         entry = iand(cell(i), grid%mask)
-         grid%start(entry + 1) = grid%start(entry + 1) + 1
+         grid%start(place(i) + 2) = grid%start(place(i) + 2) + 1
       end do
-      grid%start(0) = 1
-      do entry = 0, grid%mask
+      grid%start(:1) = 1
+      do entry = 1, grid%mask
          grid%start(entry + 1) = grid%start(entry) + grid%start(entry + 1)
       end do
-      allocate (free(0:grid%mask))
-      free = grid%start(:grid%mask)
       do i = 1, n
-         entry = iand(cell(i), grid%mask)
-         member_at(free(entry)) = i
-         free(entry) = free(entry) + 1
+         entry = place(i)
+         place(i) = grid%start(entry + 1)
+         grid%start(entry + 1) = grid%start(entry + 1) + 1
       end do
-      allocate (grid%cell(n), grid%segment(n), grid%corners(6, n), grid%ends(7, n))
-      !$omp parallel do schedule(static) if (n >= worth_threads)
-      do i = 1, n
-         associate (member => members(member_at(i)))
-            grid%cell(i) = cell(member_at(i))
-            grid%segment(i) = segment(member)
-            grid%corners(:3, i) = lower(:, member)
-            grid%corners(4:, i) = upper(:, member)
-            grid%ends(:3, i) = a(:, segment(member))
-            grid%ends(4:6, i) = b(:, segment(member))
-            grid%ends(7, i) = reach(segment(member))
-         end associate
+      allocate (grid%segment(n), grid%corners(6, n), grid%ends(7, n))
+      !$omp parallel do schedule(static) private(k) if (n >= worth_threads)
+      do i = 1, size(members)
+         do k = 1, pieces(members(i))
+            associate (box => place(first(i) + k - 1), segment => members(i))
+               grid%segment(box) = segment
+               grid%corners(:, box) = piece_corners(segment, k)
+               grid%ends(:3, box) = a(:, segment)
+               grid%ends(4:6, box) = b(:, segment)
+               grid%ends(7, box) = reach(segment)
+            end associate
+         end do
       end do
       !$omp end parallel do
-   end subroutine build_grid
 
-   !> Cell of a point, (1, 1, 1) for the origin.
+   contains
+
+      !> Box around piece k of a segment.
+      pure function piece_corners(segment, k) result(corners)
+         integer, intent(in) :: segment, k
+         real(sp) :: corners(6)
+         real(dp) :: p(3), q(3)
+
+         associate (step => (b(:, segment) - a(:, segment))/pieces(segment))
+            p = a(:, segment) + (k - 1)*step - origin
+            q = a(:, segment) + k*step - origin
+         end associate
+         corners(:3) = real(min(p, q) - reach(segment) - slack, sp)
+         corners(4:) = real(max(p, q) + reach(segment) + slack, sp)
+      end function piece_corners
+
+   end subroutine fill_grid
+
+   !> Cell of a point, from the common origin, for which it is (1, 1, 1).
    pure function cell_of(grid, point) result(cell)
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: point(3)
       integer(int64) :: cell(3)
 
-      cell = floor((point - grid%origin)/grid%edge, int64) + 1
+      cell = floor(point/grid%edge, int64) + 1
    end function cell_of
 
    pure integer(int64) function cell_number(grid, cell)
@@ -268,96 +271,84 @@ contains
       cell_number = cell(1) + grid%cells(1)*(cell(2) + grid%cells(2)*cell(3))
    end function cell_number
 
-   !> Partners of a box within its grid: later ones of its own cell, and those of half of the cells around.
-   subroutine visit_own_grid(a, b, reach, grid, box, list)
-      real(dp), intent(in) :: a(:, :), b(:, :), reach(:)
+   !> Partners of a box within its grid that come later in the order of layers, rows and boxes.
+   subroutine visit_own_grid(grid, box, list)
       type(grid_t), intent(in) :: grid
       integer, intent(in) :: box
       type(pair_list_t), intent(inout) :: list
-      integer(int64) :: cell, row, layer
+      integer(int64) :: own(3), first(3), last(3), j, k
 
-      cell = grid%cell(box)
-      row = grid%cells(1)
-      layer = row*grid%cells(2)
-      call visit_cells(a, b, reach, grid, cell, cell, box + 1, grid%segment(box), grid%corners(:3, box), &
-         grid%corners(4:, box), list)
-      call visit(cell + 1, cell + 1)
-      call visit(cell + row - 1, cell + row + 1)
-      call visit(cell + layer - row - 1, cell + layer - row + 1)
-      call visit(cell + layer - 1, cell + layer + 1)
-      call visit(cell + layer + row - 1, cell + layer + row + 1)
-
-   contains
-
-      subroutine visit(first_cell, last_cell)
-         integer(int64), intent(in) :: first_cell, last_cell
-
-         call visit_cells(a, b, reach, grid, first_cell, last_cell, 1, grid%segment(box), grid%corners(:3, box), &
-            grid%corners(4:, box), list)
-      end subroutine visit
-
+      own = cell_of(grid, real(grid%corners(:3, box), dp))
+      first = cell_of(grid, grid%corners(:3, box) - grid%width)
+      last = cell_of(grid, real(grid%corners(4:, box), dp))
+      call visit_row(grid, box, grid, [own(1), last(1)], own(2), own(3), box + 1, list)
+      do j = own(2) + 1, last(2)
+         call visit_row(grid, box, grid, [first(1), last(1)], j, own(3), 1, list)
+      end do
+      do k = own(3) + 1, last(3)
+         do j = first(2), last(2)
+            call visit_row(grid, box, grid, [first(1), last(1)], j, k, 1, list)
+         end do
+      end do
    end subroutine visit_own_grid
 
-   !> Partners of a box in the grids of larger boxes.
-   subroutine visit_coarser_grids(a, b, reach, grids, g, box, list)
-      real(dp), intent(in) :: a(:, :), b(:, :), reach(:)
-      type(grid_t), intent(in) :: grids(:)
-      !> Grid of the box
-      integer, intent(in) :: g, box
+   !> Partners of a box in a grid of larger boxes.
+   subroutine visit_coarser_grid(grid, box, coarser, list)
+      !> The box and its grid
+      type(grid_t), intent(in) :: grid
+      integer, intent(in) :: box
+      type(grid_t), intent(in) :: coarser
       type(pair_list_t), intent(inout) :: list
       integer(int64) :: first(3), last(3), j, k
-      integer :: coarser
 
-      do coarser = 1, g - 1
-         associate (grid => grids(coarser), lower => grids(g)%corners(:3, box), &
-            upper => grids(g)%corners(4:, box))
-            first = max(1_int64, cell_of(grid, lower - grid%edge))
-            last = min(grid%cells - 2, cell_of(grid, upper))
-            if (any(first > last)) cycle
-            do k = first(3), last(3)
-               do j = first(2), last(2)
-                  call visit_cells(a, b, reach, grid, cell_number(grid, [first(1), j, k]), &
-                     cell_number(grid, [last(1), j, k]), 1, grids(g)%segment(box), lower, upper, list)
-               end do
-            end do
-         end associate
-      end do
-   end subroutine visit_coarser_grids
-
-   !> Note all boxes of a row of cells, from the box `from` on, whose segments are near the given one.
-   subroutine visit_cells(a, b, reach, grid, first_cell, last_cell, from, segment, lower, upper, list)
-      real(dp), intent(in) :: a(:, :), b(:, :), reach(:)
-      type(grid_t), intent(in) :: grid
-      integer(int64), intent(in) :: first_cell, last_cell
-      integer, intent(in) :: from, segment
-      !> Box of a piece of the segment
-      real(dp), intent(in) :: lower(3), upper(3)
-      type(pair_list_t), intent(inout) :: list
-      integer(int64) :: cell, entry, more
-      integer :: box, other
-      real(dp) :: separation
-
-      cell = first_cell
-      do while (cell <= last_cell)
-         entry = iand(cell, grid%mask)
-         ! cells that follow one another have entries that do, up to the end of the table
-         more = min(last_cell - cell, grid%mask - entry)
-         do box = max(from, grid%start(entry)), grid%start(entry + more + 1) - 1
-            associate (corners => grid%corners(:, box))
-               separation = max( &
-                  max(max(corners(1) - upper(1), lower(1) - corners(4)), max(corners(2) - upper(2), lower(2) - corners(5))), &
-                  max(corners(3) - upper(3), lower(3) - corners(6)))
-            end associate
-            if (separation > 0) cycle
-            if (grid%cell(box) < cell .or. grid%cell(box) > cell + more) cycle
-            other = grid%segment(box)
-            if (other == segment) cycle
-            if (segment_distance(a(:, segment), b(:, segment), grid%ends(:3, box), grid%ends(4:6, box)) &
-               <= reach(segment) + grid%ends(7, box)) call append(list, min(segment, other), max(segment, other))
+      first = cell_of(coarser, grid%corners(:3, box) - coarser%width)
+      last = cell_of(coarser, real(grid%corners(4:, box), dp))
+      do k = first(3), last(3)
+         do j = first(2), last(2)
+            call visit_row(grid, box, coarser, [first(1), last(1)], j, k, 1, list)
          end do
-         cell = cell + more + 1
       end do
-   end subroutine visit_cells
+   end subroutine visit_coarser_grid
+
+   !> Note all boxes of a row of cells, from the box `from` on, whose segments are near that of the given box.
+   !> A box of another row that is folded onto the same entries can only be noted rightly, and once more.
+   subroutine visit_row(grid, box, other_grid, range, j, k, from, list)
+      !> The box and its grid
+      type(grid_t), intent(in) :: grid
+      integer, intent(in) :: box
+      !> Where the row is: cells `range` along x, and their places along y and z
+      type(grid_t), intent(in) :: other_grid
+      integer(int64), intent(in) :: range(2), j, k
+      integer, intent(in) :: from
+      type(pair_list_t), intent(inout) :: list
+      integer(int64) :: entry, left, more
+      integer :: other, first
+      real(sp) :: corners(6)
+      logical :: apart
+
+      corners = grid%corners(:, box)
+      first = from
+      entry = iand(cell_number(other_grid, [range(1), j, k]), other_grid%mask)
+      left = range(2) - range(1)
+      do while (left >= 0)
+         ! cells that follow one another have entries that do, up to the end of the table
+         more = min(left, other_grid%mask - entry)
+         do other = max(first, other_grid%start(entry)), other_grid%start(entry + more + 1) - 1
+            associate (others => other_grid%corners(:, other))
+               apart = max(max(max(others(1) - corners(4), corners(1) - others(4)), &
+                  max(others(2) - corners(5), corners(2) - others(5))), &
+                  max(others(3) - corners(6), corners(3) - others(6))) > 0
+            end associate
+            if (apart) cycle
+            if (other_grid%segment(other) == grid%segment(box)) cycle
+            if (are_near(grid%ends(:, box), other_grid%ends(:, other))) call append(list, &
+               min(grid%segment(box), other_grid%segment(other)), max(grid%segment(box), other_grid%segment(other)))
+         end do
+         entry = 0
+         first = 1
+         left = left - more - 1
+      end do
+   end subroutine visit_row
 
    pure subroutine append(list, i, j)
       type(pair_list_t), intent(inout) :: list
@@ -445,17 +436,18 @@ contains
       end do
    end subroutine sort_once
 
-   !> Least distance between two straight segments, also where they are parallel or have no length.
+   !> Whether the least distance between two straight segments is at most the sum of their reaches, also where they are
+   !> parallel or have no length.
    !>
    !> Source: minimum of a convex quadratic over the unit square, by clamping one parameter after the other.
-   pure real(dp) function segment_distance(a1, a2, b1, b2) result(distance)
-      !> End points (3) [m]
-      real(dp), intent(in) :: a1(3), a2(3), b1(3), b2(3)
+   pure logical function are_near(a, b)
+      !> End points and reach (7) [m]
+      real(dp), intent(in) :: a(7), b(7)
       real(dp) :: u(3), v(3), w(3), uu, uv, vv, uw, vw, s, t, determinant
 
-      u = a2 - a1
-      v = b2 - b1
-      w = a1 - b1
+      u = a(4:6) - a(1:3)
+      v = b(4:6) - b(1:3)
+      w = a(1:3) - b(1:3)
       uu = dot_product(u, u)
       uv = dot_product(u, v)
       vv = dot_product(v, v)
@@ -468,7 +460,7 @@ contains
       if (vv > 0) t = clamp((uv*s + vw)/vv)
       if (uu > 0) s = clamp((uv*t - uw)/uu)
       if (vv > 0) t = clamp((uv*s + vw)/vv)
-      distance = norm2(w + s*u - t*v)
+      are_near = sum((w + s*u - t*v)**2) <= (a(7) + b(7))**2
 
    contains
 
@@ -478,6 +470,6 @@ contains
          clamp = max(0.0_dp, min(1.0_dp, value))
       end function clamp
 
-   end function segment_distance
+   end function are_near
 
 end module litz_contact_search

@@ -66,14 +66,9 @@ def contact_search(
         raise ValueError("skin must be 0 or positive, and finite")
     if len(connectivity) < 2:
         return np.empty((0, 2), dtype=np.int64)
-    ends = x[connectivity].transpose(1, 2, 0)
-    capacity = 8 * len(connectivity)
-    while True:
-        pairs, count = _core.f2py_search.near_segments(capacity, ends[0], ends[1], radius + skin / 2)
-        if count <= capacity:
-            break
-        capacity = count
-    pairs = pairs[:, :count].T.astype(np.int64) - 1
+    first, last = x[connectivity[:, 0]], x[connectivity[:, 1]]
+    count = _core.f2py_search.find_near_segments(first.T, last.T, radius + skin / 2)
+    pairs = _core.f2py_search.take_near_segments(count).T.astype(np.int64) - 1
     first, second = connectivity[pairs[:, 0]], connectivity[pairs[:, 1]]
     joined = (first[:, :, None] == second[:, None, :]).any(axis=(1, 2))
     return pairs[~joined]
