@@ -36,10 +36,17 @@ class Results:
 
     Examples
     --------
-    >>> results = litz.Results("crossing.vtkhdf")
-    >>> results.field("potential")                   # at the last increment
-    >>> results.history["resistance PLUS to MINUS"]  # over time
-    >>> results.contacts_at(-1)["force"]
+    After ``litz run inputs/01_crossed_wires.inp``:
+
+    >>> import litz
+    >>> results = litz.Results("01_crossed_wires.vtkhdf")
+    >>> results.field("potential").shape                                # (n_nodes,) at the last increment
+    (24,)
+    >>> print(f"{results.field('potential').max():g} V")
+    0.001 V
+    >>> resistance = results.history["resistance PLUS to MINUS"]        # over time
+    >>> print(f"{1e3 * resistance[-1]:.3f} mohm, {results.contacts_at(-1)['force'][0]:.2f} N")
+    0.936 mohm, 0.90 N
     """
 
     def __init__(self, path: str | Path):
@@ -78,7 +85,7 @@ class Results:
 
     @cached_property
     def heading(self) -> str:
-        """The *HEADING of the deck."""
+        """The ``*HEADING`` of the deck."""
         with self._open() as file:
             return _text(file["litz"].attrs["heading"])
 

@@ -83,17 +83,31 @@ def program_environment():
 
 
 def run(deck, *, output_directory=".", solver=None, threads=None, restart=None, quiet=True):
-    """Run a deck and return its `litz.Results`.
+    """Run a deck and read its results.
 
-    deck              path of the .inp file
-    output_directory  where the result files go; made when it is not there
-    solver            "block", "umfpack" or "skyline" in place of what the deck says
-    threads           number of threads
-    restart           restart file to go on from, or "FILE:STEP:INCREMENT"; what *RESTART, WRITE has kept
-    quiet             False: print what the program prints, as it comes
+    Parameters
+    ----------
+    deck : path
+        The .inp file.
+    output_directory : path
+        Where the result files go; made when it is not there.
+    solver : {"block", "umfpack", "skyline"}, optional
+        In place of what the deck says.
+    threads : int, optional
+        Number of threads.
+    restart : path or str, optional
+        Restart file to go on from, or "FILE:STEP:INCREMENT"; what ``*RESTART, WRITE`` has kept.
+    quiet : bool
+        False: print what the program prints, as it comes.
 
-    Raises `InputError`, `NotConvergedError`, `SolverError`, `FileError`, `InternalError` or `OutOfMemoryError`, all of
-    them `LitzError`.
+    Returns
+    -------
+    Results
+
+    Raises
+    ------
+    InputError, NotConvergedError, SolverError, FileError, InternalError, OutOfMemoryError
+        All of them `LitzError`, with the message of the program.
     """
     deck, output_directory = Path(deck), Path(output_directory)
     command = [program_path(), "run", deck, "-o", output_directory]

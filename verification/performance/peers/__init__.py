@@ -5,16 +5,13 @@ The scripts of this folder but this one are run by the interpreters of these env
 
 import json
 import subprocess
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
+from verification import environments
 from verification.performance.process import Run, run_process
-
-ROOT = Path(__file__).parents[3]
-ENVIRONMENTS = ROOT / ".venv" / "peers"
 
 #: Packages of each program
 PACKAGES = {
@@ -45,19 +42,7 @@ class PeerRun:
 
 def interpreter(name):
     """Python of a program's environment, which is made when it is not there."""
-    python = ENVIRONMENTS / name.lower() / "bin" / "python"
-    ready = python.parent.parent / "ready"
-    if not ready.exists():
-        print(f"making an environment for {name} ...", flush=True)
-        for command in (
-            [sys.executable, "-m", "venv", "--clear", python.parent.parent],
-            [python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *PACKAGES[name]],
-        ):
-            done = subprocess.run(list(map(str, command)), capture_output=True, text=True, check=False)
-            if done.returncode != 0:
-                raise RuntimeError(f"{name} could not be installed: {done.stderr.strip().splitlines()[-1]}")
-        ready.touch()
-    return python
+    return environments.interpreter(f"peers/{name.lower()}", name, PACKAGES[name])
 
 
 def version(name):

@@ -1,0 +1,61 @@
+"""Settings of Sphinx; `./setup docs` (build.py beside this file) runs it."""
+
+import importlib.metadata
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+import pages  # noqa: E402
+
+ROOT = Path(__file__).parents[2]
+
+project = "litz"
+author = "The litz authors"
+copyright = "The litz authors, MIT licence"
+release = version = pages.declared_version()
+
+extensions = [
+    "myst_parser",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.napoleon",
+    "sphinx.ext.mathjax",
+    "sphinx.ext.viewcode",
+    "sphinx_copybutton",
+    "pages",
+]
+exclude_patterns = ["site"]
+nitpicky = False
+suppress_warnings = ["myst.strikethrough"]
+
+myst_enable_extensions = ["dollarmath", "amsmath", "deflist"]
+myst_heading_anchors = 4
+myst_url_schemes = ["http", "https"]
+
+# Names of the fences, see tests/documents.py; a deck has no lexer of its own.
+highlight_language = "text"
+pygments_style = "friendly"
+
+autodoc_typehints = "none"
+autodoc_member_order = "bysource"
+napoleon_google_docstring = False
+napoleon_use_rtype = False
+
+html_theme = "furo"
+html_title = f"litz {release}"
+html_static_path = ["static"]
+html_css_files = ["litz.css"]
+html_show_sourcelink = False
+html_copy_source = False
+html_theme_options = {
+    "light_css_variables": {"color-brand-primary": "#9a4a16", "color-brand-content": "#9a4a16"},
+    "dark_css_variables": {"color-brand-primary": "#e89a5f", "color-brand-content": "#e89a5f"},
+}
+
+# One file of MathJax, fonts included, out of a package of the Python index: pages need no network.
+mathjax_path = "tex-svg.js"
+mathjax_files = [
+    file.locate()
+    for file in importlib.metadata.files("sphinx-mathjax-offline")
+    if file.name == "tex-svg.js"
+]
+html_extra_path = []

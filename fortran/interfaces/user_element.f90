@@ -1,0 +1,125 @@
+!> The contact element as other finite-element programs want it: four nodes with seven unknowns each, node by node.
+!>
+!> Nodes: barred 1, barred 2, 1, 2. Unknowns of a node: displacements, rotations, voltage (`ux uy uz phix phiy phiz v`).
+!> The wires are straight between their nodes before they are loaded. `abaqus_uel.f90` and `feap_elmt.f90` are made of it.
+module litz_user_element
+   use litz_kinds, only: dp, pi
+   use litz_contact_em, only: contact_em, contact_em_t, contact_active, contact_open, contact_beyond, &
+      contact_parallel, contact_not_unique, contact_not_converged, contact_unknown_law, contact_bad_table
+   use litz_rotations, only: rotation_exp
+   implicit none
+   private
+   public :: user_contact, n_unknowns, n_history, n_properties, n_options
+   public :: option_normal_law, option_spot_law, option_axis, option_voltage, option_rotations
+   public :: history_side, history_gap, history_force, history_resistance, history_current, history_energy
+   ! what `info` may be
+   public :: contact_active, contact_open, contact_beyond, contact_parallel, contact_not_unique, &
+      contact_not_converged, contact_unknown_law, contact_bad_table
+
+   integer, parameter :: n_unknowns = 28
+   !> Numbers that are kept for each element. The side must be that of the last converged state; the others are results: gap [m],
+   !> force [N], resistance of the spot [ohm], current from the barred to the unbarred wire [A], elastic energy [J]
+   integer, parameter :: n_history = 6, history_side = 1, history_gap = 2, history_force = 3, history_resistance = 4, &
+      history_current = 5, history_energy = 6
+   !> Properties, each of the barred and the unbarred wire: radius [m], Young's modulus [Pa], Poisson's ratio [-],
+   !> resistivity [ohm m]; then the penalty [N/m] and the number of the spot law (PLASTIC: hardness [Pa], FILM: film
+   !> resistivity [ohm m^2], CONSTANT: resistance [ohm]). Pairs of force [N] and resistance [ohm] of TABLE may follow.
+   integer, parameter :: n_properties = 10
+   !> Options: normal law, spot law and axis by the numbers of litz_laws; voltage 0 linear, 1 corrected; rotations
+   !> 0 spins (the program multiplies rotations), 1 additive (it adds the components of rotation vectors)
+   integer, parameter :: n_options = 5, option_normal_law = 1, option_spot_law = 2, option_axis = 3, &
+      option_voltage = 4, option_rotations = 5
+
+   !> Places of the unknowns of each node among those of `contact_em`
+   integer, parameter :: place(7, 4) = reshape([ &
+      1, 2, 3, 4, 5, 6, 25, &
+      7, 8, 9, 10, 11, 12, 26, &
+      13, 14, 15, 16, 17, 18, 27, &
+      19, 20, 21, 22, 23, 24, 28], [7, 4])
+
+contains
+
+   !> Tangent and residual of one pair of elements.
+   pure subroutine user_contact(coordinates, u, properties, options, history, k, r, info)
+      !> Positions of the nodes before loading (3, 4) [m]
+      real(dp), intent(in) :: coordinates(3, 4)
+      !> Displacements [m], rotation vectors [rad] and voltages [V] (7, 4), all of them totals
+      real(dp), intent(in) :: u(7, 4)
+      !> (`n_properties` and more), (`n_options`)
+      real(dp), intent(in) :: properties(:)
+      integer, intent(in) :: options(:)
+      !> (`n_history`): in, those of the last converged state (zeros at the start); out, the present ones
+      real(dp), intent(inout) :: history(:)
+      !> Tangent (28, 28) and residual (28), internal minus external: forces [N], moments [N m], currents leaving [A]
+      real(dp), intent(out) :: k(28, 28), r(28)
+      !> `contact_active`, `contact_open` or `contact_beyond`; what is negative is a failure, and `k` and `r` are zero
+      integer, intent(out) :: info
+      real(dp) :: x(3, 4), t(3, 4), length(2), k_paper(28, 28), r_paper(28)
+      type(contact_em_t) :: contact
+      integer :: order(28)
+
+      call present_shape(coordinates, u, x, t, length)
+      associate (radius => properties(1:2), young => properties(3:4), poisson => properties(5:6), &
+         resistivity => properties(7:8), penalty => properties(9), law_value => properties(10), &
+         table_force => properties(n_properties + 1::2), table_resistance => properties(n_properties + 2::2), &
+         side => nint(history(history_side)))
+         if (options(option_rotations) == 0) then
+            call contact_em(x, t, length, u(7, :), radius, young, poisson, resistivity, options(option_normal_law), &
+               penalty, options(option_spot_law), law_value, table_force, table_resistance, options(option_axis), side, &
+               series_resistance(options, length, radius, resistivity), k_paper, r_paper, contact, info)
+         else
+            call contact_em(x, t, length, u(7, :), radius, young, poisson, resistivity, options(option_normal_law), &
+               penalty, options(option_spot_law), law_value, table_force, table_resistance, options(option_axis), side, &
+               series_resistance(options, length, radius, resistivity), k_paper, r_paper, contact, info, u(4:6, :))
+         end if
+      end associate
+      order = reshape(place, [28])
+      k = k_paper(order, order)
+      r = r_paper(order)
+      history(:n_history) = 0
+      history(history_gap) = contact%gap
+      if (info /= contact_active) return
+      history(history_side) = contact%side
+      history(history_force) = contact%force
+      history(history_resistance) = contact%resistance
+      history(history_current) = contact%current
+      history(history_energy) = stored_energy(options(option_normal_law), contact%force, contact%gap)
+   end subroutine user_contact
+
+   !> Positions and unit tangents of the nodes as they are now, and lengths as they were.
+   pure subroutine present_shape(coordinates, u, x, t, length)
+      real(dp), intent(in) :: coordinates(3, 4), u(7, 4)
+      real(dp), intent(out) :: x(3, 4), t(3, 4), length(2)
+      real(dp) :: chord(3)
+      integer :: node, beam
+
+      x = coordinates + u(1:3, :)
+      do node = 1, 4
+         beam = (node + 1)/2
+         chord = coordinates(:, 2*beam) - coordinates(:, 2*beam - 1)
+         length(beam) = norm2(chord)
+         t(:, node) = matmul(rotation_exp(u(4:6, node)), chord/length(beam))
+      end do
+   end subroutine present_shape
+
+   !> rho L0/(4 A) of both wires [ohm], or 0 where the voltage is to be the linear one (theory section 7).
+   pure function series_resistance(options, length, radius, resistivity) result(series)
+      integer, intent(in) :: options(:)
+      real(dp), intent(in) :: length(2), radius(2), resistivity(2)
+      real(dp) :: series(2)
+
+      series = 0
+      if (options(option_voltage) == 1) series = resistivity*length/(4*pi*radius**2)
+   end function series_resistance
+
+   !> Energy of the normal law [J]: F g/2 of the penalty, 2 F delta/5 of Hertz, where F goes with delta^(3/2).
+   pure real(dp) function stored_energy(normal_law, force, gap) result(energy)
+      use litz_laws, only: normal_hertz
+      integer, intent(in) :: normal_law
+      real(dp), intent(in) :: force, gap
+
+      energy = -force*gap/2
+      if (normal_law == normal_hertz) energy = -2*force*gap/5
+   end function stored_energy
+
+end module litz_user_element

@@ -1,0 +1,3 @@
+   double precision :: hr
+   integer :: mr
+   common /comblk/ hr(1024), mr(1024)

@@ -1,0 +1,236 @@
+!> The user elements of Abaqus and FEAP give what `contact_em` gives, in their order, with their signs.
+!>
+!> Both are called as the manuals of those programs say they call them; the headers of FEAP are stand-ins with its names.
+program test_user_elements
+   use litz_kinds, only: dp
+   use litz_contact_em, only: contact_em, contact_em_t, contact_active
+   use litz_laws, only: axis_hermite, normal_linear, spot_hertz
+   use litz_rotations, only: rotation_exp
+   use litz_user_element, only: n_history, n_properties, n_options, history_side, history_gap, history_force, &
+      history_current, history_energy
+   implicit none
+   include 'hdata.h'
+   include 'comblk.h'
+
+   real(dp), parameter :: length = 0.02_dp, radius = 1.0e-3_dp, overlap = 2.0e-6_dp, penalty = 1.0e6_dp
+   real(dp), parameter :: properties(n_properties) = [radius, radius, 120.0e9_dp, 100.0e9_dp, 0.34_dp, 0.3_dp, &
+      1.7e-8_dp, 2.0e-8_dp, penalty, 0.0_dp]
+   integer, parameter :: tangent_and_residual = 1, tangent = 2, mass = 4, residual = 5
+   real(dp) :: coordinates(3, 4), u(7, 4), k(28, 28), r(28), svars(n_history), pnewdt, elastic
+   integer :: options(n_options)
+
+   coordinates = reshape([-0.5_dp, 0.0_dp, 0.0_dp, 0.5_dp, 0.1_dp, 0.0_dp, -0.1_dp, -0.4_dp, 0.0_dp, 0.1_dp, &
+      0.6_dp, 0.0_dp]*length, [3, 4])
+   coordinates(3, 1:2) = 2*radius - overlap
+   options = [normal_linear, spot_hertz, axis_hermite, 0, 0]
+   u = 0
+   u(4:6, :) = reshape([0.02_dp, -0.03_dp, 0.1_dp, -0.05_dp, 0.01_dp, 0.2_dp, 0.03_dp, 0.02_dp, -0.1_dp, 0.01_dp, &
+      -0.02_dp, 0.15_dp], [3, 4])
+   u(3, 1:2) = -3.0e-4_dp
+   u(7, :) = [2.0e-3_dp, 1.0e-3_dp, 0.0_dp, -1.0e-3_dp]
+
+   call test_abaqus_equals_the_kernel()
+   call test_abaqus_gives_what_it_is_asked_for()
+   call test_the_tangent_is_the_derivative()
+   call test_feap_equals_abaqus_with_additive_rotations()
+   call test_a_pair_that_is_apart_gives_nothing()
+   call test_parallel_wires_ask_for_a_shorter_increment()
+
+contains
+
+   !> Against the kernel, entry by entry: node n has rows 7n-6 to 7n-1 and 7n.
+   subroutine test_abaqus_equals_the_kernel()
+      real(dp) :: x(3, 4), t(3, 4), k_kernel(28, 28), r_kernel(28), lengths(2), no_table(0)
+      type(contact_em_t) :: contact
+      integer :: info, node, other, i, j
+
+      lengths = [norm2(coordinates(:, 2) - coordinates(:, 1)), norm2(coordinates(:, 4) - coordinates(:, 3))]
+      x = coordinates + u(1:3, :)
+      do node = 1, 4
+         other = (node + 1)/2*2
+         t(:, node) = matmul(rotation_exp(u(4:6, node)), coordinates(:, other) - coordinates(:, other - 1))
+         t(:, node) = t(:, node)/norm2(t(:, node))
+      end do
+      call contact_em(x, t, lengths, u(7, :), properties(1:2), properties(3:4), properties(5:6), properties(7:8), &
+         normal_linear, penalty, spot_hertz, 0.0_dp, no_table, no_table, axis_hermite, 0, [0.0_dp, 0.0_dp], k_kernel, &
+         r_kernel, contact, info)
+      call expect(info == contact_active .and. contact%current > 0, 'the wires touch, and current flows')
+
+      svars = 0
+      call call_uel(tangent_and_residual, k, r)
+      do node = 1, 4
+         do i = 1, 6
+            call expect(near(-r(7*(node - 1) + i), r_kernel(6*(node - 1) + i)), 'forces and moments at their places')
+            do other = 1, 4
+               do j = 1, 6
+                  call expect(near(k(7*(node - 1) + i, 7*(other - 1) + j), &
+                     k_kernel(6*(node - 1) + i, 6*(other - 1) + j)), 'stiffness at its place')
+               end do
+               call expect(near(k(7*other, 7*(node - 1) + i), k_kernel(24 + other, 6*(node - 1) + i)), 'coupling')
+            end do
+         end do
+         call expect(near(-r(7*node), r_kernel(24 + node)), 'currents at their places')
+         do other = 1, 4
+            call expect(near(k(7*node, 7*other), k_kernel(24 + node, 24 + other)), 'conductances at their places')
+         end do
+      end do
+      call expect(near(svars(history_gap), contact%gap), 'gap')
+      call expect(near(svars(history_force), contact%force), 'force')
+      call expect(near(svars(history_current), contact%current), 'current')
+      call expect(nint(svars(history_side)) == contact%side, 'side')
+      call expect(near(elastic, penalty*contact%gap**2/2), 'energy of the penalty')
+      call expect(svars(history_energy) > 0, 'energy is kept')
+   end subroutine test_abaqus_equals_the_kernel
+
+   subroutine test_abaqus_gives_what_it_is_asked_for()
+      real(dp) :: k_asked(28, 28), r_asked(28)
+
+      call call_uel(tangent, k_asked, r_asked)
+      call expect(all(near(k_asked, k)) .and. all(near(r_asked, 0.0_dp)), 'tangent alone')
+      call call_uel(residual, k_asked, r_asked)
+      call expect(all(near(k_asked, 0.0_dp)) .and. all(near(r_asked, r)), 'residual alone')
+      call call_uel(mass, k_asked, r_asked)
+      call expect(all(near(k_asked, 0.0_dp)) .and. all(near(r_asked, 0.0_dp)), 'contact has no mass')
+   end subroutine test_abaqus_gives_what_it_is_asked_for
+
+   !> Central differences of the right-hand side; truncation and round-off are near 1e-7 of the largest entry of a block.
+   subroutine test_the_tangent_is_the_derivative()
+      real(dp), parameter :: step = 1.0e-8_dp, allowed = 1.0e-5_dp
+      real(dp) :: unused(28, 28), above(28), below(28), difference(28, 28)
+      integer :: i, j, node
+
+      options(5) = 1
+      svars = 0
+      call call_uel(tangent_and_residual, k, r)
+      do i = 1, 28
+         node = (i + 6)/7
+         j = i - 7*(node - 1)
+         u(j, node) = u(j, node) + step
+         call call_uel(residual, unused, above)
+         u(j, node) = u(j, node) - 2*step
+         call call_uel(residual, unused, below)
+         u(j, node) = u(j, node) + step
+         difference(:, i) = -(above - below)/(2*step)
+      end do
+      do i = 1, 28
+         do j = 1, 28
+            call expect(abs(k(i, j) - difference(i, j)) <= allowed*scale_of(i, j), 'the tangent is the derivative')
+         end do
+      end do
+      call call_uel(residual, unused, above)
+   end subroutine test_the_tangent_is_the_derivative
+
+   !> Largest entry of the tangent among those of the same unit.
+   real(dp) function scale_of(i, j) result(scale)
+      integer, intent(in) :: i, j
+      integer :: p, q
+
+      scale = 0
+      do p = 1, 28
+         do q = 1, 28
+            if (kind_of(p) == kind_of(i) .and. kind_of(q) == kind_of(j)) scale = max(scale, abs(k(p, q)))
+         end do
+      end do
+   end function scale_of
+
+   !> 1: displacement, 2: rotation, 3: voltage
+   pure integer function kind_of(i)
+      integer, intent(in) :: i
+
+      kind_of = merge(3, 1 + (mod(i - 1, 7))/3, mod(i, 7) == 0)
+   end function kind_of
+
+   subroutine test_feap_equals_abaqus_with_additive_rotations()
+      real(dp) :: d(n_properties + n_options), s(28, 28), p(28), ul(7, 4, 3)
+      integer :: ix(4)
+
+      ix = [1, 2, 3, 4]
+      ul = 0
+      call elmt01(d, ul, coordinates, ix, [0.0_dp], s, p, 7, 3, 28, 1)
+      call expect(nh1 == n_history, 'FEAP is told how many numbers to keep')
+      nh1 = 1
+      nh2 = nh1 + n_history
+      hr(:nh2 + n_history) = 0
+      ul(:, :, 1) = u
+      call elmt01(d, ul, coordinates, ix, [0.0_dp], s, p, 7, 3, 28, 3)
+      call expect(all(near(s, k)) .and. all(near(p, r)), 'tangent and residual')
+      call expect(all(near(hr(nh2:nh2 + n_history - 1), svars)), 'what is kept')
+      call expect(all(near(hr(nh1:nh1 + n_history - 1), 0.0_dp)), 'the converged state is not touched')
+      s = 0
+      call elmt01(d, ul, coordinates, ix, [0.0_dp], s, p, 7, 3, 28, 6)
+      call expect(all(near(s, 0.0_dp)) .and. all(near(p, r)), 'residual alone')
+   end subroutine test_feap_equals_abaqus_with_additive_rotations
+
+   subroutine test_a_pair_that_is_apart_gives_nothing()
+      u(3, 1:2) = u(3, 1:2) + 10*radius
+      call call_uel(tangent_and_residual, k, r)
+      call expect(all(near(k, 0.0_dp)) .and. all(near(r, 0.0_dp)), 'no contact')
+      call expect(svars(history_gap) > 0 .and. nint(svars(history_side)) == 0, 'the gap is told, the side forgotten')
+   end subroutine test_a_pair_that_is_apart_gives_nothing
+
+   subroutine test_parallel_wires_ask_for_a_shorter_increment()
+      u = 0
+      coordinates(:, 3) = coordinates(:, 1) - [0.0_dp, 0.0_dp, radius]
+      coordinates(:, 4) = coordinates(:, 2) - [0.0_dp, 0.0_dp, radius]
+      call call_uel(tangent_and_residual, k, r)
+      call expect(pnewdt < 1, 'shorter')
+   end subroutine test_parallel_wires_ask_for_a_shorter_increment
+
+   !> As Abaqus calls a user element in a static step; the history is put back, as for every iteration.
+   subroutine call_uel(wanted, amatrx, rhs)
+      integer, intent(in) :: wanted
+      real(dp), intent(out) :: amatrx(28, 28), rhs(28)
+      real(dp) :: right(28, 1), energy(8), du(28, 1), still(28), nothing(1), none(1, 1), field(2, 1, 4)
+      integer :: no_loads(1, 1)
+
+      right = 0
+      energy = 0
+      du = 0
+      still = 0
+      nothing = 0
+      none = 0
+      field = 0
+      no_loads = 0
+      pnewdt = 1
+      call uel(right, amatrx, svars, energy, 28, 1, n_history, properties, n_properties, coordinates, 3, 4, &
+         reshape(u, [28]), du, still, still, 1, [1.0_dp, 1.0_dp], 1.0_dp, 1, 1, 1, nothing, 0, no_loads, none, field, 1, &
+         [1, 1, wanted, 0, 0], 28, none, 1, pnewdt, options, n_options, 1.0_dp)
+      rhs = right(:, 1)
+      elastic = energy(2)
+   end subroutine call_uel
+
+   !> Equal but for the order of the operations.
+   elemental logical function near(a, b)
+      real(dp), intent(in) :: a, b
+
+      near = abs(a - b) <= 1.0e-12_dp*max(abs(a), abs(b))
+   end function near
+
+   subroutine expect(condition, what)
+      logical, intent(in) :: condition
+      character(len=*), intent(in) :: what
+
+      if (condition) return
+      print '(2a)', 'does not hold: ', what
+      error stop 1
+   end subroutine expect
+
+end program test_user_elements
+
+!> FEAP's reader of numbers, here with those of the test.
+logical function tinput(words, n_words, numbers, n_numbers)
+   use litz_kinds, only: dp
+   use litz_laws, only: axis_hermite, normal_linear, spot_hertz
+   implicit none
+   integer, intent(in) :: n_words, n_numbers
+   character(len=*), intent(in) :: words(*)
+   real(dp), intent(out) :: numbers(n_numbers)
+   real(dp), parameter :: radius = 1.0e-3_dp
+
+   tinput = n_words /= 0 .or. len(words(1)) < 15
+   if (n_numbers == 10) then
+      numbers = [radius, radius, 120.0e9_dp, 100.0e9_dp, 0.34_dp, 0.3_dp, 1.7e-8_dp, 2.0e-8_dp, 1.0e6_dp, 0.0_dp]
+   else
+      numbers = [real(normal_linear, dp), real(spot_hertz, dp), real(axis_hermite, dp), 0.0_dp]
+   end if
+end function tinput
