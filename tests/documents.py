@@ -11,8 +11,8 @@
 
 After the words "Save this as `NAME`:" a block is put into that file for those that follow.
 
-A block that cannot be tried out says why in its first line, where readers see it: `# not run by the tests: REASON`, with the comment
-sign of its language. A fence of another language, or of none, is an error.
+A block that cannot be tried out says why in its first line, where readers see it: `# not run by the tests: REASON`,
+with the comment sign of its language. A fence of another language, or of none, is an error.
 """
 
 import re
@@ -23,7 +23,9 @@ from pathlib import Path
 ROOT = Path(__file__).parents[1]
 LANGUAGES = frozenset(["python", "sh", "inp", "fortran", "output", "diff"])
 
-_FENCE = re.compile(r"^(?P<indent> *)(?P<mark>`{3,})(?P<language>[^\n`]*)\n(?P<text>.*?)^(?P=indent)(?P=mark)[ \t]*$", re.M | re.S)
+_FENCE = re.compile(
+    r"^(?P<indent> *)(?P<mark>`{3,})(?P<language>[^\n`]*)\n(?P<text>.*?)^(?P=indent)(?P=mark)[ \t]*$", re.M | re.S
+)
 _SAVED = re.compile(r"Save this as `([^`]+)`:\s*\Z")
 _NOT_RUN = re.compile(r"\A(?:#|!|\*\*) not run by the tests: (?P<reason>\S.*)$", re.M)
 

@@ -80,6 +80,7 @@ def test_a_file_holds_the_one_module_of_its_name(path):
 @pytest.mark.parametrize("path", SOURCES, ids=lambda path: str(path.relative_to(FORTRAN)))
 def test_every_source_is_built(path):
     # a file that no meson.build names is dead
-    recipe = FORTRAN.parent / "python" if floor(path) == "interfaces" else FORTRAN / path.relative_to(FORTRAN).parts[0]
-    recipe = FORTRAN if floor(path) == "main" else recipe
-    assert re.search(rf"\b{path.name}'", (recipe / "meson.build").read_text(encoding="utf-8"))
+    folders = {"main": [FORTRAN], "interfaces": [FORTRAN, FORTRAN.parent / "python", FORTRAN.parent / "tests"]}
+    recipes = folders.get(floor(path), [FORTRAN / path.relative_to(FORTRAN).parts[0]])
+    text = "".join((folder / "meson.build").read_text(encoding="utf-8") for folder in recipes)
+    assert re.search(rf"\b{path.name}'", text)

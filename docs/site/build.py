@@ -1,6 +1,6 @@
 """Builds the documentation: Sphinx for the pages, FORD for the Fortran sources. `./setup docs` runs it.
 
-    python docs/site/build.py [-o DIRECTORY] [--no-fortran]
+    python docs/site/build.py [-o DIRECTORY]
 
 Exit code 0: everything was built, without a warning, and every link inside the site leads somewhere.
 """
@@ -22,7 +22,7 @@ from verification.environments import interpreter  # noqa: E402
 PACKAGES = ("sphinx", "furo", "myst-parser", "sphinx-copybutton", "sphinx-mathjax-offline", "ford")
 
 
-def build(directory, with_fortran=True):
+def build(directory):
     """Build the site into a directory, which is replaced. Returns the exit code of the first program that fails, or 0."""
     python = interpreter("docs", "the documentation", PACKAGES)
     # The pages of the Python package are made from the package itself, which needs what it is installed with here.
@@ -32,7 +32,7 @@ def build(directory, with_fortran=True):
     sphinx = [python, "-m", "sphinx", "-W", "--keep-going", "-q", "-c", SITE, "-d", doctrees, ROOT / "docs", directory]
     ford = [python, "-m", "ford", "-q", "-o", directory / "fortran", SITE / "ford.md"]
     links = [python, SITE / "links.py", directory]
-    for command in [sphinx, ford, links] if with_fortran else [sphinx, links]:
+    for command in (sphinx, ford, links):
         environment = {**os.environ, "PYTHONPATH": own} if command is sphinx else os.environ
         done = subprocess.run(list(map(str, command)), env=environment, check=False)
         if done.returncode != 0:
@@ -45,9 +45,8 @@ def main():
     """Read the arguments, build, say where the site is."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("-o", "--output", type=Path, default=ROOT / "results" / "docs", metavar="DIRECTORY")
-    parser.add_argument("--no-fortran", action="store_true", help="leave out the pages of the Fortran sources")
     arguments = parser.parse_args()
-    code = build(arguments.output.resolve(), not arguments.no_fortran)
+    code = build(arguments.output.resolve())
     if code == 0:
         print(f"documentation: {arguments.output / 'index.html'}")
     return code

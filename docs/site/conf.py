@@ -5,13 +5,13 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
-import pages  # noqa: E402
+import pages
 
 ROOT = Path(__file__).parents[2]
 
 project = "litz"
 author = "The litz authors"
-copyright = "The litz authors, MIT licence"
+project_copyright = "The litz authors, MIT licence"
 release = version = pages.declared_version()
 
 extensions = [
@@ -54,8 +54,6 @@ html_theme_options = {
 # One file of MathJax, fonts included, out of a package of the Python index: pages need no network.
 mathjax_path = "tex-svg.js"
 mathjax_files = [
-    file.locate()
-    for file in importlib.metadata.files("sphinx-mathjax-offline")
-    if file.name == "tex-svg.js"
+    file.locate() for file in importlib.metadata.files("sphinx-mathjax-offline") if file.name == "tex-svg.js"
 ]
 html_extra_path = []

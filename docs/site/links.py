@@ -37,7 +37,9 @@ def broken_links(folder):
             if target.is_dir():
                 target /= "index.html"
             anchor = unquote(parts.fragment)
-            if not target.is_file() or (anchor and target in pages and not has_anchor(folder, target, pages[target], anchor)):
+            if not target.is_file() or (
+                anchor and target in pages and not has_anchor(folder, target, pages[target], anchor)
+            ):
                 broken.append((str(path.relative_to(folder)), link))
     return sorted(set(broken))
 

@@ -4,6 +4,7 @@ import re
 import shutil
 import sys
 from pathlib import Path
+from typing import ClassVar
 
 from pygments.lexer import RegexLexer
 from pygments.token import Comment, Keyword, Name, Number, Operator, Text
@@ -23,7 +24,7 @@ class DeckLexer(RegexLexer):
 
     name = "Abaqus deck"
     aliases = ("inp",)
-    tokens = {
+    tokens: ClassVar = {
         "root": [
             (r"^\*\*.*$", Comment),
             (r"^\*[A-Za-z][^,\n]*", Keyword),
@@ -47,7 +48,9 @@ def claims_table():
             lines += ["", f"### {case}", "", f"Source: {plain(claim.source)}.", ""]
             lines += ["| quantity | reference | tolerance | why this tolerance |", "|---|---|---|---|"]
         what = f"{plain(claim.title)}: {plain(claim.quantity)}" + (f" [{claim.unit}]" if claim.unit.strip("-") else "")
-        lines.append(f"| {what} | {reference(claim)} | {claim.tolerance:g} ({claim.comparison}) | {plain(claim.reason)} |")
+        lines.append(
+            f"| {what} | {reference(claim)} | {claim.tolerance:g} ({claim.comparison}) | {plain(claim.reason)} |"
+        )
     return "\n".join(lines)
 
 
@@ -83,8 +86,8 @@ class LatestReport(SphinxDirective):
             target = Path(self.env.app.outdir) / "verification_report.html"
             target.parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(report, target)
-            text = '<p><a href="verification_report.html">The latest report</a>: measured values beside the claims, with pictures.</p>'
-            text = "```{raw} html\n" + text + "\n```"
+            link = '<a href="verification_report.html">The latest report</a>'
+            text = f"```{{raw}} html\n<p>{link}: measured values beside the claims, with pictures.</p>\n```"
         return self.parse_text_to_nodes(text)
 
 

@@ -7,9 +7,11 @@ import shutil
 import subprocess
 import sys
 from dataclasses import replace
-from pathlib import Path
+from importlib import import_module
 
 import pytest
+
+import litz as litz_package
 from documents import LANGUAGES, ROOT, blocks, documents, setup_commands
 
 DOCUMENTS = documents()
@@ -31,7 +33,9 @@ def test_blocks_are_found():
 
 
 def test_every_block_says_what_it_is():
-    unknown = [f"{block.place}: {block.language or 'no language'}" for block in BLOCKS if block.language not in LANGUAGES]
+    unknown = [
+        f"{block.place}: {block.language or 'no language'}" for block in BLOCKS if block.language not in LANGUAGES
+    ]
     assert not unknown, f"allowed are {sorted(LANGUAGES)}"
 
 
@@ -209,7 +213,16 @@ def contact_element(litz_program):
 @in_language("fortran")
 def test_fortran_compiles_without_a_warning(block, contact_element, tmp_path):
     (tmp_path / "block.f90").write_text(block.text)
-    command = ["gfortran", "-std=f2008", "-Wall", "-Wextra", "-Wno-maybe-uninitialized", "-c", contact_element, "block.f90"]
+    command = [
+        "gfortran",
+        "-std=f2008",
+        "-Wall",
+        "-Wextra",
+        "-Wno-maybe-uninitialized",
+        "-c",
+        contact_element,
+        "block.f90",
+    ]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr) == (0, ""), f"{block.place}: {done.stderr}"
 
@@ -226,6 +239,14 @@ def test_the_deck_reference_is_what_the_program_prints(litz):
     printed = litz("keywords", "--markdown")
     assert printed.returncode == 0, printed.stderr
     assert (ROOT / "docs" / "deck_reference.md").read_text(encoding="utf-8") == printed.stdout
+
+
+@pytest.mark.parametrize("name", litz_package.__all__)
+def test_every_public_name_is_in_the_python_reference(name):
+    page = (ROOT / "docs" / "python_reference.md").read_text(encoding="utf-8")
+    modules = [sys.modules[module] for module in re.findall(r"automodule:: (\S+)", page) if import_module(module)]
+    named = re.findall(r"auto\w+:: litz\.(\w+)", page)
+    assert name in named or any(name in module.__all__ for module in modules)
 
 
 MODULES = sorted(path.relative_to(ROOT / "python") for path in (ROOT / "python" / "litz").rglob("*.py"))
