@@ -165,7 +165,8 @@ contains
          associate (point => problem%contact%points(i))
             write (line, '(a, i0, a, i0, a, f6.2, a, es11.3, a)') '  elements ', model%element_id(point%element_bar), &
                ' and ', model%element_id(point%element), ': crossing angle ', &
-               min(point%kinematics%angle, pi - point%kinematics%angle)*180/pi, ' degrees, gap ', point%gap, ' m'
+               min(point%kinematics%angle, pi - point%kinematics%angle)*180/pi, ' degrees, gap ', point%gap, &
+               ' '//trim(model%units%length)
             report = report//trim(line)//new_line('a')
          end associate
       end do
@@ -216,7 +217,8 @@ contains
          associate (point => contact%points(worst), pair => model%contact_pairs(contact%points(worst)%pair))
             write (text, '(a, i0, a, i0, a, es9.2, a, f0.1, a, i0, a)') 'the wires of elements ', &
                model%element_id(point%element_bar), ' and ', model%element_id(point%element), &
-               ' overlap at the start by', -point%gap, ' m, that is ', -100*point%gap/minval(radii(point)), &
+               ' overlap at the start by', -point%gap, ' '//trim(model%units%length)//', that is ', &
+               -100*point%gap/minval(radii(point)), &
                ' % of the smaller radius (allowed: 1 %; ', n_refused, &
                ' crossings overlap in all); move the wires apart, or add INTERFERENCE FIT to *CONTACT PAIR'
             error = fail(exit_input, trim(text))
@@ -465,7 +467,8 @@ contains
 
       if (allocated(model%heading)) write (output_unit, '(a)') trim(model%heading)
       if (len(warning) > 0) write (output_unit, '(a)') warning
-      write (output_unit, '(a)') ' step   inc  att iters     time [s]  increment [s]  contacts  sum of F [N]'
+      write (output_unit, '(a)') model%units%in_header( &
+         ' step   inc  att iters     time [s]  increment [s]  contacts  sum of F [N]')
    end subroutine print_header
 
    subroutine print_end(problem, options)
@@ -490,11 +493,13 @@ contains
       if (.not. outcome%converged) return
       if (.not. any(problem%model%steps(problem%state%step)%requests%kind == request_contact)) return
       do i = 1, size(problem%state%contacts)
-         associate (contact => problem%state%contacts(i), id => problem%model%element_id)
+         associate (contact => problem%state%contacts(i), id => problem%model%element_id, &
+            units => problem%model%units)
             write (output_unit, '(6x, a, i0, a, i0, a, i0, a, es11.4, a, es11.4, a, es11.4, a, es11.4, a)') &
                'contact ', contact%id, ' (elements ', id(contact%element_bar), ', ', id(contact%element), &
-               '): gap ', contact%gap, ' m, force ', contact%force, ' N, resistance ', contact%resistance, &
-               ' ohm, current ', contact%current, ' A'
+               '): gap ', contact%gap, ' '//units%label('m')//', force ', contact%force, &
+               ' '//units%label('N')//', resistance ', contact%resistance, &
+               ' '//units%label('ohm')//', current ', contact%current, ' '//units%label('A')
          end associate
       end do
    end subroutine print_contacts

@@ -308,7 +308,7 @@ contains
          if (model%interactions(model%contact_pairs(contact%pair)%interaction)%normal_law == normal_linear) then
             words = words//': a penalty of '// &
                to_text(contact%force/(allowed_penetration*smaller_radius(model, contact)))// &
-               ' N/m at least would hold it; '
+               ' '//model%units%label('N/m')//' at least would hold it; '
          else
             words = words//': the law of Hertz is for smaller ones; '
          end if

@@ -54,13 +54,14 @@ contains
       allocate (self%last_elements(2, 0))
       if (allocated(state%contacts)) call remember(state%contacts, self%last_elements)
       call self%table%create(table_path, error)
-      call self%table%write_line(header, error)
+      call self%table%write_line(model%units%in_header(header), error)
       call self%table%flush(error)
       call self%file%create(points_path, 1, 1, most_written_increments(model), error)
       call hdf5_create_group(self%file%file, 'litz', self%litz_group, error)
       call hdf5_write_attribute(self%litz_group, 'format_version', format_version, error)
       call hdf5_write_attribute(self%litz_group, 'version', version, error)
       call hdf5_write_attribute(self%litz_group, 'finished', 0, error)
+      self%file%units = model%units
       call add_fields(self%file, error)
    end subroutine ledger_open
 

@@ -40,8 +40,9 @@ contains
          i = maxloc(abs(points%iteration_force - points%force), 1, points%active .or. points%closed)
          words = 'The least settled contact is that of the elements '// &
             to_text(problem%model%element_id(points(i)%element_bar))//' and '// &
-            to_text(problem%model%element_id(points(i)%element))//' (gap '//to_text(points(i)%gap)//' m, force '// &
-            to_text(points(i)%force)//' N). '
+            to_text(problem%model%element_id(points(i)%element))//' (gap '//to_text(points(i)%gap)//' '// &
+            problem%model%units%label('m')//', force '//to_text(points(i)%force)//' '// &
+            problem%model%units%label('N')//'). '
       end associate
    end function worst_contact
 

@@ -87,9 +87,9 @@ contains
       call self%history%build(model, error)
       call self%wires%open(model, base//'.vtkhdf', error)
       call self%ledger%open(model, state, base//'_contacts.csv', base//'_contacts.vtkhdf', error)
-      call begin_table(self%history_file, base//'_history.csv', self%history%header(), error)
-      call begin_table(self%status_file, base//'.sta', increment_header(), error)
-      call begin_table(self%convergence_file, base//'.cvg', iteration_header(), error)
+      call begin_table(self%history_file, base//'_history.csv', model%units%in_header(self%history%header()), error)
+      call begin_table(self%status_file, base//'.sta', model%units%in_header(increment_header()), error)
+      call begin_table(self%convergence_file, base//'.cvg', model%units%in_header(iteration_header()), error)
       if (allocated(error)) call close_files(self, .false., ignored)
    end subroutine results_open
 

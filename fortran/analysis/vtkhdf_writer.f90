@@ -9,6 +9,7 @@
 module litz_vtkhdf_writer
    use litz_kinds, only: dp, int64
    use litz_errors, only: error_t, fail, exit_internal
+   use litz_unit_labels, only: unit_labels_t
    use litz_hdf5_helpers, only: hid_t, hdf5_rows_t, hdf5_real, hdf5_integer, hdf5_byte, hdf5_start, hdf5_create_file, &
       hdf5_create_group, hdf5_flush, hdf5_publish_file, hdf5_close_file, hdf5_discard_file, hdf5_write_attribute
    implicit none
@@ -37,6 +38,8 @@ module litz_vtkhdf_writer
    end type vtkhdf_field_t
 
    type :: vtkhdf_file_t
+      !> What the units of the fields are called
+      type(unit_labels_t) :: units
       integer(hid_t) :: file = -1
       integer :: n_steps = 0
       !> The file is in its place, or comes there with its first step
@@ -133,7 +136,7 @@ contains
       field%name = name
       field%place = place
       field%components = components
-      field%unit = unit
+      field%unit = self%units%label(unit)
       field%description = description
       if (present(is_integer)) field%is_integer = is_integer
       call field%rows%create(self%data_group(place), name, components, &

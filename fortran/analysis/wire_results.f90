@@ -56,6 +56,7 @@ contains
 
       call self%file%create(path, model%n_nodes, model%n_elements, most_written_increments(model), error)
       call self%file%write_cells(vtk_line, model%connectivity, model%n_nodes, error)
+      self%file%units = model%units
       call add_point_fields(self%file, model%n_nodes, error)
       call add_cell_fields(self%file, model%n_elements, error)
       call write_static_fields(self%file, model, error)

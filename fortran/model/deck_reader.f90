@@ -4,8 +4,9 @@ module litz_deck_reader
    use litz_deck_scanner, only: scan_deck
    use litz_growing_text, only: growing_text_t
    use litz_keyword_table, only: keyword_table
+   use litz_deck, only: token_t
    use litz_model, only: model_t
-   use litz_reader, only: reader_t, fail_at, keyword_of
+   use litz_reader, only: reader_t, fail_at, keyword_of, parameter_of
    use litz_card_checks, only: check_cards
    use litz_read_mesh, only: read_mesh
    use litz_sets, only: read_sets
@@ -13,6 +14,7 @@ module litz_deck_reader
    use litz_read_contact, only: read_interactions, read_contact_pairs
    use litz_read_steps, only: read_steps
    use litz_model_checks, only: finding_t, check_connections
+   use litz_unit_labels, only: unit_length
    implicit none
    private
    public :: read_deck
@@ -48,6 +50,7 @@ contains
          return
       end if
       call read_heading(self, model)
+      call read_units(self, model)
       call read_mesh(self, model)
       if (self%missed_mesh) return
       call read_sets(self, model)
@@ -91,6 +94,45 @@ contains
       ! the last line has no end
       model%heading = model%heading(:len(model%heading) - 1)
    end subroutine read_heading
+
+   !> *UNITS: labels, which go into heads of tables, where blanks and brackets mean something.
+   subroutine read_units(self, model)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(inout) :: model
+      logical :: found
+      integer :: card
+
+      found = .false.
+      do card = 1, self%deck%n_cards
+         if (keyword_of(self, card) /= 'UNITS') cycle
+         if (found) call fail_at(self, self%deck%cards(card)%name, 'the deck has two *UNITS')
+         found = .true.
+         call read_label(self, card, 'LENGTH', model%units%length)
+         call read_label(self, card, 'FORCE', model%units%force)
+         call read_label(self, card, 'TIME', model%units%time)
+         call read_label(self, card, 'CURRENT', model%units%current)
+         call read_label(self, card, 'VOLTAGE', model%units%voltage)
+      end do
+   end subroutine read_units
+
+   subroutine read_label(self, card, quantity, label)
+      type(reader_t), intent(inout) :: self
+      integer, intent(in) :: card
+      character(len=*), intent(in) :: quantity
+      character(len=unit_length), intent(inout) :: label
+      type(token_t) :: token
+      character(len=:), allocatable :: text
+
+      token = parameter_of(self, card, quantity)
+      if (token%last < token%first) return
+      text = self%deck%text(token)
+      if (len(text) > unit_length .or. scan(text, ' []/^()') > 0) then
+         call fail_at(self, token, 'a label of a unit has at most 12 letters, without blanks, brackets, / and ^; '// &
+            'found '//self%deck%shown(token))
+      else
+         label = text
+      end if
+   end subroutine read_label
 
    !> What the checks of the whole model found, at the line of the element it is about.
    subroutine report_findings(self, model, warnings)

@@ -69,7 +69,7 @@ contains
       text = '# Deck reference'//nl//nl// &
          'Written by `litz keywords --markdown` from the table that also drives the checks of the reader.'//nl//nl// &
          'A line `** ...` is a comment. Case and blanks around commas do not matter. A keyword line that ends'// &
-         ' with a comma goes on in the next line. Units are SI.'//nl
+         ' with a comma goes on in the next line. Units are SI, or other consistent ones (*UNITS).'//nl
       do i = 1, table%n
          text = text//nl//markdown_section(table%keywords(i))
       end do

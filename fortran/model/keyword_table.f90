@@ -46,6 +46,17 @@ contains
       call k%add_data([text_field('text', 'any text')], required=.false., last=0)
       call finish(table, k)
 
+      call begin(k, 'UNITS', place_model, &
+         'What the units of the numbers in the deck are called, in heads of tables, result files, pictures and'// &
+         ' messages (own word of litz). Labels only: nothing is converted, the units must be consistent (the unit of'// &
+         ' moments is that of force times that of length, that of resistance voltage over current).')
+      call k%add(name('LENGTH', 'label of the unit of length, such as mm; m without it'))
+      call k%add(name('FORCE', 'label of the unit of force; N without it'))
+      call k%add(name('TIME', 'label of the unit of time; s without it'))
+      call k%add(name('CURRENT', 'label of the unit of current; A without it'))
+      call k%add(name('VOLTAGE', 'label of the unit of voltage; V without it'))
+      call finish(table, k)
+
       call begin(k, 'INCLUDE', place_both, &
          'Reads another file in place of this line. A path that does not begin with /'// &
          ' is relative to the directory of the file that holds the line. Data lines may stand in a file of their own.')

@@ -3,6 +3,7 @@
 !> Node and element indices run from 1 without gaps; `node_id` and `element_id` hold the user's numbers.
 module litz_model
    use litz_kinds, only: dp
+   use litz_unit_labels, only: unit_labels_t
    use litz_laws, only: axis_linear, axis_hermite, normal_linear, normal_hertz, stick_mindlin, stick_elastic_slip, &
       stick_stiffness, spot_none, spot_paper, spot_hertz, spot_plastic, spot_film, spot_constant, spot_table
    use litz_solver_names, only: solver_default, solver_block, solver_umfpack, solver_skyline
@@ -175,6 +176,8 @@ module litz_model
       character(len=:), allocatable :: heading
       !> The deck as it was read, all included files in place
       character(len=:), allocatable :: deck_text
+      !> What the units of the numbers are called
+      type(unit_labels_t) :: units
       integer :: n_nodes = 0, n_elements = 0
       integer, allocatable :: node_id(:)
       !> Reference positions (3, n_nodes) [m]

@@ -10,6 +10,7 @@ module litz_model_summary
    use litz_parts, only: parts_t, find_parts
    use litz_solver_names, only: solver_default, solver_keyword
    use litz_text, only: to_text, plural
+   use litz_unit_labels, only: unit_labels_t
    implicit none
    private
    public :: model_summary
@@ -65,9 +66,10 @@ contains
          character(len=:), allocatable :: line
 
          associate (this => model%materials(m))
-            line = 'material '//this%name//': E = '//to_text(this%young)//' Pa, nu = '//to_text(this%poisson)
+            line = 'material '//this%name//': E = '//to_text(this%young)//' '//model%units%label('Pa')//', nu = '//to_text(this%poisson)
             if (this%conductivity > 0) then
-               line = line//', sigma = '//to_text(this%conductivity)//' S/m'//nl
+               line = line//', sigma = '//to_text(this%conductivity)//' '// &
+                  model%units%label('S/m')//nl
             else
                line = line//', insulator'//nl
             end if
@@ -83,15 +85,26 @@ contains
 
       associate (this => model%sections(s))
          text = 'section of '//this%element_set//' ('//plural(count(model%element_section == s), 'element')//', '// &
-            model%materials(this%material)%name//'): A = '//to_text(this%area)//' m^2, I2 = '//to_text(this%i2)// &
-            ' m^4, I3 = '//to_text(this%i3)//' m^4, J = '//to_text(this%j)//' m^4, GA2 = '//to_text(this%ga2)// &
-            ' N, GA3 = '//to_text(this%ga3)//' N'
-         if (this%contact_radius > 0) text = text//', contact radius '//to_text(this%contact_radius)//' m'
+            model%materials(this%material)%name//'): A = '//with_unit(this%area, 'm^2')//', I2 = '// &
+            with_unit(this%i2, 'm^4')//', I3 = '//with_unit(this%i3, 'm^4')//', J = '//with_unit(this%j, 'm^4')// &
+            ', GA2 = '//with_unit(this%ga2, 'N')//', GA3 = '//with_unit(this%ga3, 'N')
+         if (this%contact_radius > 0) text = text//', contact radius '//with_unit(this%contact_radius, 'm')
          if (norm2(this%n1) > 0) text = text//', n1 = ('//to_text(this%n1(1))//', '//to_text(this%n1(2))//', '// &
             to_text(this%n1(3))//')'
          if (this%current_length) text = text//', conduction over the current length'
       end associate
       text = text//nl
+
+   contains
+
+      pure function with_unit(value, unit) result(words)
+         real(dp), intent(in) :: value
+         character(len=*), intent(in) :: unit
+         character(len=:), allocatable :: words
+
+         words = to_text(value)//' '//model%units%label(unit)
+      end function with_unit
+
    end function section_lines
 
    pure function set_lines(what, sets) result(text)
@@ -119,23 +132,24 @@ contains
          else
             line = line//' with '//model%element_sets(pair%set)%name//': '
          end if
-         line = line//interaction_words(model%interactions(pair%interaction))
+         line = line//interaction_words(model%interactions(pair%interaction), model%units)
          if (pair%interference_fit) line = line//', interference fit'
       end associate
       line = line//nl
    end function pair_line
 
-   pure function interaction_words(interaction) result(words)
+   pure function interaction_words(interaction, units) result(words)
       type(interaction_t), intent(in) :: interaction
+      type(unit_labels_t), intent(in) :: units
       character(len=:), allocatable :: words
 
       words = interaction%name//', '//trim(merge('Hermite', 'linear ', interaction%axis == axis_hermite))//' axis, '
       if (interaction%normal_law == normal_linear) then
-         words = words//'penalty '//to_text(interaction%penalty)//' N/m'
+         words = words//'penalty '//to_text(interaction%penalty)//' '//units%label('N/m')
       else
          words = words//'Hertz force'
       end if
-      if (interaction%friction > 0) words = words//friction_words(interaction)
+      if (interaction%friction > 0) words = words//friction_words(interaction, units)
       if (interaction%unlimited_penetration) words = words//', unlimited penetration'
       if (interaction%spot_law == spot_none) then
          words = words//', no current'
@@ -144,11 +158,11 @@ contains
       words = words//', spot '//trim(spot_names(interaction%spot_law))
       select case (interaction%spot_law)
       case (spot_plastic)
-         words = words//' with hardness '//to_text(interaction%spot_value)//' Pa'
+         words = words//' with hardness '//to_text(interaction%spot_value)//' '//units%label('Pa')
       case (spot_film)
-         words = words//' with film '//to_text(interaction%spot_value)//' ohm m^2'
+         words = words//' with film '//to_text(interaction%spot_value)//' '//units%label('ohm m^2')
       case (spot_constant)
-         words = words//' of '//to_text(interaction%spot_value)//' ohm'
+         words = words//' of '//to_text(interaction%spot_value)//' '//units%label('ohm')
       case (spot_table)
          words = words//' of '//plural(size(interaction%table_force), 'point')
       end select
@@ -156,16 +170,17 @@ contains
       words = words//', '//trim(merge('corrected', 'linear   ', interaction%voltage_correction))//' voltage'
    end function interaction_words
 
-   pure function friction_words(interaction) result(words)
+   pure function friction_words(interaction, units) result(words)
       type(interaction_t), intent(in) :: interaction
+      type(unit_labels_t), intent(in) :: units
       character(len=:), allocatable :: words
 
       words = ', friction '//to_text(interaction%friction)
       select case (interaction%stick_law)
       case (stick_elastic_slip)
-         words = words//' with elastic slip '//to_text(interaction%stick_value)//' m'
+         words = words//' with elastic slip '//to_text(interaction%stick_value)//' '//units%label('m')
       case (stick_stiffness)
-         words = words//' with stick stiffness '//to_text(interaction%stick_value)//' N/m'
+         words = words//' with stick stiffness '//to_text(interaction%stick_value)//' '//units%label('N/m')
       end select
    end function friction_words
 
@@ -178,13 +193,13 @@ contains
       associate (step => model%steps(s))
          text = 'step '//to_text(s)
          if (len(step%title) > 0) text = text//' ('//step%title//')'
-         text = text//': time '//to_text(step%total)//' s, '
+         text = text//': time '//to_text(step%total)//' '//trim(model%units%time)//', '
          if (step%direct) then
-            text = text//'increments of '//to_text(step%first)//' s'
+            text = text//'increments of '//to_text(step%first)//' '//trim(model%units%time)
          else
             text = text//'increments first '//to_text(step%first)//', smallest '//to_text(step%smallest)// &
                ', largest '// &
-               to_text(step%largest)//' s'
+               to_text(step%largest)//' '//trim(model%units%time)
          end if
          text = text//', at most '//to_text(step%max_increments)//solver_words(step)//nl
          text = text//value_lines('prescribed', step%boundary)//value_lines('loads', step%load)// &

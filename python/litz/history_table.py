@@ -19,7 +19,7 @@ def history_table(results: "Results") -> str:
     number, force = _contacts(results)
     columns = [history["time"], number, force, *(history[name] for name in shown)]
     heads = ["time", "contacts", "contact force", *shown]
-    units = ["s", "", "N", *(history.units[name] for name in shown)]
+    units = [results.unit_labels["s"], "", results.unit_labels["N"], *(history.units[name] for name in shown)]
 
     rows = np.unique(np.linspace(0, history.n_rows - 1, min(history.n_rows, _MOST_ROWS)).round().astype(int))
     cells = [heads, [f"[{unit}]" if unit else "" for unit in units]]

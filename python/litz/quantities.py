@@ -1,21 +1,29 @@
 """Units with prefixes, for axes and legends."""
 
+import re
+
 import numpy as np
 
 _PREFIXES = {-15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
+_SI = frozenset(["m", "N", "Nm", "A", "V", "W", "J", "Pa", "S", "ohm"])
 _SYMBOLS = {"ohm": "Ω", "A/m^2": "A/m²", "N m": "N·m", "Nm": "N·m", "1": ""}
 
 
 def engineering(values: np.ndarray, unit: str) -> tuple[float, str]:
     """Factor and unit that bring the largest of the values between 1 and 1000, such as (1000, "mV").
 
-    Dimensionless values and times stay as they are.
+    Dimensionless values, times, and units that a deck has given a label of its own (`*UNITS`) stay as they are.
+
+    Examples
+    --------
+    >>> engineering(np.array([0.002]), "V"), engineering(np.array([0.002]), "mm")
+    ((1000.0, 'mV'), (1.0, 'mm'))
     """
     symbol = _SYMBOLS.get(unit, unit)
     finite = np.abs(np.asarray(values, dtype=float))
     finite = finite[np.isfinite(finite)]
     largest = finite.max() if finite.size else 0.0
-    if symbol in ("", "s") or largest == 0:
+    if re.split(r"[ /^]", unit)[0] not in _SI or symbol in ("", "s") or largest == 0:
         return 1.0, symbol
     # a value that rounds up to 1000 takes the next prefix
     exponent = int(np.clip(3 * np.floor(np.log10(largest * (1 + 1e-9)) / 3), min(_PREFIXES), max(_PREFIXES)))

@@ -202,6 +202,36 @@ class Results:
         return {name: attributes.get("unit", "") for name, attributes in self._attributes.items()}
 
     @cached_property
+    def unit_labels(self) -> dict[str, str]:
+        """What the units of the deck are called (`*UNITS`), by their SI symbols: m, N, s, A, V, N m, W, ohm, J."""
+        fields, ledger = self.units, self.contacts.units
+        return {
+            "m": fields["displacement"],
+            "N": fields["reaction_force"],
+            "s": ledger["time"],
+            "A": fields["reaction_current"],
+            "V": fields["potential"],
+            "N m": fields["reaction_moment"],
+            "W": fields["joule_heat"],
+            "ohm": ledger["resistance"],
+            "J": ledger["dissipation"],
+        }
+
+    def unit(self, name: str) -> str:
+        """Unit of a field, or of a column of the contacts or the history; "1" where it has none.
+
+        Examples
+        --------
+        >>> results.unit("displacement"), results.unit("resistance")    # doctest: +SKIP
+        ('m', 'ohm')
+        """
+        for units in (self.units, self.contacts.units, self.history.units):
+            if name in units:
+                return units[name] or "1"
+        known = [*self.units, *self.contacts.units, *self.history.units]
+        raise KeyError(unknown_name("field or column", name, known))
+
+    @cached_property
     def point_fields(self) -> frozenset[str]:
         """Names of the fields over nodes; the others are over elements."""
         with self._open() as file:

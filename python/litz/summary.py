@@ -45,28 +45,32 @@ def _last_increment(results: "Results") -> str:
     potential = results.field("potential")
     contacts = results.contacts_at(-1)
     entering = results.field("reaction_current") + results.field("applied_current")
+    unit = results.unit_labels
     heat_wires, heat_contacts = results.field("joule_heat").sum(), contacts["joule_heat"].sum()
     lines = [
-        f"at time {results.times[-1]:g} s (step {results.steps[-1]}, increment {results.increments[-1]}):",
-        f"  largest displacement   {size.max():12.5g} m    at node {results.node_ids[size.argmax()]}",
-        f"  potential              {potential.min():12.5g} V    to {potential.max():.5g} V",
+        f"at time {results.times[-1]:g} {unit['s']} (step {results.steps[-1]}, increment {results.increments[-1]}):",
+        f"  largest displacement   {size.max():12.5g} {unit['m']:4} at node {results.node_ids[size.argmax()]}",
+        f"  potential              {potential.min():12.5g} {unit['V']:4} to {potential.max():.5g} {unit['V']}",
         f"  contacts               {contacts.n_rows:12d}",
     ]
     if contacts.n_rows:
         force = contacts["force"]
         lines.append(
-            f"  contact forces         {force.min():12.5g} N    to {force.max():.5g} N, sum {force.sum():.5g} N"
+            f"  contact forces         {force.min():12.5g} {unit['N']:4} to {force.max():.5g} {unit['N']}, "
+            f"sum {force.sum():.5g} {unit['N']}"
         )
     if heat_wires + heat_contacts > 0:
         lines += [
-            f"  electric power in      {potential @ entering:12.5g} W",
+            f"  electric power in      {potential @ entering:12.5g} {unit['W']}",
             (
-                f"  Joule heat             {heat_wires + heat_contacts:12.5g} W    "
-                f"(wires {heat_wires:.5g} W, contacts {heat_contacts:.5g} W)"
+                f"  Joule heat             {heat_wires + heat_contacts:12.5g} {unit['W']:4} "
+                f"(wires {heat_wires:.5g} {unit['W']}, contacts {heat_contacts:.5g} {unit['W']})"
             ),
         ]
     history = results.history
-    lines += [f"  {name}  {history[name][-1]:.8g} ohm" for name in history if name.startswith("resistance ")]
+    lines += [
+        f"  {name}  {history[name][-1]:.8g} {history.units[name]}" for name in history if name.startswith("resistance ")
+    ]
     return "\n".join(lines)
 
 

@@ -16,7 +16,7 @@ WIRE = {"radius": 1e-3, "material": COPPER}
 
 def crossed(**contact):
     """Two crossed copper wires with a step that presses them together."""
-    model = litz.Model("crossed")
+    model = litz.Model("crossed", units={"length": "m"})
     lower = model.wire("LOWER", (-0.05, 0, 0), (0.05, 0, 0), elements=9, **WIRE)
     upper = model.wire("UPPER", (0, -0.05, 2e-3), (0, 0.05, 2e-3), elements=9, **WIRE)
     model.contact(lower, upper, **{"conductance": litz.HertzSpot(), **contact})
@@ -164,7 +164,7 @@ def test_the_program_accepts_all_that_can_be_said(litz_program, tmp_path):
     assert "step 3" in done.stdout
     used = {card.name for card in litz.Deck.read(deck)}
     not_built = {"INCLUDE", "MESH", "EL FILE"}
-    assert set(litz.keywords()) - used - {"UNITS"} == not_built
+    assert set(litz.keywords()) - used == not_built
 
 
 def test_an_increment_alone_is_the_first_and_the_largest():
