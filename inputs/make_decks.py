@@ -20,10 +20,9 @@ Model    Eight layers of 16 straight copper fibres of 0.1 mm radius, layers alon
          1 mV between the electrodes.
 Contact  Hertz and Holm, between neighbouring layers. Copper this thin would yield: the forces are those of elastic wires.
 Source   litz.build.fibre_mat, called in inputs/make_decks.py.
-Expect   The resistance falls at every increment after first touch, to 0.14 mohm. Kirchhoff's laws for the wires and contacts
-         of `contact_network` of `litz.Results` give 0.130 mohm: the linear potential of an element knows each of several
-         contacts alone. The difference of 9 % falls to 3.4 % with elements half as long. Each contact has the
-         resistance that Holm gives for its force. Electrodes and frame balance each other.""".splitlines()
+Expect   The resistance falls at every increment after first touch, to 0.13 mohm. Kirchhoff's laws for the wires and contacts
+         of `contact_network` of `litz.Results` give the same to nine digits. Each contact has the resistance that Holm gives
+         for its force. Electrodes and frame balance each other.""".splitlines()
     return model
 
 

@@ -96,9 +96,9 @@ contains
             ! the current enters within the elements: their heat includes what the linear voltage misses
             associate (point => contact%points(i))
                state%joule_heat(point%element_bar) = state%joule_heat(point%element_bar) &
-                  + point%current**2*point%missed_resistance(1)
+                  + point%heat_inside(1)
                state%joule_heat(point%element) = state%joule_heat(point%element) &
-                  + point%current**2*point%missed_resistance(2)
+                  + point%heat_inside(2)
             end associate
          end do
          contact%converged = contact%points

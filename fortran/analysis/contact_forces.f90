@@ -20,6 +20,7 @@ module litz_contact_forces
    use litz_model, only: model_t, normal_hertz, spot_none, spot_hertz, spot_film
    use litz_normal_law, only: normal_force_of_ellipse, hertz_approach_of_ellipse
    use litz_parallel, only: worth_threads
+   use litz_shared_conductors, only: collect_shared
    use litz_timing, only: timing_t, phase_contact, phase_assembly
    use litz_wires, only: wires_t
    implicit none
@@ -150,6 +151,8 @@ contains
             call timing%lap(phase_assembly)
          end associate
       end do
+      call share_currents(model, iterate%potential, contact, forces)
+      call timing%lap(phase_contact)
 
    contains
 
@@ -212,7 +215,8 @@ contains
          call contact_electricity(point%kinematics, iterate%potential(nodes_p), point%conductance, &
             dg_dforce*dforce_dgap, dg_dangle + dg_dforce*dforce_dangle, series, electricity)
          point%current = electricity%current
-         point%missed_resistance = series*(1 - [point%xi_bar, point%xi]**2)
+         point%series_resistance = series
+         point%heat_inside = point%current**2*series*(1 - [point%xi_bar, point%xi]**2)
          point%voltage_gap = electricity%voltage_gap
          k_ee_p = electricity%k_ee
          r_e_p = electricity%r_e
@@ -238,6 +242,41 @@ contains
 
    end subroutine assemble_contacts
 
+   !> Where contacts share elements their currents depend on each other: what that changes (theory section 7).
+   subroutine share_currents(model, potential, contact, forces)
+      type(model_t), intent(in) :: model
+      real(dp), intent(in) :: potential(:)
+      type(contact_set_t), intent(inout) :: contact
+      type(forces_t), intent(inout) :: forces
+      integer, allocatable :: together(:), pairs(:, :), nodes(:, :)
+      real(dp), allocatable :: current(:), rise(:, :), voltage(:)
+      integer :: i, k
+
+      associate (points => contact%points)
+         together = pack([(i, i=1, size(points))], [(points(i)%conductance > 0 .and. &
+            any(points(i)%series_resistance > 0), i=1, size(points))])
+         pairs = reshape([(points(together(k))%element_bar, points(together(k))%element, k=1, size(together))], &
+            [2, size(together)])
+         nodes = reshape([(model%connectivity(:, pairs(1, k)), model%connectivity(:, pairs(2, k)), &
+            k=1, size(together))], [4, size(together)])
+         call collect_shared(pairs, nodes, reshape([(points(together(k))%xi_bar, points(together(k))%xi, &
+            k=1, size(together))], [2, size(together)]), reshape([(points(together(k))%series_resistance, &
+            k=1, size(together))], [2, size(together)]), 1/points(together)%conductance, contact%shared)
+         if (.not. contact%shared%present) return
+         voltage = contact%shared%voltages(potential)
+         allocate (current(size(together)), rise(2, size(together)))
+         call contact%shared%currents(voltage, current, rise)
+         call contact%shared%add_beyond(voltage, current, forces%internal(7, :))
+         do k = 1, size(together)
+            associate (point => points(together(k)))
+               point%current = current(k)
+               point%voltage_gap = current(k)/point%conductance
+               point%heat_inside = current(k)*[-rise(1, k), rise(2, k)]
+            end associate
+         end do
+      end associate
+   end subroutine share_currents
+
    elemental subroutine clear_results(point)
       type(contact_point_t), intent(inout) :: point
 
@@ -246,7 +285,8 @@ contains
       point%conductance = 0
       point%current = 0
       point%voltage_gap = 0
-      point%missed_resistance = 0
+      point%series_resistance = 0
+      point%heat_inside = 0
       point%semi_major = 0
       point%semi_minor = 0
    end subroutine clear_results

@@ -15,6 +15,7 @@ module litz_contact_pairs
    use litz_friction_iteration, only: friction_iteration_t
    use litz_friction_law, only: friction_law_t
    use litz_hertz, only: hertz_ellipse_t
+   use litz_shared_conductors, only: shared_conductors_t
    use litz_model, only: model_t, axis_hermite
    use litz_parallel, only: worth_threads
    use litz_wires, only: wires_t
@@ -64,8 +65,9 @@ module litz_contact_pairs
       type(friction_iteration_t) :: friction_iteration
       !> Spot [m], conductance [S], current [A], voltage across the spot [V]
       real(dp) :: semi_major = 0, semi_minor = 0, conductance = 0, current = 0, voltage_gap = 0
-      !> Resistance in each wire that the linear voltage inside its element misses (theory section 7) [ohm]
-      real(dp) :: missed_resistance(2) = 0
+      !> rho L0/(4 A) of both elements, 0 where the voltage is not corrected [ohm], and heat in them that the linear
+      !> voltage misses [W] (theory section 7)
+      real(dp) :: series_resistance(2) = 0, heat_inside(2) = 0
    end type contact_point_t
 
    type :: contact_set_t
@@ -78,6 +80,8 @@ module litz_contact_pairs
       real(dp), allocatable :: x_collected(:, :)
       !> Candidates hold while no node has moved by this much since they were collected (n_nodes) [m]
       real(dp), allocatable :: valid_motion(:)
+      !> Elements with several contacts that carry a current
+      type(shared_conductors_t) :: shared
       !> Largest overlap when the increment began [m]
       real(dp) :: depth = 0
       type(contact_point_t), allocatable :: points(:)

@@ -19,6 +19,7 @@ module litz_newton
    use litz_loading, only: loading_t, prescribed_increment, slot_potential
    use litz_model, only: model_t, step_t, coupling_monolithic
    use litz_parallel, only: worth_threads
+   use litz_potentials, only: solve_potentials
    use litz_results, only: results_t, iteration_report_t
    use litz_rotations, only: rotation_exp
    use litz_stabilization, only: assemble_stabilization
@@ -115,7 +116,9 @@ contains
          call measure_residual(problem, step, outcome%last, outcome%at_round_off)
          call count_contacts(problem%contact, outcome%last)
          if (.not. only_contacts_changed(outcome%last, outcome%before%contacts_active)) counted = counted + 1
-         if (problem%coupling /= coupling_monolithic .and. (.not. any(abs(increment) > 0))) then
+         ! the monolithic tangent leaves out what contacts on the same element do to each other
+         if ((problem%coupling /= coupling_monolithic .or. problem%contact%shared%present) .and. &
+            (.not. any(abs(increment) > 0))) then
             if (mechanics_converged(outcome%last)) then
                call update_potentials(problem, x_start, increment, outcome%last, solver_error, error)
                if (allocated(error)) return
@@ -377,7 +380,8 @@ contains
          call problem%timing%lap(phase_update)
          call problem%solver%factor_electric(problem%matrix, solver_error)
          call problem%timing%lap(phase_factor)
-         if (.not. allocated(solver_error)) call problem%solver%solve_electric(problem%matrix, b, x, solver_error)
+         if (.not. allocated(solver_error)) call solve_potentials(problem%solver, problem%matrix, problem%equations, &
+            problem%contact%shared, b, x, solver_error)
          call problem%timing%lap(phase_solve)
          if (allocated(solver_error)) return
          do node = 1, problem%model%n_nodes

@@ -1,11 +1,13 @@
-! Beams and conductor for Python; the contracts are in fortran/kernels/beam_b31.f90, beam_b33.f90 and conductor.f90.
+! Beams and conductor for Python; the contracts are in fortran/kernels/beam_b31.f90, beam_b33.f90, conductor.f90 and
+! potential_rise.f90.
 ! Stress-free state and current state go in together; `spin` asks for the spin form of the tangent, `given_sigma` says
 ! whether `sigma` counts.
 module f2py_beams
-   use iso_c_binding, only: c_double
+   use iso_c_binding, only: c_double, c_int
    use litz_beam_b31, only: b31 => beam_b31, b31_reference => beam_b31_reference
    use litz_beam_b33, only: b33 => beam_b33, b33_reference => beam_b33_reference
    use litz_conductor, only: core_conductor => conductor
+   use litz_potential_rise, only: core_potential_rise => potential_rise
    use litz_rotation_forms, only: hessian_to_spin
    implicit none
 contains
@@ -49,5 +51,13 @@ contains
 
       call core_conductor(x, v, length, area, resistivity, current_length, k, r, k_me, current, heat)
    end subroutine conductor
+
+   subroutine potential_rise(n, scale, xi, current, rise)
+      integer(c_int), intent(in) :: n
+      real(c_double), intent(in) :: scale, xi(n), current(n)
+      real(c_double), intent(out) :: rise(n)
+
+      call core_potential_rise(scale, xi, current, rise)
+   end subroutine potential_rise
 
 end module f2py_beams

@@ -146,10 +146,30 @@ def contact_network(results: "Results", increment: int) -> ContactNetwork:
 
 
 def wire_currents(results: "Results", increment: int) -> np.ndarray:
-    """Largest current along each wire, with its sign, (n_wires) [A]."""
-    current = results.field("element_current", increment)
+    """Largest current along each wire, between any two of its contacts, with its sign, (n_wires) [A]."""
+    current = _largest_in_elements(results, increment)
     along = [wire.signs * current[wire.elements] for wire in find_wires(results.elements)]
     return np.array([values[np.argmax(np.abs(values))] for values in along])
+
+
+def _largest_in_elements(results: "Results", increment: int) -> np.ndarray:
+    """Largest current in each element from its first to its second node, (n_elements) [A].
+
+    The field `element_current` is the mean over the element; each contact makes a step in the current.
+    """
+    largest = results.field("element_current", increment).copy()
+    ledger = results.contacts_at(increment)
+    ledger = ledger.where(ledger["current"] != 0)
+    row = np.concatenate([_rows_of(results.element_ids, ledger[name]) for name in ("element_bar", "element")])
+    xi = np.concatenate([ledger["xi_bar"], ledger["xi"]])
+    entering = np.concatenate([-ledger["current"], ledger["current"]])
+    order = np.lexsort((xi, row))
+    for ends in np.split(order, np.flatnonzero(np.diff(row[order])) + 1) if order.size else ():
+        element = row[ends[0]]
+        first = largest[element] - (entering[ends] * (1 - xi[ends])).sum() / 2
+        between = first + np.concatenate([[0.0], np.cumsum(entering[ends])])
+        largest[element] = between[np.argmax(np.abs(between))]
+    return largest
 
 
 def conductance(results: "Results", plus: str, minus: str, increment: int) -> float:

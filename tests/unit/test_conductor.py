@@ -90,3 +90,30 @@ def test_refusals(changes, message):
     good = {"x": [[0, 0, 0], [1, 0, 0]], "v": [1, 0], "length": 1, "area": 1, "resistivity": 1}
     with pytest.raises(ValueError, match=message):
         kernels.conductor(**(good | changes))
+
+
+def chain(xi, current, resistance):
+    """Potentials at the places of a chain of resistors between two ends at zero, by Kirchhoff's laws."""
+    lengths = np.diff(np.concatenate([[-1.0], xi, [1.0]])) / 2
+    conductances = 1 / (resistance * lengths)
+    matrix = np.diag(conductances[:-1] + conductances[1:])
+    matrix -= np.diag(conductances[1:-1], 1) + np.diag(conductances[1:-1], -1)
+    return np.linalg.solve(matrix, current)
+
+
+@configurations
+def test_currents_within_a_conductor_raise_the_potential_as_in_a_chain_of_its_pieces(seed):
+    rng = np.random.default_rng(seed)
+    xi = np.sort(rng.uniform(-1, 1, size=1 + seed % 7))
+    current = rng.normal(size=xi.size)
+    rise = kernels.potential_rise(xi, current, 0.7, area=0.3, resistivity=2.0)
+    np.testing.assert_allclose(rise, chain(xi, current, 2.0 * 0.7 / 0.3), rtol=1e-9, atol=1e-12)
+
+
+def test_currents_at_one_place_and_at_the_ends():
+    np.testing.assert_allclose(
+        kernels.potential_rise([-1, 0, 0, 1], [5, 1, 2, 7], 1.0, area=1, resistivity=1), [0, 0.75, 0.75, 0], atol=1e-15
+    )
+    assert kernels.potential_rise([], [], 1.0, area=1, resistivity=1).size == 0
+    with pytest.raises(ValueError, match="ascend"):
+        kernels.potential_rise([0.5, 0.2], [1, 1], 1.0, area=1, resistivity=1)

@@ -9,6 +9,7 @@ from litz.kernels.beams import (
     beam_b33,
     beam_b33_strains,
     conductor,
+    potential_rise,
 )
 from litz.kernels.contact import (
     ClosestPoints,
@@ -40,4 +41,5 @@ __all__ = [
     "contact_em",
     "contact_search",
     "contact_spot",
+    "potential_rise",
 ]

@@ -226,6 +226,46 @@ def conductor(
     return Conductor(*_core.f2py_beams.conductor(x.T, v, length, area, resistivity, bool(current_length)))
 
 
+def potential_rise(
+    xi: ArrayLike, current: ArrayLike, length: float, *, area: float, resistivity: float
+) -> NDArray[np.float64]:
+    """Potential inside a conductor above the linear one, where currents enter between its nodes.
+
+    Parameters
+    ----------
+    xi : array_like, shape (n,)
+        Places in [-1, 1], ascending.
+    current : array_like, shape (n,)
+        Currents that enter there [A].
+    length : float
+        Reference length [m].
+    area, resistivity : float
+        Cross-section [m^2] and resistivity [ohm m].
+
+    Returns
+    -------
+    ndarray, shape (n,)
+        ``rho L0/(4 A) sum_j (1 + min(xi_i, xi_j)) (1 - max(xi_i, xi_j)) I_j`` [V].
+
+    Raises
+    ------
+    ValueError
+        Wrong shape, a number that is not finite, a property that is not positive, places that are not in [-1, 1] or not
+        ascending.
+    """
+    n = np.size(xi)
+    xi = checks.array("xi", xi, (n,))
+    current = checks.array("current", current, (n,))
+    if n and (xi[0] < -1 or xi[-1] > 1 or (np.diff(xi) < 0).any()):
+        raise ValueError("xi must ascend within [-1, 1]")
+    length = checks.positive("length", length)
+    area = checks.positive("area", area)
+    resistivity = checks.positive("resistivity", resistivity)
+    if n == 0:
+        return np.empty(0)
+    return _core.f2py_beams.potential_rise(resistivity * length / (4 * area), xi, current, n)
+
+
 def _stiffness(**values: float) -> NDArray[np.float64]:
     return np.array([checks.positive(name, value) for name, value in values.items()])
 

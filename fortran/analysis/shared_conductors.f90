@@ -1,0 +1,210 @@
+!> Currents of all contacts together, where several of them share elements.
+!>
+!> The current of a contact raises the potential of the other contacts on its two elements. With `R` the diagonal matrix
+!> of the spots' resistances and `A` what the currents do inside the elements, all currents follow from
+!> `(R + A) I = N_V V`, symmetric and positive definite. What a contact does to itself, the diagonal `D` of `R + A`, is
+!> part of the contact element (contact_electricity); here is what is beyond it: `(R + A)^-1 - D^-1`.
+!> Source: theory section 7.
+module litz_shared_conductors
+   use litz_kinds, only: dp
+   use litz_parallel, only: worth_threads
+   use litz_potential_rise, only: potential_rise
+   implicit none
+   private
+   public :: shared_conductors_t, collect_shared
+
+   !> The squared error of the conjugate gradients over that of the start; and their steps at most
+   real(dp), parameter :: accurate = (1.0e-15_dp)**2
+   integer, parameter :: most_steps = 200
+
+   type :: shared_conductors_t
+      !> Some element has more than one contact
+      logical :: present = .false.
+      !> Nodes (4, n) and N_V (4, n) of each contact: barred 1, barred 2, 1, 2
+      integer, allocatable :: nodes(:, :)
+      real(dp), allocatable :: n_v(:, :)
+      !> Of the spot, and diagonal of R + A (n) [ohm]
+      real(dp), allocatable :: resistance(:), diagonal(:)
+      !> First end on each element (elements + 1); contact and side (1: barred) of each end, in order along its element
+      integer, allocatable, private :: first(:), contact(:), side(:)
+      !> Place of each end, and rho L0/(4 A) [ohm] of each element
+      real(dp), allocatable, private :: xi(:), scale(:)
+   contains
+      procedure :: voltages
+      procedure :: currents
+      procedure :: add_beyond
+      procedure :: add_product
+   end type shared_conductors_t
+
+contains
+
+   !> The contacts with a current, and which elements they share.
+   subroutine collect_shared(elements, nodes, xi, scale, resistance, shared)
+      !> Elements (2, n), barred first, and nodes (4, n)
+      integer, intent(in) :: elements(:, :), nodes(:, :)
+      !> Places in the elements (2, n), rho L0/(4 A) [ohm] of the elements (2, n), resistances of the spots (n) [ohm]
+      real(dp), intent(in) :: xi(:, :), scale(:, :), resistance(:)
+      type(shared_conductors_t), intent(out) :: shared
+      integer, allocatable :: number_of(:), place(:)
+      integer :: i, n, k, side, n_elements
+
+      n = size(resistance)
+      allocate (number_of(maxval([0, elements])), source=0)
+      n_elements = 0
+      do i = 1, n
+         do side = 1, 2
+            if (number_of(elements(side, i)) == 0) then
+               n_elements = n_elements + 1
+               number_of(elements(side, i)) = n_elements
+            end if
+         end do
+      end do
+      shared%present = 2*n > n_elements
+      if (.not. shared%present) return
+      shared%nodes = nodes
+      shared%resistance = resistance
+      shared%diagonal = resistance + sum(scale*(1 - xi**2), 1)
+      allocate (shared%n_v(4, n), shared%contact(2*n), shared%side(2*n), shared%xi(2*n), shared%scale(n_elements))
+      allocate (shared%first(n_elements + 1), source=0)
+      do i = 1, n
+         shared%n_v(:, i) = [1 - xi(1, i), 1 + xi(1, i), -(1 - xi(2, i)), -(1 + xi(2, i))]/2
+         shared%first(number_of(elements(:, i)) + 1) = shared%first(number_of(elements(:, i)) + 1) + 1
+         shared%scale(number_of(elements(:, i))) = scale(:, i)
+      end do
+      shared%first(1) = 1
+      do k = 1, n_elements
+         shared%first(k + 1) = shared%first(k) + shared%first(k + 1)
+      end do
+      place = shared%first(:n_elements)
+      do i = 1, n
+         do side = 1, 2
+            k = number_of(elements(side, i))
+            call insert(shared, shared%first(k), place(k), i, side, xi(side, i))
+            place(k) = place(k) + 1
+         end do
+      end do
+   end subroutine collect_shared
+
+   !> Put an end behind those of its element that lie before it.
+   pure subroutine insert(shared, first, free, contact, side, xi)
+      type(shared_conductors_t), intent(inout) :: shared
+      !> First end of the element, and the first free place
+      integer, intent(in) :: first, free, contact, side
+      real(dp), intent(in) :: xi
+      integer :: k
+
+      k = free
+      do while (k > first)
+         if (shared%xi(k - 1) <= xi) exit
+         shared%xi(k) = shared%xi(k - 1)
+         shared%contact(k) = shared%contact(k - 1)
+         shared%side(k) = shared%side(k - 1)
+         k = k - 1
+      end do
+      shared%xi(k) = xi
+      shared%contact(k) = contact
+      shared%side(k) = side
+   end subroutine insert
+
+   !> `N_V V` of each contact (n) [V].
+   pure function voltages(self, potential)
+      class(shared_conductors_t), intent(in) :: self
+      !> (n_nodes) [V]
+      real(dp), intent(in) :: potential(:)
+      real(dp) :: voltages(size(self%resistance))
+      integer :: i
+
+      do i = 1, size(voltages)
+         voltages(i) = dot_product(self%n_v(:, i), potential(self%nodes(:, i)))
+      end do
+   end function voltages
+
+   !> Solve `(R + A) I = voltage` by conjugate gradients with the diagonal as preconditioner.
+   subroutine currents(self, voltage, current, rise)
+      class(shared_conductors_t), intent(in) :: self
+      !> (n) [V]
+      real(dp), intent(in) :: voltage(:)
+      !> From the barred to the unbarred wire (n) [A]
+      real(dp), intent(out) :: current(:)
+      !> Of the potential above the linear one at the contact in either element (2, n) [V], barred first
+      real(dp), intent(out) :: rise(:, :)
+      real(dp), dimension(size(voltage)) :: left, direction, product
+      real(dp) :: error, error_before, error_allowed, step
+      integer :: k
+
+      current = voltage/self%diagonal
+      error_allowed = accurate*sum(voltage*current)
+      call multiply(self, current, product, rise)
+      left = voltage - product
+      direction = left/self%diagonal
+      error = sum(left**2/self%diagonal)
+      do k = 1, most_steps
+         if (.not. error > error_allowed) exit
+         call multiply(self, direction, product, rise)
+         step = error/sum(direction*product)
+         current = current + step*direction
+         left = left - step*product
+         error_before = error
+         error = sum(left**2/self%diagonal)
+         direction = left/self%diagonal + error/error_before*direction
+      end do
+      call multiply(self, current, product, rise)
+   end subroutine currents
+
+   !> `(R + A) I`, with the rise of the potential that belongs to it.
+   subroutine multiply(self, current, product, rise)
+      type(shared_conductors_t), intent(in) :: self
+      real(dp), intent(in) :: current(:)
+      real(dp), intent(out) :: product(:), rise(:, :)
+      integer :: k, i
+
+      !$omp parallel do schedule(static) private(i) if (size(self%scale) >= worth_threads)
+      do k = 1, size(self%scale)
+         associate (first => self%first(k), last => self%first(k + 1) - 1)
+            block
+               real(dp) :: entering(last - first + 1), above(last - first + 1)
+
+               ! the current leaves the barred wire
+               entering = merge(-1, 1, self%side(first:last) == 1)*current(self%contact(first:last))
+               call potential_rise(self%scale(k), self%xi(first:last), entering, above)
+               do i = first, last
+                  rise(self%side(i), self%contact(i)) = above(i - first + 1)
+               end do
+            end block
+         end associate
+      end do
+      !$omp end parallel do
+      product = self%resistance*current - rise(1, :) + rise(2, :)
+   end subroutine multiply
+
+   !> Add to `y` the currents that leave the nodes beyond those of the contact elements, `N_V^T (I - D^-1 N_V V)`.
+   pure subroutine add_beyond(self, voltage, current, y)
+      class(shared_conductors_t), intent(in) :: self
+      !> N_V V [V] and I [A] of the contacts (n)
+      real(dp), intent(in) :: voltage(:), current(:)
+      !> (n_nodes) [A]
+      real(dp), intent(inout) :: y(:)
+      integer :: i, a
+
+      do i = 1, size(current)
+         do a = 1, 4
+            y(self%nodes(a, i)) = y(self%nodes(a, i)) + self%n_v(a, i)*(current(i) - voltage(i)/self%diagonal(i))
+         end do
+      end do
+   end subroutine add_beyond
+
+   !> `y = y + N_V^T ((R + A)^-1 - D^-1) N_V V`
+   subroutine add_product(self, potential, y)
+      class(shared_conductors_t), intent(in) :: self
+      !> (n_nodes) [V]
+      real(dp), intent(in) :: potential(:)
+      !> (n_nodes) [A]
+      real(dp), intent(inout) :: y(:)
+      real(dp) :: voltage(size(self%resistance)), current(size(self%resistance)), rise(2, size(self%resistance))
+
+      voltage = self%voltages(potential)
+      call self%currents(voltage, current, rise)
+      call self%add_beyond(voltage, current, y)
+   end subroutine add_product
+
+end module litz_shared_conductors
