@@ -1,5 +1,7 @@
 """Several contacts on the same element: their currents are those of Kirchhoff's laws, whatever the mesh."""
 
+import itertools
+
 import numpy as np
 import pytest
 
@@ -64,8 +66,12 @@ def kirchhoff(resistance):
 
     links = []
     for rail in range(2):
-        places = [(-HALF, ("end", rail, 0)), *((x, ("rail", rail, i)) for i, x in enumerate(RUNGS)), (HALF, ("end", rail, 1))]
-        for (a, first), (b, second) in zip(places, places[1:]):
+        places = [
+            (-HALF, ("end", rail, 0)),
+            *((x, ("rail", rail, i)) for i, x in enumerate(RUNGS)),
+            (HALF, ("end", rail, 1)),
+        ]
+        for (a, first), (b, second) in itertools.pairwise(places):
             links.append((row(*first), row(*second), 1 / (RESISTANCE_PER_LENGTH * (b - a))))
     for i in range(len(RUNGS)):
         links.append((row("rung", 0, i), row("rung", 1, i), 1 / (RESISTANCE_PER_LENGTH * (RAILS[1] - RAILS[0]))))
@@ -80,7 +86,10 @@ def kirchhoff(resistance):
     free = np.setdiff1d(np.arange(len(rows)), held)
     potential[free] = np.linalg.solve(matrix[np.ix_(free, free)], -(matrix @ potential)[free])
     through = [
-        [(potential[row("rail", rail, i)] - potential[row("rung", rail, i)]) / resistance[rail, i] for i in range(len(RUNGS))]
+        [
+            (potential[row("rail", rail, i)] - potential[row("rung", rail, i)]) / resistance[rail, i]
+            for i in range(len(RUNGS))
+        ]
         for rail in range(2)
     ]
     return (matrix @ potential)[held[0]], np.array(through)
@@ -100,7 +109,12 @@ def by_place(contacts, name):
 @pytest.mark.parametrize("spot", ["LAW=HERTZ", "LAW=CONSTANT\n 1e-9"])
 @pytest.mark.parametrize(
     "controls",
-    ["", "*SOLVER, NAME=BLOCK, COUPLING=MONOLITHIC", "*SOLVER, NAME=UMFPACK", "*SOLVER, NAME=SKYLINE, COUPLING=UPDATED"],
+    [
+        "",
+        "*SOLVER, NAME=BLOCK, COUPLING=MONOLITHIC",
+        "*SOLVER, NAME=UMFPACK",
+        "*SOLVER, NAME=SKYLINE, COUPLING=UPDATED",
+    ],
     ids=["block", "block monolithic", "umfpack", "skyline updated"],
 )
 @pytest.mark.parametrize("elements", [1, 2, 20])
@@ -131,5 +145,7 @@ def test_linear_voltages_stay_those_of_the_paper(run):
         return (1 - xi) / 2 * first + (1 + xi) / 2 * second
 
     for row in range(len(contacts["id"])):
-        voltage = at(contacts["element_bar"][row], contacts["xi_bar"][row]) - at(contacts["element"][row], contacts["xi"][row])
+        voltage = at(contacts["element_bar"][row], contacts["xi_bar"][row]) - at(
+            contacts["element"][row], contacts["xi"][row]
+        )
         assert contacts["current"][row] == pytest.approx(voltage / contacts["resistance"][row], rel=1e-9)

@@ -6,7 +6,7 @@ there. The voltage of the element, linear between its nodes, has no kink; the re
 of given potential. VOLTAGE=LINEAR is the paper's element (D. P. Boso, P. Litewka, B. A. Schrefler, P. Wriggers,
 Electric-mechanical beam-to-beam contact, "voltages are computed linearly"); VOLTAGE=CORRECTED adds the missing
 resistance of each contact. Two contacts in one element also act on each other, by the Green's function at different
-places; this is left out, so that the correction is exact for one contact in an element only.
+places: the currents must not depend on whether there is a node between the contacts.
 """
 
 import numpy as np
@@ -85,8 +85,8 @@ def two_currents(voltage, *, node_between=False):
     """The two currents, from the influence of each on the potential at the other."""
     n = (np.array(TWO) - 0.045) / ELEMENT
     green = np.minimum.outer(n, n) - np.outer(n, n)
-    if not node_between:
-        green = np.diag(np.diag(green)) if voltage == "CORRECTED" else 0 * green
+    if voltage == "LINEAR" and not node_between:
+        green = 0 * green
     element = COPPER.resistance(ELEMENT) * (np.outer(n, n) + green)
     upper = np.diag([COPPER.resistance(LENGTH / 2) + SPOT] * 2)
     if voltage == "LINEAR":
