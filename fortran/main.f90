@@ -27,6 +27,7 @@ program litz
 
    interface
       subroutine watch_memory() bind(c, name='litz_watch_memory')
+         implicit none
       end subroutine watch_memory
    end interface
 
@@ -54,6 +55,7 @@ contains
       interface
          type(c_funptr) function c_signal(number, handler) bind(c, name='signal')
             import :: c_int, c_funptr
+            implicit none
             integer(c_int), value :: number
             type(c_funptr), value :: handler
          end function c_signal
@@ -111,8 +113,8 @@ contains
       type(model_t), intent(out) :: model
       type(error_list_t) :: errors, warnings
 
-      if (.not. reserve_blas_memory()) call end_with(fail(exit_memory, 'not enough memory: the linear algebra needs '// &
-         'another 140 MB of addresses (see ulimit -v)'))
+      if (.not. reserve_blas_memory()) call end_with(fail(exit_memory, 'not enough memory: the linear algebra needs'// &
+         ' another 140 MB of addresses (see ulimit -v)'))
       call read_deck(path, model, errors, warnings)
       call print_error_text(warnings%text())
       if (errors%count == 0) return
@@ -185,10 +187,12 @@ contains
       interface
          subroutine c_exit(status) bind(c, name='exit')
             import :: c_int
+            implicit none
             integer(c_int), value :: status
          end subroutine c_exit
          subroutine c_exit_at_once(status) bind(c, name='_exit')
             use, intrinsic :: iso_c_binding, only: c_int
+            implicit none
             integer(c_int), value :: status
          end subroutine c_exit_at_once
       end interface

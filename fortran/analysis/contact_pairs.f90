@@ -74,7 +74,7 @@ module litz_contact_pairs
       logical :: present = .false.
       !> Element belongs to the barred / the unbarred set of each contact pair (n_elements, n_pairs)
       logical, allocatable :: in_bar(:, :), in_set(:, :)
-      !> Barred element, unbarred element, contact pair (3, n_candidates); sorted by the smaller, then the larger element
+      !> Barred element, unbarred element, contact pair (3, n_candidates); sorted by the smaller, then the larger one
       integer, allocatable :: candidates(:, :)
       !> Positions of the nodes when the candidates were collected (3, n_nodes)
       real(dp), allocatable :: x_collected(:, :)

@@ -54,6 +54,7 @@ module litz_hdf5_helpers
    interface
       integer(c_int) function c_unlink(path) bind(c, name='unlink')
          import :: c_char, c_int
+         implicit none
          character(kind=c_char), intent(in) :: path(*)
       end function c_unlink
    end interface

@@ -29,6 +29,7 @@ module litz_live_progress
    interface
       integer(c_int) function isatty(descriptor) bind(c, name='isatty')
          import :: c_int
+         implicit none
          integer(c_int), value :: descriptor
       end function isatty
    end interface

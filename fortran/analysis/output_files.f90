@@ -30,6 +30,7 @@ module litz_output_files
       !> POSIX mkdir; Fortran has no procedure for it
       integer(c_int) function c_mkdir(path, mode) bind(c, name='mkdir')
          import :: c_char, c_int
+         implicit none
          character(kind=c_char), intent(in) :: path(*)
          integer(c_int), value :: mode
       end function c_mkdir
@@ -37,18 +38,21 @@ module litz_output_files
       !> A null pointer when there is no such file
       type(c_ptr) function c_realpath(path, resolved) bind(c, name='realpath')
          import :: c_char, c_ptr
+         implicit none
          character(kind=c_char), intent(in) :: path(*)
          character(kind=c_char), intent(out) :: resolved(*)
       end function c_realpath
 
       type(c_ptr) function c_fopen(path, mode) bind(c, name='fopen')
          import :: c_char, c_ptr
+         implicit none
          character(kind=c_char), intent(in) :: path(*), mode(*)
       end function c_fopen
 
       !> Negative when it fails
       integer(c_int) function c_fputs(text, file) bind(c, name='fputs')
          import :: c_char, c_int, c_ptr
+         implicit none
          character(kind=c_char), intent(in) :: text(*)
          type(c_ptr), value :: file
       end function c_fputs
@@ -56,12 +60,14 @@ module litz_output_files
       !> Not 0 when it fails
       integer(c_int) function c_fflush(file) bind(c, name='fflush')
          import :: c_int, c_ptr
+         implicit none
          type(c_ptr), value :: file
       end function c_fflush
 
       !> Not 0 when it fails
       integer(c_int) function c_fclose(file) bind(c, name='fclose')
          import :: c_int, c_ptr
+         implicit none
          type(c_ptr), value :: file
       end function c_fclose
 

@@ -97,8 +97,8 @@ contains
 
       write (buffer, '(i5, i10, i9, i11, 2es15.7, es19.7, 3es13.3e3, i16, i10, 5es18.2e3)') &
          report%step, report%increment, report%attempts, report%iterations, &
-         report%time, report%step_time, report%time_increment, report%residual, report%negative_pivots, report%contacts, &
-         report%audit
+         report%time, report%step_time, report%time_increment, report%residual, report%negative_pivots, &
+         report%contacts, report%audit
       line = trim(buffer)
       if (allocated(report%remark)) line = trim(line//'  '//report%remark)
    end function increment_line

@@ -25,8 +25,8 @@ contains
       entries = entries_per_block*(model%n_nodes + 2_int64*model%n_elements)
       write (number, '(i0)') model%n_elements
       if (entries > huge(model%n_nodes)) then
-         error = fail(exit_memory, 'the equations of '//trim(number)//' elements have more entries than the solvers '// &
-            'can count, which is 2147483647; make the model smaller')
+         error = fail(exit_memory, 'the equations of '//trim(number)//' elements have more entries than the solvers'// &
+            ' can count, which is 2147483647; make the model smaller')
          return
       end if
       bytes = bytes_per_element*model%n_elements

@@ -11,6 +11,7 @@ module litz_hdf5_library
       !> POSIX setenv
       integer(c_int) function c_setenv(name, value, overwrite) bind(c, name='setenv')
          import :: c_char, c_int
+         implicit none
          character(kind=c_char), intent(in) :: name(*), value(*)
          integer(c_int), value :: overwrite
       end function c_setenv

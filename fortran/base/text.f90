@@ -224,8 +224,9 @@ contains
          integer, intent(in) :: last_a, last_b
 
          swapped = huge(swapped)
-         if (a(last_a:last_a) == b(last_b - 1:last_b - 1) .and. a(last_a - 1:last_a - 1) == b(last_b:last_b)) &
+         if (a(last_a:last_a) == b(last_b - 1:last_b - 1) .and. a(last_a - 1:last_a - 1) == b(last_b:last_b)) then
             swapped = d(last_a - 2, last_b - 2) + 1
+         end if
       end function swapped
 
    end function edit_distance

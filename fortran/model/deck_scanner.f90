@@ -39,16 +39,19 @@ module litz_deck_scanner
    interface
       function c_realpath(path, resolved) bind(c, name='realpath') result(pointer)
          import :: c_char, c_ptr
+         implicit none
          character(kind=c_char), intent(in) :: path(*)
          type(c_ptr), value :: resolved
          type(c_ptr) :: pointer
       end function c_realpath
       pure integer(c_size_t) function c_strlen(string) bind(c, name='strlen')
          import :: c_ptr, c_size_t
+         implicit none
          type(c_ptr), value, intent(in) :: string
       end function c_strlen
       subroutine c_free(pointer) bind(c, name='free')
          import :: c_ptr
+         implicit none
          type(c_ptr), value :: pointer
       end subroutine c_free
    end interface

@@ -16,6 +16,7 @@ module litz_rigid_modes
       !> LAPACK: eigenvalues and eigenvectors of a real symmetric matrix
       pure subroutine dsyev(jobz, uplo, n, a, lda, w, work, lwork, info)
          import :: dp
+         implicit none
          character(len=1), intent(in) :: jobz, uplo
          integer, intent(in) :: n, lda, lwork
          real(dp), intent(inout) :: a(lda, *)

@@ -32,16 +32,19 @@ module litz_cholmod
    interface
       function cholmod_shim_create() bind(c) result(handle)
          import :: c_ptr
+         implicit none
          type(c_ptr) :: handle
       end function cholmod_shim_create
 
       subroutine cholmod_shim_destroy(handle) bind(c)
          import :: c_ptr
+         implicit none
          type(c_ptr), value :: handle
       end subroutine cholmod_shim_destroy
 
       function cholmod_shim_analyse(handle, n, start, row) bind(c) result(status)
          import :: c_ptr, c_int64_t, c_int
+         implicit none
          type(c_ptr), value :: handle
          integer(c_int64_t), value :: n
          integer(c_int64_t), intent(in) :: start(*), row(*)
@@ -50,12 +53,14 @@ module litz_cholmod
 
       function cholmod_shim_factor_entries(handle) bind(c) result(entries)
          import :: c_ptr, c_int64_t
+         implicit none
          type(c_ptr), value :: handle
          integer(c_int64_t) :: entries
       end function cholmod_shim_factor_entries
 
       function cholmod_shim_factor(handle, n, start, row, value, failed) bind(c) result(status)
          import :: c_ptr, c_int64_t, c_double, c_int
+         implicit none
          type(c_ptr), value :: handle
          integer(c_int64_t), value :: n
          integer(c_int64_t), intent(in) :: start(*), row(*)
@@ -66,12 +71,14 @@ module litz_cholmod
 
       subroutine cholmod_shim_pivots(handle, pivot) bind(c)
          import :: c_ptr, c_double
+         implicit none
          type(c_ptr), value :: handle
          real(c_double), intent(out) :: pivot(*)
       end subroutine cholmod_shim_pivots
 
       function cholmod_shim_solve(handle, n, b, x) bind(c) result(status)
          import :: c_ptr, c_int64_t, c_double, c_int
+         implicit none
          type(c_ptr), value :: handle
          integer(c_int64_t), value :: n
          real(c_double), intent(in) :: b(*)
@@ -81,6 +88,7 @@ module litz_cholmod
 
       subroutine cholmod_shim_release(handle) bind(c)
          import :: c_ptr
+         implicit none
          type(c_ptr), value :: handle
       end subroutine cholmod_shim_release
    end interface

@@ -1,9 +1,10 @@
 !> Solution of an unsymmetric system by the Cholesky factor of its symmetric part.
 !>
-!> `A = S + N` with `S` symmetric positive definite and `N` skew. In the inner product of `S` the operator `S^-1 N` is skew
-!> too, so a recurrence of three terms finds the Galerkin solution in the growing Krylov space. The error falls by
-!> `L/(1 + sqrt(1 + L^2))` a step, with `L` the spectral radius of `S^-1 N`: a few steps where a moment about a fixed axis
-!> or a little slip makes the tangent unsymmetric. `A` itself need not be factored, which takes the pivots of an LU.
+!> `A = S + N` with `S` symmetric positive definite and `N` skew. In the inner product of `S` the operator `S^-1 N` is
+!> skew too, so a recurrence of three terms finds the Galerkin solution in the growing Krylov space. The error falls by
+!> `L/(1 + sqrt(1 + L^2))` a step, with `L` the spectral radius of `S^-1 N`: a few steps where a moment about a fixed
+!> axis or a little slip makes the tangent unsymmetric. `A` itself need not be factored, which takes the pivots of an
+!> LU.
 !>
 !> Source: P. Concus, G. H. Golub, Lecture Notes in Economics and Mathematical Systems 134 (1976) 56;
 !> O. Widlund, SIAM J. Numer. Anal. 15 (1978) 801.

@@ -58,6 +58,7 @@ module litz_linear_solver
    abstract interface
       subroutine analyse_interface(self, matrix, error)
          import :: linear_solver_t, system_matrix_t, error_t
+         implicit none
          class(linear_solver_t), intent(inout) :: self
          type(system_matrix_t), intent(in) :: matrix
          type(error_t), allocatable, intent(out) :: error
@@ -66,12 +67,14 @@ module litz_linear_solver
       !> so only to working precision may pass here and be found by `solve`.
       subroutine factor_interface(self, matrix, error)
          import :: linear_solver_t, system_matrix_t, error_t
+         implicit none
          class(linear_solver_t), intent(inout) :: self
          type(system_matrix_t), intent(in) :: matrix
          type(error_t), allocatable, intent(out) :: error
       end subroutine factor_interface
       subroutine solve_interface(self, matrix, b_m, b_e, x_m, x_e, error)
          import :: linear_solver_t, system_matrix_t, error_t, dp
+         implicit none
          class(linear_solver_t), intent(inout) :: self
          type(system_matrix_t), intent(in) :: matrix
          real(dp), intent(in) :: b_m(:), b_e(:)
@@ -80,6 +83,7 @@ module litz_linear_solver
       end subroutine solve_interface
       subroutine solve_part_interface(self, matrix, b, x, error)
          import :: linear_solver_t, system_matrix_t, error_t, dp
+         implicit none
          class(linear_solver_t), intent(inout) :: self
          type(system_matrix_t), intent(in) :: matrix
          real(dp), intent(in) :: b(:)

@@ -42,6 +42,7 @@ module litz_skyline
    interface
       pure real(dp) function ddot(n, x, step_x, y, step_y)
          import :: dp
+         implicit none
          integer, intent(in) :: n, step_x, step_y
          real(dp), intent(in) :: x(*), y(*)
       end function ddot

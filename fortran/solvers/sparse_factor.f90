@@ -34,12 +34,14 @@ module litz_sparse_factor
    abstract interface
       subroutine analyse_interface(self, matrix, error)
          import :: sparse_factor_t, csr_matrix_t, error_t
+         implicit none
          class(sparse_factor_t), intent(inout) :: self
          type(csr_matrix_t), intent(in) :: matrix
          type(error_t), allocatable, intent(out) :: error
       end subroutine analyse_interface
       subroutine solve_interface(self, b, x, error)
          import :: sparse_factor_t, error_t, dp
+         implicit none
          class(sparse_factor_t), intent(inout) :: self
          real(dp), intent(in) :: b(:)
          real(dp), intent(out) :: x(:)
@@ -47,6 +49,7 @@ module litz_sparse_factor
       end subroutine solve_interface
       subroutine release_interface(self)
          import :: sparse_factor_t
+         implicit none
          class(sparse_factor_t), intent(inout) :: self
       end subroutine release_interface
    end interface

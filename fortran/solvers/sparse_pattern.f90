@@ -6,7 +6,8 @@ module litz_sparse_pattern
    use litz_parallel, only: worth_threads
    implicit none
    private
-   public :: pattern_from_cliques, csr_position, csr_transpose, csr_multiply, csr_add_product, csr_entries, check_entries
+   public :: pattern_from_cliques, csr_position, csr_transpose, csr_multiply, csr_add_product, csr_entries
+   public :: check_entries
 
 contains
 

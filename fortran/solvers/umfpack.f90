@@ -39,11 +39,13 @@ module litz_umfpack
    interface
       subroutine umfpack_dl_defaults(control) bind(c)
          import :: c_double
+         implicit none
          real(c_double), intent(out) :: control(*)
       end subroutine umfpack_dl_defaults
 
       function umfpack_dl_symbolic(n_row, n_col, ap, ai, ax, symbolic, control, info) bind(c) result(status)
          import :: c_int64_t, c_double, c_ptr
+         implicit none
          integer(c_int64_t), value :: n_row, n_col
          integer(c_int64_t), intent(in) :: ap(*), ai(*)
          real(c_double), intent(in) :: ax(*)
@@ -55,6 +57,7 @@ module litz_umfpack
 
       function umfpack_dl_numeric(ap, ai, ax, symbolic, numeric, control, info) bind(c) result(status)
          import :: c_int64_t, c_double, c_ptr
+         implicit none
          integer(c_int64_t), intent(in) :: ap(*), ai(*)
          real(c_double), intent(in) :: ax(*)
          type(c_ptr), value :: symbolic
@@ -67,6 +70,7 @@ module litz_umfpack
       !> Without refinement the matrix is not looked at, so null pointers stand in for it
       function umfpack_dl_solve(sys, ap, ai, ax, x, b, numeric, control, info) bind(c) result(status)
          import :: c_int64_t, c_double, c_ptr
+         implicit none
          integer(c_int64_t), value :: sys
          type(c_ptr), value :: ap, ai, ax
          real(c_double), intent(out) :: x(*)
@@ -80,6 +84,7 @@ module litz_umfpack
       !> Null pointers for the parts that are not wanted
       function umfpack_dl_get_numeric(lp, lj, lx, up, ui, ux, p, q, dx, do_recip, rs, numeric) bind(c) result(status)
          import :: c_int64_t, c_double, c_ptr
+         implicit none
          type(c_ptr), value :: lp, lj, lx, up, ui, ux
          integer(c_int64_t), intent(out) :: p(*), q(*)
          real(c_double), intent(out) :: dx(*)
@@ -90,11 +95,13 @@ module litz_umfpack
 
       subroutine umfpack_dl_free_symbolic(symbolic) bind(c)
          import :: c_ptr
+         implicit none
          type(c_ptr), intent(inout) :: symbolic
       end subroutine umfpack_dl_free_symbolic
 
       subroutine umfpack_dl_free_numeric(numeric) bind(c)
          import :: c_ptr
+         implicit none
          type(c_ptr), intent(inout) :: numeric
       end subroutine umfpack_dl_free_numeric
    end interface

@@ -113,8 +113,8 @@ contains
       call print_values(unit, 'current', model, step%current)
       do i = 1, size(step%requests)
          associate (this => step%requests(i))
-            write (unit, '(a, *(1x, a))') 'request'//show([this%kind, this%set, this%set_2, merge(1, 0, this%totals)]), &
-               this%quantities
+            write (unit, '(a, *(1x, a))') 'request'//show([this%kind, this%set, this%set_2, &
+               merge(1, 0, this%totals)]), this%quantities
          end associate
       end do
    end subroutine print_step

@@ -17,6 +17,7 @@ program read_decks
    interface
       integer(c_int) function fuzz_again() bind(c)
          import :: c_int
+         implicit none
       end function fuzz_again
    end interface
 

@@ -92,7 +92,8 @@ program test_audit
    words = penetration_warning(model, wrong%contacts, audit_increment(model, wrong, at_rest, scales))
    call expect(index(words, 'contact 7 (elements 101 and 102) overlaps by 20 %') > 0, 'a deep one is told: '//words)
    ! the force over 5 % of the radius
-   call expect(index(words, 'a penalty of 160000 N/m at least would hold it') > 0, 'with the penalty that cures it: '//words)
+   call expect(index(words, 'a penalty of 160000 N/m at least would hold it') > 0, &
+      'with the penalty that cures it: '//words)
    model%interactions(1)%normal_law = normal_hertz
    words = penetration_warning(model, wrong%contacts, audit_increment(model, wrong, at_rest, scales))
    call expect(index(words, 'Hertz') > 0 .and. index(words, 'penalty') == 0, 'without one where there is none: '//words)
@@ -133,8 +134,9 @@ contains
       type(state_t), intent(out) :: state
       real(dp), parameter :: unit_matrix(9) = [1, 0, 0, 0, 1, 0, 0, 0, 1]
 
-      allocate (state%displacement(3, 4), state%reaction(6, 4), state%applied_load(6, 4), state%stabilizing_force(6, 4), state%section_forces(6, 2), &
-         state%applied_current(4), state%reaction_current(4), source=0.0_dp)
+      allocate (state%displacement(3, 4), state%reaction(6, 4), state%applied_load(6, 4), &
+         state%stabilizing_force(6, 4), state%section_forces(6, 2), state%applied_current(4), &
+         state%reaction_current(4), source=0.0_dp)
       state%rotation = spread(reshape(unit_matrix, [3, 3]), 3, 4)
       state%reaction(3, :) = [f/2, f/2, -f/2, -f/2]
       ! half of the current leaves each wire at either end of its element, as the linear voltage has it

@@ -169,6 +169,7 @@ contains
       interface
          subroutine c_exit(status) bind(c, name='_exit')
             use, intrinsic :: iso_c_binding, only: c_int
+            implicit none
             integer(c_int), value :: status
          end subroutine c_exit
       end interface
@@ -185,6 +186,7 @@ contains
       interface
          integer(c_intptr_t) function c_signal(number, handler) bind(c, name='signal')
             use, intrinsic :: iso_c_binding, only: c_int, c_intptr_t
+            implicit none
             integer(c_int), value :: number
             integer(c_intptr_t), value :: handler
          end function c_signal

@@ -17,12 +17,14 @@ program test_solvers
    interface
       subroutine dgesv(n, nrhs, a, lda, ipiv, b, ldb, info)
          import :: dp
+         implicit none
          integer, intent(in) :: n, nrhs, lda, ldb
          real(dp), intent(inout) :: a(lda, *), b(ldb, *)
          integer, intent(out) :: ipiv(*), info
       end subroutine dgesv
       subroutine dsyev(jobz, uplo, n, a, lda, w, work, lwork, info)
          import :: dp
+         implicit none
          character(len=1), intent(in) :: jobz, uplo
          integer, intent(in) :: n, lda, lwork
          real(dp), intent(inout) :: a(lda, *)

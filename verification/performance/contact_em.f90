@@ -63,7 +63,8 @@ contains
          do repetition = 1, repetitions
             do pair = 1, n_pairs
                call contact_em(x(:, :, pair), t(:, :, pair), length, v, radius, young, poisson, resistivity, &
-                  normal_law, 1.0e6_dp, spot_law, 0.0_dp, [1.0_dp], [1.0_dp], axis, 0, [0.0_dp, 0.0_dp], k, r, contact, info)
+                  normal_law, 1.0e6_dp, spot_law, 0.0_dp, [1.0_dp], [1.0_dp], axis, 0, [0.0_dp, 0.0_dp], k, r, &
+                  contact, info)
                checksum = checksum + k(1, 1) + r(28)
                if (info == contact_active) n_active = n_active + 1
             end do

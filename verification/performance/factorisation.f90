@@ -2,8 +2,9 @@
 !>
 !>     factorisation MATRIX REPETITIONS
 !>
-!> MATRIX is a stream of 32-bit integers and 64-bit reals: rows, entries, row_start(rows + 1) and column(entries) from 1,
-!> value(entries). Prints a line for each measurement: its name, and a value for each repetition; the programs alternate.
+!> MATRIX is a stream of 32-bit integers and 64-bit reals: rows, entries, row_start(rows + 1) and column(entries) from
+!> 1, value(entries). Prints a line for each measurement: its name, and a value for each repetition; the programs
+!> alternate.
 program factorisation
    use, intrinsic :: iso_c_binding, only: c_int, c_int64_t, c_double
    use litz_kinds, only: dp, int64
@@ -18,6 +19,7 @@ program factorisation
       !> See direct_cholmod.c; ordering 0: CHOLMOD's own choice, 1: METIS, 2: AMD
       function direct_cholmod(n, start, row, value, ordering, seconds, flops, entries) bind(c) result(status)
          import :: c_int, c_int64_t, c_double
+         implicit none
          integer(c_int64_t), value :: n
          integer(c_int64_t), intent(in) :: start(*), row(*)
          real(c_double), intent(in) :: value(*)
@@ -28,6 +30,7 @@ program factorisation
       end function direct_cholmod
       subroutine dgemm(transa, transb, m, n, k, alpha, a, lda, b, ldb, beta, c, ldc)
          import :: dp
+         implicit none
          character, intent(in) :: transa, transb
          integer, intent(in) :: m, n, k, lda, ldb, ldc
          real(dp), intent(in) :: alpha, beta, a(lda, *), b(ldb, *)

@@ -10,15 +10,17 @@ module litz_blas_threads
    integer, parameter :: blas_memory = 140000000
 
    !> Somebody has chosen the number of threads
-   logical, save :: chosen = .false.
+   logical :: chosen = .false.
 
    interface
       subroutine openblas_set_num_threads(threads) bind(c)
          import :: c_int
+         implicit none
          integer(c_int), value :: threads
       end subroutine openblas_set_num_threads
       subroutine dsymv(uplo, n, alpha, a, lda, x, incx, beta, y, incy)
          import :: dp
+         implicit none
          character(len=1), intent(in) :: uplo
          integer, intent(in) :: n, lda, incx, incy
          real(dp), intent(in) :: alpha, beta, a(lda, *), x(*)
@@ -26,6 +28,7 @@ module litz_blas_threads
       end subroutine dsymv
       type(c_ptr) function openblas_get_config() bind(c)
          import :: c_ptr
+         implicit none
       end function openblas_get_config
    end interface
 
