@@ -10,6 +10,7 @@
 """
 
 from importlib import import_module
+from typing import Any
 
 from .run import (
     FileError,
@@ -92,7 +93,7 @@ __all__ = [
 ]
 
 
-def __getattr__(name):
+def __getattr__(name: str) -> Any:
     if name in _LAZY_MODULES:
         return import_module(f".{name}", __name__)
     if name in _LAZY_NAMES:
@@ -102,5 +103,5 @@ def __getattr__(name):
     raise AttributeError(f"module 'litz' has no attribute {name!r}")
 
 
-def __dir__():
+def __dir__() -> list[str]:
     return sorted([*__all__, "__version__"])

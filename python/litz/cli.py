@@ -2,6 +2,11 @@
 
 import os
 import sys
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NoReturn
+
+if TYPE_CHECKING:
+    import argparse
 
 _PYTHON_HELP = """
 Commands of the Python package:
@@ -13,7 +18,7 @@ RESULTS is a result file (.vtkhdf), a deck (.inp) that was run here, or a direct
 """
 
 
-def main(arguments=None):
+def main(arguments: Sequence[str] | None = None) -> int:
     """Entry point of the console script. Returns the exit code."""
     import warnings
 
@@ -32,12 +37,12 @@ def main(arguments=None):
         return error.exit_code
 
 
-def _show_warning(message, *_):
+def _show_warning(message: Warning | str, *_: object, **_also: object) -> None:
     """A warning as a user reads it: without the line of the source that gave it."""
     print(f"warning: {message}", file=sys.stderr)
 
 
-def _run_program(arguments):
+def _run_program(arguments: list[str]) -> int:
     """Become the Fortran program, so that signals, standard streams and the exit code are its own."""
     from .run import program_environment, program_path
 
@@ -57,7 +62,7 @@ def results_parser(command, description, epilog=None):
     import argparse
 
     class Parser(argparse.ArgumentParser):
-        def error(self, message):
+        def error(self, message: str) -> NoReturn:
             self.print_usage(sys.stderr)
             self.exit(1, f"error: {message}\n")
 
@@ -71,7 +76,7 @@ def results_parser(command, description, epilog=None):
     return parser
 
 
-def _summary(arguments):
+def _summary(arguments: list[str]) -> int:
     from .results import Results
 
     options = results_parser("summary", "What was run, how it went, and the last increment in numbers.").parse_args(
@@ -81,7 +86,7 @@ def _summary(arguments):
     return 0
 
 
-def _table(arguments):
+def _table(arguments: list[str]) -> int:
     from .history_table import history_table
     from .results import Results
 

@@ -7,14 +7,16 @@ Large bending                `cantilever_elastica`, `roll_up`
 """
 
 import math
-from typing import NamedTuple
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 # ---- Elliptic integrals ----------------------------------------------------------------------------------------------
 
 
-def complete_elliptic(m):
+def complete_elliptic(m: float) -> tuple[float, float, float]:
     """K(m), E(m) and (K(m) - E(m))/m with the parameter m = k^2, 0 <= m < 1.
 
     Source: arithmetic-geometric mean, Abramowitz and Stegun 17.6; c_(n+1) = c_n^2/(4 a_(n+1)) keeps all digits at m -> 0.
@@ -33,7 +35,7 @@ def complete_elliptic(m):
     return k, k * (1.0 - m * total), k * total
 
 
-def incomplete_elliptic(phi, m):
+def incomplete_elliptic(phi: float, m: float) -> tuple[float, float]:
     """F(phi|m) and E(phi|m) for 0 <= phi <= pi/2.
 
     Source: Carlson's forms, NIST Digital Library of Mathematical Functions 19.25.5 and 19.25.9.
@@ -44,7 +46,7 @@ def incomplete_elliptic(phi, m):
     return f, f - m * s**3 / 3.0 * _carlson_rd(c * c, q, 1.0)
 
 
-def _carlson_rf(x, y, z):
+def _carlson_rf(x: float, y: float, z: float) -> float:
     # Source: B. C. Carlson, Numerical Algorithms 10 (1995) 13-26, algorithm 1
     while True:
         lam = math.sqrt(x * y) + math.sqrt(y * z) + math.sqrt(z * x)
@@ -58,7 +60,7 @@ def _carlson_rf(x, y, z):
     return (1.0 - e2 / 10.0 + e3 / 14.0 + e2**2 / 24.0 - 3.0 * e2 * e3 / 44.0) / math.sqrt(mean)
 
 
-def _carlson_rd(x, y, z):
+def _carlson_rd(x: float, y: float, z: float) -> float:
     # Source: as above, algorithm 4
     total, power = 0.0, 1.0
     while True:
@@ -91,18 +93,26 @@ class Spot(NamedTuple):
     stiffness: float
 
 
-def _pair(value):
+def _pair(value: ArrayLike) -> tuple[float, float]:
     first, second = np.broadcast_to(value, 2)
     return float(first), float(second)
 
 
-def reduced_modulus(young, poisson):
+def reduced_modulus(young: ArrayLike, poisson: ArrayLike) -> float:
     """E* with 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2."""
     (e1, e2), (nu1, nu2) = _pair(young), _pair(poisson)
     return 1.0 / ((1.0 - nu1**2) / e1 + (1.0 - nu2**2) / e2)
 
 
-def hertz_contact(force, *, radius, young, poisson, resistivity, angle=math.pi / 2):
+def hertz_contact(
+    force: float,
+    *,
+    radius: ArrayLike,
+    young: ArrayLike,
+    poisson: ArrayLike,
+    resistivity: ArrayLike,
+    angle: float = math.pi / 2,
+) -> Spot:
     """Elastic contact of two round wires whose axes cross at `angle`; every property is a number or a pair.
 
     Sources: Hertz 1882 in the notation of K. L. Johnson, Contact Mechanics, section 4.2; resistance of an elliptic spot
@@ -132,10 +142,10 @@ def hertz_contact(force, *, radius, young, poisson, resistivity, angle=math.pi /
     )
 
 
-def _axis_ratio(curvature_ratio):
+def _axis_ratio(curvature_ratio: float) -> float:
     """b/a of the contact ellipse from B/A = ((a/b)^2 E - K)/(K - E), by bisection."""
 
-    def excess(ratio):
+    def excess(ratio: float) -> float:
         m = 1.0 - ratio**2
         k, _, d = complete_elliptic(m)
         # E - (1 - m) K = m (K - D) with D = (K - E)/m
@@ -144,7 +154,7 @@ def _axis_ratio(curvature_ratio):
     return _bisect(excess, 1e-8, 1.0) if curvature_ratio > 1.0 + 1e-14 else 1.0
 
 
-def _bisect(function, low, high):
+def _bisect(function: Callable[[float], float], low: float, high: float) -> float:
     """The zero of a monotone function whose signs at both ends differ, to the last digit."""
     sign = math.copysign(1.0, function(low))
     for _ in range(200):
@@ -158,12 +168,14 @@ def _bisect(function, low, high):
     return 0.5 * (low + high)
 
 
-def hertz_force(approach, **wires):
+def hertz_force(approach: float, **wires: Any) -> float:
     """Force that brings two wires together by `approach`: F is proportional to approach^(3/2)."""
     return (approach / hertz_contact(1.0, **wires).approach) ** 1.5
 
 
-def paper_contact(force, *, radius, young, poisson, resistivity):
+def paper_contact(
+    force: float, *, radius: ArrayLike, young: ArrayLike, poisson: ArrayLike, resistivity: ArrayLike
+) -> tuple[float, float]:
     """Radius and resistance of the circular spot of Boso, Litewka, Schrefler and Wriggers, LAW=PAPER.
 
     Its mean radius r1 r2/(r1 + r2) is that of two spheres.
@@ -186,21 +198,23 @@ class Wire(NamedTuple):
     resistivity: float
 
     @property
-    def area(self):
+    def area(self) -> float:
         """Cross-section area [m^2]."""
         return math.pi * self.radius**2
 
     @property
-    def bending_stiffness(self):
+    def bending_stiffness(self) -> float:
         """E I [N m^2]."""
         return self.young * math.pi * self.radius**4 / 4.0
 
-    def resistance(self, fraction=1.0):
+    def resistance(self, fraction: float = 1.0) -> float:
         """Resistance of a fraction of the wire [ohm]."""
         return self.resistivity * fraction * self.length / self.area
 
 
-def beam_compliance(bending_stiffness, length, support, position=0.5, at=None):
+def beam_compliance(
+    bending_stiffness: float, length: float, support: str, position: float = 0.5, at: float | None = None
+) -> float:
     """Deflection at `at` by a unit force at `position` (fractions of the length), Euler-Bernoulli, small displacements.
 
     `support`: "clamped" or "supported" (both ends), "cantilever" (clamped at 0). Source: Roark's Formulas for Stress and
@@ -222,7 +236,9 @@ def beam_compliance(bending_stiffness, length, support, position=0.5, at=None):
     return deflection * length**3 / bending_stiffness
 
 
-def crossed_beams(approach, compliances, *, penalty=None, **wires):
+def crossed_beams(
+    approach: float, compliances: Sequence[float], *, penalty: float | None = None, **wires: Any
+) -> float:
     """Force between two beams whose supports are moved together by `approach` beyond first touch.
 
     `approach = F (c1 + c2) + delta(F)`, where delta is F/penalty, or Hertz's approach when the properties of the wires
@@ -235,7 +251,9 @@ def crossed_beams(approach, compliances, *, penalty=None, **wires):
     return _bisect(lambda f: f * compliance + unit_approach * f ** (2.0 / 3.0) - approach, 0.0, approach / compliance)
 
 
-def wire_grid(approach, positions, wire, *, support="clamped", angle=math.pi / 2):
+def wire_grid(
+    approach: float, positions: Sequence[float], wire: Wire, *, support: str = "clamped", angle: float = math.pi / 2
+) -> NDArray[np.float64]:
     """Forces (n, n) at the crossings of n lower and n upper equal wires whose supports are moved together by `approach`.
 
     `positions`: fractions of the length where the wires cross. Lower wire i and upper wire j touch at (i, j). Each crossing
@@ -274,12 +292,14 @@ def wire_grid(approach, positions, wire, *, support="clamped", angle=math.pi / 2
 class Crossing(NamedTuple):
     """Potentials of two wires at their crossing, and the current from the first to the second."""
 
-    potentials: tuple
+    potentials: tuple[float, float]
     current: float
     voltage: float
 
 
-def crossed_wires_network(potentials, arms, contact_resistance):
+def crossed_wires_network(
+    potentials: Sequence[Sequence[float | None]], arms: Sequence[Sequence[float]], contact_resistance: float
+) -> Crossing:
     """Two conducting wires that cross.
 
     `potentials`: ((V1a, V1b), (V2a, V2b)) of the ends, None: insulated. `arms`: ((R1a, R1b), (R2a, R2b)), the resistances
@@ -297,7 +317,9 @@ def crossed_wires_network(potentials, arms, contact_resistance):
     return Crossing((float(v[0]), float(v[1])), float(g * (v[0] - v[1])), float(v[0] - v[1]))
 
 
-def grid_network(voltage, positions, wire, contact_resistance):
+def grid_network(
+    voltage: float, positions: Sequence[float], wire: Wire, contact_resistance: NDArray[np.float64]
+) -> float:
     """Total current through a grid of n lower and n upper wires; lower ends at 0 at `voltage`, upper ends at 0 at zero.
 
     The other ends are insulated. `contact_resistance` (n, n) as the forces of `wire_grid`. Source: Kirchhoff's laws.
@@ -307,7 +329,7 @@ def grid_network(voltage, positions, wire, contact_resistance):
     lower = np.arange(n * n).reshape(n, n)
     upper = lower.T + n * n
 
-    def connect(a, b, conductance):
+    def connect(a: int, b: int, conductance: float) -> None:
         matrix[[a, b], [a, b]] += conductance
         matrix[[a, b], [b, a]] -= conductance
 
@@ -335,17 +357,17 @@ class Tip(NamedTuple):
     angle: float
 
 
-def cantilever_elastica(load):
+def cantilever_elastica(load: float) -> Tip:
     """Inextensible cantilever under a transverse tip load of fixed direction, load = P L^2/(E I) > 0.
 
     Source: K(k) - F(phi, k) = sqrt(load), sin(phi) = 1/(k sqrt(2)); Bisshopp and Drucker, Quart. Appl. Math. 3 (1945)
     272-275.
     """
 
-    def amplitude(m):
+    def amplitude(m: float) -> float:
         return math.asin(min(1.0, 1.0 / math.sqrt(2.0 * m)))
 
-    def excess(m):
+    def excess(m: float) -> float:
         return complete_elliptic(m)[0] - incomplete_elliptic(amplitude(m), m)[0] - math.sqrt(load)
 
     m = _bisect(excess, 0.5, 1.0 - 1e-15)
@@ -358,6 +380,6 @@ def cantilever_elastica(load):
     )
 
 
-def roll_up(angle):
+def roll_up(angle: float) -> Tip:
     """Cantilever bent to a circular arc by an end moment M = angle E I/L: deflection, shortening over length, angle."""
     return Tip((1.0 - math.cos(angle)) / angle, 1.0 - math.sin(angle) / angle, angle)

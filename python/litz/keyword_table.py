@@ -146,11 +146,11 @@ def _check_value(what: str, description: dict[str, Any], value: Any) -> None:
     elif kind == "integer":
         if not isinstance(value, Integral) or isinstance(value, bool):
             raise ValueError(f"{what} must be a whole number, not {value!r}{means}")
-        _check_limit(what, description, value, means)
+        _check_limit(what, description, int(value), means)
     elif kind == "real":
         if not isinstance(value, Real) or isinstance(value, bool) or not math.isfinite(value):
             raise ValueError(f"{what} must be a finite number, not {value!r}{means}")
-        _check_limit(what, description, value, means)
+        _check_limit(what, description, float(value), means)
     elif kind in ("name", "number or set") and not isinstance(value, Integral):
         check_name(value, what)
 

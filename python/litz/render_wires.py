@@ -58,7 +58,7 @@ def polylines(points: np.ndarray, starts: np.ndarray) -> pv.PolyData:
     return lines
 
 
-def add_lights(plotter: pv.Plotter, job) -> None:
+def add_lights(plotter: pv.Plotter, job: Mapping[str, np.ndarray]) -> None:
     """A strong light from the upper left of the viewer and a weak one from the right."""
     toward, up = job["toward"], job["up"]
     right = np.cross(up, toward)

@@ -6,6 +6,10 @@ import sys
 import tempfile
 from importlib.resources import files
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .results import Results
 
 
 class LitzError(Exception):
@@ -16,7 +20,7 @@ class LitzError(Exception):
 
     exit_code = 5
 
-    def __init__(self, message, results_path=None):
+    def __init__(self, message: str, results_path: Path | None = None):
         super().__init__(message)
         self.results_path = results_path
 
@@ -57,13 +61,13 @@ class OutOfMemoryError(LitzError):
     exit_code = 6
 
 
-_ERRORS = {
+_ERRORS: dict[int, type[LitzError]] = {
     error.exit_code: error
     for error in (InputError, NotConvergedError, SolverError, FileError, InternalError, OutOfMemoryError)
 }
 
 
-def program_path():
+def program_path() -> Path:
     """The Fortran program: the one the environment variable LITZ_PROGRAM names, or the one in this package."""
     named = os.environ.get("LITZ_PROGRAM")
     program = Path(named) if named else Path(str(files("litz") / "_bin" / "litz"))
@@ -73,7 +77,7 @@ def program_path():
     return program
 
 
-def program_environment():
+def program_environment() -> dict[str, str]:
     """What the program runs in: threads that wait sleep, unless `OMP_WAIT_POLICY` says otherwise.
 
     Threads that spin while they wait are worth nothing here, and on a machine with other work they slow a small model
@@ -82,7 +86,15 @@ def program_environment():
     return {"OMP_WAIT_POLICY": "passive", **os.environ}
 
 
-def run(deck, *, output_directory=".", solver=None, threads=None, restart=None, quiet=True):
+def run(
+    deck: str | os.PathLike[str],
+    *,
+    output_directory: str | os.PathLike[str] = ".",
+    solver: str | None = None,
+    threads: int | None = None,
+    restart: str | os.PathLike[str] | None = None,
+    quiet: bool = True,
+) -> "Results":
     """Run a deck and read its results.
 
     Parameters
@@ -110,7 +122,7 @@ def run(deck, *, output_directory=".", solver=None, threads=None, restart=None, 
         All of them `LitzError`, with the message of the program.
     """
     deck, output_directory = Path(deck), Path(output_directory)
-    command = [program_path(), "run", deck, "-o", output_directory]
+    command: list[str | Path] = [program_path(), "run", deck, "-o", output_directory]
     if solver is not None:
         command += ["--solver", str(solver)]
     if threads is not None:
@@ -131,7 +143,7 @@ def run(deck, *, output_directory=".", solver=None, threads=None, restart=None, 
     return Results(results_path)
 
 
-def _call(command, quiet):
+def _call(command: list[str | Path], quiet: bool) -> tuple[int, str, str]:
     """Exit code, standard output and standard error of a command; the output is passed on line by line if wanted."""
     printed = []
     with tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace") as messages:
@@ -144,16 +156,15 @@ def _call(command, quiet):
             errors="replace",
             env=program_environment(),
         )
-        try:
-            for line in process.stdout:
-                printed.append(line)
-                if not quiet:
-                    sys.stdout.write(line)
-                    sys.stdout.flush()
-            exit_code = process.wait()
-        finally:
-            process.stdout.close()
-            process.kill()
-            process.wait()
+        with process:
+            try:
+                for line in process.stdout or ():
+                    printed.append(line)
+                    if not quiet:
+                        sys.stdout.write(line)
+                        sys.stdout.flush()
+                exit_code = process.wait()
+            finally:
+                process.kill()
         messages.seek(0)
         return exit_code, "".join(printed), messages.read()

@@ -1,5 +1,6 @@
 """A page of text about a run."""
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -32,7 +33,7 @@ def _increments(results: "Results") -> str:
     status = results.status
     heads = ("step", "increment", "attempts", "iterations", "time", "time_increment", "force", "contacts", "remark")
     rows = [heads, tuple(f"[{status.units[head]}]" if status.units[head] else "" for head in heads)]
-    picked = range(status.n_rows)
+    picked: Sequence[int | None] = range(status.n_rows)
     if status.n_rows > _MOST_ROWS:
         half = _MOST_ROWS // 2
         picked = [*range(half), None, *range(status.n_rows - half, status.n_rows)]
@@ -74,7 +75,7 @@ def _last_increment(results: "Results") -> str:
     return "\n".join(lines)
 
 
-def _cell(value) -> str:
+def _cell(value: object) -> str:
     if isinstance(value, np.floating):
         return f"{value:.4g}"
     return str(value)

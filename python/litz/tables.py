@@ -2,7 +2,7 @@
 
 import difflib
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 
 import numpy as np
@@ -73,14 +73,14 @@ class Table(Mapping):
         return Table({name: values[mask] for name, values in self._columns.items()}, self.units)
 
 
-def nearest_name(name: str, known) -> str:
+def nearest_name(name: str, known: Iterable[str]) -> str:
     """The question whether a name like it was meant, or nothing where there is none like it."""
     spelt = {str(one).upper(): one for one in known}
     nearest = difflib.get_close_matches(str(name).upper(), spelt, n=1)
     return f"; did you mean {spelt[nearest[0]]!r}?" if nearest else ""
 
 
-def unknown_name(what: str, name: str, known) -> str:
+def unknown_name(what: str, name: str, known: Iterable[str]) -> str:
     """Message for a name that is not there: the nearest one, and all there are."""
     known = list(known)
     hint = nearest_name(name, known)

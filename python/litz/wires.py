@@ -51,7 +51,7 @@ def find_wires(elements: np.ndarray) -> list[Wire]:
     return sorted(wires, key=lambda wire: wire.elements.min())
 
 
-def _follow(node: int, element: int, elements: np.ndarray, at_node: dict, left: dict) -> Wire:
+def _follow(node: int, element: int | None, elements: np.ndarray, at_node: dict, left: dict) -> Wire:
     """The wire that leaves a node through an element; its elements are taken out of `left`."""
     nodes, chain, signs = [node], [], []
     while element is not None:
@@ -119,7 +119,7 @@ def rotate(vectors: np.ndarray, rotations: np.ndarray) -> np.ndarray:
 
 def element_curves(
     nodes: np.ndarray, displacement: np.ndarray, rotation: np.ndarray, wires: list[Wire], n_elements: int
-):
+) -> tuple[np.ndarray, np.ndarray]:
     """What the Hermite axis of each element needs, in the element's own direction.
 
     Returns

@@ -136,7 +136,7 @@ def _lays_of(layers: Sequence[int], lay: float | Sequence[float]) -> list[float]
         raise ValueError("each layer needs one member or more")
     core = layers[0] == 1
     n_laid = len(layers) - core
-    laid = [float(lay)] * n_laid if np.ndim(lay) == 0 else [float(value) for value in lay]
+    laid = (np.full(n_laid, lay, dtype=float) if np.ndim(lay) == 0 else np.asarray(lay, dtype=float)).tolist()
     if len(laid) != n_laid or not all(math.isfinite(value) and value != 0 for value in laid):
         raise ValueError(f"{n_laid} layers need a lay length other than 0 each; given are {laid}")
     return [math.inf] * core + laid

@@ -2,6 +2,7 @@
 
 import itertools
 import math
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -140,7 +141,7 @@ def woven_fabric(
     amplitude = _amplitude(crimp, pitch, elements_per_pitch)
     model = Model(f"Plain weave of {n_warp} x {n_weft} yarns")
     size = np.array([n_weft, n_warp]) * pitch
-    yarns = {"radius": radius, "material": material, "element": element}
+    yarns: dict[str, Any] = {"radius": radius, "material": material, "element": element}
     for name, count, crossed, along in (("WARP", n_warp, n_weft, 0), ("WEFT", n_weft, n_warp, 1)):
         axes = []
         for index in range(count):

@@ -3,7 +3,7 @@
 import itertools
 import math
 from collections.abc import Callable
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -106,7 +106,7 @@ def fibre_mat(
     if not (overlap or clearance > 0):
         raise ValueError(f"clearance must be greater than 0, not {clearance:g}")
     rng = np.random.default_rng(seed)
-    fibre = {"radius": radius, "material": material, "element": element}
+    fibre: dict[str, Any] = {"radius": radius, "material": material, "element": element}
     if orientation == "layered":
         if len(size) != 2:
             raise ValueError("size of a layered mat: x and y; its height follows from the layers")

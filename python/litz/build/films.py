@@ -142,7 +142,8 @@ def _crosses(wire: NDArray, others: NDArray) -> NDArray[np.bool_]:
     def apart(a: NDArray, b: NDArray, first: NDArray, second: NDArray) -> NDArray:
         return _cross(b - a, first - a) * _cross(b - a, second - a) < 0
 
-    return apart(*wire, others[:, 0], others[:, 1]) & apart(others[:, 0], others[:, 1], *wire)
+    first, last = wire
+    return apart(first, last, others[:, 0], others[:, 1]) & apart(others[:, 0], others[:, 1], first, last)
 
 
 def _cross(u: NDArray, v: NDArray) -> NDArray[np.float64]:

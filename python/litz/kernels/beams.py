@@ -283,7 +283,7 @@ def _beam(
     if form not in ("spin", "hessian"):
         raise ValueError(f"form must be 'spin' or 'hessian', not {form!r}")
     given = sigma is not None
-    forces = checks.array("sigma", sigma, (6,)) if given else np.zeros(6)
+    forces = np.zeros(6) if sigma is None else checks.array("sigma", sigma, (6,))
     geometry = _geometry(x, triads, x0, triads0)
     return Beam(*kernel(*geometry, stiffness, forces, given, form == "spin")[:4])
 

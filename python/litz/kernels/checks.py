@@ -20,7 +20,7 @@ def array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.flo
     return result
 
 
-def number(name: str, value: float) -> float:
+def number(name: str, value: ArrayLike) -> float:
     """Return `value` as a finite number."""
     return float(array(name, value, ()))
 

@@ -1,6 +1,6 @@
 """The electric-mechanical contact of two wires: closest points, contact spot, and the contact element."""
 
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -375,9 +375,26 @@ def contact_coupling(
 
 
 def _contact_em(
-    x, t, length, v, radius, young, poisson, resistivity, eps_n, axis, spot_law, rotation_vectors, normal_law,
-    hardness, film_resistivity, resistance, table, side, series_resistance,
-):  # fmt: skip
+    x: ArrayLike,
+    t: ArrayLike,
+    length: ArrayLike,
+    v: ArrayLike,
+    radius: Numbers,
+    young: Numbers,
+    poisson: Numbers,
+    resistivity: Numbers,
+    eps_n: float | None,
+    axis: Axis,
+    spot_law: SpotLaw,
+    rotation_vectors: ArrayLike | None,
+    normal_law: NormalLaw,
+    hardness: float | None,
+    film_resistivity: float | None,
+    resistance: float | None,
+    table: ArrayLike | None,
+    side: int,
+    series_resistance: ArrayLike,
+) -> tuple[Any, ...]:
     """Check the input, call the kernel, raise what it could not do."""
     geometry = _geometry(x, t, length)
     voltages = checks.array("v", v, (4,))
@@ -403,7 +420,9 @@ def _contact_em(
     if (series < 0).any():
         raise ValueError(f"series_resistance must not be negative, but holds {series.min():g}")
     has_vectors = rotation_vectors is not None
-    vectors = checks.array("rotation_vectors", rotation_vectors, (4, 3)) if has_vectors else np.zeros((4, 3))
+    vectors = (
+        np.zeros((4, 3)) if rotation_vectors is None else checks.array("rotation_vectors", rotation_vectors, (4, 3))
+    )
     result = _core.f2py_contact.contact_em(
         *geometry, voltages, *properties, normal_number, eps_n or 0.0, spot_number, law_value, force_table,
         resistance_table, checks.choice("axis", axis, _AXES), side, series, has_vectors, vectors.T,
@@ -413,14 +432,16 @@ def _contact_em(
     return result
 
 
-def _geometry(x, t, length):
+def _geometry(x: ArrayLike, t: ArrayLike, length: ArrayLike) -> tuple[NDArray[np.float64], ...]:
     """Positions and tangents as columns, and lengths, after checking them."""
-    x = checks.array("x", x, (4, 3))
-    t = checks.unit_vectors("t", t, (4, 3))
-    return x.T, t.T, checks.positive_pair("length", checks.array("length", length, (2,)))
+    positions = checks.array("x", x, (4, 3))
+    tangents = checks.unit_vectors("t", t, (4, 3))
+    return positions.T, tangents.T, checks.positive_pair("length", checks.array("length", length, (2,)))
 
 
-def _properties(radius, young, poisson, resistivity):
+def _properties(
+    radius: Numbers, young: Numbers, poisson: Numbers, resistivity: Numbers
+) -> tuple[NDArray[np.float64], ...]:
     """Pairs of properties, after checking them."""
     nu = checks.pair("poisson", poisson)
     if not ((nu > -1) & (nu < 0.5)).all():
@@ -434,7 +455,9 @@ def _properties(radius, young, poisson, resistivity):
     )
 
 
-def _spot_law(parameter, law, *, table, **values):
+def _spot_law(
+    parameter: str, law: SpotLaw, *, table: ArrayLike | None, **values: float | None
+) -> tuple[int, float, NDArray[np.float64], NDArray[np.float64]]:
     """Number of a spot law, its value and its table; refuses data that belong to another law."""
     number = checks.choice(parameter, law, _SPOT_LAWS)
     wanted = _LAW_VALUES.get(law)
@@ -444,14 +467,17 @@ def _spot_law(parameter, law, *, table, **values):
             raise ValueError(f'{name} belongs to the spot law "{owner}", not to "{law}"')
     if table is not None and law != "table":
         raise ValueError(f'table belongs to the spot law "table", not to "{law}"')
-    if wanted is not None and values[wanted] is None:
-        raise ValueError(f'the spot law "{law}" needs {wanted}')
-    law_value = 0.0 if wanted is None else checks.positive(wanted, values[wanted])
+    law_value = 0.0
+    if wanted is not None:
+        value = values[wanted]
+        if value is None:
+            raise ValueError(f'the spot law "{law}" needs {wanted}')
+        law_value = checks.positive(wanted, value)
     forces, resistances = _table(table) if law == "table" else (np.ones(1), np.ones(1))
     return number, law_value, forces, resistances
 
 
-def _table(table):
+def _table(table: ArrayLike | None) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Forces and resistances of a table, after checking them."""
     if table is None:
         raise ValueError('the spot law "table" needs table: forces [N] and resistances [ohm], shape (2, n)')
