@@ -97,8 +97,8 @@ contains
       call results%close(.not. allocated(error), close_error)
       call restart%close(close_error)
       if (.not. allocated(error) .and. allocated(close_error)) call move_alloc(close_error, error)
-      if (allocated(error) .and. results%leaves_older()) error%message = error%message//' The results of an earlier '// &
-         'run stay as they are; the tables of this one are '//result_base(options)//'_unconverged.sta and .cvg.'
+      if (allocated(error) .and. results%leaves_older()) error%message = error%message//' The results of an earlier'// &
+         ' run stay as they are; the tables of this one are '//result_base(options)//'_unconverged.sta and .cvg.'
       call problem%timing%lap(phase_output)
       if (options%print_timing) write (output_unit, '(a)', advance='no') problem%timing%table(problem%n_iterations)
       if (.not. (allocated(error) .or. options%quiet)) call print_end(problem, options)

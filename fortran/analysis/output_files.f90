@@ -74,6 +74,7 @@ module litz_output_files
       !> Not 0 when it fails
       integer(c_int) function c_rename(old, new) bind(c, name='rename')
          import :: c_char, c_int
+         implicit none
          character(kind=c_char), intent(in) :: old(*), new(*)
       end function c_rename
    end interface
