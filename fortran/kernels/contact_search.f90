@@ -1,11 +1,12 @@
 !> Broad phase of the contact search: all pairs of straight segments that come near each other, in a time that grows
 !> like their number, whatever mixture of lengths and thicknesses they have.
 !>
-!> Segments are cut into pieces not much longer than the mean segment, so that their boxes hug them. The boxes are sorted
-!> by size into grids whose cells are as wide as their largest box; a box lies in the one cell of its lower corner. So
-!> it can only meet boxes of the cells around it in its own grid, and of a few cells in each grid of larger boxes.
-!> The cells of a grid are folded onto a table with an entry or two per box: empty space costs nothing. Cells that follow
-!> one another along x have entries that do, so that a row of cells is one list of boxes.
+!> Segments are cut into pieces not much longer than the mean segment, so that their boxes hug them. The boxes are
+!> sorted by size into grids whose cells are as wide as their largest box; a box lies in the one cell of its lower
+!> corner. So it can only meet boxes of the cells around it in its own grid, and of a few cells in each grid of larger
+!> boxes.
+!> The cells of a grid are folded onto a table with an entry or two per box: empty space costs nothing. Cells that
+!> follow one another along x have entries that do, so that a row of cells is one list of boxes.
 module litz_contact_search
    use litz_kinds, only: dp, sp, int64
    use litz_parallel, only: worth_threads

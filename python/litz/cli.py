@@ -57,7 +57,7 @@ def _run_program(arguments: list[str]) -> int:
     return exit_code
 
 
-def results_parser(command, description, epilog=None):
+def results_parser(command: str, description: str, epilog: str | None = None) -> "argparse.ArgumentParser":
     """A parser of arguments that ends as the program does: with exit code 1 when they are wrong."""
     import argparse
 
@@ -97,7 +97,7 @@ def _table(arguments: list[str]) -> int:
     return 0
 
 
-def _plot(arguments):
+def _plot(arguments: list[str]) -> int:
     from .picture_commands import plot_command
 
     return plot_command(arguments)

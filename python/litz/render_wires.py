@@ -6,6 +6,7 @@ where no OpenGL is installed, VTK ends the whole process, which must not be the 
 
 import itertools
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
@@ -18,7 +19,7 @@ def main(folder: str) -> None:
         draw(np.load(job), job.with_suffix(".png"))
 
 
-def draw(job, picture: Path) -> None:
+def draw(job: Mapping[str, np.ndarray], picture: Path) -> None:
     """Draw one job."""
     width, height = (int(n) for n in job["size"])
     plotter = pv.Plotter(off_screen=True, window_size=(width, height), lighting="none")
