@@ -17,7 +17,8 @@ module litz_contact_forces
    use litz_friction_law, only: friction_law_t, friction_slip
    use litz_hertz, only: hertz_ellipse
    use litz_linear_solver, only: system_matrix_t
-   use litz_model, only: model_t, normal_hertz, spot_none, spot_hertz, spot_film
+   use litz_laws, only: normal_hertz, spot_none, spot_law_uses_ellipse
+   use litz_model, only: model_t
    use litz_normal_law, only: normal_force_of_ellipse, hertz_approach_of_ellipse
    use litz_parallel, only: worth_threads
    use litz_shared_conductors, only: collect_shared
@@ -83,7 +84,7 @@ contains
          end if
          call materials_of(model, elements, point, radius, young, poisson, resistivity)
          associate (law => model%interactions(model%contact_pairs(point%pair)%interaction))
-            if (law%normal_law == normal_hertz .or. law%spot_law == spot_hertz .or. law%spot_law == spot_film) then
+            if (law%normal_law == normal_hertz .or. spot_law_uses_ellipse(law%spot_law)) then
                call hertz_ellipse(radius, young, poisson, point%kinematics%angle, point%ellipse, info)
             end if
             call normal_force_of_ellipse(law%normal_law, law%penalty, point%gap, point%ellipse, point%force, slope, &

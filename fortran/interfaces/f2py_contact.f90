@@ -3,6 +3,7 @@
 module f2py_contact
    use iso_c_binding, only: c_double, c_int
    use litz_elliptic, only: elliptic_t, elliptic_integrals, elliptic_integrals_complementary
+   use litz_laws, only: spot_laws
    use litz_contact_spot, only: core_contact_spot => contact_spot
    use litz_normal_law, only: core_normal_force => normal_force, core_hertz_approach => hertz_approach
    use litz_closest_points, only: core_closest_points => closest_points
@@ -15,6 +16,15 @@ module f2py_contact
    use litz_contact_friction, only: slip_t, slip_kinematics, friction_residual, friction_tangent
    implicit none
 contains
+
+   ! Names of the spot laws and of their values, at the places of their numbers; blank beyond the last one.
+   subroutine spot_law_names(names, values)
+      character(len=16), intent(out) :: names(32), values(32)
+      names = ''
+      values = ''
+      names(:size(spot_laws)) = spot_laws%name
+      values(:size(spot_laws)) = spot_laws%value_name
+   end subroutine spot_law_names
 
    ! K, E, B, D, C, dK/dm, dE/dm at m, or with complementary /= 0 at 1 - m.
    subroutine elliptic(m, complementary, values)

@@ -8,7 +8,7 @@
 !> The steps, each its own kernel: closest points, kinematics, normal force, spot, mechanics, electricity.
 module litz_contact_em
    use litz_kinds, only: dp
-   use litz_laws, only: normal_hertz, spot_hertz, spot_film
+   use litz_laws, only: normal_hertz, spot_law_uses_ellipse
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
    use litz_normal_law, only: normal_force_of_ellipse, normal_ok
    use litz_contact_spot, only: contact_spot_of_ellipse, spot_ok, spot_bad_table
@@ -105,7 +105,7 @@ contains
       if (info /= contact_active) return
 
       ! the force ...
-      if (normal_law == normal_hertz .or. spot_law == spot_hertz .or. spot_law == spot_film) then
+      if (normal_law == normal_hertz .or. spot_law_uses_ellipse(spot_law)) then
          call hertz_ellipse(radius, young, poisson, contact%angle, ellipse, law_info)
          info = contact_parallel
          if (law_info /= hertz_ok) return

@@ -19,7 +19,8 @@
 !> `F^(1/3)` is infinite there. CONSTANT and TABLE, too, conduct only under a positive force.
 module litz_contact_spot
    use litz_kinds, only: dp, pi
-   use litz_laws, only: spot_none, spot_paper, spot_hertz, spot_plastic, spot_film, spot_constant, spot_table
+   use litz_laws, only: spot_none, spot_paper, spot_hertz, spot_plastic, spot_film, spot_constant, spot_table, &
+      spot_law_uses_ellipse
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok, effective_modulus
    implicit none
    private
@@ -27,7 +28,7 @@ module litz_contact_spot
    public :: spot_ok, spot_parallel, spot_unknown_law, spot_bad_table
 
    integer, parameter :: spot_ok = 0
-   !> HERTZ, FILM: the axes are parallel and the ellipse infinitely long
+   !> Laws of the Hertz ellipse: the axes are parallel and the ellipse infinitely long
    integer, parameter :: spot_parallel = -1
    integer, parameter :: spot_unknown_law = -2
    !> TABLE: no pair at all, forces not ascending, or an entry that is not positive
@@ -48,7 +49,7 @@ contains
       real(dp), intent(in) :: young(2), poisson(2), resistivity(2)
       !> Angle between the tangents [rad], in (0, pi)
       real(dp), intent(in) :: angle
-      !> PLASTIC: hardness H [Pa]; FILM: film resistivity sigma_f [ohm m^2]; CONSTANT: resistance [ohm]; else not used
+      !> The number that is the law's data, see `spot_laws` of litz_laws: hardness, film resistivity, resistance
       real(dp), intent(in) :: law_value
       !> TABLE: forces (n) [N], ascending, and resistances (n) [ohm], all positive; else not used
       real(dp), intent(in) :: table_force(:), table_resistance(:)
@@ -63,7 +64,7 @@ contains
       type(hertz_ellipse_t) :: ellipse
       integer :: ellipse_info
 
-      if (law == spot_hertz .or. law == spot_film) then
+      if (spot_law_uses_ellipse(law)) then
          call hertz_ellipse(radius, young, poisson, angle, ellipse, ellipse_info)
          if (ellipse_info /= hertz_ok) then
             call no_spot(semi_major, semi_minor, approach, conductance, dconductance_dforce, dconductance_dangle)
@@ -76,7 +77,7 @@ contains
          info)
    end subroutine contact_spot
 
-   !> The same where the Hertz ellipse is already known (HERTZ and FILM; no other law looks at it).
+   !> The same where the Hertz ellipse is already known (laws that do not use it do not look at it).
    pure subroutine contact_spot_of_ellipse(law, force, radius, young, poisson, resistivity, ellipse, law_value, &
       table_force, table_resistance, semi_major, semi_minor, approach, conductance, dconductance_dforce, &
       dconductance_dangle, info)

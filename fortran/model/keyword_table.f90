@@ -2,6 +2,7 @@
 !>
 !> Meanings are those of Abaqus, or of CalculiX for *CONTROLS, unless the help text says otherwise.
 module litz_keyword_table
+   use litz_laws, only: spot_laws
    use litz_keywords, only: keyword_table_t, keyword_t, field_spec_t, &
       place_model, place_step, place_both, place_begins_step, kind_text, &
       limit_none, limit_positive, limit_not_negative, limit_poisson, limit_zero, limit_unused, &
@@ -209,25 +210,16 @@ contains
       call k%add_data([real_field('mu', '-', 'coefficient of friction', limit_not_negative)])
       call finish(table, k)
 
-      call begin(k, 'GAP ELECTRICAL CONDUCTANCE', place_model, &
-         'Resistance of the contact spot. PAPER: circular spot of the'// &
-         ' paper by Boso, Litewka, Schrefler and Wriggers. HERTZ: elliptic Hertz spot with Holm''s constriction'// &
-         ' resistance. PLASTIC: spot area is force/hardness. FILM: HERTZ with a film in series. CONSTANT: given'// &
-         ' resistance. TABLE: resistance over force. Without this keyword no current crosses.', &
-         after='SURFACE INTERACTION')
-      call k%add(choice('LAW', 'PAPER|HERTZ|PLASTIC|FILM|CONSTANT|TABLE', 'the law of the spot (own word of litz)', &
-         required=.true.))
+      call begin(k, 'GAP ELECTRICAL CONDUCTANCE', place_model, 'Resistance of the contact spot.'// &
+         spot_law_meanings()//' Without this keyword no current crosses.', after='SURFACE INTERACTION')
+      call k%add(choice('LAW', spot_law_names(), 'the law of the spot (own word of litz)', required=.true.))
       call k%add(choice('VOLTAGE', 'CORRECTED|LINEAR', &
          'CORRECTED adds the resistance that the linear voltage within an'// &
          ' element misses', default='CORRECTED'))
       call k%add(choice('SPOT', 'PRESENT FORCE|LARGEST FORCE', &
          'LARGEST FORCE: a spot that has been pressed stays, with the resistance of the largest force since the'// &
          ' contact closed or last slipped (own word of litz)', default='PRESENT FORCE'))
-      call k%add_data([real_field('H', 'Pa', 'hardness', limit_positive)], when='LAW=PLASTIC')
-      call k%add_data([real_field('sigma_f', 'ohm m^2', 'film resistance times area', limit_positive)], when='LAW=FILM')
-      call k%add_data([real_field('R_c', 'ohm', 'resistance of a contact', limit_positive)], when='LAW=CONSTANT')
-      call k%add_data([real_field('F', 'N', 'contact force; ascending', limit_positive), &
-         real_field('R', 'ohm', 'resistance of a contact at that force', limit_positive)], when='LAW=TABLE', last=0)
+      call add_spot_law_data(k)
       call finish(table, k)
 
       call begin(k, 'CONTACT PAIR', place_model, &
@@ -239,6 +231,43 @@ contains
          required=.false.)])
       call finish(table, k)
    end subroutine add_contact
+
+   !> `A|B|C`
+   pure function spot_law_names() result(names)
+      character(len=:), allocatable :: names
+      integer :: i
+
+      names = trim(spot_laws(1)%name)
+      do i = 2, size(spot_laws)
+         names = names//'|'//trim(spot_laws(i)%name)
+      end do
+   end function spot_law_names
+
+   !> A sentence for each law.
+   pure function spot_law_meanings() result(text)
+      character(len=:), allocatable :: text
+      integer :: i
+
+      text = ''
+      do i = 1, size(spot_laws)
+         text = text//' '//trim(spot_laws(i)%name)//': '//trim(spot_laws(i)%meaning)//'.'
+      end do
+   end function spot_law_meanings
+
+   pure subroutine add_spot_law_data(k)
+      type(keyword_t), intent(inout) :: k
+      integer :: i
+
+      do i = 1, size(spot_laws)
+         associate (law => spot_laws(i))
+            if (len_trim(law%value_name) > 0) call k%add_data([real_field(trim(law%value_name), trim(law%value_unit), &
+               trim(law%value_meaning), limit_positive)], when='LAW='//trim(law%name))
+            if (law%has_table) call k%add_data([real_field('F', 'N', 'contact force; ascending', limit_positive), &
+               real_field('R', 'ohm', 'resistance of a contact at that force', limit_positive)], &
+               when='LAW='//trim(law%name), last=0)
+         end associate
+      end do
+   end subroutine add_spot_law_data
 
    pure subroutine add_step(table)
       type(keyword_table_t), intent(inout) :: table

@@ -5,7 +5,7 @@ module litz_model
    use litz_kinds, only: dp
    use litz_unit_labels, only: unit_labels_t
    use litz_laws, only: axis_linear, axis_hermite, normal_linear, normal_hertz, stick_mindlin, stick_elastic_slip, &
-      stick_stiffness, spot_none, spot_paper, spot_hertz, spot_plastic, spot_film, spot_constant, spot_table
+      stick_stiffness, spot_none
    use litz_solver_names, only: solver_default, solver_block, solver_umfpack, solver_skyline
    implicit none
    private
@@ -16,7 +16,7 @@ module litz_model
    public :: axis_linear, axis_hermite
    public :: normal_linear, normal_hertz
    public :: stick_mindlin, stick_elastic_slip, stick_stiffness
-   public :: spot_none, spot_paper, spot_hertz, spot_plastic, spot_film, spot_constant, spot_table
+   public :: spot_none
    public :: solver_default, solver_block, solver_umfpack, solver_skyline
    public :: coupling_default, coupling_monolithic, coupling_updated
    public :: request_node, request_element, request_contact, request_electrode, request_energy

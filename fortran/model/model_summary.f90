@@ -2,8 +2,7 @@
 module litz_model_summary
    use litz_growing_text, only: growing_text_t
    use litz_kinds, only: dp
-   use litz_laws, only: axis_hermite, normal_linear, stick_elastic_slip, stick_stiffness, spot_none, spot_plastic, &
-      spot_film, spot_constant, spot_table
+   use litz_laws, only: axis_hermite, normal_linear, stick_elastic_slip, stick_stiffness, spot_none, spot_laws
    use litz_model, only: model_t, step_t, interaction_t, output_request_t, named_set_t, nodal_value_t, &
       element_b31, coupling_default, coupling_monolithic, request_node, request_element, request_contact, &
       request_energy, dof_potential
@@ -18,9 +17,6 @@ module litz_model_summary
    character(len=1), parameter :: nl = new_line('a')
    !> Most sets that are listed one by one
    integer, parameter :: most_sets = 40
-   character(len=8), parameter :: spot_names(6) = [character(len=8) :: 'PAPER', 'HERTZ', 'PLASTIC', 'FILM', &
-      'CONSTANT', &
-      'TABLE']
 
 contains
 
@@ -155,17 +151,12 @@ contains
          words = words//', no current'
          return
       end if
-      words = words//', spot '//trim(spot_names(interaction%spot_law))
-      select case (interaction%spot_law)
-      case (spot_plastic)
-         words = words//' with hardness '//to_text(interaction%spot_value)//' '//units%label('Pa')
-      case (spot_film)
-         words = words//' with film '//to_text(interaction%spot_value)//' '//units%label('ohm m^2')
-      case (spot_constant)
-         words = words//' of '//to_text(interaction%spot_value)//' '//units%label('ohm')
-      case (spot_table)
-         words = words//' of '//plural(size(interaction%table_force), 'point')
-      end select
+      associate (law => spot_laws(interaction%spot_law))
+         words = words//', spot '//trim(law%name)
+         if (len_trim(law%value_name) > 0) words = words//' with '//trim(law%value_name)//' = '// &
+            to_text(interaction%spot_value)//' '//units%label(trim(law%value_unit))
+         if (law%has_table) words = words//' of '//plural(size(interaction%table_force), 'point')
+      end associate
       if (interaction%spot_memory) words = words//' of the largest force'
       words = words//', '//trim(merge('corrected', 'linear   ', interaction%voltage_correction))//' voltage'
    end function interaction_words

@@ -4,7 +4,7 @@ module litz_read_contact
    use litz_text, only: to_text
    use litz_deck, only: token_t
    use litz_laws, only: axis_linear, normal_linear, normal_hertz, stick_elastic_slip, stick_stiffness, &
-      spot_none, spot_paper, spot_hertz, spot_plastic, spot_film, spot_constant, spot_table
+      spot_none, spot_laws, spot_law_number
    use litz_model, only: model_t, interaction_t, contact_pair_t
    use litz_reader, only: reader_t, fail_at, read_line, parameter_of, choice_of, real_parameter, has_flag, keyword_of, &
       add_definition, find_definition, n_cards_of
@@ -109,22 +109,12 @@ contains
 
       interaction%voltage_correction = choice_of(self, card, 'VOLTAGE') == 'CORRECTED'
       interaction%spot_memory = choice_of(self, card, 'SPOT') == 'LARGESTFORCE'
-      select case (choice_of(self, card, 'LAW'))
-      case ('PAPER')
-         interaction%spot_law = spot_paper
-      case ('HERTZ')
-         interaction%spot_law = spot_hertz
-      case ('PLASTIC')
-         interaction%spot_law = spot_plastic
-      case ('FILM')
-         interaction%spot_law = spot_film
-      case ('CONSTANT')
-         interaction%spot_law = spot_constant
-      case ('TABLE')
-         interaction%spot_law = spot_table
+      interaction%spot_law = spot_law_number(choice_of(self, card, 'LAW'))
+      if (interaction%spot_law == spot_none) return
+      if (spot_laws(interaction%spot_law)%has_table) then
          call read_table(self, card, interaction)
          return
-      end select
+      end if
       if (.not. has_data(self, card)) return
       call read_line(self, card, self%deck%cards(card)%first_data, ok)
       if (ok) interaction%spot_value = self%values%real(1)

@@ -278,9 +278,9 @@ A, B
             "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR, PENETRATION=UNLIMITED\n1e3\n",
             "penalty 1000 N/m, unlimited penetration, no current",
         ),
-        ("*GAP ELECTRICAL CONDUCTANCE, LAW=PLASTIC\n1e9\n", "spot PLASTIC with hardness 1e+09 Pa, corrected voltage"),
-        ("*GAP ELECTRICAL CONDUCTANCE, LAW=FILM\n1e-12\n", "spot FILM with film 1e-12 ohm m^2"),
-        ("*GAP ELECTRICAL CONDUCTANCE, LAW=CONSTANT\n0.002\n", "spot CONSTANT of 0.002 ohm"),
+        ("*GAP ELECTRICAL CONDUCTANCE, LAW=PLASTIC\n1e9\n", "spot PLASTIC with H = 1e+09 Pa, corrected voltage"),
+        ("*GAP ELECTRICAL CONDUCTANCE, LAW=FILM\n1e-12\n", "spot FILM with sigma_f = 1e-12 ohm m^2"),
+        ("*GAP ELECTRICAL CONDUCTANCE, LAW=CONSTANT\n0.002\n", "spot CONSTANT with R_c = 0.002 ohm"),
         ("*GAP ELECTRICAL CONDUCTANCE, LAW=TABLE\n1., 2.\n2., 1.\n", "spot TABLE of 2 points"),
     ],
 )

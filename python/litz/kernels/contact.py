@@ -10,13 +10,17 @@ from litz.kernels import checks
 
 Axis = Literal["linear", "hermite"]
 NormalLaw = Literal["linear", "hertz"]
-SpotLaw = Literal["none", "paper", "hertz", "plastic", "film", "constant", "table"]
+#: "none", or the name of a law of `*GAP ELECTRICAL CONDUCTANCE` in lower case
+SpotLaw = str
 Status = Literal["inside", "beyond", "parallel", "not_unique", "not_converged"]
 
 # The constants of fortran/base/laws.f90 and of the kernels
 _AXES = {"linear": 1, "hermite": 2}
 _NORMAL_LAWS = {"linear": 1, "hertz": 2}
-_SPOT_LAWS = {"none": 0, "paper": 1, "hertz": 2, "plastic": 3, "film": 4, "constant": 5, "table": 6}
+_SPOT_NAMES, _SPOT_VALUES = (
+    [name.decode().strip().lower() for name in names] for names in _core.f2py_contact.spot_law_names()
+)
+_SPOT_LAWS = {"none": 0} | {name: number for number, name in enumerate(_SPOT_NAMES, start=1) if name}
 _STATUS: dict[int, Status] = {0: "inside", 1: "beyond", -1: "parallel", -2: "not_unique", -3: "not_converged"}
 _CONTACT_ACTIVE, _CONTACT_OPEN, _CONTACT_BEYOND = 0, 1, 2
 _FAILURES = {
@@ -25,8 +29,13 @@ _FAILURES = {
     -2: "the wires overlap, but their closest points are not unique",
     -3: "the closest points were not found; do two nodes of an element coincide?",
 }
-#: The one number of each spot law that has one
-_LAW_VALUES = {"plastic": "hardness", "film": "film_resistivity", "constant": "resistance"}
+#: The one number of each spot law that has one: an argument of its own, or `law_value`
+_LAW_VALUES = {
+    **{name: "law_value" for name, value in zip(_SPOT_NAMES, _SPOT_VALUES, strict=True) if value},
+    "plastic": "hardness",
+    "film": "film_resistivity",
+    "constant": "resistance",
+}
 
 Numbers = float | ArrayLike
 
@@ -112,6 +121,7 @@ def contact_spot(
     hardness: float | None = None,
     film_resistivity: float | None = None,
     resistance: float | None = None,
+    law_value: float | None = None,
     table: ArrayLike | None = None,
 ) -> ContactSpot:
     """Spot and conductance of two round wires pressed together.
@@ -140,6 +150,8 @@ def contact_spot(
         For "film" [ohm m^2].
     resistance : float, optional
         For "constant" [ohm].
+    law_value : float, optional
+        The number of a law that has one without a name among these arguments.
     table : array_like, shape (2, n), optional
         For "table": forces [N], ascending, and resistances [ohm]. Interpolated smoothly and monotonically in
         logarithms; beyond its ends the power law of the end slope continues; a single pair is a constant.
@@ -170,7 +182,13 @@ def contact_spot(
     """
     properties = _properties(radius, young, poisson, resistivity)
     law_number, law_value, force_table, resistance_table = _spot_law(
-        "law", law, hardness=hardness, film_resistivity=film_resistivity, resistance=resistance, table=table
+        "law",
+        law,
+        hardness=hardness,
+        film_resistivity=film_resistivity,
+        resistance=resistance,
+        law_value=law_value,
+        table=table,
     )
     angle = checks.number("angle", angle)
     if not 0 < angle < np.pi:
@@ -249,6 +267,7 @@ def contact_em(
     hardness: float | None = None,
     film_resistivity: float | None = None,
     resistance: float | None = None,
+    law_value: float | None = None,
     table: ArrayLike | None = None,
     side: Literal[-1, 0, 1] = 0,
     series_resistance: ArrayLike = (0.0, 0.0),
@@ -279,7 +298,7 @@ def contact_em(
         ``phi`` [rad], where ``t = exp(phi) t_start``.
     normal_law : {"linear", "hertz"}
         From gap to force: ``F = eps_n |g|``, or the exact Hertz contact, which needs no `eps_n`.
-    hardness, film_resistivity, resistance, table : optional
+    hardness, film_resistivity, resistance, law_value, table : optional
         Data of the spot law, see `contact_spot`.
     side : {0, 1, -1}
         Sign of ``(xb - x) . (x' x xb')`` when the contact began. With it the gap keeps its sign when the axes have
@@ -309,7 +328,7 @@ def contact_em(
     """
     k, r, numbers, normal, _, info = _contact_em(
         x, t, length, v, radius, young, poisson, resistivity, eps_n, axis, spot_law, rotation_vectors, normal_law,
-        hardness, film_resistivity, resistance, table, side, series_resistance,
+        hardness, film_resistivity, resistance, law_value, table, side, series_resistance,
     )  # fmt: skip
     xi_bar, xi, gap, _, force, semi_major, semi_minor, spot_resistance, current, voltage_gap, _ = map(float, numbers)
     return ContactEM(
@@ -345,6 +364,7 @@ def contact_coupling(
     hardness: float | None = None,
     film_resistivity: float | None = None,
     resistance: float | None = None,
+    law_value: float | None = None,
     table: ArrayLike | None = None,
     side: Literal[-1, 0, 1] = 0,
     series_resistance: ArrayLike = (0.0, 0.0),
@@ -354,7 +374,7 @@ def contact_coupling(
     Parameters
     ----------
     x, t, length, v, radius, young, poisson, resistivity, eps_n, axis, spot_law, normal_law, hardness, \
-    film_resistivity, resistance, table, side, series_resistance
+    film_resistivity, resistance, law_value, table, side, series_resistance
         As for `contact_em`.
 
     Returns
@@ -369,7 +389,7 @@ def contact_coupling(
     """
     parts = _contact_em(
         x, t, length, v, radius, young, poisson, resistivity, eps_n, axis, spot_law, None, normal_law,
-        hardness, film_resistivity, resistance, table, side, series_resistance,
+        hardness, film_resistivity, resistance, law_value, table, side, series_resistance,
     )[4]  # fmt: skip
     return ContactCoupling(*np.moveaxis(parts, -1, 0))
 
@@ -391,6 +411,7 @@ def _contact_em(
     hardness: float | None,
     film_resistivity: float | None,
     resistance: float | None,
+    law_value: float | None,
     table: ArrayLike | None,
     side: int,
     series_resistance: ArrayLike,
@@ -412,6 +433,7 @@ def _contact_em(
         hardness=hardness,
         film_resistivity=film_resistivity,
         resistance=resistance,
+        law_value=law_value,
         table=table,
     )
     if side not in (-1, 0, 1):
@@ -463,8 +485,9 @@ def _spot_law(
     wanted = _LAW_VALUES.get(law)
     for name, value in values.items():
         if value is not None and name != wanted:
-            owner = next(key for key, needed in _LAW_VALUES.items() if needed == name)
-            raise ValueError(f'{name} belongs to the spot law "{owner}", not to "{law}"')
+            owners = [f'"{key}"' for key, needed in _LAW_VALUES.items() if needed == name]
+            owner = f"the spot law {owners[0]}" if owners else "other laws"
+            raise ValueError(f'{name} belongs to {owner}, not to "{law}"')
     if table is not None and law != "table":
         raise ValueError(f'table belongs to the spot law "table", not to "{law}"')
     law_value = 0.0
