@@ -7,7 +7,7 @@
 | `inp` | a deck: `litz check` accepts it |
 | `fortran` | compiled together with the contact element |
 | `output` | what the block before it prints; `...` stands for anything |
-| `diff` | patches of the tutorial in CONTRIBUTING.md: `tests/system/test_contributing.py` applies them |
+| `diff` | patches of docs/new_spot_law.md: `tests/system/test_new_spot_law.py` applies them to a copy of the sources |
 
 After the words "Save this as `NAME`:" a block is put into that file for those that follow.
 

@@ -133,11 +133,15 @@ contains
       !> It is what the run starts from
       logical, intent(in) :: at_start
       type(error_t), allocatable, intent(out) :: error
+      logical :: with_fields
 
       call self%history_file%write_line(self%history%line(state), error)
       call self%history_file%flush(error)
       call self%ledger%write_table(model, state, error)
-      if (at_start .or. wants_fields(model, state)) then
+      with_fields = at_start
+      ! before the first step there is none to ask
+      if (.not. at_start) with_fields = wants_fields(model, state)
+      if (with_fields) then
          call self%ledger%write_points(model, state, error)
          call self%wires%write(model, state, error)
       end if
