@@ -3,6 +3,7 @@
     model = litz.Model("title")              build a model of wires, run it
     deck = litz.Deck.read("deck.inp")        read a deck, change it, write it
     results = litz.run("deck.inp")           run a deck, read its results
+    table = litz.sweep(model, parameters)    run a grid of parameters
     results = litz.Results("deck.vtkhdf")    read the results of an earlier run
     litz.plot(results)                       make a picture of them
 
@@ -20,6 +21,7 @@ from .run import (
     NotConvergedError,
     OutOfMemoryError,
     SolverError,
+    check,
     program_path,
     run,
 )
@@ -50,7 +52,9 @@ _LAZY_NAMES = {
     "Deck": "deck",
     "Results": "results",
     "keywords": "keyword_table",
+    "new": "starters",
     "plot": "plots",
+    "sweep": "sweeps",
     **dict.fromkeys(_MODEL_NAMES, "model"),
 }
 
@@ -83,13 +87,16 @@ __all__ = [
     "SolverError",
     "TableSpot",
     "build",
+    "check",
     "closed_forms",
     "kernels",
     "keywords",
     "model",
+    "new",
     "plot",
     "program_path",
     "run",
+    "sweep",
 ]
 
 

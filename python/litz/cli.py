@@ -14,6 +14,7 @@ Commands of the Python package:
   litz table RESULTS                      contacts, contact force and the history that the deck asked for, over time
   litz plot RESULTS [KIND] [-o PICTURE]   a picture; KIND: overview (default), wires, resistance, residuals, contacts,
                                           currents, network, friction or history; --animate: a moving one
+  litz new TASK [DECK]                    write a commented deck to begin with; litz new --list shows the tasks
 RESULTS is a result file (.vtkhdf), a deck (.inp) that was run here, or a directory with the results of one run.
 """
 
@@ -27,7 +28,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     warnings.showwarning = _show_warning
 
     arguments = sys.argv[1:] if arguments is None else list(arguments)
-    commands = {"summary": _summary, "table": _table, "plot": _plot}
+    commands = {"summary": _summary, "table": _table, "plot": _plot, "new": _new}
     try:
         if arguments and arguments[0] in commands:
             return commands[arguments[0]](arguments[1:])
@@ -58,6 +59,13 @@ def _run_program(arguments: list[str]) -> int:
 
 
 def results_parser(command: str, description: str, epilog: str | None = None) -> "argparse.ArgumentParser":
+    """A parser for a command about the results of a run."""
+    parser = command_parser(command, description, epilog)
+    parser.add_argument("results", metavar="RESULTS", help="result file, deck that was run, or directory with results")
+    return parser
+
+
+def command_parser(command: str, description: str, epilog: str | None = None) -> "argparse.ArgumentParser":
     """A parser of arguments that ends as the program does: with exit code 1 when they are wrong."""
     import argparse
 
@@ -66,14 +74,33 @@ def results_parser(command: str, description: str, epilog: str | None = None) ->
             self.print_usage(sys.stderr)
             self.exit(1, f"error: {message}\n")
 
-    parser = Parser(
+    return Parser(
         prog=f"litz {command}",
         description=description,
         epilog=epilog,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("results", metavar="RESULTS", help="result file, deck that was run, or directory with results")
-    return parser
+
+
+def _new(arguments: list[str]) -> int:
+    from .starters import new, starter_list
+
+    parser = command_parser("new", "Write a commented deck to begin with, which runs as it stands.", starter_list())
+    parser.add_argument("task", metavar="TASK", nargs="?", help="one of those below")
+    parser.add_argument("deck", metavar="DECK", nargs="?", help="default: TASK.inp; a file that is there is kept")
+    parser.add_argument("--list", action="store_true", help="list the tasks")
+    options = parser.parse_args(arguments)
+    if options.list:
+        print(starter_list(), end="")
+        return 0
+    if options.task is None:
+        parser.error("which task? litz new --list shows them")
+    try:
+        deck = new(options.task, options.deck)
+    except ValueError as error:
+        parser.error(str(error))
+    print(f"wrote {deck}\nrun it: litz run {deck} -o {deck.with_suffix('')}")
+    return 0
 
 
 def _summary(arguments: list[str]) -> int:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from .progress import Progress
     from .results import Results
 
 
@@ -94,6 +95,7 @@ def run(
     threads: int | None = None,
     restart: str | os.PathLike[str] | None = None,
     quiet: bool = True,
+    progress: bool = False,
 ) -> "Results":
     """Run a deck and read its results.
 
@@ -111,6 +113,8 @@ def run(
         Restart file to go on from, or "FILE:STEP:INCREMENT"; what ``*RESTART, WRITE`` has kept.
     quiet : bool
         False: print what the program prints, as it comes.
+    progress : bool
+        Show how far the run is: a line on a terminal, a bar in a notebook, a few lines in a log.
 
     Returns
     -------
@@ -130,20 +134,56 @@ def run(
     if restart is not None:
         command += ["--restart", str(restart)]
 
-    exit_code, printed, message = _call(command, quiet)
+    shown = _progress_of(deck) if progress else None
+    exit_code, printed, message = _call(command, quiet, shown)
     results_path = output_directory / (deck.stem + ".vtkhdf")
     if exit_code != 0:
-        error = _ERRORS.get(exit_code, InternalError)
-        if exit_code < 0:
-            message += f"the program was ended by signal {-exit_code}\n"
-        raise error((message or printed).rstrip(), results_path if results_path.exists() else None)
+        raise _error_of(exit_code, message or printed, results_path if results_path.exists() else None)
 
+    from .progress import Progress
     from .results import Results
 
     return Results(results_path)
 
 
-def _call(command: list[str | Path], quiet: bool) -> tuple[int, str, str]:
+def check(deck: str | os.PathLike[str]) -> str:
+    """Read and check a deck without running it.
+
+    Parameters
+    ----------
+    deck : path
+        The .inp file.
+
+    Returns
+    -------
+    str
+        The model as the program understands it, and the crossings within reach.
+
+    Raises
+    ------
+    InputError, FileError
+        With the message of the program.
+    """
+    exit_code, printed, message = _call([program_path(), "check", Path(deck)], quiet=True)
+    if exit_code != 0:
+        raise _error_of(exit_code, message or printed)
+    return printed
+
+
+def _error_of(exit_code: int, message: str, results_path: Path | None = None) -> LitzError:
+    """The exception of an exit code, with the program's own message."""
+    if exit_code < 0:
+        message += f"the program was ended by signal {-exit_code}\n"
+    return _ERRORS.get(exit_code, InternalError)(message.rstrip(), results_path)
+
+
+def _progress_of(deck: Path) -> "Progress":
+    from .progress import Progress, total_time
+
+    return Progress(total_time(deck), deck.stem)
+
+
+def _call(command: list[str | Path], quiet: bool, progress: "Progress | None" = None) -> tuple[int, str, str]:
     """Exit code, standard output and standard error of a command; the output is passed on line by line if wanted."""
     printed = []
     with tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace") as messages:
@@ -154,17 +194,22 @@ def _call(command: list[str | Path], quiet: bool) -> tuple[int, str, str]:
             stderr=messages,
             encoding="utf-8",
             errors="replace",
-            env=program_environment(),
+            # lines come as they are written, not when a buffer is full
+            env={"GFORTRAN_UNBUFFERED_PRECONNECTED": "y", **program_environment()},
         )
         with process:
             try:
                 for line in process.stdout or ():
                     printed.append(line)
+                    if progress is not None:
+                        progress.feed(line)
                     if not quiet:
                         sys.stdout.write(line)
                         sys.stdout.flush()
                 exit_code = process.wait()
             finally:
                 process.kill()
+        if progress is not None:
+            progress.close(exit_code == 0)
         messages.seek(0)
         return exit_code, "".join(printed), messages.read()

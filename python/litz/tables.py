@@ -3,11 +3,17 @@
 import difflib
 import re
 from collections.abc import Iterable, Iterator, Mapping
+from importlib import import_module
 from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .run import FileError
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 _INTEGER_COLUMNS = frozenset(
     [
@@ -32,6 +38,14 @@ _INTEGER_COLUMNS = frozenset(
 )
 #: The last columns of a table may hold words
 _TEXT_COLUMNS = frozenset(["friction", "status", "remark"])
+
+
+def optional(package: str) -> ModuleType:
+    """A package that litz does not depend on."""
+    try:
+        return import_module(package)
+    except ImportError:
+        raise FileError(f"this needs the Python package {package}: pip install {package}") from None
 
 
 class Table(Mapping):
@@ -67,6 +81,17 @@ class Table(Mapping):
     def __repr__(self) -> str:
         """Sizes and columns."""
         return f"<Table of {self.n_rows} rows: {', '.join(self)}>"
+
+    def to_array(self) -> np.ndarray:
+        """The rows as a structured array."""
+        return np.rec.fromarrays(list(self._columns.values()), names=list(self._columns)).view(np.ndarray)
+
+    def to_pandas(self) -> "pd.DataFrame":
+        """The rows as a data frame of pandas, with the units in `attrs["units"]`; needs pandas."""
+        pd = optional("pandas")
+        frame = pd.DataFrame({name: np.asarray(values) for name, values in self._columns.items()})
+        frame.attrs["units"] = dict(self.units)
+        return frame
 
     def where(self, mask: np.ndarray) -> "Table":
         """The rows for which `mask` (n_rows) is true, or those it names by index."""

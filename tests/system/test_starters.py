@@ -1,0 +1,53 @@
+"""`litz new`: decks to begin with run as they stand, and never replace a file."""
+
+import pytest
+
+import litz
+from litz.starters import STARTERS
+from test_cli import command
+
+
+@pytest.mark.parametrize("task", STARTERS)
+def test_a_starter_runs_as_it_stands_and_conducts(task, tmp_path):
+    done = command("new", task, cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    results = litz.run(tmp_path / f"{task}.inp", output_directory=tmp_path / task)
+    assert results.finished
+    assert results.contacts_at(-1).n_rows >= 1
+    (resistance,) = [name for name in results.history if name.startswith("resistance ")]
+    assert results.history[resistance][-1] > 0
+
+
+@pytest.mark.parametrize("task", STARTERS)
+def test_a_starter_says_what_each_kind_of_card_is_for(task, tmp_path):
+    deck = litz.Deck.read(litz.new(task, tmp_path / "deck.inp"))
+    for keyword in ("ELEMENT", "MATERIAL", "BEAM SECTION", "CONTACT PAIR", "STEP", "STATIC"):
+        assert deck.find(keyword)[0].comments, keyword
+    assert "litz run deck.inp -o deck" in deck.text
+
+
+def test_friction_of_the_starter_is_coulombs(tmp_path):
+    results = litz.run(litz.new("friction", tmp_path / "deck.inp"), output_directory=tmp_path)
+    history = results.history
+    sliding, pressing = history["RF1 sum UPPER_ENDS"], -history["RF3 sum UPPER_ENDS"]
+    # at the end of each drag the wire slips, at the limit: mu = 0.3 of the force, which presses nearly along z
+    assert sliding[-1] / pressing[-1] == pytest.approx(-0.3, rel=1e-3)
+    assert history["ALLFD"][-1] > 0
+
+
+def test_a_file_is_never_replaced(tmp_path):
+    (tmp_path / "grid.inp").write_text("mine")
+    done = command("new", "grid", cwd=tmp_path)
+    assert done.returncode == 4
+    assert "is there already and is not replaced" in done.stderr
+    assert (tmp_path / "grid.inp").read_text() == "mine"
+
+
+def test_the_list_and_wrong_names(tmp_path):
+    listed = command("new", "--list", cwd=tmp_path)
+    assert [line.split()[0] for line in listed.stdout.splitlines()] == list(STARTERS)
+    wrong = command("new", "crosed-wires", cwd=tmp_path)
+    assert wrong.returncode == 1
+    assert "did you mean 'crossed-wires'" in wrong.stderr
+    assert command("new", cwd=tmp_path).returncode == 1
+    assert not list(tmp_path.iterdir())

@@ -1,0 +1,244 @@
+"""litz.sweep: grids of parameters, failures kept, runs that are there not repeated; litz.run with progress; litz.check."""
+
+import io
+import json
+
+import numpy as np
+import pytest
+
+import litz
+from decks import crossed
+from litz import progress as progress_module
+from litz.progress import Progress, total_time
+
+REQUEST = "*NODE PRINT, NSET=UPPER_ENDS, TOTALS=ONLY\n RF"
+
+
+@pytest.fixture
+def template(tmp_path):
+    path = tmp_path / "wires.inp"
+    path.write_text(crossed(push="{push}", extra=REQUEST).replace("120e9", "{young}"))
+    return path
+
+
+def model(push):
+    """Crossed wires; a push of more than 1 m needs more increments than it may take."""
+    made = litz.Model("crossed")
+    properties = {"radius": 1e-3, "material": litz.STEEL, "elements": 5}
+    lower = made.wire("LOWER", (-0.05, 0, 0), (0.05, 0, 0), **properties)
+    upper = made.wire("UPPER", (0, -0.05, 2e-3), (0, 0.05, 2e-3), **properties)
+    made.contact(lower, upper)
+    made.fix(lower)
+    made.fix(upper, "x", "y", "rotations")
+    step = made.step(inc=1)
+    step.move(upper, "z", -push)
+    step.node_print(upper, "RF", totals="ONLY")
+    return made
+
+
+def test_a_template_runs_for_all_combinations(template, tmp_path):
+    table = litz.sweep(
+        template, {"young": [60e9, 120e9], "push": np.array([-5e-5, -1e-4])}, directory=tmp_path / "sweep", processes=2
+    )
+    assert table["young"].tolist() == [60e9, 60e9, 120e9, 120e9]
+    assert table["push"].tolist() == [-5e-5, -1e-4, -5e-5, -1e-4]
+    assert set(table["status"]) == {"finished"}
+    force = -table["RF3 sum UPPER_ENDS"].reshape(2, 2)
+    assert table.units["RF3 sum UPPER_ENDS"] == "N"
+    # elastic wires and the law of Hertz: forces are in proportion to the modulus
+    np.testing.assert_allclose(force[1], 2 * force[0], rtol=1e-6)
+    # the same as one run of the same deck
+    alone = litz.run(table["directory"][3] + "/deck.inp", output_directory=tmp_path / "alone", threads=1)
+    assert alone.history["RF3 sum UPPER_ENDS"][-1] == table["RF3 sum UPPER_ENDS"][3]
+
+
+def test_finished_runs_are_not_repeated_unless_asked(tmp_path):
+    def times():
+        return {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*.vtkhdf")}
+
+    arguments = {"directory": tmp_path, "progress": False}
+    first = litz.sweep(model, {"push": [1e-6, 2e-6]}, **arguments)
+    before = times()
+    again = litz.sweep(model, {"push": [1e-6, 2e-6, 3e-6]}, **arguments)
+    after = times()
+    assert {path: after[path] for path in before} == before
+    assert len(after) == len(before) * 3 // 2
+    np.testing.assert_array_equal(again["RF3 sum UPPER"][:2], first["RF3 sum UPPER"])
+    litz.sweep(model, {"push": [1e-6]}, again=True, **arguments)
+    assert sum(times()[path] != after[path] for path in after) >= 1
+
+
+def test_a_changed_model_is_run_again(tmp_path):
+    def stiffer(push):
+        made = model(push)
+        made.steps[0].controls("field", r_n=1e-4)
+        return made
+
+    litz.sweep(model, {"push": [1e-6]}, directory=tmp_path, progress=False)
+    (outcome,) = tmp_path.rglob("outcome.json")
+    before = json.loads(outcome.read_text())["identity"]
+    litz.sweep(stiffer, {"push": [1e-6]}, directory=tmp_path, progress=False)
+    assert json.loads(outcome.read_text())["identity"] != before
+
+
+def test_failed_runs_are_told_and_kept(tmp_path):
+    with pytest.warns(UserWarning, match=r"1 of 2 runs failed; the first, push=5.0: .*increments"):
+        table = litz.sweep(model, {"push": [1e-6, 5.0]}, directory=tmp_path, progress=False)
+    assert table["status"].tolist() == ["finished", "failed"]
+    assert np.isnan(table["RF3 sum UPPER"][1])
+    assert "increments" in table["message"][1]
+    (outcome,) = [path for path in tmp_path.rglob("outcome.json") if "push=5" in path.parent.name]
+    written = outcome.stat().st_mtime_ns
+    with pytest.warns(UserWarning, match="1 of 2"):
+        litz.sweep(model, {"push": [1e-6, 5.0]}, directory=tmp_path, progress=False)
+    assert outcome.stat().st_mtime_ns == written
+    with pytest.warns(UserWarning, match="1 of 2"):
+        litz.sweep(model, {"push": [1e-6, 5.0]}, directory=tmp_path, progress=False, again="failed")
+    assert outcome.stat().st_mtime_ns != written
+
+
+def test_a_run_that_was_interrupted_is_repeated(tmp_path):
+    litz.sweep(model, {"push": [1e-6]}, directory=tmp_path, progress=False)
+    (outcome,) = tmp_path.rglob("outcome.json")
+    outcome.unlink()
+    (results,) = tmp_path.rglob("deck.vtkhdf")
+    before = results.stat().st_mtime_ns
+    litz.sweep(model, {"push": [1e-6]}, directory=tmp_path, progress=False)
+    assert results.stat().st_mtime_ns != before
+
+
+def test_a_mistake_in_the_users_function_is_a_failed_run(tmp_path):
+    with pytest.warns(UserWarning, match="ZeroDivisionError"):
+        table = litz.sweep(lambda a: {"b": 1 / a}, {"a": [0, 2]}, directory=None, progress=False)
+    assert table["status"].tolist() == ["failed", "finished"]
+    assert table["b"].tolist()[1] == 0.5
+
+
+def test_collect_says_what_goes_into_the_table(tmp_path):
+    table = litz.sweep(
+        model,
+        {"push": [1e-6]},
+        directory=tmp_path,
+        progress=False,
+        collect=lambda results: {"force": results.contacts_at(-1)["force"].sum()},
+    )
+    assert table["force"][0] > 0
+    assert "RF3 sum UPPER" not in table
+    array = table.to_array()
+    assert array["force"][0] == table["force"][0]
+
+
+def test_a_line_tells_how_many_runs_are_over(tmp_path, capsys):
+    litz.sweep(lambda a: {"b": a}, [{"a": 1}, {"a": 2}], directory=None)
+    assert capsys.readouterr().err.startswith("2 of 2 runs, ")
+
+
+@pytest.mark.parametrize(
+    ("parameters", "message"),
+    [
+        ({}, "one parameter"),
+        ({"push": []}, "no values"),
+        ({"push": 1.0}, "needs a sequence"),
+        ({"push": "abc"}, "needs a sequence"),
+        ({"status": [1]}, "may not be called status"),
+        ([{"a": 1}, {"b": 1}], "the same parameters"),
+        ({"push": [1, 1]}, "two runs"),
+    ],
+)
+def test_parameters_that_make_no_sense_are_refused(parameters, message, tmp_path):
+    with pytest.raises(ValueError, match=message):
+        litz.sweep(model, parameters, directory=tmp_path)
+    assert not list(tmp_path.iterdir())
+
+
+def test_places_and_parameters_of_a_template_must_fit(template, tmp_path):
+    with pytest.raises(ValueError, match=r"no place \{yung\}; did you mean 'young'"):
+        litz.sweep(template, {"yung": [1], "push": [1]}, directory=tmp_path)
+    with pytest.raises(ValueError, match=r"the place \{young\}, for which there is no parameter"):
+        litz.sweep(template, {"push": [1]}, directory=tmp_path)
+    with pytest.raises(litz.FileError, match=r"missing\.inp"):
+        litz.sweep("missing.inp", {"push": [1]}, directory=tmp_path)
+
+
+# Progress
+
+
+class Terminal(io.StringIO):
+    def isatty(self):
+        return True
+
+
+LINES = [
+    "heading\n",
+    "    1     1    1     4  2.50000E-01  2.50000E-01         0  0.00000E+00\n",
+    "    1     2    1     4  9.99000E-01  2.50000E-01         7  1.00000E+00  cut: did not converge\n",
+    "    1     2    2     4  5.00000E-01  2.50000E-01         7  1.00000E+00\n",
+    "    1     3    1     4  1.00000E+00  5.00000E-01         7  2.00000E+00  a remark\n",
+]
+
+
+def test_a_terminal_has_one_line_that_is_written_over(monkeypatch):
+    monkeypatch.setattr(progress_module, "_PAUSE", 0.0)
+    stream = Terminal()
+    shown = Progress(1.0, "wires", stream)
+    for line in LINES:
+        shown.feed(line)
+    shown.close(finished=True)
+    versions = stream.getvalue().split("\r")
+    assert stream.getvalue().count("\n") == 1
+    assert [version[23:27].strip() for version in versions[1:4]] == ["25%", "50%", "100%"]
+    assert "7 contacts" in versions[2]
+    assert "wires: finished" in versions[-1]
+
+
+def test_a_log_gets_a_few_lines():
+    stream = io.StringIO()
+    shown = Progress(1.0, "wires", stream)
+    for line in LINES:
+        shown.feed(line)
+    shown.close(finished=False)
+    lines = stream.getvalue().splitlines()
+    assert [line.split(",")[0] for line in lines[:2]] == ["wires:  25%", "wires:  50%"]
+    assert lines[-1].startswith("wires: gave up after")
+
+
+def test_a_notebook_gets_a_bar(monkeypatch):
+    shown = []
+
+    class Handle:
+        def update(self, thing):
+            shown.append(thing)
+
+    monkeypatch.setattr(progress_module, "_notebook_handle", Handle)
+    monkeypatch.setattr(progress_module, "_PAUSE", 0.0)
+    bar = Progress(1.0, "<wires>")
+    for line in LINES:
+        bar.feed(line)
+    bar.close(finished=True)
+    assert '<progress value="0.250"' in shown[0]._repr_html_()
+    assert "&lt;wires&gt;: finished" in shown[-1]._repr_html_()
+    assert repr(shown[-1]).startswith("<wires>: finished")
+
+
+def test_the_time_of_all_steps_is_found_through_includes(inputs, tmp_path):
+    assert total_time(inputs / "13_stick_slip.inp") == 4.0
+    (tmp_path / "deck.inp").write_text(
+        "*STEP\n*Static, direct\n** first, total\n 0.5, 2.5D0\n*INCLUDE, INPUT=step.inp\n"
+    )
+    (tmp_path / "step.inp").write_text("*STEP\n*STATIC\n*END STEP\n")
+    assert total_time(tmp_path / "deck.inp") == 3.5
+    assert total_time(tmp_path / "missing.inp") == 0.0
+
+
+def test_a_run_shows_its_progress(inputs, tmp_path, capsys):
+    litz.run(inputs / "08_elastica.inp", output_directory=tmp_path, progress=True)
+    told = capsys.readouterr()
+    assert told.out == ""
+    assert "08_elastica: finished after" in told.err
+
+
+def test_check_returns_the_model_in_words(inputs, tmp_path):
+    assert "21 nodes, 20 elements" in litz.check(inputs / "08_elastica.inp")
+    (tmp_path / "bad.inp").write_text("*NODES\n")
+    with pytest.raises(litz.InputError, match="did you mean"):
+        litz.check(tmp_path / "bad.inp")
