@@ -17,7 +17,7 @@ program litz
    use litz_model_summary, only: model_summary
    use litz_output_files, only: make_directory
    use litz_size_check, only: check_size
-   use litz_solver_factory, only: available_solvers
+   use litz_solver_factory, only: available_solvers, solver_libraries
    use litz_timing, only: phase_reading
    use litz_text, only: shown, squeezed, nearest_word
    use litz_version, only: version
@@ -156,6 +156,7 @@ contains
       write (output_unit, '(2a)') 'compiler: ', compiler_version()
       write (output_unit, '(a, i0, 2(".", i0))') 'HDF5: ', major, minor, release
       write (output_unit, '(2a)') 'BLAS: ', blas_name()
+      write (output_unit, '(2a)') 'solver libraries: ', solver_libraries()
       write (output_unit, '(2a)') 'solvers: ', available_solvers()
    end subroutine print_version
 

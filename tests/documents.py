@@ -17,6 +17,7 @@ with the comment sign of its language. A fence of another language, or of none, 
 
 import re
 import shlex
+import shutil
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -80,3 +81,14 @@ def setup_commands(block):
         return None
     commands = [shlex.split(line, comments=True)[1:] for line in lines]
     return [words[0] if words else "" for words in commands]
+
+
+def copy_of_the_sources(folder):
+    """The project as a clone has it, in a folder `litz` in this one."""
+    made_on_top = {".git", ".venv", "build", "debug", "results"}
+    made_anywhere = shutil.ignore_patterns(".*_cache", "__pycache__", "*.so")
+
+    def made(directory, names):
+        return made_anywhere(directory, names) | (made_on_top if Path(directory) == ROOT else set())
+
+    return Path(shutil.copytree(ROOT, folder / "litz", ignore=made))

@@ -12,8 +12,8 @@ subroutine uel(rhs, amatrx, svars, energy, ndofel, nrhs, nsvars, props, nprops, 
    use litz_kinds, only: dp
    use litz_user_element, only: user_contact, n_history, history_energy, contact_active
    implicit none
-   integer, intent(in) :: ndofel, nrhs, nsvars, nprops, mcrd, nnode, jtype, kstep, kinc, jelem, ndload, npredf, mlvarx, &
-      mdload, njprop
+   integer, intent(in) :: ndofel, nrhs, nsvars, nprops, mcrd, nnode, jtype, kstep, kinc, jelem, ndload, npredf, &
+      mlvarx, mdload, njprop
    !> Right-hand side: minus the residual
    real(dp), intent(inout) :: rhs(mlvarx, *)
    !> Tangent: minus the derivative of the right-hand side

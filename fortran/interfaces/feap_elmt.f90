@@ -5,8 +5,8 @@
 !>       r rb E Eb nu nub rho rhob penalty value     (see litz_user_element; barred first)
 !>       normal spot axis voltage                    (numbers of the laws)
 !>
-!> Control data: 3 space dimensions, 7 unknowns for each node, 4 nodes for each element. The tangent is unsymmetric: UTANgent. FEAP adds
-!> the components of rotation vectors, which must stay below a full turn.
+!> Control data: 3 space dimensions, 7 unknowns for each node, 4 nodes for each element. The tangent is unsymmetric:
+!> UTANgent. FEAP adds the components of rotation vectors, which must stay below a full turn.
 subroutine elmt01(d, ul, xl, ix, tl, s, r, ndf, ndm, nst, isw)
    use litz_kinds, only: dp
    use litz_user_element, only: user_contact, n_history, n_properties, n_options, option_rotations, contact_active

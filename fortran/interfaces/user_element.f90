@@ -1,7 +1,8 @@
 !> The contact element as other finite-element programs want it: four nodes with seven unknowns each, node by node.
 !>
 !> Nodes: barred 1, barred 2, 1, 2. Unknowns of a node: displacements, rotations, voltage (`ux uy uz phix phiy phiz v`).
-!> The wires are straight between their nodes before they are loaded. `abaqus_uel.f90` and `feap_elmt.f90` are made of it.
+!> The wires are straight between their nodes before they are loaded. `abaqus_uel.f90` and `feap_elmt.f90` are made of
+!> it.
 module litz_user_element
    use litz_kinds, only: dp, pi
    use litz_contact_em, only: contact_em, contact_em_t, contact_active, contact_open, contact_beyond, &
@@ -17,8 +18,9 @@ module litz_user_element
       contact_not_converged, contact_unknown_law, contact_bad_table
 
    integer, parameter :: n_unknowns = 28
-   !> Numbers that are kept for each element. The side must be that of the last converged state; the others are results: gap [m],
-   !> force [N], resistance of the spot [ohm], current from the barred to the unbarred wire [A], elastic energy [J]
+   !> Numbers that are kept for each element. The side must be that of the last converged state; the others are
+   !> results: gap [m], force [N], resistance of the spot [ohm], current from the barred to the unbarred wire [A],
+   !> elastic energy [J]
    integer, parameter :: n_history = 6, history_side = 1, history_gap = 2, history_force = 3, history_resistance = 4, &
       history_current = 5, history_energy = 6
    !> Properties, each of the barred and the unbarred wire: radius [m], Young's modulus [Pa], Poisson's ratio [-],
@@ -65,12 +67,13 @@ contains
          side => nint(history(history_side)))
          if (options(option_rotations) == 0) then
             call contact_em(x, t, length, u(7, :), radius, young, poisson, resistivity, options(option_normal_law), &
-               penalty, options(option_spot_law), law_value, table_force, table_resistance, options(option_axis), side, &
-               series_resistance(options, length, radius, resistivity), k_paper, r_paper, contact, info)
+               penalty, options(option_spot_law), law_value, table_force, table_resistance, options(option_axis), &
+               side, series_resistance(options, length, radius, resistivity), k_paper, r_paper, contact, info)
          else
             call contact_em(x, t, length, u(7, :), radius, young, poisson, resistivity, options(option_normal_law), &
-               penalty, options(option_spot_law), law_value, table_force, table_resistance, options(option_axis), side, &
-               series_resistance(options, length, radius, resistivity), k_paper, r_paper, contact, info, u(4:6, :))
+               penalty, options(option_spot_law), law_value, table_force, table_resistance, options(option_axis), &
+               side, series_resistance(options, length, radius, resistivity), k_paper, r_paper, contact, info, &
+               u(4:6, :))
          end if
       end associate
       order = reshape(place, [28])

@@ -7,20 +7,14 @@ import sys
 
 import pytest
 
-from documents import ROOT, blocks, setup_commands
+from documents import ROOT, blocks, copy_of_the_sources, setup_commands
 
 PAGE = ROOT / "docs" / "new_spot_law.md"
 
 
-@pytest.fixture
-def copy(tmp_path):
-    """The sources alone, as a clone has them."""
-    leave_out = shutil.ignore_patterns(".git", ".venv", "build", "debug", "results", "__pycache__", "*.so")
-    return shutil.copytree(ROOT, tmp_path / "litz", ignore=leave_out)
-
-
 @pytest.mark.skipif(not all(map(shutil.which, ("meson", "ninja", "git"))), reason="needs meson, ninja and git")
-def test_the_steps_of_the_page_lead_to_a_run_with_the_new_law(copy):
+def test_the_steps_of_the_page_lead_to_a_run_with_the_new_law(tmp_path):
+    copy = copy_of_the_sources(tmp_path)
     paths = os.pathsep.join(map(str, sys.path))
     printed = []
     for block in blocks(PAGE):

@@ -1,6 +1,7 @@
 !> The user elements of Abaqus and FEAP give what `contact_em` gives, in their order, with their signs.
 !>
-!> Both are called as the manuals of those programs say they call them; the headers of FEAP are stand-ins with its names.
+!> Both are called as the manuals of those programs say they call them; the headers of FEAP are stand-ins with its
+!> names.
 program test_user_elements
    use litz_kinds, only: dp
    use litz_contact_em, only: contact_em, contact_em_t, contact_active
@@ -93,7 +94,8 @@ contains
       call expect(all(near(k_asked, 0.0_dp)) .and. all(near(r_asked, 0.0_dp)), 'contact has no mass')
    end subroutine test_abaqus_gives_what_it_is_asked_for
 
-   !> Central differences of the right-hand side; truncation and round-off are near 1e-7 of the largest entry of a block.
+   !> Central differences of the right-hand side; truncation and round-off are near 1e-7 of the largest entry of a
+   !> block.
    subroutine test_the_tangent_is_the_derivative()
       real(dp), parameter :: step = 1.0e-8_dp, allowed = 1.0e-5_dp
       real(dp) :: unused(28, 28), above(28), below(28), difference(28, 28)
@@ -193,8 +195,8 @@ contains
       no_loads = 0
       pnewdt = 1
       call uel(right, amatrx, svars, energy, 28, 1, n_history, properties, n_properties, coordinates, 3, 4, &
-         reshape(u, [28]), du, still, still, 1, [1.0_dp, 1.0_dp], 1.0_dp, 1, 1, 1, nothing, 0, no_loads, none, field, 1, &
-         [1, 1, wanted, 0, 0], 28, none, 1, pnewdt, options, n_options, 1.0_dp)
+         reshape(u, [28]), du, still, still, 1, [1.0_dp, 1.0_dp], 1.0_dp, 1, 1, 1, nothing, 0, no_loads, none, field, &
+         1, [1, 1, wanted, 0, 0], 28, none, 1, pnewdt, options, n_options, 1.0_dp)
       rhs = right(:, 1)
       elastic = energy(2)
    end subroutine call_uel

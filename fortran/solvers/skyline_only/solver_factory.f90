@@ -9,7 +9,7 @@ module litz_solver_factory
    use litz_blas_threads, only: default_blas_threads
    implicit none
    private
-   public :: create_solver, resolved_solver, available_solvers
+   public :: create_solver, resolved_solver, available_solvers, solver_libraries
 
 contains
 
@@ -48,5 +48,12 @@ contains
 
       text = 'SKYLINE (built without SuiteSparse: no BLOCK, no UMFPACK)'
    end function available_solvers
+
+   !> The libraries of the solvers with their versions, for `litz --version`.
+   pure function solver_libraries() result(text)
+      character(len=:), allocatable :: text
+
+      text = 'none'
+   end function solver_libraries
 
 end module litz_solver_factory

@@ -1,5 +1,6 @@
 !> Creates the solver a deck or the command line asks for; this build has all of them.
 module litz_solver_factory
+   use, intrinsic :: iso_c_binding, only: c_int
    use litz_errors, only: error_t, fail, exit_internal
    use litz_linear_solver, only: linear_solver_t
    use litz_solver_names, only: solver_default, solver_block, solver_umfpack, solver_skyline
@@ -11,7 +12,15 @@ module litz_solver_factory
    use litz_blas_threads, only: default_blas_threads
    implicit none
    private
-   public :: create_solver, resolved_solver, available_solvers
+   public :: create_solver, resolved_solver, available_solvers, solver_libraries
+
+   interface
+      !> Three numbers each of SuiteSparse, CHOLMOD and UMFPACK
+      subroutine suitesparse_versions(versions) bind(c, name='litz_suitesparse_versions')
+         import :: c_int
+         integer(c_int), intent(out) :: versions(9)
+      end subroutine suitesparse_versions
+   end interface
 
 contains
 
@@ -52,5 +61,17 @@ contains
 
       text = 'BLOCK (CHOLMOD, UMFPACK), UMFPACK, SKYLINE'
    end function available_solvers
+
+   !> The libraries of the solvers with their versions, for `litz --version`.
+   function solver_libraries() result(text)
+      character(len=:), allocatable :: text
+      integer(c_int) :: versions(9)
+      character(len=80) :: line
+
+      call suitesparse_versions(versions)
+      write (line, '(3(a, i0, 2(".", i0)), a)') 'SuiteSparse ', versions(1:3), ' (CHOLMOD ', versions(4:6), &
+         ', UMFPACK ', versions(7:9), ')'
+      text = trim(line)
+   end function solver_libraries
 
 end module litz_solver_factory
