@@ -6,6 +6,8 @@
     table = litz.sweep(model, parameters)    run a grid of parameters
     results = litz.Results("deck.vtkhdf")    read the results of an earlier run
     litz.plot(results)                       make a picture of them
+    litz.report(results)                     write a page about the run
+    litz.view(results)                       look at them in the browser
 
 `litz.kernels` has the elements and contact laws one by one, `litz.closed_forms` exact solutions to compare with.
 """
@@ -51,10 +53,13 @@ _LAZY_NAMES = {
     "Card": "deck",
     "Deck": "deck",
     "Results": "results",
+    "animate": "animation",
     "keywords": "keyword_table",
     "new": "starters",
     "plot": "plots",
+    "report": "report_page",
     "sweep": "sweeps",
+    "view": "view_server",
     **dict.fromkeys(_MODEL_NAMES, "model"),
 }
 
@@ -86,6 +91,7 @@ __all__ = [
     "Results",
     "SolverError",
     "TableSpot",
+    "animate",
     "build",
     "check",
     "closed_forms",
@@ -95,8 +101,10 @@ __all__ = [
     "new",
     "plot",
     "program_path",
+    "report",
     "run",
     "sweep",
+    "view",
 ]
 
 

@@ -14,6 +14,9 @@ Commands of the Python package:
   litz table RESULTS                      contacts, contact force and the history that the deck asked for, over time
   litz plot RESULTS [KIND] [-o PICTURE]   a picture; KIND: overview (default), wires, resistance, residuals, contacts,
                                           currents, network, friction or history; --animate: a moving one
+  litz report RESULTS [-o PAGE]           one HTML page about a run: convergence, balances, worst contacts, pictures, and
+                                          the model to turn; also for runs that did not converge
+  litz view RESULTS [--no-browser]        the results in the browser: turn, scrub through increments, pick contacts
   litz new TASK [DECK]                    write a commented deck to begin with; litz new --list shows the tasks
 RESULTS is a result file (.vtkhdf), a deck (.inp) that was run here, or a directory with the results of one run.
 """
@@ -28,7 +31,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     warnings.showwarning = _show_warning
 
     arguments = sys.argv[1:] if arguments is None else list(arguments)
-    commands = {"summary": _summary, "table": _table, "plot": _plot, "new": _new}
+    commands = {"summary": _summary, "table": _table, "plot": _plot, "report": _report, "view": _view, "new": _new}
     try:
         if arguments and arguments[0] in commands:
             return commands[arguments[0]](arguments[1:])
@@ -128,3 +131,15 @@ def _plot(arguments: list[str]) -> int:
     from .picture_commands import plot_command
 
     return plot_command(arguments)
+
+
+def _report(arguments):
+    from .picture_commands import report_command
+
+    return report_command(arguments)
+
+
+def _view(arguments):
+    from .picture_commands import view_command
+
+    return view_command(arguments)

@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 
 from .charts import colour_of, nothing_to_draw
 from .quantities import engineering, label
+from .scene import row_of_element
 from .wires import arc_lengths, element_curves, find_wires, hermite_slope
 
 if TYPE_CHECKING:
@@ -114,7 +115,7 @@ def friction_loops(results: "Results", ids: list[int]) -> list[Loop]:
     """
     wires = find_wires(results.elements)
     arc_start, lengths, sign = arc_lengths(results.nodes, results.elements, wires)
-    row = {int(element): i for i, element in enumerate(results.element_ids)}
+    row = row_of_element(results)
     ledgers = {contact: results.contact(contact) for contact in ids}
     seen: dict[int, list] = {contact: [] for contact in ids}
     for index, (step, increment) in enumerate(zip(results.steps, results.increments, strict=True)):

@@ -34,11 +34,15 @@ def network(figure: Figure, results: "Results", increment: int) -> None:
     factor, unit = engineering(size, {"current": "A", "force": "N"}[by])
     largest = f"; the thickest line is {size.max() * factor:.3g} {unit}" if len(size) else ""
     figure.suptitle(
-        f"Contact network at time {results.times[increment]:g} s: {n_wires} wires, {len(graph.id)} contacts",
+        f"Contact network at time {results.times[increment]:g} s: {n_wires} wires, {_counted(graph)}",
         x=0.005, ha="left", fontsize="large", fontweight="bold",
     )  # fmt: skip
     axes.set_title(f"lines: {by} between two wires{largest}\ndots: wires, the larger the more contacts",
                    fontsize="small", fontweight="normal", color="#404040")  # fmt: skip
+
+
+def _counted(graph: ContactNetwork) -> str:
+    return f"{len(graph.id)} contact" + "s" * (len(graph.id) != 1)
 
 
 def between_wires(graph: ContactNetwork, by: str) -> tuple[np.ndarray, np.ndarray]:

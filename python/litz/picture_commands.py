@@ -100,3 +100,28 @@ def _size(text: str) -> tuple[int, int]:
     if not found:
         raise argparse.ArgumentTypeError(f"a size is WIDTHxHEIGHT in pixels, as 1600x1000, not {text!r}")
     return int(found[1]), int(found[2])
+
+
+def view_command(arguments: list[str]) -> int:
+    """`litz view`: results in the browser."""
+    from .view_server import view
+
+    parser = results_parser("view", "Show results in the browser, from a small server on this machine.")
+    parser.add_argument("--port", type=int, default=0, help="of the server; default: any that is free")
+    parser.add_argument("--no-browser", action="store_true", help="only print the address")
+    options = parser.parse_args(arguments)
+    if not 0 <= options.port <= 65535:
+        parser.error(f"a port is a number from 0 to 65535, not {options.port}")
+    view(options.results, port=options.port, open_browser=not options.no_browser)
+    return 0
+
+
+def report_command(arguments: list[str]) -> int:
+    """`litz report`: a page about a run."""
+    from .report_page import report
+
+    parser = results_parser("report", "Write one HTML page about a run, which needs nothing beside it.")
+    parser.add_argument("-o", "--output", metavar="PAGE", help="default: STEM_report.html beside the results")
+    options = parser.parse_args(arguments)
+    print(f"report: {report(options.results, options.output)}")
+    return 0

@@ -7,6 +7,7 @@ import numpy as np
 
 from .quantities import engineering, label
 from .scalars import colours_and_limits, default_scalar, end_values, find_scalar, scalar_values
+from .tables import Table
 from .wires import Wire, element_curves, find_wires, hermite
 
 if TYPE_CHECKING:
@@ -175,24 +176,45 @@ def _spots(results: "Results", increment: int, scale: _SpotScale, curves):
     contacts = scale.ledgers.get(increment)
     if contacts is None or not contacts.n_rows:
         return np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0), ""
-    row = {int(element_id): i for i, element_id in enumerate(results.element_ids)}
-    barred = np.array([row[i] for i in contacts["element_bar"]])
-    unbarred = np.array([row[i] for i in contacts["element"]])
-    positions, slopes = curves
-    point_bar = hermite(positions[barred], slopes[barred], contacts["xi_bar"])
-    point = hermite(positions[unbarred], slopes[unbarred], contacts["xi"])
-    normal = np.stack([contacts[f"normal_{axis}"] for axis in "xyz"], axis=1)
-    share = results.radius[barred] / (results.radius[barred] + results.radius[unbarred])
+    centres, normals, thinner = spot_places(results, contacts, curves)
     size = np.abs(contacts[scale.by])
     largest = max(scale.largest, np.finfo(float).tiny)
-    thinner = np.minimum(results.radius[barred], results.radius[unbarred])
     drawn = thinner * np.clip(0.85 * np.sqrt(size / largest), 0.15, None)
     factor, unit = engineering(np.array([scale.largest]), contacts.units[scale.by])
     plural = "s" if contacts.n_rows > 1 else ""
     text = (
         f"{contacts.n_rows} contact{plural}: area of a disc by its {scale.by},\nlargest {largest * factor:.3g} {unit}"
     )
-    return point_bar + share[:, None] * (point - point_bar), normal, drawn, text
+    return centres, normals, drawn, text
+
+
+def spot_places(
+    results: "Results", contacts: Table, curves: tuple[np.ndarray, np.ndarray]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Where contacts touch: places (m, 3) [m], normals (m, 3), and the smaller radius of the two wires (m) [m].
+
+    Parameters
+    ----------
+    results : Results
+    contacts : Table
+        Rows of the ledger, (m).
+    curves : tuple of ndarray
+        What `element_curves` gives.
+    """
+    rows = row_of_element(results)
+    barred, unbarred = (np.array([rows[i] for i in contacts[name]], dtype=int) for name in ("element_bar", "element"))
+    positions, slopes = curves
+    point_bar = hermite(positions[barred], slopes[barred], contacts["xi_bar"])
+    point = hermite(positions[unbarred], slopes[unbarred], contacts["xi"])
+    normals = np.stack([contacts[f"normal_{axis}"] for axis in "xyz"], axis=1)
+    radius_bar, radius = results.radius[barred], results.radius[unbarred]
+    share = (radius_bar / (radius_bar + radius))[:, None]
+    return point_bar + share * (point - point_bar), normals, np.minimum(radius_bar, radius)
+
+
+def row_of_element(results: "Results") -> dict[int, int]:
+    """Row of each element in the arrays of the results, by its number in the deck."""
+    return {int(element): row for row, element in enumerate(results.element_ids)}
 
 
 def aim(shown: np.ndarray, margin: float, aspect: float, view: tuple[float, float, float] | None = None) -> Camera:

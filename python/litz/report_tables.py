@@ -1,0 +1,244 @@
+"""The tables of the report."""
+
+import html
+from collections.abc import Iterable
+
+import numpy as np
+
+from .quantities import engineering
+from .results import Results
+from .tables import Table
+from .wires import arc_lengths, find_wires
+
+_MOST_CONTACTS = 8
+_MOST_REMARKS = 12
+_MOST_SETS = 20
+
+
+def table(heads: Iterable[str], rows: Iterable[Iterable[str]], text: Iterable[int] = ()) -> str:
+    """An HTML table; columns with the numbers in `text` are flush left, as the first one is."""
+    left = set(text)
+
+    def line(tag: str, cells: Iterable[str]) -> str:
+        marks = (' class="text"' if column in left else "" for column in range(100))
+        inside = "".join(
+            f"<{tag}{mark}>{html.escape(str(cell))}</{tag}>" for cell, mark in zip(cells, marks, strict=False)
+        )
+        return f"<tr>{inside}</tr>"
+
+    return (
+        '<div class="wide"><table class="data">'
+        + line("th", heads)
+        + "".join(line("td", row) for row in rows)
+        + "</table></div>"
+    )
+
+
+def amount(value: float, unit: str) -> str:
+    """A number with a unit that suits it: 0.0012, "V" -> "1.2 mV"."""
+    factor, symbol = engineering(np.array([value]), unit)
+    return f"{factor * value:.4g} {symbol}".strip()
+
+
+def verdict(results: Results) -> str:
+    """Whether the run came to its end, and how far."""
+    n, status = int((results.steps > 0).sum()), results.status
+    work = f"{n} increment{'s' * (n != 1)}, {int(status['iterations'].sum())} iterations"
+    if results.finished:
+        return f'<p class="verdict">The run finished at time {results.times[-1]:g} s: {work}.</p>'
+    where = (
+        f"the last increment that converged is at time {results.times[-1]:g} s" if n else "no increment has converged"
+    )
+    return f'<p class="verdict bad">The run did not finish (or still runs): {where}; {work}.</p>'
+
+
+def model(results: Results) -> str:
+    """Sizes of the model."""
+    nodes, elements = results.nodes, results.elements
+    wires = find_wires(elements)
+    _, lengths, _ = arc_lengths(nodes, elements, wires)
+    radii = np.unique(results.radius)
+    extent = " × ".join(amount(size, "m") for size in np.ptp(nodes, axis=0))
+    rows = [
+        ("nodes", len(nodes)),
+        ("elements", len(elements)),
+        ("wires", len(wires)),
+        ("length of all wires", amount(lengths.sum(), "m")),
+        ("lengths of elements", _range(lengths, "m")),
+        ("radius" if len(radii) == 1 else "radii", _range(radii, "m")),
+        ("extent along x, y, z", extent),
+        ("node sets", _sets(results.node_sets)),
+        ("element sets", _sets(results.element_sets)),
+    ]
+    return table(("model", ""), rows, text=[1])
+
+
+def _range(values: np.ndarray, unit: str) -> str:
+    low, high = amount(values.min(), unit), amount(values.max(), unit)
+    return low if low == high else f"{low} to {high}"
+
+
+def _sets(sets: dict[str, np.ndarray]) -> str:
+    shown = [f"{name} ({len(members)})" for name, members in list(sets.items())[:_MOST_SETS]]
+    more = [f"and {len(sets) - _MOST_SETS} more"] if len(sets) > _MOST_SETS else []
+    return ", ".join(shown + more) or "none"
+
+
+def balance(results: Results) -> str:
+    """The worst figures of the audit, and where power and current go at the last increment."""
+    if not len(results.times):
+        return "<p>There is no increment.</p>"
+    names = {
+        "force_balance": "forces", "moment_balance": "moments", "current_balance": "currents",
+        "power_balance": "power", "penetration_ratio": "penetration over radius",
+    }  # fmt: skip
+    rows = []
+    for name, values in results.audit.items():
+        k = int(np.argmax(values))
+        rows.append((names.get(name, name), f"{values[k]:.2g}", f"{results.steps[k]}:{results.increments[k]}"))
+    audit = table(("audit: what is left of a sum, over its largest part", "worst", "step:increment"), rows)
+    return audit + _power(results) + _energies(results)
+
+
+def _power(results: Results) -> str:
+    entering = results.field("reaction_current") + results.field("applied_current")
+    potential = results.field("potential")
+    wires, contacts = results.field("joule_heat").sum(), results.contacts_at(-1)["joule_heat"].sum()
+    if not entering.any():
+        return ""
+    rows = [
+        ("current in", amount(entering[entering > 0].sum(), "A")),
+        ("current out", amount(-entering[entering < 0].sum(), "A")),
+        ("electric power in", amount(potential @ entering, "W")),
+        ("Joule heat of the wires", amount(wires, "W")),
+        ("Joule heat of the contacts", amount(contacts, "W")),
+    ]
+    return table(("current and power at the last increment", ""), rows)
+
+
+def _energies(results: Results) -> str:
+    """Energies, where the deck asks for them (*ENERGY PRINT)."""
+    meanings = {
+        "ALLWK": "work of loads and supports", "ALLSE": "elastic energy of the wires", "ALLCCE": "energy of the contacts",
+        "ALLFD": "heat of friction", "ALLSD": "taken by stabilization", "ETOTAL": "what is left: should vanish",
+    }  # fmt: skip
+    history = results.history
+    rows = [
+        (f"{name}: {text}", amount(history[name][-1], "J"))
+        for name, text in meanings.items()
+        if name in history and len(history[name])
+    ]
+    return table(("energies at the last increment", ""), rows) if rows else ""
+
+
+def convergence(results: Results) -> str:
+    """Increments, iterations, cut-backs and remarks."""
+    status = results.status
+    if not status.n_rows:
+        return "<p>No increment has been tried.</p>"
+    cut = np.array([remark.startswith("cut") for remark in status["remark"]])
+    done = status["iterations"][~cut]
+    rows = [
+        ("increments that converged", int((~cut).sum())),
+        ("iterations, those of tries that were cut included", int(status["iterations"].sum())),
+        (
+            "iterations of an increment",
+            f"{done.min()} to {done.max()}, mean {done.mean():.3g}" if done.size else "none",
+        ),
+        ("tries that were cut back", int(cut.sum())),
+        ("time increments", _range(status["time_increment"], "s")),
+    ]
+    text = table(("steps of the solution", ""), rows)
+    noted = [k for k, remark in enumerate(status["remark"]) if remark]
+    if noted:
+        lines = [
+            (f"{status['step'][k]}:{status['increment'][k]}", status["attempts"][k], f"{status['time'][k]:g}", status["remark"][k])
+            for k in noted[-_MOST_REMARKS:]
+        ]  # fmt: skip
+        head = f"the last {len(lines)} of {len(noted)} remarks" if len(noted) > len(lines) else "remarks"
+        text += table(("step:increment", "try", "time [s]", head), lines, text=[3])
+    return text
+
+
+def failure(results: Results) -> list[str]:
+    """The last try of a run that did not converge; empty for one that was not cut at its end."""
+    status = results.status
+    if results.finished or not status.n_rows or not status["remark"][-1].startswith("cut"):
+        return []
+    last = results.convergence
+    last = last.where((last["step"] == status["step"][-1]) & (last["increment"] == status["increment"][-1])
+                      & (last["attempt"] == status["attempts"][-1]))  # fmt: skip
+    words = html.escape(
+        f"Step {status['step'][-1]}, increment {status['increment'][-1]} was given up after {status['attempts'][-1]} tries, "
+        f"the last with a time increment of {status['time_increment'][-1]:g} s: {status['remark'][-1].removeprefix('cut: ')}."
+    )
+    if not last.n_rows:
+        return ["<h2>What failed</h2>", f"<p>{words}</p>"]
+    rows = []
+    for residual, unknown, node, unit in (
+        ("force", "displacement", "node_u", "m"),
+        ("moment", "rotation", "node_phi", "rad"),
+        ("current", "potential", "node_V", "V"),
+    ):
+        if last[residual].any():
+            size, allowed = last[residual][-1], last[f"{residual}_allowed"][-1]
+            rows.append((residual, amount(size, last.units[residual]), amount(allowed, last.units[residual]), "yes" if size <= allowed else "NO",
+                         amount(last[unknown][-1], unit), last[node][-1] or "-"))  # fmt: skip
+    heads = ("last iteration", "residual", "allowed", "met", "largest correction", "at node")
+    return ["<h2>What failed</h2>", f"<p>{words}</p>", table(heads, rows)]
+
+
+def contacts_of_iterate(last: Results) -> str:
+    """The deepest contacts of the iterate that was given up."""
+    ledger = last.contacts
+    if not ledger.n_rows:
+        return "<p>No wires touch in it.</p>"
+    return _contact_table("deepest contacts", ledger, np.argsort(ledger["gap"])[:_MOST_CONTACTS], with_time=False)
+
+
+def worst_contacts(results: Results) -> str:
+    """The deepest contacts of the run, those with the largest forces, and those with the densest currents."""
+    ledger = results.contacts
+    if not ledger.n_rows:
+        return "<p>No wires have touched.</p>"
+    measures = [("largest penetration", -ledger["gap"]), ("largest force", ledger["force"])]
+    density = current_density(ledger)
+    if density.any():
+        measures.append(("largest current density in the spot", density))
+    return "".join(
+        _contact_table(name, ledger, _worst_of_each(ledger["id"], values)[:_MOST_CONTACTS]) for name, values in measures
+    )
+
+
+def current_density(ledger: Table) -> np.ndarray:
+    """Current over the area of the spot of each row of the ledger [A/m^2]; 0 where there is no spot."""
+    area = np.pi * ledger["semi_major"] * ledger["semi_minor"]
+    return np.divide(np.abs(ledger["current"]), area, out=np.zeros(ledger.n_rows), where=area > 0)
+
+
+def _worst_of_each(ids: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """Rows in falling order of their values, only the first of each contact."""
+    order = np.argsort(-values, kind="stable")
+    return order[np.sort(np.unique(ids[order], return_index=True)[1])]
+
+
+def _contact_table(name: str, ledger: Table, rows: np.ndarray, *, with_time: bool = True) -> str:
+    density = current_density(ledger)
+    heads = [name, "elements", "penetration", "force", "current", "current density", "resistance", "angle"]
+    heads += ["step:increment", "time [s]"] if with_time else []
+    lines = []
+    for k in rows:
+        line = [
+            f"contact {ledger['id'][k]}",
+            f"{ledger['element_bar'][k]}, {ledger['element'][k]}",
+            amount(max(0.0, -ledger["gap"][k]), "m"),
+            amount(ledger["force"][k], "N"),
+            amount(ledger["current"][k], "A"),
+            amount(density[k], "A/m^2"),
+            amount(ledger["resistance"][k], "ohm"),
+            f"{np.degrees(ledger['angle'][k]):.1f}°",
+        ]
+        if with_time:
+            line += [f"{ledger['step'][k]}:{ledger['increment'][k]}", f"{ledger['time'][k]:g}"]
+        lines.append(line)
+    return table(heads, lines)

@@ -1,0 +1,41 @@
+/** What lies over the picture: colour bar, length of a bar, directions of the axes. */
+
+import { Vector3 } from "three";
+import { engineering } from "litz/data.js";
+
+/** The colour bar: a gradient with five numbers. */
+export function drawColourBar(element, table, limits, text, unit) {
+   const [factor, symbol] = engineering(Math.max(...limits.map(Math.abs)), unit);
+   const colours = Array.from({ length: 17 }, (_, k) => {
+      const at = 4 * Math.round((255 * k) / 16);
+      return `rgb(${table[at]} ${table[at + 1]} ${table[at + 2]})`;
+   });
+   element.querySelector(".bar").style.background = `linear-gradient(to right, ${colours.join(", ")})`;
+   element.querySelector(".title").textContent = symbol ? `${text} [${symbol}]` : text;
+   element.querySelector(".numbers").replaceChildren(...[0, 0.25, 0.5, 0.75, 1].map((part) => {
+      const value = factor * (limits[0] + part * (limits[1] - limits[0]));
+      const span = document.createElement("span");
+      span.textContent = Math.abs(value) < 1e-12 * factor * Math.abs(limits[1]) ? "0" : Number(value.toPrecision(3));
+      return span;
+   }));
+}
+
+/** Directions of the axes, and a bar of a round length, as an SVG of 190 x 70 pixels. */
+export function drawCompass(svg, stage) {
+   const lines = [];
+   [[1, 0, 0], [0, 1, 0], [0, 0, 1]].forEach((axis, k) => {
+      const [x, y] = stage.direction(new Vector3(...axis));
+      if (Math.hypot(x, y) < 0.1) return;
+      const [tipX, tipY] = [150 + 24 * x, 35 - 24 * y];
+      lines.push(`<line x1="150" y1="35" x2="${tipX}" y2="${tipY}" marker-end="url(#litz-arrow)"/>`);
+      lines.push(`<text x="${150 + 34 * x}" y="${39 - 34 * y}">${"xyz"[k]}</text>`);
+   });
+   const wanted = 90 / stage.pixelsPerMetre;
+   const decade = 10 ** Math.floor(Math.log10(wanted));
+   const length = decade * Math.max(...[1, 2, 5].filter((step) => step * decade <= wanted));
+   const pixels = length * stage.pixelsPerMetre;
+   const [factor, unit] = engineering(length, "m");
+   lines.push(`<line x1="${100 - pixels}" y1="50" x2="100" y2="50" stroke-width="3"/>`);
+   lines.push(`<text x="${100 - pixels / 2}" y="42">${Number((factor * length).toPrecision(3))} ${unit}</text>`);
+   svg.querySelector("g").innerHTML = lines.join("");
+}

@@ -1,0 +1,152 @@
+/** Wires as tubes: each element is an instance whose Hermite axis is computed by the graphics processor. */
+
+import {
+   BufferAttribute, BufferGeometry, DataTexture, InstancedBufferAttribute, InstancedBufferGeometry, LineBasicMaterial,
+   LineSegments, LinearFilter, Mesh, RGBAFormat, ShaderMaterial, DoubleSide,
+} from "three";
+
+const VERTEX = `
+   attribute float xi;
+   attribute float angle;
+   attribute float ring;    // 1 on the surface, 0 on the axis
+   attribute float face;    // 0 on the tube, -1 and 1 on the caps
+   attribute vec3 p0;
+   attribute vec3 p1;
+   attribute vec3 m0;
+   attribute vec3 m1;
+   attribute vec2 ends;
+   attribute float radius;
+   uniform float leastRadius;
+   varying vec3 seenNormal;
+   varying float value;
+
+   void main() {
+      float xi2 = xi * xi, xi3 = xi2 * xi;
+      vec3 axis = ((2. - 3. * xi + xi3) * p0 + (2. + 3. * xi - xi3) * p1
+         + (1. - xi - xi2 + xi3) * m0 + (-1. - xi + xi2 + xi3) * m1) / 4.;
+      vec3 along = normalize(3. * (1. - xi2) * (p1 - p0) + (-1. - 2. * xi + 3. * xi2) * m0
+         + (-1. + 2. * xi + 3. * xi2) * m1);
+      vec3 size = abs(p1 - p0);
+      vec3 aside = size.x <= size.y && size.x <= size.z ? vec3(1., 0., 0.)
+         : size.y <= size.z ? vec3(0., 1., 0.) : vec3(0., 0., 1.);
+      vec3 first = normalize(cross(along, aside));
+      vec3 outward = cos(angle) * first + sin(angle) * cross(along, first);
+      vec3 place = axis + ring * max(radius, leastRadius) * outward;
+      seenNormal = normalMatrix * (face == 0. ? outward : face * along);
+      value = mix(ends.x, ends.y, (1. + xi) / 2.);
+      gl_Position = projectionMatrix * modelViewMatrix * vec4(place, 1.);
+   }`;
+
+const FRAGMENT = `
+   uniform sampler2D colours;
+   uniform vec2 limits;
+   varying vec3 seenNormal;
+   varying float value;
+
+   void main() {
+      vec3 normal = normalize(seenNormal);
+      if (!gl_FrontFacing) normal = -normal;
+      float part = clamp((value - limits.x) / (limits.y - limits.x), 0., 1.);
+      vec3 colour = texture2D(colours, vec2((255. * part + 0.5) / 256., 0.5)).rgb;
+      vec3 left = normalize(vec3(-0.6, 0.7, 1.)), right = normalize(vec3(0.9, -0.1, 1.));
+      float light = 0.3 + 0.65 * max(dot(normal, left), 0.) + 0.25 * max(dot(normal, right), 0.);
+      float gloss = 0.2 * pow(max(dot(normal, normalize(left + vec3(0., 0., 1.))), 0.), 30.);
+      gl_FragColor = vec4(light * colour + gloss, 1.);
+   }`;
+
+/** The tubes of a model. */
+export class Tubes {
+   /** rest: the curves before deformation, twelve floats an element; radii: one float an element. */
+   constructor(rest, radii) {
+      this.rest = rest;
+      const n = radii.length;
+      this.curves = new Float32Array(rest);
+      const geometry = new InstancedBufferGeometry();
+      const [sides, segments] = n > 20000 ? [8, 3] : n > 3000 ? [12, 6] : [24, 16];
+      addTube(geometry, sides, segments);
+      this.shape = ["p0", "p1", "m0", "m1"].map((name) => {
+         const attribute = new InstancedBufferAttribute(new Float32Array(3 * n), 3);
+         geometry.setAttribute(name, attribute);
+         return attribute;
+      });
+      this.ends = new InstancedBufferAttribute(new Float32Array(2 * n), 2);
+      geometry.setAttribute("ends", this.ends);
+      geometry.setAttribute("radius", new InstancedBufferAttribute(radii, 1));
+      geometry.instanceCount = n;
+      this.material = new ShaderMaterial({
+         vertexShader: VERTEX, fragmentShader: FRAGMENT, side: DoubleSide,
+         uniforms: { colours: { value: null }, limits: { value: [0, 1] }, leastRadius: { value: 0 } },
+      });
+      this.mesh = new Mesh(geometry, this.material);
+      this.mesh.frustumCulled = false;
+   }
+
+   /** The deformed curves, with a factor on the deformation. */
+   setShape(now, factor) {
+      const { rest, curves } = this;
+      for (let k = 0; k < rest.length; k++) curves[k] = rest[k] + factor * (now[k] - rest[k]);
+      this.shape.forEach((attribute, part) => {
+         for (let row = 0; row < attribute.count; row++)
+            for (let k = 0; k < 3; k++) attribute.array[3 * row + k] = curves[12 * row + 3 * part + k];
+         attribute.needsUpdate = true;
+      });
+   }
+
+   setValues(ends) {
+      this.ends.array.set(ends);
+      this.ends.needsUpdate = true;
+   }
+
+   /** table: 256 colours of four bytes; limits: the values of the first and the last. */
+   setColours(table, limits) {
+      this.material.uniforms.colours.value?.dispose();
+      const texture = new DataTexture(table, 256, 1, RGBAFormat);
+      texture.minFilter = texture.magFilter = LinearFilter;
+      texture.needsUpdate = true;
+      this.material.uniforms.colours.value = texture;
+      this.material.uniforms.limits.value = limits;
+   }
+
+   /** Thin wires are drawn with this radius at least. */
+   setLeastRadius(radius) {
+      this.material.uniforms.leastRadius.value = radius;
+   }
+}
+
+/** Vertices and triangles of one tube with its caps. */
+function addTube(geometry, sides, segments) {
+   const rows = [[-1, 0, -1], [-1, 1, -1]];
+   for (let k = 0; k <= segments; k++) rows.push([-1 + (2 * k) / segments, 1, 0]);
+   rows.push([1, 1, 1], [1, 0, 1]);
+   const vertices = rows.flatMap((row) => Array.from({ length: sides }, (_, k) => [...row, (2 * Math.PI * k) / sides]));
+   ["xi", "ring", "face", "angle"].forEach((name, column) => {
+      geometry.setAttribute(name, new BufferAttribute(Float32Array.from(vertices, (vertex) => vertex[column]), 1));
+   });
+   // three.js wants an attribute of this name, and takes the number of vertices from it
+   geometry.setAttribute("position", new BufferAttribute(new Float32Array(3 * vertices.length), 3));
+   const triangles = [];
+   for (let row = 0; row < rows.length - 1; row++)
+      for (let k = 0; k < sides; k++) {
+         const a = row * sides + k, b = row * sides + ((k + 1) % sides);
+         triangles.push(a, b, a + sides, b, b + sides, a + sides);
+      }
+   geometry.setIndex(triangles);
+}
+
+/** The axes before deformation as thin lines. */
+export function referenceLines(rest) {
+   const parts = 8;
+   const points = [];
+   for (let start = 0; start < rest.length; start += 12)
+      for (let k = 0; k < parts; k++)
+         for (const xi of [-1 + (2 * k) / parts, -1 + (2 * (k + 1)) / parts]) points.push(...hermite(rest, start, xi));
+   const geometry = new BufferGeometry();
+   geometry.setAttribute("position", new BufferAttribute(new Float32Array(points), 3));
+   return new LineSegments(geometry, new LineBasicMaterial({ color: "#9a9a9a" }));
+}
+
+function hermite(curves, start, xi) {
+   const weights = [2 - 3 * xi + xi ** 3, 2 + 3 * xi - xi ** 3, 1 - xi - xi ** 2 + xi ** 3, -1 - xi + xi ** 2 + xi ** 3];
+   return [0, 1, 2].map((axis) =>
+      weights.reduce((sum, weight, part) => sum + (weight / 4) * curves[start + 3 * part + axis], 0));
+}

@@ -1,0 +1,198 @@
+/** Puts the viewer together: results, stage, wires, spots, ledger and the controls beside them. */
+
+import { Vector3 } from "three";
+import { bytes, endValues, engineering, floats, integers, openResults } from "litz/data.js";
+import { drawColourBar, drawCompass } from "litz/frame.js";
+import { Ledger } from "litz/ledger.js";
+import { Spots } from "litz/spots.js";
+import { Stage } from "litz/stage.js";
+import { Tubes, referenceLines } from "litz/tubes.js";
+
+const LEAST_PIXELS = 0.8;
+
+class Viewer {
+   constructor(root, { model, increment }) {
+      this.root = root;
+      this.model = { ...model, elements: integers(model.elements) };
+      this.load = increment;
+      const rest = floats(model.rest);
+      this.stage = new Stage(this.find("canvas"), model.radius, model.view);
+      this.tubes = new Tubes(rest, floats(model.radii));
+      this.reference = referenceLines(rest);
+      this.spots = new Spots(this.stage.scene);
+      this.ledger = new Ledger(root, model.ledger, (id) => this.choose(id));
+      this.tables = Object.fromEntries(Object.entries(model.colours).map(([name, text]) => [name, bytes(text)]));
+      this.stage.scene.add(this.tubes.mesh, this.reference);
+      this.stage.beforeDrawing(() => {
+         this.tubes.setLeastRadius(LEAST_PIXELS / this.stage.pixelsPerMetre);
+         this.spots.place(this.stage.pixelsPerMetre);
+         drawCompass(this.find("compass"), this.stage);
+      });
+      this.stage.onClick((x, y) => this.pick(x, y));
+      this.fillControls();
+   }
+
+   find(name) {
+      return this.root.querySelector(`.litz-${name}`);
+   }
+
+   fillControls() {
+      const { model } = this;
+      const fields = this.find("field");
+      fields.append(...model.scalars.map(({ name, text }) => new Option(text.replaceAll("_", " "), name)));
+      fields.value = model.scalar;
+      const slider = this.find("increment");
+      slider.max = model.times.length - 1;
+      slider.value = slider.max;
+      slider.addEventListener("input", () => this.show(Number(slider.value)));
+      for (const name of ["field", "range", "spot-size", "with-reference"])
+         this.find(name).addEventListener("change", () => this.update());
+      this.find("scale").addEventListener("input", () => this.update());
+      for (const button of this.root.querySelectorAll("[data-view]"))
+         button.addEventListener("click", () => this.look(button.dataset.view));
+      this.find("play").addEventListener("click", () => this.play());
+      this.root.addEventListener("keydown", (event) => this.key(event));
+   }
+
+   /** Show an increment, by its index in the page. */
+   async show(index) {
+      this.wanted = index;
+      const data = await this.load(index);
+      // another one may have been asked for meanwhile
+      if (this.wanted !== index) return;
+      this.data = data;
+      this.index = index;
+      this.find("increment").value = index;
+      const { steps, increments, times } = this.model;
+      this.find("time").textContent =
+         `step ${steps[index]}, increment ${increments[index]}, time ${Number(times[index].toPrecision(6))} s`;
+      this.update();
+   }
+
+   /** Bring everything in line with the controls. */
+   update() {
+      const { model, data } = this;
+      const factor = Math.max(0, Number(this.find("scale").value) || 0);
+      this.tubes.setShape(floats(data.curves), factor);
+      const scalar = model.scalars.find(({ name }) => name === this.find("field").value);
+      const ends = endValues(model, scalar, data);
+      const { colours, limits } = this.range(scalar, ends);
+      this.tubes.setValues(ends);
+      this.tubes.setColours(this.tables[colours], limits);
+      drawColourBar(this.find("colours"), this.tables[colours], limits, scalar.text.replaceAll("_", " "), scalar.unit);
+      this.updateSpots(factor);
+      this.reference.visible = this.find("with-reference").checked;
+      this.ledger.show(data.contacts);
+      this.stage.draw();
+      this.root.dataset.increment = this.index;
+      this.root.dataset.limits = limits.join(" ");
+   }
+
+   /** Colours and limits of a scalar: over the whole run, or at this increment. */
+   range(scalar, ends) {
+      if (this.find("range").value === "run") return scalar;
+      const low = ends.reduce((a, b) => Math.min(a, b), Infinity), high = ends.reduce((a, b) => Math.max(a, b), -Infinity);
+      if (!(high - low > 1e-6 * Math.max(Math.abs(low), Math.abs(high)))) return scalar;
+      const largest = Math.max(-low, high);
+      return scalar.colours === "coolwarm"
+         ? { colours: scalar.colours, limits: [-largest, largest] }
+         : { colours: scalar.colours, limits: [low, high] };
+   }
+
+   updateSpots(factor) {
+      const { data, model } = this;
+      const by = this.find("spot-size").value;
+      const n = by === "none" ? 0 : data.contacts.id.length;
+      const [rest, now, normals] = [data.spots.rest, data.spots.now, data.spots.normals].map(floats);
+      const at = (values, k) => new Vector3(...values.subarray(3 * k, 3 * k + 3));
+      const places = Array.from({ length: n }, (_, k) => at(rest, k).lerp(at(now, k), factor));
+      const directions = Array.from({ length: n }, (_, k) => at(normals, k));
+      this.spots.chosen = data.contacts.id.indexOf(this.ledger.chosen);
+      const sizes = n ? data.contacts[by] : [];
+      this.spots.set(places, directions, sizes, model.largest[by], floats(data.spots.radii));
+      this.find("spot-note").textContent = this.spotNote(by, n);
+   }
+
+   spotNote(by, n) {
+      if (by === "none" || !n) return "";
+      const largest = this.data.contacts[by].reduce((a, b) => Math.max(a, Math.abs(b)), 0);
+      const [factor, unit] = engineering(largest, { force: "N", current: "A" }[by]);
+      return `${n} contact${n > 1 ? "s" : ""}, area of a disc by its ${by}, `
+         + `largest now ${Number((factor * largest).toPrecision(3))} ${unit}`;
+   }
+
+   /** The contact at a place of the picture, if there is one. */
+   pick(x, y) {
+      const { stage, spots } = this;
+      const factor = spots.enlargement(stage.pixelsPerMetre) * stage.pixelsPerMetre;
+      let found = null, nearest = Infinity;
+      spots.centres.forEach((centre, k) => {
+         const [left, top] = stage.project(centre);
+         const distance = Math.hypot(left - x, top - y);
+         if (distance < Math.max(8, factor * spots.sizes[k]) && distance < nearest) {
+            nearest = distance;
+            found = this.data.contacts.id[k];
+         }
+      });
+      this.choose(found);
+   }
+
+   /** Choose a contact by its number; null: none. */
+   choose(id) {
+      this.ledger.choose(id);
+      this.spots.choose(this.data.contacts.id.indexOf(id));
+      this.stage.draw();
+   }
+
+   /** Where a contact of this increment is seen, in pixels from the upper left corner of the picture. */
+   placeOf(id) {
+      return this.stage.project(this.spots.centres[this.data.contacts.id.indexOf(id)]);
+   }
+
+   look(name) {
+      const views = { x: [[1, 0, 0], [0, 0, 1]], "-y": [[0, -1, 0], [0, 0, 1]], z: [[0, 0, 1], [0, 1, 0]],
+         iso: [[1, -1, 0.8], [0, 0, 1]], home: [this.model.view.toward, this.model.view.up] };
+      this.stage.look(...views[name]);
+   }
+
+   /** Start or stop the run of increments. */
+   play() {
+      const button = this.find("play");
+      if (this.timer) {
+         clearInterval(this.timer);
+         this.timer = null;
+      } else {
+         const n = this.model.times.length;
+         let next = this.index + 1 < n ? this.index + 1 : 0;
+         this.timer = setInterval(() => {
+            this.show(next++);
+            if (next >= n) this.play();
+         }, Math.max(80, Math.min(500, 6000 / n)));
+      }
+      button.textContent = this.timer ? "❚❚" : "▶";
+      button.title = this.timer ? "stop" : "play";
+   }
+
+   key(event) {
+      if (["INPUT", "SELECT"].includes(event.target.tagName) && event.target.type !== "range") return;
+      const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+      if (!step || event.target.type === "range") return;
+      this.show(Math.min(this.model.times.length - 1, Math.max(0, this.index + step)));
+      event.preventDefault();
+   }
+}
+
+async function start(root) {
+   const message = root.querySelector(".litz-message");
+   try {
+      root.viewer = new Viewer(root, await openResults());
+      await root.viewer.show(root.viewer.model.times.length - 1);
+      message.remove();
+      root.dataset.ready = "yes";
+   } catch (error) {
+      message.textContent = `The view could not be made: ${error.message}`;
+      console.error(error);
+   }
+}
+
+for (const root of document.querySelectorAll(".litz-viewer")) start(root);

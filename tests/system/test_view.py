@@ -1,0 +1,278 @@
+"""`litz view` in a real browser, and what its server answers."""
+
+import gzip
+import io
+import json
+import subprocess
+import threading
+import urllib.error
+import urllib.request
+
+import numpy as np
+import pytest
+from matplotlib.image import imread
+
+import litz
+from browser import open_browser
+from litz.quantities import engineering
+from litz.view_server import ViewServer
+from litz.web_data import WebData
+from test_cli import ENTRY
+
+LONGEST_WAIT = 60
+
+
+@pytest.fixture(scope="module")
+def server(run_of_input):
+    """The viewer of a grid with 16 contacts at five increments."""
+    with ViewServer(run_of_input("04_wire_grid")) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield server
+        server.shutdown()
+
+
+@pytest.fixture(scope="module")
+def browser():
+    with open_browser() as browser:
+        yield browser
+
+
+@pytest.fixture
+def page(browser, server):
+    load(browser, server.url)
+    return browser
+
+
+def load(browser, url):
+    """Load a page with the viewer, and wait for its first picture."""
+    browser.get_log("browser")
+    browser.get(url)
+    wait(
+        browser, lambda: browser.find_elements("css selector", ".litz-viewer[data-ready=yes]"), "the page is not ready"
+    )
+
+
+def wait(browser, condition, message):
+    from selenium.webdriver.support.ui import WebDriverWait
+
+    return WebDriverWait(browser, LONGEST_WAIT).until(lambda _: condition(), message)
+
+
+def errors(browser):
+    return [entry["message"] for entry in browser.get_log("browser") if entry["level"] == "SEVERE"]
+
+
+def viewer(browser):
+    return browser.find_element("css selector", ".litz-viewer")
+
+
+def ask(browser, expression):
+    """Value of an expression of JavaScript in which `viewer` is that of the page."""
+    return browser.execute_script(f"const viewer = document.querySelector('.litz-viewer').viewer; return {expression}")
+
+
+def click_at(browser, x, y):
+    """Click a place of the picture, counted from its upper left corner."""
+    from selenium.webdriver import ActionChains
+
+    canvas = browser.find_element("css selector", ".litz-canvas canvas")
+    box = canvas.rect
+    actions = ActionChains(browser)
+    actions.move_to_element_with_offset(
+        canvas, round(x - box["width"] / 2), round(y - box["height"] / 2)
+    ).click().perform()
+
+
+def ledger_row(browser):
+    """Name and text of each entry of the row that is shown."""
+    return {
+        entry.get_attribute("data-name"): entry.text
+        for entry in browser.find_elements("css selector", ".litz-ledger dd")
+    }
+
+
+def picture_of(browser):
+    """What is on the canvas, (height, width, 3)."""
+    canvas = browser.find_element("css selector", ".litz-canvas")
+    return imread(io.BytesIO(canvas.screenshot_as_png))[..., :3]
+
+
+def in_words(value, unit):
+    factor, symbol = engineering(np.array([value]), unit)
+    return f"{factor * value:.6g} {symbol}".strip()
+
+
+class TestPage:
+    def test_it_loads_without_errors_at_the_last_increment(self, page, server):
+        assert errors(page) == []
+        assert viewer(page).get_attribute("data-increment") == str(len(server.results.times) - 1)
+        assert "4 x 4 copper wires" in page.title
+
+    def test_the_picture_shows_the_wires_in_the_colours_of_the_bar(self, page):
+        picture = picture_of(page)
+        assert np.mean(np.any(picture < 0.9, axis=2)) > 0.03
+        greenish = (picture[..., 1] > picture[..., 0] + 0.1) & (picture[..., 1] > picture[..., 2])
+        assert np.count_nonzero(greenish) > 1000
+
+    def test_there_are_as_many_spots_as_contacts(self, page):
+        from scipy.ndimage import label
+
+        page.find_element("css selector", "[data-view=z]").click()
+        picture = picture_of(page)
+        orange = (picture[..., 0] > 0.8) & (picture[..., 1] > 0.2) & (picture[..., 1] < 0.5) & (picture[..., 2] < 0.35)
+        assert label(orange)[1] == 16
+
+    def test_increments_are_scrubbed_with_the_slider(self, page, server):
+        from selenium.webdriver.common.keys import Keys
+
+        slider = page.find_element("css selector", ".litz-increment")
+        last = len(server.results.times) - 1
+        before = picture_of(page)
+        slider.send_keys(Keys.ARROW_LEFT)
+        wait(page, lambda: viewer(page).get_attribute("data-increment") == str(last - 1), "no scrubbing back")
+        slider.send_keys(Keys.HOME)
+        wait(page, lambda: viewer(page).get_attribute("data-increment") == "0", "no scrubbing to the start")
+        assert "time 0 s" in page.find_element("css selector", ".litz-time").text
+        assert not np.array_equal(before, picture_of(page))
+        assert errors(page) == []
+
+    def test_a_contact_is_picked_in_the_picture_and_its_ledger_row_is_read(self, page, server):
+        ledger = server.results.contacts_at(-1)
+        for k in (0, 7):
+            click_at(page, *ask(page, f"viewer.placeOf({ledger['id'][k]})"))
+            row = ledger_row(page)
+            assert row["id"] == str(ledger["id"][k])
+            for name in ("force", "current", "resistance", "gap"):
+                assert row[name] == in_words(ledger[name][k], ledger.units[name])
+        click_at(page, 5, 300)
+        assert ledger_row(page) == {}
+
+    def test_a_row_of_the_table_chooses_its_contact_and_it_stays_while_scrubbing(self, page, server):
+        page.find_element("css selector", ".litz-contacts tr[data-id='5']").click()
+        assert ledger_row(page)["id"] == "5"
+        ask(page, "viewer.show(2)")
+        wait(page, lambda: viewer(page).get_attribute("data-increment") == "2", "no scrubbing")
+        ledger = server.results.contacts_at(2)
+        assert ledger_row(page)["force"] == in_words(ledger["force"][list(ledger["id"]).index(5)], "N")
+
+    def test_every_scalar_can_be_chosen_and_its_bar_has_the_range_of_the_run(self, page, server):
+        from selenium.webdriver.support.ui import Select
+
+        choice = Select(page.find_element("css selector", ".litz-field"))
+        names = [option.get_attribute("value") for option in choice.options]
+        assert {"potential", "joule_heat", "displacement", "displacement.z", "bending_moment"} <= set(names)
+        for name in names:
+            choice.select_by_value(name)
+        choice.select_by_value("joule_heat")
+        heat = server.results.field("joule_heat", None)
+        shown = [float(number) for number in viewer(page).get_attribute("data-limits").split()]
+        np.testing.assert_allclose(shown, [heat.min(), heat.max()])
+        Select(page.find_element("css selector", ".litz-range")).select_by_value("increment")
+        shown = [float(number) for number in viewer(page).get_attribute("data-limits").split()]
+        np.testing.assert_allclose(shown, [heat[-1].min(), heat[-1].max()], rtol=1e-6)
+        assert errors(page) == []
+
+    def test_dragging_turns_the_model(self, page):
+        from selenium.webdriver import ActionChains
+
+        before = ask(page, "viewer.stage.camera.position.toArray()")
+        canvas = page.find_element("css selector", ".litz-canvas canvas")
+        ActionChains(page).move_to_element(canvas).click_and_hold().move_by_offset(120, 40).release().perform()
+        wait(page, lambda: ask(page, "viewer.stage.camera.position.toArray()") != before, "it does not turn")
+        # the home button brings it back
+        page.find_element("css selector", "[data-view=home]").click()
+        np.testing.assert_allclose(ask(page, "viewer.stage.camera.position.toArray()"), before, rtol=1e-6)
+
+    def test_the_run_can_be_played(self, page):
+        page.find_element("css selector", ".litz-play").click()
+        wait(page, lambda: viewer(page).get_attribute("data-increment") == "1", "it does not play")
+        wait(page, lambda: page.find_element("css selector", ".litz-play").text == "▶", "it does not end")
+        assert viewer(page).get_attribute("data-increment") == "4"
+
+
+class TestReport:
+    def test_a_report_works_from_a_file_with_nothing_beside_it(self, browser, run_of_input, tmp_path):
+        path = litz.report(run_of_input("04_wire_grid"), tmp_path / "alone.html")
+        browser.execute_cdp_cmd("Network.enable", {})
+        browser.execute_cdp_cmd("Network.emulateNetworkConditions",
+                                {"offline": True, "latency": 0, "downloadThroughput": 0, "uploadThroughput": 0})  # fmt: skip
+        load(browser, path.as_uri())
+        assert errors(browser) == []
+        ask(browser, "viewer.choose(3)")
+        assert ledger_row(browser)["id"] == "3"
+        ask(browser, "viewer.show(1)")
+        wait(browser, lambda: viewer(browser).get_attribute("data-increment") == "1", "no scrubbing")
+
+
+class TestServer:
+    def get(self, server, path, **headers):
+        with urllib.request.urlopen(urllib.request.Request(server.url + path, headers=headers), timeout=30) as answer:
+            return answer
+
+    def read(self, server, path, **headers):
+        with urllib.request.urlopen(urllib.request.Request(server.url + path, headers=headers), timeout=30) as answer:
+            return answer.read()
+
+    def test_it_listens_to_this_machine_only(self, server):
+        assert server.server_address[0] == "127.0.0.1"
+
+    def test_pages_of_other_names_get_nothing(self, server):
+        """A name that leads to this machine would let another site read the results."""
+        with pytest.raises(urllib.error.HTTPError, match="403"):
+            self.read(server, "data/model", Host="example.org")
+
+    def test_it_serves_no_files(self, server):
+        for path in ("../../etc/passwd", "data/increment-99", "data/increment--1", "web/viewer.js"):
+            with pytest.raises(urllib.error.HTTPError, match="404"):
+                self.read(server, path)
+
+    def test_data_is_sent_in_short_to_those_who_can_read_it(self, server):
+        plain = self.read(server, "data/increment-4")
+        short = self.read(server, "data/increment-4", **{"Accept-Encoding": "gzip"})
+        assert gzip.decompress(short) == plain
+        assert len(json.loads(plain)["contacts"]["id"]) == 16
+
+    def test_a_port_that_is_taken_is_told(self, server):
+        with pytest.raises(litz.FileError, match=f"port {server.server_address[1]} of this machine cannot be used"):
+            ViewServer(server.results, server.server_address[1])
+
+    def test_the_command_prints_the_address_and_ends_with_ctrl_c(self, run_of_input):
+        arguments = [*ENTRY, "view", str(run_of_input("04_wire_grid")), "--no-browser"]
+        with subprocess.Popen(arguments, stdout=subprocess.PIPE, text=True) as process:
+            address = process.stdout.readline().split(" at ")[1].split()[0]
+            with urllib.request.urlopen(address, timeout=30) as answer:
+                assert b"litz-viewer" in answer.read()
+            process.send_signal(2)
+            assert process.wait(timeout=30) == 0
+
+
+class TestData:
+    def test_curves_and_fields_are_those_of_the_results(self, server):
+        import base64
+
+        results = server.results
+        data = WebData(results)
+        model, last = json.loads(data.model()), json.loads(data.increment(4))
+        curves = np.frombuffer(base64.b64decode(last["curves"]), np.float32).reshape(-1, 4, 3)
+        middle = (results.nodes.min(axis=0) + results.nodes.max(axis=0)) / 2
+        np.testing.assert_allclose(curves[:, :2] + middle, results.positions()[results.elements], atol=1e-8)
+        potential = np.frombuffer(base64.b64decode(last["fields"]["potential"]), np.float32)
+        np.testing.assert_allclose(potential, results.field("potential"), rtol=1e-6)
+        assert last["contacts"]["force"] == pytest.approx(results.contacts_at(-1)["force"], rel=1e-7)
+        known = {scalar["name"]: scalar for scalar in model["scalars"]}
+        assert known["potential"]["limits"] == [0, pytest.approx(results.field("potential", None).max())]
+
+    def test_what_is_zero_all_the_time_is_left_out(self, server):
+        names = {scalar["name"] for scalar in json.loads(WebData(server.results).model())["scalars"]}
+        assert "applied_moment" not in names
+
+
+def test_the_library_of_the_viewer_is_the_release_that_its_recipe_names():
+    from pathlib import Path
+
+    root = Path(__file__).parents[2]
+    recipe = json.loads((root / "web" / "package.json").read_text())
+    bundle = Path(litz.__file__).parent / "web" / "three.min.js"
+    head = bundle.read_text(encoding="utf-8")[:200]
+    assert f"three.js {recipe['devDependencies']['three']}," in head
+    assert bundle.with_name("three.LICENSE").read_text().startswith("The MIT License")
