@@ -68,7 +68,7 @@ def history(figure: Figure, results: "Results", increment: int) -> None:
     all_axes = figure.subplots(len(groups), 1, sharex=True, squeeze=False)[:, 0]
     for axes, (unit, members) in zip(all_axes, groups.items(), strict=True):
         _history_of_one_unit(axes, table, members, unit)
-    all_axes[-1].set_xlabel("time [s]")
+    all_axes[-1].set_xlabel(time_label(results))
 
 
 def _history_of_one_unit(axes: Axes, table: Table, names: list[str], unit: str) -> None:
@@ -92,8 +92,8 @@ def resistance_over_force(axes: Axes, results: "Results", increment: int) -> Non
     if not shown.n_rows:
         nothing_to_draw(axes, "No contact has a resistance")
         return
-    force_factor, force_unit = engineering(shown["force"], "N")
-    factor, unit = engineering(shown["resistance"], "ohm")
+    force_factor, force_unit = engineering(shown["force"], results.unit_labels["N"])
+    factor, unit = engineering(shown["resistance"], results.unit_labels["ohm"])
     force, ohms = force_factor * shown["force"], factor * shown["resistance"]
     ids = np.unique(shown["id"])
     if len(ids) <= _MOST_LINES:
@@ -247,7 +247,7 @@ def contact_number(axes: Axes, results: "Results") -> None:
     )
     axes.yaxis.set_major_locator(MaxNLocator(integer=True))
     axes.set_ylim(bottom=0)
-    axes.set_xlabel("time [s]")
+    axes.set_xlabel(time_label(results))
 
 
 def contact_heat(axes: Axes, results: "Results") -> None:
@@ -258,10 +258,10 @@ def contact_heat(axes: Axes, results: "Results") -> None:
     if not (spots.any() or wires.any()):
         nothing_to_draw(axes, "No current flows")
         return
-    factor, unit = engineering(np.concatenate([spots, wires]), "W")
+    factor, unit = engineering(np.concatenate([spots, wires]), results.unit_labels["W"])
     axes.plot(times, factor * spots, **_marker(len(times)), color=colour_of(1, 3), label="contacts")
     axes.plot(results.times, factor * wires, **_marker(len(times)), color=colour_of(0, 3), label="wires")
-    axes.set_xlabel("time [s]")
+    axes.set_xlabel(time_label(results))
     axes.set_ylabel(label("heat", unit))
     axes.legend(loc="best")
 
@@ -270,11 +270,11 @@ def forces_over_time(axes: Axes, results: "Results", increment: int) -> None:
     """Force of each contact over time, or of many the range and the median."""
     ledger = results.contacts
     axes.set_title("Contact forces")
-    axes.set_xlabel("time [s]")
+    axes.set_xlabel(time_label(results))
     if not ledger.n_rows:
         nothing_to_draw(axes, "There are no contacts")
         return
-    factor, unit = engineering(ledger["force"], "N")
+    factor, unit = engineering(ledger["force"], results.unit_labels["N"])
     axes.set_ylabel(label("force", unit))
     ids = np.unique(ledger["id"])
     if len(ids) <= _MOST_LINES:
@@ -306,12 +306,12 @@ def forces_over_time(axes: Axes, results: "Results", increment: int) -> None:
 def spot_sizes(axes: Axes, results: "Results", increment: int) -> None:
     """Semi-axes of the spots over force, at the increment that is shown."""
     now = results.contacts_at(increment)
-    axes.set_title(f"Spots at time {results.times[increment]:g} s")
+    axes.set_title(f"Spots at time {results.times[increment]:g} {results.unit_labels['s']}")
     if not now.n_rows or not now["semi_major"].any():
         nothing_to_draw(axes, "There are no spots")
         return
-    force_factor, force_unit = engineering(now["force"], "N")
-    factor, unit = engineering(now["semi_major"], "m")
+    force_factor, force_unit = engineering(now["force"], results.unit_labels["N"])
+    factor, unit = engineering(now["semi_major"], results.unit_labels["m"])
     force = force_factor * now["force"]
     # rings around dots: both are seen where the spot is a circle
     axes.plot(
@@ -328,10 +328,10 @@ def spot_sizes(axes: Axes, results: "Results", increment: int) -> None:
 def displacement_over_time(axes: Axes, results: "Results", increment: int) -> None:
     """Largest displacement over time."""
     size = np.linalg.norm(results.field("displacement", None), axis=2).max(axis=1)
-    factor, unit = engineering(size, "m")
+    factor, unit = engineering(size, results.unit_labels["m"])
     axes.plot(results.times, factor * size, **_marker(len(size)), color=_ONE_COLOUR)
     axes.set_title("Largest displacement")
-    axes.set_xlabel("time [s]")
+    axes.set_xlabel(time_label(results))
     axes.set_ylabel(label("displacement", unit))
 
 
@@ -339,7 +339,7 @@ def current_per_wire(axes: Axes, results: "Results", increment: int) -> None:
     """Mean current of each wire as a bar; a line shows its range along the wire."""
     wires = find_wires(results.elements)
     current = results.field("element_current", increment)
-    factor, unit = engineering(current, "A")
+    factor, unit = engineering(current, results.unit_labels["A"])
     along = [factor * wire.signs * current[wire.elements] for wire in wires]
     mean, low, high = (np.array([f(one) for one in along]) for f in (np.mean, np.min, np.max))
     place = np.arange(1, len(wires) + 1)
@@ -357,8 +357,8 @@ def current_along_wires(axes: Axes, results: "Results", increment: int) -> None:
     """Current over the arc length of each wire; it jumps where current crosses a contact."""
     wires = find_wires(results.elements)
     current = results.field("element_current", increment)
-    factor, unit = engineering(current, "A")
-    length_factor, length_unit = engineering(np.ptp(results.nodes, axis=0), "m")
+    factor, unit = engineering(current, results.unit_labels["A"])
+    length_factor, length_unit = engineering(np.ptp(results.nodes, axis=0), results.unit_labels["m"])
     few = len(wires) <= _MOST_LINES
     for i, wire in enumerate(wires):
         length = np.linalg.norm(np.diff(results.nodes[wire.nodes], axis=0), axis=1)
@@ -392,6 +392,11 @@ def colour_of(i: int, n: int):
 def _marker(n: int) -> dict:
     """Points are shown while they do not run into each other."""
     return {"marker": "o", "markersize": 4} if n <= 40 else {}
+
+
+def time_label(results: "Results") -> str:
+    """Label of an axis of time."""
+    return label("time", results.unit_labels["s"])
 
 
 def nothing_to_draw(axes: Axes, text: str) -> None:

@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from .charts import colour_of, nothing_to_draw
+from .charts import colour_of, nothing_to_draw, time_label
 from .quantities import engineering, label
 from .scene import row_of_element
 from .wires import arc_lengths, element_curves, find_wires, hermite_slope
@@ -63,8 +63,8 @@ def force_over_sliding(axes: Axes, results: "Results", increment: int) -> None:
     if not drawn:
         nothing_to_draw(axes, "No contact with friction has lasted two increments")
         return
-    factor, unit = engineering(np.concatenate([loop.sliding for loop in drawn]), "m")
-    force_factor, force_unit = engineering(np.concatenate([loop.force for loop in drawn]), "N")
+    factor, unit = engineering(np.concatenate([loop.sliding for loop in drawn]), results.unit_labels["m"])
+    force_factor, force_unit = engineering(np.concatenate([loop.force for loop in drawn]), results.unit_labels["N"])
     for number, loop in enumerate(drawn):
         colour = colour_of(number, len(drawn))
         axes.plot(factor * loop.sliding, force_factor * loop.force, ".-", markersize=4, linewidth=1.3, color=colour,
@@ -91,11 +91,11 @@ def heat_over_time(axes: Axes, results: "Results") -> None:
         now = ledger.where((ledger["step"] == step) & (ledger["increment"] == increment))
         latest.update(zip(now["id"], now["dissipation"], strict=True))
         total.append(sum(latest.values()))
-    factor, unit = engineering(np.array(total), "J")
+    factor, unit = engineering(np.array(total), results.unit_labels["J"])
     axes.plot(results.times, factor * np.array(total), color="#2a6f97", marker="o" if len(total) <= 40 else None,
               markersize=4)  # fmt: skip
     axes.set_ylim(bottom=0)
-    axes.set_xlabel("time [s]")
+    axes.set_xlabel(time_label(results))
     axes.set_ylabel(label("heat", unit))
 
 

@@ -30,11 +30,11 @@ def network(figure: Figure, results: "Results", increment: int) -> None:
     axes = figure.add_subplot()
     axes.set_axis_off()
     _draw_lines(axes, places, pairs, size)
-    _draw_wires(figure, axes, places, graph, pairs)
-    factor, unit = engineering(size, {"current": "A", "force": "N"}[by])
+    _draw_wires(figure, axes, places, graph, results.unit_labels["V"])
+    factor, unit = engineering(size, results.unit_labels[{"current": "A", "force": "N"}[by]])
     largest = f"; the thickest line is {size.max() * factor:.3g} {unit}" if len(size) else ""
     figure.suptitle(
-        f"Contact network at time {results.times[increment]:g} s: {n_wires} wires, {_counted(graph)}",
+        f"Contact network at time {results.times[increment]:g} {results.unit_labels['s']}: {n_wires} wires, {_counted(graph)}",
         x=0.005, ha="left", fontsize="large", fontweight="bold",
     )  # fmt: skip
     axes.set_title(f"lines: {by} between two wires{largest}\ndots: wires, the larger the more contacts",
@@ -120,13 +120,13 @@ def _draw_lines(axes, places: np.ndarray, pairs: np.ndarray, size: np.ndarray) -
     )  # fmt: skip
 
 
-def _draw_wires(figure: Figure, axes, places: np.ndarray, graph: ContactNetwork, pairs: np.ndarray) -> None:
+def _draw_wires(figure: Figure, axes, places: np.ndarray, graph: ContactNetwork, unit_of_voltage: str) -> None:
     n = len(places)
     touching = np.bincount(graph.wires.ravel(), minlength=n)
     largest = 420 if n <= _MOST_NAMES else 160
     area = largest * (0.35 + 0.65 * touching / max(touching.max(), 1))
     has_voltage = np.ptp(graph.wire_potential) > 0
-    factor, unit = engineering(graph.wire_potential, "V")
+    factor, unit = engineering(graph.wire_potential, unit_of_voltage)
     value = factor * graph.wire_potential
     dots = axes.scatter(
         *places.T, s=area, c=value if has_voltage else "#2a6f97", cmap="viridis" if has_voltage else None,

@@ -151,7 +151,7 @@ def title(results: Results, increment: int) -> str:
     heading = textwrap.shorten((results.heading.strip() or results.path.stem).splitlines()[0], 75, placeholder=" ...")
     return (
         f"{heading}\nstep {results.steps[increment]}, increment {results.increments[increment]}, "
-        f"time {results.times[increment]:g} s"
+        f"time {results.times[increment]:g} {results.unit_labels['s']}"
     )
 
 
@@ -181,7 +181,7 @@ def place_wires(
     left, bottom, width, _ = box
     draw_wires(figure.add_axes(box), scene, camera, tubes)
     inch = 1.0 / figure.get_figheight()
-    draw_frame(figure.add_axes((left, bottom - 0.75 * inch, width, 0.75 * inch)), camera)
+    draw_frame(figure.add_axes((left, bottom - 0.75 * inch, width, 0.75 * inch)), camera, scene.length_unit)
     bar_axes = figure.add_axes((left + 0.04 * width, bottom - 0.30 * inch, 0.40 * width, 0.13 * inch))
     colours = mpl.cm.ScalarMappable(mpl.colors.Normalize(*scene.limits), scene.colours)
     bar = figure.colorbar(colours, cax=bar_axes, orientation="horizontal")

@@ -70,6 +70,7 @@ def report(results: Results | str | Path, filename: str | Path | None = None) ->
     sections = [
         f"<h1>{html.escape(title)}</h1>\n<p>{html.escape(results.path.name)}, made by litz {html.escape(results.version)}</p>",
         tables.verdict(results),
+        _later_run(results),
         *_failure(results),
         '<div class="columns"><div><h2>Model</h2>',
         tables.model(results),
@@ -84,6 +85,15 @@ def report(results: Results | str | Path, filename: str | Path | None = None) ->
     sections += ["<h2>Deck</h2>", _deck(results)]
     path.write_text(page(f"{title} - litz", "\n".join(sections), _STYLE + viewer_style()), encoding="utf-8")
     return path
+
+
+def _later_run(results: Results) -> str:
+    """What there is of a later run that ended before its first increment."""
+    later = results.path.with_name(f"{results.path.stem}_unconverged.sta")
+    if not later.is_file():
+        return ""
+    text = f"A later run ended before its first increment: {later.name}. This page is about the run before it."
+    return f'<p class="verdict bad">{html.escape(text)}</p>'
 
 
 def _failure(results: Results) -> list[str]:

@@ -26,12 +26,8 @@ def table(heads: Iterable[str], rows: Iterable[Iterable[str]], text: Iterable[in
         )
         return f"<tr>{inside}</tr>"
 
-    return (
-        '<div class="wide"><table class="data">'
-        + line("th", heads)
-        + "".join(line("td", row) for row in rows)
-        + "</table></div>"
-    )
+    body = line("th", heads) + "".join(line("td", row) for row in rows)
+    return f'<div class="wide"><table class="data">{body}</table></div>'
 
 
 def amount(value: float, unit: str) -> str:
@@ -42,12 +38,14 @@ def amount(value: float, unit: str) -> str:
 
 def verdict(results: Results) -> str:
     """Whether the run came to its end, and how far."""
-    n, status = int((results.steps > 0).sum()), results.status
+    n, status, time = int((results.steps > 0).sum()), results.status, results.unit_labels["s"]
     work = f"{n} increment{'s' * (n != 1)}, {int(status['iterations'].sum())} iterations"
     if results.finished:
-        return f'<p class="verdict">The run finished at time {results.times[-1]:g} s: {work}.</p>'
+        return f'<p class="verdict">The run finished at time {results.times[-1]:g} {time}: {work}.</p>'
     where = (
-        f"the last increment that converged is at time {results.times[-1]:g} s" if n else "no increment has converged"
+        f"the last increment that converged is at time {results.times[-1]:g} {time}"
+        if n
+        else "no increment has converged"
     )
     return f'<p class="verdict bad">The run did not finish (or still runs): {where}; {work}.</p>'
 
@@ -58,14 +56,15 @@ def model(results: Results) -> str:
     wires = find_wires(elements)
     _, lengths, _ = arc_lengths(nodes, elements, wires)
     radii = np.unique(results.radius)
-    extent = " × ".join(amount(size, "m") for size in np.ptp(nodes, axis=0))
+    unit = results.unit_labels["m"]
+    extent = " by ".join(amount(size, unit) for size in np.ptp(nodes, axis=0))
     rows = [
         ("nodes", len(nodes)),
         ("elements", len(elements)),
         ("wires", len(wires)),
-        ("length of all wires", amount(lengths.sum(), "m")),
-        ("lengths of elements", _range(lengths, "m")),
-        ("radius" if len(radii) == 1 else "radii", _range(radii, "m")),
+        ("length of all wires", amount(lengths.sum(), unit)),
+        ("lengths of elements", _range(lengths, unit)),
+        ("radius" if len(radii) == 1 else "radii", _range(radii, unit)),
         ("extent along x, y, z", extent),
         ("node sets", _sets(results.node_sets)),
         ("element sets", _sets(results.element_sets)),
@@ -106,12 +105,13 @@ def _power(results: Results) -> str:
     wires, contacts = results.field("joule_heat").sum(), results.contacts_at(-1)["joule_heat"].sum()
     if not entering.any():
         return ""
+    unit = results.unit_labels
     rows = [
-        ("current in", amount(entering[entering > 0].sum(), "A")),
-        ("current out", amount(-entering[entering < 0].sum(), "A")),
-        ("electric power in", amount(potential @ entering, "W")),
-        ("Joule heat of the wires", amount(wires, "W")),
-        ("Joule heat of the contacts", amount(contacts, "W")),
+        ("current in", amount(entering[entering > 0].sum(), unit["A"])),
+        ("current out", amount(-entering[entering < 0].sum(), unit["A"])),
+        ("electric power in", amount(potential @ entering, unit["W"])),
+        ("Joule heat of the wires", amount(wires, unit["W"])),
+        ("Joule heat of the contacts", amount(contacts, unit["W"])),
     ]
     return table(("current and power at the last increment", ""), rows)
 
@@ -124,7 +124,7 @@ def _energies(results: Results) -> str:
     }  # fmt: skip
     history = results.history
     rows = [
-        (f"{name}: {text}", amount(history[name][-1], "J"))
+        (f"{name}: {text}", amount(history[name][-1], history.units[name]))
         for name, text in meanings.items()
         if name in history and len(history[name])
     ]
@@ -146,17 +146,18 @@ def convergence(results: Results) -> str:
             f"{done.min()} to {done.max()}, mean {done.mean():.3g}" if done.size else "none",
         ),
         ("tries that were cut back", int(cut.sum())),
-        ("time increments", _range(status["time_increment"], "s")),
+        ("time increments", _range(status["time_increment"], status.units["time_increment"])),
     ]
     text = table(("steps of the solution", ""), rows)
     noted = [k for k, remark in enumerate(status["remark"]) if remark]
     if noted:
+        columns = (status[name][noted[-_MOST_REMARKS:]] for name in ("step", "increment", "attempts", "time", "remark"))
         lines = [
-            (f"{status['step'][k]}:{status['increment'][k]}", status["attempts"][k], f"{status['time'][k]:g}", status["remark"][k])
-            for k in noted[-_MOST_REMARKS:]
-        ]  # fmt: skip
+            (f"{step}:{increment}", attempt, f"{time:g}", remark)
+            for step, increment, attempt, time, remark in zip(*columns, strict=True)
+        ]
         head = f"the last {len(lines)} of {len(noted)} remarks" if len(noted) > len(lines) else "remarks"
-        text += table(("step:increment", "try", "time [s]", head), lines, text=[3])
+        text += table(("step:increment", "try", f"time [{status.units['time']}]", head), lines, text=[3])
     return text
 
 
@@ -165,27 +166,34 @@ def failure(results: Results) -> list[str]:
     status = results.status
     if results.finished or not status.n_rows or not status["remark"][-1].startswith("cut"):
         return []
+    step, increment, tries = (int(status[name][-1]) for name in ("step", "increment", "attempts"))
     last = results.convergence
-    last = last.where((last["step"] == status["step"][-1]) & (last["increment"] == status["increment"][-1])
-                      & (last["attempt"] == status["attempts"][-1]))  # fmt: skip
+    last = last.where((last["step"] == step) & (last["increment"] == increment) & (last["attempt"] == tries))
+    span = amount(status["time_increment"][-1], status.units["time_increment"])
+    reason = status["remark"][-1].removeprefix("cut: ")
     words = html.escape(
-        f"Step {status['step'][-1]}, increment {status['increment'][-1]} was given up after {status['attempts'][-1]} tries, "
-        f"the last with a time increment of {status['time_increment'][-1]:g} s: {status['remark'][-1].removeprefix('cut: ')}."
+        f"Step {step}, increment {increment} was given up after {tries} {'try' if tries == 1 else 'tries'}, "
+        f"the last with a time increment of {span}: {reason}."
     )
     if not last.n_rows:
         return ["<h2>What failed</h2>", f"<p>{words}</p>"]
-    rows = []
-    for residual, unknown, node, unit in (
-        ("force", "displacement", "node_u", "m"),
-        ("moment", "rotation", "node_phi", "rad"),
-        ("current", "potential", "node_V", "V"),
-    ):
-        if last[residual].any():
-            size, allowed = last[residual][-1], last[f"{residual}_allowed"][-1]
-            rows.append((residual, amount(size, last.units[residual]), amount(allowed, last.units[residual]), "yes" if size <= allowed else "NO",
-                         amount(last[unknown][-1], unit), last[node][-1] or "-"))  # fmt: skip
+    fields = (
+        ("force", "displacement", "node_u"),
+        ("moment", "rotation", "node_phi"),
+        ("current", "potential", "node_V"),
+    )
+    rows = [_last_residual(last, *names) for names in fields if last[names[0]].any()]
     heads = ("last iteration", "residual", "allowed", "met", "largest correction", "at node")
     return ["<h2>What failed</h2>", f"<p>{words}</p>", table(heads, rows)]
+
+
+def _last_residual(iterations: Table, residual: str, unknown: str, node: str) -> tuple:
+    """Residual and largest correction of one field in the last of some iterations."""
+    size, allowed = iterations[residual][-1], iterations[f"{residual}_allowed"][-1]
+    unit = iterations.units[residual]
+    met = "yes" if size <= allowed else "NO"
+    correction = amount(iterations[unknown][-1], iterations.units[unknown])
+    return (residual, amount(size, unit), amount(allowed, unit), met, correction, iterations[node][-1] or "-")
 
 
 def contacts_of_iterate(last: Results) -> str:
@@ -223,19 +231,19 @@ def _worst_of_each(ids: np.ndarray, values: np.ndarray) -> np.ndarray:
 
 
 def _contact_table(name: str, ledger: Table, rows: np.ndarray, *, with_time: bool = True) -> str:
-    density = current_density(ledger)
+    density, unit = current_density(ledger), ledger.units
     heads = [name, "elements", "penetration", "force", "current", "current density", "resistance", "angle"]
-    heads += ["step:increment", "time [s]"] if with_time else []
+    heads += ["step:increment", f"time [{unit['time']}]"] if with_time else []
     lines = []
     for k in rows:
         line = [
             f"contact {ledger['id'][k]}",
             f"{ledger['element_bar'][k]}, {ledger['element'][k]}",
-            amount(max(0.0, -ledger["gap"][k]), "m"),
-            amount(ledger["force"][k], "N"),
-            amount(ledger["current"][k], "A"),
-            amount(density[k], "A/m^2"),
-            amount(ledger["resistance"][k], "ohm"),
+            amount(max(0.0, -ledger["gap"][k]), unit["gap"]),
+            amount(ledger["force"][k], unit["force"]),
+            amount(ledger["current"][k], unit["current"]),
+            amount(density[k], f"{unit['current']}/{unit['semi_major']}^2"),
+            amount(ledger["resistance"][k], unit["resistance"]),
             f"{np.degrees(ledger['angle'][k]):.1f}°",
         ]
         if with_time:

@@ -39,6 +39,8 @@ class Scene:
         Range of the colours.
     colours : str
         Name of the colour map.
+    length_unit : str
+        Unit of all places and radii.
     """
 
     points: np.ndarray
@@ -54,6 +56,7 @@ class Scene:
     spot_text: str
     limits: tuple[float, float]
     colours: str
+    length_unit: str
 
 
 @dataclass
@@ -132,6 +135,7 @@ class SceneMaker:
             spot_text=spot_text,
             limits=self._limits,
             colours=self._colours,
+            length_unit=results.unit_labels["m"],
         )
 
 

@@ -47,6 +47,7 @@ class WebData:
         wanted = default_scalar(results, picked[-1])
         return _json(
             {
+                "units": results.unit_labels,
                 "heading": results.heading.strip(),
                 "steps": results.steps[picked].tolist(),
                 "increments": results.increments[picked].tolist(),

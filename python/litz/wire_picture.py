@@ -167,7 +167,7 @@ def discs(scene: Scene, camera: Camera) -> tuple[np.ndarray, np.ndarray, np.ndar
     return diameter, diameter * thickness, np.degrees(np.arctan2(normal[:, 1], normal[:, 0])) + 90
 
 
-def draw_frame(axes: Axes, camera: Camera) -> None:
+def draw_frame(axes: Axes, camera: Camera, length_unit: str) -> None:
     """Coordinate directions and a bar of a round length, at the right end of a strip as wide as the picture."""
     width, height = axes.get_window_extent().size
     half_height = camera.half_width * height / width
@@ -189,7 +189,7 @@ def draw_frame(axes: Axes, camera: Camera) -> None:
     wanted = 0.25 * camera.half_width
     decade = 10.0 ** np.floor(np.log10(wanted))
     bar = decade * max(step for step in (1, 2, 5) if step * decade <= wanted)
-    factor, unit = engineering(np.array([bar]), "m")
+    factor, unit = engineering(np.array([bar]), length_unit)
     right, bottom = 0.8 * camera.half_width, -0.35 * half_height
     axes.plot([right - bar, right], [bottom, bottom], color="#404040", linewidth=2.5, solid_capstyle="butt")
     axes.text(right - bar / 2, bottom + 0.12 * half_height, f"{bar * factor:g} {unit}",

@@ -5,11 +5,12 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 from matplotlib.image import imread
 from PIL import Image
 
 import litz
-from litz import animation
+from litz import animation, charts, report_tables
 from litz.cli import main
 from litz.friction_charts import friction_loops
 from litz.scene import SceneMaker, aim
@@ -179,3 +180,15 @@ class TestCommand:
             main(["plot", str(run_of_input("05_clamped_pair")), *options])
         assert ended.value.code == 1
         assert message in capsys.readouterr().err
+
+
+class TestUnits:
+    def test_pictures_have_the_labels_of_the_deck(self, run, inputs):
+        deck = (inputs / "05_clamped_pair.inp").read_text()
+        _, results = run("*UNITS, LENGTH=mm, FORCE=mN, TIME=ms\n" + deck)
+        scene = SceneMaker(results, [-1], "displacement").scene(-1)
+        assert (scene.title, scene.length_unit) == ("displacement, magnitude [mm]", "mm")
+        axes = Figure().add_subplot()
+        charts.forces_over_time(axes, results, -1)
+        assert (axes.get_xlabel(), axes.get_ylabel()) == ("time [ms]", "force [mN]")
+        assert "mN" in report_tables.worst_contacts(results)

@@ -60,10 +60,12 @@ export function endValues(model, scalar, increment) {
 const PREFIXES = { "-15": "f", "-12": "p", "-9": "n", "-6": "µ", "-3": "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T" };
 const SYMBOLS = { ohm: "Ω", "A/m^2": "A/m²", "N m": "N·m", Nm: "N·m", 1: "" };
 
-/** Factor and unit that bring a value between 1 and 1000; times, angles and pure numbers stay as they are. */
+const SI = ["m", "N", "Nm", "A", "V", "W", "J", "Pa", "S", "ohm"];
+
+/** Factor and unit that bring a value between 1 and 1000; units that are not of the SI stay as they are. */
 export function engineering(size, unit) {
    const symbol = SYMBOLS[unit] ?? unit;
-   if (["", "s", "rad", "K"].includes(symbol) || !(size >= 1e-15) || !Number.isFinite(size)) return [1, symbol];
+   if (!SI.includes(unit.split(/[ /^]/)[0]) || !(size >= 1e-15) || !Number.isFinite(size)) return [1, symbol];
    const exponent = Math.min(12, Math.max(-15, 3 * Math.floor(Math.log10(size * (1 + 1e-9)) / 3)));
    return [10 ** -exponent, PREFIXES[exponent] + symbol];
 }

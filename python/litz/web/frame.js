@@ -21,7 +21,7 @@ export function drawColourBar(element, table, limits, text, unit) {
 }
 
 /** Directions of the axes, and a bar of a round length, as an SVG of 190 x 70 pixels. */
-export function drawCompass(svg, stage) {
+export function drawCompass(svg, stage, lengthUnit) {
    const lines = [];
    [[1, 0, 0], [0, 1, 0], [0, 0, 1]].forEach((axis, k) => {
       const [x, y] = stage.direction(new Vector3(...axis));
@@ -34,7 +34,7 @@ export function drawCompass(svg, stage) {
    const decade = 10 ** Math.floor(Math.log10(wanted));
    const length = decade * Math.max(...[1, 2, 5].filter((step) => step * decade <= wanted));
    const pixels = length * stage.pixelsPerMetre;
-   const [factor, unit] = engineering(length, "m");
+   const [factor, unit] = engineering(length, lengthUnit);
    lines.push(`<line x1="${100 - pixels}" y1="50" x2="100" y2="50" stroke-width="3"/>`);
    lines.push(`<text x="${100 - pixels / 2}" y="42">${Number((factor * length).toPrecision(3))} ${unit}</text>`);
    svg.querySelector("g").innerHTML = lines.join("");

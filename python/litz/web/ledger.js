@@ -13,7 +13,8 @@ export class Ledger {
       this.table = root.querySelector(".litz-contacts");
       this.note = root.querySelector(".litz-contacts-note");
       this.row = root.querySelector(".litz-ledger");
-      this.units = { ...Object.fromEntries(columns.map(({ name, unit }) => [name, unit])), penetration: "m" };
+      this.units = Object.fromEntries(columns.map(({ name, unit }) => [name, unit]));
+      this.units.penetration = this.units.gap;
       this.onChoose = onChoose;
       this.order = "force";
       this.chosen = null;

@@ -7,6 +7,7 @@ const CHOSEN = new Color("#111111");
 const LEAST_PART = 0.15;
 const THICKNESS = 0.18;
 const LEAST_PIXELS = 6;
+const CHOSEN_PIXELS = 8;
 const RIM = 1.18;
 
 /** The discs of one increment. */
@@ -79,7 +80,8 @@ export class Spots {
       const factor = this.enlargement(pixelsPerMetre);
       this.layers.forEach((mesh, layer) => {
          this.centres.forEach((centre, k) => {
-            const radius = factor * this.sizes[k] * (layer === 0 ? RIM : 1);
+            const least = k === this.chosen ? CHOSEN_PIXELS / pixelsPerMetre : 0;
+            const radius = Math.max(factor * this.sizes[k], least) * (layer === 0 ? RIM : 1);
             const scale = new Vector3(radius, radius, THICKNESS * radius);
             mesh.setMatrixAt(k, new Matrix4().compose(centre, this.turns[k], scale));
          });

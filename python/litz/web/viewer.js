@@ -26,7 +26,7 @@ class Viewer {
       this.stage.beforeDrawing(() => {
          this.tubes.setLeastRadius(LEAST_PIXELS / this.stage.pixelsPerMetre);
          this.spots.place(this.stage.pixelsPerMetre);
-         drawCompass(this.find("compass"), this.stage);
+         drawCompass(this.find("compass"), this.stage, model.units.m);
       });
       this.stage.onClick((x, y) => this.pick(x, y));
       this.fillControls();
@@ -65,7 +65,7 @@ class Viewer {
       this.find("increment").value = index;
       const { steps, increments, times } = this.model;
       this.find("time").textContent =
-         `step ${steps[index]}, increment ${increments[index]}, time ${Number(times[index].toPrecision(6))} s`;
+         `step ${steps[index]}, increment ${increments[index]}, time ${Number(times[index].toPrecision(6))} ${this.model.units.s}`;
       this.update();
    }
 
@@ -116,7 +116,7 @@ class Viewer {
    spotNote(by, n) {
       if (by === "none" || !n) return "";
       const largest = this.data.contacts[by].reduce((a, b) => Math.max(a, Math.abs(b)), 0);
-      const [factor, unit] = engineering(largest, { force: "N", current: "A" }[by]);
+      const [factor, unit] = engineering(largest, this.model.units[{ force: "N", current: "A" }[by]]);
       return `${n} contact${n > 1 ? "s" : ""}, area of a disc by its ${by}, `
          + `largest now ${Number((factor * largest).toPrecision(3))} ${unit}`;
    }
