@@ -21,10 +21,12 @@ _LONGEST_RENDERING = 300.0
 # Radii that are still seen, as parts of half the width of the picture: of a wire, and of the largest contact spot
 _LEAST_RADIUS = 0.0015
 _LEAST_SPOT = 0.007
+# How far a stroke reaches into the next one, as part of its length
+_OVERLAP = 0.08
 # Thickness over diameter of a spot that is seen from its edge
 _LEAST_THICKNESS = 0.18
 #: What a picture says of itself when there was no OpenGL
-WITHOUT_OPENGL = "drawn without OpenGL: where wires cross, depth is only approximate"
+WITHOUT_OPENGL = "drawn without OpenGL: depth is approximate"
 
 
 class RenderingError(RuntimeError):
@@ -109,6 +111,8 @@ def _draw_flat(axes: Axes, scene: Scene, camera: Camera, points_per_metre: float
     inside[scene.starts[1:-1] - 1] = False
     first = np.flatnonzero(inside)
     segments = np.stack([flat[first, :2], flat[first + 1, :2]], axis=1)
+    # strokes reach into each other, so that no seams are seen between them
+    segments += _OVERLAP * (segments - segments[:, ::-1])
     depth = (flat[first, 2] + flat[first + 1, 2]) / 2
     norm = mpl.colors.Normalize(*scene.limits)
     colour = mpl.colormaps[scene.colours](norm((scene.value[first] + scene.value[first + 1]) / 2))[:, :3]
