@@ -383,7 +383,7 @@ def _per_increment(results: "Results", values: np.ndarray) -> tuple[np.ndarray, 
     return times, np.array(sums)
 
 
-def colour_of(i: int, n: int):
+def colour_of(i: int, n: int) -> str | tuple[float, float, float, float]:
     """Colours that the colour-blind can tell apart for a few, a gradient for many."""
     few = ["#2a6f97", "#e8502a", "#5b8e3e", "#8e5ba6", "#c99700", "#4d4d4d"]
     return few[i] if n <= len(few) else _gradient()(i / max(1, n - 1))

@@ -133,13 +133,13 @@ def _plot(arguments: list[str]) -> int:
     return plot_command(arguments)
 
 
-def _report(arguments):
+def _report(arguments: list[str]) -> int:
     from .picture_commands import report_command
 
     return report_command(arguments)
 
 
-def _view(arguments):
+def _view(arguments: list[str]) -> int:
     from .picture_commands import view_command
 
     return view_command(arguments)

@@ -128,7 +128,8 @@ def friction_loops(results: "Results", ids: list[int]) -> list[Loop]:
                 place = []
                 for ending in ("_bar", ""):
                     element, xi = row[int(ledger["element" + ending][k])], ledger["xi" + ending][k]
-                    tangent = sign[element] * hermite_slope(*(part[[element]] for part in curves), np.array([xi]))[0]
+                    positions, slopes = (part[[element]] for part in curves)
+                    tangent = sign[element] * hermite_slope(positions, slopes, np.array([xi]))[0]
                     arc = arc_start[element] + (1 + sign[element] * xi) / 2 * lengths[element]
                     place.append((arc, tangent / np.linalg.norm(tangent)))
                 traction = np.array([ledger[f"traction_{axis}"][k] for axis in "xyz"])

@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING
 
 import matplotlib as mpl
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
@@ -105,7 +106,7 @@ def _spread(n: int, pairs: np.ndarray) -> np.ndarray:
     return places / np.abs(places).max()
 
 
-def _draw_lines(axes, places: np.ndarray, pairs: np.ndarray, size: np.ndarray) -> None:
+def _draw_lines(axes: Axes, places: np.ndarray, pairs: np.ndarray, size: np.ndarray) -> None:
     if not len(pairs):
         return
     order = np.argsort(size)
@@ -120,7 +121,7 @@ def _draw_lines(axes, places: np.ndarray, pairs: np.ndarray, size: np.ndarray) -
     )  # fmt: skip
 
 
-def _draw_wires(figure: Figure, axes, places: np.ndarray, graph: ContactNetwork, unit_of_voltage: str) -> None:
+def _draw_wires(figure: Figure, axes: Axes, places: np.ndarray, graph: ContactNetwork, unit_of_voltage: str) -> None:
     n = len(places)
     touching = np.bincount(graph.wires.ravel(), minlength=n)
     largest = 420 if n <= _MOST_NAMES else 160

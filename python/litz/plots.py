@@ -47,14 +47,17 @@ class Look:
     reference: bool = True
     view: tuple[float, float, float] | str | None = None
 
-    def __post_init__(self):
-        """Check the words among the arguments, and turn the name of a view into its direction."""
+    def __post_init__(self) -> None:
+        """Check the words among the arguments."""
         if self.spots not in (None, "current", "force", "none"):
             raise ValueError(f'spots may be "current", "force" or "none", not {self.spots!r}')
-        if isinstance(self.view, str):
-            if self.view not in VIEWS:
-                raise ValueError(unknown_name("view", self.view, VIEWS))
-            object.__setattr__(self, "view", VIEWS[self.view])
+        if isinstance(self.view, str) and self.view not in VIEWS:
+            raise ValueError(unknown_name("view", self.view, VIEWS))
+
+    @property
+    def direction(self) -> tuple[float, float, float] | None:
+        """Direction to the viewer; None: one that shows the model well."""
+        return VIEWS[self.view] if isinstance(self.view, str) else self.view
 
     def scenes(self, results: Results, increments: list[int]) -> SceneMaker:
         """What is seen at increments."""
@@ -165,7 +168,7 @@ def _still(figure: Figure, results: Results, increment: int, look: Look, box: tu
     scene = look.scenes(results, [increment]).scene(increment)
     pixels = box_pixels(figure, box)
     shown = np.concatenate([scene.points, scene.reference])
-    camera = aim(shown, scene.radius.max(), pixels[0] / pixels[1], look.view)
+    camera = aim(shown, scene.radius.max(), pixels[0] / pixels[1], look.direction)
     place_wires(figure, box, scene, camera, render([scene], camera, pixels)[0], look.scale)
 
 

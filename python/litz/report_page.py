@@ -5,6 +5,7 @@ import html
 import tempfile
 import warnings
 from pathlib import Path
+from typing import Any
 
 from . import report_tables as tables
 from .friction_charts import has_friction
@@ -114,7 +115,9 @@ def _failure(results: Results) -> list[str]:
 
 def _pictures(results: Results) -> list[str]:
     """The pictures that this run has something for."""
-    wanted = [("wires", f"The wires at the last increment, coloured by {default_scalar(results, -1)}.", {})]
+    wanted: list[tuple[str, str, dict[str, Any]]] = [
+        ("wires", f"The wires at the last increment, coloured by {default_scalar(results, -1)}.", {})
+    ]
     contacts, field = results.contacts, lambda name: results.field(name).any()
     if field("joule_heat"):
         wanted.append(("wires", "Joule heat in each element.", {"field": "joule_heat"}))
@@ -138,7 +141,7 @@ def _pictures(results: Results) -> list[str]:
     return ["<h2>Pictures</h2>", '<div class="pictures">', *figures, "</div>"]
 
 
-def _figure(results: Results, kind: str, folder: Path, text: str, **options) -> str:
+def _figure(results: Results, kind: str, folder: Path, text: str, **options: Any) -> str:
     picture = plot(results, kind, folder / "picture.png", **options)
     content = base64.b64encode(picture.read_bytes()).decode()
     escaped = html.escape(text)

@@ -15,11 +15,11 @@ _MOST_REMARKS = 12
 _MOST_SETS = 20
 
 
-def table(heads: Iterable[str], rows: Iterable[Iterable[str]], text: Iterable[int] = ()) -> str:
+def table(heads: Iterable[object], rows: Iterable[Iterable[object]], text: Iterable[int] = ()) -> str:
     """An HTML table; columns with the numbers in `text` are flush left, as the first one is."""
     left = set(text)
 
-    def line(tag: str, cells: Iterable[str]) -> str:
+    def line(tag: str, cells: Iterable[object]) -> str:
         marks = (' class="text"' if column in left else "" for column in range(100))
         inside = "".join(
             f"<{tag}{mark}>{html.escape(str(cell))}</{tag}>" for cell, mark in zip(cells, marks, strict=False)

@@ -117,10 +117,12 @@ class SceneMaker:
         n = int(np.clip(_MOST_POINTS // len(results.elements), 2, 24))
         displacement = results.field("displacement", increment)
         now = self._curves(displacement, results.field("rotation", increment))
-        curves = tuple(before + self._scale * (after - before) for before, after in zip(self._rest, now, strict=True))
-        points, starts = _sample(*curves, wires, n)
+        positions, slopes = (
+            before + self._scale * (after - before) for before, after in zip(self._rest, now, strict=True)
+        )
+        points, starts = _sample(positions, slopes, wires, n)
         has_reference = self._reference and np.abs(self._scale * displacement).max() > 0.2 * results.radius.min()
-        centres, normals, sizes, spot_text = _spots(results, increment, self._spot_scale, curves)
+        centres, normals, sizes, spot_text = _spots(results, increment, self._spot_scale, (positions, slopes))
         return Scene(
             points=points,
             starts=starts,
@@ -175,7 +177,9 @@ class _SpotScale:
         self.largest = max((np.abs(one[self.by]).max() for one in ledgers if one.n_rows), default=0.0)
 
 
-def _spots(results: "Results", increment: int, scale: _SpotScale, curves):
+def _spots(
+    results: "Results", increment: int, scale: _SpotScale, curves: tuple[np.ndarray, np.ndarray]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, str]:
     """Centres, normals, drawn radii and legend of the contact spots; the area of a disc goes by current or force."""
     contacts = scale.ledgers.get(increment)
     if contacts is None or not contacts.n_rows:

@@ -21,8 +21,9 @@ _LONGEST_RENDERING = 300.0
 # Radii that are still seen, as parts of half the width of the picture: of a wire, and of the largest contact spot
 _LEAST_RADIUS = 0.0015
 _LEAST_SPOT = 0.007
-# How far a stroke reaches into the next one, as part of its length
-_OVERLAP = 0.08
+# Layers of a stroke, from rim to core: width, brightness, and how far it reaches into the next stroke (part of its length),
+# the brighter ones farther, so that no seams are seen
+_LAYERS = ((1.0, 0.55, 0.02), (0.8, 0.8, 0.06), (0.55, 1.0, 0.10), (0.25, 1.25, 0.14))
 # Thickness over diameter of a spot that is seen from its edge
 _LEAST_THICKNESS = 0.18
 #: What a picture says of itself when there was no OpenGL
@@ -44,7 +45,7 @@ def render(scenes: list[Scene], camera: Camera, pixels: np.ndarray) -> list[np.n
         Width and height, (2).
     """
     try:
-        return _render(scenes, camera, pixels)
+        return list(_render(scenes, camera, pixels))
     except RenderingError as error:
         warnings.warn(f"{error}; the picture is drawn by matplotlib alone, without OpenGL", stacklevel=2)
         return [None] * len(scenes)
@@ -111,21 +112,18 @@ def _draw_flat(axes: Axes, scene: Scene, camera: Camera, points_per_metre: float
     inside[scene.starts[1:-1] - 1] = False
     first = np.flatnonzero(inside)
     segments = np.stack([flat[first, :2], flat[first + 1, :2]], axis=1)
-    # strokes reach into each other, so that no seams are seen between them
-    segments += _OVERLAP * (segments - segments[:, ::-1])
     depth = (flat[first, 2] + flat[first + 1, 2]) / 2
     norm = mpl.colors.Normalize(*scene.limits)
     colour = mpl.colormaps[scene.colours](norm((scene.value[first] + scene.value[first + 1]) / 2))[:, :3]
     width = 2 * np.maximum(scene.radius[first], _LEAST_RADIUS * camera.half_width) * points_per_metre
 
-    layers = [(1.0, 0.55), (0.8, 0.8), (0.55, 1.0), (0.25, 1.25)]
-    order = np.repeat(np.argsort(depth), len(layers))
-    shade = np.tile([brightness for _, brightness in layers], len(depth))
-    thickness = np.tile([fraction for fraction, _ in layers], len(depth))
+    order = np.repeat(np.argsort(depth), len(_LAYERS))
+    thickness, shade, reach = np.tile(np.array(_LAYERS), (len(depth), 1)).T
+    strokes = segments[order] + reach[:, None, None] * (segments - segments[:, ::-1])[order]
     shaded = np.clip(colour[order] * shade[:, None], 0, 1)
     axes.add_collection(
         LineCollection(
-            segments[order],
+            strokes,
             colors=shaded,
             linewidths=np.maximum(width[order] * thickness, 0.4),
             zorder=2,
