@@ -3,6 +3,7 @@
 import os
 import sys
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
 if TYPE_CHECKING:
@@ -18,6 +19,8 @@ Commands of the Python package:
                                           the model to turn; also for runs that did not converge
   litz view RESULTS [--no-browser]        the results in the browser: turn, scrub through increments, pick contacts
   litz new TASK [DECK]                    write a commented deck to begin with; litz new --list shows the tasks
+  litz convert MESH DECK --radius R       a deck from a mesh of gmsh, Abaqus or BeamMe, or any that meshio reads
+  litz export RESULTS --to FORMAT         results as csv, vtu (ParaView series), xdmf or vtkhdf; -o DIR says where to
 RESULTS is a result file (.vtkhdf), a deck (.inp) that was run here, or a directory with the results of one run.
 """
 
@@ -31,7 +34,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
     warnings.showwarning = _show_warning
 
     arguments = sys.argv[1:] if arguments is None else list(arguments)
-    commands = {"summary": _summary, "table": _table, "plot": _plot, "report": _report, "view": _view, "new": _new}
+    commands = {
+        "summary": _summary,
+        "table": _table,
+        "plot": _plot,
+        "report": _report,
+        "view": _view,
+        "new": _new,
+        "convert": _convert,
+        "export": _export,
+    }
     try:
         if arguments and arguments[0] in commands:
             return commands[arguments[0]](arguments[1:])
@@ -103,6 +115,60 @@ def _new(arguments: list[str]) -> int:
     except ValueError as error:
         parser.error(str(error))
     print(f"wrote {deck}\nrun it: litz run {deck} -o {deck.with_suffix('')}")
+    return 0
+
+
+def _convert(arguments: list[str]) -> int:
+    from .meshes import read_mesh
+    from .model import COPPER, Material, Model
+    from .run import FileError
+
+    parser = command_parser(
+        "convert", "Write the wires and sets of a mesh as a deck, to which supports and steps are added."
+    )
+    parser.add_argument("mesh", metavar="MESH", help="Abaqus or BeamMe (.inp), gmsh (.msh), or what meshio reads")
+    parser.add_argument("deck", metavar="DECK", help="the deck to write; a file that is there is kept")
+    parser.add_argument("--radius", type=float, help="radius of the wires [m]; not needed where the mesh has sections")
+    parser.add_argument("--young", type=float, default=COPPER.young, help="Young's modulus [Pa]; default: copper")
+    parser.add_argument("--poisson", type=float, default=COPPER.poisson, help="Poisson's ratio; default: copper")
+    parser.add_argument("--conductivity", type=float, help="electrical conductivity [S/m]; without it an insulator")
+    parser.add_argument(
+        "--element", choices=("B31", "B33"), default="B33", help="where the mesh does not say; default B33"
+    )
+    options = parser.parse_args(arguments)
+    if Path(options.deck).exists():
+        raise FileError(f"{options.deck} is there already and is not replaced; give another name")
+    try:
+        mesh = read_mesh(options.mesh)
+        model = Model(
+            f"Wires of {mesh.path.name}", ["Supports, contacts and steps are to be added: see litz keywords, litz new."]
+        )
+        material = Material("WIRE", options.young, options.poisson, options.conductivity)
+        model.mesh(
+            mesh, radius=options.radius, material=None if options.radius is None else material, element=options.element
+        )
+        model.step()
+        model.write(options.deck)
+    except ValueError as error:
+        parser.error(str(error))
+    print(f"wrote {options.deck}: {len(mesh.x)} nodes, {len(mesh.connectivity)} elements")
+    for what, sets in (("element sets", model.element_sets | model.groups), ("node sets", model.node_sets)):
+        if sets:
+            print(f"{what}: {', '.join(sets)}")
+    return 0
+
+
+def _export(arguments: list[str]) -> int:
+    from .exports import export
+
+    parser = results_parser("export", "Write results for another program.")
+    parser.add_argument("--to", required=True, metavar="FORMAT", help="csv, vtu, xdmf or vtkhdf")
+    parser.add_argument("-o", "--output", metavar="DIR", help="default: beside the results")
+    options = parser.parse_args(arguments)
+    try:
+        print(f"wrote {export(options.results, options.to, options.output)}")
+    except ValueError as error:
+        parser.error(str(error))
     return 0
 
 

@@ -13,6 +13,8 @@ from .run import FileError
 from .tables import Table, read_aligned, read_csv, unknown_name
 
 if TYPE_CHECKING:
+    import pandas as pd
+
     from .network import ContactNetwork
 
 _FORMAT_VERSION = 1
@@ -372,6 +374,19 @@ class Results:
         if self._tables.get(ending, (None, None))[0] != size:
             self._tables[ending] = (size, read(path))
         return self._tables[ending][1]
+
+    def to_pandas(self, table: str = "history") -> "pd.DataFrame":
+        """A table as a data frame of pandas: "history", "contacts", "status" or "convergence"; needs pandas."""
+        tables = ("history", "contacts", "status", "convergence")
+        if table not in tables:
+            raise ValueError(unknown_name("table", table, tables))
+        return getattr(self, table).to_pandas()
+
+    def export(self, to: str, directory: str | Path | None = None) -> Path:
+        """Write the results for another program: "csv", "vtu", "xdmf" or "vtkhdf"; see `litz.export`."""
+        from .exports import export
+
+        return export(self, to, directory)
 
     def summary(self) -> str:
         """A page of text about the run: what was run, how it went, and the last increment in numbers."""

@@ -140,7 +140,6 @@ def run(
     if exit_code != 0:
         raise _error_of(exit_code, message or printed, results_path if results_path.exists() else None)
 
-    from .progress import Progress
     from .results import Results
 
     return Results(results_path)

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..deck import CardSpec
 from ..keyword_table import check_card, check_name, keyword, squeezed
 from ..run import run
-from ..tables import nearest_name
+from ..tables import nearest_name, unknown_name
 from .curves import along_curve, along_polyline, along_spline, check_elements, check_points, straight
 from .laws import ContactPair, Friction, Hertz, Interaction, Linear, _Spot
 from .loading import Amplitude, Direction, Prescribed, Target, ranges_of
@@ -21,6 +21,7 @@ from .steps import Step
 from .wires import Nodes, Wire, WireGroup
 
 if TYPE_CHECKING:
+    from ..meshes import Mesh
     from ..results import Results
     from .steps import AnyNodes
 
@@ -351,6 +352,82 @@ class Model:
         group = self._add_group(name, section, material, element, np.concatenate(pairs).astype(np.int64))
         group.wires = chains
         return group
+
+    def mesh(
+        self,
+        mesh: "Mesh",
+        *,
+        radius: float | Mapping[str, float] | None = None,
+        material: Material | str | None = None,
+        element: str = "B33",
+        name: str = "WIRES",
+    ) -> list[WireGroup]:
+        """Add the elements and sets of a mesh that `litz.read_mesh` has read.
+
+        Parameters
+        ----------
+        mesh : Mesh
+            The mesh.
+        radius : float or mapping of str to float, optional
+            Radius of all wires [m], or of the wires of each element set. Left out: the sections of the file.
+        material : Material or str, optional
+            What they are made of; needed with `radius`.
+        element : {"B33", "B31"}
+            Type of the elements where the file does not say.
+        name : str
+            Name of the group of all elements where one radius is given.
+
+        Returns
+        -------
+        list of WireGroup
+            A group for each element set that has a section, or one for all.
+        """
+        sections: list[tuple[str, NDArray[np.int64], Section, Material | str]] = []
+        if radius is None:
+            if not mesh.sections:
+                raise ValueError(f"{mesh.path} has no sections: radius and material are needed")
+            for of_set, section, of_material in mesh.sections:
+                if of_set not in mesh.element_sets:
+                    raise ValueError(f"{mesh.path} has a section of {of_set}, but no elements of this set")
+                sections.append((of_set, mesh.element_sets[of_set], section, of_material))
+        elif material is None:
+            raise ValueError("with radius, material is needed")
+        elif isinstance(radius, Mapping):
+            for of_set, value in radius.items():
+                if of_set not in mesh.element_sets:
+                    raise ValueError(unknown_name("element set", of_set, mesh.element_sets))
+                sections.append((of_set, mesh.element_sets[of_set], Circular(value), material))
+        else:
+            sections.append((name, np.arange(len(mesh.connectivity)), Circular(radius), material))
+        times = np.zeros(len(mesh.connectivity), dtype=int)
+        for _, rows, _, _ in sections:
+            times[rows] += 1
+        if (times != 1).any():
+            what = "several sections" if (times > 1).any() else "no section"
+            raise ValueError(f"{int((times != 1).sum())} elements of {mesh.path} have {what}; each needs one")
+        return self._add_mesh(mesh, sections, element)
+
+    def _add_mesh(self, mesh: "Mesh", sections: list, element: str) -> list[WireGroup]:
+        nodes = np.array(self._add_nodes(mesh.x, None))
+        kinds = np.where(mesh.kinds == "", element, mesh.kinds)
+        number = np.zeros(len(mesh.connectivity), dtype=np.int64)
+        groups = []
+        for name, rows, section, material in sections:
+            for kind in np.unique(kinds[rows]):
+                of_kind = rows[kinds[rows] == kind]
+                group_name = name if len(of_kind) == len(rows) else f"{name}_{kind}"
+                group = self.elements(
+                    group_name, nodes[mesh.connectivity[of_kind]], section=section, material=material, element=str(kind)
+                )
+                number[of_kind] = group.elements
+                groups.append(group)
+        for name, rows in mesh.element_sets.items():
+            if name not in self.groups:
+                self.element_set(name, number[rows].tolist())
+        for name, rows in mesh.node_sets.items():
+            taken = squeezed(name) in map(squeezed, [*self.groups, *self.node_sets, *self.element_sets])
+            self.node_set(f"{name}_NODES" if taken else name, nodes[rows])
+        return groups
 
     def _add_nodes(self, points: NDArray, name: str | None) -> range:
         numbers = range(self._n_nodes + 1, self._n_nodes + len(points) + 1)

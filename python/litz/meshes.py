@@ -1,0 +1,320 @@
+"""Meshes of other programs: gmsh and all that meshio reads, and beam decks of Abaqus."""
+
+import itertools
+import os
+import re
+import warnings
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .deck import Card, Deck
+from .model import Circular, Material
+from .model.materials import Section
+from .run import FileError
+from .tables import optional
+
+#: Elements of Abaqus that litz has, by the type that stands for them; the number of nodes along the beam
+_BEAMS = {
+    "B31": ("B31", 2),
+    "B31H": ("B31", 2),
+    "B33": ("B33", 2),
+    "B33H": ("B33", 2),
+    "B32": ("B31", 3),
+    "B32H": ("B31", 3),
+}
+_DECK_ENDINGS = (".inp",)
+
+
+@dataclass
+class Mesh:
+    """Line elements with sets, from another program.
+
+    Attributes
+    ----------
+    x : ndarray
+        Positions of the nodes, (n, 3) [unit of length of the file].
+    connectivity : ndarray
+        Rows of `x` that each element joins, (m, 2).
+    kinds : ndarray of str
+        Type of each element, "B31" or "B33"; empty where the file does not say, (m).
+    node_sets, element_sets : dict of str to ndarray
+        Rows of the members.
+    sections : list of tuple
+        Element set, section and material, where the file has them.
+    path : Path
+        Where it comes from.
+    """
+
+    x: NDArray[np.float64]
+    connectivity: NDArray[np.int64]
+    kinds: NDArray[np.str_]
+    node_sets: dict[str, NDArray[np.int64]] = field(default_factory=dict)
+    element_sets: dict[str, NDArray[np.int64]] = field(default_factory=dict)
+    sections: list[tuple[str, Section, Material]] = field(default_factory=list)
+    path: Path = Path()
+
+    def __repr__(self) -> str:
+        """What it holds."""
+        sets = ", ".join([*self.element_sets, *self.node_sets]) or "none"
+        return f"<Mesh {self.path}: {len(self.x)} nodes, {len(self.connectivity)} elements, sets: {sets}>"
+
+
+def read_mesh(path: str | os.PathLike[str]) -> Mesh:
+    """Read line elements, node sets and element sets.
+
+    Parameters
+    ----------
+    path : path
+        A deck of Abaqus (.inp) with beams B31, B32, B33, such as BeamMe writes; or a file that meshio reads, such as one of
+        gmsh (.msh): its lines are elements, its physical groups and cell sets are sets. Needs meshio.
+
+    Returns
+    -------
+    Mesh
+        Nodes that no element has are left out, and so are elements that are no lines.
+    """
+    path = Path(path)
+    if not path.is_file():
+        raise FileError(f"there is no file {path}")
+    mesh = _read_deck(path) if path.suffix.lower() in _DECK_ENDINGS else _read_by_meshio(path)
+    if not len(mesh.connectivity):
+        raise FileError(f"{path} has no line elements")
+    return _without_spare_nodes(mesh)
+
+
+# Decks of Abaqus
+
+
+def _cards(deck: Deck) -> Iterator[Card]:
+    """The cards of a deck and of those that it includes."""
+    for card in deck:
+        if card.is_a("INCLUDE"):
+            yield from _cards(deck.included(card))
+        else:
+            yield card
+
+
+class _DeckReader:
+    """Collects the mesh of a deck, card by card."""
+
+    def __init__(self, path: Path):
+        self.path = path
+        self.row_of: dict[int, int] = {}
+        self.places: list[list[float]] = []
+        self.pairs: list[tuple[int, int]] = []
+        self.kinds: list[str] = []
+        #: Rows of the elements of litz that each element of the deck became
+        self.elements: dict[int, list[int]] = {}
+        self.node_sets: dict[str, list[int]] = {}
+        self.element_sets: dict[str, list[int]] = {}
+        self.materials: dict[str, list[float]] = {}
+        self.sections: list[Card] = []
+        self.left_out: dict[str, int] = {}
+        self._material = ""
+
+    def read(self, card: Card) -> None:
+        """Take what a card has; cards of other kinds are none of the mesh."""
+        if card.is_a("NODE"):
+            self._nodes(card)
+        elif card.is_a("ELEMENT"):
+            self._elements(card)
+        elif card.is_a("NSET"):
+            self._collect(self.node_sets, str(card["NSET"]), card)
+        elif card.is_a("ELSET"):
+            self._collect(self.element_sets, str(card["ELSET"]), card)
+        elif card.is_a("MATERIAL"):
+            self._material = str(card["NAME"])
+        elif card.is_a("ELASTIC") or card.is_a("ELECTRICAL CONDUCTIVITY"):
+            values = [float(value) for value in card.data[0] if isinstance(value, int | float)] if card.data else []
+            self.materials.setdefault(self._material, []).extend(values)
+        elif card.is_a("BEAM SECTION"):
+            self.sections.append(card)
+
+    def mesh(self) -> Mesh:
+        """What has been collected."""
+        if self.left_out:
+            words = ", ".join(f"{count} of type {kind or 'none'}" for kind, count in self.left_out.items())
+            warnings.warn(f"{self.path}: elements that are no beams are left out: {words}", stacklevel=5)
+        try:
+            rows = [(self.row_of[a], self.row_of[b]) for a, b in self.pairs]
+        except KeyError as error:
+            raise FileError(f"{self.path}: an element has the node {error.args[0]}, which is not there") from None
+        connectivity = np.array(rows, dtype=np.int64).reshape(-1, 2)
+        mesh = Mesh(np.array(self.places).reshape(-1, 3), connectivity, np.array(self.kinds, dtype=str), path=self.path)
+        for name, members in self.node_sets.items():
+            mesh.node_sets[name] = _unique(self.row_of[node] for node in members if node in self.row_of)
+        for name, members in self.element_sets.items():
+            mesh.element_sets[name] = _unique(row for element in members for row in self.elements.get(element, ()))
+        mesh.sections = list(_sections_of(self.sections, self.materials, self.path))
+        return mesh
+
+    def _nodes(self, card: Card) -> None:
+        for number, *place in card.data:
+            self.row_of[self._whole(number, card)] = len(self.places)
+            self.places.append([float(value or 0) for value in [*place, 0, 0, 0][:3]])
+        if "NSET" in card:
+            self.node_sets.setdefault(str(card["NSET"]), []).extend(self._whole(row[0], card) for row in card.data)
+
+    def _elements(self, card: Card) -> None:
+        kind = str(card.get("TYPE", "")).upper()
+        if kind not in _BEAMS:
+            self.left_out[kind] = self.left_out.get(kind, 0) + len(card.data)
+            return
+        ours, n_nodes = _BEAMS[kind]
+        for row in card.data:
+            number, *nodes = (self._whole(value, card) for value in row)
+            # what follows the nodes along the beam is Abaqus's node for the orientation of the section
+            first = len(self.pairs)
+            self.pairs += itertools.pairwise(nodes[:n_nodes])
+            self.kinds += [ours] * (len(self.pairs) - first)
+            self.elements[number] = list(range(first, len(self.pairs)))
+        if "ELSET" in card:
+            self.element_sets.setdefault(str(card["ELSET"]), []).extend(self._whole(row[0], card) for row in card.data)
+
+    def _collect(self, sets: dict[str, list[int]], name: str, card: Card) -> None:
+        """Members of a set: numbers, names of sets, ranges."""
+        members = sets.setdefault(name, [])
+        for row in card.data:
+            if "GENERATE" in card:
+                first, last, *step = (self._whole(value, card) for value in row if value is not None)
+                members += range(first, last + 1, *step)
+                continue
+            for value in row:
+                if isinstance(value, int):
+                    members.append(value)
+                elif value is not None:
+                    members += sets.get(str(value), [])
+
+    def _whole(self, value: object, card: Card) -> int:
+        if not isinstance(value, int):
+            raise FileError(f"{self.path}: a line of *{card.name} needs a whole number, not {value!r}")
+        return value
+
+
+def _read_deck(path: Path) -> Mesh:
+    reader = _DeckReader(path)
+    for card in _cards(Deck.read(path)):
+        if card.is_a("STEP"):
+            break
+        reader.read(card)
+    return reader.mesh()
+
+
+def _sections_of(cards: list[Card], materials: dict[str, list[float]], path: Path) -> Iterator[tuple]:
+    """Round sections whose material is there."""
+    for card in cards:
+        shape, name = str(card.get("SECTION", "")).upper(), str(card.get("MATERIAL", ""))
+        values = materials.get(name, [])
+        if shape != "CIRC" or len(values) not in (2, 3):
+            warnings.warn(
+                f"{path}: the section of {card.get('ELSET')} is left out: litz reads SECTION=CIRC with an elastic material",
+                stacklevel=6,
+            )
+            continue
+        yield str(card["ELSET"]), Circular(float(card[0, 0])), Material(name, *values)
+
+
+# Files that meshio reads
+
+
+def _read_by_meshio(path: Path) -> Mesh:
+    meshio = optional("meshio")
+    try:
+        read = meshio.read(path)
+    except (meshio.ReadError, SystemExit) as error:
+        raise FileError(f"meshio cannot read {path}: {error}") from None
+    points = np.asarray(read.points, dtype=float)
+    points = np.column_stack([points, np.zeros((len(points), 3 - points.shape[1]))])
+    pairs: list[NDArray] = []
+    rows_of_block: list[NDArray | None] = []
+    n_elements, n_others = 0, 0
+    for block in read.cells:
+        chain = _chain(block.type, np.asarray(block.data))
+        if chain is None:
+            n_others += len(block.data) * (block.type != "vertex")
+            rows_of_block.append(None)
+            continue
+        per_cell = chain.shape[1] - 1
+        pairs.append(np.stack([chain[:, :-1], chain[:, 1:]], axis=2).reshape(-1, 2))
+        rows_of_block.append(n_elements + np.arange(len(chain) * per_cell).reshape(len(chain), per_cell))
+        n_elements += len(chain) * per_cell
+    if n_others and n_elements:
+        warnings.warn(f"{path}: {n_others} elements that are no lines are left out", stacklevel=4)
+    connectivity = np.concatenate(pairs) if pairs else np.empty((0, 2))
+    mesh = Mesh(points, connectivity.astype(np.int64), np.full(n_elements, ""), path=path)
+    for name, members in read.point_sets.items():
+        mesh.node_sets[_name(name)] = _unique(np.asarray(members).ravel())
+    for name, cells in _named_cells(read).items():
+        lines = [rows[one] for rows, one in zip(rows_of_block, cells, strict=True) if rows is not None and len(one)]
+        corners = [
+            np.asarray(block.data)[one].ravel()
+            for block, one in zip(read.cells, cells, strict=True)
+            if block.type == "vertex" and len(one)
+        ]
+        if lines:
+            mesh.element_sets[_name(name)] = _unique(np.concatenate([one.ravel() for one in lines]))
+        if corners:
+            mesh.node_sets[_name(name)] = _unique(np.concatenate(corners))
+    return mesh
+
+
+def _chain(kind: str, data: NDArray) -> NDArray | None:
+    """Nodes of line elements from end to end: meshio has the ends first, then what is between them."""
+    if kind == "line":
+        return data
+    if re.fullmatch(r"line\d+", kind):
+        return np.column_stack([data[:, 0], data[:, 2:], data[:, 1]])
+    return None
+
+
+def _named_cells(read) -> dict[str, list[NDArray]]:  # type: ignore[no-untyped-def]
+    """Rows of the cells of each set, block by block: cell sets, and gmsh's physical groups."""
+    named = {}
+    for name, cells in read.cell_sets.items():
+        if not name.startswith("gmsh:"):
+            named[name] = [np.asarray([] if one is None else one, dtype=np.int64) for one in cells]
+    tags = read.cell_data.get("gmsh:physical")
+    if tags is None:
+        return named
+    names = {(int(tag), int(dimension)): name for name, (tag, dimension) in read.field_data.items()}
+    for number, (block, of_cells) in enumerate(zip(read.cells, tags, strict=True)):
+        dimension = 0 if block.type == "vertex" else 1
+        for tag in np.unique(of_cells):
+            # gmsh has the tag 0 for what is in no group
+            name = names.get((int(tag), dimension), f"PHYSICAL_{tag}" if tag and dimension <= 1 else "")
+            if not name or name in read.cell_sets:
+                continue
+            rows = named.setdefault(name, [np.empty(0, dtype=np.int64) for _ in read.cells])
+            rows[number] = np.flatnonzero(of_cells == tag)
+    return named
+
+
+# Both
+
+
+def _name(name: str) -> str:
+    """A name that a deck can hold."""
+    word = re.sub(r"[\s,=\"*|]+", "_", str(name).strip())
+    return f"SET_{word}" if not word or word.isdecimal() else word
+
+
+def _unique(rows: Iterable[int]) -> NDArray[np.int64]:
+    """Rows in their order, each once."""
+    return np.array(list(dict.fromkeys(int(row) for row in rows)), dtype=np.int64)
+
+
+def _without_spare_nodes(mesh: Mesh) -> Mesh:
+    """Nodes of no element, such as Abaqus's for orientation, are left out."""
+    used = np.unique(mesh.connectivity)
+    new = np.full(len(mesh.x), -1, dtype=np.int64)
+    new[used] = np.arange(len(used))
+    mesh.x = mesh.x[used]
+    mesh.connectivity = new[mesh.connectivity]
+    sets = {name: new[members][new[members] >= 0] for name, members in mesh.node_sets.items()}
+    mesh.node_sets = {name: members for name, members in sets.items() if len(members)}
+    mesh.element_sets = {name: members for name, members in mesh.element_sets.items() if len(members)}
+    return mesh

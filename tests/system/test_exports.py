@@ -1,0 +1,114 @@
+"""`litz convert` and `litz export`; results as data frames and files of other programs."""
+
+import csv
+
+import numpy as np
+import pytest
+import pyvista as pv
+
+import litz
+from test_cli import command
+
+DECK = "05_clamped_pair"
+
+
+@pytest.fixture
+def results(run_of_input):
+    return litz.Results(run_of_input(DECK))
+
+
+def test_csv_has_every_node_at_every_increment(results, tmp_path):
+    path = litz.export(results, "csv", tmp_path / "new")
+    with path.open(newline="") as file:
+        heads, *rows = csv.reader(file)
+    assert len(rows) == len(results.nodes) * len(results.times)
+    table = np.array(rows, dtype=float)
+    columns = [heads.index(f"displacement_{axis} [m]") for axis in "xyz"]
+    last = table[:, 2] == results.times[-1]
+    np.testing.assert_array_equal(table[last][:, columns], results.field("displacement"))
+    np.testing.assert_array_equal(table[last][:, heads.index("node")], results.node_ids)
+    with (tmp_path / "new" / f"{DECK}_elements.csv").open(newline="") as file:
+        heads, *rows = csv.reader(file)
+    assert len(rows) == len(results.elements) * len(results.times)
+    assert "joule_heat [W]" in heads
+
+
+def test_vtu_is_a_series_that_a_reader_finds(results, tmp_path):
+    path = results.export("vtu", tmp_path)
+    reader = pv.get_reader(path)
+    np.testing.assert_array_equal(reader.time_values, results.times)
+    reader.set_active_time_value(results.times[-1])
+    (grid,) = reader.read()
+    np.testing.assert_array_equal(grid.points, results.positions())
+    np.testing.assert_array_equal(grid.point_data["potential"], results.field("potential"))
+    np.testing.assert_array_equal(grid.cell_data["axial_force"], results.field("axial_force"))
+    contacts = pv.get_reader(tmp_path / f"{DECK}_contacts.pvd")
+    contacts.set_active_time_value(results.times[-1])
+    (points,) = contacts.read()
+    np.testing.assert_array_equal(points.point_data["force"], results.contacts_at(-1)["force"])
+
+
+def test_xdmf_is_what_meshio_reads(results, tmp_path):
+    meshio = pytest.importorskip("meshio")
+    path = results.export("xdmf", tmp_path)
+    with meshio.xdmf.TimeSeriesReader(path) as reader:
+        points, cells = reader.read_points_cells()
+        assert reader.num_steps == len(results.times)
+        time, point_data, cell_data = reader.read_data(reader.num_steps - 1)
+    np.testing.assert_array_equal(points, results.nodes)
+    np.testing.assert_array_equal(cells[0].data, results.elements)
+    assert time == results.times[-1]
+    np.testing.assert_array_equal(point_data["displacement"], results.field("displacement"))
+    np.testing.assert_array_equal(cell_data["joule_heat"][0], results.field("joule_heat"))
+
+
+def test_xdmf_does_not_replace_the_mesh_of_the_deck(results, tmp_path):
+    pytest.importorskip("meshio")
+    (tmp_path / f"{DECK}.h5").write_text("a mesh")
+    with pytest.raises(litz.FileError, match="into another directory"):
+        results.export("xdmf", tmp_path)
+    assert (tmp_path / f"{DECK}.h5").read_text() == "a mesh"
+
+
+def test_vtkhdf_is_a_copy(results, tmp_path):
+    path = results.export("vtkhdf", tmp_path)
+    assert path.read_bytes() == results.path.read_bytes()
+    assert (tmp_path / f"{DECK}_contacts.vtkhdf").is_file()
+
+
+def test_the_command_exports(results, tmp_path):
+    done = command("export", results.path, "--to", "csv", "-o", tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / f"{DECK}_nodes.csv").is_file()
+    wrong = command("export", results.path, "--to", "vtuu", "-o", tmp_path)
+    assert wrong.returncode == 1
+    assert "did you mean 'vtu'" in wrong.stderr
+
+
+def test_tables_as_data_frames(results):
+    pytest.importorskip("pandas")
+    frame = results.to_pandas("contacts")
+    np.testing.assert_array_equal(frame["force"], results.contacts["force"])
+    assert frame.attrs["units"]["force"] == "N"
+    assert len(results.to_pandas()) == results.history.n_rows
+    with pytest.raises(ValueError, match="did you mean 'contacts'"):
+        results.to_pandas("contact")
+
+
+def test_a_converted_mesh_runs_when_it_is_held(litz, tmp_path):
+    (tmp_path / "mesh.inp").write_text("*Node\n 1, 0, 0, 0\n 2, 0.1, 0, 0\n*Element, type=B31, elset=WIRE\n 1, 1, 2\n")
+    done = command("convert", "mesh.inp", "deck.inp", "--radius", "1e-3", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert "2 nodes, 1 elements" in done.stdout
+    deck = tmp_path / "deck.inp"
+    text = deck.read_text()
+    assert litz("check", deck).returncode == 1
+    deck.write_text(text.replace("*STEP", "*BOUNDARY\n 1, ENCASTRE\n*STEP", 1))
+    assert litz("run", deck, "-o", tmp_path).returncode == 0
+    again = command("convert", "mesh.inp", "deck.inp", "--radius", "1e-3", cwd=tmp_path)
+    assert again.returncode == 4
+    assert "is not replaced" in again.stderr
+    without = command("convert", "mesh.inp", "other.inp", cwd=tmp_path)
+    assert without.returncode == 1
+    assert "radius" in without.stderr
+    assert not (tmp_path / "other.inp").exists()
