@@ -84,15 +84,15 @@ def plot(
     results : Results or path
         What `Results` takes.
     kind : str
-        "overview"    the wires and the main charts together
-        "wires"       deformed wires as tubes coloured by a field, with the contact spots
-        "resistance"  contact resistance over contact force, both logarithmic
-        "residuals"   residual norms over the iterations of each increment, with the allowed values
-        "contacts"    number, forces, spots and heat of the contacts over time
-        "currents"    current of each wire, and along each wire
-        "network"     wires as dots, the contacts between them as lines, as thick as their current
-        "friction"    friction force over sliding, and the heat of friction over time
-        "history"     the columns that the deck asked for, over time
+        - "overview": the wires and the main charts together
+        - "wires": deformed wires as tubes coloured by a field, with the contact spots
+        - "resistance": contact resistance over contact force, both logarithmic
+        - "residuals": residual norms over the iterations of each increment, with the allowed values
+        - "contacts": number, forces, spots and heat of the contacts over time
+        - "currents": current of each wire, and along each wire
+        - "network": wires as dots, the contacts between them as lines, as thick as their current
+        - "friction": friction force over sliding, and the heat of friction over time
+        - "history": the columns that the deck asked for, over time
     filename : path, optional
         The picture; its ending chooses the format. Default: `STEM_KIND.png` beside the results.
     increment : int

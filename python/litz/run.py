@@ -110,7 +110,7 @@ def run(
     threads : int, optional
         Number of threads.
     restart : path or str, optional
-        Restart file to go on from, or "FILE:STEP:INCREMENT"; what ``*RESTART, WRITE`` has kept.
+        Restart file to go on from, or ``FILE:STEP:INCREMENT``; what ``*RESTART, WRITE`` has kept.
     quiet : bool
         False: print what the program prints, as it comes.
     progress : bool
