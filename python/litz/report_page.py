@@ -17,7 +17,7 @@ from .web_data import WebData
 from .web_page import evenly_chosen, page, viewer, viewer_style
 
 # What the data of the three-dimensional view may take of the page, as text before compression [bytes]
-_MOST_DATA = 60e6
+_MOST_DATA = 30e6
 _LONGEST_DECK = 200_000
 _MOST_WIRES = 300
 

@@ -9,6 +9,7 @@ from functools import lru_cache
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from typing import Any
 
 from .plots import with_increments
 from .results import Results
@@ -41,6 +42,7 @@ class ViewServer(ThreadingHTTPServer):
 
     def __init__(self, results: Results | str | Path, port: int = 0):
         self.results = with_increments(results)
+        self._data = WebData(self.results)
         self.increment = lru_cache(_KEPT_INCREMENTS)(self._increment)
         try:
             super().__init__((_ADDRESS, port), _Handler)
@@ -60,6 +62,11 @@ class ViewServer(ThreadingHTTPServer):
         if not 0 <= place < len(self._data.increments):
             raise FileError(f"there is no increment {place}; there are {len(self._data.increments)}")
         return self._data.increment(place).encode()
+
+    def handle_error(self, request: Any, client_address: Any) -> None:
+        """Tell of an error, but not of a browser that has gone away."""
+        if not isinstance(sys.exc_info()[1], ConnectionError):
+            super().handle_error(request, client_address)
 
     def page(self) -> bytes:
         """The page."""

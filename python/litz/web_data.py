@@ -8,7 +8,7 @@ import matplotlib as mpl
 import numpy as np
 
 from .results import Results
-from .scalars import colours_and_limits, default_scalar, scalar_values, scalars
+from .scalars import Scalar, colours_and_limits, default_scalar, scalars
 from .scene import aim, spot_places
 from .wires import element_curves, find_wires
 
@@ -102,26 +102,33 @@ class WebData:
     @cached_property
     def _ranges(self) -> dict[str, dict]:
         """All scalars that are not the same everywhere in the whole run, with their colours and ranges."""
-        results = self._results
-        found = {}
-        for name, scalar in scalars(results).items():
-            low, high = np.inf, -np.inf
-            for index in self.increments:
-                values = scalar_values(results, scalar, index)
-                low, high = np.fmin(low, np.nanmin(values)), np.fmax(high, np.nanmax(values))
-            if not np.isfinite([low, high]).all() or (low == high and name != "potential"):
-                continue
-            colours, limits = colours_and_limits(float(low), float(high), scalar.is_length)
-            found[name] = {
-                "name": name, "text": scalar.text, "unit": scalar.unit, "at_nodes": scalar.at_nodes,
-                "fields": scalar.fields, "component": scalar.component, "colours": colours, "limits": limits,
-            }  # fmt: skip
-        return found
+        known = scalars(self._results)
+        fields = {field for scalar in known.values() for field in scalar.fields}
+        limits = dict.fromkeys(known, (np.inf, -np.inf))
+        for index in self.increments:
+            values = {field: self._results.field(field, index) for field in fields}
+            for name, scalar in known.items():
+                one = scalar.of([values[field] for field in scalar.fields])
+                low, high = limits[name]
+                limits[name] = (np.fmin(low, np.nanmin(one)), np.fmax(high, np.nanmax(one)))
+        return {
+            name: _described(known[name], float(low), float(high))
+            for name, (low, high) in limits.items()
+            if np.isfinite([low, high]).all() and (low < high or name == "potential")
+        }
 
     def _packed(self, curves: tuple[np.ndarray, np.ndarray]) -> np.ndarray:
         """Both ends of each element and both slopes, (n_elements, 4, 3)."""
         positions, slopes = curves
         return np.concatenate([positions - self._centre, slopes], axis=1)
+
+
+def _described(scalar: Scalar, low: float, high: float) -> dict:
+    colours, limits = colours_and_limits(low, high, scalar.is_length)
+    return {
+        "name": scalar.name, "text": scalar.text, "unit": scalar.unit, "at_nodes": scalar.at_nodes,
+        "fields": scalar.fields, "component": scalar.component, "colours": colours, "limits": limits,
+    }  # fmt: skip
 
 
 def _column(name: str, values: np.ndarray) -> list:
