@@ -58,6 +58,7 @@ contains
          i = find_root(root, node)
          if (held(i)) cycle
          if (abs(injected(i)) > epsilon(1.0_dp)*maxval(abs(current))) then
+            if (.not. abs(current(node)) > 0) cycle
             write (number, '(i0)') model%node_id(node)
             error = fail(exit_input, 'a current is fed into the conductor at node '//trim(number)// &
                ', which has no path to a prescribed potential')

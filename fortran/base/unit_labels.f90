@@ -84,24 +84,24 @@ contains
       class(unit_labels_t), intent(in) :: self
       character(len=*), intent(in) :: header
       character(len=:), allocatable :: text, new
-      integer :: at, open, close, cell, grown
+      integer :: at, left, right, cell, grown
 
       text = ''
       at = 1
       do
-         open = index(header(at:), '[') + at - 1
-         if (open < at) exit
-         close = index(header(open:), ']') + open - 1
-         if (close < open) exit
-         new = self%label(header(open + 1:close - 1))
-         text = text//header(at:open)
-         grown = len(new) - (close - open - 1)
+         left = index(header(at:), '[') + at - 1
+         if (left < at) exit
+         right = index(header(left:), ']') + left - 1
+         if (right < left) exit
+         new = self%label(header(left + 1:right - 1))
+         text = text//header(at:left)
+         grown = len(new) - (right - left - 1)
          cell = index(text, '  ', back=.true.)
          if (cell > grown .and. grown > 0) then
             if (len_trim(text(cell - grown:cell)) == 0) text = text(:cell - grown)//text(cell + 1:)
          end if
          text = text//new//']'
-         at = close + 1
+         at = right + 1
       end do
       text = text//header(at:)
    end function in_header

@@ -1,7 +1,8 @@
 !> Potential inside a conducting element above the linear one, where currents enter it between its nodes.
 !>
 !> Source: theory section 7. Ohm's law of a straight conductor whose ends keep their potentials: Green's function
-!> `rho L0/(4 A) (1 + xi_<)(1 - xi_>)` of the second derivative, with `xi_<` and `xi_>` the smaller and the larger place.
+!> `rho L0/(4 A) (1 + xi_<)(1 - xi_>)` of the second derivative, with `xi_<` and `xi_>` the smaller and the larger
+!> place.
 module litz_potential_rise
    use litz_kinds, only: dp
    implicit none

@@ -49,8 +49,8 @@ contains
 
       call begin(k, 'UNITS', place_model, &
          'What the units of the numbers in the deck are called, in heads of tables, result files, pictures and'// &
-         ' messages (own word of litz). Labels only: nothing is converted, the units must be consistent (the unit of'// &
-         ' moments is that of force times that of length, that of resistance voltage over current).')
+         ' messages (own word of litz). Labels only: nothing is converted, the units must be consistent (the unit'// &
+         ' of moments is that of force times that of length, that of resistance voltage over current).')
       call k%add(name('LENGTH', 'label of the unit of length, such as mm; m without it'))
       call k%add(name('FORCE', 'label of the unit of force; N without it'))
       call k%add(name('TIME', 'label of the unit of time; s without it'))

@@ -62,7 +62,8 @@ contains
          character(len=:), allocatable :: line
 
          associate (this => model%materials(m))
-            line = 'material '//this%name//': E = '//to_text(this%young)//' '//model%units%label('Pa')//', nu = '//to_text(this%poisson)
+            line = 'material '//this%name//': E = '//to_text(this%young)//' '//model%units%label('Pa')// &
+               ', nu = '//to_text(this%poisson)
             if (this%conductivity > 0) then
                line = line//', sigma = '//to_text(this%conductivity)//' '// &
                   model%units%label('S/m')//nl

@@ -14,9 +14,8 @@ module litz_reader
    implicit none
    private
    public :: reader_t, values_t, set_builder_t, definitions_t
-   public :: fail_at, read_line, applies, names_hint, name_of, parameter_of, has_flag, choice_of, name_parameter, &
-      real_parameter, &
-      integer_parameter, keyword_of, n_cards_of, check_value, find_definition, add_definition
+   public :: fail_at, read_line, applies, names_hint, name_of, parameter_of, has_flag, choice_of, &
+      real_parameter, integer_parameter, keyword_of, n_cards_of, check_value, find_definition, add_definition
 
    !> After this many errors no more hints are searched for
    integer, parameter :: most_hints = 100
@@ -183,16 +182,6 @@ contains
          end associate
       end associate
    end function choice_of
-
-   !> The value of a parameter as a name; empty when there is none.
-   pure function name_parameter(self, card, name) result(value)
-      type(reader_t), intent(in) :: self
-      integer, intent(in) :: card
-      character(len=*), intent(in) :: name
-      character(len=:), allocatable :: value
-
-      value = name_of(self, parameter_of(self, card, name))
-   end function name_parameter
 
    pure real(dp) function real_parameter(self, card, name, default) result(value)
       type(reader_t), intent(in) :: self

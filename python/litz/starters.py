@@ -4,6 +4,7 @@ import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from . import build
 from .deck import Card, Deck
@@ -50,7 +51,7 @@ class Starter:
 def _crossing(friction: float | None = None) -> Model:
     """Two copper wires, one across the other."""
     model = Model("Two crossed copper wires")
-    wire = {"radius": 1e-3, "material": COPPER, "elements": 9}
+    wire: dict[str, Any] = {"radius": 1e-3, "material": COPPER, "elements": 9}
     lower = model.wire("LOWER", (-0.05, 0, 0), (0.05, 0, 0), **wire)
     upper = model.wire("UPPER", (0, -0.05, 2e-3), (0, 0.05, 2e-3), **wire)
     model.contact(lower, upper, behaviour=Hertz(), conductance=HertzSpot(), friction=friction)

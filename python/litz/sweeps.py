@@ -216,7 +216,7 @@ class _Run:
         else:
             raise TypeError(f"the case must return a Model, a Deck, a deck or numbers by name, not {made!r}")
         identity = hashlib.sha256(fresh.read_bytes() + repr(sorted(self._options.items())).encode()).hexdigest()
-        if self._taken_over(identity):
+        if self._taken_over(self.directory, identity):
             fresh.unlink()
             return
         fresh.replace(deck)
@@ -238,10 +238,10 @@ class _Run:
         self.units = history.units
         return {name: history[name][-1] for name in history if name not in ("step", "increment", "time")}
 
-    def _taken_over(self, identity: str) -> bool:
+    def _taken_over(self, directory: Path, identity: str) -> bool:
         """Whether an earlier sweep has this run; its values are those of `collect`, which may be another one."""
         try:
-            outcome = json.loads((self.directory / _OUTCOME).read_text(encoding="utf-8"))
+            outcome = json.loads((directory / _OUTCOME).read_text(encoding="utf-8"))
         except (OSError, ValueError):
             return False
         if outcome.get("identity") != identity or self._again is True:
@@ -249,7 +249,7 @@ class _Run:
         if outcome[_STATUS] == "failed":
             self.message = outcome[_MESSAGE]
             return self._again != "failed"
-        self.values = _numbers(self._collected(Results(self.directory / "deck.vtkhdf")))
+        self.values = _numbers(self._collected(Results(directory / "deck.vtkhdf")))
         self.status = "finished"
         return True
 

@@ -84,7 +84,10 @@ class Table(Mapping):
 
     def to_array(self) -> np.ndarray:
         """The rows as a structured array."""
-        return np.rec.fromarrays(list(self._columns.values()), names=list(self._columns)).view(np.ndarray)
+        rows = np.empty(self.n_rows, [(name, values.dtype) for name, values in self._columns.items()])
+        for name, values in self._columns.items():
+            rows[name] = values
+        return rows
 
     def to_pandas(self) -> "pd.DataFrame":
         """The rows as a data frame of pandas, with the units in `attrs["units"]`; needs pandas."""

@@ -5,6 +5,7 @@ import subprocess
 import sys
 import tempfile
 import warnings
+from collections.abc import Sequence
 from pathlib import Path
 
 import matplotlib as mpl
@@ -34,7 +35,7 @@ class RenderingError(RuntimeError):
     """VTK has not made a picture."""
 
 
-def render(scenes: list[Scene], camera: Camera, pixels: np.ndarray) -> list[np.ndarray | None]:
+def render(scenes: list[Scene], camera: Camera, pixels: np.ndarray) -> Sequence[np.ndarray | None]:
     """Pictures of the tubes of scenes, each (height, width, 4); None and a warning where VTK cannot draw.
 
     Parameters

@@ -18,6 +18,7 @@ module litz_solver_factory
       !> Three numbers each of SuiteSparse, CHOLMOD and UMFPACK
       subroutine suitesparse_versions(versions) bind(c, name='litz_suitesparse_versions')
          import :: c_int
+         implicit none
          integer(c_int), intent(out) :: versions(9)
       end subroutine suitesparse_versions
    end interface

@@ -63,7 +63,7 @@ def wire_grid(
     def axis(start: tuple, end: tuple, count: int) -> NDArray:
         return rounded(straight(start, end, count * elements_per_pitch), max(n_x, n_y) * pitch)
 
-    wires = {"radius": radius, "material": material, "element": element}
+    wires: dict[str, Any] = {"radius": radius, "material": material, "element": element}
     model.wires("LOWER", [axis((0, y, 0), (n_y * pitch, y, 0), n_y) for y in across[:n_x]], **wires)
     upper = [axis((x, 0, height), (x, n_x * pitch, height), n_x) for x in across[:n_y]]
     model.wires("UPPER", upper, **wires)

@@ -130,7 +130,7 @@ def fibre_mat(
         model = Model(f"Isotropic mat of {n_fibres} fibres, seed {seed}")
         distance = -math.inf if overlap else 2 * radius + clearance
         ends = _isotropic(rng, n_fibres, np.array(size), distance, 4 * radius, smallest_angle)
-        model.wires("FIBRES", [rounded(straight(*pair, n_elements), max(size)) for pair in ends], **fibre)
+        model.wires("FIBRES", [rounded(straight(start, end, n_elements), max(size)) for start, end in ends], **fibre)
         _hold_isotropic(model, size[2])
         model.element_set("WIRES", list(model.groups))
         model.contact("WIRES", interaction=interaction, interference_fit=overlap)

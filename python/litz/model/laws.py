@@ -11,7 +11,7 @@ from .materials import predefined
 class _Law:
     """A law is checked when it is made."""
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         """Checks the values."""
         check_card(*self.card())
 
@@ -86,7 +86,7 @@ class _Spot(_Law):
         parameters = {"LAW": law, **_unless(self, voltage="CORRECTED", spot="PRESENT FORCE")}
         return "GAP ELECTRICAL CONDUCTANCE", parameters, rows
 
-    def _law(self) -> tuple[str, list]:
+    def _law(self) -> tuple[str, list[list[float]]]:
         raise NotImplementedError
 
 
@@ -94,7 +94,7 @@ class _Spot(_Law):
 class HertzSpot(_Spot):
     """Elliptic spot of Hertz with Holm's constriction resistance; it has no data."""
 
-    def _law(self):
+    def _law(self) -> tuple[str, list[list[float]]]:
         return "HERTZ", []
 
 
@@ -102,7 +102,7 @@ class HertzSpot(_Spot):
 class PaperSpot(_Spot):
     """Circular spot of the paper by Boso, Litewka, Schrefler and Wriggers, to replay it."""
 
-    def _law(self):
+    def _law(self) -> tuple[str, list[list[float]]]:
         return "PAPER", []
 
 
@@ -118,7 +118,7 @@ class PlasticSpot(_Spot):
 
     hardness: float
 
-    def _law(self):
+    def _law(self) -> tuple[str, list[list[float]]]:
         return "PLASTIC", [[self.hardness]]
 
 
@@ -134,7 +134,7 @@ class FilmSpot(_Spot):
 
     film_resistivity: float
 
-    def _law(self):
+    def _law(self) -> tuple[str, list[list[float]]]:
         return "FILM", [[self.film_resistivity]]
 
 
@@ -150,7 +150,7 @@ class ConstantSpot(_Spot):
 
     resistance: float
 
-    def _law(self):
+    def _law(self) -> tuple[str, list[list[float]]]:
         return "CONSTANT", [[self.resistance]]
 
 
@@ -169,7 +169,7 @@ class TableSpot(_Spot):
     force: Sequence[float]
     resistance: Sequence[float]
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         """Checks the values."""
         for name in ("force", "resistance"):
             object.__setattr__(self, name, tuple(float(value) for value in getattr(self, name)))
@@ -180,7 +180,7 @@ class TableSpot(_Spot):
                 raise ValueError(f"the forces of a table must ascend; {self.force[i]:g} follows {self.force[i - 1]:g}")
         super().__post_init__()
 
-    def _law(self):
+    def _law(self) -> tuple[str, list[list[float]]]:
         return "TABLE", [list(row) for row in zip(self.force, self.resistance, strict=True)]
 
 
@@ -205,7 +205,7 @@ class Friction(_Law):
     elastic_slip: float | None = None
     stick_stiffness: float | None = None
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         """Checks the values."""
         if self.elastic_slip is not None and self.stick_stiffness is not None:
             raise ValueError("friction takes elastic_slip or stick_stiffness, not both")
@@ -241,7 +241,7 @@ class Interaction:
     friction: Friction | float | None = None
     axis: str = "HERMITE"
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         """Checks the values."""
         check_name(self.name, "the name of an interaction")
         if not isinstance(self.behaviour, Hertz | Linear):
@@ -260,7 +260,7 @@ class Interaction:
         """The cards of the interaction."""
         yield "SURFACE INTERACTION", {"NAME": self.name, **_unless(self, axis="HERMITE")}, []
         for law in (self.behaviour, self.friction, self.conductance):
-            if law is not None:
+            if isinstance(law, _Law):
                 yield law.card()
 
 
@@ -302,6 +302,6 @@ class ContactPair:
         yield "CONTACT PAIR", parameters, [[self.first] if self.second is None else [self.first, self.second]]
 
 
-def _unless(law, **defaults: str) -> dict[str, str]:
+def _unless(law: object, **defaults: str) -> dict[str, str]:
     """Parameters that differ from what the deck takes without them; their names are those of the deck in lower case."""
     return {name.upper(): getattr(law, name) for name, usual in defaults.items() if getattr(law, name) != usual}

@@ -75,7 +75,7 @@ class Amplitude:
     a: tuple[float, ...]
     time: str = "STEP TIME"
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         """Checks the values."""
         check_name(self.name, "the name of an amplitude")
         for name in ("t", "a"):
@@ -135,7 +135,7 @@ def grouped(keyword: str, items: Sequence[Prescribed | Load], op: str = "MOD") -
     for end in range(1, len(items) + 1):
         if end < len(items) and items[end].amplitude == items[begin].amplitude:
             continue
-        parameters = {} if op == "MOD" else {"OP": op}
+        parameters: dict[str, str | None] = {} if op == "MOD" else {"OP": op}
         if items[begin].amplitude is not None:
             parameters["AMPLITUDE"] = items[begin].amplitude
         yield keyword, parameters, [item.row() for item in items[begin:end]]

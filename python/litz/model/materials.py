@@ -1,11 +1,9 @@
 """What wires are made of, and their cross-sections."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
-
-from numpy.typing import ArrayLike
 
 from ..deck import CardSpec
 from ..keyword_table import check_card, check_name
@@ -39,7 +37,7 @@ class Material:
     poisson: float
     conductivity: float | None = None
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         """Checks the values."""
         check_name(self.name, "the name of a material")
         for card in self.cards():
@@ -55,7 +53,7 @@ class Material:
 
 def predefined(kind: type, **values: Any) -> Any:
     """A constant of this package: a test checks it, so that an import does not have to ask the program for its table."""
-    constant = object.__new__(kind)
+    constant: Any = object.__new__(kind)
     constant.__dict__.update(values)
     return constant
 
@@ -86,7 +84,7 @@ class Circular:
     contact_radius: float | None = None
     conduction: str = "REFERENCE LENGTH"
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         """Checks the values."""
         for card in self.cards("ALL", "ANY"):
             check_card(*card)
@@ -132,10 +130,10 @@ class General:
     contact_radius: float | None = None
     conduction: str = "REFERENCE LENGTH"
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         """Checks the values."""
         for name in ("n1", "shear"):
-            given: ArrayLike | None = getattr(self, name)
+            given: Iterable[float] | None = getattr(self, name)
             if given is not None:
                 object.__setattr__(self, name, tuple(float(value) for value in given))
         for card in self.cards("ALL", "ANY"):
@@ -160,7 +158,7 @@ Section = Circular | General
 
 
 def _parameters(section: Section, elset: str, material: str, shape: str) -> dict:
-    parameters = {"ELSET": elset, "MATERIAL": material, "SECTION": shape}
+    parameters: dict[str, str | float] = {"ELSET": elset, "MATERIAL": material, "SECTION": shape}
     if section.contact_radius is not None:
         parameters["CONTACT RADIUS"] = section.contact_radius
     if section.conduction != "REFERENCE LENGTH":

@@ -26,8 +26,8 @@ def write_mesh_file(model: "Model", path: Path) -> None:
             file[f"element_sets/{group.name}"] = np.array(group.elements)
             if group.name not in model.node_sets:
                 file[f"node_sets/{group.name}"] = np.array(group.nodes)
-        for name, members in model.node_sets.items():
-            file[f"node_sets/{name}"] = members
+        for name, nodes_of_set in model.node_sets.items():
+            file[f"node_sets/{name}"] = nodes_of_set
         for name, members in model.element_sets.items():
             file[f"element_sets/{name}"] = _elements_of(model, members)
 

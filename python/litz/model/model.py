@@ -247,18 +247,17 @@ class Model:
         ways = {"start and end": start is not None and end is not None, "points": points is not None, "curve": curve}
         if sum(map(bool, ways.values())) != 1 or (start is None) != (end is None):
             raise ValueError("a wire goes from start to end, along points, or along a curve: give one of these")
-        if elements is not None:
-            elements = check_elements(elements)
-        elif points is None or spline:
+        n_elements = 0 if elements is None else check_elements(elements)
+        if n_elements == 0 and (points is None or spline):
             raise ValueError("elements is needed: the number of elements of the wire")
         shared: list[int | None] = [None, None]
         if points is not None:
-            axis = self._along_points(points, spline, closed, elements)
+            axis = self._along_points(points, spline, closed, n_elements)
         elif curve is not None:
-            axis = along_curve(curve, elements, span)
+            axis = along_curve(curve, n_elements, span)
         else:
             shared = [self._shared(start), self._shared(end)]
-            axis = straight(self._place(start, "start"), self._place(end, "end"), elements)
+            axis = straight(self._place(start, "start"), self._place(end, "end"), n_elements)
         axis = check_points(axis)
         if closed:
             gap = float(np.linalg.norm(axis[-1] - axis[0]))
@@ -268,15 +267,15 @@ class Model:
         return self._add_wire(name, axis, shared, closed, (section, material, element))
 
     @staticmethod
-    def _along_points(points: ArrayLike, spline: bool, closed: bool, elements: int | None) -> NDArray[np.float64]:
+    def _along_points(points: ArrayLike, spline: bool, closed: bool, elements: int) -> NDArray[np.float64]:
         corners = check_points(points)
         if closed and not np.array_equal(corners[0], corners[-1]):
             corners = np.vstack([corners, corners[:1]])
         if spline:
             return along_spline(corners, elements, closed=closed)
-        return corners if elements is None else along_polyline(corners, elements)
+        return along_polyline(corners, elements) if elements else corners
 
-    def _shared(self, end: "ArrayLike | Nodes") -> int | None:
+    def _shared(self, end: "ArrayLike | Nodes | None") -> int | None:
         """The node that an end of a wire is, if it is one."""
         if isinstance(end, Nodes):
             if len(end) != 1:
@@ -284,7 +283,7 @@ class Model:
             return end[0]
         return int(end) if isinstance(end, Integral) else None
 
-    def _place(self, end: "ArrayLike | Nodes", what: str) -> NDArray[np.float64]:
+    def _place(self, end: "ArrayLike | Nodes | None", what: str) -> NDArray[np.float64]:
         node = self._shared(end)
         if node is not None:
             self._check_node(node)
@@ -307,7 +306,8 @@ class Model:
         elif shared[1] is not None:
             numbers.append(shared[1])
         connectivity = np.array([numbers[:-1], numbers[1:]], dtype=np.int64).T
-        group = self._add_group(name, *properties, connectivity)
+        section, material, element = properties
+        group = self._add_group(name, section, material, element, connectivity)
         group.wires = [Wire(tuple(numbers), group.elements)]
         if not plain:
             self.node_sets[name] = list(group.nodes)
@@ -451,7 +451,9 @@ class Model:
     ) -> tuple[Section, Material]:
         if (radius is None) == (section is None):
             raise ValueError("a wire needs radius, or section: one of them")
-        if section is not None and not isinstance(section, Circular | General):
+        if radius is not None:
+            section = Circular(radius)
+        if not isinstance(section, Circular | General):
             raise ValueError(f"section must be Circular(radius) or General(area, i11, i22, j), not {section!r}")
         check_card("ELEMENT", {"TYPE": element}, [[1, 1, 2]])
         if isinstance(material, str):
@@ -464,7 +466,7 @@ class Model:
             raise ValueError(f"material must be a Material or the name of one, not {material!r}")
         if self._materials.get(material.name, material) != material:
             raise ValueError(f"there is another material of the name {material.name}")
-        return (Circular(radius) if section is None else section), material
+        return section, material
 
     # Sets
 
@@ -498,7 +500,7 @@ class Model:
         members: list[str | int] = []
         for item in items:
             if isinstance(item, Integral):
-                if not 1 <= item <= self._n_elements:
+                if not 1 <= int(item) <= self._n_elements:
                     raise ValueError(f"there are elements 1 to {self._n_elements}, not {item}")
                 members.append(int(item))
             else:
@@ -515,7 +517,7 @@ class Model:
         if isinstance(nodes, WireGroup):
             return nodes.nodes
         if isinstance(nodes, Integral):
-            return [self._check_node(nodes)]
+            return [self._check_node(int(nodes))]
         if isinstance(nodes, np.ndarray):
             nodes = nodes.ravel().tolist()
         return [member for one in nodes for member in self._members(one)]
@@ -536,7 +538,7 @@ class Model:
     def target(self, nodes: "AnyNodes") -> Target:
         """What stands for nodes on a data line: a number, or the name of a node set, which is made if need be."""
         if isinstance(nodes, Integral):
-            return self._check_node(nodes)
+            return self._check_node(int(nodes))
         if not isinstance(nodes, str | WireGroup | Nodes):
             members = list(dict.fromkeys(self._members(nodes)))
             if len(members) == 1:
@@ -646,7 +648,7 @@ class Model:
         sets = [self._joined(elements) for elements in (first, second) if elements is not None]
         if any({known.first, known.second or known.first} == set(sets) for known in self.contacts):
             raise ValueError(f"there is a contact of {' with '.join(sets)} already")
-        pair = ContactPair(interaction, *sets, interference_fit=interference_fit)
+        pair = ContactPair(interaction, sets[0], sets[1] if len(sets) > 1 else None, interference_fit)
         self.contacts.append(pair)
         return pair
 
@@ -722,9 +724,9 @@ class Model:
         name = f"STEP{len(self.steps) + 1}" if name is None else name
         if any(squeezed(step.name) == squeezed(name) for step in self.steps):
             raise ValueError(f"there is a step {name} already")
-        unknown = set(options) - set(Step.__init__.__kwdefaults__)
+        allowed = list(Step.__init__.__kwdefaults__ or ())
+        unknown = set(options) - set(allowed)
         if unknown:
-            allowed = list(Step.__init__.__kwdefaults__)
             word = sorted(unknown)[0]
             raise ValueError(f"a step has no {word}{nearest_name(word, allowed)}; there are: {', '.join(allowed)}")
         step = Step(self, name, **options)

@@ -64,14 +64,15 @@ class Step:
         self.cards: list[CardSpec] = []
         first = (total if increment is None else increment) if first is None else first
         largest = (total if increment is None else increment) if largest is None else largest
-        self._static: CardSpec = ("STATIC", {"DIRECT": True} if direct else {}, [[first, total, smallest, largest]])
+        times = [first, total, smallest, largest]
+        self._static: CardSpec = ("STATIC", {"DIRECT": True} if direct else {}, [times])
         check_card(*self._static)
         if direct:
             largest = first
-            self._static[2][0][2:] = []
+            times[2:] = []
         else:
             smallest = min(_SMALLEST * total, first) if smallest is None else smallest
-            self._static[2][0][2:] = [smallest, largest]
+            times[2:] = [smallest, largest]
             if not smallest <= first <= largest:
                 raise ValueError(
                     f"increments must satisfy smallest <= first <= largest, not {smallest:g}, {first:g}, {largest:g}"

@@ -26,7 +26,7 @@ class Nodes(tuple):
 
     name: str
 
-    def __new__(cls, name: str, members: Iterable[int]):
+    def __new__(cls, name: str, members: Iterable[int]) -> "Nodes":
         """Nodes of a name."""
         nodes = super().__new__(cls, (int(member) for member in members))
         nodes.name = name
