@@ -19,7 +19,6 @@ extensions = [
     "sphinx.ext.autodoc",
     "sphinx.ext.napoleon",
     "sphinx.ext.mathjax",
-    "sphinx.ext.viewcode",
     "sphinx_copybutton",
     "pages",
 ]
@@ -38,6 +37,8 @@ pygments_style = "friendly"
 autodoc_typehints = "none"
 autodoc_member_order = "bysource"
 napoleon_google_docstring = False
+# types are words, as "path": as references they would lead to attributes of that name
+napoleon_use_param = False
 napoleon_use_rtype = False
 
 html_theme = "furo"
