@@ -184,6 +184,30 @@ class TableSpot(_Spot):
         return "TABLE", [list(row) for row in zip(self.force, self.resistance, strict=True)]
 
 
+@dataclass(frozen=True)
+class NamedSpot(_Spot):
+    """Any other law that the keyword table has.
+
+    Attributes
+    ----------
+    law : str
+        `LAW` of `*GAP ELECTRICAL CONDUCTANCE`.
+    data : sequence of sequences of float
+        Its data lines.
+    """
+
+    law: str
+    data: Sequence[Sequence[float]] = ()
+
+    def __post_init__(self) -> None:
+        """Checks the values."""
+        object.__setattr__(self, "data", tuple(tuple(float(value) for value in row) for row in self.data))
+        super().__post_init__()
+
+    def _law(self) -> tuple[str, list[list[float]]]:
+        return self.law.upper(), [list(row) for row in self.data]
+
+
 # Friction
 
 
@@ -249,7 +273,7 @@ class Interaction:
         if not (self.conductance is None or isinstance(self.conductance, _Spot)):
             raise ValueError(
                 "conductance must be None, HertzSpot(), PaperSpot(), PlasticSpot(hardness), FilmSpot(film_resistivity), "
-                f"ConstantSpot(resistance) or TableSpot(force, resistance), not {self.conductance!r}"
+                f"ConstantSpot(resistance), TableSpot(force, resistance) or NamedSpot(law, data), not {self.conductance!r}"
             )
         if not (self.friction is None or isinstance(self.friction, Friction)):
             object.__setattr__(self, "friction", Friction(self.friction))
