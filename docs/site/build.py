@@ -25,8 +25,8 @@ PACKAGES = ("sphinx", "furo", "myst-parser", "sphinx-copybutton", "sphinx-mathja
 def build(directory):
     """Build the site into a directory, which is replaced. Returns the exit code of the first program that fails, or 0."""
     python = interpreter("docs", "the documentation", PACKAGES)
-    # The pages of the Python package are made from the package itself, which needs what it is installed with here.
-    own = os.pathsep.join([str(ROOT / "python"), sysconfig.get_path("platlib"), os.environ.get("PYTHONPATH", "")])
+    # The pages of the Python package are made from the package as it is installed here, with what it needs.
+    own = os.pathsep.join([sysconfig.get_path("platlib"), os.environ.get("PYTHONPATH", "")])
     shutil.rmtree(directory, ignore_errors=True)
     doctrees = directory.parent / f"{directory.name}.doctrees"
     sphinx = [python, "-m", "sphinx", "-W", "--keep-going", "-q", "-c", SITE, "-d", doctrees, ROOT / "docs", directory]

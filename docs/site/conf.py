@@ -1,9 +1,14 @@
 """Settings of Sphinx; `./setup docs` (build.py beside this file) runs it."""
 
 import importlib.metadata
+import os
+import site
 import sys
 from pathlib import Path
 
+# litz is installed elsewhere, so that its sources stay where they are: only the .pth file there leads to it
+for installed in filter(None, os.environ.get("PYTHONPATH", "").split(os.pathsep)):
+    site.addsitedir(installed)
 sys.path.insert(0, str(Path(__file__).parent))
 import pages
 
