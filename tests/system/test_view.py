@@ -237,13 +237,17 @@ class TestServer:
             ViewServer(server.results, server.server_address[1])
 
     def test_the_command_prints_the_address_and_ends_with_ctrl_c(self, run_of_input):
-        arguments = [*ENTRY, "view", str(run_of_input("04_wire_grid")), "--no-browser"]
+        # a shell that runs the tests in the background has them ignore Ctrl-C
+        arguments = ["env", "--default-signal=INT", *ENTRY, "view", str(run_of_input("04_wire_grid")), "--no-browser"]
         with subprocess.Popen(arguments, stdout=subprocess.PIPE, text=True) as process:
-            address = process.stdout.readline().split(" at ")[1].split()[0]
-            with urllib.request.urlopen(address, timeout=30) as answer:
-                assert b"litz-viewer" in answer.read()
-            process.send_signal(2)
-            assert process.wait(timeout=30) == 0
+            try:
+                address = process.stdout.readline().split(" at ")[1].split()[0]
+                with urllib.request.urlopen(address, timeout=30) as answer:
+                    assert b"litz-viewer" in answer.read()
+                process.send_signal(2)
+                assert process.wait(timeout=30) == 0
+            finally:
+                process.kill()
 
 
 class TestData:
