@@ -1,5 +1,6 @@
 """Settings of Sphinx; `./setup docs` (build.py beside this file) runs it."""
 
+import importlib
 import importlib.metadata
 import os
 import site
@@ -10,7 +11,7 @@ from pathlib import Path
 for installed in filter(None, os.environ.get("PYTHONPATH", "").split(os.pathsep)):
     site.addsitedir(installed)
 sys.path.insert(0, str(Path(__file__).parent))
-import pages
+pages = importlib.import_module("pages")
 
 ROOT = Path(__file__).parents[2]
 
