@@ -154,11 +154,12 @@ contains
       type(error_t), allocatable, intent(inout) :: error
 
       if (.not. self%iterate_written) call remove_iterate(self, error)
-      call self%wires%publish(error)
       call self%ledger%publish(error)
       call self%history_file%publish(error)
       call self%status_file%publish(error)
       call self%convergence_file%publish(error)
+      ! the file that readers open comes last: where it is, the others are
+      call self%wires%publish(error)
       self%is_published = .not. allocated(error)
    end subroutine publish
 
