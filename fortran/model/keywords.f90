@@ -11,7 +11,7 @@ module litz_keywords
    public :: place_model, place_step, place_both, place_begins_step
    public :: kind_flag, kind_integer, kind_real, kind_choice, kind_name, kind_item, kind_file, kind_text
    public :: limit_none, limit_positive, limit_not_negative, limit_poisson, limit_zero, limit_unused, limit_words
-   public :: within_limit
+   public :: within_limit, largest_number, smallest_positive
    public :: field, integer_field, real_field, choice_field, name_field, item_field, flag, choice, name, number, &
       count_of, file
 
@@ -27,6 +27,9 @@ module litz_keywords
    integer, parameter :: limit_none = 0, limit_positive = 1, limit_not_negative = 2, limit_poisson = 3, &
       limit_zero = 4, &
       limit_unused = 5
+
+   !> Numbers of a deck beyond these mean nothing in any unit, and what is computed from them would overflow
+   real(dp), parameter :: largest_number = 1.0e60_dp, smallest_positive = 1.0e-60_dp
 
    type :: parameter_spec_t
       character(len=24) :: name = ''
@@ -164,19 +167,18 @@ contains
       real(dp), intent(in) :: value
       integer, intent(in) :: limit
 
+      within_limit = abs(value) <= largest_number
       select case (limit)
       case (limit_positive)
-         within_limit = value > 0
+         within_limit = within_limit .and. value >= smallest_positive
       case (limit_not_negative)
-         within_limit = value >= 0
+         within_limit = within_limit .and. value >= 0
       case (limit_poisson)
          within_limit = value > -1 .and. value < 0.5_dp
       case (limit_zero)
          within_limit = .not. abs(value) > 0
       case (limit_unused)
          within_limit = .false.
-      case default
-         within_limit = .true.
       end select
    end function within_limit
 

@@ -1,5 +1,5 @@
-!> Checks of the whole model before anything is solved: beams that nothing holds, and conductors without a path to a
-!> prescribed potential. Both would make the equations singular.
+!> Checks of the whole model before anything is solved: stiffnesses that cannot be computed with, beams that nothing
+!> holds, and conductors without a path to a prescribed potential. The last two would make the equations singular.
 module litz_model_checks
    use litz_kinds, only: dp
    use litz_laws, only: spot_none
@@ -28,6 +28,11 @@ contains
 
       allocate (findings(16))
       n = 0
+      call check_stiffnesses(model, findings, n)
+      if (n > 0) then
+         findings = findings(:n)
+         return
+      end if
       call check_beams(model, findings, n)
       call check_conductors(model, findings, n)
       findings = findings(:n)
@@ -74,6 +79,38 @@ contains
       words = ''
       if (n_others > 0) words = '; likewise '//to_text(n_others)//' more'
    end function others_words
+
+   !> What the equations are made of, and the squares in their norms, must be numbers that the program can hold. Told
+   !> from exponents, because the numbers themselves might overflow.
+   subroutine check_stiffnesses(model, findings, n)
+      type(model_t), intent(in) :: model
+      type(finding_t), allocatable, intent(inout) :: findings(:)
+      integer, intent(inout) :: n
+      real(dp), parameter :: largest = 100
+      real(dp) :: length, exponents(8)
+      integer :: e, first, n_wrong
+
+      n_wrong = 0
+      first = 0
+      do e = 1, model%n_elements
+         associate (section => model%sections(model%element_section(e)), node => model%connectivity(:, e))
+            associate (material => model%materials(section%material))
+               length = log10(norm2(model%x(:, node(2)) - model%x(:, node(1))))
+               exponents = [length, log10([section%ga2, section%ga3]) - length, &
+                  log10(material%young) + log10([section%area, section%i2, section%i3, section%j]) &
+                  - length*[1, 3, 3, 1], 0.0_dp]
+               if (material%conductivity > 0) exponents(8) = log10(material%conductivity) + log10(section%area) - length
+            end associate
+         end associate
+         if (all(abs(exponents) < largest)) cycle
+         if (first == 0) first = e
+         n_wrong = n_wrong + 1
+      end do
+      if (first > 0) call add(findings, n, 'the length, the stiffnesses or the conductance of element '// &
+         to_text(model%element_id(first))// &
+         ' are too large or too small for this program; check the units of its nodes, section and material'// &
+         others_words(n_wrong - 1), first, .false.)
+   end subroutine check_stiffnesses
 
    !> Every connected part needs supports against its six rigid motions. Where contacts may hold it, this is a warning.
    subroutine check_beams(model, findings, n)

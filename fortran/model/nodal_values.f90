@@ -341,13 +341,7 @@ contains
             if (.not. ok) call fail_at(self, self%values%token(1), 'node '//to_text(model%node_id(value%node))// &
                ' has loads of different amplitudes in the same direction; the other is in '// &
                self%deck%place(list%line(at)))
-            if (abs(item%value/2 + value%value/2) > huge(value%value)/2) then
-               ok = .false.
-               call fail_at(self, self%values%token(1), 'the loads of node '// &
-                  to_text(model%node_id(value%node))//' in one direction add up to more than this program can hold')
-            else
-               item%value = item%value + value%value
-            end if
+            item%value = item%value + value%value
          end if
       end subroutine join_values
 

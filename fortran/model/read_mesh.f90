@@ -5,6 +5,7 @@ module litz_read_mesh
    use litz_deck, only: token_t
    use litz_deck_scanner, only: relative_to
    use litz_errors, only: error_t
+   use litz_keywords, only: largest_number
    use litz_lookup, only: id_map_t
    use litz_mesh_file, only: mesh_file_t, mesh_set_t, read_mesh_file
    use litz_text, only: to_text, shown
@@ -137,6 +138,7 @@ contains
       do i = 1, size(mesh%node_id)
          associate (id => mesh%node_id(i), position => mesh%position(:, i))
             ok = all(ieee_is_finite(position))
+            if (ok) ok = all(abs(position) <= largest_number)
             if (id < 1) then
                self%broken_nodes = .true.
                call fail_at(self, token, 'the mesh file has a node of the number '//to_text(id)// &
@@ -144,7 +146,7 @@ contains
                cycle
             end if
             if (.not. ok) call fail_at(self, token, 'the position of node '//to_text(id)// &
-               ' in the mesh file is not finite')
+               ' in the mesh file is not finite or above 1e60, the largest number that litz takes')
             call add_node(self, model, token, id, position, ok, 0)
          end associate
       end do

@@ -127,12 +127,9 @@ contains
          associate (material => model%materials(section%material))
             select case (choice_of(self, card, 'SECTION'))
             case ('CIRC')
-               call check_range(self, material%young, self%values%real(1), [2, 4], ok)
-               if (ok) call set_circular(section, self%values%real(1), material%young, material%poisson)
+               call set_circular(section, self%values%real(1), material%young, material%poisson)
             case ('GENERAL')
-               call check_range(self, material%young, minval(self%values%real([1, 2, 4, 5])), [1], ok)
-               if (ok) call check_range(self, material%young, maxval(self%values%real([1, 2, 4, 5])), [1], ok)
-               if (ok) call set_general(section, self%values%real(1:5), material%young, material%poisson)
+               call set_general(section, self%values%real(1:5), material%young, material%poisson)
             end select
          end associate
       end if
@@ -142,24 +139,6 @@ contains
       name = parameter_of(self, card, 'ELSET')
       if (name%last < name%first) self%missed_section = .true.
    end subroutine read_section
-
-   !> Stiffnesses, which are Young's modulus times powers of a datum of the section, must be numbers that the program
-   !> can hold. Told from exponents, because the numbers themselves might overflow.
-   subroutine check_range(self, young, datum, powers, ok)
-      type(reader_t), intent(inout) :: self
-      real(dp), intent(in) :: young, datum
-      integer, intent(in) :: powers(:)
-      logical, intent(out) :: ok
-      !> Leaves room for the factors of a section, for those of Poisson's ratio and for sums
-      real(dp), parameter :: largest = 290
-
-      ! wrong values were reported
-      ok = young > 0 .and. datum > 0
-      if (.not. ok) return
-      ok = all(abs(powers*log10(datum)) < largest) .and. all(abs(log10(young) + powers*log10(datum)) < largest)
-      if (.not. ok) call fail_at(self, self%values%token(1), &
-         'the stiffnesses of this section are too large or too small for this program; check the units')
-   end subroutine check_range
 
    !> Solid round wire. Source of the shear factor: Cowper, J. Appl. Mech. 33 (1966) 335-340.
    pure subroutine set_circular(section, radius, young, poisson)

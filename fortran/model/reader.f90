@@ -9,7 +9,7 @@ module litz_reader
    use litz_deck, only: deck_t, token_t, no_token
    use litz_keywords, only: keyword_table_t, parameter_spec_t, data_spec_t, field_spec_t, kind_flag, kind_integer, &
       kind_real, &
-      kind_choice, kind_name, kind_item, kind_text, limit_none, limit_words, within_limit
+      kind_choice, kind_name, kind_item, kind_text, limit_positive, limit_words, within_limit, largest_number
    use litz_model, only: name_length
    implicit none
    private
@@ -348,7 +348,7 @@ contains
          call parse_real(text, real_value, status)
       end if
       ok = status == number_ok
-      if (ok .and. field%limit /= limit_none) ok = within_limit(real_value, field%limit)
+      if (ok) ok = within_limit(real_value, field%limit)
    end subroutine take_number
 
    !> Understand a value, of a data line or a parameter, or say what is wrong about it.
@@ -396,8 +396,16 @@ contains
          select case (status)
          case (number_ok)
             ok = within_limit(real_value, limit)
-            if (.not. ok) call fail_at(self, token, what//' is '//self%deck%shown(token)//'; it must be '// &
-               limit_words(limit))
+            if (ok) return
+            if (abs(real_value) > largest_number) then
+               call fail_at(self, token, what//' is too large; litz takes numbers up to 1e60; found '// &
+                  self%deck%shown(token))
+            else if (limit == limit_positive .and. real_value > 0) then
+               call fail_at(self, token, what//' is too small; it must be at least 1e-60; found '// &
+                  self%deck%shown(token))
+            else
+               call fail_at(self, token, what//' is '//self%deck%shown(token)//'; it must be '//limit_words(limit))
+            end if
          case (number_not_one)
             call fail_at(self, token, what//' must be '//noun//'; found '//self%deck%shown(token)//hint())
          case (number_not_finite)

@@ -84,7 +84,7 @@ def cards(text):
             if len(value) > 1 and value[0] == value[-1] == '"':
                 value = value[1:-1]
             parameters[squeezed(name.strip(BLANKS))] = value if equals else None
-        found.append((squeezed(pieces[0][1:]), parameters, []))
+        found.append((squeezed(pieces[0][1:].strip(BLANKS)), parameters, []))
     return found
 
 
