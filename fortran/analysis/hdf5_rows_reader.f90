@@ -5,17 +5,35 @@
 !> caller names the file.
 module litz_hdf5_rows_reader
    use, intrinsic :: iso_c_binding, only: c_char, c_loc, c_ptr
-   use hdf5, only: hid_t, hsize_t, size_t, h5aopen_by_name_f, h5aread_f, h5aclose_f, h5aget_type_f, h5tget_size_f, &
-      h5tclose_f, h5dopen_f, h5dread_f, h5dclose_f, h5dget_space_f, h5sget_simple_extent_ndims_f, &
-      h5sget_simple_extent_dims_f, h5sselect_hyperslab_f, h5screate_simple_f, h5sclose_f, h5kind_to_type, &
-      H5S_SELECT_SET_F, H5_INTEGER_KIND, H5T_NATIVE_DOUBLE
+   use hdf5, only: hid_t, hsize_t, size_t, h5aopen_by_name_f, h5aread_f, h5aclose_f, h5aget_type_f, h5aget_space_f, &
+      h5tget_size_f, h5tget_class_f, h5tis_variable_str_f, h5tclose_f, h5oopen_f, h5oclose_f, h5iget_type_f, &
+      h5dread_f, h5dget_space_f, h5sget_simple_extent_ndims_f, h5sget_simple_extent_dims_f, &
+      h5sget_simple_extent_npoints_f, h5sselect_hyperslab_f, h5screate_simple_f, h5sclose_f, h5kind_to_type, &
+      H5I_DATASET_F, H5S_SELECT_SET_F, H5_INTEGER_KIND, H5T_NATIVE_DOUBLE, H5T_STRING_F
    use litz_kinds, only: dp, int64
    use litz_errors, only: error_t, fail, exit_files
    implicit none
    private
    public :: read_attribute_integer, read_attribute_text, read_real_rows, read_integer_rows
 
+   !> No attribute of a restart file comes near
+   integer(size_t), parameter :: longest_text = 100000
+
 contains
+
+   !> The attribute has one value, not an array of them.
+   logical function is_single(attribute)
+      integer(hid_t), intent(in) :: attribute
+      integer(hid_t) :: space
+      integer(hsize_t) :: n
+      integer :: status, ignored
+
+      n = 0
+      call h5aget_space_f(attribute, space, status)
+      if (status == 0) call h5sget_simple_extent_npoints_f(space, n, status)
+      call h5sclose_f(space, ignored)
+      is_single = status == 0 .and. n == 1
+   end function is_single
 
    subroutine read_attribute_integer(file, object, name, value, error)
       integer(hid_t), intent(in) :: file
@@ -30,13 +48,18 @@ contains
 
       value = 0
       if (allocated(error)) return
+      buffer = 0
       call h5aopen_by_name_f(file, object, name, attribute, status)
       if (status == 0) then
          address = c_loc(buffer)
-         call h5aread_f(attribute, h5kind_to_type(int64, H5_INTEGER_KIND), address, status)
+         if (.not. is_single(attribute)) then
+            status = -1
+         else
+            call h5aread_f(attribute, h5kind_to_type(int64, H5_INTEGER_KIND), address, status)
+         end if
          call h5aclose_f(attribute, ignored)
       end if
-      if (status == 0) then
+      if (status == 0 .and. abs(buffer) <= huge(value)) then
          value = int(buffer)
       else
          error = missing(object//' '//name)
@@ -52,7 +75,8 @@ contains
       type(c_ptr) :: address
       integer(hid_t) :: attribute, type
       integer(size_t) :: length
-      integer :: status, ignored, i
+      logical :: is_variable
+      integer :: class, status, ignored, i
 
       text = ''
       if (allocated(error)) return
@@ -62,10 +86,16 @@ contains
          return
       end if
       call h5aget_type_f(attribute, type, status)
-      call h5tget_size_f(type, length, status)
+      call h5tget_class_f(type, class, ignored)
+      call h5tget_size_f(type, length, ignored)
+      call h5tis_variable_str_f(type, is_variable, ignored)
+      if (class /= H5T_STRING_F .or. is_variable .or. length > longest_text .or. .not. is_single(attribute)) then
+         status = -1
+         length = 0
+      end if
       allocate (buffer(length))
       address = c_loc(buffer)
-      call h5aread_f(attribute, type, address, status)
+      if (status == 0) call h5aread_f(attribute, type, address, status)
       call h5tclose_f(type, ignored)
       call h5aclose_f(attribute, ignored)
       if (status /= 0) then
@@ -89,10 +119,12 @@ contains
       real(dp), allocatable, intent(out) :: values(:, :)
       type(error_t), allocatable, intent(inout) :: error
       real(dp), allocatable, target :: buffer(:, :)
+      integer(hid_t) :: dataset, space
 
+      call open_rows(file, name, components, first, count, dataset, space, error)
       if (allocated(error)) return
       allocate (buffer(components, count))
-      call read_buffer(file, name, components, first, count, H5T_NATIVE_DOUBLE, c_loc(buffer), error)
+      call read_buffer(dataset, space, name, components, first, count, H5T_NATIVE_DOUBLE, c_loc(buffer), error)
       call move_alloc(buffer, values)
    end subroutine read_real_rows
 
@@ -100,56 +132,87 @@ contains
       integer(hid_t), intent(in) :: file
       character(len=*), intent(in) :: name
       integer, intent(in) :: components
+      !> Rows to be passed over, and rows to read
       integer(int64), intent(in) :: first, count
       !> (components, count)
       integer(int64), allocatable, intent(out) :: values(:, :)
       type(error_t), allocatable, intent(inout) :: error
       integer(int64), allocatable, target :: buffer(:, :)
+      integer(hid_t) :: dataset, space
 
+      call open_rows(file, name, components, first, count, dataset, space, error)
       if (allocated(error)) return
       allocate (buffer(components, count))
-      call read_buffer(file, name, components, first, count, h5kind_to_type(int64, H5_INTEGER_KIND), c_loc(buffer), &
-         error)
+      call read_buffer(dataset, space, name, components, first, count, h5kind_to_type(int64, H5_INTEGER_KIND), &
+         c_loc(buffer), error)
       call move_alloc(buffer, values)
    end subroutine read_integer_rows
 
-   subroutine read_buffer(file, name, components, first, count, memory_type, buffer, error)
-      integer(hid_t), intent(in) :: file, memory_type
+   !> A dataset that has the rows, before room is made for them.
+   subroutine open_rows(file, name, components, first, count, dataset, space, error)
+      integer(hid_t), intent(in) :: file
+      character(len=*), intent(in) :: name
+      integer, intent(in) :: components
+      integer(int64), intent(in) :: first, count
+      !> Both open, unless there is an error
+      integer(hid_t), intent(out) :: dataset, space
+      type(error_t), allocatable, intent(inout) :: error
+      integer(hsize_t) :: extent(2), largest(2)
+      integer :: kind, rank, n_dimensions, from, status, ignored
+
+      dataset = -1
+      space = -1
+      if (allocated(error)) return
+      call h5oopen_f(file, name, dataset, status)
+      if (status /= 0) then
+         error = missing(name)
+         return
+      end if
+      call h5iget_type_f(dataset, kind, status)
+      rank = merge(1, 2, components == 1)
+      from = 3 - rank
+      extent = components
+      n_dimensions = 0
+      if (kind == H5I_DATASET_F) then
+         call h5dget_space_f(dataset, space, status)
+         call h5sget_simple_extent_ndims_f(space, n_dimensions, status)
+         if (n_dimensions == rank) call h5sget_simple_extent_dims_f(space, extent(from:), largest(from:), ignored)
+      end if
+      if (n_dimensions == rank .and. extent(1) == components .and. first >= 0 .and. count >= 0) then
+         if (first <= extent(2) .and. count <= extent(2) - first) return
+      end if
+      error = fail(exit_files, 'its dataset '//name//' has not the rows that it should have')
+      if (space >= 0) call h5sclose_f(space, ignored)
+      call h5oclose_f(dataset, ignored)
+   end subroutine open_rows
+
+   !> Reads the rows, and closes the dataset.
+   subroutine read_buffer(dataset, space, name, components, first, count, memory_type, buffer, error)
+      integer(hid_t), intent(in) :: dataset, space, memory_type
       character(len=*), intent(in) :: name
       integer, intent(in) :: components
       integer(int64), intent(in) :: first, count
       type(c_ptr), intent(in) :: buffer
       type(error_t), allocatable, intent(inout) :: error
       type(c_ptr) :: address
-      integer(hid_t) :: dataset, file_space, memory_space
-      integer(hsize_t) :: extent(2), largest(2), start(2), range(2)
+      integer(hid_t) :: memory_space
+      integer(hsize_t) :: start(2), range(2)
       integer :: rank, from, status, ignored
 
-      call h5dopen_f(file, name, dataset, status)
-      if (status /= 0) then
-         error = missing(name)
-         return
-      end if
-      rank = merge(1, 2, components == 1)
-      from = 3 - rank
-      extent = components
-      call h5dget_space_f(dataset, file_space, status)
-      call h5sget_simple_extent_ndims_f(file_space, status, ignored)
-      if (status == rank) call h5sget_simple_extent_dims_f(file_space, extent(from:), largest(from:), ignored)
-      if (status /= rank .or. extent(1) /= components .or. extent(2) < first + count) then
-         error = fail(exit_files, 'its dataset '//name//' has not the rows that it should have')
-      else if (count > 0) then
+      if (count > 0) then
+         rank = merge(1, 2, components == 1)
+         from = 3 - rank
          start = [0_hsize_t, int(first, hsize_t)]
          range = [int(components, hsize_t), int(count, hsize_t)]
-         call h5sselect_hyperslab_f(file_space, H5S_SELECT_SET_F, start(from:), range(from:), status)
+         call h5sselect_hyperslab_f(space, H5S_SELECT_SET_F, start(from:), range(from:), status)
          call h5screate_simple_f(rank, range(from:), memory_space, status)
          address = buffer
-         call h5dread_f(dataset, memory_type, address, status, memory_space, file_space)
+         call h5dread_f(dataset, memory_type, address, status, memory_space, space)
          call h5sclose_f(memory_space, ignored)
          if (status /= 0) error = fail(exit_files, 'its dataset '//name//' cannot be read: the file is damaged')
       end if
-      call h5sclose_f(file_space, ignored)
-      call h5dclose_f(dataset, ignored)
+      call h5sclose_f(space, ignored)
+      call h5oclose_f(dataset, ignored)
    end subroutine read_buffer
 
    pure function missing(what) result(error)

@@ -6,7 +6,7 @@ module litz_hdf5_input
    use, intrinsic :: iso_c_binding, only: c_loc, c_ptr
    use hdf5, only: hid_t, hsize_t, h5fis_hdf5_f, h5fopen_f, h5fclose_f, &
       h5gn_members_f, h5gget_obj_info_idx_f, h5lexists_f, h5oopen_f, h5oclose_f, h5iget_type_f, &
-      h5dget_space_f, h5dget_type_f, h5dread_f, h5sclose_f, h5sget_simple_extent_ndims_f, &
+      h5dget_space_f, h5dget_type_f, h5dget_storage_size_f, h5dread_f, h5sclose_f, h5sget_simple_extent_ndims_f, &
       h5sget_simple_extent_dims_f, h5tget_class_f, h5tclose_f, h5kind_to_type, &
       H5F_ACC_RDONLY_F, H5I_DATASET_F, H5T_INTEGER_F, H5T_FLOAT_F, H5T_NATIVE_DOUBLE, &
       H5_INTEGER_KIND
@@ -21,6 +21,8 @@ module litz_hdf5_input
 
    !> Longest name of a member of a group
    integer, parameter :: longest_name = 512
+   !> Members of a group; more come only from damaged files
+   integer, parameter :: most_names = 1000000
    !> Rows of up to three components are counted in default integers
    integer, parameter :: largest_rows = 500000000
 
@@ -93,7 +95,11 @@ contains
       if (.not. allocated(error)) then
          if (hdf5_has(file, path)) then
             call h5gn_members_f(file, path, n, status)
-            if (status /= 0) error = fail(exit_input, path//' must be a group')
+            if (status /= 0) then
+               error = fail(exit_input, path//' must be a group')
+            else if (n > most_names) then
+               error = fail(exit_input, path//' has more than '//to_text(most_names)//' members')
+            end if
          end if
       end if
       if (allocated(error)) n = 0
@@ -185,6 +191,10 @@ contains
          return
       end if
       call h5oopen_f(file, path, dataset, status)
+      if (status /= 0) then
+         error = fail(exit_files, path//' cannot be opened: the file is damaged, or it is a link that leads nowhere')
+         return
+      end if
       call h5iget_type_f(dataset, kind, status)
       if (kind /= H5I_DATASET_F) then
          error = fail(exit_input, path//' must be a dataset')
@@ -201,6 +211,8 @@ contains
          error = fail(exit_input, path//' has the shape '//shape_words(extent)//'; it must be '//wanted_words(columns))
       else if (extent(size(extent)) > largest_rows) then
          error = fail(exit_input, path//' has more rows than litz takes')
+      else if (.not. is_written(dataset, extent)) then
+         error = fail(exit_files, path//' has the shape '//shape_words(extent)//', but hardly any data: it was not written')
       else
          rows = int(extent(size(extent)))
          return
@@ -222,6 +234,19 @@ contains
       if (rank > 0) call h5sget_simple_extent_dims_f(space, extent, largest, status)
       call h5sclose_f(space, status)
    end subroutine find_extent
+
+   !> There are data for all rows. Without that, a small file could ask for all of the memory.
+   logical function is_written(dataset, extent)
+      integer(hid_t), intent(in) :: dataset
+      integer(hsize_t), intent(in) :: extent(:)
+      !> A byte of data holds no more numbers, however they are compressed: more than deflate can reach
+      integer(hsize_t), parameter :: most_numbers = 2000
+      integer(hsize_t) :: stored
+      integer :: status
+
+      call h5dget_storage_size_f(dataset, stored, status)
+      is_written = status == 0 .and. product(extent)/most_numbers <= stored
+   end function is_written
 
    pure logical function has_shape(extent, columns)
       integer(hsize_t), intent(in) :: extent(:)
