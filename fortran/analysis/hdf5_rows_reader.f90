@@ -75,7 +75,7 @@ contains
       type(c_ptr) :: address
       integer(hid_t) :: attribute, type
       integer(size_t) :: length
-      logical :: is_variable
+      logical :: is_variable, fits
       integer :: class, status, ignored, i
 
       text = ''
@@ -89,7 +89,8 @@ contains
       call h5tget_class_f(type, class, ignored)
       call h5tget_size_f(type, length, ignored)
       call h5tis_variable_str_f(type, is_variable, ignored)
-      if (class /= H5T_STRING_F .or. is_variable .or. length > longest_text .or. .not. is_single(attribute)) then
+      fits = is_single(attribute)
+      if (class /= H5T_STRING_F .or. is_variable .or. length > longest_text .or. .not. fits) then
          status = -1
          length = 0
       end if

@@ -148,7 +148,8 @@ contains
 
       value = 0
       status = number_too_large
-      if (magnitude > range(value) + 2) return
+      ! the last power of ten that fits is not used to its end, so that nothing overflows on the way
+      if (magnitude > range(value) + 1) return
       status = number_too_small
       if (magnitude < -range(value) - 1) return
       write (form, '("(f", i0, ".0)")') len(text)

@@ -6,7 +6,7 @@ module litz_deck_reader
    use litz_keyword_table, only: keyword_table
    use litz_deck, only: token_t
    use litz_model, only: model_t
-   use litz_reader, only: reader_t, fail_at, keyword_of, parameter_of
+   use litz_reader, only: reader_t, fail_at, keyword_of, parameter_of, read_line
    use litz_card_checks, only: check_cards
    use litz_read_mesh, only: read_mesh
    use litz_sets, only: read_sets
@@ -31,7 +31,9 @@ contains
       call scan_deck(path, self%deck, model%deck_text, self%errors)
       if (self%deck%n_sources > 0) then
          self%table = keyword_table()
+         allocate (self%line_read(self%deck%n_lines), source=.false.)
          call read_cards(self, model)
+         call check_unread_lines(self)
          if (self%errors%count == 0) call report_findings(self, model, warnings)
          call warn_about_spare_nodes(self, model, warnings)
       end if
@@ -66,6 +68,22 @@ contains
       call report_unused(self, self%amplitudes, 'amplitude')
       call report_unused(self, self%interactions, 'surface interaction')
    end subroutine read_cards
+
+   !> Data lines behind something that was wrong, such as a name that does not exist: what is wrong about them is told in
+   !> the same pass.
+   subroutine check_unread_lines(self)
+      type(reader_t), intent(inout) :: self
+      integer :: card, line
+      logical :: ok
+
+      if (self%errors%count == 0) return
+      do card = 1, self%deck%n_cards
+         if (self%spec(card) == 0) cycle
+         do line = self%deck%cards(card)%first_data, self%deck%cards(card)%last_data
+            if (.not. self%line_read(line)) call read_line(self, card, line, ok)
+         end do
+      end do
+   end subroutine check_unread_lines
 
    !> Components are assigned one by one: gfortran 12 writes beyond the end of the text when a structure constructor
    !> takes a component of deferred length for one of its own.

@@ -77,6 +77,8 @@ module litz_reader
       type(values_t) :: values
       !> The form of data line read last: card, and index into the data lines of its keyword
       integer :: form_card = 0, form = 0
+      !> Data lines of the deck that have been read (n_lines)
+      logical, allocatable :: line_read(:)
    end type reader_t
 
 contains
@@ -225,6 +227,7 @@ contains
       call find_form(self, card, line)
       call self%deck%split(line, self%values%token, self%values%n)
       call prepare_values(self%values, self%deck%end_of_line(line))
+      self%line_read(line) = .true.
       ok = self%form > 0
       if (.not. ok) return
       associate (form => self%table%keywords(self%spec(card))%data(self%form), n => self%values%n)

@@ -1,5 +1,6 @@
 !> Scaling of a matrix to unit diagonal, which makes pivots of unlike units comparable.
 module litz_equilibration
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use litz_kinds, only: dp
    use litz_linear_solver, only: csr_matrix_t
    use litz_parallel, only: worth_threads
@@ -17,7 +18,7 @@ contains
    !> indefinite matrix) is scaled by those.
    subroutine equilibrate(matrix, scale)
       type(csr_matrix_t), intent(in) :: matrix
-      !> (n_rows); 0 for an equation without any entry
+      !> (n_rows); 0 for an equation without any entry, or with one that is infinite or not a number
       real(dp), intent(out) :: scale(:)
       real(dp) :: row_maximum(size(scale)), reference
       integer :: row, diagonal
@@ -26,9 +27,11 @@ contains
       do row = 1, matrix%n_rows
          associate (values => matrix%value(matrix%row_start(row):matrix%row_start(row + 1) - 1))
             reference = 0
-            diagonal = csr_position(matrix, row, row)
-            if (diagonal > 0) reference = abs(matrix%value(diagonal))
-            if (.not. reference > 0 .and. size(values) > 0) reference = maxval(abs(values))
+            if (all(ieee_is_finite(values))) then
+               diagonal = csr_position(matrix, row, row)
+               if (diagonal > 0) reference = abs(matrix%value(diagonal))
+               if (.not. reference > 0 .and. size(values) > 0) reference = maxval(abs(values))
+            end if
          end associate
          scale(row) = 0
          if (reference > 0) scale(row) = 1/sqrt(reference)
@@ -62,6 +65,7 @@ contains
       integer :: k
 
       maximum = 0
+      if (.not. row_scale > 0) return
       do k = matrix%row_start(row), matrix%row_start(row + 1) - 1
          maximum = max(maximum, row_scale*abs(matrix%value(k))*column_scale(matrix%column(k)))
       end do

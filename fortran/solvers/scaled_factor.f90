@@ -73,10 +73,14 @@ contains
       !$omp parallel do schedule(static) reduction(min: infinite, empty) if (matrix%n_rows >= worth_threads)
       do row = 1, matrix%n_rows
          associate (first => matrix%row_start(row), last => matrix%row_start(row + 1) - 1)
-            if (.not. all(ieee_is_finite(matrix%value(first:last)))) infinite = min(infinite, row)
-            if (.not. row_scale(row) > 0) empty = min(empty, row)
-            self%matrix%value(first:last) = row_scale(row)*matrix%value(first:last) &
-               *column_scale(matrix%column(first:last))
+            if (.not. all(ieee_is_finite(matrix%value(first:last)))) then
+               infinite = min(infinite, row)
+            else if (.not. row_scale(row) > 0) then
+               empty = min(empty, row)
+            else
+               self%matrix%value(first:last) = row_scale(row)*matrix%value(first:last) &
+                  *column_scale(matrix%column(first:last))
+            end if
          end associate
       end do
       !$omp end parallel do

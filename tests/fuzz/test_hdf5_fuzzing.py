@@ -1,5 +1,6 @@
 """A quick part of the fuzzing of HDF5 files, the same files every time; CONTRIBUTING says how to run more."""
 
+import os
 import sys
 from pathlib import Path
 
@@ -11,9 +12,12 @@ sys.path.insert(0, str(Path(__file__).parent))
 from hdf5_mutations import datasets
 from run_hdf5 import MeshFuzzer, RestartFuzzer, fuzz
 
+#: The address sanitizer needs more addresses than any memory has
+LIMITED = "ASAN_OPTIONS" not in os.environ
+
 
 def test_changed_mesh_files_are_refused_or_mean_what_they_say(read_decks):
-    totals, found = fuzz("mesh", read_decks, 300, seed=1)
+    totals, found = fuzz("mesh", read_decks, 300, seed=1, limited=LIMITED)
     assert not found, f"{len(found)} findings, the first: {found[0]}"
     # both ways of the reader have been walked
     assert totals["accepted"] > 20
@@ -21,14 +25,14 @@ def test_changed_mesh_files_are_refused_or_mean_what_they_say(read_decks):
 
 
 def test_changed_restart_files_are_refused_or_lead_to_the_same_results(litz_program):
-    totals, found = fuzz("restart", litz_program, 120, seed=1)
+    totals, found = fuzz("restart", litz_program, 120, seed=1, limited=LIMITED)
     assert not found, f"{len(found)} findings, the first: {found[0]}"
     assert totals["accepted"] > 10
     assert totals["refused"] > 40
 
 
 def test_a_mesh_that_means_something_else_than_its_text_is_found(read_decks, tmp_path, monkeypatch):
-    fuzzer = MeshFuzzer(read_decks, tmp_path, limited=True)
+    fuzzer = MeshFuzzer(read_decks, tmp_path, limited=LIMITED)
     fuzzer.changed.write_bytes(fuzzer.original.read_bytes())
     assert fuzzer.judge() == (True, "")
     monkeypatch.setattr("run_hdf5.as_text", lambda path: text.replace("17, 0.05", "17, 0.051"))
@@ -39,14 +43,12 @@ def test_a_mesh_that_means_something_else_than_its_text_is_found(read_decks, tmp
     assert wrong
 
 
-@pytest.mark.parametrize("name", ["displacement", "rotation", "increment", "row_ends", "checksums", "points_integers"])
+@pytest.mark.parametrize("name", ["displacement", "rotation", "increment", "row_ends", "checksums", "loading_fixed"])
 def test_a_restart_file_with_one_changed_bit_is_refused(litz_program, tmp_path, name):
-    fuzzer = RestartFuzzer(litz_program, tmp_path, limited=True)
+    fuzzer = RestartFuzzer(litz_program, tmp_path, limited=LIMITED)
     fuzzer.changed.write_bytes(fuzzer.original.read_bytes())
     with h5py.File(fuzzer.changed, "r+") as file:
         data = file[name][...]
-        if data.size == 0:
-            pytest.skip("the dataset is empty")
         # of the increment that is read
         data[-1:].reshape(-1).view(np.int64)[0] ^= 1
         file[name][...] = data
@@ -54,7 +56,7 @@ def test_a_restart_file_with_one_changed_bit_is_refused(litz_program, tmp_path, 
 
 
 def test_a_dataset_that_was_never_written_takes_no_memory(read_decks, tmp_path):
-    fuzzer = MeshFuzzer(read_decks, tmp_path, limited=True)
+    fuzzer = MeshFuzzer(read_decks, tmp_path, limited=LIMITED)
     fuzzer.changed.write_bytes(fuzzer.original.read_bytes())
     with h5py.File(fuzzer.changed, "r+") as file:
         del file["nodes/position"], file["nodes/id"]
@@ -66,7 +68,7 @@ def test_a_dataset_that_was_never_written_takes_no_memory(read_decks, tmp_path):
 
 
 def test_a_compressed_mesh_is_read(read_decks, tmp_path):
-    fuzzer = MeshFuzzer(read_decks, tmp_path, limited=True)
+    fuzzer = MeshFuzzer(read_decks, tmp_path, limited=LIMITED)
     with h5py.File(fuzzer.original, "r") as original, h5py.File(fuzzer.changed, "w") as file:
         for name in datasets(original):
             file.create_dataset(name, data=original[name][...], compression="gzip", shuffle=True, fletcher32=True)

@@ -59,7 +59,7 @@ contains
             if (j == point + 1) text = trim(text)//'.'
             text = trim(text)//achar(iachar('0') + int(10*draw(j)))
          end do
-         if (draw(29) < 0.8_dp) write (text, '(2a, i0)') trim(text), 'e', nint((2*draw(30) - 1)*merge(25, 290, &
+         if (draw(29) < 0.8_dp) write (text, '(2a, i0)') trim(text), 'e', nint((2*draw(30) - 1)*merge(25, 280, &
             draw(29) < 0.5_dp))
          call parse_real(trim(text), value, status)
          read (text, *) expected

@@ -1,0 +1,134 @@
+"""Every value of every data line that the keyword table describes: what is wrong about it is refused at its place."""
+
+import json
+
+#: A value that is taken, by its kind
+GOOD = {"integer": "1", "real": "0.1", "name": "A", "number or set": "1"}
+#: Numbers that break a limit
+BEYOND = {
+    "greater than 0": "-1",
+    "0 or greater": "-1",
+    "between -1 and 0.5": "0.5",
+    "0": "1",
+    "left empty, litz does not use it": "1",
+}
+
+
+def good(value):
+    if value.get("limit") == "0":
+        return "0"
+    if value.get("limit", "").startswith("left empty"):
+        return ""
+    return value["choices"][0] if value["choices"] else GOOD[value["kind"]]
+
+
+def card_of(keyword, when):
+    """The keyword with what it must have, and the parameter under which a form of its data lines holds."""
+    parameters = {}
+    for parameter in keyword["parameters"]:
+        if parameter["required"]:
+            parameters[parameter["name"]] = parameter["choices"][0] if parameter["choices"] else "A"
+    if when:
+        name, _, word = when.partition("=")
+        parameters[name] = word
+    words = [
+        name if word == "YES" and kind_of(keyword, name) == "flag" else f"{name}={word}"
+        for name, word in parameters.items()
+        if not (word == "NO" and kind_of(keyword, name) == "flag")
+    ]
+    return ", ".join([f"*{keyword['name']}", *words])
+
+
+def kind_of(keyword, name):
+    return next(parameter["kind"] for parameter in keyword["parameters"] if parameter["name"] == name)
+
+
+def mistakes(values, repeats):
+    """Data lines with one mistake: the values of the line, the place that is marked, and a word of the message."""
+    right = [good(value) for value in values]
+    for i, value in enumerate(values):
+        wrong = []
+        if value["kind"] in ("integer", "real") and not value.get("limit", "").startswith("left empty"):
+            wrong += [("@", "must be a"), ("1e999" if value["kind"] == "real" else "9" * 12, "too large")]
+        if value["kind"] == "integer":
+            wrong.append(("1.5", "must be a whole number"))
+        if value["kind"] == "real" and value.get("limit") in (None, "greater than 0", "0 or greater"):
+            wrong += [("nan", "finite"), ("1e61", "too large")]
+        if value["choices"]:
+            wrong.append(("@", "must be"))
+        if "limit" in value:
+            wrong.append((BEYOND[value["limit"]], "must be"))
+        if value["kind"] in ("name", "number or set"):
+            wrong.append(("Q" * 81, "longer than 80"))
+        for word, message in wrong:
+            yield [*right[:i], word, *right[i + 1 :]], word, message
+        if value["required"] and i + 1 < len(values):
+            yield [*right[:i], "", *right[i + 1 :]], ",", "is missing"
+    if repeats == 1 and right[-1]:
+        yield [*right, "QZX"], "QZX", "too many values"
+
+
+def forms(litz):
+    """Keyword, form of its data lines, and the lines that come before it."""
+    for keyword in json.loads(litz("keywords", "--json").stdout):
+        for form in keyword["data"]:
+            if any(value["kind"] == "text" for value in form["values"]):
+                continue
+            card = card_of(keyword, form["when"])
+            before = [
+                other
+                for other in keyword["data"]
+                if other["first"] < form["first"] and (other["when"] in (form["when"], None) or other["when"] in card)
+            ]
+            yield keyword, form, [", ".join(good(value) for value in other["values"]) for other in before]
+
+
+def marked(stderr, line):
+    """Messages with what the caret of each stands below, of the errors at a line."""
+    for block in stderr.split("error: ")[1:]:
+        rows = block.splitlines()
+        if f":{line}:" not in rows[1]:
+            continue
+        at = next(k for k, row in enumerate(rows) if row.lstrip().startswith("|") and "^" in row)
+        first = rows[at].index("^")
+        yield rows[0], rows[at - 1][first : rows[at].rindex("^") + 1], int(rows[1].rsplit(":", 1)[1])
+
+
+def test_every_value_of_every_data_line_is_checked_at_its_place(litz, tmp_path):
+    n_forms, n_mistakes, missed = 0, 0, []
+    for keyword, form, before in forms(litz):
+        n_forms += 1
+        for values, word, message in mistakes(form["values"], form["repeats"]):
+            lines = ["*STEP"] if keyword["place"] == "step" else []
+            lines += [f"*{keyword['after']}"] if keyword["after"] else []
+            lines += [card_of(keyword, form["when"]), *before, ", ".join(values)]
+            (tmp_path / "bad.inp").write_text("\n".join(lines) + "\n")
+            result = litz("check", "bad.inp", cwd=tmp_path)
+            assert result.returncode == 1
+            told = [
+                (text, caret, column) for text, caret, column in marked(result.stderr, len(lines)) if message in text
+            ]
+            right = told and told[0][1] == word and lines[-1][told[0][2] - 1 :].startswith(word)
+            if not right:
+                missed.append(f"{lines}\nshould say: {message}\n{result.stderr}")
+            n_mistakes += 1
+    assert not missed, f"{len(missed)} mistakes are missed, the first:\n" + "\n".join(missed[:3])
+    # the walk has found the table
+    assert n_forms >= 30
+    assert n_mistakes >= 250
+
+
+def test_missing_data_lines_are_told_for_every_keyword_that_needs_them(litz, tmp_path):
+    n = 0
+    for keyword, form, before in forms(litz):
+        if before or not form["required"]:
+            continue
+        lines = ["*STEP"] if keyword["place"] == "step" else []
+        lines += [f"*{keyword['after']}"] if keyword["after"] else []
+        lines += [card_of(keyword, form["when"])]
+        (tmp_path / "bad.inp").write_text("\n".join(lines) + "\n")
+        result = litz("check", "bad.inp", cwd=tmp_path)
+        assert result.returncode == 1
+        assert f"bad.inp:{len(lines)}:" in result.stderr, f"{lines}\n{result.stderr}"
+        n += 1
+    assert n >= 15
