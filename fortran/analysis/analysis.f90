@@ -94,9 +94,8 @@ contains
          continued = .false.
       end do
       call problem%progress%clear
-      call results%close(.not. allocated(error), close_error)
-      call restart%close(close_error)
-      if (.not. allocated(error) .and. allocated(close_error)) call move_alloc(close_error, error)
+      call results%close(.not. allocated(error), error)
+      call restart%close(error)
       if (allocated(error) .and. results%leaves_older()) error%message = error%message//' The results of an earlier'// &
          ' run stay as they are; the tables of this one are '//result_base(options)//'_unconverged.sta and .cvg.'
       call problem%timing%lap(phase_output)

@@ -135,7 +135,8 @@ contains
       status = c_unlink(path//unpublished//c_null_char)
    end subroutine hdf5_discard_file
 
-   !> Closes the file, also after an error.
+   !> Closes the file, also after an error. Where something could not be written it is left as it is, like one of a run
+   !> that was killed: on closing, HDF5 would note a size that the file has not got, and it could not be opened any more.
    subroutine hdf5_close_file(file, error)
       integer(hid_t), intent(inout) :: file
       type(error_t), allocatable, intent(inout) :: error
@@ -143,6 +144,12 @@ contains
       integer :: status
 
       if (file < 0) return
+      if (allocated(error)) then
+         if (error%code == exit_files) then
+            file = -1
+            return
+         end if
+      end if
       path = file_name(file)
       call h5fclose_f(file, status)
       file = -1

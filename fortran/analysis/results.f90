@@ -229,17 +229,20 @@ contains
    subroutine results_close(self, finished, error)
       class(results_t), intent(inout) :: self
       logical, intent(in) :: finished
-      type(error_t), allocatable, intent(out) :: error
+      !> That of the run, or the first one of closing
+      type(error_t), allocatable, intent(inout) :: error
+      type(error_t), allocatable :: publish_error
 
       if (.not. self%is_published) then
          if (finished .or. .not. self%over_older) then
-            call publish(self, error)
+            call publish(self, publish_error)
          else
-            if (.not. self%iterate_written) call remove_iterate(self, error)
-            call self%status_file%publish(error, self%base//unconverged//'.sta')
-            call self%convergence_file%publish(error, self%base//unconverged//'.cvg')
+            if (.not. self%iterate_written) call remove_iterate(self, publish_error)
+            call self%status_file%publish(publish_error, self%base//unconverged//'.sta')
+            call self%convergence_file%publish(publish_error, self%base//unconverged//'.cvg')
          end if
       end if
+      if (allocated(publish_error) .and. .not. allocated(error)) call move_alloc(publish_error, error)
       call close_files(self, finished, error)
    end subroutine results_close
 
