@@ -3,16 +3,16 @@
 !> Every procedure passes `error` through and does nothing once it is allocated, so that a sequence of calls needs
 !> one check at its end.
 module litz_hdf5_helpers
-   use, intrinsic :: iso_c_binding, only: c_char, c_int, c_loc, c_null_char, c_ptr
-   use hdf5, only: hid_t, hsize_t, size_t, h5fcreate_f, h5fflush_f, h5fclose_f, h5fget_name_f, h5gcreate_f, &
-      h5pcreate_f, h5pclose_f, h5pset_chunk_f, h5pset_fclose_degree_f, h5pset_istore_k_f, &
-      h5screate_f, h5screate_simple_f, h5sclose_f, h5sselect_hyperslab_f, &
-      h5acreate_f, h5aopen_f, h5awrite_f, h5aclose_f, h5aexists_f, &
-      h5dcreate_f, h5dwrite_f, h5dclose_f, h5dset_extent_f, h5dget_space_f, &
-      h5tcopy_f, h5tclose_f, h5tset_size_f, h5tset_strpad_f, h5tset_cset_f, h5kind_to_type, &
-      H5F_ACC_TRUNC_F, H5F_SCOPE_GLOBAL_F, H5F_CLOSE_STRONG_F, H5P_DEFAULT_F, H5P_FILE_ACCESS_F, &
-      H5P_FILE_CREATE_F, H5P_DATASET_CREATE_F, H5S_SCALAR_F, H5S_SELECT_SET_F, H5S_UNLIMITED_F, H5_INTEGER_KIND, &
-      H5T_NATIVE_CHARACTER, H5T_STR_NULLPAD_F, H5T_CSET_UTF8_F, H5T_NATIVE_DOUBLE, &
+   use, intrinsic :: iso_c_binding, only: c_char, c_f_pointer, c_int, c_int64_t, c_loc, c_null_char, c_ptr
+   use hdf5, only: hid_t, hsize_t, size_t, h5fcreate_f, h5fflush_f, h5fclose_f, h5fget_name_f, &
+      h5fget_filesize_f, h5gcreate_f, h5pcreate_f, h5pclose_f, h5pset_chunk_f, h5pset_alloc_time_f, &
+      h5pset_fill_time_f, h5pset_fclose_degree_f, h5pset_istore_k_f, h5screate_f, h5screate_simple_f, &
+      h5sclose_f, h5sselect_hyperslab_f, h5acreate_f, h5aopen_f, h5awrite_f, h5aclose_f, h5aexists_f, &
+      h5dcreate_f, h5dwrite_f, h5dclose_f, h5dset_extent_f, h5dget_space_f, h5tcopy_f, h5tclose_f, &
+      h5tset_size_f, h5tset_strpad_f, h5tset_cset_f, h5kind_to_type, H5F_ACC_TRUNC_F, H5F_SCOPE_GLOBAL_F, &
+      H5F_CLOSE_STRONG_F, H5P_DEFAULT_F, H5P_FILE_ACCESS_F, H5P_FILE_CREATE_F, H5P_DATASET_CREATE_F, &
+      H5D_ALLOC_TIME_EARLY_F, H5D_FILL_TIME_NEVER_F, H5S_SCALAR_F, H5S_SELECT_SET_F, H5S_UNLIMITED_F, &
+      H5_INTEGER_KIND, H5T_NATIVE_CHARACTER, H5T_STR_NULLPAD_F, H5T_CSET_UTF8_F, H5T_NATIVE_DOUBLE, &
       H5T_IEEE_F64LE, H5T_STD_I64LE, H5T_STD_U8LE
    use litz_kinds, only: dp, int64
    use litz_errors, only: error_t, fail, exit_files
@@ -52,6 +52,20 @@ module litz_hdf5_helpers
    end interface hdf5_write_attribute
 
    interface
+      !> Address of the descriptor of an open file
+      integer(c_int) function c_get_handle(file, access, handle) bind(c, name='H5Fget_vfd_handle')
+         import :: c_int, c_ptr, hid_t
+         integer(hid_t), value :: file, access
+         type(c_ptr), intent(out) :: handle
+      end function c_get_handle
+
+      !> Not 0 when it fails
+      integer(c_int) function c_ftruncate(descriptor, length) bind(c, name='ftruncate')
+         import :: c_int, c_int64_t
+         integer(c_int), value :: descriptor
+         integer(c_int64_t), value :: length
+      end function c_ftruncate
+
       integer(c_int) function c_unlink(path) bind(c, name='unlink')
          import :: c_char, c_int
          implicit none
@@ -107,9 +121,27 @@ contains
       integer :: status
 
       if (allocated(error)) return
-      call h5fflush_f(file, H5F_SCOPE_GLOBAL_F, status)
+      call extend_file(file, status)
+      if (status == 0) call h5fflush_f(file, H5F_SCOPE_GLOBAL_F, status)
       if (status /= 0) error = cannot_write(file_name(file), 'the data do not reach the disk')
    end subroutine hdf5_flush
+
+   !> Gives the file the size that HDF5 is about to note in it. HDF5 itself does that last, and a file that is shorter than
+   !> it says cannot be opened.
+   subroutine extend_file(file, status)
+      integer(hid_t), intent(in) :: file
+      !> Not 0: the system refuses
+      integer, intent(out) :: status
+      type(c_ptr) :: handle
+      integer(c_int), pointer :: descriptor
+      integer(hsize_t) :: bytes
+
+      call h5fget_filesize_f(file, bytes, status)
+      if (status == 0) status = c_get_handle(file, H5P_DEFAULT_F, handle)
+      if (status /= 0) return
+      call c_f_pointer(handle, descriptor)
+      status = c_ftruncate(descriptor, int(bytes, c_int64_t))
+   end subroutine extend_file
 
    !> Puts a file that was created in the place of an older one.
    subroutine hdf5_publish_file(file, error)
@@ -249,6 +281,9 @@ contains
       call h5screate_simple_f(rank, now(3 - rank:), space, status, largest(3 - rank:))
       call h5pcreate_f(H5P_DATASET_CREATE_F, creation, status)
       call h5pset_chunk_f(creation, rank, chunk(3 - rank:), status)
+      ! rows have their place in the file before they are written: `extend_file` goes by that
+      call h5pset_alloc_time_f(creation, H5D_ALLOC_TIME_EARLY_F, status)
+      call h5pset_fill_time_f(creation, H5D_FILL_TIME_NEVER_F, status)
       call h5dcreate_f(parent, name, stored_type(storage), space, self%dataset, status, creation)
       if (status /= 0) error = cannot_write(file_name(parent), 'it fails at the dataset "'//name//'"')
       call h5pclose_f(creation, ignored)
