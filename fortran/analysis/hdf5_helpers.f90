@@ -54,14 +54,16 @@ module litz_hdf5_helpers
    interface
       !> Address of the descriptor of an open file
       integer(c_int) function c_get_handle(file, access, handle) bind(c, name='H5Fget_vfd_handle')
-         import :: c_int, c_ptr, hid_t
-         integer(hid_t), value :: file, access
+         import :: c_int, c_int64_t, c_ptr
+         implicit none
+         integer(c_int64_t), value :: file, access
          type(c_ptr), intent(out) :: handle
       end function c_get_handle
 
       !> Not 0 when it fails
       integer(c_int) function c_ftruncate(descriptor, length) bind(c, name='ftruncate')
          import :: c_int, c_int64_t
+         implicit none
          integer(c_int), value :: descriptor
          integer(c_int64_t), value :: length
       end function c_ftruncate
@@ -126,8 +128,8 @@ contains
       if (status /= 0) error = cannot_write(file_name(file), 'the data do not reach the disk')
    end subroutine hdf5_flush
 
-   !> Gives the file the size that HDF5 is about to note in it. HDF5 itself does that last, and a file that is shorter than
-   !> it says cannot be opened.
+   !> Gives the file the size that HDF5 is about to note in it. HDF5 itself does that last, and a file that is shorter
+   !> than it says cannot be opened.
    subroutine extend_file(file, status)
       integer(hid_t), intent(in) :: file
       !> Not 0: the system refuses
@@ -137,7 +139,7 @@ contains
       integer(hsize_t) :: bytes
 
       call h5fget_filesize_f(file, bytes, status)
-      if (status == 0) status = c_get_handle(file, H5P_DEFAULT_F, handle)
+      if (status == 0) status = c_get_handle(int(file, c_int64_t), int(H5P_DEFAULT_F, c_int64_t), handle)
       if (status /= 0) return
       call c_f_pointer(handle, descriptor)
       status = c_ftruncate(descriptor, int(bytes, c_int64_t))
@@ -168,7 +170,7 @@ contains
    end subroutine hdf5_discard_file
 
    !> Closes the file, also after an error. Where something could not be written it is left as it is, like one of a run
-   !> that was killed: on closing, HDF5 would note a size that the file has not got, and it could not be opened any more.
+   !> that was killed: on closing, HDF5 would note a size that the file has not got, and nobody could open it any more.
    subroutine hdf5_close_file(file, error)
       integer(hid_t), intent(inout) :: file
       type(error_t), allocatable, intent(inout) :: error

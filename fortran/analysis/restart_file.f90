@@ -1,7 +1,8 @@
 !> Converged increments from which a run can go on, bit for bit as if it had never stopped: `STEM.restart.h5`.
 !>
-!> Each written increment adds rows to every dataset; `row_ends` says where they end, `checksums` what they held. The attribute `n_increments` is
-!> written last, after everything else has reached the disk: a file that a killed run leaves is whole up to there.
+!> Each written increment adds rows to every dataset; `row_ends` says where they end, `checksums` what they held. The
+!> attribute `n_increments` is written last, after everything else has reached the disk: a file that a killed run leaves
+!> is whole up to there.
 module litz_restart_file
    use litz_kinds, only: dp, int64
    use litz_checksum, only: checksum
@@ -246,8 +247,7 @@ contains
          call self%array('loading_converged_value', loading%converged_value, error, 7)
          call self%array('candidates', contact%candidates, 3, error)
          call self%array('positions_at_search', contact%x_collected, error, 3)
-         if (.not. allocated(error) .and. self%mode == reading .and. .not. contact%present) &
-            deallocate (contact%x_collected)
+         if (.not. (allocated(error) .or. contact%present) .and. self%mode == reading) deallocate (contact%x_collected)
          call exchange_points(self, contact%converged, error)
          call exchange_contacts(self, state%contacts, error)
       end associate
@@ -263,7 +263,8 @@ contains
       here = reshape([model%n_nodes, model%n_elements, size(model%contact_pairs), &
          short(checksum(int(model%connectivity, int64))), &
          short(checksum(reshape(int(model%node_id, int64), [1, model%n_nodes]))), &
-         short(checksum(reshape(int(model%element_id, int64), [1, model%n_elements]))), short(checksum(model%x))], [7, 1])
+         short(checksum(reshape(int(model%element_id, int64), [1, model%n_elements]))), &
+         short(checksum(model%x))], [7, 1])
       sizes = here
       call self%array('model_sizes', sizes, 7, error)
       if (allocated(error) .or. self%mode /= reading) return

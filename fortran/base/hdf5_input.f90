@@ -212,7 +212,8 @@ contains
       else if (extent(size(extent)) > largest_rows) then
          error = fail(exit_input, path//' has more rows than litz takes')
       else if (.not. is_written(dataset, extent)) then
-         error = fail(exit_files, path//' has the shape '//shape_words(extent)//', but hardly any data: it was not written')
+         error = fail(exit_files, path//' has the shape '//shape_words(extent)// &
+            ', but hardly any data: it was not written')
       else
          rows = int(extent(size(extent)))
          return
