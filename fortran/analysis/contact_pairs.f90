@@ -12,6 +12,7 @@ module litz_contact_pairs
    use litz_contact_kinematics, only: contact_kinematics_t, contact_kinematics, kinematics_ok
    use litz_contact_search, only: near_segments
    use litz_element_library, only: elements_t
+   use litz_errors, only: error_t, fail, exit_memory
    use litz_friction_iteration, only: friction_iteration_t
    use litz_friction_law, only: friction_law_t
    use litz_hertz, only: hertz_ellipse_t
@@ -30,6 +31,8 @@ module litz_contact_pairs
    real(dp), parameter :: near_node = 1.0e-6_dp
    !> Surface distance up to which an element pair is a candidate, in mean radii of the two
    real(dp), parameter :: skin = 1.0_dp
+   !> Pairs of elements at most: four nodes of each are counted in default integers, beside two of each element
+   integer, parameter :: most_candidates = 2**29 - 2**24
    !> Axes have passed each other if the cosine between the normals before and now is below this: turned by 120 degrees
    real(dp), parameter :: turned_round = -0.5_dp
 
@@ -127,7 +130,7 @@ contains
    end subroutine prepare_contact
 
    !> Collect the element pairs that are near in the present positions, or were passed since the increment began.
-   subroutine find_candidates(model, wires, elements, x_start, x, contact, changed)
+   subroutine find_candidates(model, wires, elements, x_start, x, contact, changed, error)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
@@ -136,10 +139,15 @@ contains
       type(contact_set_t), intent(inout) :: contact
       !> The candidates are not those of the last call
       logical, intent(out) :: changed
+      !> There are more than can be counted
+      type(error_t), allocatable, intent(out) :: error
       integer, allocatable :: member(:), pairs(:, :), found(:, :)
       real(dp), allocatable :: reach(:)
       integer :: i, e, n_found
+      logical :: too_many
+      character(len=80) :: text
 
+      changed = .false.
       member = pack([(e, e=1, model%n_elements)], any(contact%in_bar .or. contact%in_set, 2))
       allocate (reach(size(member)))
       do i = 1, size(member)
@@ -151,8 +159,14 @@ contains
          end associate
       end do
       associate (first => model%connectivity(1, member), second => model%connectivity(2, member))
-         call near_segments(x(:, first), x(:, second), reach, pairs)
+         call near_segments(x(:, first), x(:, second), reach, most_candidates, pairs, too_many)
       end associate
+      if (too_many) then
+         write (text, '(a, i0, a, i0, a)') 'contact search: of ', size(member), ' elements more than ', most_candidates, ' pairs'
+         error = fail(exit_memory, trim(text)//' lie within a radius of each other, which is more than can be counted; '// &
+            'name fewer wires in *CONTACT PAIR, or make the model smaller')
+         return
+      end if
       allocate (found(3, size(pairs, 2)))
       !$omp parallel do schedule(static) if (size(pairs, 2) >= worth_threads)
       do i = 1, size(pairs, 2)

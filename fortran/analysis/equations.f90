@@ -63,7 +63,10 @@ contains
       integer :: n, node
 
       n = size(equations%n_free)
-      call pattern_from_cliques(n, clique_start, clique_nodes, equations%nodes)
+      call pattern_from_cliques(n, clique_start, clique_nodes, equations%nodes, entries)
+      ! each node brings one equation at least
+      call check_entries(n, entries, error)
+      if (allocated(error)) return
       entries = 0
       do node = 1, n
          associate (first => equations%nodes%row_start(node), last => equations%nodes%row_start(node + 1) - 1)

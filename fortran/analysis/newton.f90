@@ -195,7 +195,8 @@ contains
          iterate => problem%iterate, contact => problem%contact, timing => problem%timing)
          call timing%lap(phase_update)
          if (contact%present) then
-            call refresh_candidates(problem, x_start)
+            call refresh_candidates(problem, x_start, error)
+            if (allocated(error)) return
             call timing%lap(phase_search)
             call locate_points(model, wires, elements, x_start, iterate%x, iterate%rotation, contact)
             call apply_normal_law(model, elements, contact)
@@ -220,16 +221,18 @@ contains
    end subroutine evaluate
 
    !> New candidates when a node has moved too far since they were collected.
-   subroutine refresh_candidates(problem, x_start)
+   subroutine refresh_candidates(problem, x_start, error)
       type(problem_t), intent(inout) :: problem
       real(dp), intent(in) :: x_start(:, :)
+      type(error_t), allocatable, intent(out) :: error
       logical :: changed
 
       associate (contact => problem%contact, x => problem%iterate%x)
          if (allocated(contact%x_collected)) then
             if (all(norm2(x - contact%x_collected, 1) < contact%valid_motion)) return
          end if
-         call find_candidates(problem%model, problem%wires, problem%elements, x_start, x, contact, changed)
+         call find_candidates(problem%model, problem%wires, problem%elements, x_start, x, contact, changed, &
+            error)
          problem%pattern_changed = problem%pattern_changed .or. changed
       end associate
    end subroutine refresh_candidates

@@ -11,14 +11,16 @@ module f2py_search
 
 contains
 
-   ! Find the pairs, and how many there are.
-   subroutine find_near_segments(n, a, b, reach, n_pairs)
-      integer(c_int), intent(in) :: n
+   ! Find the pairs, and how many there are; -1: more than `most_pairs`.
+   subroutine find_near_segments(n, a, b, reach, most_pairs, n_pairs)
+      integer(c_int), intent(in) :: n, most_pairs
       real(c_double), intent(in) :: a(3, n), b(3, n), reach(n)
       integer(c_int), intent(out) :: n_pairs
+      logical :: too_many
 
-      call core_near_segments(a, b, reach, found)
+      call core_near_segments(a, b, reach, most_pairs, found, too_many)
       n_pairs = size(found, 2)
+      if (too_many) n_pairs = -1
    end subroutine find_near_segments
 
    ! The pairs of the last search, counted from 1; they are forgotten.

@@ -24,6 +24,9 @@ module litz_contact_search
    !> Cells are shorter along x than wide by this factor, which a row does not cost more for
    integer, parameter :: cells_per_width = 4
 
+   !> Most pairs of boxes, so that the next power of two still is a default integer
+   integer, parameter :: most_found = 2**30 - 2**26
+
    !> Boxes of like size, sorted by cell.
    type :: grid_t
       !> No box is wider, and lengths of a cell [m]
@@ -52,21 +55,24 @@ module litz_contact_search
 contains
 
    !> Pairs `(i, j)`, `i < j`, of segments whose distance is at most the sum of their reaches, sorted by i, then j.
-   subroutine near_segments(a, b, reach, pairs)
+   subroutine near_segments(a, b, reach, most_pairs, pairs, too_many)
       !> End points (3, n) [m]
       real(dp), intent(in) :: a(:, :), b(:, :)
       !> Half the distance at which two such segments are near (n) [m]: radius and half a skin
       real(dp), intent(in) :: reach(:)
+      !> Up to how many pairs are wanted
+      integer, intent(in) :: most_pairs
       !> (2, number of pairs)
       integer, allocatable, intent(out) :: pairs(:, :)
+      !> There are more, or more than can be counted; `pairs` is of no use
+      logical, intent(out) :: too_many
       type(grid_t), allocatable :: grids(:)
       type(pair_list_t), allocatable :: lists(:)
       integer :: g, box, coarser, threads, thread
 
-      if (size(reach) < 2) then
-         allocate (pairs(2, 0))
-         return
-      end if
+      too_many = .false.
+      allocate (pairs(2, 0))
+      if (size(reach) < 2) return
       call build_grids(a, b, reach, grids)
       threads = 1
 !$    threads = omp_get_max_threads()
@@ -78,6 +84,7 @@ contains
       do g = 1, size(grids)
          !$omp do schedule(dynamic, 256)
          do box = 1, size(grids(g)%segment)
+            if (lists(thread)%n > most_found) cycle
             call visit_own_grid(grids(g), box, lists(thread))
             do coarser = 1, g - 1
                call visit_coarser_grid(grids(g), box, grids(coarser), lists(thread))
@@ -86,7 +93,10 @@ contains
          !$omp end do nowait
       end do
       !$omp end parallel
+      too_many = sum(int(lists%n, int64)) > most_found
+      if (too_many) return
       call sort_pairs(size(reach), lists, pairs)
+      too_many = size(pairs, 2) > most_pairs
    end subroutine near_segments
 
    !> Pieces of all segments, sorted into grids of decreasing box size.

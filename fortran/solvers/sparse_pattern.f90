@@ -1,13 +1,16 @@
 !> Patterns and products of sparse matrices in compressed rows.
 module litz_sparse_pattern
    use litz_kinds, only: dp, int64
-   use litz_errors, only: error_t, fail, exit_solver
+   use litz_errors, only: error_t, fail, exit_memory
    use litz_linear_solver, only: csr_matrix_t
    use litz_parallel, only: worth_threads
    implicit none
    private
    public :: pattern_from_cliques, csr_position, csr_transpose, csr_multiply, csr_add_product, csr_entries
    public :: check_entries
+
+   !> Entries of a matrix are counted in default integers, and one more for the end of the last row
+   integer, parameter :: most_countable = huge(1) - 1
 
 contains
 
@@ -16,7 +19,7 @@ contains
    !> A clique is what one element or one contact ties together: equation numbers, or node numbers for a pattern of
    !> node blocks. The work is the sum of the squares of the clique sizes: a row is gathered in any order and handed out
    !> as a column of the transpose, whose rows so come out ascending, and the pattern is its own transpose.
-   pure subroutine pattern_from_cliques(n, clique_start, clique_members, matrix)
+   pure subroutine pattern_from_cliques(n, clique_start, clique_members, matrix, entries, most_entries)
       integer, intent(in) :: n
       !> (cliques + 1): first member of each clique, and one past the last
       integer, intent(in) :: clique_start(:)
@@ -24,22 +27,32 @@ contains
       integer, intent(in) :: clique_members(:)
       !> Structurally symmetric, with a full diagonal; values zero
       type(csr_matrix_t), intent(out) :: matrix
+      !> Number of entries of the pattern, and up to which number it is made; default: what can be counted
+      integer(int64), intent(out), optional :: entries
+      integer(int64), intent(in), optional :: most_entries
       integer, allocatable :: cliques_start(:), cliques_of(:), neighbours(:), free(:), last_seen(:)
+      integer(int64) :: total, most
       integer :: row, count, k
 
+      most = most_countable
+      if (present(most_entries)) most = most_entries
       call cliques_of_members(n, clique_start, clique_members, cliques_start, cliques_of)
       allocate (neighbours(n), last_seen(n))
-      matrix%n_rows = n
-      matrix%n_columns = n
       allocate (matrix%row_start(n + 1))
 
       last_seen = 0
+      total = 0
       matrix%row_start(1) = 1
       do row = 1, n
          call gather_neighbours(row, cliques_start, cliques_of, clique_start, clique_members, last_seen, neighbours, &
             count)
-         matrix%row_start(row + 1) = matrix%row_start(row) + count
+         total = total + count
+         matrix%row_start(row + 1) = int(min(total, most)) + 1
       end do
+      if (present(entries)) entries = total
+      if (total > most) return
+      matrix%n_rows = n
+      matrix%n_columns = n
 
       allocate (matrix%column(matrix%row_start(n + 1) - 1))
       allocate (matrix%value(matrix%row_start(n + 1) - 1), source=0.0_dp)
@@ -139,7 +152,7 @@ contains
       if (matrix%n_rows > 0) entries = matrix%row_start(matrix%n_rows + 1) - 1
    end function csr_entries
 
-   !> Entries of a matrix are counted in default integers (its factors are not): more of them are refused.
+   !> More entries of a matrix than can be counted are refused. (Those of its factors are counted in 64 bits.)
    subroutine check_entries(equations, entries, error)
       integer, intent(in) :: equations
       !> That the matrix would have
@@ -147,10 +160,10 @@ contains
       type(error_t), allocatable, intent(out) :: error
       character(len=120) :: text
 
-      if (entries <= huge(1)) return
+      if (entries <= most_countable) return
       write (text, '(a, i0, a, i0, a, i0)') 'the matrix of ', equations, ' equations has ', entries, &
-         ' entries; at most ', huge(1)
-      error = fail(exit_solver, 'linear solver: '//trim(text)// &
+         ' entries; at most ', most_countable
+      error = fail(exit_memory, 'linear solver: '//trim(text)// &
          ' can be counted. Take a coarser mesh, or let fewer wires be in contact.')
    end subroutine check_entries
 

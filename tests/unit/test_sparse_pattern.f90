@@ -1,7 +1,7 @@
 !> Patterns, products and orderings of sparse matrices against dense ones.
 program test_sparse_pattern
    use litz_kinds, only: dp, int64
-   use litz_errors, only: error_t
+   use litz_errors, only: error_t, exit_memory
    use litz_linear_solver, only: csr_matrix_t
    use litz_sparse_pattern, only: pattern_from_cliques, csr_position, csr_transpose, csr_multiply, csr_add_product, &
       csr_entries, check_entries
@@ -22,6 +22,7 @@ program test_sparse_pattern
    call scaling_gives_a_positive_definite_matrix_unit_diagonal()
    call scaling_bounds_an_indefinite_matrix()
    call more_entries_than_can_be_counted_are_refused()
+   call a_pattern_stops_at_the_most_entries_and_tells_their_number()
    if (failures > 0) error stop 1
 
 contains
@@ -29,12 +30,24 @@ contains
    subroutine more_entries_than_can_be_counted_are_refused()
       type(error_t), allocatable :: error
 
-      call check_entries(10, int(huge(1), int64), error)
+      call check_entries(10, huge(1) - 1_int64, error)
       call check(.not. allocated(error), 'as many entries as can be counted are allowed')
-      call check_entries(10, huge(1) + 1_int64, error)
+      call check_entries(10, int(huge(1), int64), error)
       call check(allocated(error), 'one more entry is refused')
-      if (allocated(error)) call check(index(error%message, '2147483648 entries') > 0, 'the message has the number')
+      if (allocated(error)) call check(index(error%message, '2147483647 entries') > 0, 'the message has the number')
+      if (allocated(error)) call check(error%code == exit_memory, 'it is a matter of memory')
    end subroutine more_entries_than_can_be_counted_are_refused
+
+   !> Four unknowns that are all coupled have 16 entries.
+   subroutine a_pattern_stops_at_the_most_entries_and_tells_their_number()
+      type(csr_matrix_t) :: matrix
+      integer(int64) :: entries
+
+      call pattern_from_cliques(4, [1, 5], [1, 2, 3, 4], matrix, entries, most_entries=15_int64)
+      call check(entries == 16 .and. csr_entries(matrix) == 0, 'more entries are counted, but not made')
+      call pattern_from_cliques(4, [1, 5], [1, 2, 3, 4], matrix, entries, most_entries=16_int64)
+      call check(entries == 16 .and. csr_entries(matrix) == 16, 'as many are made')
+   end subroutine a_pattern_stops_at_the_most_entries_and_tells_their_number
 
    !> Random cliques with repeated members and with zeros, compared entry by entry.
    subroutine members_of_a_clique_are_coupled()
