@@ -285,6 +285,8 @@ contains
          if (.not. wants_restart(step, problem%state%increment, step_time)) cycle
          call restart%write(problem, course, error)
          if (allocated(error)) return
+         ! a run that goes on from here has none either
+         problem%has_factor = .false.
       end do
    end subroutine run_step
 
@@ -321,6 +323,7 @@ contains
          if (allocated(error)) return
          problem%pattern_changed = .true.
       end if
+      problem%has_factor = .false.
       problem%coupling = step%coupling
       if (problem%coupling == coupling_default) then
          problem%coupling = merge(coupling_updated, coupling_monolithic, kind == solver_block)
@@ -361,6 +364,7 @@ contains
          if (allocated(error)) return
          problem%n_iterations = problem%n_iterations + outcome%iterations
          if (outcome%converged) exit
+         problem%has_factor = .false.
          call report_increment(problem, outcome, audit, attempt, increment, target, start_time, options, results, error)
          if (allocated(error)) return
          if (.not. control%cut(step, increment, attempt)) then
@@ -384,7 +388,7 @@ contains
       if (allocated(error)) return
       call results%write_increment(problem%model, problem%state, .false., error)
       call problem%timing%lap(phase_output)
-      call control%accept(step, outcome%iterations)
+      call control%accept(step, outcome%factorisations)
    end subroutine run_increment
 
    !> End the run in words, and write down how far the iteration had come.

@@ -53,6 +53,10 @@ module litz_newton
       real(dp) :: damping(2) = 0
       !> The pattern must be built and analysed before the next solve
       logical :: pattern_changed = .true.
+      !> The solver holds a symmetric factor of a state that is not far from the present one
+      logical :: has_factor = .false.
+      !> Iterations that have kept it
+      integer :: factor_age = 0
       !> Converged increments, and iterations with those of rejected increments, since the run began
       integer :: n_increments = 0, n_iterations = 0
       type(timing_t) :: timing
@@ -61,7 +65,8 @@ module litz_newton
 
    type :: outcome_t
       logical :: converged = .false.
-      integer :: iterations = 0
+      !> All of them, and those that factored the tangent
+      integer :: iterations = 0, factorisations = 0
       !> Why it was given up, in words
       character(len=:), allocatable :: reason
       !> One of the causes above; 0: it was not
@@ -70,7 +75,7 @@ module litz_newton
       type(iteration_report_t) :: last, before
       !> The tolerance that ended the iteration was that of round-off in one of the fields
       logical :: at_round_off = .false.
-      !> Negative pivots of the last factorisation; -1: not known
+      !> Negative pivots of the last factorisation; -1: not known, or none was made
       integer :: negative_pivots = -1
       !> Some factorisation of this try had negative pivots
       logical :: passed_critical = .false.
@@ -81,6 +86,10 @@ module litz_newton
 
    !> Iterations at most, in multiples of I_C, where contacts open and close as predicted all the way
    integer, parameter :: most_iterations = 4
+
+   !> A factor of the tangent is kept if the last iteration has left no more than this of the residual. That is about how
+   !> much the tangent has changed in it, and what the next iteration with the old one will leave.
+   real(dp), parameter :: kept_reduction = 0.01_dp
 
 contains
 
@@ -98,6 +107,7 @@ contains
       real(dp) :: x_start(3, problem%model%n_nodes)
       type(error_t), allocatable :: solver_error
       integer :: counted
+      logical :: keep
 
       call start_iterate(problem)
       x_start = problem%iterate%x
@@ -115,7 +125,8 @@ contains
          outcome%before = outcome%last
          call measure_residual(problem, step, outcome%last, outcome%at_round_off)
          call count_contacts(problem%contact, outcome%last)
-         if (.not. only_contacts_changed(outcome%last, outcome%before%contacts_active)) counted = counted + 1
+         if (outcome%last%factor_age == 0 .and. &
+            .not. only_contacts_changed(outcome%last, outcome%before%contacts_active)) counted = counted + 1
          ! the monolithic tangent leaves out what contacts on the same element do to each other
          if ((problem%coupling /= coupling_monolithic .or. problem%contact%shared%present) .and. &
             (.not. any(abs(increment) > 0))) then
@@ -145,14 +156,17 @@ contains
             call give_up(outcome, cause_iterations, worst_field(problem%model, problem%coupling, outcome%last))
             return
          end if
-         call solve_step(problem, increment, correction, solver_error)
+         keep = keeps_factor(problem, step, outcome)
+         call solve_step(problem, increment, keep, correction, solver_error)
          if (allocated(solver_error)) then
             call give_up(outcome, cause_singular, solver_error%message)
             return
          end if
          outcome%iterations = outcome%iterations + 1
          outcome%last%iteration = outcome%iterations
-         outcome%negative_pivots = problem%solver%negative_pivots
+         outcome%last%factor_age = problem%factor_age
+         if (.not. keep) outcome%factorisations = outcome%factorisations + 1
+         if (.not. keep) outcome%negative_pivots = problem%solver%negative_pivots
          outcome%passed_critical = outcome%passed_critical .or. outcome%negative_pivots > 0
          call update(problem, step, correction, any(abs(increment(1:6, :)) > 0), outcome%last)
          increment = 0
@@ -263,6 +277,7 @@ contains
       call problem%solver%analyse(problem%matrix, error)
       call problem%timing%lap(phase_analyse)
       problem%pattern_changed = .false.
+      problem%has_factor = .false.
    end subroutine rebuild_pattern
 
    !> True residual over the free unknowns, field by field, and what is allowed.
@@ -356,6 +371,22 @@ contains
       end do
    end subroutine count_contacts
 
+   !> Modified Newton: the factor at hand is good for another iteration. The first one of an increment goes on with that of
+   !> the last increment.
+   pure logical function keeps_factor(problem, step, outcome)
+      type(problem_t), intent(in) :: problem
+      type(step_t), intent(in) :: step
+      type(outcome_t), intent(in) :: outcome
+
+      associate (last => outcome%last, before => outcome%before)
+         keeps_factor = problem%has_factor .and. problem%matrix%mm_symmetric .and. &
+            problem%factor_age < step%reform_kernel .and. last%contacts_new == 0 .and. last%contacts_lost == 0 .and. &
+            last%contacts_active == before%contacts_active
+         if (outcome%iterations > 0 .and. keeps_factor) keeps_factor = all( &
+            last%residual <= max(last%allowed, kept_reduction*before%residual))
+      end associate
+   end function keeps_factor
+
    !> More or fewer contacts are closed than before, each one as the linear equations predicted: they hold for the whole
    !> increment, and one of any smaller size (at first touch) would go through the same changes. Not worth a cut.
    pure logical function only_contacts_changed(report, contacts_before)
@@ -397,9 +428,11 @@ contains
    end subroutine update_potentials
 
    !> Factor and solve for the correction of all unknowns (7, n_nodes), prescribed ones included.
-   subroutine solve_step(problem, increment, correction, error)
+   subroutine solve_step(problem, increment, keep, correction, error)
       type(problem_t), intent(inout) :: problem
       real(dp), intent(in) :: increment(:, :)
+      !> The factor of an earlier iteration will do
+      logical, intent(in) :: keep
       real(dp), intent(out) :: correction(:, :)
       type(error_t), allocatable, intent(out) :: error
       real(dp) :: b_m(problem%equations%n_mechanical), x_m(problem%equations%n_mechanical)
@@ -416,11 +449,15 @@ contains
          if (problem%equations%electric(node) > 0) b_e(problem%equations%electric(node)) = rhs(7)
       end do
       call problem%timing%lap(phase_update)
-      if (problem%coupling == coupling_monolithic) then
-         call problem%solver%factor(problem%matrix, error)
-      else
-         call problem%solver%factor_mechanical(problem%matrix, error)
+      if (.not. keep) then
+         if (problem%coupling == coupling_monolithic) then
+            call problem%solver%factor(problem%matrix, error)
+         else
+            call problem%solver%factor_mechanical(problem%matrix, error)
+         end if
+         problem%has_factor = problem%matrix%mm_symmetric .and. .not. allocated(error)
       end if
+      problem%factor_age = merge(problem%factor_age + 1, 0, keep)
       call problem%timing%lap(phase_factor)
       if (allocated(error)) return
       x_e = 0

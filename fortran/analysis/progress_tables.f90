@@ -32,6 +32,8 @@ module litz_progress_tables
       integer :: contacts_active = 0, contacts_new = 0, contacts_lost = 0
       !> Worst penetration [m], positive
       real(dp) :: penetration = 0
+      !> Iterations before this one that have used the same factor of the tangent
+      integer :: factor_age = 0
    end type iteration_report_t
 
    !> One increment, converged or given up.
@@ -57,10 +59,10 @@ contains
       character(len=:), allocatable :: line
       character(len=512) :: buffer
 
-      write (buffer, '(a5, 3a10, 3(a13, a17), 3(a17, a10), a8, 2a6, a16)') &
+      write (buffer, '(a5, 3a10, 3(a13, a17), 3(a17, a10), a8, 2a6, a16, a12)') &
          'step', 'increment', 'attempt', 'iteration', 'force[N]', 'force_allowed', 'moment[Nm]', 'moment_allowed', &
          'current[A]', 'current_allowed', 'displacement[m]', 'node_u', 'rotation[rad]', 'node_phi', &
-         'potential[V]', 'node_V', 'active', 'new', 'lost', 'penetration[m]'
+         'potential[V]', 'node_V', 'active', 'new', 'lost', 'penetration[m]', 'factor_age'
       line = trim(buffer)
    end function iteration_header
 
@@ -71,11 +73,12 @@ contains
       character(len=512) :: buffer
       integer :: i
 
-      write (buffer, '(i5, 3i10, 3(es13.3e3, es17.3e3), 3(es17.3e3, i10), i8, 2i6, es16.3e3)') &
+      write (buffer, '(i5, 3i10, 3(es13.3e3, es17.3e3), 3(es17.3e3, i10), i8, 2i6, es16.3e3, i12)') &
          report%step, report%increment, report%attempt, report%iteration, &
          (report%residual(i), report%allowed(i), i=1, n_fields), &
          (report%correction(i), user_id(model, report%correction_node(i)), i=1, n_fields), &
-         report%contacts_active, report%contacts_new, report%contacts_lost, report%penetration
+         report%contacts_active, report%contacts_new, report%contacts_lost, report%penetration, &
+         report%factor_age
       line = trim(buffer)
    end function iteration_line
 

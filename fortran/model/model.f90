@@ -170,6 +170,8 @@ module litz_model
       integer :: restart_frequency = 0
       type(controls_t) :: controls
       integer :: solver = solver_default, coupling = coupling_default
+      !> Most iterations that may keep a factor of the tangent; 0: none (full Newton)
+      integer :: reform_kernel = 0
    end type step_t
 
    type :: model_t

@@ -208,6 +208,8 @@ contains
 
       words = ''
       if (step%solver /= solver_default) words = ', solver '//trim(solver_keyword(step%solver))
+      if (step%reform_kernel > 0) words = words//', modified Newton, at most '//to_text(step%reform_kernel)// &
+         ' iterations with a kept factor'
       if (step%coupling /= coupling_default) words = words//', coupling '// &
          trim(merge('monolithic', 'updated   ', step%coupling == coupling_monolithic))
    end function solver_words

@@ -1,16 +1,18 @@
-!> *CONTROLS and *SOLVER.
+!> *CONTROLS, *SOLVER and *SOLUTION TECHNIQUE.
 module litz_read_controls
    use litz_kinds, only: dp
    use litz_text, only: to_text
    use litz_model, only: step_t, controls_t, coupling_monolithic, coupling_updated
    use litz_solver_names, only: solver_block, solver_umfpack, solver_skyline
-   use litz_reader, only: reader_t, fail_at, read_line, choice_of
+   use litz_reader, only: reader_t, fail_at, read_line, choice_of, integer_parameter, parameter_of
    implicit none
    private
-   public :: read_controls, read_solver
+   public :: read_controls, read_solver, read_solution_technique
 
    !> Of *CONTROLS, PARAMETERS=STABILIZE without a number
    real(dp), parameter :: default_stabilization = 1.0e-8_dp
+   !> Of *SOLUTION TECHNIQUE, TYPE=MODIFIED NEWTON, as in Abaqus
+   integer, parameter :: default_reform_kernel = 8
 
 contains
 
@@ -98,5 +100,22 @@ contains
          step%coupling = coupling_updated
       end select
    end subroutine read_solver
+
+   subroutine read_solution_technique(self, card, step)
+      type(reader_t), intent(inout) :: self
+      integer, intent(in) :: card
+      type(step_t), intent(inout) :: step
+
+      step%reform_kernel = 0
+      select case (choice_of(self, card, 'TYPE'))
+      case ('MODIFIEDNEWTON')
+         step%reform_kernel = integer_parameter(self, card, 'REFORM KERNEL', default_reform_kernel)
+      case ('NEWTON')
+         associate (token => parameter_of(self, card, 'REFORM KERNEL'))
+            if (token%line > 0) call fail_at(self, token, &
+               'TYPE=NEWTON keeps no factor; REFORM KERNEL goes with TYPE=MODIFIED NEWTON')
+         end associate
+      end select
+   end subroutine read_solution_technique
 
 end module litz_read_controls

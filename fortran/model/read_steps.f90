@@ -12,7 +12,7 @@ module litz_read_steps
    use litz_nodal_values, only: value_list_t, kind_boundary, kind_load, kind_current, start_list, begin_step, &
       read_nodal_values
    use litz_read_requests, only: request_list_t, begin_requests, read_request
-   use litz_read_controls, only: read_controls, read_solver
+   use litz_read_controls, only: read_controls, read_solver, read_solution_technique
    implicit none
    private
    public :: read_steps
@@ -67,6 +67,8 @@ contains
             call read_controls(self, card, model%steps(step)%controls)
          case ('SOLVER')
             call read_solver(self, card, model%steps(step))
+         case ('SOLUTION TECHNIQUE')
+            call read_solution_technique(self, card, model%steps(step))
          end select
       end do
       if (step > 0) call close_step()
@@ -79,6 +81,7 @@ contains
                this%controls = model%steps(step - 1)%controls
                this%solver = model%steps(step - 1)%solver
                this%coupling = model%steps(step - 1)%coupling
+               this%reform_kernel = model%steps(step - 1)%reform_kernel
                this%output_frequency = model%steps(step - 1)%output_frequency
                this%restart_frequency = model%steps(step - 1)%restart_frequency
                call begin_step(boundary, model, model%steps(step - 1)%total)
