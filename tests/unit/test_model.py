@@ -152,6 +152,7 @@ def test_the_program_accepts_all_that_can_be_said(litz_program, tmp_path):
     step.controls("rotation", cap=0.4)
     step.controls("stabilize")
     step.solver("umfpack", coupling="monolithic")
+    step.solution_technique("modified Newton", reform_kernel=4)
     again = model.step(total=2.0, first=0.5, smallest=1e-3, largest=1.0, inc=20, boundary_op="NEW")
     again.hold(lower.ends)
     again.hold(upper.ends)

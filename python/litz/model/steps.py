@@ -274,6 +274,13 @@ class Step:
             parameters["COUPLING"] = coupling.upper()
         self.card("SOLVER", parameters)
 
+    def solution_technique(self, name: str, reform_kernel: int | None = None) -> None:
+        """Choose "NEWTON" or "MODIFIED NEWTON", whose factors last for `reform_kernel` more iterations at most."""
+        parameters: dict[str, Any] = {"TYPE": name.upper()}
+        if reform_kernel is not None:
+            parameters["REFORM KERNEL"] = reform_kernel
+        self.card("SOLUTION TECHNIQUE", parameters)
+
     def card(self, name: str, parameters: dict[str, Any] | None = None, rows: list | None = None) -> None:
         """Add any card that the table of keywords has in a step."""
         spec = (name.removeprefix("*").upper(), parameters or {}, rows or [])
