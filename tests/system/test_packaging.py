@@ -4,12 +4,12 @@ import os
 import shutil
 import subprocess
 import sys
-import sysconfig
 import tarfile
 import venv
 import zipfile
 from pathlib import Path
 
+import numpy
 import pytest
 
 from documents import ROOT, copy_of_the_sources
@@ -68,7 +68,7 @@ def clean_environment(wheel, tmp_path_factory):
     call(commands / "python", "-m", "pip", "install", "--no-deps", "--no-index", wheel)
     packages = Path(call(commands / "python", "-c", "import sysconfig; print(sysconfig.get_path('purelib'))").strip())
     # a path in a .pth file comes last, and .pth files in it, as that of an editable litz, are not read
-    (packages / "borrowed.pth").write_text(sysconfig.get_path("purelib") + "\n", encoding="utf-8")
+    (packages / "borrowed.pth").write_text(f"{Path(numpy.__file__).parents[1]}\n", encoding="utf-8")
     return commands
 
 
