@@ -162,9 +162,10 @@ contains
          call near_segments(x(:, first), x(:, second), reach, most_candidates, pairs, too_many)
       end associate
       if (too_many) then
-         write (text, '(a, i0, a, i0, a)') 'contact search: of ', size(member), ' elements more than ', most_candidates, ' pairs'
-         error = fail(exit_memory, trim(text)//' lie within a radius of each other, which is more than can be counted; '// &
-            'name fewer wires in *CONTACT PAIR, or make the model smaller')
+         write (text, '(a, i0, a, i0, a)') 'contact search: of ', size(member), ' elements more than ', &
+            most_candidates, ' pairs'
+         error = fail(exit_memory, trim(text)//' lie within a radius of each other, which is more than can be counted;'// &
+            ' name fewer wires in *CONTACT PAIR, or make the model smaller')
          return
       end if
       allocate (found(3, size(pairs, 2)))

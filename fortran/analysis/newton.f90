@@ -87,8 +87,8 @@ module litz_newton
    !> Iterations at most, in multiples of I_C, where contacts open and close as predicted all the way
    integer, parameter :: most_iterations = 4
 
-   !> A factor of the tangent is kept if the last iteration has left no more than this of the residual. That is about how
-   !> much the tangent has changed in it, and what the next iteration with the old one will leave.
+   !> A factor of the tangent is kept if the last iteration has left no more than this of the residual. That is about
+   !> how much the tangent has changed in it, and what the next iteration with the old one will leave.
    real(dp), parameter :: kept_reduction = 0.01_dp
 
 contains
@@ -371,8 +371,8 @@ contains
       end do
    end subroutine count_contacts
 
-   !> Modified Newton: the factor at hand is good for another iteration. The first one of an increment goes on with that of
-   !> the last increment.
+   !> Modified Newton: the factor at hand is good for another iteration. The first one of an increment goes on with that
+   !> of the last increment.
    pure logical function keeps_factor(problem, step, outcome)
       type(problem_t), intent(in) :: problem
       type(step_t), intent(in) :: step
