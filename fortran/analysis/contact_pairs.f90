@@ -164,8 +164,8 @@ contains
       if (too_many) then
          write (text, '(a, i0, a, i0, a)') 'contact search: of ', size(member), ' elements more than ', &
             most_candidates, ' pairs'
-         error = fail(exit_memory, trim(text)//' lie within a radius of each other, which is more than can be counted;'// &
-            ' name fewer wires in *CONTACT PAIR, or make the model smaller')
+         error = fail(exit_memory, trim(text)//' lie within a radius of each other, which is more than can be'// &
+            ' counted; name fewer wires in *CONTACT PAIR, or make the model smaller')
          return
       end if
       allocate (found(3, size(pairs, 2)))

@@ -445,8 +445,8 @@ contains
       call begin(k, 'SOLUTION TECHNIQUE', place_step, &
          'How often this step and the later ones factor the tangent, as in Abaqus. NEWTON, the default: in every'// &
          ' iteration. MODIFIED NEWTON (value of litz): a factor is kept, also from one increment to the next, as'// &
-         ' long as each iteration leaves at most a hundredth of the residual and no contact opens or closes; convergence'// &
-         ' is then linear, to the same solution.')
+         ' long as each iteration leaves at most a hundredth of the residual and no contact opens or closes;'// &
+         ' convergence is then linear, to the same solution.')
       call k%add(choice('TYPE', 'NEWTON|MODIFIED NEWTON', 'when the tangent is factored', required=.true.))
       call k%add(count_of('REFORM KERNEL', 'most iterations that keep a factor', '8'))
       call finish(table, k)
