@@ -184,9 +184,18 @@ class TestPage:
         np.testing.assert_allclose(ask(page, "viewer.stage.camera.position.toArray()"), before, rtol=1e-6)
 
     def test_the_run_can_be_played(self, page):
-        page.find_element("css selector", ".litz-play").click()
-        wait(page, lambda: viewer(page).get_attribute("data-increment") == "1", "it does not play")
-        wait(page, lambda: page.find_element("css selector", ".litz-play").text == "▶", "it does not end")
+        # an increment is shown for a moment only: the page itself takes down what it shows
+        page.execute_script(
+            "const viewer = arguments[0]; window.shown = [];"
+            "new MutationObserver(() => window.shown.push(viewer.dataset.increment))"
+            ".observe(viewer, {attributes: true, attributeFilter: ['data-increment']});",
+            viewer(page),
+        )
+        button = page.find_element("css selector", ".litz-play")
+        button.click()
+        wait(page, lambda: page.execute_script("return window.shown.at(-1)") == "4", "it does not play to the end")
+        wait(page, lambda: button.text == "▶", "it does not end")
+        assert page.execute_script("return window.shown")[-4:] == ["1", "2", "3", "4"]
         assert viewer(page).get_attribute("data-increment") == "4"
 
 
