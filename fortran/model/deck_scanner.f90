@@ -426,9 +426,9 @@ contains
       end if
       deck%n_lines = n_lines
       if (name%line == 0 .or. allocated(error)) return
-      call append_piece(scanner, piece_t(words='** included: '//path//newline))
+      call append_words(scanner, '** included: '//path//newline)
       call scan_source(deck, scanner, deck%n_sources, errors)
-      call append_piece(scanner, piece_t(words=newline))
+      call append_words(scanner, newline)
    end subroutine include_file
 
    !> The value of INPUT=, or `no_token` after an error.
@@ -544,6 +544,16 @@ contains
       scanner%n_pieces = scanner%n_pieces + 1
       scanner%pieces(scanner%n_pieces) = piece
    end subroutine append_piece
+
+   !> A piece that is in no file. A structure constructor would do, but gfortran 12 never frees a text in one.
+   pure subroutine append_words(scanner, words)
+      type(scanner_t), intent(inout) :: scanner
+      character(len=*), intent(in) :: words
+      type(piece_t) :: piece
+
+      piece%words = words
+      call append_piece(scanner, piece)
+   end subroutine append_words
 
    pure subroutine join_pieces(deck, scanner, text)
       type(deck_t), intent(in) :: deck

@@ -17,6 +17,11 @@ def datasets(file):
     return found
 
 
+def changeable(file):
+    """Datasets of numbers that an earlier change has not blown up."""
+    return [name for name in datasets(file) if file[name].size < 1e6 and file[name].dtype.kind in "fiub"]
+
+
 def put(file, name, data, **options):
     if name in file:
         del file[name]
@@ -89,7 +94,9 @@ def changed_tree(file, names, random):
             del file[name]
             file.create_group(name)
         case 5:
-            file[random.choice(("x", "elements/B32", "nodes/more", "node_sets/a b", "node_sets/" + "n" * 600))] = [1]
+            other = random.choice(("x", "elements/B32", "nodes/more", "node_sets/a b", "node_sets/" + "n" * 600))
+            if other not in file:
+                file[other] = [1]
         case _:
             other = random.choice(names)
             if other != name:
@@ -119,7 +126,7 @@ def mutate(path, random):
         return
     for _ in range(random.choice((1, 1, 1, 2, 4))):
         with h5py.File(path, "r+") as file:
-            names = datasets(file)
+            names = changeable(file)
             if not names:
                 return
             kind = random.random()

@@ -39,10 +39,7 @@ program test_results
       call write_iterations(increment)
       call results%write_increment(model, state, state%step == 0, error)
       call stop_on(error)
-      call results%write_status(increment_report_t(step=1, increment=increment, attempts=merge(2, 1, increment == 2), &
-         iterations=3, time=state%time, step_time=state%step_time, time_increment=state%time_increment, &
-         residual=[1.0e-9_dp, 1.0e-12_dp, 0.0_dp], negative_pivots=0, contacts=size(state%contacts), &
-         remark=trim(merge('cut back: residual grew', '                       ', increment == 2))), error)
+      call write_status(increment, error)
       call stop_on(error)
    end do
    if (how == 'killed') call leave_at_once()
@@ -74,12 +71,45 @@ contains
       model%sections%material = 1
       model%sections%area = 4.0e-4_dp
       model%sections(1)%contact_radius = 0.01_dp
-      model%node_sets = [named_set_t('LEFT', [1]), named_set_t('BACK', [6]), named_set_t('ENDS', [1, 3]), &
-         named_set_t('LOOSE', [5])]
-      model%element_sets = [named_set_t('LOWER', [1, 2])]
+      allocate (model%node_sets(4), model%element_sets(1))
+      call name_set(model%node_sets(1), 'LEFT', [1])
+      call name_set(model%node_sets(2), 'BACK', [6])
+      call name_set(model%node_sets(3), 'ENDS', [1, 3])
+      call name_set(model%node_sets(4), 'LOOSE', [5])
+      call name_set(model%element_sets(1), 'LOWER', [1, 2])
       allocate (model%steps(2))
       call ask_for_history(model%steps)
    end subroutine make_crossed_wires
+
+   !> A structure constructor would do, but gfortran 12 forgets what it allocates in one.
+   subroutine name_set(set, name, members)
+      type(named_set_t), intent(out) :: set
+      character(len=*), intent(in) :: name
+      integer, intent(in) :: members(:)
+
+      set%name = name
+      set%members = members
+   end subroutine name_set
+
+   subroutine write_status(increment, error)
+      integer, intent(in) :: increment
+      type(error_t), allocatable, intent(out) :: error
+      type(increment_report_t) :: report
+
+      report%step = 1
+      report%increment = increment
+      report%attempts = merge(2, 1, increment == 2)
+      report%iterations = 3
+      report%time = state%time
+      report%step_time = state%step_time
+      report%time_increment = state%time_increment
+      report%residual = [1.0e-9_dp, 1.0e-12_dp, 0.0_dp]
+      report%negative_pivots = 0
+      report%contacts = size(state%contacts)
+      report%remark = ''
+      if (increment == 2) report%remark = 'cut back: residual grew'
+      call results%write_status(report, error)
+   end subroutine write_status
 
    !> The second step asks for other columns than the first; the history holds both.
    subroutine ask_for_history(steps)
