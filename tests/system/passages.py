@@ -73,6 +73,8 @@ def closest(a, b):
     safe = np.where(determinant > 0, determinant, 1)
     s, t = (uv * vw - vv * uw) / safe, (uu * vw - uv * uw) / safe
     meets = (sine > SMALLEST_SINE) & (s >= 0) & (s < 1) & (t >= 0) & (t < 1)
+    # the end faces of wires touch nothing in litz: a crossing enters and leaves there
+    meets[[0, -1], :] = meets[:, [0, -1]] = False
     return w + s[..., None] * u - t[..., None] * v, p + s[..., None] * u, u, v, meets
 
 
