@@ -1,8 +1,9 @@
-"""What the tests share: the built program."""
+"""What the tests share: the built program, and what else its build directory can make."""
 
 import importlib.resources
 import importlib.util
 import os
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -42,3 +43,17 @@ def litz(litz_program):
         )
 
     return run
+
+
+@pytest.fixture(scope="session")
+def build_target(litz_program):
+    """Build one target where the program was built: ``build_target("tests/read_decks") -> Path``."""
+
+    def build(target) -> Path:
+        directory = litz_program.resolve().parents[1]
+        if not (directory / "build.ninja").is_file() or shutil.which("ninja") is None:
+            pytest.skip(f"{directory} is no build directory: {target} is not there")
+        subprocess.run(["ninja", "-C", directory, target], check=True, capture_output=True)
+        return directory / target
+
+    return build

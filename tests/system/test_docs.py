@@ -3,7 +3,6 @@
 import doctest
 import os
 import re
-import shutil
 import subprocess
 import sys
 from dataclasses import replace
@@ -204,13 +203,9 @@ def test_decks_are_accepted(block, litz, tmp_path):
 
 
 @pytest.fixture(scope="session")
-def contact_element(litz_program):
-    """The contact element in one file, from the build directory that the program comes from."""
-    build = litz_program.resolve().parents[1]
-    if not (build / "build.ninja").is_file() or shutil.which("ninja") is None:
-        pytest.skip(f"{build} is no build directory: the contact element in one file is not there")
-    subprocess.run(["ninja", "-C", build, "fortran/contact_element.f90"], check=True, capture_output=True)
-    return build / "fortran" / "contact_element.f90"
+def contact_element(build_target):
+    """The contact element in one file."""
+    return build_target("fortran/contact_element.f90")
 
 
 @in_language("fortran")

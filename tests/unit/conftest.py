@@ -1,6 +1,5 @@
 """What the unit tests share: result files of a made-up run."""
 
-import shutil
 import subprocess
 
 import pytest
@@ -9,13 +8,9 @@ import litz
 
 
 @pytest.fixture(scope="session")
-def writer(litz_program):
-    """The Fortran test program, from the build directory that the program comes from."""
-    build = litz_program.resolve().parents[1]
-    if not (build / "build.ninja").is_file() or shutil.which("ninja") is None:
-        pytest.skip(f"{build} is no build directory: the Fortran test program is not there")
-    subprocess.run(["ninja", "-C", build, "tests/test_results"], check=True, capture_output=True)
-    return build / "tests" / "test_results"
+def writer(build_target):
+    """The Fortran test program that writes them."""
+    return build_target("tests/test_results")
 
 
 @pytest.fixture(scope="session")
