@@ -279,11 +279,12 @@ def forces_over_time(axes: Axes, results: "Results", increment: int) -> None:
     ids = np.unique(ledger["id"])
     if len(ids) <= _MOST_LINES:
         for i, contact in enumerate(ids):
-            one = ledger.where(ledger["id"] == contact)
+            # an open contact is not in the ledger: its force is zero
+            times, force = _per_increment(results, np.where(ledger["id"] == contact, ledger["force"], 0.0))
             axes.plot(
-                one["time"],
-                factor * one["force"],
-                **_marker(one.n_rows),
+                times,
+                factor * force,
+                **_marker(len(times)),
                 color=colour_of(i, len(ids)),
                 label=f"contact {contact}",
             )

@@ -192,3 +192,14 @@ class TestUnits:
         charts.forces_over_time(axes, results, -1)
         assert (axes.get_xlabel(), axes.get_ylabel()) == ("time [ms]", "force [mN]")
         assert "mN" in report_tables.worst_contacts(results)
+
+
+def test_a_contact_that_opens_has_no_force_until_it_closes_again(run_of_input):
+    results = litz.Results(run_of_input("01_crossed_wires"))
+    axes = Figure().add_subplot()
+    charts.forces_over_time(axes, results, -1)
+    (line,) = axes.get_lines()
+    force = dict(zip(np.round(line.get_xdata(), 9), line.get_ydata(), strict=True))
+    assert len(force) == len(results.times)
+    assert force[2.0] == 0
+    assert min(force[1.9], force[2.1]) > 0
