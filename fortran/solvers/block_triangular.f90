@@ -20,8 +20,6 @@ module litz_block_triangular
       type(scaled_factor_t) :: cholesky, lu
       !> The values are symmetric
       logical :: symmetric = .true.
-      !> The symmetric part was of no use for this pattern
-      logical :: far_from_symmetric = .false.
       !> The LU has its symbolic work done
       logical :: lu_analysed = .false.
       !> The last factorisation is the LU
@@ -57,7 +55,6 @@ contains
 
       self%offset = offset
       self%lu_analysed = .false.
-      self%far_from_symmetric = .false.
       if (.not. allocated(self%cholesky%backend)) allocate (cholmod_factor_t :: self%cholesky%backend)
       if (.not. allocated(self%lu%backend)) allocate (umfpack_factor_t :: self%lu%backend)
       call self%lu%release()
@@ -72,12 +69,9 @@ contains
 
       call self%lu%release()
       self%symmetric = symmetric
-      self%lu_used = self%far_from_symmetric .and. .not. symmetric
-      if (.not. self%lu_used) then
-         call factor_cholesky(self, matrix, error)
-         self%failed_equation = self%cholesky%failed_equation
-         self%lu_used = self%failed_equation > 0
-      end if
+      call factor_cholesky(self, matrix, error)
+      self%failed_equation = self%cholesky%failed_equation
+      self%lu_used = self%failed_equation > 0
       if (self%lu_used) call factor_lu(self, matrix, error)
    end subroutine block_factor
 
@@ -128,7 +122,6 @@ contains
          call solve_by_symmetric_part(matrix, self%cholesky, b, x, converged, error)
          self%failed_equation = self%cholesky%failed_equation
          if (allocated(error) .or. converged) return
-         self%far_from_symmetric = .true.
          self%lu_used = .true.
          call factor_lu(self, matrix, error)
          if (allocated(error)) return
