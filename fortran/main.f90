@@ -26,11 +26,16 @@ program litz
    type(error_t), allocatable :: error
 
    interface
+      !> May start the program again: first of all
+      subroutine set_process_environment() bind(c, name='litz_set_process_environment')
+         implicit none
+      end subroutine set_process_environment
       subroutine watch_memory() bind(c, name='litz_watch_memory')
          implicit none
       end subroutine watch_memory
    end interface
 
+   call set_process_environment()
    call ignore_file_size_signal()
    call watch_memory()
    call read_command(command, error)

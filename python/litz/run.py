@@ -82,7 +82,7 @@ def program_environment() -> dict[str, str]:
     """What the program runs in: threads that wait sleep, unless `OMP_WAIT_POLICY` says otherwise.
 
     Threads that spin while they wait are worth nothing here, and on a machine with other work they slow a small model
-    down several times over.
+    down several times over. The program would see to that by itself, but has to start a second time for it.
     """
     return {"OMP_WAIT_POLICY": "passive", **os.environ}
 

@@ -116,8 +116,13 @@ def check_extension(directory: Path, options: dict[str, str]) -> bool:
 
 
 def check_valgrind(directory: Path) -> bool:
-    """One thread: memcheck runs one at a time anyway."""
-    environment = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+    """One thread: memcheck runs one at a time anyway. With these choices made, the program does not start itself again."""
+    environment = {
+        "OMP_NUM_THREADS": "1",
+        "OPENBLAS_NUM_THREADS": "1",
+        "OMP_WAIT_POLICY": "passive",
+        "OPENBLAS_CORETYPE": "Haswell",
+    }
     wrapper = " ".join(VALGRIND)
     good = run(
         "meson", "test", "-C", directory, "--suite", "fortran", "--print-errorlogs", "--timeout-multiplier", "20",

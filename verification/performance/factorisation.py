@@ -17,7 +17,7 @@ from scipy.sparse import coo_matrix
 from verification import figures
 
 from .lattice import POISSON, RADIUS, YOUNG, lattice
-from .process import run_process
+from .process import blas_kernels, run_process
 
 SIZES = (1_000, 10_000, 100_000)
 QUICK_SIZES = (1_000, 3_000)
@@ -92,7 +92,8 @@ def measure(quick, directory):
         matrix, elements = lattice_stiffness(size)
         path = directory / f"stiffness_{elements}.bin"
         write_matrix(path, matrix)
-        run = run_process([program(), path, 2 if quick else 5 if size < 50_000 else 3])
+        repetitions = 2 if quick else 5 if size < 50_000 else 3
+        run = run_process([program(), path, repetitions], environment=blas_kernels())
         path.unlink()
         if run.code != 0:
             raise RuntimeError(f"factorisation ended with code {run.code}:\n{run.printed}")

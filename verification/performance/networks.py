@@ -120,21 +120,20 @@ def ours_row(runs, force):
 
 def other_row(name, solver, runs, ours):
     row = {"program": name, "version": peers.version(name), "solver": solver, "runs": len(runs)}
-    good = [run for run in runs if run.result and run.result["iterations"]]
-    if not good and runs[-1].result:
-        return row | {"failed": "did not converge in the first increment"}
+    good = [run for run in runs if run.result]
     if not good:
         last = [line for line in runs[-1].run.printed.splitlines() if line.strip()][-1:]
         return row | {"failed": f"code {runs[-1].run.code}: {' '.join(last)[:120]}"}
     result = good[0].result
-    iterations = sum(result["iterations"])
+    iterations = sum(result["iterations"]) + result["in_vain"]
     row |= {
         "finished": result["finished"],
         "increments": len(result["iterations"]),
         "iterations": iterations,
         "seconds": statistics.median(run.result["seconds"] for run in good),
         "memory": max(run.result["memory"] for run in good),
-        "reaction": result["reactions"][-1],
+        "reaction": result["reactions"][-1] if result["reactions"] else None,
+        "in_vain": result["in_vain"],
     }
     row["seconds_per_iteration"] = row["seconds"] / iterations
     row["time_ratio"] = row["seconds"] / ours["seconds"] if row["finished"] else None
@@ -174,7 +173,9 @@ def tables(values):
             if "failed" in other:
                 lines.append([row["elements"], name, other["failed"], *[None] * 6])
                 continue
-            if not other["finished"]:
+            if other["in_vain"]:
+                name += f" (no solution of increment {other['increments'] + 1} in {other['in_vain']} iterations)"
+            elif not other["finished"]:
                 name += f" (stopped after increment {other['increments']})"
             ratios = (other[key] for key in ("time_ratio", "iteration_ratio", "memory_ratio"))
             lines.append([row["elements"], name, *_figures(other), *ratios])

@@ -5,7 +5,8 @@ solves this as a static problem of beams that touch anywhere: OpenSees, Kratos a
 MuJoCo and PyElastica let rods move in time until they rest. The nearest is OpenSees with the contacts given by hand: where two
 fibres cross in plan, both get a node, and a spring that only pushes joins them along z. It then has no search, no
 sliding, no direction of contact to follow, and more elements (they are cut at the crossings); litz finds all of it. Both take
-the same penalty, load, increments and largest residual force.
+the same penalty, load, increments and largest residual force. In litz the fibres have friction: without it some fibres of a
+large mat snap aside, which springs along z cannot do.
 """
 
 import itertools
@@ -30,6 +31,7 @@ SPREAD = math.radians(6)
 #: Length over which a fibre bends [m]
 SPAN = 2e-3
 STEEL = build.Material("STEEL", young=200e9, poisson=0.3)
+FRICTION = 0.2
 #: Pressed height over the height of the layers, and increments
 PRESSED, INCREMENTS = 0.068, 5
 #: Fibres of each layer; they cross the whole mat, whose side grows with their number
@@ -55,7 +57,7 @@ def pile(per_layer, seed=1):
         n_elements=round(ELEMENTS * side / SIDE),
         n_bars=round(BARS * side / SIDE),
         material=STEEL,
-        interaction=build.Interaction(behaviour=Linear(penalty)),
+        interaction=build.Interaction(behaviour=Linear(penalty), friction=FRICTION),
     )
     # a node with one rotation held and two free has an unsymmetric tangent
     for layer in range(1, LAYERS + 1):

@@ -1,7 +1,9 @@
 """Runs of programs with their time and memory, and what the machine was doing meanwhile."""
 
+import functools
 import os
 import platform
+import re
 import statistics
 import subprocess
 import time
@@ -24,9 +26,20 @@ class Run:
     seconds: float
 
 
-def run_process(command, *, limit=3600.0):
-    """Run a command with all cores; it is ended after `limit` seconds."""
-    environment = {**program_environment(), "OMP_NUM_THREADS": str(CORES), "OPENBLAS_NUM_THREADS": str(CORES)}
+@functools.cache
+def blas_kernels():
+    """The kernels that litz has OpenBLAS take, for other programs that use the OpenBLAS of the system."""
+    if "OPENBLAS_CORETYPE" in os.environ:
+        return {}
+    told = subprocess.run([program_path(), "--version"], capture_output=True, text=True, check=True).stdout
+    found = re.search(r"^BLAS: OpenBLAS.* (\w+) MAX_THREADS", told, re.MULTILINE)
+    return {"OPENBLAS_CORETYPE": found[1]} if found else {}
+
+
+def run_process(command, *, limit=3600.0, environment=None):
+    """Run a command with all cores and these variables of the environment; it is ended after `limit` seconds."""
+    threads = {"OMP_NUM_THREADS": str(CORES), "OPENBLAS_NUM_THREADS": str(CORES)}
+    environment = {**program_environment(), **threads, **(environment or {})}
     begin = time.perf_counter()
     with subprocess.Popen(
         ["timeout", str(limit), *map(str, command)],

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from verification import environments
-from verification.performance.process import Run, run_process
+from verification.performance.process import Run, blas_kernels, run_process
 
 #: Packages of each program
 PACKAGES = {
@@ -62,7 +62,8 @@ def write_frame(path, **arrays):
 def run_peer(name, problem, *options, limit=600.0):
     """Run a program's script on a problem; it stops by itself after `limit` seconds, and is ended after twice that."""
     script = Path(__file__).with_name(f"{name.lower()}_frame.py")
-    run = run_process([interpreter(name), script, problem, limit, *options], limit=2 * limit)
+    command = [interpreter(name), script, problem, limit, *options]
+    run = run_process(command, limit=2 * limit, environment=blas_kernels())
     result = None
     for line in run.printed.splitlines():
         if line.startswith('{"seconds"'):

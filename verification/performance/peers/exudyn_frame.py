@@ -108,7 +108,8 @@ def main():
     frame.increments, increments = 1, frame.increments
 
     def solve(_):
-        return solver.it.newtonStepsCount if solver.SolveSystem(system, settings) else None
+        converged = solver.SolveSystem(system, settings)
+        return solver.it.newtonStepsCount, converged
 
     def reaction():
         force = exudyn.OutputVariableType.ForceLocal

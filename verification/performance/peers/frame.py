@@ -45,12 +45,13 @@ class Clock:
         self.frame, self.limit = frame, float(limit)
 
     def run(self, solve, reaction, **more):
-        """`solve(i)`: increment i from 0, returns its iterations or None; `reaction()`: sum along z of what is moved."""
-        iterations, reactions = [], []
+        """`solve(i)`: increment i from 0; its iterations, and whether it converged. `reaction()`: sum along z of what moves."""
+        iterations, reactions, in_vain = [], [], 0
         begin = time.perf_counter()
         for i in range(self.frame.increments):
-            done = solve(i)
-            if done is None:
+            done, converged = solve(i)
+            if not converged:
+                in_vain = done
                 break
             iterations.append(done)
             reactions.append(reaction())
@@ -58,8 +59,8 @@ class Clock:
                 break
         seconds = time.perf_counter() - begin
         finished = len(iterations) == self.frame.increments
-        result = {"seconds": seconds, "iterations": iterations, "reactions": reactions, "finished": finished}
-        result |= {"memory": most_memory(), **more}
+        result = {"seconds": seconds, "iterations": iterations, "in_vain": in_vain, "reactions": reactions}
+        result |= {"finished": finished, "memory": most_memory(), **more}
         print("\n" + json.dumps(result), flush=True)
 
 

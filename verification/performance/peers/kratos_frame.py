@@ -79,7 +79,7 @@ def main():
         strategy.Predict()
         converged = strategy.SolveSolutionStep()
         strategy.FinalizeSolutionStep()
-        return part.ProcessInfo[KM.NL_ITERATION_NUMBER] if converged else None
+        return part.ProcessInfo[KM.NL_ITERATION_NUMBER], converged
 
     def reaction():
         return sum(node.GetSolutionStepValue(KM.REACTION_Z) for node, unknown, _ in moved if unknown == UNKNOWNS[2][0])

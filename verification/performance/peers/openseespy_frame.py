@@ -7,7 +7,7 @@ import numpy as np
 import openseespy.opensees as ops
 from frame import arguments
 
-MOST_ITERATIONS = 60
+MOST_ITERATIONS = 30
 
 
 def build(frame):
@@ -54,7 +54,8 @@ def main():
     top = [int(node) + 1 for node, dof in frame.moved if dof == 2]
 
     def solve(_):
-        return ops.testIter() if ops.analyze(1) == 0 else None
+        converged = ops.analyze(1) == 0
+        return ops.testIter(), converged
 
     def reaction():
         ops.reactions()
