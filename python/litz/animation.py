@@ -11,6 +11,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image
 
+from .notebook import Picture
 from .plots import STYLE, Look, box_pixels, new_figure, place_wires, title, with_increments
 from .results import Results
 from .run import FileError
@@ -37,7 +38,7 @@ def animate(
     size: tuple[int, int] | None = None,
     frames_per_second: float = 10.0,
     most_frames: int = 100,
-) -> Path:
+) -> Picture:
     """Draw the wires at one increment after the other into a file that moves.
 
     The camera, the range of the colours and the size of the spots are the same for all increments.
@@ -60,13 +61,13 @@ def animate(
     Returns
     -------
     Path
-        The file.
+        The file; a notebook shows a `.gif`.
     """
     look = Look(field, scale, spots, reference, view)
     if not frames_per_second > 0 or most_frames < 1:
         raise ValueError("frames per second must be above 0, and the number of frames at least 1")
     results = with_increments(results)
-    path = Path(filename) if filename else results.path.with_name(f"{results.path.stem}_wires.gif")
+    path = Picture(filename or results.path.with_name(f"{results.path.stem}_wires.gif"))
     if path.suffix not in _WRITERS:
         raise ValueError(f"an animation is a .gif or .mp4 file, not {path.name!r}")
     n = len(results.times)

@@ -9,9 +9,13 @@ from xml.etree import ElementTree
 
 import numpy as np
 
+from .tables import Table, optional
 from .wires import arc_lengths, find_wires
 
 if TYPE_CHECKING:
+    import networkx as nx
+    import pandas as pd
+
     from .results import Results
 
 #: Columns of the ledger that an edge carries, and the unit of each
@@ -26,7 +30,7 @@ _OF_CONTACT = {
 }
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class ContactNetwork:
     """Wires and the closed contacts between them at one increment.
 
@@ -50,6 +54,8 @@ class ContactNetwork:
         Its place, halfway between the axes [m].
     force, gap, angle, resistance, current, voltage_gap, joule_heat : (k,) arrays
         As in the contact ledger [N, m, rad, ohm, A, V, W].
+    wires_at : dict of (m,) array of int
+        The wires that have a node in each node set: `wires_at["PLUS"]` are those at this electrode.
 
     Notes
     -----
@@ -71,6 +77,62 @@ class ContactNetwork:
     current: np.ndarray
     voltage_gap: np.ndarray
     joule_heat: np.ndarray
+    wires_at: dict[str, np.ndarray]
+
+    def __repr__(self) -> str:
+        """Sizes."""
+        return f"<ContactNetwork: {len(self.wire_length)} wires, {len(self.id)} contacts>"
+
+    def table(self) -> Table:
+        """The contacts as a table, a row for each; wires are counted from 0, as in `wires`."""
+        places = {"arc_1": self.arc[:, 0], "arc_2": self.arc[:, 1]}
+        places |= {axis: self.point[:, i] for i, axis in enumerate("xyz")}
+        columns = {"id": self.id, "wire_1": self.wires[:, 0], "wire_2": self.wires[:, 1], **places}
+        columns |= {name: getattr(self, name) for name in _OF_CONTACT}
+        units = {"id": "", "wire_1": "", "wire_2": "", **dict.fromkeys(places, "m"), **_OF_CONTACT}
+        return Table(columns, units)
+
+    def to_pandas(self) -> "pd.DataFrame":
+        """The contacts as a data frame of pandas, a row for each; `table` without pandas."""
+        return self.table().to_pandas()
+
+    def to_networkx(self) -> "nx.MultiGraph":
+        """The network as a graph of NetworkX, which it needs.
+
+        Wires are nodes, by their numbers from 0, with `first_element`, `length`, `potential`, `current` and `node_sets`,
+        the names of the node sets they reach; contacts are edges, with their ids as keys and their columns in `table`.
+
+        Examples
+        --------
+        Whether the wires lead from one electrode to the other:
+
+        >>> import networkx as nx                                                       # doctest: +SKIP
+        >>> graph = network.to_networkx()                                               # doctest: +SKIP
+        >>> plus, minus = set(network.wires_at["PLUS"]), set(network.wires_at["MINUS"])     # doctest: +SKIP
+        >>> any(plus & part and minus & part for part in nx.connected_components(graph))    # doctest: +SKIP
+        True
+        """
+        graph = optional("networkx").MultiGraph()
+        sets_of: list[list[str]] = [[] for _ in self.wire_length]
+        for name, wires in self.wires_at.items():
+            for wire in wires:
+                sets_of[wire].append(name)
+        of_wire = zip(self.first_element, self.wire_length, self.wire_potential, self.wire_current, strict=True)
+        for wire, (element, *values) in enumerate(of_wire):
+            length, potential, current = map(float, values)
+            graph.add_node(
+                wire,
+                first_element=int(element),
+                length=length,
+                potential=potential,
+                current=current,
+                node_sets=sets_of[wire],
+            )
+        columns = self.table()
+        for row, (contact, (first, second)) in enumerate(zip(self.id, self.wires, strict=True)):
+            of_contact = {name: float(columns[name][row]) for name in list(columns)[3:]}
+            graph.add_edge(int(first), int(second), key=int(contact), **of_contact)
+        return graph
 
     def to_csv(self, path: str | PathLike) -> Path:
         """Write the contacts as a table, a row for each: an edge list with the wires counted from 1."""
@@ -142,7 +204,15 @@ def contact_network(results: "Results", increment: int) -> ContactNetwork:
         arc=arc_start[rows] + (1 + sign[rows] * xi) / 2 * lengths[rows],
         point=np.stack([(ledger[f"point_bar_{axis}"] + ledger[f"point_{axis}"]) / 2 for axis in "xyz"], axis=1),
         **{name: ledger[name] for name in _OF_CONTACT},
+        wires_at=_wires_at(results, wires),
     )
+
+
+def _wires_at(results: "Results", wires: list) -> dict[str, np.ndarray]:
+    """The wires that have a node in each node set."""
+    node = np.concatenate([wire.nodes for wire in wires])
+    wire_of = np.repeat(np.arange(len(wires)), [len(wire.nodes) for wire in wires])
+    return {name: np.unique(wire_of[np.isin(node, members)]) for name, members in results.node_sets.items()}
 
 
 def wire_currents(results: "Results", increment: int) -> np.ndarray:

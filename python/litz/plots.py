@@ -10,6 +10,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from . import charts, friction_charts, network_chart
+from .notebook import Picture
 from .results import Results
 from .run import FileError
 from .scene import VIEWS, Camera, Scene, SceneMaker, aim
@@ -76,7 +77,7 @@ def plot(
     reference: bool = True,
     view: tuple[float, float, float] | str | None = None,
     size: tuple[int, int] | None = None,
-) -> Path:
+) -> Picture:
     """Draw results into a picture file.
 
     Parameters
@@ -116,13 +117,13 @@ def plot(
     Returns
     -------
     Path
-        The picture.
+        The picture, which a notebook shows.
     """
     if kind not in _KINDS:
         raise ValueError(unknown_name("kind of plot", kind, _KINDS))
     look = Look(field, scale, spots, reference, view)
     results = with_increments(results)
-    path = Path(filename) if filename else results.path.with_name(f"{results.path.stem}_{kind}.png")
+    path = Picture(filename or results.path.with_name(f"{results.path.stem}_{kind}.png"))
     draw, default_size = _KINDS[kind]
     with mpl.rc_context(STYLE):
         figure = new_figure(default_size, size)

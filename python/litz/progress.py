@@ -1,12 +1,13 @@
 """How far a run is: a line on a terminal, a bar in a notebook, some lines in a log."""
 
-import html
 import re
 import shutil
 import sys
 import time
 from pathlib import Path
-from typing import Any, TextIO
+from typing import TextIO
+
+from . import notebook
 
 #: step, increment, attempt, iterations, time, increment of time, contacts, sum of forces, remark
 _INCREMENT = re.compile(r"\s*(\d+)\s+(\d+)\s+\d+\s+\d+\s+(\S+)\s+\S+\s+(\d+)\s+\S+(.*)")
@@ -66,7 +67,7 @@ class Progress:
         self._text = ""
         # a line of all columns would wrap
         self._width = min(_WIDTH, shutil.get_terminal_size().columns - 1)
-        self._handle = _notebook_handle() if stream is None else None
+        self._handle = notebook.place() if stream is None else None
         self._on_terminal = self._handle is None and self._stream.isatty()
 
     def feed(self, line: str) -> None:
@@ -91,7 +92,7 @@ class Progress:
         if self._text:
             text += f" ({self._text})"
         if self._handle is not None:
-            self._handle.update(_Html(_bar_of_notebook(1.0 if finished else self._share(), text)))
+            self._handle.update(notebook.bar(1.0 if finished else self._share(), text))
         elif self._on_terminal:
             self._stream.write("\r" + text[: self._width].ljust(self._width) + "\n")
         else:
@@ -115,7 +116,7 @@ class Progress:
         self._last = now
         text = f"{share:4.0%} {self._text}, {_clock(now - self._start)}{self._left(now)}"
         if self._handle is not None:
-            self._handle.update(_Html(_bar_of_notebook(share, f"{self._title}: {text}")))
+            self._handle.update(notebook.bar(share, f"{self._title}: {text}"))
             return
         bar = ("#" * round(share * _BAR)).ljust(_BAR, ".")
         self._stream.write("\r" + f"[{bar}] {text}"[: self._width].ljust(self._width))
@@ -132,35 +133,3 @@ class Progress:
 def _clock(seconds: float) -> str:
     whole = round(seconds)
     return f"{whole // 3600}:{whole // 60 % 60:02}:{whole % 60:02}"
-
-
-def _notebook_handle() -> Any:
-    """A place in the notebook that runs this, which can be written over; None elsewhere."""
-    if "IPython" not in sys.modules:
-        return None
-    from IPython import get_ipython
-    from IPython.display import display
-
-    shell = get_ipython()
-    if shell is None or not hasattr(shell, "kernel"):
-        return None
-    return display(_Html(_bar_of_notebook(0.0, "starts")), display_id=True)
-
-
-class _Html:
-    """What a notebook shows as HTML, and as text where it cannot."""
-
-    def __init__(self, content: tuple[str, str]):
-        self._html, self._text = content
-
-    def __repr__(self) -> str:
-        """The text."""
-        return self._text
-
-    def _repr_html_(self) -> str:
-        return self._html
-
-
-def _bar_of_notebook(share: float, text: str) -> tuple[str, str]:
-    bar = f'<progress value="{share:.3f}" max="1" style="width: 16em"></progress>'
-    return f"<div>{bar} {html.escape(text)}</div>", text

@@ -32,7 +32,8 @@ def _increments(results: "Results") -> str:
     """One line per line of the .sta file; the middle is left out of a long one."""
     status = results.status
     heads = ("step", "increment", "attempts", "iterations", "time", "time_increment", "force", "contacts", "remark")
-    rows = [heads, tuple(f"[{status.units[head]}]" if status.units[head] else "" for head in heads)]
+    titles = tuple("residual" if head == "force" else head for head in heads)
+    rows = [titles, tuple(f"[{status.units[head]}]" if status.units[head] else "" for head in heads)]
     picked: Sequence[int | None] = range(status.n_rows)
     if status.n_rows > _MOST_ROWS:
         half = _MOST_ROWS // 2

@@ -16,6 +16,7 @@ from typing import Any, Literal
 
 import numpy as np
 
+from . import notebook
 from .deck import Deck, to_text
 from .model import Model
 from .results import Results
@@ -64,7 +65,7 @@ def sweep(
     again : bool or "failed"
         True: repeat all runs; "failed": those that failed.
     progress : bool
-        Show a line with the number of runs.
+        Show how many runs are over: a line on a terminal, a bar in a notebook, a line at the end in a log.
     **options
         As those of `litz.run`; `threads` is 1 when left out.
 
@@ -270,12 +271,18 @@ def _numbers(values: Mapping[str, Any]) -> dict[str, float]:
     return numbers
 
 
+def _error(message: str) -> str:
+    """What a run ended with, without the warnings that the program gave before."""
+    found = re.search(r"^error\b", message, re.MULTILINE)
+    return message[found.start() :] if found else message
+
+
 def _tell_failures(runs: list[_Run]) -> None:
     failed = [one for one in runs if one.status == "failed"]
     if failed:
         first = ", ".join(f"{name}={value}" for name, value in failed[0].parameters.items())
         warnings.warn(
-            f"{len(failed)} of {len(runs)} runs failed; the first, {first}: {failed[0].message.splitlines()[0]}",
+            f"{len(failed)} of {len(runs)} runs failed; the first, {first}: {_error(failed[0].message)}",
             stacklevel=3,
         )
 
@@ -290,31 +297,36 @@ def _table(runs: list[_Run]) -> Table:
         if name in (*columns, _MESSAGE, _DIRECTORY):
             raise ValueError(f"the values may not hold {name}: the table has a column of this name")
         columns[name] = np.array([one.values.get(name, np.nan) for one in runs])
-    columns[_MESSAGE] = np.array([one.message for one in runs])
+    columns[_MESSAGE] = np.array([_error(one.message) for one in runs])
     columns[_DIRECTORY] = np.array([str(one.directory or "") for one in runs])
     return Table(columns, {name: units.get(name, "") for name in columns})
 
 
 class _Count:
-    """A line that says how many runs are over."""
+    """A line on a terminal, or a bar in a notebook, that says how many runs are over."""
 
     def __init__(self, total: int):
         self._total, self._done, self._failed = total, 0, 0
         self._start = time.monotonic()
         self._lock = threading.Lock()
-        self._on_terminal = sys.stderr.isatty()
+        self._handle = notebook.place()
+        self._on_terminal = self._handle is None and sys.stderr.isatty()
 
     def add(self, one: _Run) -> None:
         """Count a run."""
         with self._lock:
             self._done += 1
             self._failed += one.status == "failed"
-            if self._on_terminal:
+            if self._handle is not None:
+                self._handle.update(notebook.bar(self._done / self._total, self._text()))
+            elif self._on_terminal:
                 sys.stderr.write(f"\r{self._text():79}")
                 sys.stderr.flush()
 
     def close(self) -> None:
         """End the line."""
+        if self._handle is not None:
+            return
         sys.stderr.write(("\r" if self._on_terminal else "") + f"{self._text():79}".rstrip() + "\n")
         sys.stderr.flush()
 

@@ -1,6 +1,7 @@
 """The text tables of a run (.csv, .sta, .cvg) as numpy arrays by column name."""
 
 import difflib
+import html
 import re
 from collections.abc import Iterable, Iterator, Mapping
 from importlib import import_module
@@ -38,6 +39,11 @@ _INTEGER_COLUMNS = frozenset(
 )
 #: The last columns of a table may hold words
 _TEXT_COLUMNS = frozenset(["friction", "status", "remark"])
+#: A printed table: most rows, rows at each end of a longer one, most letters of a cell, and of a line
+_MOST_ROWS = 20
+_ROWS_AT_END = 5
+_MOST_LETTERS = 48
+_WIDTH = 120
 
 
 def optional(package: str) -> ModuleType:
@@ -79,8 +85,42 @@ class Table(Mapping):
         return len(self._columns)
 
     def __repr__(self) -> str:
-        """Sizes and columns."""
-        return f"<Table of {self.n_rows} rows: {', '.join(self)}>"
+        """The table as far as it fits on a page, and the names of columns that do not."""
+        columns = list(zip(*self._page(), strict=True))
+        widths = [max(map(len, column)) for column in columns]
+        used = np.cumsum([width + 2 for width in widths])
+        n_shown = len(columns) if not widths or used[-1] <= _WIDTH else max(1, int((used <= _WIDTH - 5).sum()))
+        cells = [[cell.rjust(width) for cell in column] for column, width in zip(columns, widths, strict=True)]
+        shown = cells[:n_shown] + ([["..."] * len(columns[0])] if n_shown < len(columns) else [])
+        lines = ["  ".join(row).rstrip() for row in zip(*shown, strict=True)]
+        hidden = list(self)[n_shown:]
+        lines.append(self._sizes() + (f"; not shown: {', '.join(hidden)}" if hidden else ""))
+        return "\n".join(lines)
+
+    def _repr_html_(self) -> str:
+        """The table for a notebook."""
+        rows = [[html.escape(cell) for cell in row] for row in self._page()]
+        heads = ["<tr>" + "".join(f"<th>{cell}</th>" for cell in row) + "</tr>" for row in rows[:2]]
+        body = ["<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows[2:]]
+        return (
+            '<div style="overflow-x: auto"><table>'
+            f"<thead>{''.join(heads)}</thead><tbody>{''.join(body)}</tbody></table></div><p>{self._sizes()}</p>"
+        )
+
+    def _sizes(self) -> str:
+        return f"{self.n_rows} rows, {len(self)} columns"
+
+    def _page(self) -> list[list[str]]:
+        """Names, units, and the rows: of a long table the first and the last ones, with dots between."""
+        picked: list[int | None] = list(range(self.n_rows))
+        if self.n_rows > _MOST_ROWS:
+            picked = [*range(_ROWS_AT_END), None, *range(self.n_rows - _ROWS_AT_END, self.n_rows)]
+        units = [f"[{self.units[name]}]" if self.units.get(name) else "" for name in self]
+        return [
+            list(self),
+            units,
+            *(["..." if row is None else _cell(values[row]) for values in self._columns.values()] for row in picked),
+        ]
 
     def to_array(self) -> np.ndarray:
         """The rows as a structured array."""
@@ -101,10 +141,22 @@ class Table(Mapping):
         return Table({name: values[mask] for name, values in self._columns.items()}, self.units)
 
 
+def _cell(value: object) -> str:
+    """A value in few letters."""
+    if isinstance(value, float | np.floating):
+        return f"{value:.6g}"
+    text = " ".join(str(value).split())
+    return text if len(text) <= _MOST_LETTERS else text[: _MOST_LETTERS - 4] + " ..."
+
+
 def nearest_name(name: str, known: Iterable[str]) -> str:
     """The question whether a name like it was meant, or nothing where there is none like it."""
     spelt = {str(one).upper(): one for one in known}
     nearest = difflib.get_close_matches(str(name).upper(), spelt, n=1)
+    if not nearest:
+        # the first word of a longer name, as "resistance" of "resistance PLUS to MINUS"
+        spelt = {one.split()[0]: full for one, full in reversed(spelt.items()) if one.strip()}
+        nearest = difflib.get_close_matches(str(name).upper(), spelt, n=1)
     return f"; did you mean {spelt[nearest[0]]!r}?" if nearest else ""
 
 
@@ -113,7 +165,7 @@ def unknown_name(what: str, name: str, known: Iterable[str]) -> str:
     known = list(known)
     hint = nearest_name(name, known)
     listed = ", ".join(known[:40]) + (", ..." if len(known) > 40 else "")
-    return f"there is no {what} {name!r}{hint} There are: {listed or 'none'}"
+    return f"there is no {what} {name!r}{hint or '.'} There are: {listed or 'none'}"
 
 
 def read_csv(path: Path) -> Table:

@@ -1,11 +1,13 @@
 """The contact network of a run, as arrays and as files."""
 
 import csv
+import sys
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 
+import litz
 from litz import Results
 
 GRAPHML = "{http://graphml.graphdrawing.org/xmlns}"
@@ -82,3 +84,44 @@ def test_network_before_the_first_touch_is_empty(run_of_input):
     assert network.wires.shape == (0, 2)
     assert len(network.wire_length) == 46
     np.testing.assert_array_equal(network.wire_current, 0)
+
+
+def test_wires_at_an_electrode_are_those_with_a_node_of_it(results):
+    network = results.contact_network()
+    assert network.wires_at["PLUS"].tolist() == [0, 1, 2, 3]
+    assert network.wires_at["MINUS"].tolist() == [4, 5, 6, 7]
+
+
+def test_contacts_as_a_table(results):
+    network = results.contact_network()
+    table = network.table()
+    assert table["wire_2"].tolist() == network.wires[:, 1].tolist()
+    assert table["z"].tolist() == network.point[:, 2].tolist()
+    assert table.units["resistance"] == "ohm"
+    assert table.units["arc_1"] == "m"
+    assert repr(network) == "<ContactNetwork: 8 wires, 16 contacts>"
+
+
+def test_a_data_frame_has_the_units(results):
+    pytest.importorskip("pandas")
+    frame = results.contact_network().to_pandas()
+    assert len(frame) == 16
+    assert frame.attrs["units"]["force"] == "N"
+
+
+def test_the_graph_of_networkx_has_wires_and_contacts(results):
+    networkx = pytest.importorskip("networkx")
+    network = results.contact_network()
+    graph = network.to_networkx()
+    assert (graph.number_of_nodes(), graph.number_of_edges()) == (8, 16)
+    assert graph.nodes[7]["node_sets"].count("MINUS") == 1
+    assert graph.nodes[7]["length"] == pytest.approx(0.1)
+    first, second = (int(wire) for wire in network.wires[3])
+    assert graph.edges[first, second, int(network.id[3])]["force"] == network.force[3]
+    assert networkx.is_connected(graph)
+
+
+def test_a_graph_needs_networkx(results, monkeypatch):
+    monkeypatch.setitem(sys.modules, "networkx", None)
+    with pytest.raises(litz.FileError, match="pip install networkx"):
+        results.contact_network().to_networkx()

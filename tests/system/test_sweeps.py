@@ -2,12 +2,14 @@
 
 import io
 import json
+import re
 
 import numpy as np
 import pytest
 
 import litz
 from decks import crossed
+from litz import notebook
 from litz import progress as progress_module
 from litz.progress import Progress, total_time
 
@@ -82,11 +84,12 @@ def test_a_changed_model_is_run_again(tmp_path):
 
 
 def test_failed_runs_are_told_and_kept(tmp_path):
-    with pytest.warns(UserWarning, match=r"1 of 2 runs failed; the first, push=5.0: .*increments"):
+    with pytest.warns(UserWarning, match=r"1 of 2 runs failed; the first, push=5.0: error: .*increments"):
         table = litz.sweep(model, {"push": [1e-6, 5.0]}, directory=tmp_path, progress=False)
     assert table["status"].tolist() == ["finished", "failed"]
     assert np.isnan(table["RF3 sum UPPER"][1])
-    assert "increments" in table["message"][1]
+    # the warnings that the program gave before are no reason
+    assert re.match(r"error: .*increments", table["message"][1])
     (outcome,) = [path for path in tmp_path.rglob("outcome.json") if "push=5" in path.parent.name]
     written = outcome.stat().st_mtime_ns
     with pytest.warns(UserWarning, match="1 of 2"):
@@ -209,7 +212,7 @@ def test_a_notebook_gets_a_bar(monkeypatch):
         def update(self, thing):
             shown.append(thing)
 
-    monkeypatch.setattr(progress_module, "_notebook_handle", Handle)
+    monkeypatch.setattr(notebook, "place", Handle)
     monkeypatch.setattr(progress_module, "_PAUSE", 0.0)
     bar = Progress(1.0, "<wires>")
     for line in LINES:
@@ -218,6 +221,20 @@ def test_a_notebook_gets_a_bar(monkeypatch):
     assert '<progress value="0.250"' in shown[0]._repr_html_()
     assert "&lt;wires&gt;: finished" in shown[-1]._repr_html_()
     assert repr(shown[-1]).startswith("<wires>: finished")
+
+
+def test_a_notebook_gets_a_bar_for_a_sweep(monkeypatch, capsys):
+    shown = []
+
+    class Handle:
+        def update(self, thing):
+            shown.append(thing)
+
+    monkeypatch.setattr(notebook, "place", Handle)
+    litz.sweep(lambda side: side**2, {"side": [1.0, 2.0]}, directory=None)
+    assert [re.search(r'value="(.*?)"', thing._repr_html_())[1] for thing in shown] == ["0.500", "1.000"]
+    assert repr(shown[-1]).startswith("2 of 2 runs")
+    assert capsys.readouterr().err == ""
 
 
 def test_the_time_of_all_steps_is_found_through_includes(inputs, tmp_path):

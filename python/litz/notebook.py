@@ -1,0 +1,63 @@
+"""What a Jupyter notebook shows in place of text and paths: bars and pictures."""
+
+import base64
+import html
+import sys
+from pathlib import PosixPath
+from typing import Any
+
+#: What a notebook shows of a picture file
+_KINDS = {".png": "image/png", ".gif": "image/gif", ".jpg": "image/jpeg", ".jpeg": "image/jpeg"}
+
+
+class Picture(PosixPath):
+    """The path of a picture, which a notebook shows as the picture itself."""
+
+    def _repr_mimebundle_(self, **_: object) -> dict[str, str]:
+        """The picture as it is now; the path alone where there is none that a notebook can show."""
+        shown = {"text/plain": repr(self)}
+        if not self.is_file():
+            return shown
+        if self.suffix.lower() in _KINDS:
+            shown[_KINDS[self.suffix.lower()]] = base64.b64encode(self.read_bytes()).decode()
+        elif self.suffix.lower() == ".svg":
+            shown["image/svg+xml"] = self.read_text(encoding="utf-8")
+        return shown
+
+
+class Html:
+    """What a notebook shows as HTML, and as text where it cannot."""
+
+    def __init__(self, content: str, text: str):
+        self._html, self._text = content, text
+
+    def __repr__(self) -> str:
+        """The text."""
+        return self._text
+
+    def _repr_html_(self) -> str:
+        return self._html
+
+
+def in_notebook() -> bool:
+    """Whether a notebook runs this."""
+    if "IPython" not in sys.modules:
+        return False
+    from IPython import get_ipython
+
+    return hasattr(get_ipython(), "kernel")
+
+
+def place() -> Any:
+    """A place in the notebook that runs this, which can be written over by `update`; None elsewhere."""
+    if not in_notebook():
+        return None
+    from IPython.display import display
+
+    return display(bar(0.0, "starts"), display_id=True)
+
+
+def bar(share: float, text: str) -> Html:
+    """A bar that is full at a share of 1, with text beside it."""
+    drawn = f'<progress value="{share:.3f}" max="1" style="width: 16em"></progress>'
+    return Html(f"<div>{drawn} {html.escape(text)}</div>", text)
