@@ -6,6 +6,8 @@ Current                      `crossed_wires_network`, `grid_network`
 Large bending                `cantilever_elastica`, `roll_up`
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple

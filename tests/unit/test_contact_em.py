@@ -178,6 +178,8 @@ class TestWhatHoldsExactly:
     def test_the_reported_quantities_belong_together(self, pair):
         result = pair.evaluate()
         assert result.current == pytest.approx(result.R[24:26].sum(), rel=1e-13, abs=1e-15)
+        assert 0 < result.angle < np.pi
+        assert result.spot_radius == pytest.approx(np.sqrt(result.semi_major * result.semi_minor), rel=1e-14)
         assert result.voltage_gap == pytest.approx(result.current * result.resistance, rel=1e-14) or (
             pair.laws["spot_law"] == "none"
         )
@@ -356,6 +358,12 @@ class TestSide:
         fit = np.polynomial.polynomial.polyfit(heights[[0, 2, 4, 6]], k[[0, 2, 4, 6]], 3)
         others = np.polynomial.polynomial.polyval(heights[[1, 3, 5]], fit).T
         assert np.abs(others - k[[1, 3, 5]]).max() < 1e-12 * np.abs(k).max()
+
+    def test_the_side_of_one_state_is_that_to_give_to_the_next(self):
+        side = self.evaluate(0.15, side=0).side
+        assert side == -1
+        assert self.evaluate(-0.15, side=side).gap == self.evaluate(-0.15, side=-1).gap
+        assert self.evaluate(-0.15, side=side).side == side
 
     def test_without_a_side_the_wire_is_pushed_out_on_the_other_side(self):
         result = self.evaluate(-0.15, side=0)

@@ -1,5 +1,7 @@
 """What holds the wires of a press: rigid plates of parallel bars, and guides at the ends of the wires."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable
 

@@ -1,5 +1,7 @@
 """Segments, their distances, and the room between the wires of a model."""
 
+from __future__ import annotations
+
 import math
 
 import numpy as np

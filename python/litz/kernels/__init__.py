@@ -1,4 +1,14 @@
-"""The kernels of litz: plain arrays in, residual and tangent out."""
+"""The kernels of litz: plain arrays in, residual and tangent out.
+
+One element or one pair at a time, for teaching, tests and other programs. `R` is internal minus external, `K` its
+derivative; Newton's method solves ``K dq = -R``. Nodes have the unknowns ``ux uy uz phix phiy phiz``; rotational rows
+and columns refer to spins, small rotations that turn a node on from where it is, unless something else is asked for.
+Any units that fit together will do. The formulas are in ``docs/theory.md``.
+
+The contact of two wires: `contact_em` (the 28 x 28 element), `contact_coupling` (its coupling block in the parts of the
+paper), `closest_points`, `contact_spot` (force to conductance), `contact_search` (which elements are near each other).
+The wires: `beam_b31`, `beam_b33` and their strains, `conductor`, `potential_rise`.
+"""
 
 from litz.kernels.beams import (
     Beam,

@@ -1,5 +1,7 @@
 """Beam elements B31 and B33 and the two-node conductor, one element at a time."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from typing import Any, Literal, NamedTuple
 

@@ -1,5 +1,7 @@
 """The electric-mechanical contact of two wires: closest points, contact spot, and the contact element."""
 
+from __future__ import annotations
+
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -92,6 +94,14 @@ class ContactEM(NamedTuple):
     current: float
     #: Voltage across the spot, current times resistance [V]
     voltage_gap: float
+    #: Angle between the axes at the closest points [rad], in (0, pi); 0 where these lie beyond the elements
+    angle: float
+    #: Semi-axes of the spot [m]; 0 for laws without a spot
+    semi_major: float
+    semi_minor: float
+    #: On which side of the other a wire lies, 1 or -1, what the argument `side` remembers; 0 where the closest points
+    #: lie beyond the elements
+    side: int
 
 
 class ContactCoupling(NamedTuple):
@@ -292,7 +302,8 @@ def contact_em(
     axis : {"hermite", "linear"}
         Cubic axes between the nodes, or the straight ones of the chords (then rotations do not enter).
     spot_law : {"paper", "hertz", "plastic", "film", "constant", "table", "none"}
-        From force to conductance, see `contact_spot`; "none": no current.
+        From force to conductance, see `contact_spot`; "none": no current. The default is that of the paper, to be
+        compared with it; "hertz" is the law of two wires.
     rotation_vectors : array_like, shape (4, 3), optional
         Without it, rotational rows and columns refer to spins. With it, to additive changes of these vectors
         ``phi`` [rad], where ``t = exp(phi) t_start``.
@@ -301,8 +312,8 @@ def contact_em(
     hardness, film_resistivity, resistance, law_value, table : optional
         Data of the spot law, see `contact_spot`.
     side : {0, 1, -1}
-        Sign of ``(xb - x) . (x' x xb')`` when the contact began. With it the gap keeps its sign when the axes have
-        passed through each other; 0 takes the present sign.
+        Sign of ``(xb - x) . (x' x xb')`` when the contact began: `side` of the last converged state. With it the gap
+        keeps its sign when the axes have passed through each other; 0, for a pair that was open, takes the present sign.
     series_resistance : array_like, shape (2,)
         ``rho L0/(4 A)`` of each element [ohm], added in series as ``s (1 - xi^2)``: what the linear voltage within an
         element misses of the current that enters it at ``xi``. 0: the paper's voltage.
@@ -310,10 +321,11 @@ def contact_em(
     Returns
     -------
     ContactEM
-        `K` (28, 28), `R` (28,), `active`, `xi_bar`, `xi`, `gap`, `normal` (3,), `force`, `spot_radius`, `resistance`,
-        `current`, `voltage_gap`. Unknowns in the order {ub (12), u (12), Vb (2), V (2)}, each node
-        ``ux uy uz phix phiy phiz``. `R` is internal minus external; Newton solves ``K dq = -R``. A pair that is open,
-        or whose closest points lie beyond the elements' ends, has zeros and ``active=False``.
+        `K` (28, 28), `R` (28,), `active`, `xi_bar`, `xi`, `gap` [m], `normal` (3,), `force` [N], `spot_radius` [m],
+        `resistance` [ohm], `current` [A], `voltage_gap` [V], `angle` [rad], `semi_major` [m], `semi_minor` [m], `side`.
+        Unknowns in the order {ub (12), u (12), Vb (2), V (2)}, each node ``ux uy uz phix phiy phiz``. `R` is internal
+        minus external; Newton solves ``K dq = -R``. A pair that is open, or whose closest points lie beyond the
+        elements' ends, has zeros and ``active=False``.
 
     Raises
     ------
@@ -324,13 +336,29 @@ def contact_em(
     -----
     D. P. Boso, P. Litewka, B. A. Schrefler, P. Wriggers, Electric-mechanical beam-to-beam contact. The upper right
     block (24, 4) of `K` is zero. `contact_coupling` gives the parts of the lower left block. The formulas are in
-    ``fortran/kernels/contact_kinematics.f90``, ``contact_mechanics.f90`` and ``contact_electricity.f90``.
+    ``docs/theory.md`` and in ``fortran/kernels/contact_kinematics.f90``, ``contact_mechanics.f90`` and
+    ``contact_electricity.f90``.
+
+    Examples
+    --------
+    Two copper wires cross at 90 degrees and overlap by 2 micrometres; 1 mV between them:
+
+    >>> x = [[-0.01, 0, 1.998e-3], [0.01, 0, 1.998e-3], [0, -0.01, 0], [0, 0.01, 0]]
+    >>> t = [[1, 0, 0], [1, 0, 0], [0, 1, 0], [0, 1, 0]]
+    >>> wires = dict(radius=1e-3, young=120e9, poisson=0.34, resistivity=1.7e-8)
+    >>> contact = contact_em(x, t, [0.02, 0.02], [1e-3, 1e-3, 0, 0], **wires, normal_law="hertz", spot_law="hertz")
+    >>> print(f"{contact.force:.3f} N, {contact.current:.3f} A")
+    8.091 N, 5.261 A
+    >>> contact.K.shape, contact.R.shape
+    ((28, 28), (28,))
     """
     k, r, numbers, normal, _, info = _contact_em(
         x, t, length, v, radius, young, poisson, resistivity, eps_n, axis, spot_law, rotation_vectors, normal_law,
         hardness, film_resistivity, resistance, law_value, table, side, series_resistance,
     )  # fmt: skip
-    xi_bar, xi, gap, _, force, semi_major, semi_minor, spot_resistance, current, voltage_gap, _ = map(float, numbers)
+    xi_bar, xi, gap, angle, force, semi_major, semi_minor, spot_resistance, current, voltage_gap, now_on = map(
+        float, numbers
+    )
     return ContactEM(
         K=k,
         R=r,
@@ -344,6 +372,10 @@ def contact_em(
         resistance=spot_resistance,
         current=current,
         voltage_gap=voltage_gap,
+        angle=angle,
+        semi_major=semi_major,
+        semi_minor=semi_minor,
+        side=int(now_on),
     )
 
 
@@ -373,9 +405,8 @@ def contact_coupling(
 
     Parameters
     ----------
-    x, t, length, v, radius, young, poisson, resistivity, eps_n, axis, spot_law, normal_law, hardness, \
-    film_resistivity, resistance, law_value, table, side, series_resistance
-        As for `contact_em`.
+    x, t, ..., series_resistance
+        All as for `contact_em`.
 
     Returns
     -------

@@ -1,5 +1,7 @@
 """Broad phase of the contact search."""
 
+from __future__ import annotations
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 

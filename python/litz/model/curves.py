@@ -1,5 +1,7 @@
 """Nodes of wires along straight lines, polygons, splines and curves given as functions."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable
 

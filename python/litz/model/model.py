@@ -1,5 +1,7 @@
 """A model of wires in contact, built in Python."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from numbers import Integral
 from os import PathLike
@@ -183,8 +185,8 @@ class Model:
     def wire(
         self,
         name: str,
-        start: "ArrayLike | Nodes | None" = None,
-        end: "ArrayLike | Nodes | None" = None,
+        start: ArrayLike | Nodes | None = None,
+        end: ArrayLike | Nodes | None = None,
         *,
         points: ArrayLike | None = None,
         spline: bool = False,
@@ -275,7 +277,7 @@ class Model:
             return along_spline(corners, elements, closed=closed)
         return along_polyline(corners, elements) if elements else corners
 
-    def _shared(self, end: "ArrayLike | Nodes | None") -> int | None:
+    def _shared(self, end: ArrayLike | Nodes | None) -> int | None:
         """The node that an end of a wire is, if it is one."""
         if isinstance(end, Nodes):
             if len(end) != 1:
@@ -283,7 +285,7 @@ class Model:
             return end[0]
         return int(end) if isinstance(end, Integral) else None
 
-    def _place(self, end: "ArrayLike | Nodes | None", what: str) -> NDArray[np.float64]:
+    def _place(self, end: ArrayLike | Nodes | None, what: str) -> NDArray[np.float64]:
         node = self._shared(end)
         if node is not None:
             self._check_node(node)
@@ -355,7 +357,7 @@ class Model:
 
     def mesh(
         self,
-        mesh: "Mesh",
+        mesh: Mesh,
         *,
         radius: float | Mapping[str, float] | None = None,
         material: Material | str | None = None,
@@ -407,7 +409,7 @@ class Model:
             raise ValueError(f"{int((times != 1).sum())} elements of {mesh.path} have {what}; each needs one")
         return self._add_mesh(mesh, sections, element)
 
-    def _add_mesh(self, mesh: "Mesh", sections: list, element: str) -> list[WireGroup]:
+    def _add_mesh(self, mesh: Mesh, sections: list, element: str) -> list[WireGroup]:
         nodes = np.array(self._add_nodes(mesh.x, None))
         kinds = np.where(mesh.kinds == "", element, mesh.kinds)
         number = np.zeros(len(mesh.connectivity), dtype=np.int64)
@@ -535,7 +537,7 @@ class Model:
         there = ", ".join(known[:40]) or "none"
         raise ValueError(f"there is no node set {name!r}{nearest_name(name, known)}; there are: {there}")
 
-    def target(self, nodes: "AnyNodes") -> Target:
+    def target(self, nodes: AnyNodes) -> Target:
         """What stands for nodes on a data line: a number, or the name of a node set, which is made if need be."""
         if isinstance(nodes, Integral):
             return self._check_node(int(nodes))
@@ -546,7 +548,7 @@ class Model:
             nodes = Nodes(_span_name(members), members)
         return self.node_set_of(nodes)
 
-    def node_set_of(self, nodes: "AnyNodes") -> str:
+    def node_set_of(self, nodes: AnyNodes) -> str:
         """Name of the node set of some nodes, which is made if need be."""
         if isinstance(nodes, str):
             return self._known_node_set(nodes)
@@ -565,7 +567,7 @@ class Model:
             return nodes.name
         return self.node_set(nodes.name, nodes).name
 
-    def element_set_of(self, elements: "str | WireGroup") -> str:
+    def element_set_of(self, elements: str | WireGroup) -> str:
         """Name of an element set or group."""
         if isinstance(elements, WireGroup):
             return self._own(elements).name
@@ -604,8 +606,8 @@ class Model:
 
     def contact(
         self,
-        first: "WireGroup | str | Sequence[WireGroup | str]",
-        second: "WireGroup | str | Sequence[WireGroup | str] | None" = None,
+        first: WireGroup | str | Sequence[WireGroup | str],
+        second: WireGroup | str | Sequence[WireGroup | str] | None = None,
         *,
         behaviour: Hertz | Linear | None = None,
         conductance: _Spot | None = None,
@@ -666,7 +668,7 @@ class Model:
         words = ["TOUCH", *(f"TOUCH{number}" for number in range(2, len(known) + 3))]
         return next(of_name(word) for word in words if known.get(word, of_name(word)) == of_name(word))
 
-    def _joined(self, elements: "WireGroup | str | Sequence[WireGroup | str]") -> str:
+    def _joined(self, elements: WireGroup | str | Sequence[WireGroup | str]) -> str:
         """One element set for groups and sets."""
         if isinstance(elements, str | WireGroup):
             return self.element_set_of(elements)
@@ -679,7 +681,7 @@ class Model:
         name = "_".join(names) if len(names) <= 3 else f"{names[0]}_TO_{names[-1]}"
         return self.element_set(name, names)
 
-    def fix(self, nodes: "AnyNodes", *directions: Direction) -> None:
+    def fix(self, nodes: AnyNodes, *directions: Direction) -> None:
         """Hold degrees of freedom at zero from the start, before the first step.
 
         Parameters
@@ -841,7 +843,7 @@ class Model:
         path.write_text(text, encoding="utf-8")
         return path
 
-    def run(self, output_directory: str | PathLike, **options: Any) -> "Results":
+    def run(self, output_directory: str | PathLike, **options: Any) -> Results:
         """Write the deck into a directory and run it there; both have the directory's name.
 
         Parameters
