@@ -7,6 +7,7 @@
 | `inp` | a deck: `litz check` accepts it |
 | `fortran` | compiled together with the contact element |
 | `output` | what the block before it prints; `...` stands for anything |
+| `math` | an equation: its braces and environments are closed, here; `./setup docs` typesets it |
 | `diff` | patches of docs/new_spot_law.md: `tests/system/test_new_spot_law.py` applies them to a copy of the sources |
 
 After the words "Save this as `NAME`:" a block is put into that file for those that follow.
@@ -22,7 +23,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
-LANGUAGES = frozenset(["python", "sh", "inp", "fortran", "output", "diff"])
+LANGUAGES = frozenset(["python", "sh", "inp", "fortran", "output", "diff", "math"])
 
 _FENCE = re.compile(
     r"^(?P<indent> *)(?P<mark>`{3,})(?P<language>[^\n`]*)\n(?P<text>.*?)^(?P=indent)(?P=mark)[ \t]*$", re.M | re.S

@@ -2,7 +2,8 @@
 
     python docs/site/build.py [-o DIRECTORY]
 
-Exit code 0: everything was built, without a warning, and every link inside the site leads somewhere.
+Exit code 0: everything was built, without a warning, every link inside the site leads somewhere, and MathJax can read every
+equation, for which a Chromium with chromedriver must be there.
 """
 
 import argparse
@@ -32,7 +33,8 @@ def build(directory):
     sphinx = [python, "-m", "sphinx", "-W", "--keep-going", "-q", "-c", SITE, "-d", doctrees, ROOT / "docs", directory]
     ford = [python, "-m", "ford", "-q", "-o", directory / "fortran", SITE / "ford.md"]
     links = [python, SITE / "links.py", directory]
-    for command in (sphinx, ford, links):
+    equations = [sys.executable, SITE / "equations.py", directory]
+    for command in (sphinx, ford, links, equations):
         environment = {**os.environ, "PYTHONPATH": own} if command is sphinx else os.environ
         done = subprocess.run(list(map(str, command)), env=environment, check=False)
         if done.returncode != 0:

@@ -33,6 +33,8 @@ nitpicky = False
 suppress_warnings = ["myst.strikethrough"]
 
 myst_enable_extensions = ["dollarmath", "amsmath", "deflist"]
+# the fence of equations that other readers of Markdown know, too
+myst_fence_as_directive = ["math"]
 myst_heading_anchors = 4
 myst_url_schemes = ["http", "https"]
 
@@ -58,9 +60,9 @@ html_theme_options = {
     "dark_css_variables": {"color-brand-primary": "#e89a5f", "color-brand-content": "#e89a5f"},
 }
 
-# One file of MathJax, fonts included, out of a package of the Python index: pages need no network.
-mathjax_path = "tex-svg.js"
+# One file of MathJax, fonts and all its extensions included, out of a package of the Python index: pages need no network.
+mathjax_path = "tex-svg-full.js"
 mathjax_files = [
-    file.locate() for file in importlib.metadata.files("sphinx-mathjax-offline") if file.name == "tex-svg.js"
+    file.locate() for file in importlib.metadata.files("sphinx-mathjax-offline") if file.name == mathjax_path
 ]
 html_extra_path = []

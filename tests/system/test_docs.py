@@ -1,6 +1,7 @@
 """What the documents say can be done, works: every block of code in them is tried out (tests/documents.py)."""
 
 import doctest
+import inspect
 import os
 import re
 import subprocess
@@ -69,6 +70,45 @@ def anchors(document):
     """What `#...` may follow the name of a document, by the rule of the usual readers of Markdown."""
     titles = re.findall(r"^#+ (.*)$", without_blocks(document), re.MULTILINE)
     return {re.sub(r"[^\w\- ]", "", title.lower()).strip().replace(" ", "-") for title in titles}
+
+
+WITH_EQUATIONS = [document for document in DOCUMENTS if re.search(r"^`{3}math$", document.read_text("utf-8"), re.M)]
+
+
+def inline_equations(document):
+    """What stands between dollars in the text of a document."""
+    text = re.sub(r"`[^`]*`", "", without_blocks(document))
+    return re.findall(r"\$([^$]+)\$", text)
+
+
+@pytest.mark.parametrize("document", WITH_EQUATIONS, ids=NAMES.get)
+def test_readers_of_markdown_leave_inline_equations_as_they_are(document):
+    # many, GitHub's too, look for emphasis, escapes and columns of tables before they look for equations
+    taken = {r"\\[^A-Za-z]": "an escape", r"[^\w\s]_": "emphasis", r"\|": "a column", r"\*": "emphasis"}
+    wrong = [(tex, what) for tex in inline_equations(document) for mark, what in taken.items() if re.search(mark, tex)]
+    assert not wrong
+
+
+@pytest.mark.parametrize("document", WITH_EQUATIONS, ids=NAMES.get)
+def test_equations_are_whole(document):
+    displayed = [block.text for block in blocks(document) if block.language == "math"]
+    for tex in displayed + inline_equations(document):
+        plain = re.sub(r"\\[{}]", "", tex)
+        assert plain.count("{") == plain.count("}"), tex
+        assert len(re.findall(r"\\left\b", tex)) == len(re.findall(r"\\right\b", tex)), tex
+        assert sorted(re.findall(r"\\begin{(\w+)}", tex)) == sorted(re.findall(r"\\end{(\w+)}", tex)), tex
+    # \\ would have Sphinx wrap the equation in an environment that cannot have a number; \cr ends a row, too
+    assert not [tex for tex in displayed if r"\\" in tex]
+
+
+def test_the_equations_of_the_theory_are_numbered_and_those_that_are_cited_are_there():
+    theory = ROOT / "docs" / "theory.md"
+    numbers = [tuple(map(int, tag)) for tag in re.findall(r"\\tag{(\d+)\.(\d+)}", theory.read_text("utf-8"))]
+    assert numbers == sorted(set(numbers))
+    assert all(number[1] == 1 or (number[0], number[1] - 1) in numbers for number in numbers)
+    cited = re.findall(r"\((\d\.\d+)\)", without_blocks(theory))
+    assert cited
+    assert {tuple(map(int, number.split("."))) for number in cited} <= set(numbers)
 
 
 @pytest.fixture
@@ -248,6 +288,17 @@ def test_every_public_name_is_in_the_python_reference(name):
 
 
 MODULES = sorted(path.relative_to(ROOT / "python") for path in (ROOT / "python" / "litz").rglob("*.py"))
+
+
+def test_help_names_types_as_the_sources_do():
+    # numpy's array_like, spelt out, is ten times as long as what help() has to say
+    functions = [
+        function
+        for module in (litz_package.kernels, litz_package.closed_forms, litz_package.build, litz_package.Model)
+        for _, function in inspect.getmembers(module, inspect.isfunction)
+    ]
+    assert len(functions) > 30
+    assert not [function.__name__ for function in functions if "_SupportsArray" in str(inspect.signature(function))]
 
 
 @pytest.mark.parametrize("module", MODULES, ids=str)
