@@ -2,8 +2,8 @@
 
     python docs/site/build.py [-o DIRECTORY]
 
-Exit code 0: everything was built, without a warning, every link inside the site leads somewhere, and MathJax can read every
-equation, for which a Chromium with chromedriver must be there.
+Exit code 0: everything was built, without a warning, every link inside the site leads somewhere, no page needs a network, and
+MathJax can read every equation; to find that out, a Chromium with chromedriver must be there.
 """
 
 import argparse
@@ -20,7 +20,7 @@ sys.path.insert(0, str(ROOT))
 
 from verification.environments import interpreter  # noqa: E402
 
-PACKAGES = ("sphinx", "furo", "myst-parser", "sphinx-copybutton", "sphinx-mathjax-offline", "ford")
+PACKAGES = ("sphinx", "furo", "myst-parser", "sphinx-copybutton", "sphinx-mathjax-offline", "ford", "bootstrap-flask")
 
 
 def build(directory):
@@ -32,9 +32,10 @@ def build(directory):
     doctrees = directory.parent / f"{directory.name}.doctrees"
     sphinx = [python, "-m", "sphinx", "-W", "--keep-going", "-q", "-c", SITE, "-d", doctrees, ROOT / "docs", directory]
     ford = [python, "-m", "ford", "-q", "-o", directory / "fortran", SITE / "ford.md"]
+    offline = [python, SITE / "offline.py", directory / "fortran"]
     links = [python, SITE / "links.py", directory]
     equations = [sys.executable, SITE / "equations.py", directory]
-    for command in (sphinx, ford, links, equations):
+    for command in (sphinx, ford, offline, links, equations):
         environment = {**os.environ, "PYTHONPATH": own} if command is sphinx else os.environ
         done = subprocess.run(list(map(str, command)), env=environment, check=False)
         if done.returncode != 0:

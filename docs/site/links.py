@@ -1,4 +1,5 @@
-"""Checks the links inside a built site: `python links.py FOLDER`. External links are not followed.
+"""Checks the links inside a built site: `python links.py FOLDER`. External links are not followed, but nothing may be loaded
+from elsewhere: the site is read without network.
 
 FORD links from its lists to anchors that it does not write: in its folder only files are checked, not places in them.
 """
@@ -14,13 +15,16 @@ class Page(HTMLParser):
 
     def __init__(self, path):
         super().__init__()
-        self.links, self.anchors = [], set()
+        self.links, self.anchors, self.loaded = [], set(), []
         self.feed(path.read_text(encoding="utf-8", errors="replace"))
 
     def handle_starttag(self, tag, attributes):
         attributes = dict(attributes)
         self.anchors |= {attributes[name] for name in ("id", "name") if attributes.get(name)}
         self.links += [attributes[name] for name in ("href", "src") if attributes.get(name)]
+        self.loaded += [attributes["src"]] if attributes.get("src") else []
+        if tag == "link" and attributes.get("rel") in ("stylesheet", "icon", "preload"):
+            self.loaded.append(attributes.get("href") or "")
 
 
 def broken_links(folder):
@@ -44,13 +48,27 @@ def broken_links(folder):
     return sorted(set(broken))
 
 
+def loaded_from_elsewhere(folder):
+    """Scripts, styles and pictures that pages below a folder load from a server, as (page, address)."""
+    folder = Path(folder).resolve()
+    found = {
+        (str(path.relative_to(folder)), address)
+        for path in folder.rglob("*.html")
+        for address in Page(path).loaded
+        if urlsplit(address).netloc
+    }
+    return sorted(found)
+
+
 def has_anchor(folder, path, page, anchor):
     """Whether a page has a place of this name, as far as it is known."""
     return anchor in page.anchors or path.relative_to(folder).parts[0] == "fortran"
 
 
 if __name__ == "__main__":
-    found = broken_links(sys.argv[1])
-    for name, link in found:
+    broken, elsewhere = broken_links(sys.argv[1]), loaded_from_elsewhere(sys.argv[1])
+    for name, link in broken:
         print(f"{name}: {link} leads nowhere")
-    raise SystemExit(bool(found))
+    for name, address in elsewhere:
+        print(f"{name}: needs a network for {address}")
+    raise SystemExit(bool(broken or elsewhere))

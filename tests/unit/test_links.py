@@ -8,7 +8,7 @@ from documents import ROOT
 
 sys.path.insert(0, str(ROOT / "docs" / "site"))
 
-from links import broken_links
+from links import broken_links, loaded_from_elsewhere
 
 
 @pytest.fixture
@@ -46,3 +46,14 @@ def test_of_ford_s_pages_the_files_are_checked_not_the_places_in_them(site):
     (site / "fortran").mkdir()
     (site / "fortran" / "index.html").write_text('<a href="#gone">x</a><a href="gone.html">x</a>')
     assert broken_links(site) == [("fortran/index.html", "gone.html")]
+
+
+def test_scripts_styles_and_pictures_from_elsewhere_are_found(site):
+    (site / "sub" / "page.html").write_text(
+        '<link href="https://example.org/a.css" rel="stylesheet"><script src="//example.org/b.js"></script>'
+        '<img src="../p.png"><a href="https://example.org/only-a-link">x</a>'
+    )
+    assert loaded_from_elsewhere(site) == [
+        ("sub/page.html", "//example.org/b.js"),
+        ("sub/page.html", "https://example.org/a.css"),
+    ]
