@@ -20,9 +20,12 @@ module litz_command_line
       '--json']
    character(len=word_length), parameter :: no_options(0) = [character(len=word_length) ::]
 
+   character(len=word_length), parameter :: commands_with_help(*) = [character(len=word_length) :: 'run', 'check', &
+      'keywords']
+
    type :: command_t
       integer :: action = action_help
-      !> Deck, or keyword
+      !> Deck, keyword, or command to be told about
       character(len=:), allocatable :: argument
       !> Directory for result files
       character(len=:), allocatable :: output_directory
@@ -44,6 +47,7 @@ contains
       type(error_t), allocatable, intent(out) :: error
       character(len=:), allocatable :: word
       integer :: next
+      logical :: found
 
       command%argument = ''
       command%output_directory = '.'
@@ -52,6 +56,13 @@ contains
       next = 1
       word = argument(next)
       next = next + 1
+      if (any(commands_with_help == word)) then
+         call look_for_help(found)
+         if (found) then
+            command%argument = word
+            return
+         end if
+      end if
       select case (word)
       case ('run')
          command%action = action_run
@@ -67,6 +78,10 @@ contains
          call read_rest(command, next, no_options, word, error)
       case ('help', '--help', '-h')
          command%action = action_help
+         if (command_argument_count() > 1) then
+            command%argument = argument(2)
+            if (.not. any(commands_with_help == command%argument)) error = unknown_command(command%argument)
+         end if
       case default
          error = unknown_command(word)
       end select
@@ -75,6 +90,19 @@ contains
          error = fail(exit_input, 'litz '//word//' needs a deck: litz '//word//' deck.inp')
       end if
    end subroutine read_command
+
+   !> Is there a --help behind the command?
+   subroutine look_for_help(found)
+      logical, intent(out) :: found
+      character(len=:), allocatable :: word
+      integer :: i
+
+      found = .false.
+      do i = 2, command_argument_count()
+         word = argument(i)
+         if (word == '--help' .or. word == '-h') found = .true.
+      end do
+   end subroutine look_for_help
 
    function argument(i) result(word)
       integer, intent(in) :: i
@@ -267,25 +295,36 @@ contains
       end do
    end subroutine read_keyword
 
-   pure function help_text() result(text)
+   !> About one command, or about all when it is empty.
+   pure function help_text(command) result(text)
+      character(len=*), intent(in) :: command
       character(len=:), allocatable :: text
       character(len=1), parameter :: nl = new_line('a')
 
-      text = 'litz - beams and wires in electro-mechanical contact'//nl//nl// &
+      text = 'litz - beams and wires in electro-mechanical contact'//nl//nl
+      if (command == '' .or. command == 'run') text = text// &
          '  litz run DECK.inp [-o DIR] [--solver S] [--threads N] [--quiet] [--timing]'//nl// &
          '           [--restart FILE[:STEP:INCREMENT]]'//nl// &
          '      run all steps; result files go to DIR, which is made where it is missing,'//nl// &
          '      or to the current directory; S is BLOCK, UMFPACK or SKYLINE;'//nl// &
          '      --restart goes on from an increment that *RESTART, WRITE has kept, the last one'//nl// &
          '      or the one named;'//nl// &
-         '      --timing prints in the end where the time and the memory went'//nl// &
+         '      --timing prints in the end where the time and the memory went'//nl
+      if (command == '' .or. command == 'check') text = text// &
          '  litz check DECK.inp'//nl// &
-         '      read and check the deck, print the model, stop'//nl// &
+         '      read and check the deck, print the model, look for contacts, stop'//nl
+      if (command == '' .or. command == 'keywords') text = text// &
          '  litz keywords [NAME | --markdown | --json]'//nl// &
-         '      what a deck can say: a list, one keyword, the whole reference, or a table for programs'//nl// &
+         '      what a deck can say: a list, one keyword, the whole reference, or a table for programs;'//nl// &
+         '      of a keyword of Abaqus or CalculiX that litz does not have: what to use in its place'//nl
+      if (command == '') text = text// &
          '  litz --version'//nl// &
-         '      version, compiler, libraries'//nl//nl// &
-         'Exit codes: 0 every step finished, 1 input, 2 not converged, 3 linear solver, 4 files, 5 internal.'//nl
+         '      version, compiler, libraries'//nl// &
+         '  litz COMMAND --help'//nl// &
+         '      about one command'//nl
+      if (command /= 'keywords') text = text//nl// &
+         'Exit codes: 0 every step finished, 1 input, 2 not converged, 3 linear solver, 4 files, 5 internal,'// &
+         ' 6 memory.'//nl
    end function help_text
 
 end module litz_command_line

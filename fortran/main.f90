@@ -12,14 +12,14 @@ program litz
    use litz_keyword_json, only: keyword_json
    use litz_keyword_reference, only: keyword_list, keyword_page, keyword_markdown
    use litz_keyword_table, only: keyword_table
-   use litz_keywords, only: keyword_table_t
+   use litz_keywords, only: keyword_table_t, unknown_keyword_message
    use litz_model, only: model_t
    use litz_model_summary, only: model_summary
    use litz_output_files, only: make_directory
    use litz_size_check, only: check_size
    use litz_solver_factory, only: available_solvers, solver_libraries
    use litz_timing, only: phase_reading
-   use litz_text, only: shown, squeezed, nearest_word
+   use litz_text, only: shown
    use litz_version, only: version
    implicit none
    type(command_t) :: command
@@ -50,7 +50,7 @@ program litz
    case (action_version)
       call print_version()
    case default
-      call print_text(help_text())
+      call print_text(help_text(command%argument))
    end select
 
 contains
@@ -130,7 +130,6 @@ contains
    subroutine print_keywords(command)
       type(command_t), intent(in) :: command
       type(keyword_table_t) :: table
-      character(len=:), allocatable :: message, nearest
       integer :: index
 
       table = keyword_table()
@@ -143,10 +142,7 @@ contains
       else
          index = table%find(command%argument)
          if (index == 0) then
-            message = 'unknown keyword '//shown(command%argument)
-            nearest = nearest_word(squeezed(command%argument), table%names())
-            if (len(nearest) > 0) message = message//'; did you mean *'//nearest//'?'
-            call end_with(fail(exit_input, message))
+            call end_with(fail(exit_input, unknown_keyword_message(table, command%argument, shown(command%argument))))
          end if
          call print_text(keyword_page(table%keywords(index)))
       end if

@@ -4,8 +4,9 @@ module litz_card_checks
    use litz_kinds, only: dp
    use litz_text, only: squeezed, to_text, join_words, nearest_word, word_length
    use litz_deck, only: token_t
-   use litz_keywords, only: parameter_spec_t, place_model, place_step, place_begins_step, kind_flag, kind_choice
-   use litz_keyword_table, only: not_in_this_version
+   use litz_keywords, only: parameter_spec_t, unknown_keyword_message, place_model, &
+      place_step, place_begins_step, kind_flag, kind_choice
+   use litz_foreign_words, only: advice_about
    use litz_reader, only: reader_t, fail_at, check_value, applies
    implicit none
    private
@@ -40,28 +41,13 @@ contains
    subroutine unknown_keyword(self, card)
       type(reader_t), intent(inout) :: self
       integer, intent(in) :: card
-      character(len=:), allocatable :: word, nearest, message
+      character(len=:), allocatable :: word, message
       type(token_t) :: token
-      integer :: i
 
       token = self%deck%cards(card)%name
-      word = squeezed(self%deck%text(token))
+      word = self%deck%text(token)
+      message = unknown_keyword_message(self%table, word, self%deck%shown(token))
       token%first = token%first - 1
-      do i = 1, size(not_in_this_version)
-         if (squeezed(trim(not_in_this_version(i))) == word) then
-            call fail_at(self, token, '*'//trim(not_in_this_version(i))// &
-               ' is not a keyword of this version of litz;'// &
-               ' `litz keywords` lists those there are')
-            return
-         end if
-      end do
-      message = 'unknown keyword '//self%deck%shown(self%deck%cards(card)%name)
-      nearest = nearest_word(word, self%table%names())
-      if (len(nearest) > 0) then
-         message = message//'; did you mean *'//nearest//'?'
-      else
-         message = message//'; `litz keywords` lists those there are'
-      end if
       call fail_at(self, token, message)
    end subroutine unknown_keyword
 
@@ -163,7 +149,7 @@ contains
       integer, intent(in) :: card
       type(token_t), intent(in) :: token
       character(len=word_length), allocatable :: names(:)
-      character(len=:), allocatable :: message, nearest
+      character(len=:), allocatable :: message, nearest, advice
       integer :: i
 
       associate (keyword => self%table%keywords(self%spec(card)))
@@ -173,7 +159,11 @@ contains
          end do
          message = 'unknown parameter '//self%deck%shown(token)//' of *'//trim(keyword%name)
          nearest = nearest_word(squeezed(self%deck%text(token)), names)
-         if (len(nearest) > 0) then
+         advice = advice_about(keyword%name, self%deck%text(token))
+         if (len(advice) > 0) then
+            message = message//': '//advice
+            if (size(names) > 0) message = message//'; allowed: '//join_words(names, 'and')
+         else if (len(nearest) > 0) then
             message = message//'; did you mean '//nearest//'?'
          else if (size(names) == 0) then
             message = message//', which has no parameters'

@@ -279,8 +279,24 @@ contains
       else if (.not. scanner%told_stray_data) then
          scanner%told_stray_data = .true.
          call errors%add(deck%error_at(deck%line_token(deck%n_lines), &
-            'data before the first keyword; a deck begins with a keyword line such as *HEADING'))
+            'data before the first keyword; '//advice(deck%text(deck%line_token(deck%n_lines)))))
       end if
+
+   contains
+
+      !> What the line may have been meant for.
+      pure function advice(line)
+         character(len=*), intent(in) :: line
+         character(len=:), allocatable :: advice
+
+         advice = 'a deck begins with a keyword line such as *HEADING'
+         if (scan(line(:min(1, len(line))), '#!$/') == 1) then
+            advice = 'a comment begins with **'
+         else if (index(line, achar(0)) > 0) then
+            advice = 'this file is not plain text (UTF-8): it may be UTF-16, or no deck'
+         end if
+      end function advice
+
    end subroutine add_data_line
 
    !> The keyword and its parameters, from the last line on and over its continuations.

@@ -1,6 +1,7 @@
 !> The reference of the deck, from the keyword table: for the terminal and as Markdown.
 module litz_keyword_reference
-   use litz_text, only: to_text, words_of, join_words, wrapped
+   use litz_text, only: to_text, words_of, join_words, wrapped, word_length
+   use litz_foreign_words, only: foreign_word_t, foreign_words
    use litz_keywords, only: keyword_table_t, keyword_t, parameter_spec_t, data_spec_t, field_spec_t, place_model, &
       place_step, place_both, kind_flag, kind_integer, kind_real, kind_choice, kind_name, kind_file, kind_text, &
       limit_none, limit_unused, limit_words
@@ -73,7 +74,54 @@ contains
       do i = 1, table%n
          text = text//nl//markdown_section(table%keywords(i))
       end do
+      text = text//nl//markdown_foreign_words(foreign_words())
    end function keyword_markdown
+
+   !> What a user of Abaqus or CalculiX may look for, and what is there in its place.
+   pure function markdown_foreign_words(words) result(text)
+      type(foreign_word_t), intent(in) :: words(:)
+      character(len=:), allocatable :: text
+      integer :: i
+
+      text = '## Words of Abaqus and CalculiX that litz does not have'//nl//nl// &
+         'A deck with one of them is told so, with the same advice; `litz keywords DYNAMIC` asks for it.'//nl//nl// &
+         '| word | in litz |'//nl//'|---|---|'//nl
+      do i = 1, size(words)
+         text = text//'| '//foreign_form(words(i))//' | '//escaped(trim(words(i)%advice))//' |'//nl
+      end do
+   end function markdown_foreign_words
+
+   !> `*KEYWORD`, `*KEYWORD, PARAMETER`, `*KEYWORD, PARAMETER=VALUE`, or `VALUE` in the data of `*KEYWORD`
+   pure function foreign_form(word) result(form)
+      type(foreign_word_t), intent(in) :: word
+      character(len=:), allocatable :: form
+
+      form = listed(word%keywords, '*')
+      if (len_trim(word%values) == 0) then
+         if (len_trim(word%parameters) > 0) form = form//': '//listed(word%parameters, '')
+      else if (len_trim(word%parameters) > 0) then
+         form = form//': '//listed(word%values, trim(word%parameters)//'=')
+      else if (word%values == '+') then
+         form = form//': more data'
+      else
+         form = form//', data: '//listed(word%values, '')
+      end if
+   end function foreign_form
+
+   !> Each word of the list as code, behind `before`.
+   pure function listed(list, before) result(text)
+      character(len=*), intent(in) :: list, before
+      character(len=:), allocatable :: text
+      character(len=word_length), allocatable :: words(:)
+      integer :: i
+
+      allocate (words, source=words_of(list))
+      text = ''
+      do i = 1, size(words)
+         if (i > 1) text = text//', '
+         text = text//'`'//before//trim(words(i))//'`'
+      end do
+   end function listed
 
    pure function markdown_section(keyword) result(text)
       type(keyword_t), intent(in) :: keyword

@@ -9,18 +9,10 @@ module litz_keyword_table
       field, integer_field, real_field, choice_field, name_field, item_field, flag, choice, name, number, count_of, file
    implicit none
    private
-   public :: keyword_table, not_in_this_version
+   public :: keyword_table
 
    character(len=*), parameter :: node_quantities = 'U|UR|RF|RM|CF|CM|EPOT|RCURR|CECUR'
    character(len=*), parameter :: element_quantities = 'SF|EPG|JOULE'
-
-   !> Keywords of Abaqus and CalculiX that a user may expect, and that litz does not have
-   character(len=32), parameter :: not_in_this_version(*) = [character(len=32) :: &
-      'DLOAD', 'DYNAMIC', 'FREQUENCY', 'BUCKLE', 'DENSITY', 'EXPANSION', 'PLASTIC', &
-      'TEMPERATURE', 'INITIAL CONDITIONS', 'EQUATION', 'MPC', 'RIGID BODY', 'SURFACE', 'TIE', 'COUPLING', &
-      'BEAM GENERAL SECTION', 'SOLID SECTION', 'SHELL SECTION', 'ORIENTATION', 'TRANSFORM', 'PART', 'ASSEMBLY', &
-      'INSTANCE', 'OUTPUT', 'NODE OUTPUT', 'ELEMENT OUTPUT', 'CONTACT OUTPUT', 'MONITOR', 'NGEN', 'NFILL', 'ELGEN', &
-      'PREPRINT', 'PHYSICAL CONSTANTS', 'CFLUX', 'DFLUX', 'HEAT TRANSFER', 'COUPLED TEMPERATURE-DISPLACEMENT']
 
 contains
 

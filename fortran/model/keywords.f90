@@ -4,14 +4,15 @@
 !> after a misspelling, and the reference of the deck.
 module litz_keywords
    use litz_kinds, only: dp
-   use litz_text, only: squeezed, word_length
+   use litz_foreign_words, only: foreign_keyword, advice_about
+   use litz_text, only: squeezed, nearest_word, word_length
    implicit none
    private
    public :: keyword_t, parameter_spec_t, data_spec_t, field_spec_t, keyword_table_t
    public :: place_model, place_step, place_both, place_begins_step
    public :: kind_flag, kind_integer, kind_real, kind_choice, kind_name, kind_item, kind_file, kind_text
    public :: limit_none, limit_positive, limit_not_negative, limit_poisson, limit_zero, limit_unused, limit_words
-   public :: within_limit, largest_number, smallest_positive
+   public :: unknown_keyword_message, within_limit, largest_number, smallest_positive
    public :: field, integer_field, real_field, choice_field, name_field, item_field, flag, choice, name, number, &
       count_of, file
 
@@ -115,6 +116,46 @@ contains
          names(i) = self%keywords(i)%name
       end do
    end function table_names
+
+   !> What to say about a keyword that is not in the table.
+   pure function unknown_keyword_message(table, name, shown) result(message)
+      type(keyword_table_t), intent(in) :: table
+      !> As the user wrote it, and in quotes
+      character(len=*), intent(in) :: name, shown
+      character(len=:), allocatable :: message
+      character(len=:), allocatable :: nearest
+
+      message = advice_about(name)
+      if (len(message) > 0) then
+         message = 'litz has no *'//foreign_keyword(name)//': '//message
+         return
+      end if
+      message = 'unknown keyword '//shown
+      nearest = nearest_word(squeezed(name), table%names())
+      if (index(name, '=') > 0) nearest = keyword_before_blank(table, name)
+      if (len(nearest) == 0) then
+         message = message//'; `litz keywords` lists those there are'
+      else if (index(name, '=') > 0) then
+         message = message//'; a comma is missing behind *'//nearest
+      else
+         message = message//'; did you mean *'//nearest//'?'
+      end if
+   end function unknown_keyword_message
+
+   !> The longest keyword with which a name begins, followed by a blank; empty when there is none.
+   pure function keyword_before_blank(table, name) result(keyword)
+      type(keyword_table_t), intent(in) :: table
+      character(len=*), intent(in) :: name
+      character(len=:), allocatable :: keyword
+      integer :: i, known
+
+      keyword = ''
+      do i = 2, len(name)
+         if (name(i:i) /= ' ' .and. name(i:i) /= achar(9)) cycle
+         known = table%find(name(:i - 1))
+         if (known > 0) keyword = trim(table%keywords(known)%name)
+      end do
+   end function keyword_before_blank
 
    !> Index of a parameter, however it is written; 0 when there is none.
    pure integer function keyword_find_parameter(self, name) result(index)

@@ -5,7 +5,8 @@ module litz_nodal_values
    use litz_numbers, only: parse_integer, number_ok
    use litz_deck, only: token_t
    use litz_model, only: model_t, nodal_value_t, amplitude_factor, dof_potential
-   use litz_reader, only: reader_t, fail_at, read_line, parameter_of, choice_of, keyword_of, name_of, find_definition
+   use litz_reader, only: reader_t, fail_at, read_line, parameter_of, choice_of, keyword_of, name_of, find_definition, &
+      advice_about_value, behind_semicolon
    use litz_sets, only: find_item
    implicit none
    private
@@ -221,7 +222,8 @@ contains
             ok = .false.
             call fail_at(self, values%token(2), &
                'value 2 must be a degree of freedom (1-3 displacement, 4-6 rotation,'// &
-               ' 9 electric potential), ENCASTRE or PINNED; found '//self%deck%shown(values%token(2)))
+               ' 9 electric potential), ENCASTRE or PINNED; found '//self%deck%shown(values%token(2))// &
+               behind_semicolon(advice_about_value(self, values%token(2))))
             return
          end if
          last = merge(values%whole(3), first, values%given(3))

@@ -4,6 +4,7 @@ module litz_read_steps
    use litz_text, only: to_text
    use litz_growing_text, only: growing_text_t
    use litz_deck, only: token_t
+   use litz_foreign_words, only: advice_about
    use litz_model, only: model_t, step_t
    use litz_reader, only: reader_t, fail_at, read_line, parameter_of, choice_of, has_flag, integer_parameter, &
       keyword_of, &
@@ -53,6 +54,10 @@ contains
             call read_nodal_values(self, model, card, load)
          case ('CECURRENT')
             call read_nodal_values(self, model, card, current)
+         case ('')
+            ! one that has been told of already, such as *DYNAMIC
+            has_procedure = has_procedure .or. &
+               index(advice_about(self%deck%text(self%deck%cards(card)%name)), 'use *STATIC') > 0
          case ('STATIC')
             if (has_procedure) call fail_at(self, self%deck%cards(card)%name, 'this step has two *STATIC')
             has_procedure = .true.

@@ -7,6 +7,7 @@ module litz_reader
    use litz_numbers, only: parse_integer, parse_real, number_ok, number_not_one, number_not_finite, number_too_large
    use litz_lookup, only: id_map_t, name_map_t
    use litz_deck, only: deck_t, token_t, no_token
+   use litz_foreign_words, only: advice_about
    use litz_keywords, only: keyword_table_t, parameter_spec_t, data_spec_t, field_spec_t, kind_flag, kind_integer, &
       kind_real, &
       kind_choice, kind_name, kind_item, kind_text, limit_positive, limit_words, within_limit, largest_number
@@ -15,7 +16,8 @@ module litz_reader
    private
    public :: reader_t, values_t, set_builder_t, definitions_t
    public :: fail_at, read_line, applies, names_hint, name_of, parameter_of, has_flag, choice_of, &
-      real_parameter, integer_parameter, keyword_of, n_cards_of, check_value, find_definition, add_definition
+      real_parameter, integer_parameter, keyword_of, n_cards_of, check_value, find_definition, add_definition, &
+      advice_about_value, behind_semicolon
 
    !> After this many errors no more hints are searched for
    integer, parameter :: most_hints = 100
@@ -237,7 +239,7 @@ contains
          if (n > n_allowed .and. n_allowed > 0) then
             call fail_at(self, self%values%token(n_allowed + 1), 'too many values: *'//keyword_of(self, card)// &
                ' takes '//to_text(n_allowed)// &
-               ' on this line: '//form_words(form))
+               ' on this line: '//form_words(form)//behind_semicolon(advice_about(keyword_of(self, card), value='+')))
             ok = .false.
             n = n_allowed
          end if
@@ -410,7 +412,8 @@ contains
                call fail_at(self, token, what//' is '//self%deck%shown(token)//'; it must be '//limit_words(limit))
             end if
          case (number_not_one)
-            call fail_at(self, token, what//' must be '//noun//'; found '//self%deck%shown(token)//hint())
+            call fail_at(self, token, what//' must be '//noun//'; found '//self%deck%shown(token)// &
+               hint_about_blanks(trim(self%deck%text(token))))
          case (number_not_finite)
             call fail_at(self, token, what//' must be a finite number; found '//self%deck%shown(token))
          case (number_too_large)
@@ -419,13 +422,6 @@ contains
             call fail_at(self, token, what//' is too small to be told from 0; found '//self%deck%shown(token))
          end select
       end subroutine check_number
-
-      function hint()
-         character(len=:), allocatable :: hint
-
-         hint = ''
-         if (scan(trim(self%deck%text(token)), ' ;'//achar(9)) > 0) hint = ' (values are separated by commas)'
-      end function hint
 
    end subroutine check_value
 
@@ -437,7 +433,7 @@ contains
       integer, intent(out) :: chosen
       logical, intent(out) :: ok
       character(len=word_length), allocatable :: words(:)
-      character(len=:), allocatable :: word, nearest
+      character(len=:), allocatable :: word, nearest, advice
 
       allocate (words, source=words_of(choices))
       word = squeezed(self%deck%text(token))
@@ -448,10 +444,59 @@ contains
       chosen = 0
       ok = .false.
       nearest = nearest_word(word, words)
-      if (len(nearest) > 0) nearest = '; did you mean '//nearest//'?'
+      if (len(nearest) > 0) nearest = 'did you mean '//nearest//'?'
+      advice = advice_about_value(self, token)
+      if (len(advice) == 0) advice = nearest
       call fail_at(self, token, what//' must be '//join_words(words, 'or')//'; found '//self%deck%shown(token)// &
-         nearest)
+         behind_semicolon(advice))
    end subroutine check_choice
+
+   !> What to write in place of a value of Abaqus or CalculiX that litz does not have; empty when it is none.
+   function advice_about_value(self, token) result(advice)
+      type(reader_t), intent(in) :: self
+      type(token_t), intent(in) :: token
+      character(len=:), allocatable :: advice
+      integer :: card, i
+
+      card = card_of(self, token%line)
+      advice = ''
+      if (card == 0) return
+      associate (this => self%deck%cards(card))
+         do i = 1, size(this%parameters)
+            if (this%parameters(i)%value%line /= token%line .or. this%parameters(i)%value%first /= token%first) cycle
+            advice = advice_about(self%deck%text(this%name), self%deck%text(this%parameters(i)%name), &
+               self%deck%text(token))
+            return
+         end do
+         advice = advice_about(self%deck%text(this%name), value=self%deck%text(token))
+      end associate
+   end function advice_about_value
+
+   !> The card that a line belongs to; 0 when the line is before the first one.
+   pure integer function card_of(self, line)
+      type(reader_t), intent(in) :: self
+      integer, intent(in) :: line
+      integer :: beyond, middle
+
+      card_of = 0
+      beyond = self%deck%n_cards + 1
+      do while (beyond - card_of > 1)
+         middle = (card_of + beyond)/2
+         if (self%deck%cards(middle)%name%line <= line) then
+            card_of = middle
+         else
+            beyond = middle
+         end if
+      end do
+   end function card_of
+
+   pure function behind_semicolon(advice) result(text)
+      character(len=*), intent(in) :: advice
+      character(len=:), allocatable :: text
+
+      text = ''
+      if (len(advice) > 0) text = '; '//advice
+   end function behind_semicolon
 
    !> Complain about required values behind the last one.
    subroutine check_missing(self, form, line, ok)
@@ -466,11 +511,38 @@ contains
          call fail_at(self, self%deck%end_of_line(line), 'value '//to_text(self%values%n + i - &
             mod(self%values%n, size(form%fields)))//', '//field_words(form%fields(i))// &
             ', is missing; the line holds '// &
-            form_words(form))
+            form_words(form)//comma_hint())
          ok = .false.
          return
       end do
+
+   contains
+
+      !> Blanks within the last value: where commas should be?
+      function comma_hint() result(hint)
+         character(len=:), allocatable :: hint
+
+         hint = ''
+         if (self%values%n == 0) return
+         associate (token => self%values%token(self%values%n))
+            if (token%last >= token%first) hint = hint_about_blanks(trim(self%deck%text(token)))
+         end associate
+      end function comma_hint
+
    end subroutine check_missing
+
+   !> For a value with something in it that separates values elsewhere.
+   pure function hint_about_blanks(text) result(hint)
+      character(len=*), intent(in) :: text
+      character(len=:), allocatable :: hint
+
+      hint = ''
+      if (index(text, '**') > 0 .or. scan(text, '#!') > 0) then
+         hint = ' (a comment has a line of its own, which begins with **)'
+      else if (scan(text, ' ;'//achar(9)) > 0) then
+         hint = ' (values are separated by commas)'
+      end if
+   end function hint_about_blanks
 
    pure function field_words(field) result(words)
       type(field_spec_t), intent(in) :: field

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NoReturn
 if TYPE_CHECKING:
     import argparse
 
+_HELP = ("help", "-h", "--help")
 _PYTHON_HELP = """
 Commands of the Python package:
   litz summary RESULTS                    what was run, the increments, the contacts and the last increment in numbers
@@ -45,12 +46,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
         "export": _export,
     }
     try:
+        if len(arguments) > 1 and arguments[0] in _HELP and arguments[1] in commands:
+            arguments = [arguments[1], "--help"]
         if arguments and arguments[0] in commands:
             return commands[arguments[0]](arguments[1:])
         return _run_program(arguments)
     except LitzError as error:
         print(f"error: {error}", file=sys.stderr)
         return error.exit_code
+    except BrokenPipeError:
+        # the reader of the output, such as head, has read enough
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
 
 
 def _show_warning(message: Warning | str, *_: object, **_also: object) -> None:
@@ -63,7 +70,7 @@ def _run_program(arguments: list[str]) -> int:
     from .run import program_environment, program_path
 
     program = str(program_path())
-    if arguments and arguments[0] not in ("help", "-h", "--help"):
+    if arguments and (arguments[0] not in _HELP or len(arguments) > 1):
         sys.stdout.flush()
         os.execve(program, [program, *arguments], program_environment())
     import subprocess

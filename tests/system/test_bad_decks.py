@@ -361,7 +361,34 @@ KEYWORDS = [
         'unknown keyword "XYZZY"; `litz keywords` lists',
         "*XYZZY",
     ),
-    case("keyword of Abaqus", "*GAP", "*DENSITY\n*GAP", "*DENSITY is not a keyword of this version", "*DENSITY"),
+    case("keyword of Abaqus", "*GAP", "*DENSITY\n*GAP", "litz has no *DENSITY: leave it out", "*DENSITY"),
+    case("procedure of Abaqus", "*STATIC", "*Dynamic, application=quasi-static", "use *STATIC", "*Dynamic"),
+    case(
+        "parameter of Abaqus",
+        "INC=50",
+        "INC=50, UNSYMM=YES",
+        'unknown parameter "UNSYMM" of *STEP: leave it out: litz chooses by itself; allowed: NAME',
+        "UNSYMM",
+    ),
+    case("value of Abaqus", "TYPE=B31", "TYPE=B31H", 'must be B31 or B33; found "B31H"; use B31', "B31H"),
+    case("support of Abaqus", "1, ENCASTRE", "1, xsymm", 'found "xsymm"; write 1, 5 and 6, a line each', "xsymm"),
+    case(
+        "data of Abaqus",
+        "1.2e11, 0.35",
+        "1.2e11, 0.35, 293.",
+        "too many values: *ELASTIC takes 2 on this line: E, nu; material data do not depend on temperature",
+        "293.",
+    ),
+    case(
+        "comma missing behind a keyword",
+        "*AMPLITUDE, NAME=UP",
+        "*HEADING\n*NODE PRINT NSET=ALL\n*AMPLITUDE, NAME=UP",
+        'unknown keyword "NODE PRINT NSET=ALL"; a comma is missing behind *NODE PRINT',
+        "*NODE PRINT NSET=ALL",
+    ),
+    case("comment of C", "*HEADING", "// a deck\n*HEADING", "a comment begins with **", "// a deck"),
+    case("no comma in a data line", "1, ENCASTRE", "1 ENCASTRE", "(values are separated by commas)", ""),
+    case("comment behind a value", "5.8e7", "5.8e7 ** S/m", "a comment has a line of its own", "5.8e7 ** S/m"),
     case(
         "unknown parameter",
         "*NODE, NSET=ALL",
@@ -380,7 +407,7 @@ KEYWORDS = [
     case("parameter without value", "INC=50", "INC=", "the parameter INC needs a value", "INC"),
     case("parameter with nothing", "INC=50", "INC", "the parameter INC needs a value", "INC"),
     case("flag with a value", "*STATIC", "*STATIC, DIRECT=YES", "the parameter DIRECT takes no value", "YES"),
-    case("wrong choice", "TYPE=B33", "TYPE=B32", 'TYPE must be B31 or B33; found "B32"; did you mean B31?', "B32"),
+    case("wrong choice", "TYPE=B33", "TYPE=B34", 'TYPE must be B31 or B33; found "B34"; did you mean B31?', "B34"),
     case("wrong choice with hint", "LAW=HERTZ", "LAW=HERZ", "did you mean HERTZ?", "HERZ"),
     case("small displacements", "INC=50", "INC=50, NLGEOM=NO", "NLGEOM=NO is not possible", "NO"),
     case(
@@ -885,7 +912,8 @@ def test_supports_that_a_later_step_takes_away(litz, tmp_path):
 
 def keyword_table(litz):
     """Keywords of the reference: name, place, the keyword they follow, and parameters with their forms."""
-    for section in litz("keywords", "--markdown").stdout.split("\n## \\*")[1:]:
+    keywords = litz("keywords", "--markdown").stdout.split("\n## Words of ")[0]
+    for section in keywords.split("\n## \\*")[1:]:
         name, place, after = re.match(r"(.*)\n\n\*(.*?)(?:, after \*(.*))?\.\*", section).groups()
         parameters = re.findall(r"^\| `([^`]*?)(?:=([^`]*))?` \| .* \|$", section.split("Data line")[0], re.MULTILINE)
         yield name, place, after, [(parameter, form.replace("\\|", "|")) for parameter, form in parameters]

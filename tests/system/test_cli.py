@@ -40,6 +40,36 @@ def test_help_shows_the_commands_of_both(litz_program):
         assert shown.returncode == 0
 
 
+@pytest.mark.parametrize("name", ["run", "check", "keywords", "plot", "convert"])
+def test_help_about_one_command(name):
+    shown = command(name, "--help")
+    assert (shown.returncode, shown.stderr) == (0, "")
+    assert f"litz {name} " in shown.stdout
+    # that of one command, not of all
+    assert "litz --version" not in shown.stdout
+    assert command("help", name).stdout == shown.stdout
+    assert command(name, "wires.inp", "-h").stdout == shown.stdout
+
+
+def test_help_about_a_command_that_is_none():
+    shown = command("help", "rnu")
+    assert shown.returncode == 1
+    assert shown.stderr == 'error: unknown command "rnu"; did you mean litz run?\n'
+
+
+def test_the_package_can_be_started_as_a_module():
+    shown = subprocess.run([sys.executable, "-m", "litz", "--help"], capture_output=True, text=True, check=True)
+    assert shown.stdout == command("--help").stdout
+
+
+def test_a_reader_that_has_read_enough_is_no_error():
+    pipe = subprocess.Popen([*ENTRY, "--help"], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    pipe.stdout.close()
+    assert pipe.stderr.read() == b""
+    pipe.stderr.close()
+    pipe.wait()
+
+
 def test_summary_of_a_run(run_of_input):
     directory = run_of_input("05_clamped_pair")
     shown = command("summary", directory)

@@ -1,0 +1,247 @@
+!> Words of Abaqus and CalculiX that litz does not have, and what to write in their place.
+!>
+!> The table drives the messages of the reader, `litz keywords NAME`, and a chapter of the reference of the deck.
+module litz_foreign_words
+   use litz_text, only: squeezed, words_of, word_length
+   implicit none
+   private
+   public :: foreign_word_t, foreign_words, foreign_keyword, advice_about
+
+   !> Lists are separated by bars.
+   type :: foreign_word_t
+      !> Keywords: those that litz lacks, or, with `parameters` or `values`, those of litz that lack them
+      character(len=200) :: keywords
+      !> Parameters that litz lacks, or the one whose values it lacks
+      character(len=120) :: parameters
+      !> Values of the parameter, or of a data line; `+`: more values than a data line takes
+      character(len=160) :: values
+      !> What to do in litz, as the end of a sentence
+      character(len=200) :: advice
+   end type foreign_word_t
+
+   !> Keywords about the analysis and the model
+   type(foreign_word_t), parameter :: of_model(*) = [ &
+      foreign_word_t('DYNAMIC|MODAL DYNAMIC|DIRECT CYCLIC', '', '', 'there is no inertia: use *STATIC, and'// &
+      ' *CONTROLS, PARAMETERS=STABILIZE where wires snap or lie loose'), &
+      foreign_word_t('VISCO|CREEP|VISCOELASTIC', '', '', 'nothing depends on the rate: use *STATIC and *ELASTIC'), &
+      foreign_word_t('COUPLED THERMAL-ELECTRICAL|COUPLED TEMPERATURE-DISPLACEMENT|HEAT TRANSFER|'// &
+      'PIEZOELECTRIC|ELECTROMAGNETIC', '', '', &
+      'use *STATIC, which solves forces and currents together; there is no temperature'), &
+      foreign_word_t('FREQUENCY|BUCKLE|COMPLEX FREQUENCY|STEADY STATE DYNAMICS', '', '', &
+      'there are no eigenvalues: *STATIC follows the wires through large displacements'), &
+      foreign_word_t('IMPERFECTION', '', '', 'put it into the coordinates of *NODE'), &
+      foreign_word_t('TIME POINTS', '', '', 'leave it out; the fourth value of *STATIC is the largest increment'), &
+      foreign_word_t('SOLVER CONTROLS', '', '', 'leave it out; *SOLVER chooses the solver'), &
+      foreign_word_t('MODEL CHANGE', '', '', 'elements and contact pairs are the same in all steps'), &
+      foreign_word_t('PREPRINT|FILE FORMAT|MONITOR|PRINT|DIAGNOSTICS|NO PRINT', '', '', &
+      'leave it out; the files DECK.sta and DECK.cvg tell of every increment and iteration'), &
+      foreign_word_t('PARAMETER', '', '', 'write the values; litz.sweep of Python fills in {names}, litz.Deck'// &
+      ' changes values'), &
+      foreign_word_t('PART|END PART|ASSEMBLY|END ASSEMBLY|INSTANCE|END INSTANCE', '', '', &
+      'a deck is flat: `litz convert THIS.inp NEW.inp` places the instances'), &
+      foreign_word_t('NGEN|NFILL|NCOPY|NMAP|ELGEN|ELCOPY', '', '', &
+      'nodes and elements are written out: litz.Model and litz.build of Python do it, or `litz convert` of a mesh'), &
+      foreign_word_t('SYSTEM|TRANSFORM', '', '', 'directions are those of the global axes: turn the model so that'// &
+      ' supports and loads lie along them'), &
+      foreign_word_t('ORIENTATION|NORMAL', '', '', 'leave it out: the second data line of'// &
+      ' *BEAM SECTION is the first axis of the section'), &
+      foreign_word_t('EQUATION|MPC|TIE|COUPLING|KINEMATIC|DISTRIBUTING|KINEMATIC COUPLING|DISTRIBUTING COUPLING|'// &
+      'RIGID BODY|EMBEDDED ELEMENT', '', '', 'nodes are not tied to each other: wires that are joined share a'// &
+      ' node, or a short stiff element joins them'), &
+      foreign_word_t('SPRING|DASHPOT|CONNECTOR SECTION|CONNECTOR BEHAVIOR|GAP|MASS|ROTARY INERTIA', '', '', &
+      'there are beams alone: a spring is a thin beam, of stiffness EA/L'), &
+      foreign_word_t('SOLID SECTION|SHELL SECTION|MEMBRANE SECTION|FRAME SECTION', '', '', &
+      'there are beams alone: use *BEAM SECTION, ELSET=..., MATERIAL=..., SECTION=CIRC'), &
+      foreign_word_t('BEAM GENERAL SECTION', '', '', 'use *BEAM SECTION, SECTION=GENERAL with a MATERIAL; the data'// &
+      ' are A, I11, I12, I22, J')]
+
+   !> Keywords about materials, contact, loads and results
+   type(foreign_word_t), parameter :: of_laws(*) = [ &
+      foreign_word_t('DENSITY|DAMPING', '', '', 'leave it out: there is no inertia and no weight'), &
+      foreign_word_t('PLASTIC|HYPERELASTIC|DEFORMATION PLASTICITY|CYCLIC HARDENING|USER MATERIAL|DEPVAR', '', '', &
+      'beams are elastic: use *ELASTIC; contact spots may yield (*GAP ELECTRICAL CONDUCTANCE, LAW=PLASTIC)'), &
+      foreign_word_t('CONDUCTIVITY', '', '', 'that is heat; the current needs *ELECTRICAL CONDUCTIVITY'), &
+      foreign_word_t('EXPANSION|SPECIFIC HEAT|LATENT HEAT|TEMPERATURE|PHYSICAL CONSTANTS|CFLUX|DFLUX|FILM|RADIATE|'// &
+      'JOULE HEAT FRACTION', '', '', 'leave it out: there is no temperature; Joule heat is in the results'), &
+      foreign_word_t('INITIAL CONDITIONS', '', '', 'a run begins without stress and current; what is there'// &
+      ' before goes into a first *STEP'), &
+      foreign_word_t('SURFACE|NODE SURFACE|RIGID SURFACE|SURFACE DEFINITION', '', '', &
+      'leave it out: *CONTACT PAIR names element sets'), &
+      foreign_word_t('CONTACT|CONTACT INCLUSIONS|CONTACT EXCLUSIONS|CONTACT PROPERTY ASSIGNMENT|'// &
+      'SURFACE PROPERTY ASSIGNMENT', '', '', 'use *CONTACT PAIR, INTERACTION=...; one element set in its data'// &
+      ' line: all wires of it may touch'), &
+      foreign_word_t('CONTACT INTERFERENCE', '', '', 'use *CONTACT PAIR, INTERFERENCE FIT'), &
+      foreign_word_t('CONTACT CONTROLS|CONTACT STABILIZATION|CONTACT DAMPING', '', '', &
+      'leave it out; *CONTROLS, PARAMETERS=STABILIZE damps what only contacts can hold'), &
+      foreign_word_t('CLEARANCE', '', '', 'leave it out: gaps follow from the nodes and radii'), &
+      foreign_word_t('GAP CONDUCTANCE|GAP HEAT GENERATION|GAP RADIATION', '', '', &
+      'there is no temperature; the current needs *GAP ELECTRICAL CONDUCTANCE'), &
+      foreign_word_t('DLOAD|DSLOAD', '', '', 'share the load among the nodes: *CLOAD'), &
+      foreign_word_t('DECURRENT|DSECURRENT', '', '', 'share the current among the nodes: *CECURRENT'), &
+      foreign_word_t('OUTPUT|FILE OUTPUT', '', '', 'leave it out: fields are always written (*NODE FILE says how'// &
+      ' often), and *NODE PRINT, *EL PRINT, *ELECTRODE PRINT ask for values over time'), &
+      foreign_word_t('NODE OUTPUT', '', '', 'leave it out: fields are always written; *NODE PRINT, NSET=... asks'// &
+      ' for values over time'), &
+      foreign_word_t('ELEMENT OUTPUT', '', '', 'leave it out: fields are always written; *EL PRINT, ELSET=... asks'// &
+      ' for values over time'), &
+      foreign_word_t('CONTACT OUTPUT|CONTACT FILE', '', '', 'leave it out: every contact is always written, to'// &
+      ' DECK_contacts.csv and .vtkhdf'), &
+      foreign_word_t('ENERGY OUTPUT|ENERGY FILE', '', '', 'use *ENERGY PRINT'), &
+      foreign_word_t('SECTION PRINT|SECTION FILE|INTEGRATED OUTPUT', '', '', &
+      'use *EL PRINT with SF, or *NODE PRINT with RF and TOTALS=ONLY')]
+
+   !> Parameters
+   type(foreign_word_t), parameter :: of_parameters(*) = [ &
+      foreign_word_t('STATIC', 'RIKS', '', 'there is no arc length: prescribe displacements in place of the load,'// &
+      ' or use *CONTROLS, PARAMETERS=STABILIZE'), &
+      foreign_word_t('STATIC', 'STABILIZE|ALLSDTOL', '', 'use *CONTROLS, PARAMETERS=STABILIZE'), &
+      foreign_word_t('STATIC', 'SOLVER', '', 'use *SOLVER, NAME=...'), &
+      foreign_word_t('STEP', 'PERTURBATION', '', 'every step is nonlinear: leave it out'), &
+      foreign_word_t('STEP', 'AMPLITUDE', '', 'values ramp over the step; *AMPLITUDE gives another course'), &
+      foreign_word_t('STEP', 'UNSYMM|EXTRAPOLATION|CONVERT SDI|SOLVER', '', 'leave it out: litz chooses by itself'), &
+      foreign_word_t('NODE', 'SYSTEM', '', 'coordinates are Cartesian: write x, y, z'), &
+      foreign_word_t('NSET|ELSET', 'INSTANCE', '', 'a deck is flat: `litz convert THIS.inp NEW.inp` places the'// &
+      ' instances'), &
+      foreign_word_t('NSET|ELSET', 'INTERNAL|UNSORTED', '', 'leave it out'), &
+      foreign_word_t('BEAM SECTION', 'TEMPERATURE|POISSON|ROTARY INERTIA', '', &
+      'leave it out'), &
+      foreign_word_t('ELASTIC', 'DEPENDENCIES|MODULI', '', 'leave it out: material data are constant'), &
+      foreign_word_t('AMPLITUDE', 'DEFINITION|VALUE|SMOOTH', '', 'leave it out: an amplitude is a table of'// &
+      ' factors, linear between the points; write other curves point by point'), &
+      foreign_word_t('SURFACE BEHAVIOR', 'PENALTY|AUGMENTED LAGRANGE|DIRECT', '', 'leave it out: the law is'// &
+      ' solved for exactly'), &
+      foreign_word_t('SURFACE BEHAVIOR', 'NO SEPARATION', '', 'wires that touch can always separate'), &
+      foreign_word_t('FRICTION', 'SLIP TOLERANCE|LAGRANGE|TAUMAX', '', 'leave it out, or say ELASTIC SLIP'), &
+      foreign_word_t('FRICTION', 'ROUGH', '', 'give a large coefficient'), &
+      foreign_word_t('CONTACT PAIR', 'TYPE|SMALL SLIDING|TRACKING|MECHANICAL CONSTRAINT|EXTENSION ZONE', '', &
+      'leave it out: wires touch at points, which slide any distance'), &
+      foreign_word_t('CONTACT PAIR', 'ADJUST', '', 'move the nodes, or use INTERFERENCE FIT'), &
+      foreign_word_t('BOUNDARY', 'TYPE|USER|LOAD CASE', '', 'leave it out: values are displacements, rotations and'// &
+      ' potentials; a velocity is one that ramps'), &
+      foreign_word_t('BOUNDARY', 'FIXED', '', 'give the value at which it is to stay'), &
+      foreign_word_t('CLOAD', 'FOLLOWER', '', 'forces keep their direction'), &
+      foreign_word_t('CLOAD', 'LOAD CASE|USER|SECTOR', '', 'leave it out'), &
+      foreign_word_t('NODE PRINT|EL PRINT|ENERGY PRINT|CONTACT PRINT', 'FREQUENCY|FREQUENCYF|TIME POINTS|SUMMARY|'// &
+      'GLOBAL|POSITION', '', 'leave it out: every increment is written, in global axes'), &
+      foreign_word_t('NODE FILE|EL FILE', 'OUTPUT|NSET|ELSET|GLOBAL|SECTION FORCES|POSITION|TIME POINTS|'// &
+      'FREQUENCYF|CONTACT ELEMENTS', '', 'leave it out: all fields of all nodes and elements are written'), &
+      foreign_word_t('RESTART', 'READ|STEP|INCREMENT|ITERATION', '', 'a run goes on with `litz run DECK.inp'// &
+      ' --restart FILE.restart.h5[:STEP:INCREMENT] -o DIR`'), &
+      foreign_word_t('RESTART', 'OVERLAY|NUMBER INTERVAL|TIME MARKS', '', 'leave it out'), &
+      foreign_word_t('CONTROLS', 'RESET|ANALYSIS', '', 'leave it out')]
+
+   !> Values of parameters and of data lines
+   type(foreign_word_t), parameter :: of_values(*) = [ &
+      foreign_word_t('ELEMENT', 'TYPE', 'B32|B32H|B32R|B32OS|B32OSH', 'its elements have two nodes:'// &
+      ' `litz convert THIS.inp NEW.inp` makes two of each'), &
+      foreign_word_t('ELEMENT', 'TYPE', 'B31H|B31R|B31OS|B31OSH|PIPE31|PIPE31H', 'use B31'), &
+      foreign_word_t('ELEMENT', 'TYPE', 'B33H', 'use B33'), &
+      foreign_word_t('ELEMENT', 'TYPE', 'B21|B21H|B22|B22H|B23|B23H', 'models are three-dimensional: use B31 or'// &
+      ' B33, and prescribe 3, 4 and 5 where the model is to stay in its plane'), &
+      foreign_word_t('ELEMENT', 'TYPE', 'T3D2|T3D3|T2D2|SPRINGA|SPRING1|SPRING2|CONN3D2', 'use a thin beam'), &
+      foreign_word_t('BEAM SECTION', 'SECTION', 'PIPE|RECT|BOX|I|L|HEX|TRAPEZOID|THICK PIPE|ARBITRARY|ELBOW', &
+      'use GENERAL with A, I11, I12, I22, J, and CONTACT RADIUS where it touches'), &
+      foreign_word_t('ELASTIC', 'TYPE', 'ENGINEERING CONSTANTS|ORTHOTROPIC|ANISOTROPIC|ORTHO|ANISO|LAMINA', &
+      'give E along the wire, and Poisson''s ratio'), &
+      foreign_word_t('SURFACE BEHAVIOR', 'PRESSURE-OVERCLOSURE', 'HARD|EXPONENTIAL|TABULAR|TIED|SCALE FACTOR', &
+      'HERTZ needs no data, LINEAR a penalty'), &
+      foreign_word_t('BOUNDARY', '', 'XSYMM', 'write 1, 5 and 6, a line each'), &
+      foreign_word_t('BOUNDARY', '', 'YSYMM', 'write 2, 4 and 6, a line each'), &
+      foreign_word_t('BOUNDARY', '', 'ZSYMM', 'write 3, 4 and 5, a line each'), &
+      foreign_word_t('BOUNDARY', '', 'XASYMM', 'write 2, 3 and 4, a line each'), &
+      foreign_word_t('BOUNDARY', '', 'YASYMM', 'write 1, 3 and 5, a line each'), &
+      foreign_word_t('BOUNDARY', '', 'ZASYMM', 'write 1, 2 and 6, a line each'), &
+      foreign_word_t('NODE PRINT', '', 'U1|U2|U3|UR1|UR2|UR3|RF1|RF2|RF3|RM1|RM2|RM3|CF1|CF2|CF3|CM1|CM2|CM3', &
+      'all three components are written: say U, UR, RF, RM, CF or CM'), &
+      foreign_word_t('EL PRINT', '', 'SF1|SF2|SF3|SM1|SM2|SM3|SM', 'SF has forces and moments, all of them'), &
+      foreign_word_t('NODE FILE|EL FILE|EL PRINT', '', 'S|E|LE|EE|PE|PEEQ|ENER|MISES|NT|ME|ZZS|NOE|ERR', &
+      'beams have section forces (SF), no stresses or strains'), &
+      foreign_word_t('ELASTIC|ELECTRICAL CONDUCTIVITY', '', '+', 'material data do not depend on temperature'), &
+      foreign_word_t('FRICTION', '', '+', 'a stiffness before slip is the parameter STICK STIFFNESS')]
+
+contains
+
+   !> The whole table.
+   pure function foreign_words() result(words)
+      type(foreign_word_t), allocatable :: words(:)
+
+      words = [of_model, of_laws, of_parameters, of_values]
+   end function foreign_words
+
+   !> What to do in litz, or an empty string when nothing is known about the word.
+   pure function advice_about(keyword, parameter, value) result(advice)
+      character(len=*), intent(in) :: keyword
+      !> Empty: of the keyword itself, or of its data lines
+      character(len=*), intent(in), optional :: parameter, value
+      character(len=:), allocatable :: advice
+
+      advice = ''
+      call look_in(of_model)
+      call look_in(of_laws)
+      call look_in(of_parameters)
+      call look_in(of_values)
+
+   contains
+
+      pure subroutine look_in(words)
+         type(foreign_word_t), intent(in) :: words(:)
+         integer :: i
+
+         do i = 1, size(words)
+            if (len(advice) > 0) return
+            if (is_one_of(words(i)%keywords, keyword) .and. fits(words(i)%parameters, parameter) .and. &
+               fits(words(i)%values, value)) advice = trim(words(i)%advice)
+         end do
+      end subroutine look_in
+
+   end function advice_about
+
+   !> A keyword that litz lacks, as the table spells it; empty when it is none.
+   pure function foreign_keyword(name) result(keyword)
+      character(len=*), intent(in) :: name
+      character(len=:), allocatable :: keyword
+
+      keyword = ''
+      call look_in(of_model)
+      call look_in(of_laws)
+
+   contains
+
+      pure subroutine look_in(words)
+         type(foreign_word_t), intent(in) :: words(:)
+         character(len=word_length), allocatable :: list(:)
+         integer :: i, j
+
+         do i = 1, size(words)
+            if (.not. is_one_of(words(i)%keywords, name)) cycle
+            list = words_of(words(i)%keywords)
+            do j = 1, size(list)
+               if (squeezed(trim(list(j))) == squeezed(name)) keyword = trim(list(j))
+            end do
+         end do
+      end subroutine look_in
+
+   end function foreign_keyword
+
+   !> Is the word in the list, or are both empty?
+   pure logical function fits(list, word)
+      character(len=*), intent(in) :: list
+      character(len=*), intent(in), optional :: word
+
+      if (.not. present(word)) then
+         fits = len_trim(list) == 0
+      else if (len_trim(word) == 0) then
+         fits = len_trim(list) == 0
+      else
+         fits = is_one_of(list, word)
+      end if
+   end function fits
+
+   !> Is the word in a list, however it is written?
+   pure logical function is_one_of(list, word)
+      character(len=*), intent(in) :: list, word
+
+      is_one_of = index('|'//squeezed(list)//'|', '|'//squeezed(word)//'|') > 0
+   end function is_one_of
+
+end module litz_foreign_words
