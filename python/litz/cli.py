@@ -133,12 +133,18 @@ def _convert(arguments: list[str]) -> int:
     parser = command_parser(
         "convert", "Write the wires and sets of a mesh as a deck, to which supports and steps are added."
     )
-    parser.add_argument("mesh", metavar="MESH", help="Abaqus or BeamMe (.inp), gmsh (.msh), or what meshio reads")
+    parser.add_argument("mesh", metavar="MESH", help="Abaqus, gmsh or BeamMe (.inp), gmsh (.msh), or what meshio reads")
     parser.add_argument("deck", metavar="DECK", help="the deck to write; a file that is there is kept")
-    parser.add_argument("--radius", type=float, help="radius of the wires [m]; not needed where the mesh has sections")
-    parser.add_argument("--young", type=float, default=COPPER.young, help="Young's modulus [Pa]; default: copper")
+    parser.add_argument(
+        "--radius",
+        type=float,
+        help="radius of the wires, in the unit of length of the mesh; not needed where the mesh has sections",
+    )
+    parser.add_argument(
+        "--young", type=float, default=COPPER.young, help="Young's modulus; default: copper in SI units"
+    )
     parser.add_argument("--poisson", type=float, default=COPPER.poisson, help="Poisson's ratio; default: copper")
-    parser.add_argument("--conductivity", type=float, help="electrical conductivity [S/m]; without it an insulator")
+    parser.add_argument("--conductivity", type=float, help="electrical conductivity; without it an insulator")
     parser.add_argument(
         "--element", choices=("B31", "B33"), default="B33", help="where the mesh does not say; default B33"
     )

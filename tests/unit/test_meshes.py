@@ -155,6 +155,181 @@ def test_what_is_left_out_is_told(file):
         litz.read_mesh(file(BEAMME + SECTIONS.replace("section=CIRC\n 1e-3", "section=RECT\n 1e-3, 2e-3"), "rect.inp"))
 
 
+#: As Abaqus/CAE writes: a part, instances of it at their places, sets of the assembly
+CAE = """\
+*Heading
+*Preprint, echo=NO
+*Part, name=Wire
+*Node
+ 1, 0., 0., 0.
+ 2, 1., 0., 0.
+ 3, 2., 0., 0.
+*Element, type=B32
+ 1, 1, 2, 3
+*Nset, nset=Set-1, generate
+ 1, 3, 1
+*Elset, elset=Set-1
+ 1,
+*Beam Section, elset=set-1, material=Steel, temperature=GRADIENTS, section=CIRC
+0.1
+0.,0.,-1.
+*End Part
+*Part, name=Pin
+*Node
+ 1, 0., 0., 0.
+ 2, 0., 5., 0.
+*Element, type=B31, elset=all
+ 1, 1, 2
+*End Part
+*Assembly, name=Assembly
+*Instance, name=Wire-1, part=wire
+*End Instance
+*Instance, name=Wire-2, part=Wire
+ 0., 0., 1.
+ 0., 0., 1., 0., 0., 2., 90.
+*End Instance
+*Instance, name=Pin-1, part=Pin
+*End Instance
+*Nset, nset=ends, instance=Wire-1
+ 1, 3
+*Nset, nset=ends, instance=Wire-2
+ 3
+*Elset, elset=both
+ Wire-1.Set-1, Pin-1.all
+*End Assembly
+*Material, name=Steel
+*Elastic
+ 210000., 0.3
+*Step
+*Static
+"""
+
+
+def test_instances_of_parts_stand_at_their_places(file):
+    mesh = litz.read_mesh(file(CAE, "cae.inp"))
+    # the first as it is, the second shifted by 1 along z, then turned by 90 degrees about the axis through (0, 0, 1) along z
+    wires = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 0, 1], [0, 1, 1], [0, 2, 1]]
+    np.testing.assert_allclose(mesh.x, [*wires, [0, 0, 0], [0, 5, 0]], atol=1e-15)
+    assert mesh.connectivity.tolist() == [[0, 1], [1, 2], [3, 4], [4, 5], [6, 7]]
+    assert {name: rows.tolist() for name, rows in mesh.element_sets.items()} == {
+        "Wire-1.Set-1": [0, 1],
+        "Wire-2.Set-1": [2, 3],
+        "Pin-1.all": [4],
+        "both": [0, 1, 4],
+    }
+    # nodes of the same number belong to their instances
+    assert mesh.node_sets["ends"].tolist() == [0, 2, 5]
+    assert mesh.node_sets["Wire-2.Set-1"].tolist() == [3, 4, 5]
+
+
+def test_sections_of_a_part_hold_for_each_of_its_instances(file):
+    model = litz.Model("wires of a part")
+    pin = CAE.index("*Part, name=Pin"), CAE.index("*Assembly")
+    text = CAE[: pin[0]] + CAE[pin[1] :].replace(", Pin-1.all", "")
+    text = text.replace("*Instance, name=Pin-1, part=Pin\n*End Instance\n", "")
+    first, second = model.mesh(litz.read_mesh(file(text, "cae.inp")))
+    assert (first.section.radius, second.section.radius) == (0.1, 0.1)
+    assert list(first.elements) == [1, 2]
+    assert list(second.elements) == [3, 4]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("part=Pin\n*End", "part=Needle\n*End", "there is no part Needle"),
+        ("0., 0., 1., 0., 0., 2., 90.", "0., 0., 1., 0., 0., 2.", "second line of .*Wire-2 needs seven numbers"),
+        ("0., 0., 1., 0., 0., 2., 90.", "0., 0., 1., 0., 0., 1., 90.", "the axis .* has no length"),
+        ("Pin-1.all", "Pin-1.everything", "there is no set Pin-1.everything"),
+        (CAE[CAE.index("*Assembly") : CAE.index("*Material")], "", "has parts, but no .INSTANCE"),
+    ],
+)
+def test_instances_that_cannot_be_made(file, old, new, message):
+    assert old in CAE
+    with pytest.raises(litz.FileError, match=message):
+        litz.read_mesh(file(CAE.replace(old, new), "cae.inp"))
+
+
+def test_trusses_are_wires_where_there_are_no_beams(file):
+    trusses = "*Node\n 1, 0\n 2, 1\n 3, 2\n 4, 3\n*Element, type=T3D2, elset=A\n 7, 1, 2\n"
+    quadratic = "*Element, type=T3D3, elset=B\n 8, 2, 3, 4\n"
+    mesh = litz.read_mesh(file(trusses + quadratic, "lines.inp"))
+    assert mesh.connectivity.tolist() == [[0, 1], [1, 2], [2, 3]]
+    assert mesh.element_sets["B"].tolist() == [1, 2]
+    beam = "*Element, type=B31, elset=C\n 9, 3, 4\n"
+    with pytest.warns(UserWarning, match="2 of type T3D2 or T3D3"):
+        mesh = litz.read_mesh(file(trusses + quadratic + beam, "mixed.inp"))
+    assert mesh.x[mesh.connectivity].tolist() == [[[2, 0, 0], [3, 0, 0]]]
+    assert {name: rows.tolist() for name, rows in mesh.element_sets.items()} == {"C": [0]}
+
+
+@pytest.fixture(scope="module")
+def gmsh():
+    """The package gmsh, with two wires of curved and straight lines, meshed."""
+    gmsh = pytest.importorskip("gmsh", reason="the package gmsh is not installed: pip install gmsh")
+    gmsh.initialize(interruptible=False)
+    gmsh.option.setNumber("General.Terminal", 0)
+    kernel = gmsh.model.occ
+    arc = kernel.addCircle(0, 0, 0, 1, angle1=0, angle2=np.pi)
+    line = kernel.addLine(kernel.addPoint(0, -1, 0.2), kernel.addPoint(0, 3, 0.2))
+    kernel.synchronize()
+    for name, curve in (("half ring", arc), ("straight", line)):
+        gmsh.model.addPhysicalGroup(1, [curve], name=name)
+        ends = [tag for _, tag in gmsh.model.getBoundary([(1, curve)], oriented=False)]
+        gmsh.model.addPhysicalGroup(0, ends, name=f"ends of {name}")
+    gmsh.option.setNumber("Mesh.MeshSizeMax", 0.3)
+    gmsh.model.mesh.generate(1)
+    yield gmsh
+    gmsh.finalize()
+
+
+@pytest.mark.parametrize("binary", [0, 1], ids=["text", "binary"])
+@pytest.mark.parametrize("version", [2.2, 4.1])
+def test_meshes_that_gmsh_writes(gmsh, tmp_path, capfd, version, binary):
+    pytest.importorskip("meshio")
+    gmsh.option.setNumber("Mesh.MshFileVersion", version)
+    gmsh.option.setNumber("Mesh.Binary", binary)
+    gmsh.write(str(tmp_path / "mesh.msh"))
+    mesh = litz.read_mesh(tmp_path / "mesh.msh")
+    check_wires_of_gmsh(mesh)
+    assert set(mesh.element_sets) == {"half_ring", "straight"}
+    for name, ends in (("half_ring", [[1, 0, 0], [-1, 0, 0]]), ("straight", [[0, -1, 0.2], [0, 3, 0.2]])):
+        np.testing.assert_allclose(mesh.x[mesh.node_sets[f"ends_of_{name}"]], ends, atol=1e-12)
+    assert capfd.readouterr().out == ""
+
+
+def test_decks_that_gmsh_writes(gmsh, tmp_path):
+    gmsh.write(str(tmp_path / "mesh.inp"))
+    check_wires_of_gmsh(litz.read_mesh(tmp_path / "mesh.inp"))
+
+
+def check_wires_of_gmsh(mesh):
+    """The wires have the lengths of half a ring of radius 1, as polygon, and of a line of length 4."""
+    lengths = {
+        name: np.linalg.norm(np.diff(mesh.x[mesh.connectivity[rows]], axis=1), axis=2).sum()
+        for name, rows in mesh.element_sets.items()
+    }
+    n = len(mesh.element_sets["half_ring" if "half_ring" in lengths else "half ring"])
+    ring = lengths.get("half_ring", lengths.get("half ring"))
+    assert ring == pytest.approx(2 * n * np.sin(np.pi / (2 * n)), rel=1e-6)
+    assert lengths["straight"] == pytest.approx(4, rel=1e-12)
+
+
+def test_a_version_of_gmsh_that_meshio_cannot_read_is_told(gmsh, tmp_path):
+    pytest.importorskip("meshio")
+    gmsh.option.setNumber("Mesh.MshFileVersion", 4.0)
+    gmsh.option.setNumber("Mesh.Binary", 0)
+    gmsh.write(str(tmp_path / "mesh.msh"))
+    with pytest.raises(litz.FileError, match=r"version 4 of gmsh's format: save it as version 4\.1 or 2\.2"):
+        litz.read_mesh(tmp_path / "mesh.msh")
+
+
+@pytest.mark.parametrize("name", ["mesh.bdf", "mesh.unknown", "mesh.msh", "mesh.vtu"])
+def test_files_that_meshio_cannot_read_are_told_without_a_traceback(file, name):
+    pytest.importorskip("meshio")
+    with pytest.raises(litz.FileError, match=f"meshio cannot read .*{name}: "):
+        litz.read_mesh(file("nothing that is a mesh\n", name))
+
+
 def test_physical_groups_of_gmsh_are_sets(file):
     pytest.importorskip("meshio")
     with pytest.warns(UserWarning, match="1 elements that are no lines are left out"):
