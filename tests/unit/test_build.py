@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from litz import build
-from litz.build.geometry import segment_distance
+from litz.build.geometry import end_distance, segment_distance
 from litz.wires import element_curves, find_wires, hermite
 
 MODELS = {
@@ -231,6 +231,25 @@ def test_wires_of_a_film_lie_on_those_they_cross():
         assert height == pytest.approx(max(crossed) + pitch if crossed else 0, abs=1e-6 * pitch)
     for name, wall in (("MINUS", 0.0), ("PLUS", 10e-6)):
         assert model.x[np.array(model.node_sets[name]) - 1, 0] == pytest.approx(wall, abs=1e-12)
+
+
+def test_no_end_of_a_wire_of_a_film_lies_on_another():
+    ends = np.array([x[[0, -1], :2] for x in wires_of(MODELS["film"]())])
+    for i, wire in enumerate(ends[1:], start=1):
+        first, second = (np.broadcast_to(end, (i, 2)) for end in wire)
+        assert end_distance(first, second, ends[:i, 0], ends[:i, 1]).min() > 3.9 * 30e-9
+
+
+@pytest.mark.parametrize("name", ["layered mat", "isotropic mat", "film", "fabric"])
+def test_a_model_is_pressed_by_less_than_its_height(name):
+    model = MODELS[name]()
+    heights = [model.x[np.array(model.nodes_of(target)) - 1, 2].mean() for target in model.guides]
+    assert model.height == pytest.approx(np.ptp(heights), rel=1e-4)
+    with pytest.raises(ValueError, match="upside down: press by less than its height"):
+        model.press(1.01 * model.height)
+    assert not model.steps
+    model.press(model.height)
+    assert min(one.value for one in model.steps[-1].prescribed) == -model.height
 
 
 @pytest.mark.parametrize(

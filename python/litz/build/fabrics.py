@@ -163,6 +163,7 @@ def woven_fabric(
         _add_diagonal_plates(model, (n_warp, n_weft), pitch, height, pitch, bars)
         for plate, yarn in itertools.product(("PLATE_BOTTOM", "PLATE_TOP"), ("WARP", "WEFT")):
             model.contact(plate, yarn, interaction=interaction)
+        model.height = 2 * height
         electrodes = {"PLUS": model.groups["PLATE_TOP"].nodes, "MINUS": model.groups["PLATE_BOTTOM"].nodes}
     for name, nodes in electrodes.items():
         model.node_set(name, nodes)

@@ -132,6 +132,7 @@ def fibre_mat(
         ends = _isotropic(rng, n_fibres, np.array(size), distance, 4 * radius, smallest_angle)
         model.wires("FIBRES", [rounded(straight(start, end, n_elements), max(size)) for start, end in ends], **fibre)
         _hold_isotropic(model, size[2])
+        model.height = float(size[2])
         model.element_set("WIRES", list(model.groups))
         model.contact("WIRES", interaction=interaction, interference_fit=overlap)
     else:
@@ -222,6 +223,7 @@ def _stack(
         axes = [straight([*start, height], [*end, height], n_elements) for start, end in below]
         model.wires(name, [to_decimals(axis) for axis in axes], **fibre)
         hold_in_frame(model, name, float(f"{height / top:.9g}"))
+    model.height = top
     model.node_set("PLUS", "PLATE_TOP")
     model.node_set("MINUS", "PLATE_BOTTOM")
 

@@ -63,6 +63,9 @@ class Model:
         Degrees of freedom that are zero from the start.
     guides : dict
         Share of the displacement of a pressing that each node or node set follows: 0 stays, 1 goes along (`press`).
+    height : float, optional
+        Displacement of a pressing that brings top and bottom to one level [m], which is more than any pressing can be
+        meant to be; None where a model has no such limit.
     steps : list of Step
         The loading.
 
@@ -100,6 +103,7 @@ class Model:
         self.contacts: list[ContactPair] = []
         self.supports: list[Prescribed] = []
         self.guides: dict[Target, float] = {}
+        self.height: float | None = None
         self.steps: list[Step] = []
         self.cards: list[CardSpec] = []
         self._materials: dict[str, Material] = {}
@@ -741,7 +745,7 @@ class Model:
         Parameters
         ----------
         displacement : float
-            How far the nodes of share 1 are below their first place at the end of the step [m].
+            How far the nodes of share 1 are below their first place at the end of the step [m]; at most `height`.
         voltage : float, optional
             Between the node sets PLUS and MINUS, with MINUS at 0 V [V]; None: the step prescribes no potential.
         name : str
@@ -751,6 +755,11 @@ class Model:
         """
         if not self.guides:
             raise ValueError("this model has no guides that a pressing could move; give them by model.guides")
+        if self.height is not None and 0 < self.height < displacement:
+            raise ValueError(
+                f"pressed by {displacement:g} m, this model of {self.height:g} m height would be turned upside down: "
+                "press by less than its height"
+            )
         options.setdefault("increment", 0.1 * options.get("total", 1.0))
         step = self.step(name, **options)
         for target, share in self.guides.items():
