@@ -67,6 +67,15 @@ _ERRORS: dict[int, type[LitzError]] = {
     for error in (InputError, NotConvergedError, SolverError, FileError, InternalError, OutOfMemoryError)
 }
 
+#: What messages advise in words of decks, and how that is said in Python
+_IN_PYTHON = {
+    "increments of INC=": "inc=... of Model.step and Model.press",
+    "I_C of *CONTROLS": "Step.controls('TIME INCREMENTATION', i_c=...)",
+    "PARAMETERS=STABILIZE": "Step.controls('STABILIZE')",
+    "*FRICTION": "friction=... of Model.contact and litz.Interaction",
+    "third value of *STATIC": "smallest=... of Model.step and Model.press",
+}
+
 
 def program_path() -> Path:
     """The Fortran program: the one the environment variable LITZ_PROGRAM names, or the one in this package."""
@@ -135,10 +144,13 @@ def run(
         command += ["--restart", str(restart)]
 
     shown = _progress_of(deck) if progress else None
-    exit_code, printed, message = _call(command, quiet, shown)
     results_path = output_directory / (deck.stem + ".vtkhdf")
+    before = _changed(results_path)
+    exit_code, printed, message = _call(command, quiet, shown)
     if exit_code != 0:
-        raise _error_of(exit_code, message or printed, results_path if results_path.exists() else None)
+        error = _error_of(exit_code, message or printed, results_path if results_path.exists() else None)
+        _note(error, _changed(results_path) != before)
+        raise error
 
     from .results import Results
 
@@ -174,6 +186,22 @@ def _error_of(exit_code: int, message: str, results_path: Path | None = None) ->
     if exit_code < 0:
         message += f"the program was ended by signal {-exit_code}\n"
     return _ERRORS.get(exit_code, InternalError)(message.rstrip(), results_path)
+
+
+def _changed(path: Path) -> int | None:
+    """When a file was changed, if it is there [ns]."""
+    return path.stat().st_mtime_ns if path.exists() else None
+
+
+def _note(error: LitzError, has_results: bool) -> None:
+    """Say below the message where the results are, and the advice in words of Python; before Python 3.11 say nothing."""
+    if not (isinstance(error, NotConvergedError) and hasattr(error, "add_note")):
+        return
+    advice = [python for word, python in _IN_PYTHON.items() if word in str(error)]
+    if advice:
+        error.add_note(f"In Python: {'; '.join(advice)}.")
+    if has_results:
+        error.add_note(f"The increments before: litz.Results({str(error.results_path)!r})")
 
 
 def _progress_of(deck: Path) -> "Progress":

@@ -58,6 +58,31 @@ def test_results_before_the_failure_are_named(stand_in, tmp_path):
     assert caught.value.results_path == tmp_path / "deck.vtkhdf"
 
 
+@pytest.mark.skipif(sys.version_info < (3, 11), reason="exceptions have no notes before Python 3.11")
+def test_a_run_that_gives_up_says_in_python_what_helps_and_where_its_results_are(inputs, tmp_path):
+    deck = (inputs / "01_crossed_wires.inp").read_text(encoding="utf-8")
+    # the first increments are too small for 30 of them to reach the end
+    deck = deck.replace("INC=200", "INC=30").replace(" 0.1, 3., 1.e-4, 0.1", " 0.01, 3., 1.e-4, 0.1")
+    (tmp_path / "deck.inp").write_text(deck)
+    with pytest.raises(litz.NotConvergedError) as caught:
+        litz.run(tmp_path / "deck.inp", output_directory=tmp_path)
+    advice, results = caught.value.__notes__
+    assert advice == "In Python: inc=... of Model.step and Model.press."
+    with pytest.warns(UserWarning, match="did not finish"):
+        kept = eval(results.partition(": ")[2], {"litz": litz})
+    assert len(kept.times) == 31
+    assert "In Python" not in str(caught.value)
+
+
+@pytest.mark.skipif(sys.version_info < (3, 11), reason="exceptions have no notes before Python 3.11")
+def test_results_of_an_earlier_run_are_not_said_to_be_those_of_one_that_gave_up(stand_in, tmp_path):
+    stand_in(2)
+    (tmp_path / "deck.vtkhdf").touch()
+    with pytest.raises(litz.NotConvergedError) as caught:
+        litz.run("deck.inp", output_directory=tmp_path)
+    assert not hasattr(caught.value, "__notes__")
+
+
 def test_a_crash_is_an_internal_error_that_names_the_signal(stand_in, tmp_path):
     stand_in(kill=signal.SIGSEGV)
     with pytest.raises(litz.InternalError, match=f"signal {int(signal.SIGSEGV)}"):
