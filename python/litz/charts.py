@@ -55,23 +55,33 @@ def currents(figure: Figure, results: "Results", increment: int) -> None:
 
 
 def history(figure: Figure, results: "Results", increment: int) -> None:
-    """The columns that the deck asked for, a chart for each unit."""
+    """The columns that the deck asked for, a chart for each quantity."""
     table = results.history
     names = [name for name in table if name not in ("step", "increment", "time")]
     if not names:
         nothing_to_draw(figure.add_subplot(), "The deck asks for no history (*NODE PRINT, *EL PRINT, *ELECTRODE PRINT)")
         return
-    groups: dict[str, list[str]] = {}
+    groups: dict[tuple[str, str], list[str]] = {}
     for name in names:
-        groups.setdefault(table.units[name], []).append(name)
+        groups.setdefault((_quantity(name), table.units[name]), []).append(name)
     figure.set_figheight(1.0 + 1.8 * len(groups))
     all_axes = figure.subplots(len(groups), 1, sharex=True, squeeze=False)[:, 0]
-    for axes, (unit, members) in zip(all_axes, groups.items(), strict=True):
-        _history_of_one_unit(axes, table, members, unit)
+    for axes, ((quantity, unit), members) in zip(all_axes, groups.items(), strict=True):
+        _history_of_one_quantity(axes, table, members, quantity, unit)
     all_axes[-1].set_xlabel(time_label(results))
 
 
-def _history_of_one_unit(axes: Axes, table: Table, names: list[str], unit: str) -> None:
+def _quantity(column: str) -> str:
+    """What a column of the history is one of: its letters, or a name for those that belong together."""
+    symbol = column.split(maxsplit=1)[0].rstrip("123")
+    if symbol.startswith("ALL") or symbol == "ETOTAL":
+        return "energy"
+    return {"N": "section force", "Q": "section force", "T": "section moment", "M": "section moment"}.get(
+        symbol, symbol
+    )
+
+
+def _history_of_one_quantity(axes: Axes, table: Table, names: list[str], quantity: str, unit: str) -> None:
     factor, symbol = engineering(np.concatenate([table[name] for name in names]), unit)
     for i, name in enumerate(names):
         legend = name if i < _MOST_LINES else None
@@ -80,7 +90,7 @@ def _history_of_one_unit(axes: Axes, table: Table, names: list[str], unit: str) 
         )
     if len(names) > _MOST_LINES:
         axes.plot([], [], " ", label=f"and {len(names) - _MOST_LINES} more")
-    axes.set_ylabel(label(names[0].split()[0], symbol) if len(names) == 1 else f"[{symbol}]")
+    axes.set_ylabel(label(quantity, symbol))
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
 
 

@@ -144,6 +144,8 @@ def _write_pvd(path: Path, times: NDArray, files: list[Path]) -> None:
 def _to_xdmf(results: Results, base: Path) -> Path:
     meshio = optional("meshio")
     path = _beside(base, ".xdmf").resolve()
+    # fields are read when they are written, from a file that may be named relative to the directory before
+    results = Results(results.path.resolve())
     data = path.with_suffix(".h5")
     if data.exists() and not path.exists():
         raise FileError(f"{data} is there already, and is no data of {path.name}: export into another directory")
@@ -159,7 +161,7 @@ def _to_xdmf(results: Results, base: Path) -> Path:
                 writer.write_data(time, point_data=points, cell_data=cells)
     finally:
         os.chdir(before)
-    return path
+    return _beside(base, ".xdmf")
 
 
 # VTKHDF

@@ -1,6 +1,7 @@
 """`litz convert` and `litz export`; results as data frames and files of other programs."""
 
 import csv
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -60,6 +61,16 @@ def test_xdmf_is_what_meshio_reads(results, tmp_path):
     assert time == results.times[-1]
     np.testing.assert_array_equal(point_data["displacement"], results.field("displacement"))
     np.testing.assert_array_equal(cell_data["joule_heat"][0], results.field("joule_heat"))
+
+
+def test_results_named_by_a_relative_path_are_exported(results, tmp_path, monkeypatch):
+    pytest.importorskip("meshio")
+    monkeypatch.chdir(results.path.parent.parent)
+    relative = results.path.relative_to(results.path.parent.parent)
+    for to in ("xdmf", "vtu", "csv", "vtkhdf"):
+        litz.export(relative, to, tmp_path / to)
+    assert (tmp_path / "xdmf" / f"{DECK}.xdmf").read_text().count("<Time ") == len(results.times)
+    assert Path.cwd() == results.path.parent.parent
 
 
 def test_xdmf_does_not_replace_the_mesh_of_the_deck(results, tmp_path):

@@ -2,6 +2,7 @@
 
 import stat
 import warnings
+from types import SimpleNamespace
 
 import matplotlib as mpl
 import numpy as np
@@ -13,6 +14,7 @@ import litz
 from litz import charts, plots, wire_picture
 from litz.quantities import engineering, label
 from litz.scene import SceneMaker, aim
+from litz.tables import Table
 
 KINDS = ("overview", "wires", "resistance", "residuals", "contacts", "currents", "network", "friction", "history")
 
@@ -169,10 +171,21 @@ class TestCharts:
         charts.current_per_wire(axes, results, -1)
         np.testing.assert_allclose([bar.get_height() for bar in axes.patches], [(9 + 18) / 2, (27 + 36) / 2])
 
-    def test_the_history_has_a_chart_for_each_unit(self, results):
+    def test_the_history_has_a_chart_for_each_quantity(self):
+        columns = {"time": "s", "RF1 node 1": "N", "RF2 node 1": "N", "N element 2": "N", "Q3 element 2": "N"}
+        # in millimetres moments and energies have one unit; ALLWK is no moment
+        columns |= {"M2 element 2": "N mm", "RM3 node 1": "N mm", "ALLWK": "N mm", "ETOTAL": "N mm"}
+        table = Table(dict.fromkeys(columns, np.array([0.0, 1.0])), columns)
         figure = Figure()
-        charts.history(figure, results, -1)
-        assert len(figure.axes) == len({results.history.units[name] for name in results.history} - {"", "s"})
+        charts.history(figure, SimpleNamespace(history=table, unit_labels={"s": "s"}), -1)
+        shown = {axes.get_ylabel(): [line.get_label() for line in axes.lines] for axes in figure.axes}
+        assert shown == {
+            "RF [N]": ["RF1 node 1", "RF2 node 1"],
+            "section force [N]": ["N element 2", "Q3 element 2"],
+            "section moment [N mm]": ["M2 element 2"],
+            "RM [N mm]": ["RM3 node 1"],
+            "energy [N mm]": ["ALLWK", "ETOTAL"],
+        }
 
 
 class TestQuantities:
