@@ -9,13 +9,12 @@ from datetime import datetime, timezone
 import numpy as np
 
 import litz
-from verification.claims import PROVENANCE
+from verification.claims import PROVENANCE, read_claims
 
 _COLUMNS = (
     "claim",
     "quantity",
     "source",
-    "deck",
     "reference",
     "litz",
     "difference",
@@ -31,6 +30,7 @@ th, td { border-bottom: 1px solid #ddd; padding: .35em .6em; text-align: left; v
 th { background: #f3f3f3; }
 td.number { font-family: ui-monospace, monospace; white-space: pre-line; }
 .pass { color: #176b2c; } .miss { color: #b00020; font-weight: bold; }
+.wide { overflow-x: auto; } code { overflow-wrap: anywhere; }
 img { max-width: 100%; } pre { white-space: pre-wrap; font: inherit; }
 """
 
@@ -45,10 +45,13 @@ def write_reports(reports, directory):
 def _head(reports):
     """Lines that say what was run, where, and how it went."""
     verdicts = [verdict for report in reports for verdict in report.verdicts]
+    all_claims = len(read_claims())
+    rest = f" The other {all_claims - len(verdicts)} of {all_claims} claims were not asked for."
     program = subprocess.run([litz.program_path(), "--version"], capture_output=True, text=True, check=False)
     missed = sum(not verdict.passed for verdict in verdicts)
     return [
-        f"{len(verdicts)} claims in {len(reports)} cases: {len(verdicts) - missed} hold, {missed} missed.",
+        f"{len(verdicts)} claims in {len(reports)} cases: {len(verdicts) - missed} hold, {missed} missed."
+        + (rest if len(verdicts) < all_claims else ""),
         f"{datetime.now(timezone.utc):%Y-%m-%d %H:%M} UTC, {platform.platform()}, Python {platform.python_version()}.",
         " ".join(program.stdout.split()),
         "Provenance of the reference values: "
@@ -57,7 +60,28 @@ def _head(reports):
     ]
 
 
-def _cells(report, verdict):
+def _summary(report):
+    """A line about a case: title, claims that hold, and how much of its tolerance the closest call has used."""
+    title = report.title.partition("\n")[0]
+    held = sum(verdict.passed for verdict in report.verdicts)
+    used = [
+        verdict.difference / verdict.claim.tolerance
+        for verdict in report.verdicts
+        if verdict.value is not None and verdict.claim.tolerance > 0 and verdict.claim.comparison != "at_most"
+    ]
+    return report.name, title, f"{held} of {len(report.verdicts)}", f"{max(used):.0%}" if used else "-"
+
+
+_SUMMARY = ("case", "what", "claims that hold", "largest part of a tolerance that is used")
+
+
+def _measured_by(report):
+    """Script and decks of a case."""
+    decks = f"; decks {', '.join(report.decks)}" if report.decks else "; kernels alone"
+    return f"cases/{report.name}.py{decks}; {report.seconds:.1f} s"
+
+
+def _cells(verdict):
     claim = verdict.claim
     # what others need is a remark beside a bound, not a number that is compared
     is_bound = claim.comparison == "at_most"
@@ -70,7 +94,6 @@ def _cells(report, verdict):
         f"{claim.title} ({claim.id})",
         f"{claim.quantity} [{claim.unit}]" if claim.unit else claim.quantity,
         f"{claim.source} [{claim.provenance}]",
-        ", ".join(report.decks) or "kernels",
         number(claim.reference),
         verdict.remark or number(verdict.value),
         "-" if is_bound or verdict.value is None else f"{verdict.difference:.2e}",
@@ -90,16 +113,21 @@ def number(value):
 
 
 def _markdown(head, reports):
-    lines = ["# Verification of litz", "", *(f"- {line}" for line in head)]
+    lines = ["# Verification of litz", "", *(f"- {line}" for line in head), ""]
+    lines += [_markdown_row(_SUMMARY), "|" + "---|" * len(_SUMMARY)]
+    lines += [_markdown_row(_summary(report)) for report in reports]
     for report in reports:
         title, _, text = report.title.partition("\n")
-        lines += ["", f"## {title}", "", text.strip(), "", f"Script: `cases/{report.name}.py`, {report.seconds:.1f} s"]
-        lines += ["", "| " + " | ".join(_COLUMNS) + " |", "|" + "---|" * len(_COLUMNS)]
-        for verdict in report.verdicts:
-            lines.append("| " + " | ".join(cell.replace("|", "\\|") for cell in _cells(report, verdict)) + " |")
+        lines += ["", f"## {title}", "", text.strip(), "", f"Measured by {_measured_by(report)}."]
+        lines += ["", _markdown_row(_COLUMNS), "|" + "---|" * len(_COLUMNS)]
+        lines += [_markdown_row(_cells(verdict)) for verdict in report.verdicts]
         if report.picture:
             lines += ["", f"![{report.name}]({report.name}/{report.picture.name})"]
     return "\n".join(lines) + "\n"
+
+
+def _markdown_row(cells):
+    return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"
 
 
 def _page(head, reports):
@@ -107,16 +135,20 @@ def _page(head, reports):
         "<!doctype html><html lang=en><meta charset=utf-8><title>Verification of litz</title>",
         f"<style>{STYLE}</style><h1>Verification of litz</h1><ul>",
         *(f"<li>{html.escape(line)}" for line in head),
-        "</ul>",
+        "</ul><div class=wide><table><tr>",
+        *(f"<th>{column}" for column in _SUMMARY),
     ]
+    for name, title, held, used in map(_summary, reports):
+        parts.append(f'<tr><td><a href="#{name}">{name}</a><td>{html.escape(title)}<td>{held}<td>{used}')
+    parts.append("</table></div>")
     for report in reports:
         title, _, text = report.title.partition("\n")
         parts.append(f'<h2 id="{report.name}">{html.escape(title)}</h2><pre>{html.escape(text.strip())}</pre>')
-        parts.append(f"<p>Script <code>cases/{report.name}.py</code>, {report.seconds:.1f} s</p><table><tr>")
+        parts.append(f"<p>Measured by <code>{_measured_by(report)}</code></p><div class=wide><table><tr>")
         parts += [f"<th>{column}" for column in _COLUMNS]
         for verdict in report.verdicts:
-            parts.append("<tr>" + _row(_cells(report, verdict), verdict.passed))
-        parts.append("</table>")
+            parts.append("<tr>" + _row(_cells(verdict), verdict.passed))
+        parts.append("</table></div>")
         if report.picture:
             parts.append(f'<img alt="{report.name}" src="{embedded(report.picture)}">')
     return "\n".join(parts) + "\n"

@@ -109,6 +109,18 @@ def test_a_bound_is_judged():
     assert not judge(claim, 11).passed
 
 
+def test_the_reports_say_how_many_claims_were_not_asked_for_and_how_close_the_others_are(tmp_path, claim):
+    # half of the tolerance is used
+    near = judge(claim, claim.reference * (1 + claim.tolerance / 2))
+    write_reports([CaseReport("elastica", "A title", [near], None, 1.0, ["a.inp", "b.inp"])], tmp_path)
+    for name in ("report.md", "report.html"):
+        text = (tmp_path / name).read_text(encoding="utf-8")
+        assert f"The other {len(read_claims()) - 1} of {len(read_claims())} claims were not asked for." in text
+        assert "1 of 1" in text
+        assert "50%" in text
+        assert text.count("a.inp, b.inp") == 1
+
+
 def test_the_reports_show_misses(tmp_path, claim):
     report = CaseReport("elastica", "A title\n\nSource: ...", [judge(claim, 2.0), missed(claim, "it broke")], None, 1.0)
     write_reports([report], tmp_path)
