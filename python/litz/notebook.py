@@ -57,6 +57,15 @@ def place() -> Any:
     return display(bar(0.0, "starts"), display_id=True)
 
 
+def show_page(url: str, text: str, *, framed: bool) -> None:
+    """Show a link to a page, and the page in a frame if wanted."""
+    from IPython.display import display
+
+    link = html.escape(text).replace(url, f'<a href="{url}" target="_blank">{url}</a>')
+    frame = f'<iframe src="{url}" style="width: 100%; height: 40em; border: 0"></iframe>'
+    display(Html(f"<div>{link}{frame if framed else ''}</div>", text))
+
+
 def bar(share: float, text: str) -> Html:
     """A bar that is full at a share of 1, with text beside it."""
     drawn = f'<progress value="{share:.3f}" max="1" style="width: 16em"></progress>'

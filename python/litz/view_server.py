@@ -3,6 +3,7 @@
 import gzip
 import re
 import sys
+import threading
 import webbrowser
 from collections.abc import Callable
 from functools import lru_cache
@@ -11,6 +12,7 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
+from . import notebook
 from .plots import with_increments
 from .results import Results
 from .run import FileError, LitzError
@@ -20,6 +22,8 @@ from .web_page import page, viewer, viewer_style
 _STYLE = "html, body { height: 100%; margin: 0; }\n"
 _ADDRESS = "127.0.0.1"
 _KEPT_INCREMENTS = 32
+#: Servers of the viewers in a notebook, by their result files
+_IN_NOTEBOOK: dict[Path, "ViewServer"] = {}
 
 
 class ViewServer(ThreadingHTTPServer):
@@ -117,7 +121,7 @@ class _Handler(BaseHTTPRequestHandler):
 
 
 def view(results: Results | str | Path, *, port: int = 0, open_browser: bool = True) -> None:
-    """Show results in the browser until Ctrl-C ends it.
+    """Show results in the browser until Ctrl-C ends it; in a notebook below the cell, until the kernel ends.
 
     Turn, move and enlarge the wires with the mouse, go through the increments, choose the scalar that colours them, click
     a contact to see its row of the ledger.
@@ -129,8 +133,15 @@ def view(results: Results | str | Path, *, port: int = 0, open_browser: bool = T
     port : int
         Port of this machine; 0: any that is free.
     open_browser : bool
-        Open the page; else the address is only printed.
+        Open the page; else the address is only printed. In a notebook: show the viewer; else only its address.
+
+    Notes
+    -----
+    Only the machine that runs litz can reach the address: in a notebook of another machine take `litz.report`.
     """
+    if notebook.in_notebook():
+        _view_in_notebook(results, port, open_browser)
+        return
     with ViewServer(results, port) as server:
         print(f"{server.results.path} is shown at {server.url} (Ctrl-C ends it)", flush=True)
         if open_browser and not webbrowser.open(server.url):
@@ -139,3 +150,16 @@ def view(results: Results | str | Path, *, port: int = 0, open_browser: bool = T
             server.serve_forever()
         except KeyboardInterrupt:
             print()
+
+
+def _view_in_notebook(results: Results | str | Path, port: int, shown: bool) -> None:
+    """Serve the viewer beside what the notebook runs, and show it; the one of the same file before ends."""
+    results = with_increments(results)
+    path = results.path.resolve()
+    if path in _IN_NOTEBOOK:
+        former = _IN_NOTEBOOK.pop(path)
+        former.shutdown()
+        former.server_close()
+    server = _IN_NOTEBOOK[path] = ViewServer(results, port)
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    notebook.show_page(server.url, f"{results.path} is shown at {server.url} until the kernel ends", framed=shown)

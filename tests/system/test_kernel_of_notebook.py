@@ -11,6 +11,14 @@ CELLS = [
     "results.history",
     "litz.plot(results, 'history')",
     "litz.sweep(lambda side: side**2, {'side': [1.0, 2.0]}, directory=None)",
+    "litz.view(results)",
+    "litz.view(results, open_browser=False)",
+    """
+from litz.view_server import _IN_NOTEBOOK
+from urllib.request import urlopen
+[server] = _IN_NOTEBOOK.values()
+print(server.url, b"<html" in urlopen(server.url).read())
+""",
 ]
 
 
@@ -21,14 +29,21 @@ def outputs(inputs, tmp_path, litz_program, monkeypatch):
     cells = [cell.replace("DECK", repr(str(inputs / "08_elastica.inp"))) for cell in CELLS]
     notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(cell) for cell in cells])
     nbclient.NotebookClient(notebook, timeout=300, resources={"metadata": {"path": str(tmp_path)}}).execute()
-    return [[output.get("data", {}) for output in cell.outputs] for cell in notebook.cells]
+    return [[output.get("data", output) for output in cell.outputs] for cell in notebook.cells]
 
 
-def test_a_kernel_shows_bars_tables_and_pictures(outputs):
-    run, table, picture, sweep = outputs
+def test_a_kernel_shows_bars_tables_pictures_and_the_viewer(outputs):
+    run, table, picture, sweep, viewer, link, served = outputs
     assert '<progress value="1.000"' in run[0]["text/html"]
     assert "08_elastica: finished" in run[0]["text/plain"]
     assert "<th>time</th>" in table[0]["text/html"]
     assert picture[0]["image/png"].startswith("iVBORw0KGgo")
     assert "2 of 2 runs" in sweep[0]["text/plain"]
     assert "<td>4</td>" in sweep[1]["text/html"]
+    assert '<iframe src="http://127.0.0.1:' in viewer[0]["text/html"]
+    assert "<iframe" not in link[0]["text/html"]
+    # the second viewer of a file ends the first
+    url, answered = served[0]["text"].split()
+    assert f'<a href="{url}"' in link[0]["text/html"]
+    assert url not in viewer[0]["text/html"]
+    assert answered == "True"
