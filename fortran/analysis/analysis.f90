@@ -452,7 +452,7 @@ contains
          remark = remark//penetration_warning(problem%model, problem%state%contacts, audit)
          if (len(audit%finding) > 0) remark = 'audit failed: '//audit%finding
       end if
-      report%remark = remark
+      report%remark = without_last_semicolon(remark)
       if (outcome%converged .and. outcome%at_round_off) report%remark = remark//'accepted at the limit of round-off'
       call results%write_status(report, error)
       if (options%quiet) return
@@ -460,7 +460,7 @@ contains
       if (outcome%converged) problem%progress%done = report%time
       write (line, '(i5, i6, i5, i6, 2es13.5, i10, es13.5)') report%step, report%increment, attempt, &
          outcome%iterations, report%time, increment, report%contacts, sum(problem%contact%points%force)
-      write (output_unit, '(a)') trim(trim(line)//'  '//remark)
+      write (output_unit, '(a)') trim(trim(line)//'  '//without_last_semicolon(remark))
       call print_contacts(problem, outcome)
    end subroutine report_increment
 
@@ -538,6 +538,17 @@ contains
          remark = remark//trim(text)//' '
       end if
    end function remark_of
+
+   !> Remarks end in semicolons, because others may follow.
+   pure function without_last_semicolon(remark) result(text)
+      character(len=*), intent(in) :: remark
+      character(len=:), allocatable :: text
+
+      text = trim(remark)
+      if (len(text) > 0) then
+         if (text(len(text):) == ';') text = text(:len(text) - 1)
+      end if
+   end function without_last_semicolon
 
    !> Directory and stem that the result files share.
    pure function result_base(options) result(base)

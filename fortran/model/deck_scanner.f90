@@ -125,11 +125,16 @@ contains
       character(len=200) :: reason
       integer(int64) :: length
       integer :: unit, iostat
-      logical :: exists
+      logical :: exists, longer_exists
 
       inquire (file=path, exist=exists)
       if (.not. exists) then
-         error = fail(exit_files, 'file '//shown(path)//' does not exist')
+         inquire (file=path//'.inp', exist=longer_exists)
+         if (longer_exists) then
+            error = fail(exit_files, 'file '//shown(path)//' does not exist; did you mean '//shown(path//'.inp')//'?')
+         else
+            error = fail(exit_files, 'file '//shown(path)//' does not exist')
+         end if
          return
       end if
       reason = 'it is not a readable file'

@@ -1,7 +1,7 @@
 !> Sets of nodes and elements: growing while the deck is read, then sorted lists of indices.
 module litz_sets
    use litz_text, only: to_text, shown, upper
-   use litz_numbers, only: parse_integer, number_not_one
+   use litz_numbers, only: parse_integer, number_ok, number_not_one
    use litz_sorting, only: sort_integers
    use litz_deck, only: token_t
    use litz_lookup, only: id_map_t
@@ -289,15 +289,19 @@ contains
 
    contains
 
-      !> A set of this name, but of the other kind.
+      !> A set of this name, but of the other kind; or a number.
       function other_kind()
          character(len=:), allocatable :: other_kind
+         integer :: number, status
 
          other_kind = ''
+         call parse_integer(self%deck%text(token), number, status)
          if (what == 'node' .and. self%element_sets%names%get(name_of(self, token)) > 0) then
             other_kind = ' (there is an element set of this name)'
          else if (what == 'element' .and. self%node_sets%names%get(name_of(self, token)) > 0) then
             other_kind = ' (there is a node set of this name)'
+         else if (status == number_ok) then
+            other_kind = ' (a name is needed here; a set may hold one '//what//')'
          end if
       end function other_kind
 

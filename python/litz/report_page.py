@@ -32,7 +32,8 @@ table.data { border-collapse: collapse; font-size: 13.5px; margin: .4rem 0 1rem;
 table.data th, table.data td { border-bottom: 1px solid #ddd; padding: .25rem .7rem; text-align: right; vertical-align: top; }
 table.data th { background: #f3f3f3; font-weight: 600; }
 table.data th:first-child, table.data td:first-child, table.data .text { text-align: left; }
-table.data td { font-variant-numeric: tabular-nums; }
+table.data td { font-variant-numeric: tabular-nums; white-space: nowrap; }
+table.data td:first-child, table.data .text { white-space: normal; }
 .wide { overflow-x: auto; }
 figure { margin: 0 0 1.4rem; } figure img { max-width: 100%; height: auto; } figcaption { color: #444; font-size: 13.5px; }
 .pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(30rem, 1fr)); gap: 1rem 2rem; }

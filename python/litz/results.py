@@ -64,7 +64,9 @@ class Results:
                 )
         if not self.finished:
             end = f"ends at time {self.times[-1]:g}" if len(self.times) else "has no increment"
-            warnings.warn(f"{self.path}: the run did not finish (or still runs); it {end}", stacklevel=2)
+            restart = self.path.with_suffix(".restart.h5")
+            more = f"; litz run DECK --restart {restart} -o DIR goes on" if restart.exists() else ""
+            warnings.warn(f"{self.path}: the run did not finish (or still runs); it {end}{more}", stacklevel=2)
 
     def __repr__(self) -> str:
         """File, sizes and whether the run finished."""

@@ -51,6 +51,9 @@ def test_a_deep_overlap_is_told_with_the_contact_and_the_penalty_that_cures_it(r
         if not told:
             break
         assert told[0] in process.stdout
+        # nothing follows: no semicolon
+        assert remark.endswith("at least would hold it")
+        assert f"{told[0]}\n" in process.stdout
         overlaps.append(float(told[1]))
         assert overlaps[-1] == pytest.approx(100 * results.audit["penetration_ratio"][-1], rel=1e-4)
         # stiffer contacts carry more force, so that the advice is followed with a margin

@@ -386,6 +386,13 @@ KEYWORDS = [
         'unknown keyword "NODE PRINT NSET=ALL"; a comma is missing behind *NODE PRINT',
         "*NODE PRINT NSET=ALL",
     ),
+    case(
+        "number in place of a set",
+        "LOWER, UPPER",
+        "1, UPPER",
+        'there is no element set "1" (a name is needed here; a set may hold one element)',
+        "1",
+    ),
     case("comment of C", "*HEADING", "// a deck\n*HEADING", "a comment begins with **", "// a deck"),
     case("no comma in a data line", "1, ENCASTRE", "1 ENCASTRE", "(values are separated by commas)", ""),
     case("comment behind a value", "5.8e7", "5.8e7 ** S/m", "a comment has a line of its own", "5.8e7 ** S/m"),
@@ -737,6 +744,13 @@ def test_a_deck_that_does_not_exist(litz, tmp_path):
     result = litz("check", "none.inp", cwd=tmp_path)
     assert result.returncode == 4
     assert result.stderr == 'error: the deck file "none.inp" does not exist\n'
+
+
+def test_a_deck_without_its_ending_is_found(litz, tmp_path):
+    (tmp_path / "wires.inp").write_text(DECK)
+    result = litz("check", "wires", cwd=tmp_path)
+    assert result.returncode == 4
+    assert result.stderr == 'error: the deck file "wires" does not exist; did you mean "wires.inp"?\n'
 
 
 def test_a_deck_that_is_a_directory(litz, tmp_path):
