@@ -248,6 +248,14 @@ def contact_element(build_target):
     return build_target("fortran/contact_element.f90")
 
 
+def test_the_contact_element_in_one_file_says_what_it_is_and_under_which_licence(contact_element):
+    head = contact_element.read_text(encoding="utf-8").split("\nmodule ")[0]
+    words = " ".join(re.sub(r"^!>? ?", "", head, flags=re.MULTILINE).split())
+    version = re.search(r"version: '([^']+)'", (ROOT / "meson.build").read_text(encoding="utf-8"))[1]
+    assert words.startswith(f"The contact element of litz {version}")
+    assert " ".join((ROOT / "LICENSE").read_text(encoding="utf-8").split()) in words
+
+
 @in_language("fortran")
 def test_fortran_compiles_without_a_warning(block, contact_element, tmp_path):
     (tmp_path / "block.f90").write_text(block.text)
