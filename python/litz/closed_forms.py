@@ -87,11 +87,17 @@ def _carlson_rd(x: float, y: float, z: float) -> float:
 class Spot(NamedTuple):
     """Contact of two wires under a force."""
 
+    #: Larger half axis of the ellipse [m]
     semi_major: float
+    #: Smaller half axis [m]
     semi_minor: float
+    #: By how much the two wires approach each other [m]
     approach: float
+    #: Pressure at the middle of the spot [Pa]
     peak_pressure: float
+    #: Constriction resistance [ohm]
     resistance: float
+    #: Derivative of the force by the approach [N/m]
     stiffness: float
 
 
@@ -193,10 +199,15 @@ def paper_contact(
 class Wire(NamedTuple):
     """A straight round wire of one material."""
 
+    #: Radius [m]
     radius: float
+    #: Length [m]
     length: float
+    #: Young's modulus [Pa]
     young: float
+    #: Poisson's ratio [-]
     poisson: float
+    #: Resistivity [ohm m]
     resistivity: float
 
     @property
@@ -294,8 +305,11 @@ def wire_grid(
 class Crossing(NamedTuple):
     """Potentials of two wires at their crossing, and the current from the first to the second."""
 
+    #: Potentials of the first and the second wire there [V]
     potentials: tuple[float, float]
+    #: Current from the first to the second wire [A]
     current: float
+    #: Voltage across the contact [V]
     voltage: float
 
 
@@ -354,8 +368,11 @@ def grid_network(
 class Tip(NamedTuple):
     """Tip of a bent cantilever: deflection and shortening over length, angle [rad]."""
 
+    #: Deflection over length [-]
     deflection: float
+    #: By how much the tip comes nearer to the clamp, over length [-]
     shortening: float
+    #: Angle of the tangent at the tip [rad]
     angle: float
 
 

@@ -45,8 +45,9 @@ Numbers = float | ArrayLike
 class ContactSpot(NamedTuple):
     """Contact spot under a given force."""
 
-    #: Semi-axes [m]; 0 for laws without a spot (constant, table)
+    #: Larger half axis of the spot [m]; 0 for laws without a spot (constant, table)
     semi_major: float
+    #: Smaller half axis [m]
     semi_minor: float
     #: Elastic approach of the two axes [m]; 0 for laws without one (plastic, constant, table)
     approach: float
@@ -61,8 +62,9 @@ class ContactSpot(NamedTuple):
 class ClosestPoints(NamedTuple):
     """Closest points of two element axes."""
 
-    #: Place in the barred and the unbarred element, which are [-1, 1]
+    #: Place in the barred element, which is [-1, 1]
     xi_bar: float
+    #: Place in the unbarred element
     xi: float
     #: "inside", "beyond" an end, "parallel", "not_unique" or "not_converged"
     status: Status
@@ -77,8 +79,9 @@ class ContactEM(NamedTuple):
     R: NDArray[np.float64]
     #: Whether the wires touch within both elements
     active: bool
-    #: Places of the closest points in the barred and the unbarred element
+    #: Place of the closest point in the barred element, which is [-1, 1]
     xi_bar: float
+    #: Place of the closest point in the unbarred element
     xi: float
     #: Gap between the surfaces [m], negative in contact
     gap: float
@@ -96,8 +99,9 @@ class ContactEM(NamedTuple):
     voltage_gap: float
     #: Angle between the axes at the closest points [rad], in (0, pi); 0 where these lie beyond the elements
     angle: float
-    #: Semi-axes of the spot [m]; 0 for laws without a spot
+    #: Larger half axis of the spot [m]; 0 for laws without a spot
     semi_major: float
+    #: Smaller half axis of the spot [m]
     semi_minor: float
     #: On which side of the other a wire lies, 1 or -1, what the argument `side` remembers; 0 where the closest points
     #: lie beyond the elements
