@@ -103,7 +103,7 @@ class Table(Mapping):
         heads = ["<tr>" + "".join(f"<th>{cell}</th>" for cell in row) + "</tr>" for row in rows[:2]]
         body = ["<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows[2:]]
         return (
-            '<div style="overflow-x: auto"><table>'
+            '<div style="overflow-x: auto"><table style="white-space: nowrap">'
             f"<thead>{''.join(heads)}</thead><tbody>{''.join(body)}</tbody></table></div><p>{self._sizes()}</p>"
         )
 

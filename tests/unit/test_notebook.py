@@ -66,6 +66,8 @@ def test_a_notebook_gets_all_columns_with_names_escaped(table):
     assert cells(html, 2) == ["0", "0", "&lt;stick&gt;"]
     assert cells(html, -1) == ["29", "2.9", "&lt;stick&gt;"]
     assert "30 rows, 3 columns" in html
+    # 1e-09 would be broken at its hyphen
+    assert "white-space: nowrap" in html
 
 
 def test_a_misspelt_column_is_answered_by_its_first_word():

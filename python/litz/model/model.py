@@ -752,6 +752,11 @@ class Model:
             Name of the step.
         **options
             As those of `step`; `increment` is a tenth of the step when left out.
+
+        Notes
+        -----
+        Where wires rub or snap, damping helps a run to its end: `model.press(...).controls("STABILIZE")`; the summary of
+        the run says how much energy that took.
         """
         if not self.guides:
             raise ValueError("this model has no guides that a pressing could move; give them by model.guides")
