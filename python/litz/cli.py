@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, NoReturn
 if TYPE_CHECKING:
     import argparse
 
+    from .model import Model
+
 _HELP = ("help", "-h", "--help")
 _PYTHON_HELP = """
 Commands of the Python package:
@@ -153,15 +155,14 @@ def _convert(arguments: list[str]) -> int:
         raise FileError(f"{options.deck} is there already and is not replaced; give another name")
     try:
         mesh = read_mesh(options.mesh)
-        model = Model(
-            f"Wires of {mesh.path.name}", ["Supports, contacts and steps are to be added: see litz keywords, litz new."]
-        )
+        notes = ["Supports, contacts and loads are to be added: outlines stand below, litz keywords explains them."]
+        model = Model(f"Wires of {mesh.path.name}", notes)
         material = Material("WIRE", options.young, options.poisson, options.conductivity)
         model.mesh(
             mesh, radius=options.radius, material=None if options.radius is None else material, element=options.element
         )
         model.step()
-        model.write(options.deck)
+        _write_with_outline(model, Path(options.deck))
     except ValueError as error:
         parser.error(str(error))
     print(f"wrote {options.deck}: {len(mesh.x)} nodes, {len(mesh.connectivity)} elements")
@@ -169,6 +170,28 @@ def _convert(arguments: list[str]) -> int:
         if sets:
             print(f"{what}: {', '.join(sets)}")
     return 0
+
+
+def _write_with_outline(model: "Model", path: Path) -> None:
+    """Write the deck, with what it still lacks as comments: keywords with the names of its sets."""
+    groups = model.groups
+    # sets of all nodes of the wires are no places to hold them
+    whole = {len(group.nodes) for group in groups.values()}
+    sets = [name for name, nodes in model.node_sets.items() if len(nodes) not in whole]
+    conducts = any(group.material.conductivity is not None for group in groups.values())
+    outline = ["*SURFACE INTERACTION, NAME=TOUCH", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ"]
+    outline += ["*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ"] * conducts
+    outline += ["*CONTACT PAIR, INTERACTION=TOUCH", f" {', '.join([*groups][:2])}"]
+    loads = []
+    if sets:
+        outline += ["*BOUNDARY", *(f" {name}, ENCASTRE" for name in sets), *[f" {sets[0]}, 9"] * conducts]
+        loads = ["*BOUNDARY", f" {sets[-1]}, 3, 3, {-next(iter(groups.values())).radius:g}"]
+    text = model.to_deck()
+    for before, lines in (("*STEP", outline), ("*END STEP", loads)):
+        head, keyword, rest = text.rpartition(f"\n{before}")
+        comments = "".join(f"\n** {line}" for line in lines)
+        text = f"{head}{comments}{keyword}{rest}"
+    path.write_text(text, encoding="utf-8")
 
 
 def _export(arguments: list[str]) -> int:
