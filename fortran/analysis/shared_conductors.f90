@@ -156,26 +156,38 @@ contains
       type(shared_conductors_t), intent(in) :: self
       real(dp), intent(in) :: current(:)
       real(dp), intent(out) :: product(:), rise(:, :)
-      integer :: k, i
+      integer :: k
 
-      !$omp parallel do schedule(static) private(i) if (size(self%scale) >= worth_threads)
+      !$omp parallel do schedule(static) if (size(self%scale) >= worth_threads)
       do k = 1, size(self%scale)
-         associate (first => self%first(k), last => self%first(k + 1) - 1)
-            block
-               real(dp) :: entering(last - first + 1), above(last - first + 1)
-
-               ! the current leaves the barred wire
-               entering = merge(-1, 1, self%side(first:last) == 1)*current(self%contact(first:last))
-               call potential_rise(self%scale(k), self%xi(first:last), entering, above)
-               do i = first, last
-                  rise(self%side(i), self%contact(i)) = above(i - first + 1)
-               end do
-            end block
-         end associate
+         call set_rise(self, k, current, rise)
       end do
       !$omp end parallel do
       product = self%resistance*current - rise(1, :) + rise(2, :)
    end subroutine multiply
+
+   !> The rise of the potential at the contacts of one element, by their currents.
+   !>
+   !> A procedure of its own, because gfortran (12) shares the bounds of arrays of a BLOCK among the threads.
+   pure subroutine set_rise(self, k, current, rise)
+      type(shared_conductors_t), intent(in) :: self
+      !> Number among the elements with contacts
+      integer, intent(in) :: k
+      real(dp), intent(in) :: current(:)
+      !> (2, n); set at the contacts of this element, on its side
+      real(dp), intent(inout) :: rise(:, :)
+      real(dp), dimension(self%first(k + 1) - self%first(k)) :: entering, above
+      integer :: i
+
+      associate (first => self%first(k), last => self%first(k + 1) - 1)
+         ! the current leaves the barred wire
+         entering = merge(-1, 1, self%side(first:last) == 1)*current(self%contact(first:last))
+         call potential_rise(self%scale(k), self%xi(first:last), entering, above)
+         do i = first, last
+            rise(self%side(i), self%contact(i)) = above(i - first + 1)
+         end do
+      end associate
+   end subroutine set_rise
 
    !> Add to `y` the currents that leave the nodes beyond those of the contact elements, `N_V^T (I - D^-1 N_V V)`.
    pure subroutine add_beyond(self, voltage, current, y)
