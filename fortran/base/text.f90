@@ -35,12 +35,14 @@ contains
    pure function squeezed(text) result(word)
       character(len=*), intent(in) :: text
       character(len=:), allocatable :: word
+      integer, parameter :: tabulator = 9, blank = 32
       character(len=len(text)) :: buffer
       integer :: i, n
 
       n = 0
-      do i = 1, len(text)
-         if (text(i:i) == ' ' .or. text(i:i) == achar(9)) cycle
+      do i = 1, len_trim(text)
+         ! by number: gfortran calls a function for each comparison with a blank
+         if (iachar(text(i:i)) == tabulator .or. iachar(text(i:i)) == blank) cycle
          n = n + 1
          buffer(n:n) = text(i:i)
       end do

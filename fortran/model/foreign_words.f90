@@ -176,10 +176,13 @@ contains
       character(len=:), allocatable :: advice
 
       advice = ''
-      call look_in(of_model)
-      call look_in(of_laws)
-      call look_in(of_parameters)
-      call look_in(of_values)
+      if (present(parameter) .or. present(value)) then
+         call look_in(of_parameters)
+         call look_in(of_values)
+      else
+         call look_in(of_model)
+         call look_in(of_laws)
+      end if
 
    contains
 
