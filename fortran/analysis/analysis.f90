@@ -5,7 +5,10 @@ module litz_analysis
    use litz_available_memory, only: memory_text
    use litz_kinds, only: dp, pi
    use litz_capture, only: start_state, capture_state
-   use litz_contact_pairs, only: contact_point_t, prepare_contact, find_candidates, locate_points
+   use litz_contact_findings, only: finding_t, finding_none, finding_deep
+   use litz_contact_net, only: inspect_contacts
+   use litz_contact_pairs, only: prepare_contact, find_candidates, locate_points
+   use litz_contact_points, only: contact_point_t
    use litz_diagnosis, only: not_converged
    use litz_element_library, only: prepare_elements
    use litz_equations, only: number_equations
@@ -13,7 +16,7 @@ module litz_analysis
    use litz_loading, only: loading_t, start_loading, load_targets, next_break_point
    use litz_model, only: model_t, step_t, solver_block, coupling_default, coupling_monolithic, coupling_updated, &
       request_contact
-   use litz_newton, only: problem_t, outcome_t, solve_increment, measure_scales, cause_not_finite
+   use litz_newton, only: problem_t, outcome_t, solve_increment, measure_scales, cause_not_finite, cause_lost_contact
    use litz_parallel_wires, only: shallow_angle, parallel_warning
    use litz_step_control, only: step_control_t
    use litz_restart_file, only: restart_file_t, course_t, read_restart, wants_restart
@@ -198,7 +201,8 @@ contains
       associate (model => problem%model, contact => problem%contact, state => problem%state)
          call find_candidates(model, problem%wires, problem%elements, model%x, model%x, contact, changed, error)
          if (allocated(error)) return
-         call locate_points(model, problem%wires, problem%elements, model%x, model%x, state%rotation, contact)
+         call locate_points(model, problem%wires, problem%elements, model%x, state%rotation, model%x, state%rotation, &
+            contact)
          contact%converged = contact%points
          n_refused = 0
          worst = 0
@@ -213,7 +217,8 @@ contains
                end if
             end associate
          end do
-         if (n_refused == 0) return
+         call refuse_unmodelled(problem, error)
+         if (n_refused == 0 .or. allocated(error)) return
          associate (point => contact%points(worst), pair => model%contact_pairs(contact%points(worst)%pair))
             write (text, '(a, i0, a, i0, a, es9.2, a, f0.1, a, i0, a)') 'the wires of elements ', &
                model%element_id(point%element_bar), ' and ', model%element_id(point%element), &
@@ -237,6 +242,18 @@ contains
       end function radii
 
    end subroutine find_initial_overlap
+
+   !> Wires that overlap at the start in a way that is not modelled.
+   subroutine refuse_unmodelled(problem, error)
+      type(problem_t), intent(in) :: problem
+      type(error_t), allocatable, intent(out) :: error
+      type(finding_t) :: finding
+
+      finding = inspect_contacts(problem%model, problem%wires, problem%elements, problem%contact, problem%model%x, &
+         problem%state%rotation)
+      if (finding%kind == finding_none .or. finding%kind == finding_deep) return
+      error = fail(exit_input, 'at the start '//finding%describe(problem%model)//'. '//finding%advice(problem%model))
+   end subroutine refuse_unmodelled
 
    subroutine run_step(problem, step, number, overlap, continued, course, options, results, restart, error)
       type(problem_t), intent(inout) :: problem
@@ -346,6 +363,7 @@ contains
       type(audit_t) :: audit
       real(dp) :: break_point, increment, target
       integer :: attempt
+      logical :: possible
 
       report%step = problem%state%step
       report%increment = problem%state%increment + 1
@@ -367,7 +385,10 @@ contains
          problem%has_factor = .false.
          call report_increment(problem, outcome, audit, attempt, increment, target, start_time, options, results, error)
          if (allocated(error)) return
-         if (.not. control%cut(step, increment, attempt)) then
+         possible = control%cut(step, increment, attempt)
+         if (outcome%cause == cause_lost_contact) possible = control%refuse(outcome%finding, problem%wires%wire, target) &
+            .and. possible
+         if (.not. possible) then
             call give_up(problem, step, outcome, step_time, increment, attempt, results, options, error)
             return
          end if
@@ -388,7 +409,7 @@ contains
       if (allocated(error)) return
       call results%write_increment(problem%model, problem%state, .false., error)
       call problem%timing%lap(phase_output)
-      call control%accept(step, outcome%factorisations)
+      call control%accept(step, step_time, outcome%factorisations)
    end subroutine run_increment
 
    !> End the run in words, and write down how far the iteration had come.

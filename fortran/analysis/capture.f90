@@ -2,7 +2,7 @@
 module litz_capture
    use litz_kinds, only: dp, pi
    use litz_contact_history, only: contact_history_t, advanced_history
-   use litz_contact_pairs, only: contact_point_t
+   use litz_contact_points, only: contact_point_t
    use litz_energies, only: advanced_energies
    use litz_newton, only: problem_t
    use litz_rotations, only: identity3, nearest_rotation_vector

@@ -8,7 +8,7 @@ module litz_contact_forces
    use litz_assembly, only: iterate_t, forces_t, chunk, add_mechanical, add_electric, add_coupling
    use litz_contact_electricity, only: contact_electricity_t, contact_electricity, coupling_tangent
    use litz_contact_mechanics, only: contact_mechanics, form_hessian
-   use litz_contact_pairs, only: contact_set_t, contact_point_t, pair_geometry
+   use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry
    use litz_contact_spot, only: contact_spot_of_ellipse
    use litz_element_library, only: elements_t
    use litz_equations, only: equations_t

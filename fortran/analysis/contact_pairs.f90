@@ -1,29 +1,24 @@
 !> Which crossings there are: candidates from the broad phase, points from the closest points of the curves.
 !>
 !> A crossing belongs to the pair of wires, not of elements: when it slides over a node, the point of the next
-!> element takes over its memory. The memory includes the normal, by which the gap keeps its sign when a step has
-!> pushed the axes through each other: they have passed if the line between them has turned round. Only axes that have
-!> moved far enough for that are asked; for all others the gap is what it is now.
+!> element takes over its memory. On which side of each other the two wires are is a fact of the last converged state
+!> (litz_contact_side): an iterate that has pushed the axes through each other has a gap below minus both radii.
 module litz_contact_pairs
    use litz_kinds, only: dp, int64
    use litz_closest_points, only: closest_points, end_tolerance, search_limit, closest_inside, closest_beyond, &
       closest_not_unique, closest_parallel, closest_not_converged
-   use litz_contact_history, only: contact_history_t
-   use litz_contact_kinematics, only: contact_kinematics_t, contact_kinematics, kinematics_ok
+   use litz_contact_kinematics, only: contact_kinematics, kinematics_ok
+   use litz_contact_points, only: contact_point_t, contact_set_t, pair_geometry
    use litz_contact_search, only: near_segments
+   use litz_contact_side, only: crossing_t, crossing_of, have_passed
    use litz_element_library, only: elements_t
    use litz_errors, only: error_t, fail, exit_memory
-   use litz_friction_iteration, only: friction_iteration_t
-   use litz_friction_law, only: friction_law_t
-   use litz_hertz, only: hertz_ellipse_t
-   use litz_shared_conductors, only: shared_conductors_t
    use litz_model, only: model_t, axis_hermite
    use litz_parallel, only: worth_threads
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: contact_point_t, contact_set_t
-   public :: prepare_contact, find_candidates, locate_points, pair_geometry
+   public :: prepare_contact, find_candidates, locate_points
 
    !> Elements of one wire nearer along it than this many contact radii do not touch each other
    real(dp), parameter :: self_contact_distance = 8.0_dp
@@ -33,72 +28,6 @@ module litz_contact_pairs
    real(dp), parameter :: skin = 1.0_dp
    !> Pairs of elements at most: four nodes of each are counted in default integers, beside two of each element
    integer, parameter :: most_candidates = 2**29 - 2**24
-   !> Axes have passed each other if the cosine between the normals before and now is below this: turned by 120 degrees
-   real(dp), parameter :: turned_round = -0.5_dp
-
-   !> A crossing of two wires, open or closed.
-   type :: contact_point_t
-      integer :: id = 0
-      !> Elements (barred first), positions in them, and the model's contact pair
-      integer :: element_bar = 0, element = 0, pair = 0
-      real(dp) :: xi_bar = 0, xi = 0
-      !> Arc lengths along the two wires [m]
-      real(dp) :: arc_bar = 0, arc = 0
-      type(contact_kinematics_t) :: kinematics
-      !> .false.: the axes are nearly parallel there, or touch along a line
-      logical :: regular = .true.
-      !> Hertz ellipse at the present angle, where a law needs it
-      type(hertz_ellipse_t) :: ellipse
-      !> The last iteration predicted the gap and the force of this point [m, N]
-      logical :: predicted = .false.
-      real(dp) :: predicted_gap = 0, mixed_force = 0
-      !> Gap that the law sees: of the geometry, plus what is left of an interference fit [m]
-      real(dp) :: gap = 0
-      !> In contact as the iteration takes it (prediction) and as it is
-      logical :: active = .false., closed = .false.
-      !> Law at the present gap [N, N/m], and the force that this iteration linearises about
-      real(dp) :: force = 0, stiffness = 0, iteration_force = 0
-      !> Force of the geometric stiffness [N]; zero at first touch, where no force is known yet
-      real(dp) :: geometric_force = 0
-      !> Memory of the converged state: from when the increment began until it has converged
-      type(contact_history_t) :: history
-      !> Traction at the present place; as the barred wire feels it [N]
-      type(friction_law_t) :: friction
-      real(dp) :: traction_on_bar(3) = 0
-      type(friction_iteration_t) :: friction_iteration
-      !> Spot [m], conductance [S], current [A], voltage across the spot [V]
-      real(dp) :: semi_major = 0, semi_minor = 0, conductance = 0, current = 0, voltage_gap = 0
-      !> rho L0/(4 A) of both elements, 0 where the voltage is not corrected [ohm], and heat in them that the linear
-      !> voltage misses [W] (theory section 7)
-      real(dp) :: series_resistance(2) = 0, heat_inside(2) = 0
-   end type contact_point_t
-
-   type :: contact_set_t
-      logical :: present = .false.
-      !> Element belongs to the barred / the unbarred set of each contact pair (n_elements, n_pairs)
-      logical, allocatable :: in_bar(:, :), in_set(:, :)
-      !> Barred element, unbarred element, contact pair (3, n_candidates); sorted by the smaller, then the larger one
-      integer, allocatable :: candidates(:, :)
-      !> Positions of the nodes when the candidates were collected (3, n_nodes)
-      real(dp), allocatable :: x_collected(:, :)
-      !> Candidates hold while no node has moved by this much since they were collected (n_nodes) [m]
-      real(dp), allocatable :: valid_motion(:)
-      !> Elements with several contacts that carry a current
-      type(shared_conductors_t) :: shared
-      !> Largest overlap when the increment began [m]
-      real(dp) :: depth = 0
-      type(contact_point_t), allocatable :: points(:)
-      !> The points of the last converged state
-      type(contact_point_t), allocatable :: converged(:)
-      !> Candidates that overlap although their axes run parallel: point contact cannot describe them
-      integer :: n_parallel = 0
-      integer :: last_id = 0
-      !> Clearance that stands for the interference left at this time, one per contact pair [m]
-      real(dp), allocatable :: clearance(:)
-      !> The same in the last converged state
-      real(dp), allocatable :: converged_clearance(:)
-   end type contact_set_t
-
 contains
 
    subroutine prepare_contact(model, elements, contact)
@@ -107,7 +36,7 @@ contains
       type(contact_set_t), intent(out) :: contact
       integer :: p, e
 
-      allocate (contact%points(0), contact%converged(0), contact%candidates(3, 0))
+      allocate (contact%points(0), contact%converged(0), contact%candidates(3, 0), contact%coiled(3, 0))
       allocate (contact%clearance(size(model%contact_pairs)), source=0.0_dp)
       contact%converged_clearance = contact%clearance
       contact%present = size(model%contact_pairs) > 0
@@ -175,9 +104,10 @@ contains
             found(3, i))
       end do
       !$omp end parallel do
+      contact%coiled = abs(reshape(pack(found, spread(found(3, :) < 0, 1, 3)), [3, count(found(3, :) < 0)]))
       n_found = 0
       do i = 1, size(found, 2)
-         if (found(3, i) == 0) cycle
+         if (found(3, i) <= 0) cycle
          n_found = n_found + 1
          found(:, n_found) = found(:, i)
       end do
@@ -198,7 +128,8 @@ contains
       end associate
    end function sagitta_bound
 
-   !> Which element is the barred one, and by which contact pair they may touch (the last one that names both); 0: none.
+   !> Which element is the barred one, and by which contact pair they may touch (the last one that names both); 0: none;
+   !> negative: none, because they are too near to each other along their wire.
    pure subroutine assign_roles(model, wires, elements, contact, a, b, roles, pair)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
@@ -206,24 +137,27 @@ contains
       type(contact_set_t), intent(in) :: contact
       integer, intent(in) :: a, b
       integer, intent(out) :: roles(2), pair
-      real(dp) :: separation
-      logical :: forward, backward
+      real(dp) :: separation, radius
+      logical :: forward, backward, too_near
+      integer :: p
 
       roles = 0
       pair = 0
+      too_near = .false.
       if (any(model%connectivity(:, a) == model%connectivity(1, b)) .or. &
          any(model%connectivity(:, a) == model%connectivity(2, b))) return
+      radius = max(elements%radius(a), elements%radius(b))
       if (wires%wire(a) == wires%wire(b)) then
-         separation = abs(wires%arc(a) - wires%arc(b))
-         if (wires%circumference(wires%wire(a)) > 0) then
-            separation = min(separation, wires%circumference(wires%wire(a)) - separation)
-         end if
-         separation = separation - (elements%length(a) + elements%length(b))/2
-         if (separation < self_contact_distance*max(elements%radius(a), elements%radius(b))) return
+         separation = wires%arc_between(wires%wire(a), wires%arc(a), wires%arc(b)) &
+            - (elements%length(a) + elements%length(b))/2
+         if (separation < radius) return
+         too_near = separation < self_contact_distance*radius
+      else if (wires%is_joined(wires%wire(a)) .and. wires%is_joined(wires%wire(b))) then
+         if (joined_within(1) .or. joined_within(2)) return
       end if
-      do pair = size(model%contact_pairs), 1, -1
-         forward = contact%in_bar(a, pair) .and. contact%in_set(b, pair)
-         backward = contact%in_bar(b, pair) .and. contact%in_set(a, pair)
+      do p = size(model%contact_pairs), 1, -1
+         forward = contact%in_bar(a, p) .and. contact%in_set(b, p)
+         backward = contact%in_bar(b, p) .and. contact%in_set(a, p)
          if (.not. (forward .or. backward)) cycle
          ! within one set the wire decides, so that the roles outlive a hand-over
          if (forward .and. backward) then
@@ -231,22 +165,60 @@ contains
                (wires%wire(a) == wires%wire(b) .and. wires%arc(a) < wires%arc(b))
          end if
          roles = merge([a, b], [b, a], forward)
+         pair = merge(-p, p, too_near)
          return
       end do
+
+   contains
+
+      !> A short path along elements that share nodes leads from this end of the one element to the other element.
+      pure logical function joined_within(side)
+         integer, intent(in) :: side
+
+         joined_within = leads_to(b, model%connectivity(side, a), a, self_contact_distance*radius, model, wires, elements)
+      end function joined_within
+
    end subroutine assign_roles
+
+   !> Whether a path from a node, not back into the element it is reached by, leads to an element before its length is
+   !> used up.
+   pure recursive logical function leads_to(goal, node, from, length, model, wires, elements) result(leads)
+      integer, intent(in) :: goal, node, from
+      !> Length that is left [m]
+      real(dp), intent(in) :: length
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      integer :: i, e
+
+      leads = .false.
+      do i = wires%first_at_node(node), wires%first_at_node(node + 1) - 1
+         e = abs(wires%at_node(i))
+         if (e == from) cycle
+         leads = e == goal
+         if (.not. leads .and. elements%length(e) < length) leads = leads_to(goal, &
+            model%connectivity(merge(2, 1, wires%at_node(i) < 0), e), e, length - elements%length(e), model, wires, elements)
+         if (leads) return
+      end do
+   end function leads_to
 
    !> Find the crossings in the present configuration; points carry on the memory of those of the last call.
    !>
    !> Crossings with a gap beyond the skin are left out, if they were not passed in this increment or before.
-   subroutine locate_points(model, wires, elements, x_start, x, rotation, contact)
+   subroutine locate_points(model, wires, elements, x_start, rotation_start, x, rotation, contact)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
-      real(dp), intent(in) :: x_start(:, :), x(:, :), rotation(:, :, :)
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes) when the increment began, and now
+      real(dp), intent(in) :: x_start(:, :), rotation_start(:, :, :), x(:, :), rotation(:, :, :)
       type(contact_set_t), intent(inout) :: contact
       type(contact_point_t), allocatable :: old(:)
       real(dp), allocatable :: xi(:, :)
-      integer, allocatable :: status(:), origin(:)
+      !> The points of the last call, and of the last converged state, that the present ones continue; 0: none
+      integer, allocatable :: origin(:), converged(:)
+      !> The last converged points of each barred wire, as chains
+      integer, allocatable :: first_converged(:), next_converged(:)
+      integer, allocatable :: status(:)
       integer :: c, n
 
       n = size(contact%candidates, 2)
@@ -260,12 +232,13 @@ contains
       call move_alloc(contact%points, old)
       call collect
       call match_points(wires, elements, old, contact%points, origin)
+      call match_points(wires, elements, contact%converged, contact%points, converged)
+      call chain_converged
       !$omp parallel do schedule(static) if (size(contact%points) >= worth_threads)
       do c = 1, size(contact%points)
-         call inherit(contact%points(c), origin(c))
+         call inherit(contact%points(c), origin(c), converged(c))
       end do
       !$omp end parallel do
-      call recall_history(wires, elements, contact)
       contact%n_parallel = contact%n_parallel + count(.not. contact%points%regular .and. contact%points%gap < 0)
       if (.not. all(contact%points%regular)) contact%points = pack(contact%points, contact%points%regular)
 
@@ -345,6 +318,7 @@ contains
             if (.not. keep(k)) cycle
             m = m + 1
             associate (point => contact%points(m))
+               point%candidate = k
                point%element_bar = contact%candidates(1, k)
                point%element = contact%candidates(2, k)
                point%pair = contact%candidates(3, k)
@@ -390,98 +364,164 @@ contains
          arc_at = wires%arc(e) + wires%direction(e)*xi_e*elements%length(e)/2
       end function arc_at
 
-      subroutine inherit(point, from)
+      !> The last converged points by their barred wires.
+      subroutine chain_converged
+         integer :: k
+
+         allocate (first_converged(wires%n_wires), next_converged(size(contact%converged)), source=0)
+         do k = size(contact%converged), 1, -1
+            associate (first => first_converged(wires%wire(contact%converged(k)%element_bar)))
+               next_converged(k) = first
+               first = k
+            end associate
+         end do
+      end subroutine chain_converged
+
+      !> What a point takes over: of the last iterate the predictions, of the last converged state its memory and on
+      !> which side of each other the wires are.
+      subroutine inherit(point, from, from_converged)
          type(contact_point_t), intent(inout) :: point
-         integer, intent(in) :: from
-         real(dp) :: xe(3, 4), t(3, 4), length(2), normal_before(3)
+         integer, intent(in) :: from, from_converged
+         real(dp) :: xe(3, 4), t(3, 4), length(2)
          integer :: info
 
-         normal_before = 0
          if (from > 0) then
             point%id = old(from)%id
             point%predicted = old(from)%predicted
             point%predicted_gap = old(from)%predicted_gap
             point%mixed_force = old(from)%mixed_force
             point%friction_iteration = old(from)%friction_iteration
-            normal_before = old(from)%kinematics%normal
          end if
+         if (from_converged > 0) point%history = contact%converged(from_converged)%history
          associate (eb => point%element_bar, e => point%element, kinematics => point%kinematics, &
             axis => model%interactions(model%contact_pairs(point%pair)%interaction)%axis)
             call pair_geometry(model, wires, elements, eb, e, x, rotation, xe, t, length)
             call contact_kinematics(xe, t, length, axis, elements%radius([eb, e]), point%xi_bar, point%xi, 0, &
                kinematics, info)
-            if (may_have_passed(eb, e, kinematics%distance)) then
-               if (from == 0) normal_before = normal_at_start(eb, e, axis)
-               if (dot_product(normal_before, kinematics%normal) < turned_round) then
-                  call contact_kinematics(xe, t, length, axis, elements%radius([eb, e]), point%xi_bar, point%xi, &
-                     -kinematics%side, kinematics, info)
-               end if
+            if (info == kinematics_ok) then
+               point%start = crossing_at_start(point, from_converged)
+               if (have_passed(point%start, crossing(point))) call contact_kinematics(xe, t, length, axis, &
+                  elements%radius([eb, e]), point%xi_bar, point%xi, -kinematics%side, kinematics, info)
             end if
             point%regular = info == kinematics_ok
             point%gap = kinematics%gap + contact%clearance(point%pair)
          end associate
       end subroutine inherit
 
-      !> Whether two axes at this distance may lie on the wrong side of each other: they have moved that far since the
-      !> increment began, or had been there before. Axes that bend move by a little more than their nodes.
-      pure logical function may_have_passed(eb, e, distance)
-         integer, intent(in) :: eb, e
-         real(dp), intent(in) :: distance
+      pure type(crossing_t) function crossing(point)
+         type(contact_point_t), intent(in) :: point
 
-         may_have_passed = distance <= relative_motion(eb, e) + contact%depth + sum(elements%radius([eb, e]))/2
-      end function may_have_passed
+         crossing = crossing_of(point%kinematics, wires%direction([point%element_bar, point%element]), &
+            [point%arc_bar, point%arc])
+      end function crossing
 
-      !> Direction from the unbarred to the barred wire at a crossing without memory when the increment began, be it in
-      !> other elements of the same two wires; 0 if it was not one then. A wire that touches itself is asked about these
-      !> two elements only.
-      function normal_at_start(eb, e, axis) result(normal)
-         integer, intent(in) :: eb, e, axis
-         real(dp) :: normal(3)
-         real(dp) :: motion
-         integer :: i, j, near_bar(2), near(2)
+      !> The crossing of the same two wires when the increment began: the converged point that this one continues, or
+      !> the nearest along the wires, or one that was too far open to be a point.
+      type(crossing_t) function crossing_at_start(point, from_converged) result(start)
+         type(contact_point_t), intent(in) :: point
+         !> The converged point that it continues; 0: none
+         integer, intent(in) :: from_converged
+         integer :: k
 
-         motion = relative_motion(eb, e)
-         normal = normal_of_elements(eb, e, axis, search_limit)
-         if (any(abs(normal) > 0) .or. wires%wire(eb) == wires%wire(e)) return
-         near_bar = elements_along(eb, motion)
-         near = elements_along(e, motion)
-         do i = near_bar(1), near_bar(2)
-            do j = near(1), near(2)
-               associate (other_bar => wires%element(i), other => wires%element(j))
-                  if (centre_distance(other_bar, other) > elements%length(other_bar) + elements%length(other) + motion &
-                     + elements%radius(eb) + elements%radius(e)) cycle
-                  normal = normal_of_elements(other_bar, other, axis, 1 + end_tolerance)
-                  if (any(abs(normal) > 0)) return
-               end associate
-            end do
+         k = from_converged
+         if (k == 0) k = nearest_converged(point)
+         if (k > 0) then
+            start = crossing(contact%converged(k))
+         else if (point%kinematics%distance <= relative_motion(point%element_bar, point%element) + contact%depth &
+            + sum(elements%radius([point%element_bar, point%element]))/2) then
+            ! only axes that have moved so far can have passed each other
+            start = crossing_in_start_geometry(point)
+         end if
+      end function crossing_at_start
+
+      !> The converged point of the same two wires that is nearest along them; 0: none that can have slid here.
+      pure integer function nearest_converged(point) result(nearest)
+         type(contact_point_t), intent(in) :: point
+         real(dp) :: distance, least
+         integer :: k
+
+         nearest = 0
+         least = 2*relative_motion(point%element_bar, point%element) &
+            + sum(elements%length([point%element_bar, point%element]))
+         k = first_converged(wires%wire(point%element_bar))
+         do while (k > 0)
+            associate (other => contact%converged(k))
+               if (wires%wire(other%element) == wires%wire(point%element)) then
+                  distance = max(wires%arc_between(wires%wire(point%element_bar), other%arc_bar, point%arc_bar), &
+                     wires%arc_between(wires%wire(point%element), other%arc, point%arc))
+                  if (distance < least) then
+                     least = distance
+                     nearest = k
+                  end if
+               end if
+            end associate
+            k = next_converged(k)
          end do
-      end function normal_at_start
+      end function nearest_converged
 
-      !> First and last element of the same wire, in the order of `wires%element`, that lie within a distance along it.
-      pure function elements_along(e, distance) result(range)
-         integer, intent(in) :: e
-         real(dp), intent(in) :: distance
-         integer :: range(2)
+      !> The crossing of these elements when the increment began, or of others of the same two wires that can have slid
+      !> here. A wire that touches itself is asked about these two elements only.
+      type(crossing_t) function crossing_in_start_geometry(point) result(start)
+         type(contact_point_t), intent(in) :: point
+         integer, allocatable :: near_bar(:), near(:)
+         real(dp) :: motion
+         integer :: i, j
 
-         range = wires%place(e)
-         associate (w => wires%wire(e))
-            do while (range(1) > wires%first(w))
-               if (arc_between(e, wires%element(range(1) - 1)) > distance) exit
-               range(1) = range(1) - 1
-            end do
-            do while (range(2) < wires%first(w + 1) - 1)
-               if (arc_between(e, wires%element(range(2) + 1)) > distance) exit
-               range(2) = range(2) + 1
+         associate (eb => point%element_bar, e => point%element)
+            start = crossing_of_elements(point, eb, e, search_limit)
+            if (start%known .or. wires%wire(eb) == wires%wire(e)) return
+            motion = relative_motion(eb, e)
+            near_bar = elements_along(eb, motion)
+            near = elements_along(e, motion)
+            do i = 1, size(near_bar)
+               do j = 1, size(near)
+                  if (centre_distance(near_bar(i), near(j)) > elements%length(near_bar(i)) &
+                     + elements%length(near(j)) + motion + sum(elements%radius([eb, e]))) cycle
+                  start = crossing_of_elements(point, near_bar(i), near(j), 1 + end_tolerance)
+                  if (start%known) return
+               end do
             end do
          end associate
+      end function crossing_in_start_geometry
+
+      !> The crossing of two elements when the increment began, unknown if not within `|xi| < limit`.
+      type(crossing_t) function crossing_of_elements(point, eb, e, limit) result(start)
+         type(contact_point_t), intent(in) :: point
+         integer, intent(in) :: eb, e
+         real(dp), intent(in) :: limit
+         type(contact_point_t) :: other
+         real(dp) :: xe(3, 4), t(3, 4), length(2)
+         integer :: info
+
+         other%element_bar = eb
+         other%element = e
+         associate (axis => model%interactions(model%contact_pairs(point%pair)%interaction)%axis)
+            call pair_geometry(model, wires, elements, eb, e, x_start, rotation_start, xe, t, length)
+            call closest_points(xe, t, length, axis, other%xi_bar, other%xi, info)
+            if (info == closest_parallel .or. info == closest_not_converged) return
+            if (any(abs([other%xi_bar, other%xi]) >= limit)) return
+            call contact_kinematics(xe, t, length, axis, elements%radius([eb, e]), other%xi_bar, other%xi, 0, &
+               other%kinematics, info)
+         end associate
+         if (info /= kinematics_ok) return
+         other%arc_bar = arc_at(eb, other%xi_bar)
+         other%arc = arc_at(e, other%xi)
+         start = crossing(other)
+      end function crossing_of_elements
+
+      !> Elements of the same wire that begin within a distance along it, this one included.
+      pure function elements_along(e, distance) result(near)
+         integer, intent(in) :: e
+         real(dp), intent(in) :: distance
+         integer, allocatable :: near(:)
+         integer :: i
+
+         associate (w => wires%wire(e))
+            near = wires%element(wires%first(w):wires%first(w + 1) - 1)
+            near = pack(near, [(wires%arc_between(w, wires%arc(e), wires%arc(near(i))) &
+               - (elements%length(e) + elements%length(near(i)))/2 <= distance, i=1, size(near))])
+         end associate
       end function elements_along
-
-      !> Length of wire between the nearest ends of two of its elements.
-      pure real(dp) function arc_between(a, b)
-         integer, intent(in) :: a, b
-
-         arc_between = abs(wires%arc(a) - wires%arc(b)) - (elements%length(a) + elements%length(b))/2
-      end function arc_between
 
       !> Distance of the middles of two elements when the increment began.
       pure real(dp) function centre_distance(eb, e) result(distance)
@@ -491,63 +531,7 @@ contains
             sum(x_start(:, model%connectivity(:, eb)), 2) - sum(x_start(:, model%connectivity(:, e)), 2))/2
       end function centre_distance
 
-      !> Unit vector between the closest points of two elements when the increment began; 0 if not within
-      !> `|xi| < limit`.
-      function normal_of_elements(eb, e, axis, limit) result(normal)
-         integer, intent(in) :: eb, e, axis
-         real(dp), intent(in) :: limit
-         real(dp) :: normal(3)
-         real(dp) :: xe(3, 4), t(3, 4), length(2), xi_start(2), w(3)
-         integer :: status_start
-
-         normal = 0
-         call pair_geometry(model, wires, elements, eb, e, x_start, rotation, xe, t, length)
-         t(:, 1:2) = spread(xe(:, 2) - xe(:, 1), 2, 2)/norm2(xe(:, 2) - xe(:, 1))
-         t(:, 3:4) = spread(xe(:, 4) - xe(:, 3), 2, 2)/norm2(xe(:, 4) - xe(:, 3))
-         call closest_points(xe, t, length, axis, xi_start(1), xi_start(2), status_start)
-         if (status_start == closest_parallel .or. status_start == closest_not_converged) return
-         if (any(abs(xi_start) >= limit)) return
-         w = on_chord(xe(:, 1:2), xi_start(1)) - on_chord(xe(:, 3:4), xi_start(2))
-         if (norm2(w) > 0) normal = w/norm2(w)
-      end function normal_of_elements
-
    end subroutine locate_points
-
-   !> Each point remembers what it was in the converged state, whatever the iteration has been through since.
-   subroutine recall_history(wires, elements, contact)
-      type(wires_t), intent(in) :: wires
-      type(elements_t), intent(in) :: elements
-      type(contact_set_t), intent(inout) :: contact
-      integer, allocatable :: origin(:)
-      integer :: i
-
-      if (.not. any(contact%converged%history%closed)) return
-      call match_points(wires, elements, contact%converged, contact%points, origin)
-      do i = 1, size(contact%points)
-         if (origin(i) > 0) contact%points(i)%history = contact%converged(origin(i))%history
-      end do
-   end subroutine recall_history
-
-   !> Nodal positions and tangents, barred element first, as the kernels want them.
-   pure subroutine pair_geometry(model, wires, elements, eb, e, x, rotation, xe, t, length)
-      type(model_t), intent(in) :: model
-      type(wires_t), intent(in) :: wires
-      type(elements_t), intent(in) :: elements
-      integer, intent(in) :: eb, e
-      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
-      real(dp), intent(out) :: xe(3, 4), t(3, 4), length(2)
-      integer :: side
-
-      do side = 1, 2
-         associate (node_bar => model%connectivity(side, eb), node => model%connectivity(side, e))
-            xe(:, side) = x(:, node_bar)
-            xe(:, 2 + side) = x(:, node)
-            t(:, side) = matmul(rotation(:, :, node_bar), wires%triads0(:, 1, side, eb))
-            t(:, 2 + side) = matmul(rotation(:, :, node), wires%triads0(:, 1, side, e))
-         end associate
-      end do
-      length = elements%length([eb, e])
-   end subroutine pair_geometry
 
    !> For each point the one of the last call that it continues; 0: none.
    !>

@@ -3,7 +3,7 @@ module litz_diagnosis
    use litz_kinds, only: dp
    use litz_errors, only: error_t, fail, exit_not_converged
    use litz_model, only: step_t
-   use litz_newton, only: problem_t, outcome_t, cause_iterations, cause_not_finite, cause_singular, cause_crossed
+   use litz_newton, only: problem_t, outcome_t, cause_iterations, cause_not_finite, cause_singular, cause_lost_contact
    use litz_text, only: to_text
    implicit none
    private
@@ -21,11 +21,18 @@ contains
       !> Tries of this increment
       integer, intent(in) :: attempts
       type(error_t) :: error
+      character(len=:), allocatable :: failure, contact
 
+      failure = ' did not converge from step time '
+      contact = worst_contact(problem)
+      if (outcome%cause == cause_lost_contact) then
+         failure = ' has converged to a wrong state from step time '
+         contact = ''
+      end if
       error = fail(exit_not_converged, 'step '//to_text(outcome%last%step)//', increment '// &
-         to_text(outcome%last%increment)//' did not converge from step time '//to_text(step_time)// &
-         ' with an increment of '//to_text(increment)//': '//outcome%reason//'. '//worst_contact(problem)// &
-         cause_words(problem, step, outcome, attempts)//limit_words(step, attempts))
+         to_text(outcome%last%increment)//failure//to_text(step_time)// &
+         ' with an increment of '//to_text(increment)//': '//outcome%reason//'. '//contact// &
+         cause_words(problem, step, outcome, attempts)//limit_words(step, outcome, attempts))
    end function not_converged
 
    !> The contact whose force the iteration was least sure of; empty: there is none.
@@ -57,9 +64,8 @@ contains
 
       words = ''
       select case (outcome%cause)
-      case (cause_crossed)
-         words = 'Stiffen the contact (*SURFACE BEHAVIOR), or begin with a smaller increment (first value of'// &
-            ' *STATIC). '
+      case (cause_lost_contact)
+         words = outcome%finding%advice(problem%model)
       case (cause_singular)
          words = free_unknown(problem)//'Something can move freely, or a voltage is not determined: add supports'// &
             ' (*BOUNDARY), or damp what only contacts hold (*CONTROLS, PARAMETERS=STABILIZE). '
@@ -122,13 +128,16 @@ contains
    end function free_unknown
 
    !> Why the increment was not cut once more.
-   pure function limit_words(step, attempts) result(words)
+   pure function limit_words(step, outcome, attempts) result(words)
       type(step_t), intent(in) :: step
+      type(outcome_t), intent(in) :: outcome
       integer, intent(in) :: attempts
       character(len=:), allocatable :: words
 
       if (step%direct) then
          words = 'Increments of *STATIC, DIRECT are not cut: leave DIRECT out.'
+      else if (outcome%cause == cause_lost_contact) then
+         words = 'Smaller increments did no better.'
       else if (attempts > step%controls%i_a) then
          words = 'All cut-backs are used up (I_A of *CONTROLS, PARAMETERS=TIME INCREMENTATION, now '// &
             to_text(step%controls%i_a)//').'

@@ -6,7 +6,7 @@
 module litz_energies
    use litz_kinds, only: dp
    use litz_assembly, only: iterate_t
-   use litz_contact_pairs, only: contact_set_t, contact_point_t
+   use litz_contact_points, only: contact_set_t, contact_point_t
    use litz_loading, only: loading_t
    use litz_model, only: model_t, normal_hertz
    use litz_state, only: state_t, energies_t

@@ -3,7 +3,7 @@ module litz_friction_forces
    use litz_kinds, only: dp
    use litz_contact_friction, only: slip_t, slip_kinematics, friction_residual, friction_tangent
    use litz_contact_history, only: moved_arcs
-   use litz_contact_pairs, only: contact_point_t
+   use litz_contact_points, only: contact_point_t
    use litz_friction_iteration, only: friction_iteration_t
    use litz_friction_law, only: friction_law_t, friction_law, mindlin_ratio
    use litz_hertz, only: hertz_ellipse_t

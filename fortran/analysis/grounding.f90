@@ -5,7 +5,7 @@
 !> stays where it was.
 module litz_grounding
    use litz_kinds, only: dp
-   use litz_contact_pairs, only: contact_set_t
+   use litz_contact_points, only: contact_set_t
    use litz_element_library, only: elements_t
    use litz_equations, only: equations_t
    use litz_errors, only: error_t, fail, exit_input

@@ -8,8 +8,13 @@ module litz_newton
    use litz_assembly, only: iterate_t, forces_t, clear_system, assemble_beams, assemble_conductors, &
       assemble_load_stiffness
    use litz_audit, only: scales_t
+   use litz_contact_findings, only: finding_t, worse_of, finding_none
+   use litz_contact_net, only: inspect_contacts
+   use litz_contact_sweep, only: sweep_contacts
    use litz_contact_forces, only: apply_normal_law, assemble_contacts, predict_contacts
-   use litz_contact_pairs, only: contact_set_t, find_candidates, locate_points
+   use litz_contact_pairs, only: find_candidates, locate_points
+   use litz_contact_step, only: bearable_fraction
+   use litz_contact_points, only: contact_set_t
    use litz_element_library, only: elements_t
    use litz_equations, only: equations_t, build_system
    use litz_errors, only: error_t, exit_solver
@@ -30,10 +35,10 @@ module litz_newton
    implicit none
    private
    public :: problem_t, outcome_t, solve_increment, measure_scales
-   public :: cause_iterations, cause_not_finite, cause_singular, cause_crossed
+   public :: cause_iterations, cause_not_finite, cause_singular, cause_lost_contact
 
    !> Why an increment is given up
-   integer, parameter :: cause_iterations = 1, cause_not_finite = 2, cause_singular = 3, cause_crossed = 4
+   integer, parameter :: cause_iterations = 1, cause_not_finite = 2, cause_singular = 3, cause_lost_contact = 4
 
    !> Everything an increment works on.
    type :: problem_t
@@ -71,6 +76,8 @@ module litz_newton
       character(len=:), allocatable :: reason
       !> One of the causes above; 0: it was not
       integer :: cause = 0
+      !> What is wrong with its contacts
+      type(finding_t) :: finding
       !> The last iteration and the one before
       type(iteration_report_t) :: last, before
       !> The tolerance that ended the iteration was that of round-off in one of the fields
@@ -171,7 +178,8 @@ contains
          call update(problem, step, correction, any(abs(increment(1:6, :)) > 0), outcome%last)
          increment = 0
       end do
-      call refuse_crossed_axes(problem, outcome)
+      call refuse_lost_contacts(problem, x_start, outcome)
+      call problem%timing%lap(phase_contact)
    end subroutine solve_increment
 
    subroutine give_up(outcome, cause, reason)
@@ -212,7 +220,8 @@ contains
             call refresh_candidates(problem, x_start, error)
             if (allocated(error)) return
             call timing%lap(phase_search)
-            call locate_points(model, wires, elements, x_start, iterate%x, iterate%rotation, contact)
+            call locate_points(model, wires, elements, x_start, problem%state%rotation, iterate%x, iterate%rotation, &
+               contact)
             call apply_normal_law(model, elements, contact)
             call timing%lap(phase_contact)
          end if
@@ -493,7 +502,10 @@ contains
 
       rotation = sqrt(maxval(sum(correction(4:6, :)**2, 1)))
       eta = 1
-      if (.not. prescribed .and. rotation > step%controls%rotation_cap) eta = step%controls%rotation_cap/rotation
+      if (.not. prescribed) then
+         if (rotation > step%controls%rotation_cap) eta = step%controls%rotation_cap/rotation
+         eta = min(eta, bearable_fraction(problem%model, problem%elements, problem%contact, correction))
+      end if
       associate (iterate => problem%iterate, elements => problem%elements)
          !$omp parallel do schedule(static) private(dq) if (problem%model%n_elements >= worth_threads)
          do e = 1, problem%model%n_elements
@@ -526,27 +538,21 @@ contains
       largest_norm = norm2(values(:, column))
    end subroutine largest_column
 
-   !> A converged state with two axes on the wrong side of each other is none, unless the deck allows it.
-   subroutine refuse_crossed_axes(problem, outcome)
+   !> A converged state in which wires have passed through each other, or overlap without a contact, is none.
+   subroutine refuse_lost_contacts(problem, x_start, outcome)
       type(problem_t), intent(in) :: problem
+      real(dp), intent(in) :: x_start(:, :)
       type(outcome_t), intent(inout) :: outcome
-      integer :: i
-      character(len=16) :: first, second
 
       outcome%converged = .true.
-      do i = 1, size(problem%contact%points)
-         associate (point => problem%contact%points(i), model => problem%model)
-            if (model%interactions(model%contact_pairs(point%pair)%interaction)%unlimited_penetration) cycle
-            if (point%closed .and. point%kinematics%distance <= 0) then
-               write (first, '(i0)') model%element_id(point%element_bar)
-               write (second, '(i0)') model%element_id(point%element)
-               call give_up(outcome, cause_crossed, 'the wires of elements '//trim(first)//' and '//trim(second)// &
-                  ' went through each other''s axis')
-               return
-            end if
-         end associate
-      end do
-   end subroutine refuse_crossed_axes
+      if (.not. problem%contact%present) return
+      associate (model => problem%model, wires => problem%wires, elements => problem%elements, &
+         contact => problem%contact, iterate => problem%iterate)
+         outcome%finding = worse_of(inspect_contacts(model, wires, elements, contact, iterate%x, iterate%rotation), &
+            sweep_contacts(model, wires, elements, contact, x_start, problem%state%rotation, iterate%x, iterate%rotation))
+         if (outcome%finding%kind /= finding_none) call give_up(outcome, cause_lost_contact, outcome%finding%describe(model))
+      end associate
+   end subroutine refuse_lost_contacts
 
    !> Why the iteration limit was met: the field that is farthest from its tolerance. Voltages that are found after the
    !> displacements are not to blame while these are not.

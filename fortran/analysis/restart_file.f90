@@ -6,7 +6,7 @@
 module litz_restart_file
    use litz_kinds, only: dp, int64
    use litz_checksum, only: checksum
-   use litz_contact_pairs, only: contact_point_t
+   use litz_contact_points, only: contact_point_t
    use litz_errors, only: error_t, fail, exit_files, exit_input
    use litz_hdf5_helpers, only: hid_t, hdf5_rows_t, hdf5_real, hdf5_integer, hdf5_start, hdf5_create_file, hdf5_flush, &
       hdf5_publish_file, hdf5_close_file, hdf5_discard_file, hdf5_write_attribute

@@ -4,7 +4,7 @@
 module litz_restart_record
    use litz_kinds, only: dp, int64
    use litz_contact_history, only: contact_history_t
-   use litz_contact_pairs, only: contact_point_t
+   use litz_contact_points, only: contact_point_t
    use litz_state, only: contact_t
    implicit none
    private
@@ -45,6 +45,8 @@ contains
       call record%field('gap', point%gap)
       call record%field('distance_gap', point%kinematics%gap)
       call record%field('normal', point%kinematics%normal)
+      call record%field('side', point%kinematics%side)
+      call record%field('angle', point%kinematics%angle)
       call record%field('force', point%force)
       call exchange_history(record, point%history)
    end subroutine exchange_point

@@ -1,17 +1,27 @@
 !> How large the next increment of time is. Source: the rules and names of CalculiX's *CONTROLS.
 module litz_step_control
    use litz_kinds, only: dp
+   use litz_contact_findings, only: finding_t
    use litz_model, only: step_t
    implicit none
    private
    public :: step_control_t
+
+   !> Increments that are given up because of the same two wires, one after the other: where they pass each other, and
+   !> where they touch in a way that is not modelled
+   integer, parameter :: max_passages = 12, max_unmodelled = 3
 
    type :: step_control_t
       !> Increment wanted next
       real(dp) :: wanted = 0
       !> Quick increments in a row
       integer :: quick = 0
+      !> Refusals of the same contact in a row, and the step time up to which they count
+      integer :: refusals = 0
+      real(dp) :: refused_time = 0
+      type(finding_t) :: refused
    contains
+      procedure :: refuse
       procedure :: start
       procedure :: propose
       procedure :: accept
@@ -26,7 +36,27 @@ contains
 
       self%wanted = min(step%first, step%total)
       self%quick = 0
+      self%refusals = 0
    end subroutine start
+
+   !> After an increment that has lost a contact; `.false.`: smaller ones have lost the same contact often enough.
+   logical function refuse(self, finding, wire, step_time) result(possible)
+      class(step_control_t), intent(inout) :: self
+      type(finding_t), intent(in) :: finding
+      !> Wire of each element (n_elements)
+      integer, intent(in) :: wire(:)
+      !> Step time at the end of the increment
+      real(dp), intent(in) :: step_time
+
+      if (self%refusals > 0 .and. finding%is_like(self%refused, wire)) then
+         self%refusals = self%refusals + 1
+      else
+         self%refusals = 1
+         self%refused_time = step_time
+      end if
+      self%refused = finding
+      possible = self%refusals <= merge(max_passages, max_unmodelled, finding%can_be_cut())
+   end function refuse
 
    !> The increment to try at a step time, not over the next break point, and without leaving a crumb before it.
    pure real(dp) function propose(self, step_time, break_point) result(increment)
@@ -44,11 +74,14 @@ contains
    end function propose
 
    !> After a converged increment.
-   pure subroutine accept(self, step, iterations)
+   pure subroutine accept(self, step, step_time, iterations)
       class(step_control_t), intent(inout) :: self
       type(step_t), intent(in) :: step
+      !> At the end of the increment
+      real(dp), intent(in) :: step_time
       integer, intent(in) :: iterations
 
+      if (step_time >= self%refused_time) self%refusals = 0
       if (step%direct) return
       if (iterations <= step%controls%i_g) then
          self%quick = self%quick + 1

@@ -33,6 +33,12 @@ module litz_wires
       !> Reference triads at both ends of each element, columns tangent, first and second section axis
       !> (3, 3, 2, n_elements)
       real(dp), allocatable :: triads0(:, :, :, :)
+      !> Elements at node n, as +-element (- : its first node): `at_node(first_at_node(n):first_at_node(n + 1) - 1)`
+      integer, allocatable :: at_node(:), first_at_node(:)
+      !> The wire shares a node with another one (n_wires)
+      logical, allocatable :: is_joined(:)
+   contains
+      procedure :: arc_between
    end type wires_t
 
 contains
@@ -51,34 +57,69 @@ contains
          length(e) = norm2(chord(:, e))
          chord(:, e) = chord(:, e)/length(e)
       end do
+      call list_elements_at_nodes(model, wires)
       call join_elements(model, chord, wires)
       call number_wires(model%n_elements, wires)
+      call find_joints(model, wires)
       call nodal_triads(model, chord, length, wires)
    end subroutine build_wires
+
+   pure subroutine list_elements_at_nodes(model, wires)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(inout) :: wires
+      integer :: e, side, next(model%n_nodes + 1)
+
+      allocate (wires%first_at_node(model%n_nodes + 1), wires%at_node(2*model%n_elements), source=0)
+      do e = 1, model%n_elements
+         associate (counts => wires%first_at_node, node => model%connectivity(:, e) + 1)
+            counts(node(1)) = counts(node(1)) + 1
+            counts(node(2)) = counts(node(2)) + 1
+         end associate
+      end do
+      wires%first_at_node(1) = 1
+      do e = 1, model%n_nodes
+         wires%first_at_node(e + 1) = wires%first_at_node(e) + wires%first_at_node(e + 1)
+      end do
+      next = wires%first_at_node
+      do e = 1, model%n_elements
+         do side = 1, 2
+            associate (place => next(model%connectivity(side, e)))
+               wires%at_node(place) = merge(-e, e, side == 1)
+               place = place + 1
+            end associate
+         end do
+      end do
+   end subroutine list_elements_at_nodes
+
+   !> Which wires share nodes with others.
+   pure subroutine find_joints(model, wires)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(inout) :: wires
+      integer :: node
+
+      allocate (wires%is_joined(wires%n_wires), source=.false.)
+      do node = 1, model%n_nodes
+         associate (here => wires%wire(abs(wires%at_node(wires%first_at_node(node):wires%first_at_node(node + 1) - 1))))
+            if (size(here) > 1) then
+               if (any(here /= here(1))) wires%is_joined(here) = .true.
+            end if
+         end associate
+      end do
+   end subroutine find_joints
 
    !> Which element continues which.
    pure subroutine join_elements(model, chord, wires)
       type(model_t), intent(in) :: model
       real(dp), intent(in) :: chord(:, :)
       type(wires_t), intent(inout) :: wires
-      !> The first two element ends at each node, as +-element (- : its first node), and how many there are
-      integer, allocatable :: ends(:, :), n_ends(:)
-      integer :: e, side, node, a, b
+      integer :: node, a, b
       real(dp) :: cosine
 
-      allocate (ends(2, model%n_nodes), n_ends(model%n_nodes), source=0)
-      do e = 1, model%n_elements
-         do side = 1, 2
-            node = model%connectivity(side, e)
-            n_ends(node) = n_ends(node) + 1
-            if (n_ends(node) <= 2) ends(n_ends(node), node) = merge(-e, e, side == 1)
-         end do
-      end do
       allocate (wires%next(2, model%n_elements), source=0)
       do node = 1, model%n_nodes
-         if (n_ends(node) /= 2) cycle
-         a = ends(1, node)
-         b = ends(2, node)
+         if (wires%first_at_node(node + 1) - wires%first_at_node(node) /= 2) cycle
+         a = wires%at_node(wires%first_at_node(node))
+         b = wires%at_node(wires%first_at_node(node) + 1)
          if (abs(a) == abs(b)) cycle
          ! directions into the node along one element and out of it along the other
          cosine = -sign(1, a)*sign(1, b)*dot_product(chord(:, abs(a)), chord(:, abs(b)))
@@ -165,6 +206,17 @@ contains
          if (all(wires%next(:, wires%element(wires%first(w))) /= 0)) wires%circumference(w) = s
       end do
    end subroutine measure_wires
+
+   !> Distance of two places along a wire, the short way around a closed one [m].
+   pure real(dp) function arc_between(self, wire, arc, other)
+      class(wires_t), intent(in) :: self
+      integer, intent(in) :: wire
+      !> Arc lengths of the two places [m]
+      real(dp), intent(in) :: arc, other
+
+      arc_between = abs(arc - other)
+      if (self%circumference(wire) > 0) arc_between = min(arc_between, abs(self%circumference(wire) - arc_between))
+   end function arc_between
 
    !> Tangents at the nodes from a parabola through three neighbours (at the end of a wire: the circle that goes on),
    !> section axes perpendicular to them.

@@ -8,7 +8,7 @@ module litz_axis
    use litz_rotations, only: cross
    implicit none
    private
-   public :: axis_shape, axis_third_derivative, axis_polynomial, on_axis, axis_row
+   public :: axis_shape, axis_third_derivative, axis_polynomial, axis_sagitta, on_axis, axis_row
 
 contains
 
@@ -95,5 +95,13 @@ contains
          p(:, 1) = p(:, 1) - p(:, 3)
       end if
    end function axis_polynomial
+
+   !> How far an axis can leave its chord [m]: `p2 (xi^2 - 1) + p3 (xi^3 - xi)`.
+   pure real(dp) function axis_sagitta(p) result(sagitta)
+      !> Axis in powers of xi (3, 0:3) [m]
+      real(dp), intent(in) :: p(3, 0:3)
+
+      sagitta = norm2(p(:, 2)) + 2/(3*sqrt(3.0_dp))*norm2(p(:, 3))
+   end function axis_sagitta
 
 end module litz_axis

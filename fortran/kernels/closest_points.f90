@@ -9,7 +9,8 @@ module litz_closest_points
    use litz_axis, only: axis_polynomial
    implicit none
    private
-   public :: closest_points, parallel_sine, end_tolerance, search_limit
+   public :: closest_points, local_minima, segment_distance
+   public :: parallel_sine, end_tolerance, search_limit, max_minima
    public :: closest_inside, closest_beyond, closest_parallel, closest_not_unique, closest_not_converged
 
    !> Both points lie within their elements, to `end_tolerance`
@@ -40,6 +41,10 @@ module litz_closest_points
    integer, parameter :: max_iterations = 60, max_halvings = 30
    !> Grid points along each axis in the search for other minima
    integer, parameter :: n_grid = 17
+   !> Local minima of one pair of elements that are kept
+   integer, parameter :: max_minima = 16
+   !> Places nearer to each other than this, in units of xi, are one minimum
+   real(dp), parameter :: same_place = 1.0e-6_dp
 
    !> One point of the search: where, how far, gradient and matrix.
    type :: point_t
@@ -91,6 +96,56 @@ contains
       xi = point%xi(2)
       status = status_of(point, unique)
    end subroutine closest_points
+
+   !> All local minima of the distance of two elements, those at their ends included.
+   !>
+   !> Where the distance is stationary along a line (parallel axes) one place of it is given.
+   pure subroutine local_minima(x, t, length, axis, places, n)
+      !> Nodal positions [m] and unit tangents (3, 4): barred 1, barred 2, 1, 2
+      real(dp), intent(in) :: x(3, 4), t(3, 4)
+      !> Reference lengths (2) [m]: barred, unbarred
+      real(dp), intent(in) :: length(2)
+      !> `axis_linear` or `axis_hermite` of litz_laws
+      integer, intent(in) :: axis
+      !> Places (barred, unbarred) in [-1, 1] (2, max_minima), and how many there are
+      real(dp), intent(out) :: places(2, max_minima)
+      integer, intent(out) :: n
+      real(dp) :: p(3, 0:3), p_bar(3, 0:3), relative(3, 4), f(0:n_grid + 1, 0:n_grid + 1)
+      integer :: i, j
+
+      do i = 1, 4
+         relative(:, i) = x(:, i) - x(:, 3)
+      end do
+      p_bar = axis_polynomial(axis, length(1), relative(:, 1:2), t(:, 1:2))
+      p = axis_polynomial(axis, length(2), relative(:, 3:4), t(:, 3:4))
+      n = 0
+      places = 0
+      call add_minimum(p_bar, p, closest_on_chords(x), places, n)
+      if (is_convex(p_bar, p)) return
+      f = grid_distances(p_bar, p)
+      do j = 1, n_grid
+         do i = 1, n_grid
+            if (is_grid_minimum(f, i, j)) call add_minimum(p_bar, p, [grid_xi(i), grid_xi(j)], places, n)
+         end do
+      end do
+   end subroutine local_minima
+
+   !> The minimum below `start`, unless it is known already.
+   pure subroutine add_minimum(p_bar, p, start, places, n)
+      real(dp), intent(in) :: p_bar(3, 0:3), p(3, 0:3), start(2)
+      real(dp), intent(inout) :: places(2, max_minima)
+      integer, intent(inout) :: n
+      type(point_t) :: point
+      integer :: k
+
+      call minimise(p_bar, p, start, 1.0_dp, point)
+      if (.not. point%converged .or. n == max_minima) return
+      do k = 1, n
+         if (maxval(abs(point%xi - places(:, k))) < same_place) return
+      end do
+      n = n + 1
+      places(:, n) = point%xi
+   end subroutine add_minimum
 
    pure integer function status_of(point, unique) result(status)
       type(point_t), intent(in) :: point
@@ -306,19 +361,13 @@ contains
       integer :: i, j
 
       unique = .true.
-      f = huge(1.0_dp)
+      f = grid_distances(p_bar, p)
       do j = 1, n_grid
          do i = 1, n_grid
-            f(i, j) = squared_distance(p_bar, p, grid_xi(i), grid_xi(j))
-         end do
-      end do
-      do j = 1, n_grid
-         do i = 1, n_grid
-            ! neighbours along the axes only: valleys that run across the grid hide a minimum from the diagonal ones
-            if (f(i, j) > min(f(i - 1, j), f(i + 1, j), f(i, j - 1), f(i, j + 1))) cycle
+            if (.not. is_grid_minimum(f, i, j)) cycle
             call minimise(p_bar, p, [grid_xi(i), grid_xi(j)], 1.0_dp, point)
             if (.not. point%converged) cycle
-            if (maxval(abs(point%xi - best%xi)) < 1.0e-6_dp) cycle
+            if (maxval(abs(point%xi - best%xi)) < same_place) cycle
             if (is_inside(point) .and. is_inside(best)) then
                if (abs(point%f - best%f) <= 1.0e-10_dp*(point%f + best%f)) unique = .false.
             end if
@@ -329,6 +378,28 @@ contains
          end do
       end do
    end subroutine search_grid
+
+   !> Squared distances at the places of a grid, with a rim of huge ones.
+   pure function grid_distances(p_bar, p) result(f)
+      real(dp), intent(in) :: p_bar(3, 0:3), p(3, 0:3)
+      real(dp) :: f(0:n_grid + 1, 0:n_grid + 1)
+      integer :: i, j
+
+      f = huge(1.0_dp)
+      do j = 1, n_grid
+         do i = 1, n_grid
+            f(i, j) = squared_distance(p_bar, p, grid_xi(i), grid_xi(j))
+         end do
+      end do
+   end function grid_distances
+
+   !> No neighbour along the axes is lower; valleys that run across the grid hide a minimum from the diagonal ones.
+   pure logical function is_grid_minimum(f, i, j)
+      real(dp), intent(in) :: f(0:, 0:)
+      integer, intent(in) :: i, j
+
+      is_grid_minimum = f(i, j) <= min(f(i - 1, j), f(i + 1, j), f(i, j - 1), f(i, j + 1))
+   end function is_grid_minimum
 
    pure real(dp) function grid_xi(i) result(xi)
       integer, intent(in) :: i
@@ -360,6 +431,16 @@ contains
          better = point%f < best%f .or. .not. best%converged
       end if
    end function is_better
+
+   !> Least distance of two straight pieces, also where these are parallel or have no length [m].
+   pure real(dp) function segment_distance(x) result(distance)
+      !> Ends (3, 4) [m]: two of the one piece, two of the other
+      real(dp), intent(in) :: x(3, 4)
+      real(dp) :: xi(2)
+
+      xi = closest_on_chords(x)
+      distance = norm2((1 - xi(1))/2*x(:, 1) + (1 + xi(1))/2*x(:, 2) - (1 - xi(2))/2*x(:, 3) - (1 + xi(2))/2*x(:, 4))
+   end function segment_distance
 
    !> Closest points of the two straight chords, also where these are parallel or have no length.
    !>

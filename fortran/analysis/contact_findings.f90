@@ -1,0 +1,124 @@
+!> What is wrong with the contacts of a converged state, so that it is no solution.
+module litz_contact_findings
+   use litz_kinds, only: dp
+   use litz_model, only: model_t
+   use litz_text, only: to_text
+   implicit none
+   private
+   public :: finding_t, worse_of
+   public :: finding_none, finding_deep, finding_missed, finding_second, finding_coiled, finding_end, finding_kink, &
+      finding_line, finding_passed
+
+   !> From harmless to serious: of two findings the later one is reported
+   integer, parameter :: finding_none = 0
+   !> A contact overlaps by more than is allowed
+   integer, parameter :: finding_deep = 1
+   !> Wires overlap where there is no contact: without a reason that is known; beside another contact of the same two
+   !> elements; of a wire with itself a few radii along it
+   integer, parameter :: finding_missed = 2, finding_second = 3, finding_coiled = 4
+   !> ... at the end of a wire; at a kink; side by side, or a contact as long as a line
+   integer, parameter :: finding_end = 5, finding_kink = 6, finding_line = 7
+   !> The axes of two wires met on their way through the increment
+   integer, parameter :: finding_passed = 8
+
+   type :: finding_t
+      integer :: kind = finding_none
+      !> Elements, barred first
+      integer :: elements(2) = 0
+      !> Overlap over the smaller radius [-]
+      real(dp) :: overlap = 0
+      !> Penalty that would hold a deep contact; 0: it has another law [N/m]
+      real(dp) :: penalty = 0
+   contains
+      procedure :: is_like
+      procedure :: can_be_cut
+      procedure :: describe
+      procedure :: advice
+   end type finding_t
+
+contains
+
+   !> The more serious of two findings; the first of two alike.
+   pure type(finding_t) function worse_of(a, b) result(worse)
+      type(finding_t), intent(in) :: a, b
+
+      worse = a
+      if (b%kind > a%kind .or. (b%kind == a%kind .and. b%overlap > a%overlap)) worse = b
+   end function worse_of
+
+   !> The same is wrong with the same two wires.
+   pure logical function is_like(self, other, wire)
+      class(finding_t), intent(in) :: self
+      type(finding_t), intent(in) :: other
+      !> Wire of each element (n_elements)
+      integer, intent(in) :: wire(:)
+
+      is_like = self%kind == other%kind .and. self%kind /= finding_none
+      if (is_like) is_like = all(wire(self%elements) == wire(other%elements))
+   end function is_like
+
+   !> A smaller increment can do better: the motion is to blame, and not what litz does not model.
+   pure logical function can_be_cut(self)
+      class(finding_t), intent(in) :: self
+
+      can_be_cut = self%kind == finding_passed .or. self%kind == finding_missed
+   end function can_be_cut
+
+   !> What was found, with the two elements.
+   pure function describe(self, model) result(text)
+      class(finding_t), intent(in) :: self
+      type(model_t), intent(in) :: model
+      character(len=:), allocatable :: text, pair, depth
+
+      pair = 'the wires of elements '//to_text(model%element_id(self%elements(1)))//' and '// &
+         to_text(model%element_id(self%elements(2)))
+      depth = ' overlap by '//to_text(100*self%overlap)//' % of the smaller radius'
+      select case (self%kind)
+      case (finding_deep)
+         text = pair//depth//', 5 % are allowed'
+      case (finding_second)
+         text = pair//' cross a second time within these elements, and'//depth//' there'
+      case (finding_coiled)
+         text = pair//', which are one wire, lie within a few radii of each other along it, and'//depth
+      case (finding_end)
+         text = pair//' touch at the end of one of them, and'//depth//' there'
+      case (finding_kink)
+         text = pair//' touch at a kink of one of them, and'//depth//' there'
+      case (finding_line)
+         text = pair//' touch side by side, along a line, and'//depth//' there'
+      case (finding_passed)
+         text = pair//' would pass through each other in this increment'
+      case default
+         text = pair//depth//' where no contact is known'
+      end select
+   end function describe
+
+   !> What can be done about it.
+   pure function advice(self, model) result(text)
+      class(finding_t), intent(in) :: self
+      type(model_t), intent(in) :: model
+      character(len=:), allocatable :: text
+
+      select case (self%kind)
+      case (finding_deep)
+         text = 'The law of Hertz is for smaller overlaps: the force is too large for these wires. '
+         if (self%penalty > 0) text = 'A penalty of '//to_text(self%penalty)//' '//model%units%label('N/m')// &
+            ' at least would hold it (*SURFACE BEHAVIOR). '
+      case (finding_second)
+         text = 'Each pair of elements can have one contact: use shorter elements. '
+      case (finding_coiled)
+         text = 'The wire is bent more tightly than contact of a wire with itself is modelled. '
+      case (finding_end)
+         text = 'Contact at the end of a wire is not modelled: let the wires reach beyond their crossings. '
+      case (finding_kink)
+         text = 'Contact at a kink is not modelled: round the kink by shorter elements (less than 20 degrees at'// &
+            ' each node). '
+      case (finding_line)
+         text = 'Contact along a line is not modelled: keep such wires apart, or let them cross at larger angles. '
+      case default
+         text = 'Begin with a smaller increment (first value of *STATIC), or stiffen the contact'// &
+            ' (*SURFACE BEHAVIOR). '
+      end select
+   end function advice
+
+end module litz_contact_findings

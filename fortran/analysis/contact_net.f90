@@ -1,0 +1,242 @@
+!> Whether every overlap of near wires is a contact of the ledger.
+!>
+!> A wire is a tube with round joints and round ends. Contact is where the distance of two tubes has a local minimum
+!> below zero; all such minima of all near pairs of elements are looked up among the contacts. What is missing there is
+!> not modelled: it is named, and the state is no solution.
+module litz_contact_net
+   use litz_kinds, only: dp
+   use litz_axis, only: axis_polynomial, axis_sagitta, axis_shape, on_axis
+   use litz_closest_points, only: local_minima, max_minima, segment_distance
+   use litz_contact_findings, only: finding_t, worse_of, finding_none, finding_deep, finding_missed, finding_second, &
+      finding_coiled, finding_end, finding_kink, finding_line
+   use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry
+   use litz_element_library, only: elements_t
+   use litz_model, only: model_t, axis_hermite, normal_linear
+   use litz_parallel, only: worth_threads
+   use litz_rotations, only: cross
+   use litz_wires, only: wires_t
+   implicit none
+   private
+   public :: inspect_contacts, allowed_penetration
+
+   !> Overlap of a contact that is allowed, over the smaller radius
+   real(dp), parameter :: allowed_penetration = 0.05_dp
+   !> Overlap without a contact that is round-off, over the smaller radius
+   real(dp), parameter :: unseen_overlap = 1.0e-6_dp
+   !> Half length of the overlap along the wires beyond which a contact is no point, in smaller radii
+   real(dp), parameter :: longest_point = 2.0_dp
+   !> Overlaps at angles with a sine below this are side by side (10 degrees)
+   real(dp), parameter :: side_by_side = 0.17_dp
+   !> Cosine between the line to the other wire and an axis that counts as zero
+   real(dp), parameter :: flat = 1.0e-6_dp
+   !> Places nearer to a contact than this, in sums of radii, are that contact
+   real(dp), parameter :: same_contact = 0.2_dp
+   !> A wire may overlap itself up to this many radii along it: its bend has no room for more
+   real(dp), parameter :: bend_overlap = 4.0_dp
+
+contains
+
+   !> The worst of what is wrong; `finding_none`: nothing.
+   function inspect_contacts(model, wires, elements, contact, x, rotation) result(worst)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> With the candidates and points of this state
+      type(contact_set_t), intent(in) :: contact
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
+      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      type(finding_t) :: worst
+      type(finding_t), allocatable :: found(:)
+      !> Point of each candidate (n_candidates), the first of each barred wire, and the next one of each; 0: none
+      integer, allocatable :: point_of(:), first_of_wire(:), next_of_wire(:)
+      integer :: i, n
+
+      call list_points
+      n = size(contact%candidates, 2)
+      allocate (found(n + size(contact%coiled, 2)))
+      !$omp parallel do schedule(dynamic, 64) if (size(found) >= worth_threads)
+      do i = 1, size(found)
+         if (i <= n) then
+            call inspect_pair(contact%candidates(:, i), point_of(i), .false., found(i))
+         else
+            call inspect_pair(contact%coiled(:, i - n), 0, .true., found(i))
+         end if
+      end do
+      !$omp end parallel do
+      do i = 1, size(found)
+         worst = worse_of(worst, found(i))
+      end do
+      do i = 1, size(contact%points)
+         worst = worse_of(worst, inspect_point(contact%points(i)))
+      end do
+
+   contains
+
+      subroutine list_points
+         integer :: k
+
+         allocate (point_of(size(contact%candidates, 2)), first_of_wire(wires%n_wires), &
+            next_of_wire(size(contact%points)), source=0)
+         do k = size(contact%points), 1, -1
+            point_of(contact%points(k)%candidate) = k
+            associate (first => first_of_wire(wires%wire(contact%points(k)%element_bar)))
+               next_of_wire(k) = first
+               first = k
+            end associate
+         end do
+      end subroutine list_points
+
+      !> A contact that is too deep, or as long as a line.
+      type(finding_t) function inspect_point(point) result(finding)
+         type(contact_point_t), intent(in) :: point
+         real(dp) :: sine2, half_length, radius
+
+         if (.not. point%closed) return
+         if (is_unlimited(point%pair)) return
+         radius = minval(elements%radius([point%element_bar, point%element]))
+         finding%elements = [point%element_bar, point%element]
+         finding%overlap = -point%gap/radius
+         if (finding%overlap > allowed_penetration) finding%kind = finding_deep
+         if (model%interactions(model%contact_pairs(point%pair)%interaction)%normal_law == normal_linear) &
+            finding%penalty = point%force/(allowed_penetration*radius)
+         ! the distance is a paraboloid there: `det M` over the squared tangents is sin^2 of the angle of straight wires
+         associate (m_inverse => point%kinematics%between_q, length => elements%length(finding%elements))
+            sine2 = 16/((m_inverse(1, 1)*m_inverse(2, 2) - m_inverse(1, 2)*m_inverse(2, 1))*product(length)**2)
+         end associate
+         half_length = sqrt(2*max(point%kinematics%distance, 0.0_dp)*(-point%gap)/max(sine2, tiny(1.0_dp)))
+         if (half_length > longest_point*radius) finding%kind = finding_line
+      end function inspect_point
+
+      pure logical function is_unlimited(pair)
+         integer, intent(in) :: pair
+
+         is_unlimited = model%interactions(model%contact_pairs(pair)%interaction)%unlimited_penetration
+      end function is_unlimited
+
+      !> All local minima of the distance of two elements that overlap.
+      subroutine inspect_pair(candidate, point, is_coiled, finding)
+         !> Barred element, unbarred element, contact pair
+         integer, intent(in) :: candidate(3)
+         !> The contact point of this pair; 0: none
+         integer, intent(in) :: point
+         !> The elements are too near along their wire to be a candidate
+         logical, intent(in) :: is_coiled
+         type(finding_t), intent(out) :: finding
+         real(dp) :: xe(3, 4), t(3, 4), length(2), places(2, max_minima), arc(2), reach, overlap
+         real(dp) :: w(3), tangent(3, 2)
+         integer :: k, n_places, axis
+
+         associate (eb => candidate(1), e => candidate(2), radius => elements%radius(candidate(1:2)))
+            axis = model%interactions(model%contact_pairs(candidate(3))%interaction)%axis
+            reach = sum(radius) - contact%clearance(candidate(3))
+            call pair_geometry(model, wires, elements, eb, e, x, rotation, xe, t, length)
+            if (segment_distance(xe) - axis_sagitta(axis_polynomial(axis, length(1), xe(:, 1:2), t(:, 1:2))) &
+               - axis_sagitta(axis_polynomial(axis, length(2), xe(:, 3:4), t(:, 3:4))) > reach) return
+            call local_minima(xe, t, length, axis, places, n_places)
+            do k = 1, n_places
+               call axes_at(axis, xe, t, length, places(:, k), w, tangent)
+               overlap = (reach - norm2(w))/minval(radius)
+               if (overlap < unseen_overlap) cycle
+               if (falls_beyond(axis, eb, places(1, k), w) .or. falls_beyond(axis, e, places(2, k), -w)) cycle
+               arc = wires%arc([eb, e]) + wires%direction([eb, e])*places(:, k)*length/2
+               if (is_coiled) then
+                  if (wires%arc_between(wires%wire(e), arc(1), arc(2)) < bend_overlap*maxval(radius)) cycle
+               else if (is_known(candidate, arc)) then
+                  cycle
+               end if
+               finding = worse_of(finding, finding_t(kind_of(candidate, places(:, k), tangent, point > 0, is_coiled), &
+                  candidate(1:2), overlap))
+            end do
+         end associate
+      end subroutine inspect_pair
+
+      !> The distance falls further beyond the end of the element, along another element that is joined there.
+      logical function falls_beyond(axis, e, xi, w)
+         integer, intent(in) :: axis, e
+         !> Place in the element, and the line from the other wire to this one (3) [m]
+         real(dp), intent(in) :: xi, w(3)
+         real(dp) :: away(3)
+         integer :: i, other, node, side
+
+         falls_beyond = .false.
+         if (abs(xi) < 1) return
+         node = model%connectivity(merge(1, 2, xi < 0), e)
+         do i = wires%first_at_node(node), wires%first_at_node(node + 1) - 1
+            other = abs(wires%at_node(i))
+            if (other == e) cycle
+            side = merge(1, 2, wires%at_node(i) < 0)
+            if (axis == axis_hermite) then
+               away = (3 - 2*side)*matmul(rotation(:, :, node), wires%triads0(:, 1, side, other))
+            else
+               away = x(:, model%connectivity(3 - side, other)) - x(:, node)
+               away = away/norm2(away)
+            end if
+            falls_beyond = dot_product(w, away) < -flat*norm2(w)
+            if (falls_beyond) return
+         end do
+      end function falls_beyond
+
+      !> The contacts have one of these two wires at this place.
+      logical function is_known(candidate, arc)
+         integer, intent(in) :: candidate(3)
+         !> Arc lengths on the barred and the unbarred wire (2) [m]
+         real(dp), intent(in) :: arc(2)
+         real(dp) :: allowed
+         integer :: k
+
+         is_known = .false.
+         allowed = same_contact*sum(elements%radius(candidate(1:2)))
+         k = first_of_wire(wires%wire(candidate(1)))
+         do while (k > 0 .and. .not. is_known)
+            associate (point => contact%points(k))
+               if (wires%wire(point%element) == wires%wire(candidate(2))) is_known = &
+                  wires%arc_between(wires%wire(candidate(1)), arc(1), point%arc_bar) < allowed .and. &
+                  wires%arc_between(wires%wire(candidate(2)), arc(2), point%arc) < allowed
+            end associate
+            k = next_of_wire(k)
+         end do
+      end function is_known
+
+      !> Why there is no contact.
+      integer function kind_of(candidate, place, tangent, has_point, is_coiled) result(kind)
+         integer, intent(in) :: candidate(3)
+         !> Place (2), and tangents there (3, 2) [m]
+         real(dp), intent(in) :: place(2), tangent(3, 2)
+         logical, intent(in) :: has_point, is_coiled
+         integer :: k, node
+
+         kind = merge(finding_second, finding_missed, has_point)
+         if (is_coiled) then
+            kind = finding_coiled
+         else if (norm2(cross(tangent(:, 1), tangent(:, 2))) < side_by_side*norm2(tangent(:, 1))*norm2(tangent(:, 2))) then
+            kind = finding_line
+         else
+            do k = 1, 2
+               if (abs(place(k)) < 1) cycle
+               node = model%connectivity(merge(1, 2, place(k) < 0), candidate(k))
+               kind = merge(finding_end, finding_kink, wires%first_at_node(node + 1) - wires%first_at_node(node) == 1)
+               if (kind == finding_end) return
+            end do
+         end if
+      end function kind_of
+
+   end function inspect_contacts
+
+   !> The line from the unbarred to the barred axis, and both tangents.
+   pure subroutine axes_at(axis, x, t, length, place, w, tangent)
+      integer, intent(in) :: axis
+      !> Nodal positions [m], tangents (3, 4), reference lengths (2) [m], and places (2), barred first
+      real(dp), intent(in) :: x(3, 4), t(3, 4), length(2), place(2)
+      !> (3) [m], and derivatives with respect to the places (3, 2) [m], barred first
+      real(dp), intent(out) :: w(3), tangent(3, 2)
+      real(dp), dimension(4) :: h, h1, h2
+
+      call axis_shape(axis, length(1), place(1), h, h1, h2)
+      w = on_axis(h, x(:, 1:2), t(:, 1:2))
+      tangent(:, 1) = on_axis(h1, x(:, 1:2), t(:, 1:2))
+      call axis_shape(axis, length(2), place(2), h, h1, h2)
+      w = w - on_axis(h, x(:, 3:4), t(:, 3:4))
+      tangent(:, 2) = on_axis(h1, x(:, 3:4), t(:, 3:4))
+   end subroutine axes_at
+
+end module litz_contact_net

@@ -1,0 +1,109 @@
+!> The crossings of wires as the iteration sees them, and the set of all.
+module litz_contact_points
+   use litz_kinds, only: dp
+   use litz_contact_history, only: contact_history_t
+   use litz_contact_kinematics, only: contact_kinematics_t
+   use litz_contact_side, only: crossing_t
+   use litz_element_library, only: elements_t
+   use litz_friction_iteration, only: friction_iteration_t
+   use litz_friction_law, only: friction_law_t
+   use litz_hertz, only: hertz_ellipse_t
+   use litz_model, only: model_t
+   use litz_shared_conductors, only: shared_conductors_t
+   use litz_wires, only: wires_t
+   implicit none
+   private
+   public :: contact_point_t, contact_set_t
+   public :: pair_geometry
+
+   !> A crossing of two wires, open or closed.
+   type :: contact_point_t
+      integer :: id = 0
+      !> Elements (barred first), positions in them, the model's contact pair, and its place among the candidates
+      integer :: element_bar = 0, element = 0, pair = 0, candidate = 0
+      real(dp) :: xi_bar = 0, xi = 0
+      !> Arc lengths along the two wires [m]
+      real(dp) :: arc_bar = 0, arc = 0
+      type(contact_kinematics_t) :: kinematics
+      !> The crossing of the same two wires that it was when the increment began
+      type(crossing_t) :: start
+      !> .false.: the axes are nearly parallel there, or touch along a line
+      logical :: regular = .true.
+      !> Hertz ellipse at the present angle, where a law needs it
+      type(hertz_ellipse_t) :: ellipse
+      !> The last iteration predicted the gap and the force of this point [m, N]
+      logical :: predicted = .false.
+      real(dp) :: predicted_gap = 0, mixed_force = 0
+      !> Gap that the law sees: of the geometry, plus what is left of an interference fit [m]
+      real(dp) :: gap = 0
+      !> In contact as the iteration takes it (prediction) and as it is
+      logical :: active = .false., closed = .false.
+      !> Law at the present gap [N, N/m], and the force that this iteration linearises about
+      real(dp) :: force = 0, stiffness = 0, iteration_force = 0
+      !> Force of the geometric stiffness [N]; zero at first touch, where no force is known yet
+      real(dp) :: geometric_force = 0
+      !> Memory of the converged state: from when the increment began until it has converged
+      type(contact_history_t) :: history
+      !> Traction at the present place; as the barred wire feels it [N]
+      type(friction_law_t) :: friction
+      real(dp) :: traction_on_bar(3) = 0
+      type(friction_iteration_t) :: friction_iteration
+      !> Spot [m], conductance [S], current [A], voltage across the spot [V]
+      real(dp) :: semi_major = 0, semi_minor = 0, conductance = 0, current = 0, voltage_gap = 0
+      !> rho L0/(4 A) of both elements, 0 where the voltage is not corrected [ohm], and heat in them that the linear
+      !> voltage misses [W] (theory section 7)
+      real(dp) :: series_resistance(2) = 0, heat_inside(2) = 0
+   end type contact_point_t
+
+   type :: contact_set_t
+      logical :: present = .false.
+      !> Element belongs to the barred / the unbarred set of each contact pair (n_elements, n_pairs)
+      logical, allocatable :: in_bar(:, :), in_set(:, :)
+      !> Barred element, unbarred element, contact pair (3, n_candidates); sorted by the smaller, then the larger one
+      integer, allocatable :: candidates(:, :)
+      !> Pairs of one wire that are too near along it to touch, but not next to each other (3, n_coiled), as candidates
+      integer, allocatable :: coiled(:, :)
+      !> Positions of the nodes when the candidates were collected (3, n_nodes)
+      real(dp), allocatable :: x_collected(:, :)
+      !> Candidates hold while no node has moved by this much since they were collected (n_nodes) [m]
+      real(dp), allocatable :: valid_motion(:)
+      !> Elements with several contacts that carry a current
+      type(shared_conductors_t) :: shared
+      !> Largest overlap when the increment began [m]
+      real(dp) :: depth = 0
+      type(contact_point_t), allocatable :: points(:)
+      !> The points of the last converged state
+      type(contact_point_t), allocatable :: converged(:)
+      !> Candidates that overlap although their axes run parallel: point contact cannot describe them
+      integer :: n_parallel = 0
+      integer :: last_id = 0
+      !> Clearance that stands for the interference left at this time, one per contact pair [m]
+      real(dp), allocatable :: clearance(:)
+      !> The same in the last converged state
+      real(dp), allocatable :: converged_clearance(:)
+   end type contact_set_t
+
+contains
+
+   !> Nodal positions and tangents, barred element first, as the kernels want them.
+   pure subroutine pair_geometry(model, wires, elements, eb, e, x, rotation, xe, t, length)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      integer, intent(in) :: eb, e
+      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      real(dp), intent(out) :: xe(3, 4), t(3, 4), length(2)
+      integer :: side
+
+      do side = 1, 2
+         associate (node_bar => model%connectivity(side, eb), node => model%connectivity(side, e))
+            xe(:, side) = x(:, node_bar)
+            xe(:, 2 + side) = x(:, node)
+            t(:, side) = matmul(rotation(:, :, node_bar), wires%triads0(:, 1, side, eb))
+            t(:, 2 + side) = matmul(rotation(:, :, node), wires%triads0(:, 1, side, e))
+         end associate
+      end do
+      length = elements%length([eb, e])
+   end subroutine pair_geometry
+
+end module litz_contact_points

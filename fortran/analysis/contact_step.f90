@@ -1,0 +1,54 @@
+!> How much of a Newton step the contacts can bear: a linear step past the reach of its own linearisation would throw
+!> wires through or far off each other.
+module litz_contact_step
+   use litz_kinds, only: dp
+   use litz_contact_points, only: contact_set_t, contact_point_t
+   use litz_element_library, only: elements_t
+   use litz_model, only: model_t
+   implicit none
+   private
+   public :: bearable_fraction
+
+   !> A step may take a crossing this far into contact or off it, over the smaller radius
+   real(dp), parameter :: reach = 0.5_dp
+
+contains
+
+   !> The part of a step, at most 1, by which no crossing gets deeper than the reach, and none that is closed opens by
+   !> more than that. A crossing that is deep already, or open already, is not held back.
+   pure real(dp) function bearable_fraction(model, elements, contact, step) result(eta)
+      type(model_t), intent(in) :: model
+      type(elements_t), intent(in) :: elements
+      type(contact_set_t), intent(in) :: contact
+      !> Linear step of the unknowns (7, n_nodes)
+      real(dp), intent(in) :: step(:, :)
+      real(dp) :: dgap, limit
+      integer :: i
+
+      eta = 1
+      do i = 1, size(contact%points)
+         associate (point => contact%points(i))
+            if (model%interactions(model%contact_pairs(point%pair)%interaction)%unlimited_penetration) cycle
+            dgap = change_of_gap(point)
+            limit = reach*minval(elements%radius([point%element_bar, point%element]))
+            if (dgap < 0) then
+               if (point%gap > -limit/2 .and. point%gap + dgap < -limit) eta = min(eta, (point%gap + limit)/(-dgap))
+            else if (point%gap <= 0 .and. point%gap + dgap > limit .and. point%kinematics%distance > 0) then
+               eta = min(eta, max(limit, -point%gap)/dgap)
+            end if
+         end associate
+      end do
+
+   contains
+
+      pure real(dp) function change_of_gap(point)
+         type(contact_point_t), intent(in) :: point
+         integer :: nodes(4)
+
+         nodes = [model%connectivity(:, point%element_bar), model%connectivity(:, point%element)]
+         change_of_gap = dot_product(point%kinematics%dgap, reshape(step(1:6, nodes), [24]))
+      end function change_of_gap
+
+   end function bearable_fraction
+
+end module litz_contact_step
