@@ -553,11 +553,6 @@ contains
          write (text, '(i0, a)') n, ' contacts cross at less than 10 degrees, where point contact is not valid;'
          remark = remark//trim(text)//' '
       end if
-      if (problem%contact%n_parallel > 0) then
-         write (text, '(i0, a)') problem%contact%n_parallel, &
-            ' overlapping pairs of elements are parallel: their contact is not found;'
-         remark = remark//trim(text)//' '
-      end if
    end function remark_of
 
    !> Remarks end in semicolons, because others may follow.

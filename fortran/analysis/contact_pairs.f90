@@ -19,6 +19,10 @@ module litz_contact_pairs
    implicit none
    private
    public :: prepare_contact, find_candidates, locate_points
+   public :: distance_along, along_apart, find_contact_pair
+
+   !> Two elements along their wires: far apart; of one wire, and near; next to each other or joined by a short path
+   integer, parameter :: along_apart = 0, along_coiled = 1, along_joined = 2
 
    !> Elements of one wire nearer along it than this many contact radii do not touch each other
    real(dp), parameter :: self_contact_distance = 8.0_dp
@@ -128,8 +132,8 @@ contains
       end associate
    end function sagitta_bound
 
-   !> Which element is the barred one, and by which contact pair they may touch (the last one that names both); 0: none;
-   !> negative: none, because they are too near to each other along their wire.
+   !> Which element is the barred one, and by which contact pair they may touch; 0: none; negative: they are too near to
+   !> each other along their wire.
    pure subroutine assign_roles(model, wires, elements, contact, a, b, roles, pair)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
@@ -137,13 +141,24 @@ contains
       type(contact_set_t), intent(in) :: contact
       integer, intent(in) :: a, b
       integer, intent(out) :: roles(2), pair
-      real(dp) :: separation, radius
-      logical :: forward, backward, too_near
-      integer :: p
+      integer :: distance
 
       roles = 0
       pair = 0
-      too_near = .false.
+      distance = distance_along(model, wires, elements, a, b)
+      if (distance /= along_joined) call find_contact_pair(model, wires, contact, a, b, roles, pair)
+      if (distance == along_coiled) pair = -pair
+   end subroutine assign_roles
+
+   !> How far two elements are from each other along their wires: `along_apart`, `along_coiled` or `along_joined`.
+   pure integer function distance_along(model, wires, elements, a, b) result(distance)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      integer, intent(in) :: a, b
+      real(dp) :: separation, radius
+
+      distance = along_joined
       if (any(model%connectivity(:, a) == model%connectivity(1, b)) .or. &
          any(model%connectivity(:, a) == model%connectivity(2, b))) return
       radius = max(elements%radius(a), elements%radius(b))
@@ -151,23 +166,12 @@ contains
          separation = wires%arc_between(wires%wire(a), wires%arc(a), wires%arc(b)) &
             - (elements%length(a) + elements%length(b))/2
          if (separation < radius) return
-         too_near = separation < self_contact_distance*radius
+         distance = along_coiled
+         if (separation < self_contact_distance*radius) return
       else if (wires%is_joined(wires%wire(a)) .and. wires%is_joined(wires%wire(b))) then
          if (joined_within(1) .or. joined_within(2)) return
       end if
-      do p = size(model%contact_pairs), 1, -1
-         forward = contact%in_bar(a, p) .and. contact%in_set(b, p)
-         backward = contact%in_bar(b, p) .and. contact%in_set(a, p)
-         if (.not. (forward .or. backward)) cycle
-         ! within one set the wire decides, so that the roles outlive a hand-over
-         if (forward .and. backward) then
-            forward = wires%wire(a) < wires%wire(b) .or. &
-               (wires%wire(a) == wires%wire(b) .and. wires%arc(a) < wires%arc(b))
-         end if
-         roles = merge([a, b], [b, a], forward)
-         pair = merge(-p, p, too_near)
-         return
-      end do
+      distance = along_apart
 
    contains
 
@@ -178,7 +182,32 @@ contains
          joined_within = leads_to(b, model%connectivity(side, a), a, self_contact_distance*radius, model, wires, elements)
       end function joined_within
 
-   end subroutine assign_roles
+   end function distance_along
+
+   !> The last contact pair that names both elements, and which of them is the barred one; 0: none.
+   pure subroutine find_contact_pair(model, wires, contact, a, b, roles, pair)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(contact_set_t), intent(in) :: contact
+      integer, intent(in) :: a, b
+      integer, intent(out) :: roles(2), pair
+      logical :: forward, backward
+
+      roles = 0
+      do pair = size(model%contact_pairs), 1, -1
+         forward = contact%in_bar(a, pair) .and. contact%in_set(b, pair)
+         backward = contact%in_bar(b, pair) .and. contact%in_set(a, pair)
+         if (.not. (forward .or. backward)) cycle
+         ! within one set the wire decides, so that the roles outlive a hand-over
+         if (forward .and. backward) then
+            forward = wires%wire(a) < wires%wire(b) .or. &
+               (wires%wire(a) == wires%wire(b) .and. wires%arc(a) < wires%arc(b))
+         end if
+         roles = merge([a, b], [b, a], forward)
+         return
+      end do
+      pair = 0
+   end subroutine find_contact_pair
 
    !> Whether a path from a node, not back into the element it is reached by, leads to an element before its length is
    !> used up.
@@ -228,7 +257,6 @@ contains
          call closest(c, xi(:, c), status(c))
       end do
       !$omp end parallel do
-      contact%n_parallel = count(status == closest_parallel)
       call move_alloc(contact%points, old)
       call collect
       call match_points(wires, elements, old, contact%points, origin)
@@ -239,7 +267,6 @@ contains
          call inherit(contact%points(c), origin(c), converged(c))
       end do
       !$omp end parallel do
-      contact%n_parallel = contact%n_parallel + count(.not. contact%points%regular .and. contact%points%gap < 0)
       if (.not. all(contact%points%regular)) contact%points = pack(contact%points, contact%points%regular)
 
    contains
@@ -263,10 +290,6 @@ contains
                return
             end if
             call closest_points(xe, t, length, axis, xi_c(1), xi_c(2), status_c)
-            if (status_c == closest_parallel) then
-               distance = norm2(on_chord(xe(:, 1:2), xi_c(1)) - on_chord(xe(:, 3:4), xi_c(2)))
-               if (distance > elements%radius(eb) + elements%radius(e)) status_c = closest_beyond
-            end if
             if (status_c == closest_not_unique .and. all(abs(xi_c) <= 1 + end_tolerance)) status_c = closest_inside
          end associate
       end subroutine closest
@@ -287,13 +310,6 @@ contains
             end do
          end do
       end function relative_motion
-
-      pure function on_chord(ends, xi_e) result(point)
-         real(dp), intent(in) :: ends(3, 2), xi_e
-         real(dp) :: point(3)
-
-         point = (1 - xi_e)/2*ends(:, 1) + (1 + xi_e)/2*ends(:, 2)
-      end function on_chord
 
       subroutine collect
          logical, allocatable :: keep(:)

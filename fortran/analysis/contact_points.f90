@@ -74,8 +74,6 @@ module litz_contact_points
       type(contact_point_t), allocatable :: points(:)
       !> The points of the last converged state
       type(contact_point_t), allocatable :: converged(:)
-      !> Candidates that overlap although their axes run parallel: point contact cannot describe them
-      integer :: n_parallel = 0
       integer :: last_id = 0
       !> Clearance that stands for the interference left at this time, one per contact pair [m]
       real(dp), allocatable :: clearance(:)

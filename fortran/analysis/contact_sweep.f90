@@ -22,7 +22,7 @@ module litz_contact_sweep
    public :: sweep_contacts
 
    !> Axes that come nearer than this part of the sum of their radii have met
-   real(dp), parameter :: met = 0.05_dp
+   real(dp), parameter :: met = 0.5_dp
    !> Straight pieces leave the axis by this part of the smaller radius at most
    real(dp), parameter :: chord_tolerance = 0.02_dp
    integer, parameter :: max_pieces = 64

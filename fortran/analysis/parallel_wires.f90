@@ -1,6 +1,7 @@
 !> Wires that lie side by side: they touch along a line, which point contact does not describe.
 module litz_parallel_wires
    use litz_kinds, only: dp, pi
+   use litz_closest_points, only: segment_distance
    use litz_contact_points, only: contact_set_t
    use litz_element_library, only: elements_t
    use litz_model, only: model_t
@@ -32,7 +33,7 @@ contains
       end do
       text = ''
       if (n > 0) text = 'warning: '//to_text(n)//' pairs of elements lie close side by side, at less than 10'// &
-         ' degrees; contact along lines is not modelled, and where such wires touch it is missed or wrong'
+         ' degrees; contact along lines is not modelled, and the run ends where such wires touch'
    end function parallel_warning
 
    pure logical function lie_side_by_side(model, elements, a, b)
@@ -45,20 +46,9 @@ contains
          b1 => model%x(:, model%connectivity(1, b)), b2 => model%x(:, model%connectivity(2, b)))
          lie_side_by_side = norm2(cross(a2 - a1, b2 - b1)) < sin(shallow_angle)*norm2(a2 - a1)*norm2(b2 - b1)
          if (.not. lie_side_by_side) return
-         ! segments that are nearly parallel come nearest at one of their ends
-         distance = min(from_segment(a1, b1, b2), from_segment(a2, b1, b2), from_segment(b1, a1, a2), &
-            from_segment(b2, a1, a2))
+         distance = segment_distance(reshape([a1, a2, b1, b2], [3, 4]))
          lie_side_by_side = distance < sum(elements%radius([a, b])) + close_gap*minval(elements%radius([a, b]))
       end associate
    end function lie_side_by_side
-
-   !> Distance of a point from a segment.
-   pure real(dp) function from_segment(point, start, end)
-      real(dp), intent(in) :: point(3), start(3), end(3)
-      real(dp) :: share
-
-      share = dot_product(point - start, end - start)/sum((end - start)**2)
-      from_segment = norm2(point - start - min(1.0_dp, max(0.0_dp, share))*(end - start))
-   end function from_segment
 
 end module litz_parallel_wires

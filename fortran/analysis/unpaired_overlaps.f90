@@ -1,0 +1,75 @@
+!> Wires that overlap although no contact pair lets them touch: they are free to, but hardly meant to.
+module litz_unpaired_overlaps
+   use litz_kinds, only: dp
+   use litz_axis, only: axis_polynomial, axis_sagitta
+   use litz_closest_points, only: segment_distance
+   use litz_contact_pairs, only: distance_along, along_apart, find_contact_pair
+   use litz_contact_points, only: contact_set_t, pair_geometry
+   use litz_contact_search, only: near_segments
+   use litz_element_library, only: elements_t
+   use litz_model, only: model_t, axis_hermite
+   use litz_text, only: to_text
+   use litz_wires, only: wires_t
+   implicit none
+   private
+   public :: describe_unpaired_overlaps
+
+   !> Overlap over the smaller radius that is reported
+   real(dp), parameter :: reported_overlap = 0.05_dp
+   !> Pairs of elements that are looked at: beyond them nothing is said
+   integer, parameter :: max_pairs = 2**27
+
+contains
+
+   !> How many pairs of elements overlap so, with an example; empty: none.
+   function describe_unpaired_overlaps(model, wires, elements, contact, x, rotation) result(text)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(contact_set_t), intent(in) :: contact
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
+      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      character(len=:), allocatable :: text
+      integer, allocatable :: pairs(:, :)
+      integer :: i, n, example(2)
+      logical :: too_many
+
+      call near_segments(x(:, model%connectivity(1, :)), x(:, model%connectivity(2, :)), elements%radius, max_pairs, pairs, &
+         too_many)
+      text = ''
+      if (too_many) return
+      n = 0
+      example = 0
+      do i = 1, size(pairs, 2)
+         if (.not. overlap_unpaired(pairs(1, i), pairs(2, i))) cycle
+         n = n + 1
+         if (n == 1) example = pairs(:, i)
+      end do
+      if (n > 0) text = to_text(n)//' pairs of elements overlap that no *CONTACT PAIR names, such as '// &
+         to_text(model%element_id(example(1)))//' and '//to_text(model%element_id(example(2)))// &
+         ': they do not feel each other'
+
+   contains
+
+      logical function overlap_unpaired(a, b)
+         integer, intent(in) :: a, b
+         real(dp) :: xe(3, 4), t(3, 4), length(2)
+         integer :: roles(2), pair
+
+         overlap_unpaired = .false.
+         if (distance_along(model, wires, elements, a, b) /= along_apart) return
+         if (contact%present) then
+            call find_contact_pair(model, wires, contact, a, b, roles, pair)
+            if (pair > 0) return
+         end if
+         call pair_geometry(model, wires, elements, a, b, x, rotation, xe, t, length)
+         ! what lies between chord and axis is in doubt and not reported
+         overlap_unpaired = segment_distance(xe) &
+            + axis_sagitta(axis_polynomial(axis_hermite, length(1), xe(:, 1:2), t(:, 1:2))) &
+            + axis_sagitta(axis_polynomial(axis_hermite, length(2), xe(:, 3:4), t(:, 3:4))) &
+            < sum(elements%radius([a, b])) - reported_overlap*minval(elements%radius([a, b]))
+      end function overlap_unpaired
+
+   end function describe_unpaired_overlaps
+
+end module litz_unpaired_overlaps
