@@ -1,0 +1,177 @@
+"""Runs random decks, and lets the judge look at what ends with exit code 0."""
+
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import time
+from collections import Counter, defaultdict
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from random_decks import FAMILIES, deck_of
+from wire_judge import judge, read
+
+#: What a run may end with, other than 0: wrong input, or not converged
+REFUSALS = (1, 2)
+RIGHT, WRONG, REFUSED, ODD, SLOW = "right", "wrong", "refused", "odd", "slow"
+
+
+@dataclass
+class Trial:
+    """A case, how its run ended, and what the judge found in its accepted increments."""
+
+    name: str
+    verdict: str
+    code: int | None
+    message: str = ""
+    findings: list[str] = field(default_factory=list)
+    doubts: list[str] = field(default_factory=list)
+    kinds: list[str] = field(default_factory=list)
+    seconds: float = 0.0
+    judged: float = 0.0
+
+    @property
+    def family(self):
+        return self.name.rsplit("-", 1)[0]
+
+    def __str__(self):
+        lines = [f"{self.name}: {self.verdict}, exit code {self.code}, {self.seconds:.2f} s and {self.judged:.2f} s"]
+        if self.message:
+            lines.append(f"  litz: {self.message}")
+        return "\n".join(lines + [f"  {found}" for found in self.findings + self.doubts])
+
+
+def first_words(text):
+    """The first line of a message of the program."""
+    for line in text.splitlines():
+        if "error" in line.lower():
+            return line.strip()
+    return next((line.strip() for line in text.splitlines() if line.strip()), "")
+
+
+def run_deck(program, deck, directory, limit):
+    """Exit code (None: too slow), output and seconds of a run."""
+    environment = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+    begin = time.monotonic()
+    try:
+        done = subprocess.run(
+            [str(program), "run", str(deck), "-o", str(directory), "--quiet"],
+            capture_output=True,
+            text=True,
+            timeout=limit,
+            check=False,
+            env=environment,
+        )
+    except subprocess.TimeoutExpired:
+        return None, "", time.monotonic() - begin
+    return done.returncode, done.stderr or done.stdout, time.monotonic() - begin
+
+
+def try_case(name, program, keep=None, limit=60.0):
+    """Runs one case; decks with findings, and what is odd, are kept in the directory `keep`."""
+    return try_deck(name, deck_of(name), program, keep, limit)
+
+
+def try_deck(name, text, program, keep=None, limit=60.0):
+    with tempfile.TemporaryDirectory(dir="/dev/shm" if Path("/dev/shm").is_dir() else None) as directory:
+        deck = Path(directory) / "case.inp"
+        deck.write_text(text)
+        code, output, seconds = run_deck(program, deck, directory, limit)
+        trial = Trial(name, SLOW, code, first_words(output) if code else "", seconds=seconds)
+        results = Path(directory) / "case.vtkhdf"
+        begin = time.monotonic()
+        if results.exists() and code in (0, *REFUSALS):
+            findings = judge(read(results))
+            trial.findings = [str(found) for found in findings if not found.doubt]
+            trial.doubts = [str(found) for found in findings if found.doubt]
+            trial.kinds = sorted({found.kind for found in findings if not found.doubt})
+        trial.judged = time.monotonic() - begin
+        if code == 0:
+            trial.verdict = WRONG if trial.findings or not results.exists() else RIGHT
+        elif code in REFUSALS and re.search(r"[a-z]{3,} [a-z]{2,}", trial.message):
+            trial.verdict = REFUSED
+        elif code is not None:
+            trial.verdict = ODD
+        if keep is not None and trial.verdict in (WRONG, ODD, SLOW):
+            keep.mkdir(parents=True, exist_ok=True)
+            shutil.copy(deck, keep / f"{name}.inp")
+            (keep / f"{name}.txt").write_text(f"{trial}\n")
+    return trial
+
+
+def try_all(cases, program, keep=None, jobs=None, limit=60.0, each=None):
+    """All trials, in the order of the cases."""
+    jobs = jobs or os.cpu_count() or 1
+    trials = []
+    with ProcessPoolExecutor(jobs) as pool:
+        n = len(cases)
+        for trial in pool.map(try_case, cases, [program] * n, [keep] * n, [limit] * n, chunksize=1):
+            trials.append(trial)
+            if each is not None:
+                each(trial)
+    return trials
+
+
+# Tables
+
+
+def kind_of_message(message):
+    """A message without its numbers and names, so that those of one kind are the same."""
+    words = re.sub(r"^\S*\.inp(:\d+)*:?\s*", "", message)
+    words = re.sub(r"[-+]?\d+(\.\d*)?([eE][-+]?\d+)?", "#", words)
+    words = re.sub(r"/\S+", "FILE", words)
+    return re.sub(r"\bW#", "W", words)[:150]
+
+
+def table(trials):
+    """Lines: how the cases of each family ended, and the refusals by kind."""
+    head = (
+        "family",
+        "cases",
+        "exit 0, right",
+        "exit 0, WRONG",
+        "refused",
+        "odd exit",
+        "too slow",
+        "doubts",
+        "refused late",
+    )
+    rows = [head]
+    by_family = defaultdict(list)
+    for trial in trials:
+        by_family[trial.family].append(trial)
+    groups = [(name, by_family[name]) for name in FAMILIES if name in by_family] + [("all", trials)]
+    for name, group in groups:
+        count = Counter(trial.verdict for trial in group)
+        doubts = sum(trial.verdict == RIGHT and bool(trial.doubts) for trial in group)
+        late = sum(trial.verdict == REFUSED and bool(trial.findings) for trial in group)
+        share = f"{count[REFUSED]} ({100 * count[REFUSED] / len(group):.0f} %)"
+        rows.append((name, len(group), count[RIGHT], count[WRONG], share, count[ODD], count[SLOW], doubts, late))
+    widths = [max(len(str(row[k])) for row in rows) for k in range(len(head))]
+    lines = ["  ".join(str(cell).rjust(width) for cell, width in zip(row, widths, strict=True)) for row in rows]
+    lines += [
+        "",
+        "doubts: right, but on one of the two ways that were tried the wires meet (they may have gone round an end)",
+    ]
+    lines.append("refused late: an increment before the refusal has a finding")
+    kinds = Counter(kind for trial in trials if trial.verdict == WRONG for kind in trial.kinds)
+    if kinds:
+        lines.append("found with exit 0: " + ", ".join(f"{kind} in {n}" for kind, n in kinds.most_common()))
+    refusals = defaultdict(list)
+    for trial in trials:
+        if trial.verdict in (REFUSED, ODD):
+            refusals[trial.code, kind_of_message(trial.message)].append(trial)
+    if refusals:
+        lines += ["", "refusals by kind (exit code, count, families, an example):"]
+    for (code, _), group in sorted(refusals.items(), key=lambda item: -len(item[1])):
+        families = Counter(trial.family for trial in group)
+        lines.append(f"  {code}  {len(group):4d}  " + ", ".join(f"{name} {n}" for name, n in families.most_common()))
+        lines.append(f"           {group[0].name}: {group[0].message}")
+    wrong = [trial for trial in trials if trial.verdict in (WRONG, ODD, SLOW)]
+    if wrong:
+        lines += ["", "wrong, odd or slow:"]
+        lines += [f"  {trial.name}: {trial.verdict}; {(trial.findings or [trial.message])[0]}" for trial in wrong]
+    return lines
