@@ -1,9 +1,10 @@
-"""Random decks of wires that move against each other: the same name makes the same deck, `deck_of("pile-7")`.
+"""Random decks of wires that move against each other: a name makes the same deck every time: `deck_of("pile-7")`.
 
-A family has the concrete decks of its list first, and random ones after them. Every deck is one that a user might write; what litz
-cannot do it may refuse.
+A family has the concrete decks of its list first, and random ones after them. Every deck is one that a user might write; what
+litz cannot do it may refuse.
 """
 
+import itertools
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -98,16 +99,12 @@ class Deck:
 
     def text(self):
         law = "HERTZ" if self.law == "HERTZ" else f"LINEAR\n {self.law}"
-        every = ", ".join(f"W{k + 1}" for k in range(len(self.wires)))
-        laws = [
-            f"*SURFACE INTERACTION, NAME=TOUCH, AXIS={self.axis}\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE={law}"
-        ]  # fmt: skip
+        laws = [f"*SURFACE INTERACTION, NAME=TOUCH, AXIS={self.axis}\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE={law}"]
         if self.friction:
             laws.append(f"*FRICTION\n {self.friction:.3g}")
         sets = [f"*ELSET, ELSET=ALL\n W{k + 1}" for k in range(len(self.wires))]
         pairs = [f"*CONTACT PAIR, INTERACTION=TOUCH\n {pair}" for pair in (self.pairs or ["ALL"])]
         fixed = ["*BOUNDARY", *self.fixed] if self.fixed else []
-        assert every
         return "\n".join(["*HEADING", self.title, *self.lines, *sets, *laws, *pairs, *fixed, *self.steps, ""])
 
 
@@ -156,7 +153,7 @@ def distance(a, b):
 
     def fine(points):
         s = np.linspace(0, 1, 12, endpoint=False)[:, None]
-        return np.concatenate([p + s * (q - p) for p, q in zip(points[:-1], points[1:], strict=True)] + [points[-1:]])
+        return np.concatenate([*(p + s * (q - p) for p, q in itertools.pairwise(points)), points[-1:]])
 
     a, b = fine(np.asarray(a)), fine(np.asarray(b))
     step = max(np.linalg.norm(np.diff(a, axis=0), axis=1).max(), np.linalg.norm(np.diff(b, axis=0), axis=1).max())
@@ -213,7 +210,7 @@ def pile(random, number):
             break
         r = radius * random.uniform(0.6, 1.4)
         middle = random.uniform(-1, 1, 3) * np.array([25, 25, 7]) * radius
-        t = direction(random.uniform(0, np.pi)) + [0, 0, random.uniform(-0.05, 0.05)]
+        t = direction(random.uniform(0, np.pi)) + np.array([0, 0, random.uniform(-0.05, 0.05)])
         n = int(random.integers(4, 11))
         points = middle + uneven(random, -half * t, half * t, n)
         if random.uniform() < 0.3:
@@ -304,7 +301,6 @@ def turn(random, number):
     deck.fix(b.ends, 4, 5)
     # small turns: the ends move on chords of the circle
     pieces = 1 if abs(end - start) < 60 else 2
-    last = np.zeros((len(points), 3))
     for k in range(pieces):
         angle = np.radians(end - start) * (k + 1) / pieces
         shift = turned_by(points, centre, angle)
@@ -312,8 +308,6 @@ def turn(random, number):
         moves = [([node], d + 1, shift[at, d]) for node, at in zip(b.ends, (0, -1), strict=True) for d in range(3)]
         moves += [(b.ends, 6, angle)]
         deck.step(moves, first)
-        last = shift
-    assert np.isfinite(last).all()
     return deck.text()
 
 
@@ -400,11 +394,11 @@ def kink(random, number):
         points = np.concatenate([straight((-half, 0, rise), (0, 0, 0), n), straight((0, 0, 0), (half, 0, rise), n)[1:]])
     else:
         corners = np.array([(-half, 0, 0), (-half / 3, 0, rise / 3), (half / 3, 0, 0), (half, 0, rise / 3)])
-        points = np.concatenate(
-            [straight(p, s, n)[:-1] for p, s in zip(corners[:-1], corners[1:], strict=True)] + [corners[-1:]]
-        )
+        legs = [straight(p, s, n)[:-1] for p, s in itertools.pairwise(corners)]
+        points = np.concatenate([*legs, corners[-1:]])
     kind = element(random)
-    a = deck.wire(points + [0, 0, r + q + random.uniform(0, 2) * r - points[:, 2].min()], r, kind)
+    points[:, 2] += r + q + random.uniform(0, 2) * r - points[:, 2].min()
+    a = deck.wire(points, r, kind)
     at = 0 if number == 0 else pick(random, 0, random.uniform(-0.1, 0.1), random.uniform(-0.6, 0.6)) * half
     tilt = np.radians(random.uniform(45, 135)) if number else np.pi / 2
     along = direction(tilt)

@@ -11,7 +11,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
 from random_decks import FAMILIES, deck_of, names
-from trials import ODD, SLOW, WRONG, table, try_all, try_case, try_deck
+from trials import FAILURES, table, try_all, try_case, try_deck
 
 ROOT = Path(__file__).parents[2]
 
@@ -25,8 +25,9 @@ def find_program(named):
 
 
 def progress(trial):
-    if trial.verdict in (WRONG, ODD, SLOW):
-        print(trial, flush=True)
+    """A failure is shown at once, by its first finding."""
+    if trial.verdict in FAILURES:
+        print(f"{trial.name}: {trial.verdict}; {(trial.findings or [trial.message])[0]}", flush=True)
 
 
 def main():
@@ -58,18 +59,21 @@ def main():
         else:
             trial = try_case(arguments.case, program, arguments.keep, arguments.limit)
         print(trial)
-        return int(trial.verdict in (WRONG, ODD, SLOW))
+        return int(trial.verdict in FAILURES)
     if arguments.family:
         each = -(-arguments.count // len(arguments.family))
         cases = [f"{kind}-{arguments.seed * each + k}" for kind in arguments.family for k in range(each)]
     else:
         cases = names(arguments.count, arguments.seed)
     trials = try_all(cases, program, arguments.keep, arguments.jobs, arguments.limit, progress)
-    lines = table(trials)
     arguments.keep.mkdir(parents=True, exist_ok=True)
+    (arguments.keep / "cases.txt").write_text(
+        "".join(f"{trial.name} {trial.verdict} {trial.message}\n" for trial in trials)
+    )
+    lines = table(trials)
     (arguments.keep / "table.txt").write_text("\n".join(lines) + "\n")
     print("\n".join(lines))
-    return int(any(trial.verdict in (WRONG, ODD, SLOW) for trial in trials))
+    return int(any(trial.verdict in FAILURES for trial in trials))
 
 
 if __name__ == "__main__":

@@ -16,7 +16,10 @@ from wire_judge import judge, read
 
 #: What a run may end with, other than 0: wrong input, or not converged
 REFUSALS = (1, 2)
-RIGHT, WRONG, REFUSED, ODD, SLOW = "right", "wrong", "refused", "odd", "slow"
+RIGHT, WRONG, DEEP, REFUSED, ODD, SLOW = "right", "wrong", "deep", "refused", "odd", "slow"
+#: What must not be: exit code 0 with wires that passed or overlap unseen; with contacts that are too deep; another exit code
+#: than those of a refusal, or one without words; no end in time
+FAILURES = (WRONG, DEEP, ODD, SLOW)
 
 
 @dataclass
@@ -90,12 +93,12 @@ def try_deck(name, text, program, keep=None, limit=60.0):
             trial.kinds = sorted({found.kind for found in findings if not found.doubt})
         trial.judged = time.monotonic() - begin
         if code == 0:
-            trial.verdict = WRONG if trial.findings or not results.exists() else RIGHT
+            trial.verdict = {(): RIGHT, ("deep",): DEEP}.get(tuple(trial.kinds), WRONG) if results.exists() else WRONG
         elif code in REFUSALS and re.search(r"[a-z]{3,} [a-z]{2,}", trial.message):
             trial.verdict = REFUSED
         elif code is not None:
             trial.verdict = ODD
-        if keep is not None and trial.verdict in (WRONG, ODD, SLOW):
+        if keep is not None and trial.verdict in FAILURES:
             keep.mkdir(parents=True, exist_ok=True)
             shutil.copy(deck, keep / f"{name}.inp")
             (keep / f"{name}.txt").write_text(f"{trial}\n")
@@ -128,17 +131,7 @@ def kind_of_message(message):
 
 def table(trials):
     """Lines: how the cases of each family ended, and the refusals by kind."""
-    head = (
-        "family",
-        "cases",
-        "exit 0, right",
-        "exit 0, WRONG",
-        "refused",
-        "odd exit",
-        "too slow",
-        "doubts",
-        "refused late",
-    )
+    head = ("family", "cases", "0 right", "0 WRONG", "0 DEEP", "refused", "odd", "slow", "doubts", "late")
     rows = [head]
     by_family = defaultdict(list)
     for trial in trials:
@@ -149,7 +142,9 @@ def table(trials):
         doubts = sum(trial.verdict == RIGHT and bool(trial.doubts) for trial in group)
         late = sum(trial.verdict == REFUSED and bool(trial.findings) for trial in group)
         share = f"{count[REFUSED]} ({100 * count[REFUSED] / len(group):.0f} %)"
-        rows.append((name, len(group), count[RIGHT], count[WRONG], share, count[ODD], count[SLOW], doubts, late))
+        rows.append(
+            (name, len(group), count[RIGHT], count[WRONG], count[DEEP], share, count[ODD], count[SLOW], doubts, late)
+        )
     widths = [max(len(str(row[k])) for row in rows) for k in range(len(head))]
     lines = ["  ".join(str(cell).rjust(width) for cell, width in zip(row, widths, strict=True)) for row in rows]
     lines += [
@@ -170,8 +165,8 @@ def table(trials):
         families = Counter(trial.family for trial in group)
         lines.append(f"  {code}  {len(group):4d}  " + ", ".join(f"{name} {n}" for name, n in families.most_common()))
         lines.append(f"           {group[0].name}: {group[0].message}")
-    wrong = [trial for trial in trials if trial.verdict in (WRONG, ODD, SLOW)]
+    wrong = [trial for trial in trials if trial.verdict in FAILURES]
     if wrong:
-        lines += ["", "wrong, odd or slow:"]
+        lines += ["", "failures:"]
         lines += [f"  {trial.name}: {trial.verdict}; {(trial.findings or [trial.message])[0]}" for trial in wrong]
     return lines

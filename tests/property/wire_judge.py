@@ -6,12 +6,13 @@ compared with every other, and between two saved increments the axes are moved i
 
 Three things are found:
 
-passage   Two axes went through each other between two increments. Pieces of axes are straight lines that move; they meet when the
-          volume that they span is zero while they cut each other. Meetings have a sign, that of the change of this volume: a graze that
-          comes back adds up to nothing, what is left has passed. Wires side by side span no volume: there the shortest way from one
-          to the other has turned round after it was next to nothing. The way between two increments is not in the file. Two ways are tried, nodes straight on
-          with tangents that turn evenly, and each point straight on; a passage is on both. What is on one of them alone, or may have gone
-          round the end of a wire, is a doubt and no finding.
+passage   Two axes went through each other between two increments. Pieces of axes are straight lines that move; they meet when
+          the volume that they span is zero while they cut each other. Meetings have a sign, that of the change of this
+          volume: a graze that comes back adds up to nothing, what is left has passed. Wires side by side span no volume:
+          there the shortest way from one to the other has turned round after it was next to nothing. The way between two
+          increments is not in the file. Two ways are tried, nodes straight on with tangents that turn evenly, and each
+          point straight on; a passage is on both. What is on one of them alone, or may have gone round the end of a wire, is
+          a doubt and no finding.
 deep      Tubes (with round joints and ends) overlap by more than 5 % of the smaller radius.
 unseen    Tubes overlap by more than 0.5 % of the smaller radius where the ledger has no contact.
 """
@@ -35,7 +36,7 @@ DEEP, UNSEEN = 0.05, 0.005
 #: Neighbours along one wire are nearer than this many radii of arc
 NEIGHBOUR = 8.0
 #: Between two looks a piece moves by this much of a radius at most
-STRIDE = 0.25
+STRIDE = 0.3
 #: Axes nearer than this much of the sum of radii have met, where they are side by side
 MET = 0.3
 #: Halvings of the time between two increments at most
@@ -296,9 +297,7 @@ def overlaps(motion, curves, pairs):
         middle = (a + si[:, None] * u[k, i] + b + tj[:, None] * v[k, j]) / 2
         cross = np.linalg.norm(np.cross(u[k, i], v[k, j]), axis=1)
         sine = cross / np.linalg.norm(u[k, i], axis=1) / np.linalg.norm(v[k, j], axis=1)
-        parts.append(
-            (e[some][k], f[some][k], (i + si) / PIECES, (j + tj) / PIECES, depth[k, i, j], middle, sine)
-        )  # fmt: skip
+        parts.append((e[some][k], f[some][k], (i + si) / PIECES, (j + tj) / PIECES, depth[k, i, j], middle, sine))
     found = Overlaps(*(np.concatenate(column) for column in zip(*parts, strict=True)))
     arc = motion.arc_between(found.e, found.s, found.f, found.u)
     return found.where(arc > NEIGHBOUR * np.maximum(motion.radius[found.e], motion.radius[found.f]))
@@ -317,7 +316,8 @@ def local_minima(motion, curves, found):
     order = np.argsort(-found.depth, kind="stable")
     p = points_on(curves, found.e, found.s)
     q = points_on(curves, found.f, found.u)
-    window = 1.5 * (motion.radius[found.e] + motion.radius[found.f])
+    piece = np.maximum(motion.length[found.e], motion.length[found.f]) / PIECES
+    window = 1.5 * np.maximum(motion.radius[found.e] + motion.radius[found.f], piece)
     flank = np.zeros(len(found.e), bool)
     for k in order:
         if not flank[k]:
@@ -397,22 +397,34 @@ class Way:
     """Axes between two states, at any time from 0 to 1."""
 
     def __init__(self, motion, state, linear, noise, even):
-        self.motion, self.linear, self.even = motion, linear, even
+        self.motion, self.even = motion, even and not linear
         self.x = [motion.reference + motion.displacement[k] + noise for k in (state - 1, state)]
-        self.turned = [Rotation.from_rotvec(motion.rotation[k]) for k in (state - 1, state)]
-        self.ends = [axes(motion, x, turned, linear) for x, turned in zip(self.x, self.turned, strict=True)]
-        self.spin = (self.turned[1] * self.turned[0].inv()).as_rotvec()
-        angle = np.linalg.norm(self.spin, axis=1)[motion.elements]
+        turned = [Rotation.from_rotvec(motion.rotation[k]) for k in (state - 1, state)]
+        self.ends = [axes(motion, self.x[k], turned[k], linear) for k in (0, 1)]
+        self.spin = (turned[1] * turned[0].inv()).as_rotvec()
+        angle = np.linalg.norm(self.spin, axis=1)
+        pole = self.spin / np.where(angle > 0, angle, 1)[:, None]
+        # each end of each element: (m, 2), (m, 2, 3)
+        self.angle, self.pole = angle[motion.elements], pole[motion.elements]
+        tangents = motion.tangents * motion.length[:, None, None]
+        self.tangents = np.stack([turned[0][motion.elements[:, k]].apply(tangents[:, k]) for k in (0, 1)], axis=1)
         # how far a point departs at most from the straight way, when tangents turn by one radian
-        self.departure = 0.15 * motion.length * (angle**2).sum(1) / 8 if even and not linear else 0 * motion.length
+        self.departure = 0.15 * motion.length * (self.angle**2).sum(1) / 8 if self.even else 0 * motion.length
 
-    def at(self, time):
-        if time in (0, 1):
-            return self.ends[time]
+    def between(self, time, c0, c1, which):
+        """Axes of some elements half-way between two times, the others are left alone."""
+        middle = np.empty_like(c0)
         if not self.even:
-            return (1 - time) * self.ends[0] + time * self.ends[1]
+            middle[which] = (c0[which] + c1[which]) / 2
+            return middle
+        a, b = self.motion.elements[which].T
         x = (1 - time) * self.x[0] + time * self.x[1]
-        return axes(self.motion, x, Rotation.from_rotvec(time * self.spin) * self.turned[0], self.linear)
+        turn, pole, start = time * self.angle[which][..., None], self.pole[which], self.tangents[which]
+        along = (pole * start).sum(-1, keepdims=True)
+        t = start * np.cos(turn) + np.cross(pole, start) * np.sin(turn) + pole * along * (1 - np.cos(turn))
+        ta, tb = t[:, 0, None], t[:, 1, None]
+        middle[which] = SHAPES[0] * x[a][:, None] + SHAPES[1] * ta + SHAPES[2] * x[b][:, None] + SHAPES[3] * tb
+        return middle
 
 
 @dataclass
@@ -430,48 +442,61 @@ class Meeting:
 def meetings(motion, way, pairs):
     """Where axes cut each other on a way, with signs; and pieces that come close side by side: (e, i, f, j)."""
     crossed, beside = [], set()
-    stack = [(0, 1, pairs, 0)]
+    stack = [(0, 1, *way.ends, pairs, 0)]
     while stack:
-        start, end, some, depth = stack.pop()
-        c0, c1 = way.at(start), way.at(end)
-        low0, high0 = boxes(c0)
-        low1, high1 = boxes(c1)
-        margin = (way.departure * (end - start) ** 2)[:, None]
-        low, high = np.minimum(low0, low1) - margin, np.maximum(high0, high1) + margin
-        some = some[~apart(low, high, some, MET * 2 * motion.radius.max())]
-        if not len(some):
+        start, end, c0, c1, some, depth = stack.pop()
+        of_pair, at = np.unique(some, return_inverse=True)
+        i, j = at.reshape(-1, 2).T
+        d0, d1 = c0[of_pair], c1[of_pair]
+        # as seen from the first element of each pair, which moves with `drift`: what moves along with it stays
+        moved = d1 - d0
+        drift = moved.mean(axis=1)[i]
+        margin = (way.departure[of_pair] * (end - start) ** 2)[:, None]
+        (low0, high0), (low1, high1) = boxes(d0), boxes(d1)
+        reach = MET * (motion.radius[of_pair][i] + motion.radius[of_pair][j])[:, None]
+        low_i, high_i = np.minimum(low0[i], low1[i] - drift), np.maximum(high0[i], high1[i] - drift)
+        low_j, high_j = np.minimum(low0[j], low1[j] - drift), np.maximum(high0[j], high1[j] - drift)
+        reach = reach + margin[i] + margin[j]
+        near = ~((low_i > high_j + reach) | (low_j > high_i + reach)).any(axis=1)
+        if not near.any():
             continue
-        of_pair = np.unique(some)
-        stride = np.linalg.norm(c1[of_pair] - c0[of_pair], axis=-1).max(1) / motion.radius[of_pair]
-        if stride.max() > STRIDE and depth < HALVINGS:
+        some, i, j = some[near], i[near], j[near]
+        slow, fast = boxes(moved)
+        relative = np.linalg.norm(np.maximum(fast[i] - slow[j], fast[j] - slow[i]), axis=1)
+        least = np.minimum(motion.radius[of_pair][i], motion.radius[of_pair][j])
+        if (relative / least).max() > STRIDE and depth < HALVINGS:
             middle = (start + end) / 2
-            stack += [(middle, end, some, depth + 1), (start, middle, some, depth + 1)]
+            c = way.between(middle, c0, c1, np.unique(some))
+            stack += [(middle, end, c, c1, some, depth + 1), (start, middle, c0, c, some, depth + 1)]
             continue
-        look(motion, c0, c1, start, end, some, crossed, beside)
+        for part in np.array_split(some, 1 + len(some) // 200):
+            look(motion, c0, c1, start, end, part, crossed, beside)
     return sorted(crossed, key=lambda meeting: meeting.time), beside
 
 
 def look(motion, c0, c1, start, end, pairs, crossed, beside):
     """Meetings within a short time in which all points move straight on."""
     e, f = pairs.T
-    low, high = np.minimum(c0, c1), np.maximum(c0, c1)
-    low, high = np.minimum(low[:, :-1], low[:, 1:]), np.maximum(high[:, :-1], high[:, 1:])
+    drift = (c1[e] - c0[e]).mean(axis=1, keepdims=True)
+    a0, a1, b0, b1 = c0[e], c1[e] - drift, c0[f], c1[f] - drift
     reach = MET * (motion.radius[e] + motion.radius[f])[:, None, None, None]
-    near = (low[e][:, :, None] <= high[f][:, None] + reach) & (low[f][:, None] <= high[e][:, :, None] + reach)
-    k, i, j = np.nonzero(near.all(-1))
+    low, high = zip(*(piece_boxes(p, q) for p, q in ((a0, a1), (b0, b1))), strict=True)
+    near = low[0][:, :, None] <= high[1][:, None] + reach
+    near &= low[1][:, None] <= high[0][:, :, None] + reach
+    k, i, j = np.nonzero(near[..., 0] & near[..., 1] & near[..., 2])
     if not len(k):
         return
-    e, f = e[k], f[k]
-    arc = motion.arc_between(e, (i + 0.5) / PIECES, f, (j + 0.5) / PIECES)
-    far = arc > NEIGHBOUR * np.maximum(motion.radius[e], motion.radius[f])
-    e, f, i, j = e[far], f[far], i[far], j[far]
-    if not len(e):
+    arc = motion.arc_between(e[k], (i + 0.5) / PIECES, f[k], (j + 0.5) / PIECES)
+    far = arc > NEIGHBOUR * np.maximum(motion.radius[e[k]], motion.radius[f[k]])
+    k, i, j = k[far], i[far], j[far]
+    if not len(k):
         return
-    w0, w1 = c0[f, j] - c0[e, i], c1[f, j] - c1[e, i]
-    u0, u1 = c0[e, i + 1] - c0[e, i], c1[e, i + 1] - c1[e, i]
-    v0, v1 = c0[f, j + 1] - c0[f, j], c1[f, j + 1] - c1[f, j]
-    look_beside(motion, e, i, f, j, (c0[e, i], u0, c0[f, j], v0), beside)
-    look_beside(motion, e, i, f, j, (c1[e, i], u1, c1[f, j], v1), beside)
+    w0, w1 = b0[k, j] - a0[k, i], b1[k, j] - a1[k, i]
+    u0, u1 = a0[k, i + 1] - a0[k, i], a1[k, i + 1] - a1[k, i]
+    v0, v1 = b0[k, j + 1] - b0[k, j], b1[k, j + 1] - b1[k, j]
+    e, f = e[k], f[k]
+    look_beside(motion, e, i, f, j, (-w0, u0, 0, v0), beside)
+    look_beside(motion, e, i, f, j, (-w1, u1, 0, v1), beside)
     dw, du, dv = w1 - w0, u1 - u0, v1 - v0
 
     def volume(a, b, c):
@@ -516,6 +541,12 @@ def look(motion, c0, c1, start, end, pairs, crossed, beside):
             )
 
 
+def piece_boxes(p, q):
+    """Corners of the boxes around the straight pieces of axes that move from p to q, (k, PIECES, 3) each."""
+    low, high = np.minimum(p, q), np.maximum(p, q)
+    return np.minimum(low[:, :-1], low[:, 1:]), np.maximum(high[:, :-1], high[:, 1:])
+
+
 def look_beside(motion, e, i, f, j, lines, beside):
     p, u, q, v = lines
     distance, _, _ = segment_distance(p, u, q, v)
@@ -543,6 +574,10 @@ def clusters(motion, way, met):
     return found
 
 
+def unit(vector):
+    return vector / np.linalg.norm(vector)
+
+
 def near_end(motion, way, meeting):
     """Whether what met may have gone round a free end: the end is near, or slid by on the way."""
     radii = motion.radius[meeting.e] + motion.radius[meeting.f]
@@ -553,10 +588,9 @@ def near_end(motion, way, meeting):
     relative = moved["e"] - moved["f"]
     for e, s in ((meeting.e, meeting.s), (meeting.f, meeting.u)):
         place = min(int(s * PIECES), PIECES - 1)
-        slide = 0.0
-        for curves in way.ends:
-            along = curves[e, place + 1] - curves[e, place]
-            slide = max(slide, abs(relative @ along) / np.linalg.norm(along))
+        # along the mean direction: what turns about a point does not slide
+        along = sum(unit(curves[e, place + 1] - curves[e, place]) for curves in way.ends)
+        slide = abs(relative @ along) / max(np.linalg.norm(along), 1e-3)
         if motion.end_distance(e, s) < radii + slide:
             return True
     return False
