@@ -122,37 +122,67 @@ def try_all(cases, program, keep=None, jobs=None, limit=60.0, each=None):
 
 
 def kind_of_message(message):
-    """A message without its numbers and names, so that those of one kind are the same."""
-    words = re.sub(r"^\S*\.inp(:\d+)*:?\s*", "", message)
+    """The first sentence of a message without its numbers, so that those of one kind are the same."""
+    words = re.sub(r"/\S+", "FILE", message)
     words = re.sub(r"[-+]?\d+(\.\d*)?([eE][-+]?\d+)?", "#", words)
-    words = re.sub(r"/\S+", "FILE", words)
-    return re.sub(r"\bW#", "W", words)[:150]
+    words = re.sub(r"^.*?did not converge .*?increment of #:", "did not converge:", words)
+    words = re.sub(r",.*", "", words) if "residual" in words else words
+    return words.split(". ")[0][:150]
+
+
+COLUMNS = (
+    "family",
+    "cases",
+    "0 right",
+    "0 WRONG",
+    "0 DEEP",
+    "refused",
+    "odd",
+    "slow",
+    "doubts",
+    "late",
+    "run s",
+    "judge s",
+)
+LEGEND = """
+0 WRONG: exit code 0, but wires went through each other, or overlap where the ledger has no contact
+0 DEEP: exit code 0, but contacts overlap by more than 5 % of the smaller radius; nothing else is wrong
+odd, slow: another exit code than 0, 1 and 2, or no words; not finished in time
+doubts: right, but on one of the two ways that were tried wires meet (they may have gone round an end)
+late: refused, but an increment before the refusal has a finding
+"""
+
+
+def row_of(name, trials):
+    """A row of the table of COLUMNS."""
+    count = Counter(trial.verdict for trial in trials)
+    n = len(trials)
+    return (
+        name,
+        n,
+        count[RIGHT],
+        count[WRONG],
+        count[DEEP],
+        f"{count[REFUSED]} ({100 * count[REFUSED] / n:.0f} %)",
+        count[ODD],
+        count[SLOW],
+        sum(trial.verdict == RIGHT and bool(trial.doubts) for trial in trials),
+        sum(trial.verdict == REFUSED and bool(trial.findings) for trial in trials),
+        f"{sum(trial.seconds for trial in trials) / n:.2f}",
+        f"{sum(trial.judged for trial in trials) / n:.2f}",
+    )
 
 
 def table(trials):
     """Lines: how the cases of each family ended, and the refusals by kind."""
-    head = ("family", "cases", "0 right", "0 WRONG", "0 DEEP", "refused", "odd", "slow", "doubts", "late")
-    rows = [head]
     by_family = defaultdict(list)
     for trial in trials:
         by_family[trial.family].append(trial)
-    groups = [(name, by_family[name]) for name in FAMILIES if name in by_family] + [("all", trials)]
-    for name, group in groups:
-        count = Counter(trial.verdict for trial in group)
-        doubts = sum(trial.verdict == RIGHT and bool(trial.doubts) for trial in group)
-        late = sum(trial.verdict == REFUSED and bool(trial.findings) for trial in group)
-        share = f"{count[REFUSED]} ({100 * count[REFUSED] / len(group):.0f} %)"
-        rows.append(
-            (name, len(group), count[RIGHT], count[WRONG], count[DEEP], share, count[ODD], count[SLOW], doubts, late)
-        )
-    widths = [max(len(str(row[k])) for row in rows) for k in range(len(head))]
+    rows = [COLUMNS, *(row_of(name, by_family[name]) for name in FAMILIES if name in by_family), row_of("all", trials)]
+    widths = [max(len(str(row[k])) for row in rows) for k in range(len(COLUMNS))]
     lines = ["  ".join(str(cell).rjust(width) for cell, width in zip(row, widths, strict=True)) for row in rows]
-    lines += [
-        "",
-        "doubts: right, but on one of the two ways that were tried the wires meet (they may have gone round an end)",
-    ]
-    lines.append("refused late: an increment before the refusal has a finding")
-    kinds = Counter(kind for trial in trials if trial.verdict == WRONG for kind in trial.kinds)
+    lines += LEGEND.splitlines()
+    kinds = Counter(kind for trial in trials if trial.verdict in (WRONG, DEEP) for kind in trial.kinds)
     if kinds:
         lines.append("found with exit 0: " + ", ".join(f"{kind} in {n}" for kind, n in kinds.most_common()))
     refusals = defaultdict(list)
@@ -161,9 +191,10 @@ def table(trials):
             refusals[trial.code, kind_of_message(trial.message)].append(trial)
     if refusals:
         lines += ["", "refusals by kind (exit code, count, families, an example):"]
-    for (code, _), group in sorted(refusals.items(), key=lambda item: -len(item[1])):
+    for (code, kind), group in sorted(refusals.items(), key=lambda item: -len(item[1])):
         families = Counter(trial.family for trial in group)
-        lines.append(f"  {code}  {len(group):4d}  " + ", ".join(f"{name} {n}" for name, n in families.most_common()))
+        lines.append(f"  {code}  {len(group):4d}  {kind}")
+        lines.append("           " + ", ".join(f"{name} {n}" for name, n in families.most_common()))
         lines.append(f"           {group[0].name}: {group[0].message}")
     wrong = [trial for trial in trials if trial.verdict in FAILURES]
     if wrong:
