@@ -665,10 +665,12 @@ def load(random, number):
     length, n = random.uniform(40, 120) * r, int(random.integers(3, 14))
     kind = element(random)
     a = deck.wire(straight((0, 0, 0), (length, 0, 0), n), r, kind)
-    for k in range(int(random.integers(1, 4))):
+    below = -r
+    for _ in range(int(random.integers(1, 4))):
         q = r * random.uniform(0.5, 1.5)
         tilt = np.radians(random.uniform(35, 145))
-        at = np.array([random.uniform(0.25, 0.9) * length, 0, -(r + q + random.uniform(0, 4) * r) - 4 * r * k])
+        below -= random.uniform(0.01, 3) * r + 2 * q
+        at = np.array([random.uniform(0.25, 0.9) * length, 0, below + q])
         half = random.uniform(15, 40) * r
         b = deck.wire(
             straight(at - half * direction(tilt), at + half * direction(tilt), int(random.integers(1, 8))), q, kind
@@ -708,5 +710,5 @@ def weave(random, number):
             clearance=5e-6,
             n_elements=int(random.integers(4, 9)),
         )
-    model.press(random.uniform(10e-6, 150e-6), voltage=1e-3)
+    model.press(40e-6 if number == 0 else random.uniform(5e-6, 50e-6), voltage=1e-3)
     return model.to_deck()

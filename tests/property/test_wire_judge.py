@@ -306,6 +306,12 @@ def test_soft_penalties_and_interference_fits_may_overlap():
         assert scene.then(1, (0, 0, height - 3 * R), contacts=contact(scene, height)).found == []
 
 
+@pytest.mark.parametrize(("known", "expected"), [(True, []), (False, ["passage"])])
+def test_with_unlimited_penetration_a_contact_may_sink_in_beyond_the_axis(known, expected):
+    scene = crossed(height=4 * R, unlimited=True)
+    assert scene.then(1, (0, 0, -7 * R), contacts=contact(scene, -3 * R) if known else ()).found == expected
+
+
 def test_unequal_radii_count():
     scene = crossed(height=4 * R)
     scene.radius[: len(scene.nodes[0]) - 1] = 2 * R

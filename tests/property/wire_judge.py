@@ -13,7 +13,7 @@ passage   Two axes went through each other between two increments. Pieces of axe
           increments is not in the file. Two ways are tried, nodes straight on with tangents that turn evenly, and each
           point straight on; a passage is on both. What is on one of them alone, or may have gone round the end of a wire, is
           a doubt and no finding.
-deep      Tubes (with round joints and ends) overlap by more than 5 % of the smaller radius.
+deep      Tubes (with round joints and ends) overlap by more than 5 % of the smaller radius, at a contact of the ledger.
 unseen    Tubes overlap by more than 0.5 % of the smaller radius where the ledger has no contact.
 """
 
@@ -652,6 +652,12 @@ def beside_passed(motion, way, beside):
     return passed
 
 
+def in_contact(motion, state):
+    """Wires between which the ledger has a contact: with PENETRATION=UNLIMITED they may sink in beyond their axes."""
+    _, elements = motion.contacts[state]
+    return {tuple(sorted(pair)) for pair in motion.wire[elements].tolist()}
+
+
 def judge_passages(motion, state, pair, pairs, noise):
     findings = []
     verdicts = []
@@ -665,11 +671,11 @@ def judge_passages(motion, state, pair, pairs, noise):
             if wires not in crossed or not crossed[wires][1]:
                 crossed[wires] = (meeting, firm)
         verdicts.append(crossed)
-    for wires in sorted(set(verdicts[0]) | set(verdicts[1])):
+    meant = in_contact(motion, state) if pair.unlimited else set()
+    for wires in sorted((set(verdicts[0]) | set(verdicts[1])) - meant):
         both = [verdict[wires] for verdict in verdicts if wires in verdict]
         firm = len(both) == 2 and all(sure for _, sure in both)
         meeting = both[0][0]
-        # between connected pieces of one wire the ends of the arc in between decide too
         findings.append(
             Finding(
                 "passage",
