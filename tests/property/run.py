@@ -1,7 +1,7 @@
 """Do wires pass through each other with exit code 0? Runs random decks: ./setup passages --count 2000 --seed 1
 
 Prints how the cases ended, by family; decks of failures are kept in results/passages. One case again, with what the judge finds:
-python tests/property/run.py --case thread-3
+python tests/property/run.py --case thread-3. Failures of the last run again: ./setup passages --again
 """
 
 import argparse
@@ -30,6 +30,13 @@ def progress(trial):
         print(f"{trial.name}: {trial.verdict}; {(trial.findings or [trial.message])[0]}", flush=True)
 
 
+def forget(keep):
+    """Decks that an earlier run kept go."""
+    for kind in FAMILIES:
+        for path in [*keep.glob(f"{kind}-*.inp"), *keep.glob(f"{kind}-*.txt")]:
+            path.unlink()
+
+
 def main():
     parser = argparse.ArgumentParser(
         prog="passages", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
@@ -40,6 +47,7 @@ def main():
     )
     parser.add_argument("--family", action="append", choices=FAMILIES, help="cases of these families only")
     parser.add_argument("--case", metavar="FAMILY-NUMBER or DECK", help="one case, or a deck")
+    parser.add_argument("--again", action="store_true", help="the failures of the last run, from cases.txt of --keep")
     parser.add_argument("--litz", type=Path, metavar="PATH", help="the program to run; that of this folder without")
     parser.add_argument("--jobs", type=int, help="runs at a time; as many as processors without")
     parser.add_argument("--limit", type=float, default=60.0, help="seconds of a run (60)")
@@ -60,11 +68,15 @@ def main():
             trial = try_case(arguments.case, program, arguments.keep, arguments.limit)
         print(trial)
         return int(trial.verdict in FAILURES)
-    if arguments.family:
+    if arguments.again:
+        ended = (line.split()[:2] for line in (arguments.keep / "cases.txt").read_text().splitlines())
+        cases = [name for name, verdict in ended if verdict in FAILURES]
+    elif arguments.family:
         each = -(-arguments.count // len(arguments.family))
         cases = [f"{kind}-{arguments.seed * each + k}" for kind in arguments.family for k in range(each)]
     else:
         cases = names(arguments.count, arguments.seed)
+    forget(arguments.keep)
     trials = try_all(cases, program, arguments.keep, arguments.jobs, arguments.limit, progress)
     arguments.keep.mkdir(parents=True, exist_ok=True)
     (arguments.keep / "cases.txt").write_text(

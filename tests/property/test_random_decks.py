@@ -11,7 +11,7 @@ CASES = names(100)
 
 @pytest.fixture(scope="module")
 def trials(litz_program):
-    return try_all(CASES, litz_program, jobs=min(2, os.cpu_count() or 1), limit=30.0)
+    return try_all(CASES, litz_program, jobs=min(2, os.cpu_count() or 1), limit=120.0)
 
 
 def test_runs_of_random_decks_end_right_or_in_words(trials):

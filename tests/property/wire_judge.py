@@ -345,7 +345,8 @@ def seen(motion, curves, state, found):
     wires = motion.wire[elements]
     for k in range(len(found.e)):
         e, f = found.e[k], found.f[k]
-        reach = motion.radius[e] + motion.radius[f]
+        # of a curved axis the place of the nearest point is known to a piece
+        reach = motion.radius[e] + motion.radius[f] + np.maximum(motion.length[e], motion.length[f]) / PIECES
         for first, second in ((0, 1), (1, 0)):
             same = (wires[:, first] == motion.wire[e]) & (wires[:, second] == motion.wire[f])
             near = np.linalg.norm(places[:, first] - p[k], axis=1) < reach
