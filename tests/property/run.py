@@ -17,8 +17,15 @@ ROOT = Path(__file__).parents[2]
 
 
 def find_program(named):
-    """The program that is asked for, or that of the installed package."""
+    """The program that is asked for, or that of the installed package.
+
+    In place of the command of an environment that ./setup made, what it starts: the command looks at each start whether
+    there is something to compile, which runs side by side must not do.
+    """
     program = named or Path(str(importlib.resources.files("litz") / "_bin" / "litz"))
+    built = program.absolute().parents[1] / "build" / "fortran" / "litz"
+    if program.is_file() and program.read_bytes()[:2] == b"#!" and built.is_file():
+        program = built
     if not program.is_file():
         sys.exit(f"there is no program {program}")
     return program.resolve()

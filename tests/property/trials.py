@@ -3,6 +3,7 @@
 import os
 import re
 import shutil
+import signal
 import subprocess
 import tempfile
 import time
@@ -59,18 +60,22 @@ def run_deck(program, deck, directory, limit):
     """Exit code (None: too slow), output and seconds of a run."""
     environment = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
     begin = time.monotonic()
+    process = subprocess.Popen(
+        [str(program), "run", str(deck), "-o", str(directory), "--quiet"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env=environment,
+        start_new_session=True,
+    )
     try:
-        done = subprocess.run(
-            [str(program), "run", str(deck), "-o", str(directory), "--quiet"],
-            capture_output=True,
-            text=True,
-            timeout=limit,
-            check=False,
-            env=environment,
-        )
+        output, errors = process.communicate(timeout=limit)
     except subprocess.TimeoutExpired:
+        # what it has started ends with it
+        os.killpg(process.pid, signal.SIGKILL)
+        process.communicate()
         return None, "", time.monotonic() - begin
-    return done.returncode, done.stderr or done.stdout, time.monotonic() - begin
+    return process.returncode, errors or output, time.monotonic() - begin
 
 
 def try_case(name, program, keep=None, limit=60.0):
