@@ -581,7 +581,7 @@ def knot(random, number):
     """A trefoil that is opened at one place, and pulled: an overhand knot."""
     deck = Deck(f"knot {number}", material=(10 ** random.uniform(9, 10.5), 0.3))
     n = int(random.integers(24, 60))
-    s = np.linspace(0.05, 2 * np.pi - 0.05, n + 1) + np.pi / 3
+    s = np.linspace(0.12, 2 * np.pi - 0.12, n + 1) + np.pi / 3
     size = 1e-2
     points = size * np.stack(
         [np.sin(s) + 2 * np.sin(2 * s), np.cos(s) - 2 * np.cos(2 * s), -random.uniform(0.6, 1.2) * np.sin(3 * s)], 1

@@ -19,9 +19,10 @@ def test_runs_of_random_decks_end_right_or_in_words(trials):
     assert not failed, "\n".join(["", *(str(trial) for trial in failed), *table(trials)])
 
 
-def test_most_random_decks_are_not_refused(trials):
-    """A program that refuses all is right, too."""
-    assert sum(trial.code == 0 for trial in trials) > len(trials) / 2, "\n".join(table(trials))
+def test_ordinary_random_decks_are_not_refused(trials):
+    """A program that refuses all is right, too. Other families have much in them that litz does not model and may refuse."""
+    ordinary = [trial for trial in trials if trial.family in ("thread", "pile", "aside", "loop", "load", "weave")]
+    assert sum(trial.code == 0 for trial in ordinary) > 2 / 3 * len(ordinary), "\n".join(table(ordinary))
 
 
 def test_a_name_makes_the_same_deck_again():
