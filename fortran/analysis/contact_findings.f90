@@ -103,7 +103,7 @@ contains
       case (finding_deep)
          text = 'The law of Hertz is for smaller overlaps: the force is too large for these wires. '
          if (self%penalty > 0) text = 'A penalty of '//to_text(self%penalty)//' '//model%units%label('N/m')// &
-            ' at least would hold it (*SURFACE BEHAVIOR). '
+            ' at least would hold it so far (*SURFACE BEHAVIOR). '
       case (finding_second)
          text = 'Each pair of elements can have one contact: use shorter elements. '
       case (finding_coiled)

@@ -8,7 +8,7 @@ module litz_contact_net
    use litz_axis, only: axis_polynomial, axis_sagitta, axis_shape, on_axis
    use litz_closest_points, only: local_minima, max_minima, segment_distance
    use litz_contact_findings, only: finding_t, worse_of, finding_none, finding_deep, finding_missed, finding_second, &
-      finding_coiled, finding_end, finding_kink, finding_line
+      finding_coiled, finding_end, finding_kink, finding_line, finding_passed
    use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry
    use litz_element_library, only: elements_t
    use litz_model, only: model_t, axis_hermite, normal_linear
@@ -86,7 +86,7 @@ contains
          end do
       end subroutine list_points
 
-      !> A contact that is too deep, or as long as a line.
+      !> A contact that is too deep, as long as a line, or on the wrong side.
       type(finding_t) function inspect_point(point) result(finding)
          type(contact_point_t), intent(in) :: point
          real(dp) :: sine2, half_length, radius
@@ -105,6 +105,7 @@ contains
          end associate
          half_length = sqrt(2*max(point%kinematics%distance, 0.0_dp)*(-point%gap)/max(sine2, tiny(1.0_dp)))
          if (half_length > longest_point*radius) finding%kind = finding_line
+         if (point%kinematics%distance <= 0) finding%kind = finding_passed
       end function inspect_point
 
       pure logical function is_unlimited(pair)

@@ -128,12 +128,12 @@ def test_enough_elements_and_contacts_for_threads_give_the_same_bits_with_any_nu
 
 @pytest.mark.parametrize("closed", [False, True])
 def test_neighbours_of_a_ring_are_no_pair_also_where_it_closes(litz, tmp_path, closed):
-    """A ring of ten radii. Cut open, its two ends are near each other and no neighbours any more."""
+    """A ring of a dozen radii. Cut open, its two ends are near each other and no neighbours any more."""
     angle = np.arange(36) * 2 * np.pi / 36
     ring = wire("RING", np.c_[0.01 * np.cos(angle), 0.01 * np.sin(angle), 0 * angle], closed=closed)
     deck = tmp_path / "ring.inp"
     deck.write_text(
-        f"{ring}{MATERIAL}*BEAM SECTION, ELSET=RING, MATERIAL=STEEL, SECTION=CIRC\n 1e-3\n"
+        f"{ring}{MATERIAL}*BEAM SECTION, ELSET=RING, MATERIAL=STEEL, SECTION=CIRC\n 0.8e-3\n"
         "*SURFACE INTERACTION, NAME=TOUCH\n*CONTACT PAIR, INTERACTION=TOUCH\n RING\n"
         "*BOUNDARY\n 1, ENCASTRE\n*STEP\n*STATIC\n 1., 1.\n*END STEP\n"
     )
@@ -158,7 +158,7 @@ def test_wires_pushed_through_each_other_are_refused(run):
     """A contact too soft for its load would let the axes pass: every increment that does is cut, then the run fails."""
     process, results = run(crossed(behavior=SOFT.format(""), push="-8e-3", static="0.25, 1, 0.05, 0.25"))
     assert process.returncode == 2
-    assert "went through each other's axis" in process.stderr
+    assert "5 % are allowed" in process.stderr or "would pass through each other" in process.stderr
     assert "elements 3 and 13" in process.stderr or "elements 13 and 3" in process.stderr
     assert not results.finished
     assert (results.contacts["gap"] > -2e-3).all()
@@ -169,7 +169,7 @@ def test_wires_that_start_apart_and_pass_each_other_by_far_in_one_increment_are_
     soft = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n 1."
     process, _ = run(crossed(height="30e-3", push="-60e-3", behavior=soft, static="1., 1., 0.5, 1."))
     assert process.returncode == 2
-    assert "went through each other's axis" in process.stderr
+    assert "would pass through each other in this increment" in process.stderr
 
 
 def test_a_wire_that_moves_aside_and_down_in_one_increment_is_held(run):
