@@ -72,6 +72,9 @@ contains
       call problem%timing%lap(phase_preparation)
       call find_initial_overlap(problem, overlap, error)
       if (allocated(error)) return
+      ! an interference fit begins without stress: what resolves it does work from the first increment on
+      problem%contact%clearance = overlap
+      problem%contact%converged_clearance = overlap
       call problem%timing%lap(phase_search)
       continued = len(options%restart_path) > 0
       if (continued) call continue_from(options, problem, course, error)

@@ -46,7 +46,8 @@ def test_a_restarted_run_equals_the_uninterrupted_one_bit_for_bit(litz, tmp_path
 
 
 def test_an_interference_fit_and_single_rotations_go_on(litz, tmp_path):
-    text = crossed(height="1.9e-3", pair=", INTERFERENCE FIT", push="0", static="0.25, 1, 1e-3, 0.25", extra=KEEP_ALL)
+    static, extra = "0.25, 1, 1e-3, 0.25", KEEP_ALL + "*ENERGY PRINT"
+    text = crossed(height="1.9e-3", pair=", INTERFERENCE FIT", push="0", static=static, extra=extra)
     assert_goes_on_from_everywhere(litz, tmp_path, text)
 
 
