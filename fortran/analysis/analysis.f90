@@ -262,10 +262,6 @@ contains
       call begin_step(problem, step, options, error)
       if (allocated(error)) return
       if (continued) then
-         if (any(restored%fixed .neqv. problem%loading%fixed)) then
-            error = fail(exit_input, 'the supports of the step that is continued are not those of the deck')
-            return
-         end if
          problem%loading = restored
       else
          call course%control%start(step)
