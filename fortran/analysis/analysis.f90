@@ -16,7 +16,8 @@ module litz_analysis
    use litz_loading, only: loading_t, start_loading, load_targets, next_break_point
    use litz_model, only: model_t, step_t, solver_block, coupling_default, coupling_monolithic, coupling_updated, &
       request_contact
-   use litz_newton, only: problem_t, outcome_t, solve_increment, measure_scales, cause_not_finite, cause_lost_contact
+   use litz_newton, only: problem_t, outcome_t, solve_increment, measure_scales, nodal_residual, cause_not_finite, &
+      cause_lost_contact
    use litz_parallel_wires, only: shallow_angle, parallel_warning
    use litz_step_control, only: step_control_t
    use litz_restart_file, only: restart_file_t, course_t, read_restart, wants_restart
@@ -75,6 +76,9 @@ contains
       call problem%timing%lap(phase_preparation)
       call find_initial_overlap(problem, overlap, error)
       if (allocated(error)) return
+      ! an interference fit begins without stress: what resolves it does work from the first increment on
+      problem%contact%clearance = overlap
+      problem%contact%converged_clearance = overlap
       call problem%timing%lap(phase_search)
       continued = len(options%restart_path) > 0
       if (continued) call continue_from(options, problem, course, error)
@@ -276,10 +280,6 @@ contains
       call begin_step(problem, step, options, error)
       if (allocated(error)) return
       if (continued) then
-         if (any(restored%fixed .neqv. problem%loading%fixed)) then
-            error = fail(exit_input, 'the supports of the step that is continued are not those of the deck')
-            return
-         end if
          problem%loading = restored
       else
          call course%control%start(step)
@@ -401,7 +401,7 @@ contains
       problem%state%time = start_time + step_time
       problem%state%time_increment = increment
       call capture_state(problem)
-      audit = audit_increment(problem%model, problem%state, outcome%last%residual, measure_scales(problem))
+      audit = audit_increment(problem%model, problem%state, nodal_residual(problem), measure_scales(problem))
       problem%state%audit = [audit%force, audit%moment, audit%current, audit%power, audit%penetration]
       call problem%timing%lap(phase_update)
       call report_increment(problem, outcome, audit, attempt, increment, step_time, start_time, options, results, error)

@@ -46,10 +46,12 @@ module litz_assembly
       real(dp), allocatable :: prescribed(:, :)
       !> Largest nodal force, moment and current of any element or contact: the reference of convergence
       real(dp) :: reference(3) = 0
-      !> Largest stiffness against displacement [N/m], and against rotation [N m]: the floor of round-off
-      real(dp) :: stiffness(2) = 0
-      !> Largest conductance of an element or a contact [S]
-      real(dp) :: conductance = 0
+      !> How large the unknowns are (7, n_nodes) [m, -, V]: the node's position, 1 for the entries of its rotation, and
+      !> the largest potential of any node, because no node's own zero of potential is more than a convention
+      real(dp), allocatable :: magnitude(:, :)
+      !> What a relative change of these in every part of the model makes at most of the forces (7, n_nodes): the sum of
+      !> `|K| |q|` over the elements and contacts at the node. Times epsilon it is the round-off of the residual there
+      real(dp), allocatable :: sensitivity(:, :)
       real(dp) :: strain_energy = 0
       !> Stabilization: forces on the free unknowns, part of the internal ones (6, n_nodes), and their work [J]
       real(dp), allocatable :: damping(:, :)
@@ -58,24 +60,29 @@ module litz_assembly
 
 contains
 
-   subroutine clear_system(n_nodes, matrix, forces)
-      integer, intent(in) :: n_nodes
+   subroutine clear_system(iterate, matrix, forces)
+      type(iterate_t), intent(in) :: iterate
       type(system_matrix_t), intent(inout) :: matrix
       type(forces_t), intent(inout) :: forces
+      integer :: n_nodes
 
+      n_nodes = size(iterate%potential)
       matrix%mm%value = 0
       matrix%me%value = 0
       matrix%ee%value = 0
       matrix%mm_symmetric = .true.
       if (.not. allocated(forces%internal)) then
-         allocate (forces%internal(7, n_nodes), forces%iteration(7, n_nodes), forces%prescribed(7, n_nodes))
+         allocate (forces%internal(7, n_nodes), forces%iteration(7, n_nodes), forces%prescribed(7, n_nodes), &
+            forces%magnitude(7, n_nodes), forces%sensitivity(7, n_nodes))
       end if
       forces%internal = 0
       forces%iteration = 0
       forces%prescribed = 0
       forces%reference = 0
-      forces%stiffness = 0
-      forces%conductance = 0
+      forces%magnitude(1:3, :) = spread(maxval(abs(iterate%x), 1), 1, 3)
+      forces%magnitude(4:6, :) = 1
+      forces%magnitude(7, :) = maxval(abs(iterate%potential))
+      forces%sensitivity = 0
       forces%strain_energy = 0
       forces%damping = reshape([real(dp) ::], [6, n_nodes], [0.0_dp])
       forces%damping_work = 0
@@ -112,9 +119,6 @@ contains
             forces)
          call timing%lap(phase_assembly)
       end do
-      ! axial strain and shear: whichever is stiffer
-      forces%stiffness(1) = maxval(maxval(elements%rigidity(1:3, :), 1)/elements%length)
-      forces%stiffness(2) = maxval(elements%rigidity(1:3, :))
       iterate%sigma_from_strain = .false.
 
    contains
@@ -253,6 +257,8 @@ contains
             dq = reshape(increment(1:6, nodes(:, group)), [size(dq)])
             if (any(abs(dq) > 0)) forces%prescribed(1:6, node) = forces%prescribed(1:6, node) &
                + matmul(k(6*a - 5:6*a, :, group), dq)
+            call add_sensitivity(nodes(:, group), k(6*a - 5:6*a, :, group), forces%magnitude(1:6, :), &
+               forces%sensitivity(1:6, node))
             call scatter_mechanical_rows(equations, a, nodes(:, group), k(:, :, group), matrix%mm)
          end do
       end do
@@ -270,7 +276,6 @@ contains
       integer :: group, a, b, node, row, position
 
       forces%reference(3) = max(forces%reference(3), maxval(abs(r)))
-      forces%conductance = max(forces%conductance, maxval(abs(k)))
       !$omp parallel private(group, a, b, node, row, position) if (size(nodes, 2) >= worth_threads)
       do group = 1, size(nodes, 2)
          do a = 1, size(nodes, 1)
@@ -279,6 +284,8 @@ contains
             forces%internal(7, node) = forces%internal(7, node) + r(a, group)
             forces%prescribed(7, node) = forces%prescribed(7, node) &
                + dot_product(k(a, :, group), increment(7, nodes(:, group)))
+            call add_sensitivity(nodes(:, group), k(a:a, :, group), forces%magnitude(7:7, :), &
+               forces%sensitivity(7:7, node))
             row = equations%electric(node)
             if (row == 0) cycle
             do b = 1, size(nodes, 1)
@@ -309,6 +316,8 @@ contains
             if (.not. owned(node)) cycle
             dq = reshape(increment(1:6, nodes(:, group)), [size(dq)])
             forces%prescribed(7, node) = forces%prescribed(7, node) + dot_product(k_me(a, :, group), dq)
+            call add_sensitivity(nodes(:, group), k_me(a:a, :, group), forces%magnitude(1:6, :), &
+               forces%sensitivity(7:7, node))
             row = equations%electric(node)
             if (row == 0) cycle
             do b = 1, size(nodes, 1)
@@ -324,6 +333,24 @@ contains
       end do
       !$omp end parallel
    end subroutine add_coupling
+
+   !> Add `|K| |q|` of some rows of a group.
+   pure subroutine add_sensitivity(nodes, k, magnitude, sensitivity)
+      integer, intent(in) :: nodes(:)
+      !> Rows of the tangent (rows, unknowns of a node x nodes), and how large the unknowns of all nodes are
+      real(dp), intent(in) :: k(:, :), magnitude(:, :)
+      !> Of these rows
+      real(dp), intent(inout) :: sensitivity(:)
+      integer :: b, i, column
+
+      column = 0
+      do b = 1, size(nodes)
+         do i = 1, size(magnitude, 1)
+            column = column + 1
+            sensitivity = sensitivity + abs(k(:, column))*magnitude(i, nodes(b))
+         end do
+      end do
+   end subroutine add_sensitivity
 
    !> Add the rows of node `a` of a group to the matrix.
    pure subroutine scatter_mechanical_rows(equations, a, nodes, k, mm)

@@ -27,8 +27,8 @@ module litz_audit
    type :: scales_t
       !> Largest nodal force [N], moment [N m] and current [A] of any element, contact or load
       real(dp) :: reference(3) = 0
-      !> What round-off makes of each at a node
-      real(dp) :: round_off(3) = 0
+      !> What round-off makes of each at every node (3, n_nodes)
+      real(dp), allocatable :: round_off(:, :)
    end type scales_t
 
    !> The worst figures, each over its scale.
@@ -47,42 +47,36 @@ contains
    pure function audit_increment(model, state, residual, scales) result(audit)
       type(model_t), intent(in) :: model
       type(state_t), intent(in) :: state
-      !> Largest force [N], moment [N m] and current [A] that is left at a node
-      real(dp), intent(in) :: residual(3)
+      !> Largest force [N], moment [N m] and current [A] that are left over at each node (3, n_nodes)
+      real(dp), intent(in) :: residual(:, :)
       type(scales_t), intent(in) :: scales
       type(audit_t) :: audit
-      real(dp) :: extent, heat, potential
-      integer :: worst, n
+      real(dp) :: extent, heat, potential, total_round_off(3)
+      integer :: worst
 
       audit%finding = not_finite(model, state)
       if (len(audit%finding) > 0) return
-      n = model%n_nodes
       extent = maxval(maxval(model%x, 2) - minval(model%x, 2))
       potential = maxval(abs(state%potential))
       heat = sum(abs(state%joule_heat)) + sum(abs(state%contacts%joule_heat))
-      call weigh('the forces at a node do not balance', residual(1), scales%reference(1), n*scales%round_off(1), &
-         audit%force)
-      call weigh('the moments at a node do not balance', residual(2), scales%reference(2), n*scales%round_off(2), &
-         audit%moment)
+      total_round_off = sum(scales%round_off, 2)
+      call weigh_nodes('forces', residual(1, :), 1, audit%force)
+      call weigh_nodes('moments', residual(2, :), 2, audit%moment)
       call weigh('the forces on the model do not balance', norm2(force_imbalance(state)), scales%reference(1), &
-         n*scales%round_off(1), audit%force)
+         total_round_off(1), audit%force)
       call weigh('the moments on the model do not balance', norm2(moment_imbalance(model, state)), &
-         scales%reference(2) + scales%reference(1)*extent, n*(scales%round_off(2) + scales%round_off(1)*extent), &
+         scales%reference(2) + scales%reference(1)*extent, total_round_off(2) + total_round_off(1)*extent, &
          audit%moment)
-      associate (currents => abs(current_imbalance(model, state)))
-         worst = maxloc(currents, 1)
-         call weigh('the currents at node '//to_text(model%node_id(worst))//' do not balance', currents(worst), &
-            scales%reference(3), n*scales%round_off(3), audit%current)
-      end associate
+      call weigh_nodes('currents', abs(current_imbalance(model, state)), 3, audit%current)
       if (size(state%contacts) > 0) then
          associate (spots => abs(spot_imbalance(state%contacts)))
             worst = maxloc(spots, 1)
             call weigh('current and voltage of contact '//to_text(state%contacts(worst)%id)//' disagree', &
-               spots(worst), scales%reference(3), n*scales%round_off(3), audit%current)
+               spots(worst), scales%reference(3), total_round_off(3), audit%current)
          end associate
       end if
       call weigh('the power of the supports is not the Joule heat', abs(power_imbalance(state)), heat, &
-         n*scales%round_off(3)*potential, audit%power)
+         total_round_off(3)*potential, audit%power)
       worst = crossed_contact(model, state%contacts)
       if (worst > 0 .and. len(audit%finding) == 0) then
          audit%finding = 'the axes of '//contact_words(model, state%contacts(worst))//' have passed each other'
@@ -91,6 +85,22 @@ contains
       if (audit%deepest > 0) audit%penetration = penetration(model, state%contacts(audit%deepest))
 
    contains
+
+      !> The node whose sum is the worst for its round-off.
+      pure subroutine weigh_nodes(what, imbalance, field, figure)
+         character(len=*), intent(in) :: what
+         !> Of every node
+         real(dp), intent(in) :: imbalance(:)
+         integer, intent(in) :: field
+         real(dp), intent(inout) :: figure
+         integer :: node
+
+         associate (allowed => allowed_imbalance*scales%reference(field) + scales%round_off(field, :))
+            node = maxloc(imbalance/max(allowed, tiny(1.0_dp)), 1)
+         end associate
+         call weigh('the '//what//' at node '//to_text(model%node_id(node))//' do not balance', imbalance(node), &
+            scales%reference(field), scales%round_off(field, node), figure)
+      end subroutine weigh_nodes
 
       pure subroutine weigh(words, imbalance, scale, round_off, figure)
          character(len=*), intent(in) :: words

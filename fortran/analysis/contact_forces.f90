@@ -231,9 +231,6 @@ contains
          type(forces_t), intent(inout) :: forces
          integer :: a
 
-         forces%stiffness(1) = max(forces%stiffness(1), point%stiffness)
-         forces%stiffness(2) = max(forces%stiffness(2), &
-            point%stiffness*maxval(elements%length([point%element_bar, point%element])))
          do a = 1, 4
             forces%iteration(1:6, nodes_p(a)) = forces%iteration(1:6, nodes_p(a)) &
                - (point%iteration_force - point%force)*point%kinematics%dgap(6*a - 5:6*a) &

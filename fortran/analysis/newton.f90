@@ -34,7 +34,7 @@ module litz_newton
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: problem_t, outcome_t, solve_increment, measure_scales
+   public :: problem_t, outcome_t, solve_increment, measure_scales, nodal_residual
    public :: cause_iterations, cause_not_finite, cause_singular, cause_lost_contact
 
    !> Why an increment is given up
@@ -227,7 +227,7 @@ contains
          end if
          if (problem%pattern_changed) call rebuild_pattern(problem, error)
          if (allocated(error)) return
-         call clear_system(model%n_nodes, problem%matrix, problem%forces)
+         call clear_system(iterate, problem%matrix, problem%forces)
          call assemble_beams(model, wires, elements, problem%equations, increment, iterate, problem%matrix, &
             problem%forces, timing)
          call assemble_conductors(model, elements, problem%equations, increment, iterate, problem%matrix, &
@@ -289,62 +289,104 @@ contains
       problem%has_factor = .false.
    end subroutine rebuild_pattern
 
-   !> True residual over the free unknowns, field by field, and what is allowed.
+   !> True residual over the free unknowns, and what is allowed: of each field those of the node where the first is the
+   !> largest part of the second. What round-off excuses differs from node to node, by the stiffness there.
    subroutine measure_residual(problem, step, report, at_round_off)
       type(problem_t), intent(in) :: problem
       type(step_t), intent(in) :: step
       type(iteration_report_t), intent(inout) :: report
-      !> A field is accepted for round-off only, above its own tolerance
+      !> A residual is accepted for round-off only, above its own tolerance
       logical, intent(out) :: at_round_off
       type(scales_t) :: scales
-      integer :: node
+      real(dp), allocatable :: residual(:, :)
+      real(dp) :: worst(3), part, allowed
+      integer :: node, field
 
+      scales = measure_scales(problem)
+      residual = nodal_residual(problem)
       report%residual = 0
       report%residual_node = 0
+      report%allowed = step%controls%r_n*scales%reference
+      worst = 0
+      at_round_off = .false.
+      do node = 1, size(residual, 2)
+         do field = 1, 3
+            associate (r => residual(field, node), reference => scales%reference(field))
+               if (r > max(step%controls%r_n, worth_telling)*reference) at_round_off = .true.
+               allowed = max(step%controls%r_n*reference, scales%round_off(field, node))
+               part = part_of(r, allowed)
+               ! a value that is not a number wins
+               if (part <= worst(field) .or. .not. worst(field) <= huge(part)) cycle
+               worst(field) = part
+               report%residual(field) = r
+               report%residual_node(field) = node
+               report%allowed(field) = allowed
+            end associate
+         end do
+      end do
+   end subroutine measure_residual
+
+   !> Largest force [N], moment [N m] and current [A] that are left over at each node (3, n_nodes).
+   pure function nodal_residual(problem) result(residual)
+      type(problem_t), intent(in) :: problem
+      real(dp), allocatable :: residual(:, :)
+      integer :: node
+
       associate (internal => problem%forces%internal, load => problem%loading%load, equations => problem%equations)
-         do node = 1, size(internal, 2)
+         allocate (residual(3, size(load, 2)))
+         do node = 1, size(load, 2)
             associate (free => equations%mechanical(:, node) > 0, r => abs(internal(:, node) - load(:, node)))
-               call take_larger(1, r(1:3), free(1:3))
-               call take_larger(2, r(4:6), free(4:6))
-               call take_larger(3, r(7:7), [equations%electric(node) > 0])
+               residual(:, node) = [largest(r(1:3), free(1:3)), largest(r(4:6), free(4:6)), &
+                  largest(r(7:7), [equations%electric(node) > 0])]
             end associate
          end do
       end associate
-      scales = measure_scales(problem)
-      report%allowed = max(step%controls%r_n*scales%reference, scales%round_off)
-      at_round_off = any(report%residual > max(step%controls%r_n, worth_telling)*scales%reference)
 
    contains
 
       !> A value that is not a number wins.
-      subroutine take_larger(field, entries, mask)
-         integer, intent(in) :: field
+      pure real(dp) function largest(entries, mask)
          real(dp), intent(in) :: entries(:)
          logical, intent(in) :: mask(:)
          integer :: i
 
+         largest = 0
          do i = 1, size(entries)
-            if (.not. mask(i) .or. entries(i) <= report%residual(field)) cycle
-            report%residual(field) = entries(i)
-            report%residual_node(field) = node
+            if (.not. mask(i) .or. entries(i) <= largest) cycle
+            largest = entries(i)
+            if (.not. largest <= huge(largest)) return
          end do
-      end subroutine take_larger
+      end function largest
 
-   end subroutine measure_residual
+   end function nodal_residual
 
-   !> What residuals are measured by: the largest forces at nodes, and their round-off.
+   !> `residual/allowed`, or the largest number where that is none.
+   pure real(dp) function part_of(residual, allowed) result(part)
+      real(dp), intent(in) :: residual, allowed
+      real(dp) :: divisor
+
+      divisor = max(allowed, tiny(1.0_dp))
+      part = huge(1.0_dp)
+      if (divisor < 1 .and. residual > divisor*huge(1.0_dp)) return
+      part = residual/divisor
+   end function part_of
+
+   !> What residuals are measured by: the largest forces at any node, and the round-off at each.
    pure function measure_scales(problem) result(scales)
       type(problem_t), intent(in) :: problem
       type(scales_t) :: scales
-      real(dp) :: extent
+      integer :: node
 
-      associate (load => problem%loading%load)
-         scales%reference = max(problem%forces%reference, &
+      associate (load => problem%loading%load, forces => problem%forces)
+         scales%reference = max(forces%reference, &
             [maxval(abs(load(1:3, :))), maxval(abs(load(4:6, :))), maxval(abs(load(7, :)))])
+         allocate (scales%round_off(3, size(load, 2)))
+         do node = 1, size(load, 2)
+            associate (s => forces%sensitivity(:, node))
+               scales%round_off(:, node) = epsilon(1.0_dp)*[maxval(s(1:3)), maxval(s(4:6)), s(7)]
+            end associate
+         end do
       end associate
-      extent = maxval(abs(problem%iterate%x))
-      scales%round_off = 3*epsilon(1.0_dp)*[problem%forces%stiffness(1)*extent, problem%forces%stiffness(2)*extent, &
-         problem%forces%conductance*maxval(abs(problem%iterate%potential))]
    end function measure_scales
 
    pure logical function mechanics_converged(report)

@@ -12,8 +12,9 @@ module litz_restart_file
       hdf5_publish_file, hdf5_close_file, hdf5_discard_file, hdf5_write_attribute
    use litz_hdf5_input, only: hdf5_open_file, hdf5_close_input
    use litz_hdf5_rows_reader, only: read_attribute_integer, read_attribute_text, read_real_rows, read_integer_rows
-   use litz_model, only: model_t, step_t
+   use litz_model, only: step_t
    use litz_newton, only: problem_t
+   use litz_restart_model, only: write_model_record, check_model_record
    use litz_restart_record, only: record_t, exchange_point, exchange_contact, name_length
    use litz_state, only: contact_t, energies_t
    use litz_step_control, only: step_control_t
@@ -23,7 +24,7 @@ module litz_restart_file
    private
    public :: restart_file_t, course_t, read_restart, wants_restart
 
-   integer, parameter :: format_version = 2
+   integer, parameter :: format_version = 3
    integer, parameter :: creating = 1, writing = 2, reading = 3
    integer, parameter :: most_datasets = 40
 
@@ -90,6 +91,7 @@ contains
       self%n_datasets = self%next
       call self%row_ends%create(self%file, 'row_ends', self%n_datasets, hdf5_integer, 1, error)
       call self%checksums%create(self%file, 'checksums', self%n_datasets, hdf5_integer, 1, error)
+      call write_model_record(self%file, problem%model, error)
    end subroutine restart_open
 
    !> Adds the converged increment.
@@ -135,7 +137,8 @@ contains
       call hdf5_open_file(path, self%file, error)
       call read_attribute_integer(self%file, '.', 'format_version', found, error)
       if (.not. allocated(error) .and. found /= format_version) error = fail(exit_files, &
-         'it has format '//to_text(found)//', this litz reads format '//to_text(format_version))
+         'another version of litz wrote it, in format '//to_text(found)//' (this one reads format '// &
+         to_text(format_version)//'); run the deck from its beginning')
       call read_attribute_integer(self%file, '.', 'n_increments', self%n_increments, error)
       call find_increment(self, step, increment, found, error)
       if (.not. allocated(error)) then
@@ -146,8 +149,9 @@ contains
          self%mode = reading
          call exchange_all(self, problem, course, error)
       end if
-      call hdf5_close_input(self%file)
       if (.not. allocated(error)) call check_course(problem, error)
+      if (.not. allocated(error)) call check_model_record(self%file, problem%model, problem%state%step, error)
+      call hdf5_close_input(self%file)
       if (allocated(error)) error%message = 'cannot continue from "'//path//'": '//error%message
    end subroutine read_restart
 
@@ -225,7 +229,6 @@ contains
       type(error_t), allocatable, intent(inout) :: error
 
       self%next = 0
-      call exchange_model(self, problem%model, error)
       call exchange_course(self, problem, course, error)
       associate (state => problem%state, loading => problem%loading, contact => problem%contact)
          call self%array('displacement', state%displacement, error)
@@ -252,34 +255,6 @@ contains
          call exchange_contacts(self, state%contacts, error)
       end associate
    end subroutine exchange_all
-
-   !> Sizes and sums that tell whether the deck still has the mesh that the increment belongs to.
-   subroutine exchange_model(self, model, error)
-      type(restart_file_t), intent(inout) :: self
-      type(model_t), intent(in) :: model
-      type(error_t), allocatable, intent(inout) :: error
-      integer, allocatable :: sizes(:, :), here(:, :)
-
-      here = reshape([model%n_nodes, model%n_elements, size(model%contact_pairs), &
-         short(checksum(int(model%connectivity, int64))), &
-         short(checksum(reshape(int(model%node_id, int64), [1, model%n_nodes]))), &
-         short(checksum(reshape(int(model%element_id, int64), [1, model%n_elements]))), &
-         short(checksum(model%x))], [7, 1])
-      sizes = here
-      call self%array('model_sizes', sizes, 7, error)
-      if (allocated(error) .or. self%mode /= reading) return
-      if (all(sizes == here)) return
-      error = fail(exit_input, 'the deck has another mesh than the run that wrote it')
-
-   contains
-
-      pure integer function short(long)
-         integer(int64), intent(in) :: long
-
-         short = int(modulo(long, int(huge(short), int64)))
-      end function short
-
-   end subroutine exchange_model
 
    subroutine exchange_course(self, problem, course, error)
       type(restart_file_t), intent(inout) :: self

@@ -1,0 +1,468 @@
+!> What a model was, as lines of text: every definition that decides the results, so that a run can go on only with the
+!> model that it began with.
+!>
+!> `model_record` is the one place that walks a model for this. A new field of the types of litz_model gets a line
+!> there; `tests/system/test_changed_models.py` fails for one that has none, and is not listed as free to change.
+!>
+!> Free to change are names of sets, output, controls, solvers, and steps that have not begun: what no definition uses
+!> is not in the record. Lists of numbers are in it as their checksums.
+module litz_model_record
+   use litz_kinds, only: dp, int64
+   use litz_checksum, only: checksum
+   use litz_growing_text, only: growing_text_t
+   use litz_lookup, only: name_map_t
+   use litz_model, only: model_t, step_t, nodal_value_t
+   use litz_text, only: to_text
+   implicit none
+   private
+   public :: model_record, record_differences
+
+   character(len=1), parameter :: nl = new_line('a'), tab = achar(9)
+   !> Differences that a message names one by one
+   integer, parameter :: max_named = 3
+
+   !> The record as it grows. A line is `step tab subject tab what tab kind value`; an empty `what` says that there is
+   !> such a subject.
+   type :: record_t
+      type(growing_text_t) :: lines
+      !> The step that the next lines belong to; 0: the model
+      integer :: step = 0
+      character(len=:), allocatable :: subject
+   contains
+      procedure :: begin
+      procedure, private :: add, add_real, add_reals, add_integer, add_integers, add_text
+      generic :: value => add_real, add_integer, add_text
+      generic :: list => add_reals, add_integers
+   end type record_t
+
+   !> What a value is: a number, a word, a number or sum that means nothing to a reader
+   character(len=1), parameter :: kind_real = 'r', kind_text = 't', kind_sum = 's'
+
+   !> A line of a record, taken apart.
+   type :: line_t
+      integer :: step = 0
+      character(len=:), allocatable :: subject, what, kind, value
+   end type line_t
+
+contains
+
+   !> All lines of a model.
+   function model_record(model) result(text)
+      type(model_t), intent(in) :: model
+      character(len=:), allocatable :: text
+      type(record_t) :: record
+      integer :: i
+
+      call record_units(model, record)
+      call record_mesh(model, record)
+      call record_sections(model, record)
+      do i = 1, size(model%contact_pairs)
+         call record_contact_pair(model, i, record)
+      end do
+      do i = 1, size(model%steps)
+         record%step = i
+         call record_step(model, model%steps(i), record)
+      end do
+      text = record%lines%text()
+   end function model_record
+
+   pure subroutine record_units(model, record)
+      type(model_t), intent(in) :: model
+      type(record_t), intent(inout) :: record
+
+      call record%begin('the units (*UNITS)')
+      call record%value('length', trim(model%units%length))
+      call record%value('force', trim(model%units%force))
+      call record%value('time', trim(model%units%time))
+      call record%value('current', trim(model%units%current))
+      call record%value('voltage', trim(model%units%voltage))
+   end subroutine record_units
+
+   pure subroutine record_mesh(model, record)
+      type(model_t), intent(in) :: model
+      type(record_t), intent(inout) :: record
+
+      call record%begin('the nodes')
+      call record%value('number of them', to_text(model%n_nodes))
+      call record%list('numbers', reshape(model%node_id, [1, model%n_nodes]))
+      call record%list('positions', model%x)
+      call record%begin('the elements')
+      call record%value('number of them', to_text(model%n_elements))
+      call record%list('numbers', reshape(model%element_id, [1, model%n_elements]))
+      call record%list('nodes', model%connectivity)
+      call record%list('types', reshape(model%element_type, [1, model%n_elements]))
+   end subroutine record_mesh
+
+   !> Sections that have elements, and their materials.
+   pure subroutine record_sections(model, record)
+      type(model_t), intent(in) :: model
+      type(record_t), intent(inout) :: record
+      !> Elements of each section: how many, and a checksum of them
+      integer :: n_members(size(model%sections))
+      integer(int64) :: members(size(model%sections))
+      logical :: used(size(model%materials))
+      integer :: e, s, m
+
+      n_members = 0
+      members = 0
+      used = .false.
+      do e = 1, model%n_elements
+         s = model%element_section(e)
+         n_members(s) = n_members(s) + 1
+         members(s) = checksum(reshape([members(s), int(e, int64)], [2, 1]))
+      end do
+      do s = 1, size(model%sections)
+         if (n_members(s) == 0) cycle
+         associate (this => model%sections(s))
+            used(this%material) = .true.
+            call record%begin('the section of '//this%element_set)
+            call record%value('number of its elements', to_text(n_members(s)))
+            call record%add('elements', kind_sum, sum_text(members(s)))
+            call record%value('material', model%materials(this%material)%name)
+            call record%value('contact radius', this%contact_radius)
+            call record%value('area', this%area)
+            call record%value('second moment of area about the first axis', this%i2)
+            call record%value('second moment of area about the second axis', this%i3)
+            call record%value('torsion constant', this%j)
+            call record%value('shear stiffness along the first axis', this%ga2)
+            call record%value('shear stiffness along the second axis', this%ga3)
+            call record%list('direction of the first axis', reshape(this%n1, [3, 1]))
+            call record%value('CONDUCTION', trim(merge('CURRENT LENGTH  ', 'REFERENCE LENGTH', this%current_length)))
+         end associate
+      end do
+      do m = 1, size(model%materials)
+         if (.not. used(m)) cycle
+         associate (this => model%materials(m))
+            call record%begin('material '//this%name)
+            call record%value('Young''s modulus', this%young)
+            call record%value('Poisson''s ratio', this%poisson)
+            call record%value('electrical conductivity', this%conductivity)
+         end associate
+      end do
+   end subroutine record_sections
+
+   !> A contact pair and the laws of its interaction.
+   subroutine record_contact_pair(model, i, record)
+      type(model_t), intent(in) :: model
+      integer, intent(in) :: i
+      type(record_t), intent(inout) :: record
+
+      associate (pair => model%contact_pairs(i))
+         call record%begin('*CONTACT PAIR '//to_text(i)//' of the deck')
+         call record_members('first set', model%element_sets(pair%set_bar)%members)
+         call record_members('second set', model%element_sets(pair%set)%members)
+         call record%value('INTERFERENCE FIT', yes_or_no(pair%interference_fit))
+         associate (this => model%interactions(pair%interaction))
+            call record%value('interaction', this%name)
+            call record%begin('interaction '//this%name//' of *CONTACT PAIR '//to_text(i))
+            call record%value('normal law (*SURFACE BEHAVIOR)', this%normal_law)
+            call record%value('penalty', this%penalty)
+            call record%value('PENETRATION', trim(merge('UNLIMITED', 'LIMITED  ', this%unlimited_penetration)))
+            call record%value('coefficient of friction', this%friction)
+            call record%value('stiffness of sticking (*FRICTION)', this%stick_law)
+            call record%value('elastic slip or stick stiffness', this%stick_value)
+            call record%value('law of the spot (*GAP ELECTRICAL CONDUCTANCE)', this%spot_law)
+            call record%value('value of the law of the spot', this%spot_value)
+            call record%list('forces in the table of the spot', reshape(this%table_force, [1, size(this%table_force)]))
+            call record%list('resistances in the table of the spot', &
+               reshape(this%table_resistance, [1, size(this%table_resistance)]))
+            call record%value('AXIS', this%axis)
+            call record%value('VOLTAGE', trim(merge('CORRECTED', 'LINEAR   ', this%voltage_correction)))
+            call record%value('SPOT', trim(merge('LARGEST FORCE', 'PRESENT FORCE', this%spot_memory)))
+         end associate
+      end associate
+
+   contains
+
+      subroutine record_members(what, members)
+         character(len=*), intent(in) :: what
+         !> Elements of a set
+         integer, intent(in) :: members(:)
+
+         call record%value('number of elements of the '//what, to_text(size(members)))
+         call record%list('elements of the '//what, reshape(members, [1, size(members)]))
+      end subroutine record_members
+
+   end subroutine record_contact_pair
+
+   !> What a step prescribes, and the amplitudes that it uses.
+   subroutine record_step(model, step, record)
+      type(model_t), intent(in) :: model
+      type(step_t), intent(in) :: step
+      type(record_t), intent(inout) :: record
+      logical :: used(size(model%amplitudes))
+      integer :: i
+
+      used = .false.
+      call record%begin('step '//to_text(record%step))
+      call record%value('its time (*STATIC)', step%total)
+      call record_values('*BOUNDARY', step%boundary)
+      call record_values('*CLOAD', step%load)
+      call record_values('*CECURRENT', step%current)
+      do i = 1, size(model%amplitudes)
+         if (.not. used(i)) cycle
+         associate (this => model%amplitudes(i))
+            call record%begin('amplitude '//this%name//' of step '//to_text(record%step))
+            call record%value('TIME', trim(merge('TOTAL TIME', 'STEP TIME ', this%total_time)))
+            call record%list('times', reshape(this%time, [1, size(this%time)]))
+            call record%list('factors', reshape(this%factor, [1, size(this%factor)]))
+         end associate
+      end do
+
+   contains
+
+      !> A checksum for each degree of freedom, node by node: a deck may name them in another order.
+      subroutine record_values(keyword, items)
+         character(len=*), intent(in) :: keyword
+         type(nodal_value_t), intent(in) :: items(:)
+         !> Checksums of the values at each node; 0: there is none
+         integer(int64) :: at_node(1, model%n_nodes)
+         integer :: dof, j
+
+         do dof = 1, maxval([0, items%dof])
+            if (.not. any(items%dof == dof)) cycle
+            at_node = 0
+            do j = 1, size(items)
+               associate (item => items(j))
+                  if (item%dof /= dof) cycle
+                  at_node(1, item%node) = checksum(reshape([at_node(1, item%node), bits(item%value), &
+                     amplitude_sum(item%amplitude)], [3, 1]))
+                  if (item%amplitude > 0) used(item%amplitude) = .true.
+               end associate
+            end do
+            call record%add(keyword//' of degree of freedom '//to_text(dof), kind_sum, sum_text(checksum(at_node)))
+         end do
+      end subroutine record_values
+
+      !> Of the amplitude's name; its points have lines of their own.
+      pure integer(int64) function amplitude_sum(amplitude) result(total)
+         integer, intent(in) :: amplitude
+
+         total = 0
+         if (amplitude > 0) total = checksum_of_text(model%amplitudes(amplitude)%name)
+      end function amplitude_sum
+
+   end subroutine record_step
+
+   !> Whether there is a thing at all is a line of its own: what is missing is then named once.
+   pure subroutine begin(self, subject)
+      class(record_t), intent(inout) :: self
+      character(len=*), intent(in) :: subject
+
+      self%subject = subject
+      call self%add('', kind_text, '')
+   end subroutine begin
+
+   pure subroutine add(self, what, kind, value)
+      class(record_t), intent(inout) :: self
+      character(len=*), intent(in) :: what, kind, value
+
+      call self%lines%append(to_text(self%step)//tab//self%subject//tab//what//tab//kind//value//nl)
+   end subroutine add
+
+   pure subroutine add_real(self, what, value)
+      class(record_t), intent(inout) :: self
+      character(len=*), intent(in) :: what
+      real(dp), intent(in) :: value
+      character(len=32) :: buffer
+
+      ! 18 digits tell any two numbers apart; plus zero: there is one zero only
+      write (buffer, '(es25.17e3)') value + 0.0_dp
+      call self%add(what, kind_real, trim(adjustl(buffer)))
+   end subroutine add_real
+
+   !> One of several choices.
+   pure subroutine add_integer(self, what, value)
+      class(record_t), intent(inout) :: self
+      character(len=*), intent(in) :: what
+      integer, intent(in) :: value
+
+      call self%add(what, kind_sum, to_text(value))
+   end subroutine add_integer
+
+   pure subroutine add_text(self, what, value)
+      class(record_t), intent(inout) :: self
+      character(len=*), intent(in) :: what, value
+
+      call self%add(what, kind_text, value)
+   end subroutine add_text
+
+   pure subroutine add_reals(self, what, values)
+      class(record_t), intent(inout) :: self
+      character(len=*), intent(in) :: what
+      real(dp), intent(in) :: values(:, :)
+
+      call self%add(what, kind_sum, sum_text(checksum(values + 0.0_dp)))
+   end subroutine add_reals
+
+   pure subroutine add_integers(self, what, values)
+      class(record_t), intent(inout) :: self
+      character(len=*), intent(in) :: what
+      integer, intent(in) :: values(:, :)
+
+      call self%add(what, kind_sum, sum_text(checksum(int(values, int64))))
+   end subroutine add_integers
+
+   pure function sum_text(total) result(text)
+      integer(int64), intent(in) :: total
+      character(len=:), allocatable :: text
+      character(len=24) :: buffer
+
+      write (buffer, '(i0)') total
+      text = trim(buffer)
+   end function sum_text
+
+   pure function yes_or_no(yes) result(word)
+      logical, intent(in) :: yes
+      character(len=:), allocatable :: word
+
+      word = trim(merge('yes', 'no ', yes))
+   end function yes_or_no
+
+   pure integer(int64) function bits(value)
+      real(dp), intent(in) :: value
+
+      bits = transfer(value + 0.0_dp, bits)
+   end function bits
+
+   pure integer(int64) function checksum_of_text(text) result(total)
+      character(len=*), intent(in) :: text
+      integer(int64) :: codes(len(text), 1)
+      integer :: i
+
+      do i = 1, len(text)
+         codes(i, 1) = iachar(text(i:i))
+      end do
+      total = checksum(codes)
+   end function checksum_of_text
+
+   !> In what two records differ, in words; empty: in nothing that counts.
+   function record_differences(before, now, last_step) result(words)
+      !> Records of the run that is continued, and of the deck
+      character(len=*), intent(in) :: before, now
+      !> Steps after this one have not begun, and may differ
+      integer, intent(in) :: last_step
+      character(len=:), allocatable :: words
+      type(line_t), allocatable :: old(:), new(:)
+      type(name_map_t) :: old_places, new_places
+      character(len=:), allocatable :: told
+      integer :: i, place, n
+
+      call take_apart(before, last_step, old, old_places)
+      call take_apart(now, last_step, new, new_places)
+      words = ''
+      told = ''
+      n = 0
+      do i = 1, size(old)
+         place = new_places%get(key_of(old(i)))
+         if (place == 0) then
+            call tell(old(i), ' in the restart file, but not in the deck')
+         else if (old(i)%kind//old(i)%value /= new(place)%kind//new(place)%value) then
+            call tell(old(i), comparison(old(i), new(place)))
+         end if
+      end do
+      do i = 1, size(new)
+         if (old_places%get(key_of(new(i))) == 0) call tell(new(i), ' in the deck, but not in the restart file')
+      end do
+      if (n > max_named) words = words//'; and '//to_text(n - max_named)//' more'
+
+   contains
+
+      !> Name a difference, but no part of something that is missing as a whole.
+      subroutine tell(line, what)
+         type(line_t), intent(in) :: line
+         character(len=*), intent(in) :: what
+
+         if (line%subject == told) return
+         if (len(line%what) == 0) told = line%subject
+         n = n + 1
+         if (n > max_named) return
+         if (n > 1) words = words//'; '
+         words = words//name_of(line)//what
+      end subroutine tell
+
+   end function record_differences
+
+   pure function comparison(old, new) result(words)
+      type(line_t), intent(in) :: old, new
+      character(len=:), allocatable :: words
+      character(len=:), allocatable :: before, now
+
+      words = ' changed'
+      if (old%kind == kind_sum .or. new%kind == kind_sum) return
+      before = readable(old)
+      now = readable(new)
+      if (before == now) then
+         before = old%value
+         now = new%value
+      end if
+      words = ' '//before//' in the restart file, '//now//' in the deck'
+   end function comparison
+
+   !> A number with few digits.
+   pure function readable(line) result(text)
+      type(line_t), intent(in) :: line
+      character(len=:), allocatable :: text
+      real(dp) :: number
+      integer :: status
+
+      text = line%value
+      if (line%kind /= kind_real) return
+      read (line%value, *, iostat=status) number
+      if (status == 0) text = to_text(number)
+   end function readable
+
+   pure function name_of(line) result(name)
+      type(line_t), intent(in) :: line
+      character(len=:), allocatable :: name
+
+      name = line%subject
+      if (len(line%what) > 0) name = name//': '//line%what
+   end function name_of
+
+   pure function key_of(line) result(key)
+      type(line_t), intent(in) :: line
+      character(len=:), allocatable :: key
+
+      key = to_text(line%step)//tab//line%subject//tab//line%what
+   end function key_of
+
+   !> The lines of a record that belong to the model or to steps that have begun, and their places by name.
+   pure subroutine take_apart(record, last_step, lines, places)
+      character(len=*), intent(in) :: record
+      integer, intent(in) :: last_step
+      type(line_t), allocatable, intent(out) :: lines(:)
+      type(name_map_t), intent(inout) :: places
+      type(line_t), allocatable :: found(:)
+      character(len=:), allocatable :: rest
+      integer :: at, next, i, n, status, place
+
+      n = 0
+      do i = 1, len(record)
+         if (record(i:i) == nl) n = n + 1
+      end do
+      allocate (found(n))
+      n = 0
+      at = 1
+      do while (at <= len(record))
+         next = index(record(at:), nl)
+         if (next == 0) exit
+         rest = record(at:at + next - 2)
+         at = at + next
+         read (rest(:index(rest, tab)), *, iostat=status) i
+         if (status /= 0 .or. i > last_step) cycle
+         rest = rest(index(rest, tab) + 1:)
+         n = n + 1
+         found(n)%step = i
+         found(n)%subject = rest(:index(rest, tab) - 1)
+         rest = rest(index(rest, tab) + 1:)
+         found(n)%what = rest(:index(rest, tab) - 1)
+         rest = rest(index(rest, tab) + 1:)//' '
+         found(n)%kind = rest(:1)
+         found(n)%value = trim(rest(2:))
+         call places%put(key_of(found(n)), place)
+      end do
+      lines = found(:n)
+   end subroutine take_apart
+
+end module litz_model_record

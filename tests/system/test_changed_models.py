@@ -1,0 +1,378 @@
+"""A run goes on only with the model that it began with: every value of every definition is changed, and refused."""
+
+import json
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import h5py
+import pytest
+
+from decks import straight, wire
+
+FORTRAN = Path(__file__).parents[2] / "fortran"
+
+#: A lower wire and upper ones above it, apart from it; each with a spot law and a normal law of its own
+LAWS = {
+    "PAPER": ("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR, PENETRATION=LIMITED\n 1e5", "LAW=PAPER, VOLTAGE=CORRECTED"),
+    "PLASTIC": ("*FRICTION, ELASTIC SLIP=1e-6\n 0.3", "LAW=PLASTIC, SPOT=PRESENT FORCE\n 1e9"),
+    "FILM": ("*FRICTION, STICK STIFFNESS=1e5\n 0.2", "LAW=FILM\n 1e-12"),
+    "CONSTANT": ("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ", "LAW=CONSTANT\n 1e-3"),
+    "TABLE": ("*FRICTION\n 0.1", "LAW=TABLE\n 0.1, 2e-3\n 1.0, 1e-3"),
+}  # fmt: skip
+
+COPPER = "*MATERIAL, NAME=COPPER\n*ELASTIC, TYPE=ISOTROPIC\n 120e9, 0.34\n*ELECTRICAL CONDUCTIVITY\n 5.88e7\n"
+BRASS = "*MATERIAL, NAME=BRASS\n*ELASTIC\n 100e9, 0.33\n*ELECTRICAL CONDUCTIVITY\n 1.5e7\n"
+
+STEP = """\
+*STEP, NAME=ONE, INC=50
+*STATIC
+ 1.0, 1.0, 1e-3, 1.0
+*BOUNDARY, AMPLITUDE=WAVE
+ 906, 9, 9, 1e-3
+*CLOAD, AMPLITUDE=WAVE
+ 906, 3, 1e-3
+*CECURRENT, AMPLITUDE=WAVE
+ 905, 9, 1e-3
+*RESTART, WRITE
+*END STEP
+"""
+LATER = """\
+*STEP
+*AMPLITUDE, NAME=LATER
+ 0, 0, 1, 1
+*STATIC
+*CLOAD, AMPLITUDE=LATER
+ 906, 2, 1e-3
+*CLOAD, AMPLITUDE=OTHER
+ 905, 2, 1e-3
+*NODE PRINT, NSET=SPARE
+ U
+*END STEP
+"""
+
+
+def model():
+    upper = "".join(
+        wire(f"UP{i}", straight((0.01 * i, -0.02, 3e-3), (0.01 * i, 0.02, 3e-3), 3), 100 * i + 1) for i in range(1, 6)
+    )
+    contacts = "".join(
+        f"*SURFACE INTERACTION, NAME={law}, AXIS=HERMITE\n{normal}\n*GAP ELECTRICAL CONDUCTANCE, {spot}\n"
+        f"*CONTACT PAIR, INTERACTION={law}\n LOW, UP{i}\n"
+        for i, (law, (normal, spot)) in enumerate(LAWS.items(), 1)
+    )
+    return (
+        "*HEADING\nwires that do not touch\n*UNITS, LENGTH=m, FORCE=N, TIME=s, CURRENT=A, VOLTAGE=V\n"
+        + wire("LOW", straight((-0.01, 0, 0), (0.06, 0, 0), 5), 901, element="B33")
+        + upper
+        + "*NSET, NSET=HELD\n 901\n*NSET, NSET=HELD, GENERATE\n 101, 501, 100\n*NSET, NSET=SPARE\n 902\n"
+        "*ELSET, ELSET=UPS\n UP1, UP2, UP3, UP4\n*ELSET, ELSET=SOME\n 101, 102\n*ELSET, ELSET=SOME, GENERATE\n 201, 203, 1\n"
+        + COPPER
+        + BRASS
+        + "*BEAM SECTION, ELSET=LOW, MATERIAL=COPPER, SECTION=CIRC, CONTACT RADIUS=1e-3, CONDUCTION=REFERENCE LENGTH\n"
+        " 1e-3\n 0, 1, 0\n"
+        "*BEAM SECTION, ELSET=UPS, MATERIAL=BRASS, SECTION=GENERAL, CONTACT RADIUS=1e-3\n"
+        " 3e-6, 8e-13, 0, 7e-13, 1.5e-12\n 1, 0.5, 0.25\n*TRANSVERSE SHEAR STIFFNESS\n 1e5, 2e5\n"
+        "*BEAM SECTION, ELSET=UP5, MATERIAL=BRASS, SECTION=CIRC\n 1e-3\n"
+        "*AMPLITUDE, NAME=WAVE, TIME=STEP TIME\n 0, 0, 1, 1\n"
+        "*AMPLITUDE, NAME=OTHER\n 0, 0, 1, 2\n"
+        + contacts
+        + "*CONTACT PAIR, INTERACTION=TABLE\n SOME, UP4\n*BOUNDARY\n HELD, 1, 6\n 901, 9\n 104, PINNED\n"
+    )
+
+
+@pytest.fixture(scope="module")
+def kept(litz_of_module, tmp_path_factory):
+    """Directory of a run of the model, with its restart file."""
+    place = tmp_path_factory.mktemp("kept")
+    (place / "deck.inp").write_text(model() + STEP + LATER)
+    done = litz_of_module("run", place / "deck.inp", "-o", place)
+    assert done.returncode == 0, done.stderr
+    return place
+
+
+@pytest.fixture(scope="module")
+def litz_of_module(litz_program):
+    """The program, for the whole module."""
+    def run(*arguments):
+        return subprocess.run(
+            [litz_program, *map(str, arguments)], capture_output=True, text=True, timeout=120, check=False
+        )
+
+    return run
+
+
+@pytest.fixture
+def go_on(litz_of_module, kept, tmp_path):
+    """Continue the kept run with a deck, from the end of its first step."""
+
+    def run(text):
+        (tmp_path / "other.inp").write_text(text)
+        place = f"{kept / 'deck.restart.h5'}:1:1"
+        return litz_of_module("run", tmp_path / "other.inp", "-o", tmp_path / "out", "--restart", place)
+
+    return run
+
+
+REFUSED = "the deck is not that of the run that wrote it"
+
+#: Cards that a user may change, and why; all others decide results
+FREE = {
+    "HEADING": "text", "INCLUDE": "what is included counts", "MESH": "what is in the file counts: tested by itself",
+    "STEP": "text, and how many increments there may be", "END STEP": "nothing to change",
+    "CONTROLS": "how it is solved", "SOLVER": "how it is solved", "SOLUTION TECHNIQUE": "how it is solved",
+    "NODE PRINT": "output", "EL PRINT": "output", "CONTACT PRINT": "output", "ENERGY PRINT": "output",
+    "ELECTRODE PRINT": "output", "NODE FILE": "output", "EL FILE": "output", "RESTART": "output",
+}  # fmt: skip
+#: Values that a user may change, and why
+FREE_VALUES = {
+    ("STATIC", "DIRECT"): "size of the increments", ("STATIC", "first"): "size of the increments",
+    ("STATIC", "smallest"): "size of the increments", ("STATIC", "largest"): "size of the increments",
+    ("ELASTIC", "TYPE"): "one choice", ("BEAM SECTION", "I12"): "must be 0", ("CECURRENT", "dof"): "9 or empty",
+    # names: the things that they name are the same
+    ("MATERIAL", "NAME"): "a name", ("AMPLITUDE", "NAME"): "a name", ("SURFACE INTERACTION", "NAME"): "a name",
+    ("NODE", "NSET"): "a name", ("ELEMENT", "ELSET"): "a name", ("NSET", "NSET"): "a name", ("ELSET", "ELSET"): "a name",
+    # one carries over, the other removes: in the first step there is nothing else
+    ("BOUNDARY", "OP"): "tested by itself", ("CLOAD", "OP"): "none before", ("CECURRENT", "OP"): "none before",
+    ("BOUNDARY", "first"): "tested by its last one", ("NSET", "GENERATE"): "form of the data", ("ELSET", "GENERATE"): "form of the data",
+    ("SURFACE BEHAVIOR", "PRESSURE-OVERCLOSURE"): "tested by itself, with its data",
+    ("BEAM SECTION", "SECTION"): "form of the data", ("BEAM SECTION", "ELSET"): "every element has one section",
+}  # fmt: skip
+
+
+def cards_of(text):
+    """Cards as (first line, lines of the card)."""
+    lines = text.splitlines()
+    starts = [i for i, line in enumerate(lines) if line.startswith("*")] + [len(lines)]
+    return [(start, lines[start:end]) for start, end in zip(starts, starts[1:], strict=False)]
+
+
+def parameters_of(line):
+    """Parameters of a keyword line, as written."""
+    words = [word.strip() for word in line.split(",")[1:]]
+    return {word.split("=")[0].strip(): (word.split("=") + ["YES"])[1].strip() for word in words}
+
+
+def other_values(text, spec):
+    """Values that may stand in the place of one."""
+    if spec.get("choices"):
+        values = spec["choices"]
+    elif spec["kind"] == "real":
+        number = float(text)
+        return [repr(x) for x in (number * 1.01, number * 0.99, number + 0.01, -number) if x != number]
+    elif spec["kind"] in ("integer", "number or set"):
+        values = ["902", "3", "2", "102", "103", "403", "402", "401", "200", "SPARE", "UP4"]
+    else:
+        values = ["BRASS", "COPPER", "OTHER", "PAPER", "PLASTIC", "UP1", "UP3", "mm", "kN", "ms", "mA", "mV"]
+    return [value for value in values if value != text]
+
+
+def renumbered(text, number):
+    """The deck with another number of a node or element wherever it stands at the start of a line or behind a comma."""
+    return re.sub(rf"(?m)(^ |, ){number}(?=,|$)", r"\g<1>7777", text)
+
+
+def changes(keyword, text):
+    """(description, decks in which it alone is another) for each value of a keyword that the deck has."""
+    lines = text.splitlines()
+    for start, card in cards_of(text):
+        if card[0].split(",")[0].strip().upper() != f"*{keyword['name']}":
+            continue
+        given = parameters_of(card[0])
+
+        def deck(at, line):
+            return "\n".join([*lines[:at], line, *lines[at + 1 :]]) + "\n"
+
+        for spec in keyword["parameters"]:
+            name = spec["name"]
+            if spec["kind"] == "flag" and name not in given:
+                yield spec, [deck(start, f"{card[0]}, {name}")]
+            if name not in given or spec["kind"] == "flag":
+                continue
+            yield spec, [
+                deck(start, card[0].replace(f"{name}={given[name]}", f"{name}={value}"))
+                for value in other_values(given[name], spec)
+            ]
+        for form in keyword["data"]:
+            wanted = form["when"]
+            if wanted:
+                parameter, _, word = wanted.partition("=")
+                if given.get(parameter, "NO") != word:
+                    continue
+            k = form["first"]
+            if k >= len(card):
+                continue
+            values = [value.strip() for value in card[k].split(",")]
+            for i, spec in enumerate(form["values"]):
+                if i >= len(values) or not values[i]:
+                    continue
+                others = [
+                    deck(start + k, " " + ", ".join([*values[:i], other, *values[i + 1 :]]))
+                    for other in other_values(values[i], spec)
+                ]
+                if spec["name"] == "id":
+                    others.insert(0, renumbered(text, values[i]))
+                if spec["name"] == "n1":
+                    others.insert(0, deck(start + k, f" {values[0]}, {values[2]}, {values[1]}"))
+                yield spec, others
+
+
+def test_every_value_that_decides_results_is_compared(litz_of_module, go_on):
+    text = model() + STEP + LATER
+    missed, covered, expected = [], set(), set()
+    for keyword in json.loads(litz_of_module("keywords", "--json").stdout):
+        name = keyword["name"]
+        if name in FREE:
+            continue
+        values = [spec["name"] for spec in keyword["parameters"]]
+        values += [spec["name"] for form in keyword["data"] for spec in form["values"]]
+        expected |= {(name, value) for value in values if (name, value) not in FREE_VALUES}
+        # the step that has not begun may change
+        for spec, decks in changes(keyword, text.removesuffix(LATER)):
+            what = (name, spec["name"])
+            if what in FREE_VALUES or what in covered:
+                continue
+            for deck in decks:
+                done = go_on(deck + LATER)
+                if REFUSED in done.stderr:
+                    assert done.returncode == 1
+                    covered.add(what)
+                    break
+                # another number or word is another model, but another member may be in the set already
+                if done.returncode == 0 and (spec["kind"] == "real" or spec["choices"]):
+                    missed.append(what)
+    unchanged = sorted(expected - covered)
+    assert not missed, f"changed without a word: {missed}"
+    assert not unchanged, f"no deck of this test changes {unchanged}: give model() a card with it, or say why it is free"
+    assert len(covered) > 50
+
+
+SOURCES = {name: (FORTRAN / "model" / f"{name}.f90").read_text() for name in ("model", "model_record")}
+
+#: Fields of the model that a user may change, and why
+FREE_FIELDS = {
+    "model_t": {"heading", "deck_text", "node_sets"},
+    "contact_pair_t": {"file", "line"},
+    "step_t": {
+        # text, size of the increments, output, how it is solved
+        "title", "nlgeom", "max_increments", "first", "smallest", "largest", "direct", "requests", "output_frequency",
+        "restart_frequency", "controls", "solver", "coupling", "reform_kernel",
+    },
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["model_t", "material_t", "section_t", "amplitude_t", "interaction_t", "contact_pair_t", "nodal_value_t", "step_t"],
+)
+def test_every_field_of_the_model_is_recorded_or_free(name):
+    """A field that is added to a type of the model is entered in model_record.f90, or here with its reason."""
+    body = re.search(rf"type :: {name}\n(.*?)end type", SOURCES["model"], re.DOTALL)[1]
+    fields = set()
+    for line in re.sub(r"!.*", "", body).splitlines():
+        if "::" in line:
+            names = re.sub(r"\([^)]*\)|=[^,]*", "", line.split("::")[1])
+            fields |= {field.strip() for field in names.split(",")}
+    assert len(fields) >= 3
+    used = set(re.findall(r"%(\w+)", re.sub(r"!.*", "", SOURCES["model_record"])))
+    assert fields - used == FREE_FIELDS.get(name, set())
+
+
+def differences(done):
+    assert done.returncode == 1, done.stderr
+    return done.stderr.split(REFUSED + ": ")[1]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("120e9, 0.34", "110e9, 0.34", "material COPPER: Young's modulus 1.2e+11 in the restart file, 1.1e+11 in the deck"),
+        ("120e9", "120000000001", "Young's modulus 1.20000000000000000E+011 in the restart file, 1.20000000001"),
+        ("LENGTH=m", "LENGTH=mm", "the units (*UNITS): length m in the restart file, mm in the deck"),
+        ("TYPE=B33", "TYPE=B31", "the elements: types changed"),
+        ("0, 0, 1, 1", "0, 0, 1, 1.5", "amplitude WAVE of step 1: factors changed"),
+        ("*FRICTION\n 0.1", "*FRICTION\n 0.4", "coefficient of friction 0.1 in the restart file, 0.4 in the deck"),
+        (" SOME, UP4", " SOME, UP3", "*CONTACT PAIR 6 of the deck: elements of the second set changed"),
+        (" 104, PINNED", " 104, 1, 2", "step 1: *BOUNDARY of degree of freedom 3 changed"),
+        (" 906, 3, 1e-3", " 906, 3, 2e-3", "step 1: *CLOAD of degree of freedom 3 changed"),
+        (" 906, 3, 1e-3", " 906, 2, 1e-3", "step 1: *CLOAD of degree of freedom 3 in the restart file, but not in the deck"),
+        ("OVERCLOSURE=HERTZ", "OVERCLOSURE=LINEAR\n 1e5", "interaction CONSTANT of *CONTACT PAIR 4: normal law"),
+        ("BRASS", "BRONZE", "material BRASS in the restart file, but not in the deck"),
+        ("3e-6, 8e-13, 0, 7e-13, 1.5e-12", "3.1e-6, 8.1e-13, 0, 7.1e-13, 1.6e-12", "and 1 more"),
+    ],
+)  # fmt: skip
+def test_what_has_changed_is_named(go_on, old, new, words):
+    text = model() + STEP + LATER
+    assert old in text
+    assert words in differences(go_on(text.replace(old, new)))
+
+
+def test_supports_that_are_taken_away_in_the_step_are_named(go_on):
+    text = (model() + STEP + LATER).replace("*BOUNDARY, AMPLITUDE=WAVE", "*BOUNDARY, OP=NEW, AMPLITUDE=WAVE")
+    text = text.replace(" 906, 9, 9, 1e-3\n", " 906, 9, 9, 1e-3\n 901, 1, 6\n 901, 9\n 201, 1, 6\n", 1)
+    assert "*BOUNDARY of degree of freedom 1" in differences(go_on(text))
+
+
+def test_a_mesh_in_a_file_is_compared_by_what_it_says(litz, tmp_path):
+    position = [[0.0, 0, 0], [0.05, 0, 0], [0.1, 0, 0]]
+    with h5py.File(tmp_path / "mesh.h5", "w") as file:
+        file["nodes/id"], file["nodes/position"] = [1, 2, 3], position
+        file["elements/B31/id"], file["elements/B31/nodes"] = [1, 2], [[1, 2], [2, 3]]
+        file["element_sets/WIRE"] = [1, 2]
+    deck = tmp_path / "deck.inp"
+    deck.write_text(
+        "*MESH, INPUT=mesh.h5\n*MATERIAL, NAME=STEEL\n*ELASTIC\n 200e9, 0.3\n"
+        "*BEAM SECTION, ELSET=WIRE, MATERIAL=STEEL, SECTION=CIRC\n 1e-3\n*BOUNDARY\n 1, ENCASTRE\n"
+        "*STEP\n*STATIC\n 0.5, 1\n*CLOAD\n 3, 2, 0.1\n*RESTART, WRITE\n*END STEP\n"
+    )
+    assert litz("run", deck, "-o", tmp_path / "first").returncode == 0
+    place = f"{tmp_path / 'first' / 'deck.restart.h5'}:1:1"
+    assert litz("run", deck, "-o", tmp_path / "second", "--restart", place).returncode == 0
+    with h5py.File(tmp_path / "mesh.h5", "r+") as file:
+        file["nodes/position"][2, 0] = 0.11
+    assert "the nodes: positions changed" in differences(litz("run", deck, "-o", tmp_path / "third", "--restart", place))
+
+
+def test_what_a_user_may_change_is_accepted(go_on):
+    text = model() + STEP
+    later = LATER.replace("1, 1\n", "1, 2\n").replace("906, 2, 1e-3", "906, 2, 2e-3") + LATER.replace("LATER", "LAST")
+    for old, new in (
+        ("wires that do not touch", "another heading"),
+        ("*NSET, NSET=SPARE\n 902", "** a comment\n*NSET, NSET=SPARE\n 903"),
+        ("*AMPLITUDE, NAME=OTHER\n 0, 0, 1, 2\n", "*AMPLITUDE, NAME=OTHER\n 0, 1, 1, 3\n"),
+        # another order, and numbers written otherwise
+        (COPPER + BRASS, BRASS + COPPER),
+        ("120e9, 0.34", "1.2E+11, 0.340"),
+        (" HELD, 1, 6\n 901, 9\n", " 901, 9\n HELD, 1, 3\n HELD, 4, 6\n"),
+        ("*STEP, NAME=ONE, INC=50", "*STEP, NAME=FIRST, INC=60\na title"),
+        ("*STATIC\n 1.0, 1.0, 1e-3, 1.0", "*STATIC\n 0.5, 1.0, 1e-4, 0.5"),
+        ("*RESTART, WRITE", "*CONTROLS, PARAMETERS=FIELD\n 1e-9\n*SOLVER, NAME=SKYLINE\n*NODE PRINT, NSET=SPARE\n U"),
+    ):
+        assert old in text
+        done = go_on(text.replace(old, new) + LATER)
+        assert done.returncode == 0, f"{new}: {done.stderr}"
+        text = text.replace(old, new)
+    done = go_on(text + later)
+    assert done.returncode == 0, done.stderr
+
+
+def test_files_of_an_earlier_format_are_refused_in_words(litz, kept, tmp_path):
+    shutil.copy(kept / "deck.restart.h5", tmp_path / "old.h5")
+    with h5py.File(tmp_path / "old.h5", "r+") as file:
+        file.attrs["format_version"] = file.attrs["format_version"] - 1
+    done = litz("run", kept / "deck.inp", "-o", tmp_path / "out", "--restart", tmp_path / "old.h5")
+    assert done.returncode == 4
+    assert "another version of litz wrote it, in format 2 (this one reads format 3)" in done.stderr
+    assert not (tmp_path / "out").exists() or not list((tmp_path / "out").iterdir())
+
+
+@pytest.mark.parametrize("place", [0, 1, 2, -1])
+def test_a_record_with_one_changed_bit_is_refused(litz, kept, tmp_path, place):
+    """Length, checksum, and the text itself."""
+    shutil.copy(kept / "deck.restart.h5", tmp_path / "bad.h5")
+    with h5py.File(tmp_path / "bad.h5", "r+") as file:
+        file["model_record"][place] = file["model_record"][place] ^ 16
+    done = litz("run", kept / "deck.inp", "-o", tmp_path / "out", "--restart", tmp_path / "bad.h5")
+    assert done.returncode == 4
+    assert "model_record" in done.stderr

@@ -1,0 +1,85 @@
+"""What round-off excuses is measured where it arises: at each node, by the stiffness there and the size of what it acts on."""
+
+import re
+
+import numpy as np
+import pytest
+
+from conftest import INPUTS
+from decks import MATERIAL, straight, wire
+
+#: A machine part of 10 mm, as a beam: 8e11 times as stiff in bending as a thread
+STIFF = "*BEAM SECTION, ELSET=PART, MATERIAL=STEEL, SECTION=GENERAL\n 1e-2, 1e-3, 0, 1e-3, 2e-3\n"
+PARTS = {
+    "none": "",
+    "beside": wire("PART", straight((0.03, 0.03, 0), (0.04, 0.03, 0), 2), 901, element="B33") + STIFF,
+    # it holds an end of the lower thread
+    "attached": "*NODE\n 901, 0.03, 0, 0\n*ELEMENT, TYPE=B33, ELSET=PART\n 901, 901, 10\n" + STIFF,
+}
+
+
+def threads(part):
+    """A thread of 0.4 mm is pushed 0.1 mm into another; the ends of both are held."""
+    lower = wire("LOWER", straight((-0.02, 0, 0), (0.02, 0, 0), 9), 1, element="B33")
+    upper = wire("UPPER", straight((0, -0.02, 4e-4), (0, 0.02, 4e-4), 9), 101, element="B33")
+    return (
+        f"{lower}{upper}{MATERIAL}{PARTS[part]}"
+        "*NSET, NSET=UPPER_ENDS\n 101, 110\n"
+        "*BEAM SECTION, ELSET=LOWER, MATERIAL=STEEL, SECTION=CIRC\n 2e-4\n"
+        "*BEAM SECTION, ELSET=UPPER, MATERIAL=STEEL, SECTION=CIRC\n 2e-4\n"
+        "*SURFACE INTERACTION, NAME=TOUCH\n*CONTACT PAIR, INTERACTION=TOUCH\n LOWER, UPPER\n"
+        f"*BOUNDARY\n 1, ENCASTRE\n {10 if part != 'attached' else 901}, ENCASTRE\n"
+        + ("901, ENCASTRE\n" if part == "beside" else "")
+        + "*STEP, INC=200\n*STATIC\n 0.1, 1, 1e-4, 0.1\n*BOUNDARY\n"
+        " UPPER_ENDS, 1, 2\n UPPER_ENDS, 4, 6\n UPPER_ENDS, 3, 3, -1e-4\n*END STEP\n"
+    )
+
+
+@pytest.mark.parametrize("part", ["beside", "attached"])
+def test_a_stiff_part_does_not_excuse_a_soft_one(run, part):
+    process, alone = run(threads("none"), name="alone")
+    assert process.returncode == 0, process.stderr
+    process, results = run(threads(part))
+    assert process.returncode == 0, process.stderr
+    force = results.contacts["force"]
+    assert force[-1] > 0.03
+    # the part gives way by its length over EA, 5e-12 m/N: nothing beside the thread
+    assert force == pytest.approx(alone.contacts["force"], rel=1e-6)
+    accepted = np.append(np.diff(results.convergence["increment"]) > 0, True)
+    residual, allowed = (results.convergence[name][accepted] for name in ("force", "force_allowed"))
+    assert (residual <= allowed).all()
+    # what is reported is the worst for its node: one of the threads, not the stiff one
+    assert (allowed <= 1e-7 * force[-1]).all()
+
+
+def moved(text, by):
+    """The deck with all nodes moved."""
+    lines, in_nodes = [], False
+    for line in text.splitlines():
+        if line.startswith("*"):
+            in_nodes = in_nodes and line.startswith("**") or re.match(r"\*NODE *(,|$)", line, re.IGNORECASE) is not None
+        elif in_nodes:
+            number, *position = line.split(",")
+            line = ",".join([number, *(repr(float(x) + d) for x, d in zip(position[:3], by, strict=True))])
+        lines.append(line)
+    return "\n".join(lines) + "\n"
+
+
+@pytest.mark.parametrize("by", [(0, 0, 0), (3, -2, 1)])
+@pytest.mark.parametrize(
+    "name", ["01_crossed_wires", "02_oblique_crossing", "04_wire_grid", "08_elastica", "09_paper_law", "13_stick_slip"]
+)
+def test_what_round_off_leaves_is_allowed(run, name, by):
+    """With a tolerance that nothing can meet, round-off alone ends the iterations: never with a cut, and soon."""
+    text = (INPUTS / f"{name}.inp").read_text()
+    step, n = re.subn(
+        r"(?m)^\*STATIC", "*CONTROLS, PARAMETERS=FIELD\n 1e-30\n*STATIC", moved(text, by) if any(by) else text, count=1
+    )
+    assert n == 1
+    process, results = run(step)
+    assert process.returncode == 0, process.stderr
+    assert (results.status["attempts"] == 1).all()
+    usual, expected = run(text, name="usual")
+    assert usual.returncode == 0
+    # one or two more for the last digits
+    assert (results.status["iterations"] <= expected.status["iterations"] + 2).all()
