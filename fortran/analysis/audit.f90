@@ -16,6 +16,7 @@ module litz_audit
    public :: force_imbalance, moment_imbalance, current_imbalance, spot_imbalance, power_imbalance, not_finite, &
       crossed_contact, deepest_contact
    public :: allowed_imbalance, allowed_penetration
+   public :: penetration, is_unlimited, contact_words, overlap_words
 
    !> A sum that should vanish may be this part of the largest force, moment, current or power in it. The residuals that
    !> *CONTROLS allows by itself are far below: more is a mistake, or a tolerance that lets a wrong answer pass.
@@ -301,18 +302,24 @@ contains
       character(len=:), allocatable :: words
 
       words = ''
-      if (audit%penetration <= allowed_penetration) return
-      associate (contact => contacts(audit%deepest))
-         words = contact_words(model, contact)//' overlaps by '//to_text(100*audit%penetration)// &
-            ' % of the smaller radius (above '//to_text(100*allowed_penetration)//' %)'
-         if (model%interactions(model%contact_pairs(contact%pair)%interaction)%normal_law == normal_linear) then
-            words = words//': a penalty of '// &
-               to_text(contact%force/(allowed_penetration*smaller_radius(model, contact)))// &
-               ' '//model%units%label('N/m')//' at least would hold it; '
-         else
-            words = words//': the law of Hertz is for smaller ones; '
-         end if
-      end associate
+      if (audit%penetration > allowed_penetration) words = overlap_words(model, contacts(audit%deepest))//'; '
    end function penetration_warning
+
+   !> A contact that overlaps too much, and what would hold it.
+   pure function overlap_words(model, contact) result(words)
+      type(model_t), intent(in) :: model
+      type(contact_t), intent(in) :: contact
+      character(len=:), allocatable :: words
+
+      words = contact_words(model, contact)//' overlaps by '//to_text(100*penetration(model, contact))// &
+         ' % of the smaller radius (above '//to_text(100*allowed_penetration)//' %)'
+      if (model%interactions(model%contact_pairs(contact%pair)%interaction)%normal_law == normal_linear) then
+         words = words//': a penalty of '// &
+            to_text(contact%force/(allowed_penetration*smaller_radius(model, contact)))// &
+            ' '//model%units%label('N/m')//' at least would hold it'
+      else
+         words = words//': the law of Hertz is for smaller ones'
+      end if
+   end function overlap_words
 
 end module litz_audit

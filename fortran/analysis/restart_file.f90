@@ -14,6 +14,7 @@ module litz_restart_file
    use litz_hdf5_rows_reader, only: read_attribute_integer, read_attribute_text, read_real_rows, read_integer_rows
    use litz_model, only: model_t, step_t
    use litz_newton, only: problem_t
+   use litz_run_warnings, only: run_warnings_t
    use litz_restart_record, only: record_t, exchange_point, exchange_contact, name_length
    use litz_state, only: contact_t, energies_t
    use litz_step_control, only: step_control_t
@@ -23,7 +24,7 @@ module litz_restart_file
    private
    public :: restart_file_t, course_t, read_restart, wants_restart
 
-   integer, parameter :: format_version = 2
+   integer, parameter :: format_version = 3
    integer, parameter :: creating = 1, writing = 2, reading = 3
    integer, parameter :: most_datasets = 40
 
@@ -251,6 +252,7 @@ contains
          call exchange_points(self, contact%converged, error)
          call exchange_contacts(self, state%contacts, error)
       end associate
+      call exchange_warnings(self, problem%warnings, error)
    end subroutine exchange_all
 
    !> Sizes and sums that tell whether the deck still has the mesh that the increment belongs to.
@@ -318,6 +320,21 @@ contains
          contact%converged_clearance = contact%clearance
       end associate
    end subroutine exchange_course
+
+   !> The warnings so far, as numbers of the characters of their text.
+   subroutine exchange_warnings(self, warnings, error)
+      type(restart_file_t), intent(inout) :: self
+      type(run_warnings_t), intent(inout) :: warnings
+      type(error_t), allocatable, intent(inout) :: error
+      integer, allocatable :: numbers(:, :)
+      logical :: ok
+
+      numbers = warnings%to_numbers()
+      call self%array('warnings', numbers, 1, error)
+      if (allocated(error) .or. self%mode /= reading) return
+      call warnings%from_numbers(numbers, ok)
+      if (.not. ok) error = fail(exit_files, 'its dataset warnings is not what was written: the file is damaged')
+   end subroutine exchange_warnings
 
    subroutine exchange_points(self, points, error)
       type(restart_file_t), intent(inout) :: self
