@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from .run_warnings import WarningEntry
 
 
-class RunWarning(UserWarning):
+class RunWarning(RuntimeWarning):
     """What a run has warned of; `litz.Results.warnings` has it as data.
 
     `warnings.filterwarnings("ignore", category=litz.RunWarning)` keeps quiet about all of them, "error" makes each one an

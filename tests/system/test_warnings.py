@@ -102,7 +102,7 @@ class TestInPython:
             results = litz.run(tmp_path / "deck.inp", output_directory=tmp_path)
         assert [one.message.entry for one in caught] == results.warnings
         assert all(one.filename == __file__ for one in caught)
-        assert issubclass(litz.RunWarning, UserWarning)
+        assert issubclass(litz.RunWarning, RuntimeWarning)
 
     def test_they_can_be_silenced_by_their_category(self, tmp_path):
         (tmp_path / "deck.inp").write_text(shallow())
