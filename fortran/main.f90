@@ -16,6 +16,7 @@ program litz
    use litz_model, only: model_t
    use litz_model_summary, only: model_summary
    use litz_output_files, only: make_directory
+   use litz_run_warnings, only: run_warnings_t
    use litz_size_check, only: check_size
    use litz_solver_factory, only: available_solvers, solver_libraries
    use litz_timing, only: phase_reading
@@ -80,7 +81,7 @@ contains
       type(error_t), allocatable :: error
 
       call options%timing%start()
-      call read_model(command%argument, model)
+      call read_model(command%argument, model, options%deck_warnings)
       call options%timing%lap(phase_reading)
       call check_size(model, error)
       if (allocated(error)) call end_with(error)
@@ -103,20 +104,27 @@ contains
       type(command_t), intent(in) :: command
       type(model_t) :: model
       type(error_t), allocatable :: error
+      type(error_list_t) :: deck_warnings
+      type(run_warnings_t) :: warnings
       character(len=:), allocatable :: report
+      integer :: i
 
-      call read_model(command%argument, model)
+      call read_model(command%argument, model, deck_warnings)
       call print_text(model_summary(model))
-      call check_model(model, report, error)
+      call check_model(model, report, warnings, error)
       if (allocated(report)) call print_text(report)
+      do i = 1, warnings%n
+         call print_error_text('warning: '//warnings%items(i)%message//new_line('a'))
+      end do
       if (allocated(error)) call end_with(error)
    end subroutine check
 
    !> The model of a deck. Warnings are printed; errors end the program.
-   subroutine read_model(path, model)
+   subroutine read_model(path, model, warnings)
       character(len=*), intent(in) :: path
       type(model_t), intent(out) :: model
-      type(error_list_t) :: errors, warnings
+      type(error_list_t), intent(out) :: warnings
+      type(error_list_t) :: errors
 
       if (.not. reserve_blas_memory()) call end_with(fail(exit_memory, 'not enough memory: the linear algebra needs'// &
          ' another 140 MB of addresses (see ulimit -v)'))

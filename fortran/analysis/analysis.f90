@@ -1,7 +1,7 @@
 !> A run from the resolved model to the closed result files: steps, increments, cut-backs.
 module litz_analysis
    use, intrinsic :: iso_fortran_env, only: output_unit
-   use litz_audit, only: audit_t, audit_increment, audit_error, penetration_warning
+   use litz_audit, only: audit_t, audit_increment, audit_error
    use litz_available_memory, only: memory_text
    use litz_kinds, only: dp, pi
    use litz_capture, only: start_state, capture_state
@@ -12,20 +12,23 @@ module litz_analysis
    use litz_diagnosis, only: not_converged
    use litz_element_library, only: prepare_elements
    use litz_equations, only: number_equations
-   use litz_errors, only: error_t, fail, exit_input, exit_not_converged, exit_files
+   use litz_errors, only: error_t, error_list_t, fail, exit_input, exit_not_converged, exit_files
+   use litz_increment_warnings, only: add_deck_warnings, add_start_warnings, add_increment_warnings
    use litz_loading, only: loading_t, start_loading, load_targets, next_break_point
    use litz_model, only: model_t, step_t, solver_block, coupling_default, coupling_monolithic, coupling_updated, &
       request_contact
    use litz_newton, only: problem_t, outcome_t, solve_increment, measure_scales, nodal_residual, cause_not_finite, &
       cause_lost_contact
-   use litz_parallel_wires, only: shallow_angle, parallel_warning
+   use litz_parallel_wires, only: shallow_angle
    use litz_step_control, only: step_control_t
    use litz_restart_file, only: restart_file_t, course_t, read_restart, wants_restart
+   use litz_run_warnings, only: run_warnings_t
    use litz_results, only: results_t, iteration_report_t, increment_report_t
    use litz_output_files, only: check_writable, same_file
    use litz_stabilization, only: damping_stiffness
    use litz_solver_factory, only: create_solver, resolved_solver
    use litz_timing, only: timing_t, peak_memory, phase_preparation, phase_search, phase_update, phase_output
+   use litz_warning_messages, only: issue_warnings, print_warning_count
    use litz_wires, only: build_wires, measure_wires
 !$ use omp_lib, only: omp_set_num_threads
    implicit none
@@ -50,6 +53,8 @@ module litz_analysis
       logical :: quiet = .false.
       !> Print where time and memory went
       logical :: print_timing = .false.
+      !> What reading the deck has warned of
+      type(error_list_t) :: deck_warnings
       !> Running since the program began
       type(timing_t) :: timing
    end type run_options_t
@@ -81,8 +86,12 @@ contains
       problem%contact%converged_clearance = overlap
       call problem%timing%lap(phase_search)
       continued = len(options%restart_path) > 0
-      if (continued) call continue_from(options, problem, course, error)
-      if (allocated(error)) return
+      if (continued) then
+         call continue_from(options, problem, course, error)
+         if (allocated(error)) return
+      end if
+      call add_deck_warnings(options%deck_warnings, problem%warnings)
+      if (.not. continued) call add_start_warnings(problem)
       if (problem%state%step > 1) overlap = 0
       call open_restart_file(restart, problem, options, error)
       call results%open(model, options%output_directory, deck_stem(options%deck_path), problem%state, error)
@@ -90,8 +99,9 @@ contains
          call restart%close(close_error)
          return
       end if
-      if (.not. options%quiet) call print_header(model, parallel_warning(model, problem%elements, problem%contact))
-      call results%write_increment(model, problem%state, .true., error)
+      if (.not. options%quiet) call print_header(model)
+      call issue_warnings(problem, results, error)
+      if (.not. allocated(error)) call results%write_increment(model, problem%state, .true., error)
       call problem%timing%lap(phase_output)
       call problem%progress%start(.not. options%quiet, sum(model%steps%total), problem%state%time)
       do i = max(1, problem%state%step), size(model%steps)
@@ -101,6 +111,7 @@ contains
          continued = .false.
       end do
       call problem%progress%clear
+      call results%list_warnings(problem%warnings, error)
       call results%close(.not. allocated(error), error)
       call restart%close(error)
       if (allocated(error) .and. results%leaves_older()) error%message = error%message//' The results of an earlier'// &
@@ -108,6 +119,8 @@ contains
       call problem%timing%lap(phase_output)
       if (options%print_timing) write (output_unit, '(a)', advance='no') problem%timing%table(problem%n_iterations)
       if (.not. (allocated(error) .or. options%quiet)) call print_end(problem, options)
+      call print_warning_count(problem%warnings, result_base(options)// &
+         trim(merge('_unconverged.sta', '.sta            ', results%leaves_older())))
    end subroutine run_analysis
 
    !> Take over a converged increment of an earlier run.
@@ -145,13 +158,13 @@ contains
    end function restart_path
 
    !> What can be told without solving: wires, and the crossings at the start.
-   subroutine check_model(model, report, error)
+   subroutine check_model(model, report, warnings, error)
       type(model_t), intent(in) :: model
       character(len=:), allocatable, intent(out) :: report
+      type(run_warnings_t), intent(out) :: warnings
       type(error_t), allocatable, intent(out) :: error
       type(problem_t) :: problem
       real(dp), allocatable :: overlap(:)
-      character(len=:), allocatable :: warning
       character(len=200) :: line
       integer :: i
 
@@ -165,8 +178,8 @@ contains
       write (line, '(a, i0, a, i0, a)') 'contact search: ', size(problem%contact%candidates, 2), &
          ' pairs of elements are near, ', size(problem%contact%points), ' crossings within reach'
       report = report//trim(line)//new_line('a')
-      warning = parallel_warning(model, problem%elements, problem%contact)
-      if (len(warning) > 0) report = report//warning//new_line('a')
+      call add_start_warnings(problem)
+      warnings = problem%warnings
       do i = 1, min(20, size(problem%contact%points))
          associate (point => problem%contact%points(i))
             write (line, '(a, i0, a, i0, a, f6.2, a, es11.3, a)') '  elements ', model%element_id(point%element_bar), &
@@ -404,6 +417,9 @@ contains
       audit = audit_increment(problem%model, problem%state, nodal_residual(problem), measure_scales(problem))
       problem%state%audit = [audit%force, audit%moment, audit%current, audit%power, audit%penetration]
       call problem%timing%lap(phase_update)
+      call add_increment_warnings(problem, outcome, audit)
+      call issue_warnings(problem, results, error)
+      if (allocated(error)) return
       call report_increment(problem, outcome, audit, attempt, increment, step_time, start_time, options, results, error)
       if (.not. allocated(error) .and. len(audit%finding) > 0) error = audit_error(problem%state, audit)
       if (allocated(error)) return
@@ -435,7 +451,7 @@ contains
       problem%state%audit = 0
       call results%begin_unconverged(problem%model, problem%state, write_error)
       call capture_state(problem)
-      call results%write_unconverged(problem%model, problem%state, write_error)
+      call results%write_unconverged(problem%model, problem%state, problem%warnings, write_error)
       if (allocated(write_error)) return
       error%message = error%message//' The iterate that was given up, and its contacts, are in '// &
          result_base(options)//'_unconverged*.'
@@ -470,7 +486,6 @@ contains
       remark = remark_of(problem, outcome)
       if (outcome%converged) then
          report%audit = problem%state%audit
-         remark = remark//penetration_warning(problem%model, problem%state%contacts, audit)
          if (len(audit%finding) > 0) remark = 'audit failed: '//audit%finding
       end if
       report%remark = without_last_semicolon(remark)
@@ -485,13 +500,10 @@ contains
       call print_contacts(problem, outcome)
    end subroutine report_increment
 
-   subroutine print_header(model, warning)
+   subroutine print_header(model)
       type(model_t), intent(in) :: model
-      !> A line, or empty
-      character(len=*), intent(in) :: warning
 
       if (allocated(model%heading)) write (output_unit, '(a)') trim(model%heading)
-      if (len(warning) > 0) write (output_unit, '(a)') warning
       write (output_unit, '(a)') model%units%in_header( &
          ' step   inc  att iters     time [s]  increment [s]  contacts  sum of F [N]')
    end subroutine print_header
@@ -550,7 +562,7 @@ contains
       end if
       n = count(problem%contact%points%closed .and. sin(problem%contact%points%kinematics%angle) < sin(shallow_angle))
       if (n > 0) then
-         write (text, '(i0, a)') n, ' contacts cross at less than 10 degrees, where point contact is not valid;'
+         write (text, '(i0, a)') n, ' contacts cross at less than 10 degrees;'
          remark = remark//trim(text)//' '
       end if
    end function remark_of

@@ -5,6 +5,7 @@
 module litz_audit
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use litz_kinds, only: dp
+   use litz_contact_net, only: allowed_penetration
    use litz_errors, only: error_t, fail, exit_not_converged
    use litz_model, only: model_t, normal_linear
    use litz_rotations, only: cross
@@ -12,16 +13,15 @@ module litz_audit
    use litz_text, only: to_text
    implicit none
    private
-   public :: audit_t, scales_t, audit_increment, audit_error, penetration_warning
+   public :: audit_t, scales_t, audit_increment, audit_error
    public :: force_imbalance, moment_imbalance, current_imbalance, spot_imbalance, power_imbalance, not_finite, &
       crossed_contact, deepest_contact
-   public :: allowed_imbalance, allowed_penetration
+   public :: allowed_imbalance
+   public :: penetration, contact_words
 
    !> A sum that should vanish may be this part of the largest force, moment, current or power in it. The residuals that
    !> *CONTROLS allows by itself are far below: more is a mistake, or a tolerance that lets a wrong answer pass.
    real(dp), parameter :: allowed_imbalance = 1.0e-4_dp
-   !> Overlap that needs no warning, over the smaller radius
-   real(dp), parameter :: allowed_penetration = 0.05_dp
 
    !> What the sums are measured by.
    type :: scales_t
@@ -83,6 +83,9 @@ contains
       end if
       audit%deepest = deepest_contact(model, state%contacts)
       if (audit%deepest > 0) audit%penetration = penetration(model, state%contacts(audit%deepest))
+      if (audit%penetration > allowed_penetration .and. len(audit%finding) == 0) then
+         audit%finding = overlap_words(model, state%contacts(audit%deepest))
+      end if
 
    contains
 
@@ -303,26 +306,21 @@ contains
          ' and '//to_text(model%element_id(contact%element))//')'
    end function contact_words
 
-   !> What to do about an overlap that is deeper than it should be; empty: there is none.
-   pure function penetration_warning(model, contacts, audit) result(words)
+   !> A contact that overlaps too much, and what would hold it.
+   pure function overlap_words(model, contact) result(words)
       type(model_t), intent(in) :: model
-      type(contact_t), intent(in) :: contacts(:)
-      type(audit_t), intent(in) :: audit
+      type(contact_t), intent(in) :: contact
       character(len=:), allocatable :: words
 
-      words = ''
-      if (audit%penetration <= allowed_penetration) return
-      associate (contact => contacts(audit%deepest))
-         words = contact_words(model, contact)//' overlaps by '//to_text(100*audit%penetration)// &
-            ' % of the smaller radius (above '//to_text(100*allowed_penetration)//' %)'
-         if (model%interactions(model%contact_pairs(contact%pair)%interaction)%normal_law == normal_linear) then
-            words = words//': a penalty of '// &
-               to_text(contact%force/(allowed_penetration*smaller_radius(model, contact)))// &
-               ' '//model%units%label('N/m')//' at least would hold it; '
-         else
-            words = words//': the law of Hertz is for smaller ones; '
-         end if
-      end associate
-   end function penetration_warning
+      words = contact_words(model, contact)//' overlaps by '//to_text(100*penetration(model, contact))// &
+         ' % of the smaller radius (above '//to_text(100*allowed_penetration)//' %)'
+      if (model%interactions(model%contact_pairs(contact%pair)%interaction)%normal_law == normal_linear) then
+         words = words//': a penalty of '// &
+            to_text(contact%force/(allowed_penetration*smaller_radius(model, contact)))// &
+            ' '//model%units%label('N/m')//' at least would hold it'
+      else
+         words = words//': the law of Hertz is for smaller ones'
+      end if
+   end function overlap_words
 
 end module litz_audit

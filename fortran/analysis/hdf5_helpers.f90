@@ -42,6 +42,9 @@ module litz_hdf5_helpers
       procedure, private :: append_integer => rows_append_integer
       procedure, private :: append_scalar => rows_append_scalar
       generic :: append => append_real, append_integer, append_scalar
+      procedure, private :: overwrite_real => rows_overwrite_real
+      procedure, private :: overwrite_integer => rows_overwrite_integer
+      generic :: overwrite => overwrite_real, overwrite_integer
    end type hdf5_rows_t
 
    !> Writes an attribute, a new one or over the old value.
@@ -325,23 +328,68 @@ contains
       call self%append(reshape([value], [1, 1]), error)
    end subroutine rows_append_scalar
 
+   !> The first rows anew.
+   subroutine rows_overwrite_real(self, values, error)
+      class(hdf5_rows_t), intent(in) :: self
+      !> (components, rows), no more rows than there are
+      real(dp), intent(in) :: values(:, :)
+      type(error_t), allocatable, intent(inout) :: error
+      real(dp), allocatable, target :: buffer(:, :)
+
+      if (allocated(error) .or. size(values, 2) == 0) return
+      allocate (buffer, source=values)
+      call write_buffer(self, H5T_NATIVE_DOUBLE, c_loc(buffer), 0_int64, size(values, 2), error)
+   end subroutine rows_overwrite_real
+
+   subroutine rows_overwrite_integer(self, values, error)
+      class(hdf5_rows_t), intent(in) :: self
+      !> (components, rows), no more rows than there are
+      integer(int64), intent(in) :: values(:, :)
+      type(error_t), allocatable, intent(inout) :: error
+      integer(int64), allocatable, target :: buffer(:, :)
+
+      if (allocated(error) .or. size(values, 2) == 0) return
+      allocate (buffer, source=values)
+      call write_buffer(self, h5kind_to_type(int64, H5_INTEGER_KIND), c_loc(buffer), 0_int64, size(values, 2), error)
+   end subroutine rows_overwrite_integer
+
    subroutine append_buffer(self, memory_type, buffer, n_new, error)
       class(hdf5_rows_t), intent(inout) :: self
       integer(hid_t), intent(in) :: memory_type
       type(c_ptr), intent(in) :: buffer
       integer, intent(in) :: n_new
       type(error_t), allocatable, intent(inout) :: error
-      integer(hsize_t) :: total(2), start(2), count(2)
+      integer(hsize_t) :: total(2)
+      integer :: status
+
+      total = [int(self%components, hsize_t), int(self%n_rows + n_new, hsize_t)]
+      call h5dset_extent_f(self%dataset, total(merge(2, 1, self%components == 1):), status)
+      if (status /= 0) then
+         error = cannot_write(file_name(self%dataset), 'it fails at the dataset "'//self%name//'"')
+         return
+      end if
+      call write_buffer(self, memory_type, buffer, self%n_rows, n_new, error)
+      self%n_rows = self%n_rows + n_new
+   end subroutine append_buffer
+
+   !> Writes rows that have their place already.
+   subroutine write_buffer(self, memory_type, buffer, n_before, n_rows, error)
+      class(hdf5_rows_t), intent(in) :: self
+      integer(hid_t), intent(in) :: memory_type
+      type(c_ptr), intent(in) :: buffer
+      !> Rows to be passed over, and rows to write
+      integer(int64), intent(in) :: n_before
+      integer, intent(in) :: n_rows
+      type(error_t), allocatable, intent(inout) :: error
+      integer(hsize_t) :: start(2), count(2)
       integer(hid_t) :: file_space, memory_space
       integer :: rank, first, status, ignored
 
       rank = merge(1, 2, self%components == 1)
       first = 3 - rank
-      total = [int(self%components, hsize_t), int(self%n_rows + n_new, hsize_t)]
-      start = [0_hsize_t, int(self%n_rows, hsize_t)]
-      count = [self%components, n_new]
-      call h5dset_extent_f(self%dataset, total(first:), status)
-      if (status == 0) call h5dget_space_f(self%dataset, file_space, status)
+      start = [0_hsize_t, int(n_before, hsize_t)]
+      count = [self%components, n_rows]
+      call h5dget_space_f(self%dataset, file_space, status)
       if (status /= 0) then
          error = cannot_write(file_name(self%dataset), 'it fails at the dataset "'//self%name//'"')
          return
@@ -352,8 +400,7 @@ contains
       if (status /= 0) error = cannot_write(file_name(self%dataset), 'it fails at the dataset "'//self%name//'"')
       call h5sclose_f(memory_space, ignored)
       call h5sclose_f(file_space, ignored)
-      self%n_rows = self%n_rows + n_new
-   end subroutine append_buffer
+   end subroutine write_buffer
 
    subroutine write_attribute(object, name, file_type, memory_type, extent, buffer, error)
       integer(hid_t), intent(in) :: object

@@ -27,6 +27,7 @@ module litz_newton
    use litz_potentials, only: solve_potentials
    use litz_results, only: results_t, iteration_report_t
    use litz_rotations, only: rotation_exp
+   use litz_run_warnings, only: run_warnings_t
    use litz_stabilization, only: assemble_stabilization
    use litz_state, only: state_t
    use litz_timing, only: timing_t, phase_search, phase_contact, phase_assembly, phase_analyse, phase_factor, &
@@ -66,6 +67,7 @@ module litz_newton
       integer :: n_increments = 0, n_iterations = 0
       type(timing_t) :: timing
       type(live_progress_t) :: progress
+      type(run_warnings_t) :: warnings
    end type problem_t
 
    type :: outcome_t

@@ -18,7 +18,7 @@ module litz_parallel_wires
 
 contains
 
-   !> A warning of how many candidates lie side by side in the reference configuration; empty when there are none.
+   !> How many candidates lie side by side in the reference configuration, in words; empty when there are none.
    function parallel_warning(model, elements, contact) result(text)
       type(model_t), intent(in) :: model
       type(elements_t), intent(in) :: elements
@@ -32,7 +32,7 @@ contains
          if (lie_side_by_side(model, elements, contact%candidates(1, i), contact%candidates(2, i))) n = n + 1
       end do
       text = ''
-      if (n > 0) text = 'warning: '//to_text(n)//' pairs of elements lie close side by side, at less than 10'// &
+      if (n > 0) text = to_text(n)//' pairs of elements lie close side by side, at less than 10'// &
          ' degrees; contact along lines is not modelled, and the run ends where such wires touch'
    end function parallel_warning
 

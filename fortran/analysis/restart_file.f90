@@ -15,6 +15,7 @@ module litz_restart_file
    use litz_model, only: step_t
    use litz_newton, only: problem_t
    use litz_restart_model, only: write_model_record, check_model_record
+   use litz_run_warnings, only: run_warnings_t
    use litz_restart_record, only: record_t, exchange_point, exchange_contact, name_length
    use litz_state, only: contact_t, energies_t
    use litz_step_control, only: step_control_t
@@ -254,6 +255,7 @@ contains
          call exchange_points(self, contact%converged, error)
          call exchange_contacts(self, state%contacts, error)
       end associate
+      call exchange_warnings(self, problem%warnings, error)
    end subroutine exchange_all
 
    subroutine exchange_course(self, problem, course, error)
@@ -293,6 +295,21 @@ contains
          contact%converged_clearance = contact%clearance
       end associate
    end subroutine exchange_course
+
+   !> The warnings so far, as numbers of the characters of their text.
+   subroutine exchange_warnings(self, warnings, error)
+      type(restart_file_t), intent(inout) :: self
+      type(run_warnings_t), intent(inout) :: warnings
+      type(error_t), allocatable, intent(inout) :: error
+      integer, allocatable :: numbers(:, :)
+      logical :: ok
+
+      numbers = warnings%to_numbers()
+      call self%array('warnings', numbers, 1, error)
+      if (allocated(error) .or. self%mode /= reading) return
+      call warnings%from_numbers(numbers, ok)
+      if (.not. ok) error = fail(exit_files, 'its dataset warnings is not what was written: the file is damaged')
+   end subroutine exchange_warnings
 
    subroutine exchange_points(self, points, error)
       type(restart_file_t), intent(inout) :: self

@@ -10,10 +10,11 @@
 !> together. A run that ends before leaves them alone, and its own tables as STEM_unconverged.sta and .cvg.
 module litz_results
    use litz_kinds, only: dp
-   use litz_errors, only: error_t
+   use litz_errors, only: error_t, exit_files
    use litz_model, only: model_t
    use litz_state, only: state_t
    use litz_output_files, only: text_file_t, make_directory, check_writable, remove_file
+   use litz_run_warnings, only: run_warnings_t
    use litz_wire_results, only: wire_results_t
    use litz_contact_ledger, only: contact_ledger_t
    use litz_history, only: history_t
@@ -44,10 +45,14 @@ module litz_results
       !> There are results of an earlier run, and these are not yet in their place
       logical, private :: over_older = .false.
       logical, private :: is_published = .false., iterate_written = .false.
+      !> Warnings that the .sta file has
+      integer, private :: n_warnings = 0
    contains
       procedure :: open => results_open
       procedure :: write_iteration => results_write_iteration
       procedure :: write_status => results_write_status
+      procedure :: write_warnings => results_write_warnings
+      procedure :: list_warnings => results_list_warnings
       procedure :: write_increment => results_write_increment
       procedure :: begin_unconverged => results_begin_unconverged
       procedure :: write_unconverged => results_write_unconverged
@@ -124,6 +129,42 @@ contains
       call self%status_file%flush(error)
    end subroutine results_write_status
 
+   !> Brings the list of warnings up to date: a comment in the .sta file for each new one, and all in the result file.
+   subroutine results_write_warnings(self, warnings, error)
+      class(results_t), intent(inout) :: self
+      type(run_warnings_t), intent(in) :: warnings
+      type(error_t), allocatable, intent(inout) :: error
+      integer :: i
+
+      do i = self%n_warnings + 1, warnings%n
+         call self%status_file%write_line('# warning: '//warnings%items(i)%message, error)
+      end do
+      if (warnings%n > self%n_warnings) call self%status_file%flush(error)
+      self%n_warnings = warnings%n
+      call self%wires%write_warnings(warnings, error)
+   end subroutine results_write_warnings
+
+   !> The whole list at the end of the run, with how often each warning has come, also after an error. Files that could
+   !> not be written are left as they are.
+   subroutine results_list_warnings(self, warnings, run_error)
+      class(results_t), intent(inout) :: self
+      type(run_warnings_t), intent(in) :: warnings
+      !> What has ended the run
+      type(error_t), allocatable, intent(in) :: run_error
+      type(error_t), allocatable :: error
+      integer :: i
+
+      if (warnings%n == 0) return
+      if (allocated(run_error)) then
+         if (run_error%code == exit_files) return
+      end if
+      call self%status_file%write_line('# '//warnings%counts(), error)
+      do i = 1, warnings%n
+         call self%status_file%write_line('# '//trim(warnings%items(i)%kind)//': '//warnings%items(i)%text(), error)
+      end do
+      call self%wires%write_warnings(warnings, error)
+   end subroutine results_list_warnings
+
    !> History and contact ledger of a converged increment; the fields, and the contacts as points, as often as the step
    !> wants them.
    subroutine results_write_increment(self, model, state, at_start, error)
@@ -188,12 +229,15 @@ contains
    end subroutine results_begin_unconverged
 
    !> Writes the iterate, and closes its files.
-   subroutine results_write_unconverged(self, model, state, error)
+   subroutine results_write_unconverged(self, model, state, warnings, error)
       class(results_t), intent(inout) :: self
       type(model_t), intent(in) :: model
       type(state_t), intent(in) :: state
+      !> Of the increments before
+      type(run_warnings_t), intent(in) :: warnings
       type(error_t), allocatable, intent(inout) :: error
 
+      call self%unconverged_wires%write_warnings(warnings, error)
       call self%unconverged_ledger%write_table(model, state, error)
       if (.not. allocated(error)) call self%unconverged_ledger%write_points(model, state, error)
       if (.not. allocated(error)) call self%unconverged_wires%write(model, state, error)

@@ -10,6 +10,8 @@ module litz_wire_results
    use litz_version, only: version
    use litz_hdf5_helpers, only: hid_t, hdf5_rows_t, hdf5_real, hdf5_integer, hdf5_create_group, hdf5_flush, &
       hdf5_write_attribute, hdf5_write_text
+   use litz_run_warnings, only: run_warnings_t
+   use litz_warning_rows, only: warning_rows_t
    use litz_vtkhdf_writer, only: vtkhdf_file_t, on_points, on_cells, vtk_line
    implicit none
    private
@@ -38,9 +40,11 @@ module litz_wire_results
       integer(hid_t), private :: litz_group = -1
       !> A row per written increment, in the order of `table_names`
       type(hdf5_rows_t), private :: tables(size(table_names))
+      type(warning_rows_t), private :: warnings
    contains
       procedure :: open => wire_results_open
       procedure :: write => wire_results_write
+      procedure :: write_warnings => wire_results_write_warnings
       procedure :: publish => wire_results_publish
       procedure :: close => wire_results_close
    end type wire_results_t
@@ -165,6 +169,7 @@ contains
          call hdf5_write_attribute(group, 'finished', 0, error)
          call hdf5_write_text(group, 'deck', text_or_nothing(model%deck_text), error)
          call hdf5_create_group(group, 'increments', increments, error)
+         call self%warnings%create(self%file%file, group, error)
       end associate
       do i = 1, size(table_names)
          call self%tables(i)%create(increments, trim(table_names(i)), 1, &
@@ -227,6 +232,15 @@ contains
       call write_tables(self, state, error)
       call self%file%end_step(state%time, error)
    end subroutine wire_results_write
+
+   !> Brings the list of warnings up to date.
+   subroutine wire_results_write_warnings(self, warnings, error)
+      class(wire_results_t), intent(inout) :: self
+      type(run_warnings_t), intent(in) :: warnings
+      type(error_t), allocatable, intent(inout) :: error
+
+      call self%warnings%write(warnings, error)
+   end subroutine wire_results_write_warnings
 
    subroutine write_point_fields(file, state, error)
       type(vtkhdf_file_t), intent(inout) :: file

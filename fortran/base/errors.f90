@@ -38,6 +38,9 @@ module litz_errors
       character(len=:), allocatable :: origin
       !> Worth a look, but no reason to stop
       logical :: is_warning = .false.
+      !> Code word of a warning, and the user's number of the element that it is about (0: none)
+      character(len=32) :: kind = ''
+      integer :: element = 0
       !> Place in the order of reading, by which a list of errors is sorted
       integer :: order = 0
    contains

@@ -164,7 +164,9 @@ contains
       call check_connections(model, findings)
       do i = 1, size(findings)
          error = self%deck%error_at(self%deck%line_token(self%element_line(findings(i)%element)), findings(i)%message)
-         error%is_warning = findings(i)%is_warning
+         error%kind = findings(i)%kind
+         error%element = model%element_id(findings(i)%element)
+         error%is_warning = len_trim(error%kind) > 0
          if (error%is_warning) then
             call warnings%add(error)
          else
@@ -196,6 +198,7 @@ contains
       write (number, '(i0)') count(spare) - 1
       if (count(spare) > 1) error%message = error%message//', nor do '//trim(number)//' others'
       error%is_warning = .true.
+      error%kind = 'spare_nodes'
       call warnings%add(error)
    end subroutine warn_about_spare_nodes
 

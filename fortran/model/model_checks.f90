@@ -15,7 +15,8 @@ module litz_model_checks
       character(len=:), allocatable :: message
       !> The element it is about
       integer :: element = 0
-      logical :: is_warning = .false.
+      !> Code word of a warning; empty: it is an error
+      character(len=32) :: kind = ''
    end type finding_t
 
 contains
@@ -38,12 +39,12 @@ contains
       findings = findings(:n)
    end subroutine check_connections
 
-   pure subroutine add(findings, n, message, element, is_warning)
+   pure subroutine add(findings, n, message, element, kind)
       type(finding_t), allocatable, intent(inout) :: findings(:)
       integer, intent(inout) :: n
       character(len=*), intent(in) :: message
       integer, intent(in) :: element
-      logical, intent(in) :: is_warning
+      character(len=*), intent(in) :: kind
       type(finding_t), allocatable :: grown(:)
       integer :: i
 
@@ -52,14 +53,14 @@ contains
          do i = 1, n
             call move_alloc(findings(i)%message, grown(i)%message)
             grown(i)%element = findings(i)%element
-            grown(i)%is_warning = findings(i)%is_warning
+            grown(i)%kind = findings(i)%kind
          end do
          call move_alloc(grown, findings)
       end if
       n = n + 1
       findings(n)%message = message
       findings(n)%element = element
-      findings(n)%is_warning = is_warning
+      findings(n)%kind = kind
    end subroutine add
 
    !> ` in step 2`, or nothing for the first
@@ -109,7 +110,7 @@ contains
       if (first > 0) call add(findings, n, 'the length, the stiffnesses or the conductance of element '// &
          to_text(model%element_id(first))// &
          ' are too large or too small for this program; check the units of its nodes, section and material'// &
-         others_words(n_wrong - 1), first, .false.)
+         others_words(n_wrong - 1), first, '')
    end subroutine check_stiffnesses
 
    !> Every connected part needs supports against its six rigid motions. Where contacts may hold it, this is a warning.
@@ -143,11 +144,11 @@ contains
                first_alike = part
                first_words = beam_words()//'; only contacts can hold it, or *CONTROLS, PARAMETERS=STABILIZE damp it'
             else
-               call add(findings, n, beam_words()//'; *BOUNDARY must prevent that', parts%first_element(part), .false.)
+               call add(findings, n, beam_words()//'; *BOUNDARY must prevent that', parts%first_element(part), '')
             end if
          end do
          if (n_alike > 0) call add(findings, n, first_words//others_words(n_alike - 1), &
-            parts%first_element(first_alike), .true.)
+            parts%first_element(first_alike), 'held_by_contact')
       end do
 
    contains
@@ -271,12 +272,12 @@ contains
             else
                call add(findings, n, 'the conductor '//part_words(model, parts, part)// &
                   ' has no path to a prescribed potential'//step_words(step)// &
-                  ': prescribe degree of freedom 9 at one of its nodes', parts%first_element(part), .false.)
+                  ': prescribe degree of freedom 9 at one of its nodes', parts%first_element(part), '')
             end if
          end do
          if (n_alike > 0) call add(findings, n, 'the conductor '//part_words(model, parts, first_alike)// &
             ' has no prescribed potential'//step_words(step)//'; only contacts can connect it to one'// &
-            others_words(n_alike - 1), parts%first_element(first_alike), .true.)
+            others_words(n_alike - 1), parts%first_element(first_alike), 'potential_by_contact')
          deallocate (held, group_held)
       end do
    end subroutine check_conductors

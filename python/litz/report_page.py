@@ -74,6 +74,7 @@ def report(results: Results | str | Path, filename: str | Path | None = None) ->
         tables.verdict(results),
         _later_run(results),
         *_failure(results),
+        *tables.run_warnings(results),
         '<div class="columns"><div><h2>Model</h2>',
         tables.model(results),
         "</div><div><h2>Balance</h2>",

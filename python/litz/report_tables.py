@@ -161,6 +161,27 @@ def convergence(results: Results) -> str:
     return text
 
 
+def run_warnings(results: Results) -> list[str]:
+    """What the run has warned of; empty where there is nothing."""
+    found = results.warnings
+    if not found:
+        return []
+    rows = [
+        (
+            one.kind,
+            one.message,
+            ", ".join(map(str, one.elements)) or "-",
+            one.first,
+            one.last,
+            one.count,
+            f"{one.worst:.4g} {one.unit}" if one.worst is not None else "-",
+        )
+        for one in found
+    ]
+    heads = (f"warning{'s' * (len(found) > 1)}", "", "elements", "first", "last step:increment", "increments", "worst")
+    return ["<h2>Warnings</h2>", table(heads, rows, text=[1])]
+
+
 def failure(results: Results) -> list[str]:
     """The last try of a run that did not converge; empty for one that was not cut at its end."""
     status = results.status

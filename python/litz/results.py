@@ -11,6 +11,7 @@ import h5py
 import numpy as np
 
 from .run import FileError
+from .run_warnings import WarningEntry, read_warnings
 from .tables import Table, read_aligned, read_csv, unknown_name
 
 if TYPE_CHECKING:
@@ -133,6 +134,11 @@ class Results:
         overlap over the smaller radius.
         """
         return {name: self._increment_table(name) for name in _AUDIT}
+
+    @property
+    def warnings(self) -> list[WarningEntry]:
+        """What the run has warned of, in the order in which it came up; of one that goes on, so far."""
+        return read_warnings(self.path)
 
     def _increment_table(self, name: str) -> np.ndarray:
         with self._open() as file:

@@ -1,22 +1,42 @@
 """Runs the Fortran program from Python; its exit codes become exceptions that carry its own message."""
 
+import contextlib
+import inspect
 import os
+import re
 import subprocess
 import sys
 import tempfile
+import warnings
 from importlib.resources import files
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from .progress import Progress
     from .results import Results
+    from .run_warnings import WarningEntry
+
+
+class RunWarning(RuntimeWarning):
+    """What a run has warned of; `litz.Results.warnings` has it as data.
+
+    `warnings.filterwarnings("ignore", category=litz.RunWarning)` keeps quiet about all of them, "error" makes each one an
+    exception. `entry` is the `WarningEntry`, or None where there is no result file to have it.
+    """
+
+    def __init__(self, message: str, entry: "WarningEntry | None" = None):
+        super().__init__(message)
+        self.entry = entry
 
 
 class LitzError(Exception):
     """The program ended with an error; `str(error)` is the program's own message.
 
-    `exit_code` is the program's exit code, `results_path` the result file as far as it was written (or None).
+    `exit_code` is the program's exit code, `results_path` the result file as far as it was written (or None), and
+    `warnings` what the run has warned of before, a list like `Results.warnings`.
     """
 
     exit_code = 5
@@ -24,6 +44,7 @@ class LitzError(Exception):
     def __init__(self, message: str, results_path: Path | None = None):
         super().__init__(message)
         self.results_path = results_path
+        self.warnings: list[WarningEntry] = []
 
 
 class InputError(LitzError):
@@ -133,7 +154,34 @@ def run(
     ------
     InputError, NotConvergedError, SolverError, FileError, InternalError, OutOfMemoryError
         All of them `LitzError`, with the message of the program.
+
+    Warns
+    -----
+    RunWarning
+        For each warning of the run, also of one that ends with an error; `Results.warnings` has them as data.
     """
+    options = (deck, output_directory, solver, threads, restart, quiet, progress)
+    try:
+        results = run_silently(*options)
+    except LitzError as error:
+        # where warnings are made exceptions, the error still comes first
+        with contextlib.suppress(RunWarning):
+            _warn(error.warnings)
+        raise
+    _warn(results.warnings)
+    return results
+
+
+def run_silently(
+    deck: str | os.PathLike[str],
+    output_directory: str | os.PathLike[str] = ".",
+    solver: str | None = None,
+    threads: int | None = None,
+    restart: str | os.PathLike[str] | None = None,
+    quiet: bool = True,
+    progress: bool = False,
+) -> "Results":
+    """As `run`, without Python warnings: those of the run are in its results, or in the exception."""
     deck, output_directory = Path(deck), Path(output_directory)
     command: list[str | Path] = [program_path(), "run", deck, "-o", output_directory]
     if solver is not None:
@@ -149,7 +197,9 @@ def run(
     exit_code, printed, message = _call(command, quiet, shown)
     if exit_code != 0:
         error = _error_of(exit_code, message or printed, results_path if results_path.exists() else None)
-        _note(error, _changed(results_path) != before)
+        has_results = _changed(results_path) != before
+        error.warnings = _read_warnings(results_path) if has_results else _warnings_in(message)
+        _note(error, has_results)
         raise error
 
     from .results import Results
@@ -174,15 +224,56 @@ def check(deck: str | os.PathLike[str]) -> str:
     ------
     InputError, FileError
         With the message of the program.
+
+    Warns
+    -----
+    RunWarning
+        For each warning of the program.
     """
     exit_code, printed, message = _call([program_path(), "check", Path(deck)], quiet=True)
+    found = _warnings_in(message)
     if exit_code != 0:
-        raise _error_of(exit_code, message or printed)
+        error = _error_of(exit_code, message or printed)
+        error.warnings = found
+        with contextlib.suppress(RunWarning):
+            _warn(found)
+        raise error
+    _warn(found)
     return printed
+
+
+def _warn(found: "Iterable[WarningEntry]") -> None:
+    """Each warning of a run as one of Python, at the line outside this package that has called it."""
+    level, frame = 1, inspect.currentframe()
+    while frame is not None and frame.f_globals.get("__name__", "").startswith(f"{__package__}."):
+        level, frame = level + 1, frame.f_back
+    for entry in found:
+        warnings.warn(RunWarning(str(entry), entry), stacklevel=level)
+
+
+def _warnings_in(messages: str) -> "list[WarningEntry]":
+    """The warnings among the messages of a program that has left no results."""
+    from .run_warnings import WarningEntry
+
+    return [WarningEntry("", message) for message in re.findall(r"^warning: (.*)$", messages, re.MULTILINE)]
+
+
+def _read_warnings(path: Path) -> "list[WarningEntry]":
+    """Those in the result file of a run that has failed, if it can be read."""
+    from .run_warnings import read_warnings
+
+    try:
+        return read_warnings(path)
+    except OSError:
+        return []
 
 
 def _error_of(exit_code: int, message: str, results_path: Path | None = None) -> LitzError:
     """The exception of an exit code, with the program's own message."""
+    # what the program has warned of before is no part of the error
+    found = re.search(r"^error\b", message, re.MULTILINE)
+    if found:
+        message = message[found.start() :]
     if exit_code < 0:
         message += f"the program was ended by signal {-exit_code}\n"
     return _ERRORS.get(exit_code, InternalError)(message.rstrip(), results_path)

@@ -7,6 +7,7 @@ import numpy as np
 
 if TYPE_CHECKING:
     from .results import Results
+    from .run_warnings import WarningEntry
 
 _MOST_ROWS = 30
 
@@ -14,6 +15,9 @@ _MOST_ROWS = 30
 def summary(results: "Results") -> str:
     """What was run, the increments as a table, and the last increment in numbers."""
     parts = [_origin(results), _increments(results)]
+    found = results.warnings
+    if found:
+        parts.append("\n".join([f"{len(found)} warning{'s' * (len(found) > 1)}:", *map(_warning, found)]))
     if len(results.times):
         parts.append(_last_increment(results))
     return "\n\n".join(parts) + "\n"
@@ -26,6 +30,10 @@ def _origin(results: "Results") -> str:
         f"{heading}\n{results.path}, litz {results.version}, {state}\n"
         f"{len(results.nodes)} nodes, {len(results.elements)} elements, {len(results.times)} increments in the file"
     )
+
+
+def _warning(entry: "WarningEntry") -> str:
+    return f"  {entry.kind}: {entry}" if entry.count > 1 else f"  {entry.kind}: {entry} ({entry.first})"
 
 
 def _increments(results: "Results") -> str:

@@ -20,7 +20,7 @@ from . import notebook
 from .deck import Deck, to_text
 from .model import Model
 from .results import Results
-from .run import FileError, LitzError, run
+from .run import FileError, LitzError, run_silently
 from .tables import Table, nearest_name
 
 #: A function of the parameters, or a deck with places such as {radius}
@@ -29,7 +29,7 @@ _OUTCOME = "outcome.json"
 _PLACE = re.compile(r"\{(\w+)\}")
 _LONGEST_NAME = 60
 #: Columns of the table besides parameters and values
-_STATUS, _MESSAGE, _DIRECTORY = "status", "message", "directory"
+_STATUS, _WARNINGS, _MESSAGE, _DIRECTORY = "status", "warnings", "message", "directory"
 
 
 def sweep(
@@ -73,7 +73,8 @@ def sweep(
     -------
     Table
         A row for each run, in the order of the parameters: the parameters, `status` ("finished" or "failed"), the values
-        (nan where a run failed), `message` and `directory`; `to_pandas()` makes a data frame of it.
+        (nan where a run failed), `warnings` (their number), `message` and `directory`; `to_pandas()` makes a data frame
+        of it.
 
     Examples
     --------
@@ -125,7 +126,7 @@ def _combinations(parameters: Mapping[str, Iterable[Any]] | Sequence[Mapping[str
             raise ValueError("all combinations need the same parameters")
     if not combinations or not combinations[0]:
         raise ValueError("a sweep needs one parameter with one value or more")
-    taken = {_STATUS, _MESSAGE, _DIRECTORY} & set(combinations[0])
+    taken = {_STATUS, _WARNINGS, _MESSAGE, _DIRECTORY} & set(combinations[0])
     if taken:
         raise ValueError(f"a parameter may not be called {taken.pop()}: the table has a column of this name")
     if len({_key(one) for one in combinations}) < len(combinations):
@@ -184,6 +185,7 @@ class _Run:
         digest = hashlib.sha256(_key(parameters).encode()).hexdigest()[:8]
         self.directory = None if home is None else home / f"{name}-{digest}"
         self.status, self.message = "failed", ""
+        self.n_warnings = 0
         self.values: dict[str, float] = {}
         self.units: dict[str, str] = {}
 
@@ -223,11 +225,12 @@ class _Run:
         fresh.replace(deck)
         (self.directory / _OUTCOME).unlink(missing_ok=True)
         try:
-            results = run(deck, output_directory=self.directory, **self._options)
+            results = run_silently(deck, output_directory=self.directory, **self._options)
         except LitzError as error:
-            self.message = str(error)
+            self.message, self.n_warnings = str(error), len(error.warnings)
             self._keep(identity)
             return
+        self.n_warnings = len(results.warnings)
         self.values = _numbers(self._collected(results))
         self.status = "finished"
         self._keep(identity)
@@ -248,16 +251,24 @@ class _Run:
         if outcome.get("identity") != identity or self._again is True:
             return False
         if outcome[_STATUS] == "failed":
-            self.message = outcome[_MESSAGE]
+            self.message, self.n_warnings = outcome[_MESSAGE], outcome.get(_WARNINGS, 0)
             return self._again != "failed"
-        self.values = _numbers(self._collected(Results(directory / "deck.vtkhdf")))
+        results = Results(directory / "deck.vtkhdf")
+        self.n_warnings = len(results.warnings)
+        self.values = _numbers(self._collected(results))
         self.status = "finished"
         return True
 
     def _keep(self, identity: str | None) -> None:
         if self.directory is None or identity is None:
             return
-        outcome = {"identity": identity, "parameters": self.parameters, _STATUS: self.status, _MESSAGE: self.message}
+        outcome = {
+            "identity": identity,
+            "parameters": self.parameters,
+            _STATUS: self.status,
+            _WARNINGS: self.n_warnings,
+            _MESSAGE: self.message,
+        }
         (self.directory / _OUTCOME).write_text(json.dumps(outcome, default=str, indent=1), encoding="utf-8")
 
 
@@ -271,18 +282,12 @@ def _numbers(values: Mapping[str, Any]) -> dict[str, float]:
     return numbers
 
 
-def _error(message: str) -> str:
-    """What a run ended with, without the warnings that the program gave before."""
-    found = re.search(r"^error\b", message, re.MULTILINE)
-    return message[found.start() :] if found else message
-
-
 def _tell_failures(runs: list[_Run]) -> None:
     failed = [one for one in runs if one.status == "failed"]
     if failed:
         first = ", ".join(f"{name}={value}" for name, value in failed[0].parameters.items())
         warnings.warn(
-            f"{len(failed)} of {len(runs)} runs failed; the first, {first}: {_error(failed[0].message)}",
+            f"{len(failed)} of {len(runs)} runs failed; the first, {first}: {failed[0].message}",
             stacklevel=3,
         )
 
@@ -294,10 +299,11 @@ def _table(runs: list[_Run]) -> Table:
     columns[_STATUS] = np.array([one.status for one in runs])
     units = {name: unit for one in runs for name, unit in one.units.items()}
     for name in dict.fromkeys(name for one in runs for name in one.values):
-        if name in (*columns, _MESSAGE, _DIRECTORY):
+        if name in (*columns, _WARNINGS, _MESSAGE, _DIRECTORY):
             raise ValueError(f"the values may not hold {name}: the table has a column of this name")
         columns[name] = np.array([one.values.get(name, np.nan) for one in runs])
-    columns[_MESSAGE] = np.array([_error(one.message) for one in runs])
+    columns[_WARNINGS] = np.array([one.n_warnings for one in runs])
+    columns[_MESSAGE] = np.array([one.message for one in runs])
     columns[_DIRECTORY] = np.array([str(one.directory or "") for one in runs])
     return Table(columns, {name: units.get(name, "") for name in columns})
 

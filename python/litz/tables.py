@@ -174,7 +174,10 @@ def read_csv(path: Path) -> Table:
 
 
 def read_aligned(path: Path) -> Table:
-    """A table with blanks between the columns; a remark in the last column may hold blanks itself."""
+    """A table with blanks between the columns; a remark in the last column may hold blanks itself.
+
+    Lines that begin with # are comments.
+    """
     return _read(path, None)
 
 
@@ -184,7 +187,7 @@ def _read(path: Path, separator: str | None) -> Table:
     except OSError as error:
         raise FileError(f"cannot read {path}: {error.strerror}") from None
     # what follows the last line end is a line that a running or killed program has not completed
-    lines = text[: text.rfind("\n") + 1].splitlines()
+    lines = [line for line in text[: text.rfind("\n") + 1].splitlines() if not line.startswith("#")]
     if not lines:
         raise FileError(f"{path} is empty: the run that wrote it ended before its first line")
     heads = [_name_and_unit(head) for head in lines[0].split(separator)]

@@ -12,6 +12,7 @@ program read_decks
    use litz_model, only: model_t
    use litz_model_listing, only: print_model
    use litz_model_summary, only: model_summary
+   use litz_run_warnings, only: run_warnings_t
    implicit none
 
    interface
@@ -51,6 +52,7 @@ contains
       !> What the program would end with
       integer, intent(out) :: code
       type(error_t), allocatable :: error
+      type(run_warnings_t) :: found
       character(len=:), allocatable :: report, text
 
       call read_deck(path, model, errors, warnings)
@@ -61,7 +63,7 @@ contains
          return
       end if
       text = model_summary(model)
-      call check_model(model, report, error)
+      call check_model(model, report, found, error)
       if (.not. allocated(error)) return
       text = error%text()
       code = error%code

@@ -202,7 +202,7 @@ def test_a_run_of_a_strand_says_that_line_contact_is_missing(litz, tmp_path):
     for command in (["check", deck], ["run", deck, "-o", tmp_path]):
         done = litz(*command)
         assert done.returncode == 0, done.stderr
-        (line,) = [line for line in done.stdout.splitlines() if "side by side" in line]
+        (line,) = [line for line in done.stderr.splitlines() if "side by side" in line]
         assert line.startswith("warning: ")
         # six wires around the core and twelve around them, each with two neighbours of its layer, in each of 16 elements
         assert int(line.split()[1]) >= 18 * 16
@@ -211,7 +211,7 @@ def test_a_run_of_a_strand_says_that_line_contact_is_missing(litz, tmp_path):
 def test_a_run_of_a_grid_says_nothing_about_line_contact(litz, tmp_path):
     model = MODELS["grid"]()
     model.press(1e-6, voltage=1e-3)
-    assert "side by side" not in litz("check", model.write(tmp_path / "grid.inp")).stdout
+    assert "side by side" not in litz("check", model.write(tmp_path / "grid.inp")).stderr
 
 
 def test_wires_of_a_film_lie_on_those_they_cross():

@@ -1,0 +1,124 @@
+!> What is to be warned of at the start of a run, and in an increment that has converged.
+module litz_increment_warnings
+   use litz_kinds, only: dp, pi
+   use litz_audit, only: audit_t, scales_t, penetration, contact_words, allowed_imbalance
+   use litz_contact_net, only: allowed_penetration
+   use litz_errors, only: error_list_t
+   use litz_model, only: model_t
+   use litz_newton, only: problem_t, outcome_t, measure_scales
+   use litz_parallel_wires, only: shallow_angle, parallel_warning
+   use litz_run_warnings, only: run_warnings_t
+   use litz_state, only: contact_t
+   use litz_text, only: to_text
+   use litz_unpaired_overlaps, only: describe_unpaired_overlaps
+   implicit none
+   private
+   public :: add_deck_warnings, add_start_warnings, add_increment_warnings
+
+contains
+
+   !> Those that reading the deck has shown to the user.
+   subroutine add_deck_warnings(found, warnings)
+      type(error_list_t), intent(in) :: found
+      type(run_warnings_t), intent(inout) :: warnings
+      integer :: i
+
+      call warnings%set_place(0, 0, 0.0_dp)
+      do i = 1, found%count
+         call warnings%add(trim(found%items(i)%kind), found%items(i)%message, [found%items(i)%element])
+      end do
+      warnings%n_shown = warnings%n
+   end subroutine add_deck_warnings
+
+   !> Those of the reference configuration, with the candidates of it.
+   subroutine add_start_warnings(problem)
+      type(problem_t), intent(inout) :: problem
+      character(len=:), allocatable :: words
+
+      call problem%warnings%set_place(0, 0, 0.0_dp)
+      words = parallel_warning(problem%model, problem%elements, problem%contact)
+      if (len(words) > 0) call problem%warnings%add('side_by_side', words)
+      call add_unpaired_overlaps(problem, problem%model%x)
+   end subroutine add_start_warnings
+
+   !> Wires that no contact pair names; looked for at the start and at the end of each step.
+   subroutine add_unpaired_overlaps(problem, x)
+      type(problem_t), intent(inout) :: problem
+      !> Positions (3, n_nodes) [m]
+      real(dp), intent(in) :: x(:, :)
+      character(len=:), allocatable :: words
+
+      words = describe_unpaired_overlaps(problem%model, problem%wires, problem%elements, problem%contact, x, &
+         problem%state%rotation)
+      if (len(words) > 0) call problem%warnings%add('unpaired_overlap', words)
+   end subroutine add_unpaired_overlaps
+
+   subroutine add_increment_warnings(problem, outcome, audit)
+      type(problem_t), intent(inout) :: problem
+      type(outcome_t), intent(in) :: outcome
+      !> Without a finding: a run that a finding ends has an error in place of warnings
+      type(audit_t), intent(in) :: audit
+      integer :: i
+
+      if (len(audit%finding) > 0) return
+      associate (state => problem%state, warnings => problem%warnings)
+         call warnings%set_place(state%step, state%increment, state%time)
+         if (outcome%negative_pivots > 0) call warnings%add('negative_pivots', &
+            'the tangent has negative pivots: the equilibrium lies beyond a critical load and may not be stable', &
+            value=real(outcome%negative_pivots, dp), unit='negative pivots')
+         call add_round_off(problem, outcome)
+         do i = 1, size(state%contacts)
+            call add_contact(problem%model, state%contacts(i), warnings)
+         end do
+         if (.not. state%step_time < problem%model%steps(state%step)%total) call add_unpaired_overlaps(problem, &
+            problem%model%x + state%displacement)
+      end associate
+   end subroutine add_increment_warnings
+
+   !> Residuals above the tolerance of their field that were accepted because round-off leaves no less. A field that has
+   !> nothing but round-off has no residual to speak of.
+   subroutine add_round_off(problem, outcome)
+      type(problem_t), intent(inout) :: problem
+      type(outcome_t), intent(in) :: outcome
+      character(len=7), parameter :: names(3) = ['force  ', 'moment ', 'current']
+      type(scales_t) :: scales
+      real(dp) :: tolerance
+      integer :: field, node
+
+      scales = measure_scales(problem)
+      tolerance = max(allowed_imbalance, problem%model%steps(problem%state%step)%controls%r_n)
+      do field = 1, size(names)
+         node = outcome%last%residual_node(field)
+         if (node == 0) cycle
+         if (scales%reference(field) <= scales%round_off(field, node)) cycle
+         associate (share => outcome%last%residual(field)/scales%reference(field))
+            if (share > tolerance) call problem%warnings%add('round_off', 'accepted at the limit of round-off: the '// &
+               trim(names(field))//' residual is '//to_text(100*share)//' % of the largest '//trim(names(field)), &
+               value=100*share, unit='%')
+         end associate
+      end do
+   end subroutine add_round_off
+
+   !> A contact where a point is a poor description, or where the wires overlap too much.
+   subroutine add_contact(model, contact, warnings)
+      type(model_t), intent(in) :: model
+      type(contact_t), intent(in) :: contact
+      type(run_warnings_t), intent(inout) :: warnings
+      integer :: elements(2)
+      real(dp) :: angle
+
+      elements = model%element_id([contact%element_bar, contact%element])
+      if (sin(contact%angle) < sin(shallow_angle)) then
+         angle = min(contact%angle, pi - contact%angle)*180/pi
+         call warnings%add('shallow_angle', contact_words(model, contact)//' crosses at '//to_text(angle)// &
+            ' degrees, below 10, where spots are long and point contact is less accurate', elements, angle, 'degrees', &
+            smaller_is_worse=.true.)
+      end if
+      if (penetration(model, contact) <= allowed_penetration) return
+      call warnings%add('unlimited_penetration', contact_words(model, contact)//' overlaps by '// &
+         to_text(100*penetration(model, contact))//' % of the smaller radius, which PENETRATION=UNLIMITED'// &
+         ' allows; the laws of contact are for less than '//to_text(100*allowed_penetration)//' %', elements, &
+         100*penetration(model, contact), '% of the radius')
+   end subroutine add_contact
+
+end module litz_increment_warnings
