@@ -220,7 +220,7 @@ def _overview(figure: Figure, results: Results, increment: int, look: Look) -> N
     drawers = [charts.residual_of_last_increment]
     contacts = results.contacts
     drawers.append(charts.forces_over_time if contacts.n_rows else charts.displacement_over_time)
-    has_resistances = contacts.n_rows > 0 and contacts["resistance"].any()
+    has_resistances = contacts.n_rows > 0 and np.isfinite(contacts["resistance"]).any()
     has_currents = results.field("element_current", increment).any()
     if friction_charts.has_friction(results):
         drawers.append(friction_charts.force_over_sliding)

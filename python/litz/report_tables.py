@@ -31,7 +31,9 @@ def table(heads: Iterable[object], rows: Iterable[Iterable[object]], text: Itera
 
 
 def amount(value: float, unit: str) -> str:
-    """A number with a unit that suits it: 0.0012, "V" -> "1.2 mV"."""
+    """A number with a unit that suits it: 0.0012, "V" -> "1.2 mV"; "∞" without a unit."""
+    if np.isinf(value):
+        return "∞" if value > 0 else "-∞"
     factor, symbol = engineering(np.array([value]), unit)
     return f"{factor * value:.4g} {symbol}".strip()
 
