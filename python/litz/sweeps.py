@@ -226,7 +226,8 @@ class _Run:
             results = run(deck, output_directory=self.directory, **self._options)
         except LitzError as error:
             self.message = str(error)
-            self._keep(identity)
+            # a full disk, or another run in the same place: nothing that a next sweep should take over
+            self._keep(None if isinstance(error, FileError) else identity)
             return
         self.values = _numbers(self._collected(results))
         self.status = "finished"
