@@ -40,7 +40,7 @@ def amount(value: float, unit: str) -> str:
 
 def verdict(results: Results) -> str:
     """Whether the run came to its end, and how far."""
-    n, status, time = int((results.steps > 0).sum()), results.status, results.unit_labels["s"]
+    n, status, time = int((results.steps > 0).sum()), results.status, html.escape(results.unit_labels["s"])
     work = f"{n} increment{'s' * (n != 1)}, {int(status['iterations'].sum())} iterations"
     if results.finished:
         return f'<p class="verdict">The run finished at time {results.times[-1]:g} {time}: {work}.</p>'
