@@ -17,8 +17,8 @@ module litz_result_lock
          import :: c_char, c_int
          implicit none
          character(kind=c_char), intent(in) :: path(*)
-         character(kind=c_char), intent(out) :: words(*)
          integer(c_int), value :: n
+         character(kind=c_char), intent(out) :: words(n)
       end function c_take_lock
 
       subroutine c_release_lock() bind(c, name='litz_release_result_lock')

@@ -8,7 +8,8 @@
 !>
 !> Files of an earlier run stay as they are until this one has its first complete increment, and are then replaced
 !> together. Of each increment the fields are written first, then the tables, at last its line in the .sta file: an
-!> increment that has this line is whole in all files, whenever the run is killed. A run that ends before leaves them alone, and its own tables as STEM_unconverged.sta and .cvg.
+!> increment that has this line is whole in all files, whenever the run is killed. A run that ends before its first
+!> increment leaves the older files alone, and its own tables as STEM_unconverged.sta and .cvg.
 module litz_results
    use litz_kinds, only: dp
    use litz_errors, only: error_t

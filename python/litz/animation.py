@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 from .notebook import Picture
-from .plots import box_pixels, Look, new_figure, place_wires, show_dollars, STYLE, title, with_increments
+from .plots import STYLE, Look, box_pixels, new_figure, place_wires, show_dollars, title, with_increments
 from .results import Results
 from .run import FileError
 from .scene import aim

@@ -159,7 +159,9 @@ def show_dollars(figure: Figure) -> None:
     """
     axes = [axis for axes in figure.axes for axis in (axes.xaxis, axes.yaxis)]
     ticks = [tick for axis in axes for tick in (*axis.get_major_ticks(), *axis.get_minor_ticks())]
-    numbers = {id(text) for tick in ticks for text in (tick.label1, tick.label2)} | {id(axis.offsetText) for axis in axes}
+    numbers = {id(text) for tick in ticks for text in (tick.label1, tick.label2)} | {
+        id(axis.offsetText) for axis in axes
+    }
     for text in figure.findobj(Text):
         if id(text) not in numbers:
             text.set_parse_math(False)

@@ -37,7 +37,9 @@ def hostile(run_of_input, tmp_path_factory):
         changed = 0
         for found in objects:
             for name, value in found.attrs.items():
-                if isinstance(value, bytes | str) or getattr(value, "dtype", None) is not None and value.dtype.kind in "SO":
+                if isinstance(value, bytes | str) or (
+                    getattr(value, "dtype", None) is not None and value.dtype.kind in "SO"
+                ):
                     found.attrs[name] = HOSTILE
                     changed += 1
         for kind in ("node_sets", "element_sets"):
@@ -55,7 +57,9 @@ def hostile(run_of_input, tmp_path_factory):
         head = re.sub(r"\[[^\]]*\]", lambda _, mark=mark: f"[{mark}]", head)
         if path.suffix == ".sta":
             lines = rest.splitlines()
-            rest = "\n".join([*lines[:-1], f"{lines[-1]}  {HOSTILE}".replace("\u2028", "").replace("\u2029", "")]) + "\n"
+            rest = (
+                "\n".join([*lines[:-1], f"{lines[-1]}  {HOSTILE}".replace("\u2028", "").replace("\u2029", "")]) + "\n"
+            )
         path.write_text(f"{head}\n{rest}", encoding="utf-8")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
@@ -132,7 +136,9 @@ def test_the_scripts_of_the_pages_make_elements_only_by_the_dom():
         assert not re.findall(sinks, path.read_text(encoding="utf-8")), path.name
     # the handlers that an attribute would hold are added as functions
     for path in [*own, WEB / "viewer.html"]:
-        assert not re.search(r"""(setAttribute\(\s*["'`]on|\son[a-z]+=["'])""", path.read_text(encoding="utf-8")), path.name
+        assert not re.search(r"""(setAttribute\(\s*["'`]on|\son[a-z]+=["'])""", path.read_text(encoding="utf-8")), (
+            path.name
+        )
 
 
 def test_nothing_of_hostile_results_runs_in_a_browser(hostile, tmp_path):

@@ -4,6 +4,7 @@ import csv
 import json
 import subprocess
 import warnings
+from pathlib import Path
 from xml.etree import ElementTree
 
 import h5py
@@ -43,7 +44,9 @@ def insulated(request, litz_program, tmp_path_factory):
     """Results of wires that touch without a current between them."""
     directory = tmp_path_factory.mktemp("insulated")
     deck = directory / "deck.inp"
-    deck.write_text({"without law": WITHOUT_LAW, "one insulator": ONE_INSULATOR, "insulators": INSULATORS}[request.param])
+    deck.write_text(
+        {"without law": WITHOUT_LAW, "one insulator": ONE_INSULATOR, "insulators": INSULATORS}[request.param]
+    )
     done = subprocess.run([litz_program, "run", deck, "-o", directory], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     return litz.Results(directory)
@@ -57,7 +60,7 @@ def test_the_resistance_is_infinite_in_both_files(insulated):
     assert (ledger["current"] == 0).all()
     assert (ledger["joule_heat"] == 0).all()
     base = insulated.path.with_suffix("")
-    with open(f"{base}_contacts.csv", newline="") as file:
+    with Path(f"{base}_contacts.csv").open(newline="") as file:
         assert {row["resistance [ohm]"] for row in csv.DictReader(file)} == {"Inf"}
     with h5py.File(f"{base}_contacts.vtkhdf") as file:
         resistance = file["VTKHDF/PointData/resistance"]
