@@ -13,6 +13,9 @@ module litz_command_line
 
    character(len=word_length), parameter :: commands(*) = [character(len=word_length) :: 'run', 'check', 'keywords', &
       'help', '--help', '--version']
+   !> Those of the Python package, which its own `litz` takes; here they are for messages
+   character(len=word_length), parameter :: python_commands(*) = [character(len=word_length) :: 'summary', 'table', &
+      'plot', 'report', 'view', 'new', 'convert', 'export']
    character(len=word_length), parameter :: run_options(*) = [character(len=word_length) :: '-o', '--output', &
       '--solver', &
       '--threads', '--restart', '--quiet', '--timing']
@@ -119,15 +122,22 @@ contains
       type(error_t) :: error
       character(len=:), allocatable :: message, nearest
 
-      message = 'unknown command '//shown(word)
-      nearest = nearest_word(word, commands)
-      if (len(nearest) > 0) then
-         message = message//'; did you mean litz '//nearest//'?'
-      else if (index(word, '.inp') > 0) then
-         message = message//'; did you mean litz run '//word//'?'
-      else
-         message = message//'; there is '//join_words(commands, 'and')
+      if (any(python_commands == word)) then
+         error = fail(exit_input, 'litz '//word//' is a command of the Python package of litz, and this is the'// &
+            ' program alone')
+         return
       end if
+      message = 'unknown command '//shown(word)
+      nearest = nearest_word(word, [commands, python_commands])
+      if (len(nearest) > 0) then
+         message = message//'; did you mean litz '//nearest//'? There is '
+      else if (index(word, '.inp') > 0) then
+         message = message//'; did you mean litz run '//word//'? There is '
+      else
+         message = message//'; there is '
+      end if
+      message = message//join_words(commands, 'and')//'; of the Python package there is '// &
+         join_words(python_commands, 'and')
       error = fail(exit_input, message)
    end function unknown_command
 

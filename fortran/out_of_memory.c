@@ -24,6 +24,8 @@ void __wrap__gfortran_os_error_at(const char *where, const char *format, ...) __
 void __wrap__gfortran_runtime_error(const char *format, ...) __attribute__((noreturn));
 void __real__gfortran_runtime_error(const char *format, ...) __attribute__((noreturn));
 void litz_watch_memory(void);
+/* Of result_lock.c */
+void litz_remove_result_lock(void);
 
 /* Bytes that the last failed request asked for; 0: none has failed */
 static volatile size_t missing;
@@ -61,6 +63,7 @@ static void __attribute__((noreturn)) end_without_memory(void)
    char text[400];
    int length;
 
+   litz_remove_result_lock();
    length = snprintf(text, sizeof text,
       "error: not enough memory: another %.1f MB could not be had, the program holds %.1f MB already; give it more memory "
       "(see ulimit -v), take fewer threads, or make the model smaller\n",

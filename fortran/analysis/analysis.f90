@@ -23,6 +23,7 @@ module litz_analysis
    use litz_step_control, only: step_control_t
    use litz_restart_file, only: restart_file_t, course_t, read_restart, wants_restart
    use litz_run_warnings, only: run_warnings_t
+   use litz_result_lock, only: lock_results, unlock_results
    use litz_results, only: results_t, iteration_report_t, increment_report_t
    use litz_output_files, only: check_writable, same_file
    use litz_stabilization, only: damping_stiffness
@@ -72,6 +73,7 @@ contains
       type(course_t) :: course
       real(dp), allocatable :: overlap(:)
       type(error_t), allocatable :: close_error
+      character(len=:), allocatable :: lock_warning
       logical :: continued
       integer :: i
 
@@ -93,12 +95,16 @@ contains
       call add_deck_warnings(options%deck_warnings, problem%warnings)
       if (.not. continued) call add_start_warnings(problem)
       if (problem%state%step > 1) overlap = 0
+      call lock_results(result_base(options), lock_warning, error)
+      if (allocated(error)) return
       call open_restart_file(restart, problem, options, error)
       call results%open(model, options%output_directory, deck_stem(options%deck_path), problem%state, error)
       if (allocated(error)) then
          call restart%close(close_error)
+         call unlock_results()
          return
       end if
+      if (len(lock_warning) > 0) call problem%warnings%add('no_lock', lock_warning)
       if (.not. options%quiet) call print_header(model)
       call issue_warnings(problem, results, error)
       if (.not. allocated(error)) call results%write_increment(model, problem%state, .true., error)
@@ -114,6 +120,7 @@ contains
       call results%list_warnings(problem%warnings, error)
       call results%close(.not. allocated(error), error)
       call restart%close(error)
+      call unlock_results()
       if (allocated(error) .and. results%leaves_older()) error%message = error%message//' The results of an earlier'// &
          ' run stay as they are; the tables of this one are '//result_base(options)//'_unconverged.sta and .cvg.'
       call problem%timing%lap(phase_output)
@@ -417,13 +424,15 @@ contains
       audit = audit_increment(problem%model, problem%state, nodal_residual(problem), measure_scales(problem))
       problem%state%audit = [audit%force, audit%moment, audit%current, audit%power, audit%penetration]
       call problem%timing%lap(phase_update)
+      if (len(audit%finding) == 0) call results%write_increment(problem%model, problem%state, .false., error)
+      if (allocated(error)) return
       call add_increment_warnings(problem, outcome, audit)
       call issue_warnings(problem, results, error)
       if (allocated(error)) return
+      ! its line comes last: an increment that has one is whole in all other files
       call report_increment(problem, outcome, audit, attempt, increment, step_time, start_time, options, results, error)
       if (.not. allocated(error) .and. len(audit%finding) > 0) error = audit_error(problem%state, audit)
       if (allocated(error)) return
-      call results%write_increment(problem%model, problem%state, .false., error)
       call problem%timing%lap(phase_output)
       call control%accept(step, step_time, outcome%factorisations)
    end subroutine run_increment

@@ -3,7 +3,7 @@
 !>
 !> Source: theory section 8, the invariants of every run.
 module litz_audit
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
    use litz_kinds, only: dp
    use litz_contact_net, only: allowed_penetration
    use litz_errors, only: error_t, fail, exit_not_converged
@@ -160,8 +160,8 @@ contains
       end do
       do i = 1, size(state%contacts)
          associate (c => state%contacts(i))
-            if (all(ieee_is_finite([c%gap, c%force, c%resistance, c%current, c%voltage_gap, c%joule_heat, &
-               c%angle]))) cycle
+            if (all(ieee_is_finite([c%gap, c%force, c%current, c%voltage_gap, c%joule_heat, &
+               c%angle])) .and. .not. ieee_is_nan(c%resistance)) cycle
             words = 'a value of '//contact_words(model, c)//' is not a number'
             return
          end associate

@@ -1,5 +1,6 @@
 !> The converged iterate as a state: fields for the results and the start of the next increment.
 module litz_capture
+   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf
    use litz_kinds, only: dp, pi
    use litz_contact_history, only: contact_history_t, advanced_history
    use litz_contact_points, only: contact_point_t
@@ -128,6 +129,7 @@ contains
       contact%dissipation = point%history%dissipation
       contact%semi_major = point%semi_major
       contact%semi_minor = point%semi_minor
+      contact%resistance = ieee_value(contact%resistance, ieee_positive_inf)
       if (point%conductance > 0) contact%resistance = 1/point%conductance
       contact%current = point%current
       contact%voltage_gap = point%voltage_gap

@@ -82,7 +82,8 @@ contains
       call file%add_field(on_points, 'point', 3, 'm', 'point of the unbarred axis', 1, error)
       call file%add_field(on_points, 'semi_major', 1, 'm', 'longer semi-axis of the spot', 1, error)
       call file%add_field(on_points, 'semi_minor', 1, 'm', 'shorter semi-axis of the spot', 1, error)
-      call file%add_field(on_points, 'resistance', 1, 'ohm', 'contact resistance, 0 without a spot law', 1, error)
+      call file%add_field(on_points, 'resistance', 1, 'ohm', &
+         'contact resistance, infinite where no current can pass', 1, error)
       call file%add_field(on_points, 'current', 1, 'A', 'current from the barred to the unbarred wire', 1, error)
       call file%add_field(on_points, 'voltage_gap', 1, 'V', 'potential of the barred minus the unbarred wire', 1, error)
       call file%add_field(on_points, 'joule_heat', 1, 'W', 'heat in the spot', 1, error)

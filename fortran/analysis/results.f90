@@ -7,7 +7,9 @@
 !> and where the run had to give up, the last iterate as STEM_unconverged with the first three endings.
 !>
 !> Files of an earlier run stay as they are until this one has its first complete increment, and are then replaced
-!> together. A run that ends before leaves them alone, and its own tables as STEM_unconverged.sta and .cvg.
+!> together. Of each increment the fields are written first, then the tables, at last its line in the .sta file: an
+!> increment that has this line is whole in all files, whenever the run is killed. A run that ends before its first
+!> increment leaves the older files alone, and its own tables as STEM_unconverged.sta and .cvg.
 module litz_results
    use litz_kinds, only: dp
    use litz_errors, only: error_t, exit_files
@@ -47,6 +49,8 @@ module litz_results
       logical, private :: is_published = .false., iterate_written = .false.
       !> Warnings that the .sta file has
       integer, private :: n_warnings = 0
+      !> Something beyond the start of the run is in the files
+      logical, private :: has_increment = .false.
    contains
       procedure :: open => results_open
       procedure :: write_iteration => results_write_iteration
@@ -119,7 +123,7 @@ contains
       call self%convergence_file%flush(error)
    end subroutine results_write_iteration
 
-   !> A line of the .sta file.
+   !> A line of the .sta file. That of an increment comes after all else about it, so that what has a line is whole.
    subroutine results_write_status(self, report, error)
       class(results_t), intent(inout) :: self
       type(increment_report_t), intent(in) :: report
@@ -127,6 +131,7 @@ contains
 
       call self%status_file%write_line(increment_line(report), error)
       call self%status_file%flush(error)
+      if (self%has_increment .and. .not. self%is_published) call publish(self, error)
    end subroutine results_write_status
 
    !> Brings the list of warnings up to date: a comment in the .sta file for each new one, and all in the result file.
@@ -176,9 +181,6 @@ contains
       type(error_t), allocatable, intent(out) :: error
       logical :: with_fields
 
-      call self%history_file%write_line(self%history%line(state), error)
-      call self%history_file%flush(error)
-      call self%ledger%write_table(model, state, error)
       with_fields = at_start
       ! before the first step there is none to ask
       if (.not. at_start) with_fields = wants_fields(model, state)
@@ -186,7 +188,11 @@ contains
          call self%ledger%write_points(model, state, error)
          call self%wires%write(model, state, error)
       end if
-      if (.not. (at_start .or. self%is_published)) call publish(self, error)
+      ! tables are never ahead of the fields
+      call self%ledger%write_table(model, state, error)
+      call self%history_file%write_line(self%history%line(state), error)
+      call self%history_file%flush(error)
+      self%has_increment = .not. (at_start .or. allocated(error))
    end subroutine results_write_increment
 
    !> Puts all files in the place of older ones.
@@ -195,6 +201,8 @@ contains
       type(error_t), allocatable, intent(inout) :: error
 
       if (.not. self%iterate_written) call remove_iterate(self, error)
+      ! a run that is killed between the files must not leave new tables beside older fields
+      call remove_file(self%base//'.vtkhdf', error)
       call self%ledger%publish(error)
       call self%history_file%publish(error)
       call self%status_file%publish(error)

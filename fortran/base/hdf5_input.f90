@@ -13,6 +13,7 @@ module litz_hdf5_input
    use litz_errors, only: error_t, fail, exit_input, exit_files
    use litz_hdf5_library, only: hdf5_start
    use litz_kinds, only: dp, int64
+   use litz_path_kind, only: why_not_read
    use litz_text, only: to_text
    implicit none
    private
@@ -33,6 +34,7 @@ contains
       character(len=*), intent(in) :: path
       integer(hid_t), intent(out) :: file
       type(error_t), allocatable, intent(inout) :: error
+      character(len=:), allocatable :: reason
       logical :: there
       integer :: status
 
@@ -42,6 +44,11 @@ contains
       inquire (file=path, exist=there)
       if (.not. there) then
          error = fail(exit_files, 'does not exist')
+         return
+      end if
+      reason = why_not_read(path)
+      if (len(reason) > 0) then
+         error = fail(exit_files, 'cannot be read: '//reason)
          return
       end if
       call h5fis_hdf5_f(path, there, status)

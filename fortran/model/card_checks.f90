@@ -4,10 +4,10 @@ module litz_card_checks
    use litz_kinds, only: dp
    use litz_text, only: squeezed, to_text, join_words, nearest_word, word_length
    use litz_deck, only: token_t
-   use litz_keywords, only: parameter_spec_t, unknown_keyword_message, place_model, &
+   use litz_keywords, only: parameter_spec_t, data_spec_t, unknown_keyword_message, place_model, &
       place_step, place_begins_step, kind_flag, kind_choice
    use litz_foreign_words, only: advice_about
-   use litz_reader, only: reader_t, fail_at, check_value, applies
+   use litz_reader, only: reader_t, fail_at, check_value, applies, has_choice
    implicit none
    private
    public :: check_cards
@@ -226,7 +226,7 @@ contains
          n = this%last_data - this%first_data + 1
          do i = 1, size(keyword%data)
             if (.not. applies(self, card, keyword%data(i))) cycle
-            if (keyword%data(i)%required) needed = max(needed, keyword%data(i)%first)
+            if (is_needed(keyword%data(i))) needed = max(needed, keyword%data(i)%first)
             most = max(most, keyword%data(i)%last)
             unlimited = unlimited .or. keyword%data(i)%last == 0
          end do
@@ -239,6 +239,17 @@ contains
             this%last_data = this%first_data + most - 1
          end if
       end associate
+
+   contains
+
+      pure logical function is_needed(form)
+         type(data_spec_t), intent(in) :: form
+
+         is_needed = form%required
+         if (is_needed .and. len_trim(form%optional_with) > 0) is_needed = .not. has_choice(self, card, &
+            form%optional_with)
+      end function is_needed
+
    end subroutine check_data_lines
 
 end module litz_card_checks

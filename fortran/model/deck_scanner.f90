@@ -7,6 +7,7 @@ module litz_deck_scanner
    use litz_kinds, only: int64
    use litz_errors, only: error_t, error_list_t, fail, exit_files
    use litz_deck, only: deck_t, source_t, line_t, token_t, parameter_t, card_t, no_token
+   use litz_path_kind, only: why_not_read
    use litz_text, only: squeezed, shown, to_text
    implicit none
    private
@@ -123,6 +124,7 @@ contains
       character(len=:), allocatable, intent(out) :: text
       type(error_t), allocatable, intent(out) :: error
       character(len=200) :: reason
+      character(len=:), allocatable :: irregular
       integer(int64) :: length
       integer :: unit, iostat
       logical :: exists, longer_exists
@@ -135,6 +137,11 @@ contains
          else
             error = fail(exit_files, 'file '//shown(path)//' does not exist')
          end if
+         return
+      end if
+      irregular = why_not_read(path)
+      if (len(irregular) > 0) then
+         error = fail(exit_files, 'file '//shown(path)//' cannot be read: '//irregular)
          return
       end if
       reason = 'it is not a readable file'

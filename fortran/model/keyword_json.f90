@@ -68,8 +68,8 @@ contains
       integer :: i
 
       json = '{"when": '//quoted_or_null(form%when)//', "first": '//to_text(form%first)//', "last": '// &
-         number_or_null(form%last)//', "required": '//truth(form%required)//', "repeats": '// &
-         number_or_null(form%repeats)//', "values": ['
+         number_or_null(form%last)//', "required": '//truth(form%required)//', "optional_with": '// &
+         quoted_or_null(form%optional_with)//', "repeats": '//number_or_null(form%repeats)//', "values": ['
       do i = 1, size(form%fields)
          if (i > 1) json = json//','
          json = json//nl//'    '//field_object(form%fields(i))

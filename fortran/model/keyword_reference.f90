@@ -213,6 +213,7 @@ contains
       end if
       if (len_trim(form%when) > 0) title = title//' ('//when_words()//')'
       if (.not. form%required) title = title//', optional'
+      if (len_trim(form%optional_with) > 0) title = title//', optional with '//trim(form%optional_with)
 
    contains
 

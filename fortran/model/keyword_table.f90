@@ -14,6 +14,9 @@ module litz_keyword_table
    character(len=*), parameter :: node_quantities = 'U|UR|RF|RM|CF|CM|EPOT|RCURR|CECUR'
    character(len=*), parameter :: element_quantities = 'SF|EPG|JOULE'
 
+   !> Nothing but the removal of what earlier steps prescribed
+   character(len=*), parameter :: new_alone = 'OP=NEW'
+
 contains
 
    !> All keywords, in the order in which a deck usually has them.
@@ -301,7 +304,8 @@ contains
       call k%add_data([item_field('node', 'number of a node or name of a node set'), &
          name_field('first', 'first degree of freedom, ENCASTRE or PINNED'), &
          integer_field('last', 'last degree of freedom, the first when left out', limit_positive, required=.false.), &
-         real_field('value', 'm, rad, V', 'prescribed value, 0 when left out', required=.false.)], last=0)
+         real_field('value', 'm, rad, V', 'prescribed value, 0 when left out', required=.false.)], last=0, &
+         optional_with=new_alone)
       call finish(table, k)
 
       call begin(k, 'CLOAD', place_step, &
@@ -310,7 +314,7 @@ contains
       call add_op(k, 'loads')
       call k%add_data([item_field('node', 'number of a node or name of a node set'), &
          integer_field('dof', 'direction, 1-6', limit_positive), real_field('value', 'N, N m', 'force or moment')], &
-         last=0)
+         last=0, optional_with=new_alone)
       call finish(table, k)
 
       call begin(k, 'CECURRENT', place_step, &
@@ -318,7 +322,7 @@ contains
       call add_op(k, 'currents')
       call k%add_data([item_field('node', 'number of a node or name of a node set'), &
          integer_field('dof', '9 or empty', limit_positive, required=.false.), real_field('value', 'A', 'current')], &
-         last=0)
+         last=0, optional_with=new_alone)
       call finish(table, k)
    end subroutine add_loads
 
@@ -326,8 +330,8 @@ contains
       type(keyword_t), intent(inout) :: k
       character(len=*), intent(in) :: what
 
-      call k%add(choice('OP', 'MOD|NEW', 'MOD changes or adds to the '//what//' of earlier steps, NEW removes them', &
-         default='MOD'))
+      call k%add(choice('OP', 'MOD|NEW', 'MOD changes or adds to the '//what//' of earlier steps, NEW removes'// &
+         ' them all, with or without data lines', default='MOD'))
       call k%add(name('AMPLITUDE', 'factor over time; without it the value ramps over the step'))
    end subroutine add_op
 

@@ -64,6 +64,8 @@ module litz_keywords
       integer :: first = 1, last = 1
       !> The first of these lines must be there
       logical :: required = .true.
+      !> `PARAMETER=VALUE` with which it need not, or empty
+      character(len=48) :: optional_with = ''
       !> How often the fields may repeat on a line; 0: any number of times
       integer :: repeats = 1
       type(field_spec_t), allocatable :: fields(:)
@@ -177,10 +179,10 @@ contains
       self%parameters = [self%parameters, parameter]
    end subroutine keyword_add_parameter
 
-   pure subroutine keyword_add_data(self, fields, when, first, last, required, repeats)
+   pure subroutine keyword_add_data(self, fields, when, first, last, required, repeats, optional_with)
       class(keyword_t), intent(inout) :: self
       type(field_spec_t), intent(in) :: fields(:)
-      character(len=*), intent(in), optional :: when
+      character(len=*), intent(in), optional :: when, optional_with
       integer, intent(in), optional :: first, last
       logical, intent(in), optional :: required
       integer, intent(in), optional :: repeats
@@ -193,6 +195,7 @@ contains
       spec%last = spec%first
       if (present(last)) spec%last = last
       if (present(required)) spec%required = required
+      if (present(optional_with)) spec%optional_with = optional_with
       if (present(repeats)) spec%repeats = repeats
       spec%fields = fields
       n = size(self%data)

@@ -15,7 +15,7 @@ module litz_reader
    implicit none
    private
    public :: reader_t, values_t, set_builder_t, definitions_t
-   public :: fail_at, read_line, applies, names_hint, name_of, parameter_of, has_flag, choice_of, &
+   public :: fail_at, read_line, applies, has_choice, names_hint, name_of, parameter_of, has_flag, choice_of, &
       real_parameter, integer_parameter, keyword_of, n_cards_of, check_value, find_definition, add_definition, &
       advice_about_value, behind_semicolon
 
@@ -280,12 +280,22 @@ contains
       type(reader_t), intent(in) :: self
       integer, intent(in) :: card
       type(data_spec_t), intent(in) :: form
+
+      applies = len_trim(form%when) == 0
+      if (.not. applies) applies = has_choice(self, card, form%when)
+   end function applies
+
+   !> .true. when the card has a parameter with this value, or its default is the value.
+   pure logical function has_choice(self, card, choice)
+      type(reader_t), intent(in) :: self
+      integer, intent(in) :: card
+      !> `PARAMETER=VALUE`
+      character(len=*), intent(in) :: choice
       integer :: equals
 
-      equals = index(form%when, '=')
-      applies = equals == 0
-      if (equals > 0) applies = choice_of(self, card, form%when(:equals - 1)) == squeezed(trim(form%when(equals + 1:)))
-   end function applies
+      equals = index(choice, '=')
+      has_choice = choice_of(self, card, choice(:equals - 1)) == squeezed(trim(choice(equals + 1:)))
+   end function has_choice
 
    pure subroutine prepare_values(values, line_end)
       type(values_t), intent(inout) :: values

@@ -30,7 +30,8 @@ module litz_state
       real(dp) :: slip_path = 0, dissipation = 0
       !> Semi-axes of the spot [m]
       real(dp) :: semi_major = 0, semi_minor = 0
-      !> Contact resistance [ohm] (0 without a spot law), current from barred to unbarred [A], its voltage [V]
+      !> Contact resistance [ohm], infinite where no current can pass; current from barred to unbarred [A],
+      !> its voltage [V]
       real(dp) :: resistance = 0, current = 0, voltage_gap = 0
       !> Heat in the spot [W]
       real(dp) :: joule_heat = 0

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 from .notebook import Picture
-from .plots import STYLE, Look, box_pixels, new_figure, place_wires, title, with_increments
+from .plots import STYLE, Look, box_pixels, new_figure, place_wires, show_dollars, title, with_increments
 from .results import Results
 from .run import FileError
 from .scene import aim
@@ -96,6 +96,7 @@ def _frames(results: Results, increments: list[int], look: Look, size: tuple[int
 
 
 def _pixels(figure: Figure) -> np.ndarray:
+    show_dollars(figure)
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
     return np.asarray(canvas.buffer_rgba())[..., :3].copy()

@@ -98,9 +98,9 @@ def resistance_over_force(axes: Axes, results: "Results", increment: int) -> Non
     """All contacts at all increments; straight lines show the powers that exact laws have."""
     ledger = results.contacts
     axes.set_title("Contact resistance")
-    shown = ledger.where((ledger["resistance"] > 0) & (ledger["force"] > 0)) if ledger.n_rows else ledger
+    shown = ledger.where((ledger["resistance"] < np.inf) & (ledger["force"] > 0))
     if not shown.n_rows:
-        nothing_to_draw(axes, "No contact has a resistance")
+        nothing_to_draw(axes, "No current can pass a contact")
         return
     force_factor, force_unit = engineering(shown["force"], results.unit_labels["N"])
     factor, unit = engineering(shown["resistance"], results.unit_labels["ohm"])

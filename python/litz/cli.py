@@ -2,7 +2,7 @@
 
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
@@ -37,21 +37,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     warnings.showwarning = _show_warning
 
     arguments = sys.argv[1:] if arguments is None else list(arguments)
-    commands = {
-        "summary": _summary,
-        "table": _table,
-        "plot": _plot,
-        "report": _report,
-        "view": _view,
-        "new": _new,
-        "convert": _convert,
-        "export": _export,
-    }
     try:
-        if len(arguments) > 1 and arguments[0] in _HELP and arguments[1] in commands:
+        if len(arguments) > 1 and arguments[0] in _HELP and arguments[1] in COMMANDS:
             arguments = [arguments[1], "--help"]
-        if arguments and arguments[0] in commands:
-            return commands[arguments[0]](arguments[1:])
+        if arguments and arguments[0] in COMMANDS:
+            return COMMANDS[arguments[0]](arguments[1:])
         return _run_program(arguments)
     except LitzError as error:
         print(f"error: {error}", file=sys.stderr)
@@ -245,3 +235,16 @@ def _view(arguments: list[str]) -> int:
     from .picture_commands import view_command
 
     return view_command(arguments)
+
+
+#: The commands of this package; the others are those of the program, whose messages name these, too
+COMMANDS: dict[str, Callable[[list[str]], int]] = {
+    "summary": _summary,
+    "table": _table,
+    "plot": _plot,
+    "report": _report,
+    "view": _view,
+    "new": _new,
+    "convert": _convert,
+    "export": _export,
+}

@@ -282,6 +282,8 @@ class Deck:
     def read(cls, path: str | os.PathLike) -> "Deck":
         """The deck of a file."""
         path = Path(path)
+        if path.exists() and not path.is_file():
+            raise FileError(f"cannot read the deck {path}: it is not a regular file")
         try:
             # bytes that are no UTF-8 come back as they were when they are written
             text = path.read_bytes().decode("utf-8", errors="surrogateescape")

@@ -99,7 +99,8 @@ def _check_rows(name: str, description: dict, parameters: Mapping[str, Any], row
             raise ValueError(f"*{name} takes {allowed} data lines here, not {len(rows)}")
         _check_row(name, form, row)
     for form in forms:
-        if form["required"] and len(rows) < form["first"]:
+        optional = form["optional_with"] is not None and _holds(form["optional_with"], description, parameters)
+        if form["required"] and not optional and len(rows) < form["first"]:
             wanted = ", ".join(value["name"] for value in form["values"])
             raise ValueError(f"*{name} needs the values {wanted}")
 

@@ -53,7 +53,7 @@ class ContactNetwork:
     point : (k, 3) array
         Its place, halfway between the axes [m].
     force, gap, angle, resistance, current, voltage_gap, joule_heat : (k,) arrays
-        As in the contact ledger [N, m, rad, ohm, A, V, W].
+        As in the contact ledger [N, m, rad, ohm, A, V, W]; the resistance is infinite where no current can pass.
     wires_at : dict of (m,) array of int
         The wires that have a node in each node set: `wires_at["PLUS"]` are those at this electrode.
 
@@ -260,4 +260,6 @@ def _rows_of(ids: np.ndarray, wanted: np.ndarray) -> np.ndarray:
 
 def _add_data(parent: ElementTree.Element, what: str, columns: dict, row: int) -> None:
     for name, (values, _) in columns.items():
-        ElementTree.SubElement(parent, "data", key=f"{what}_{name}").text = repr(values[row].item())
+        # as Java, Python and C read it
+        text = repr(values[row].item()).replace("inf", "Infinity")
+        ElementTree.SubElement(parent, "data", key=f"{what}_{name}").text = text

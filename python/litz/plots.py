@@ -8,6 +8,7 @@ from pathlib import Path
 import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.text import Text
 
 from . import charts, friction_charts, network_chart
 from .notebook import Picture
@@ -128,6 +129,7 @@ def plot(
     with mpl.rc_context(STYLE):
         figure = new_figure(default_size, size)
         draw(figure, results, increment, look)
+        show_dollars(figure)
         figure.savefig(path, dpi="figure")
     return path
 
@@ -148,6 +150,21 @@ def new_figure(inches: tuple[float, float], pixels: tuple[int, int] | None) -> F
     if width < _LEAST_PIXELS or height < _LEAST_PIXELS:
         raise ValueError(f"a picture of {width} x {height} pixels is too small: at least {_LEAST_PIXELS} each way")
     return Figure(figsize=(inches[0], inches[0] * height / width), dpi=width / inches[0])
+
+
+def show_dollars(figure: Figure) -> None:
+    """Show headings, names and units as they are: matplotlib takes what is between dollar signs for formulas.
+
+    Only the numbers at the axes, which litz sets itself, are formulas.
+    """
+    axes = [axis for axes in figure.axes for axis in (axes.xaxis, axes.yaxis)]
+    ticks = [tick for axis in axes for tick in (*axis.get_major_ticks(), *axis.get_minor_ticks())]
+    numbers = {id(text) for tick in ticks for text in (tick.label1, tick.label2)} | {
+        id(axis.offsetText) for axis in axes
+    }
+    for text in figure.findobj(Text):
+        if id(text) not in numbers:
+            text.set_parse_math(False)
 
 
 def title(results: Results, increment: int) -> str:
@@ -220,7 +237,7 @@ def _overview(figure: Figure, results: Results, increment: int, look: Look) -> N
     drawers = [charts.residual_of_last_increment]
     contacts = results.contacts
     drawers.append(charts.forces_over_time if contacts.n_rows else charts.displacement_over_time)
-    has_resistances = contacts.n_rows > 0 and contacts["resistance"].any()
+    has_resistances = contacts.n_rows > 0 and np.isfinite(contacts["resistance"]).any()
     has_currents = results.field("element_current", increment).any()
     if friction_charts.has_friction(results):
         drawers.append(friction_charts.force_over_sliding)

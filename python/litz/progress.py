@@ -26,6 +26,8 @@ _LOG_LINES = 10
 
 def total_time(deck: Path, depth: int = 0) -> float:
     """Time of all steps of a deck and what it includes; 0 where it cannot be read, which a run tells in words [s]."""
+    if not deck.is_file():
+        return 0.0
     try:
         text = deck.read_text(encoding="utf-8", errors="replace")
     except OSError:

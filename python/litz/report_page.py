@@ -2,6 +2,7 @@
 
 import base64
 import html
+import math
 import tempfile
 import warnings
 from pathlib import Path
@@ -127,7 +128,7 @@ def _pictures(results: Results) -> list[str]:
     wanted.append(("residuals", "Residuals over the iterations.", {}))
     if contacts.n_rows:
         wanted.append(("contacts", "The contacts over time, and their spots at the last increment.", {}))
-    if contacts.n_rows and contacts["resistance"].any():
+    if contacts.n_rows and (contacts["resistance"] < math.inf).any():
         wanted.append(("resistance", "Contact resistance over contact force.", {}))
     if field("element_current"):
         wanted.append(("currents", "Currents in the wires.", {}))

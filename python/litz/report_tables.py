@@ -31,14 +31,16 @@ def table(heads: Iterable[object], rows: Iterable[Iterable[object]], text: Itera
 
 
 def amount(value: float, unit: str) -> str:
-    """A number with a unit that suits it: 0.0012, "V" -> "1.2 mV"."""
+    """A number with a unit that suits it: 0.0012, "V" -> "1.2 mV"; "∞" without a unit."""
+    if np.isinf(value):
+        return "∞" if value > 0 else "-∞"
     factor, symbol = engineering(np.array([value]), unit)
     return f"{factor * value:.4g} {symbol}".strip()
 
 
 def verdict(results: Results) -> str:
     """Whether the run came to its end, and how far."""
-    n, status, time = int((results.steps > 0).sum()), results.status, results.unit_labels["s"]
+    n, status, time = int((results.steps > 0).sum()), results.status, html.escape(results.unit_labels["s"])
     work = f"{n} increment{'s' * (n != 1)}, {int(status['iterations'].sum())} iterations"
     if results.finished:
         return f'<p class="verdict">The run finished at time {results.times[-1]:g} {time}: {work}.</p>'

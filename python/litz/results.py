@@ -113,7 +113,7 @@ class Results:
     def times(self) -> np.ndarray:
         """Total time of each increment, (n_increments) [s]."""
         with self._open() as file:
-            return file["VTKHDF/Steps/Values"][: _n_steps(file)]
+            return file["VTKHDF/Steps/Values"][: self._n_whole(file)]
 
     @property
     def steps(self) -> np.ndarray:
@@ -142,7 +142,7 @@ class Results:
 
     def _increment_table(self, name: str) -> np.ndarray:
         with self._open() as file:
-            return file[f"litz/increments/{name}"][: _n_steps(file)]
+            return file[f"litz/increments/{name}"][: self._n_whole(file)]
 
     def index(self, step: int, increment: int) -> int:
         """Index of an increment, given the numbers of its step and of itself in the step."""
@@ -291,14 +291,14 @@ class Results:
             if increment is not None:
                 start = starts[self._checked(increment, file)]
                 return data[start : start + n_rows]
-            return np.array([data[start : start + n_rows] for start in starts[: _n_steps(file)]])
+            return np.array([data[start : start + n_rows] for start in starts[: self._n_whole(file)]])
 
     def positions(self, increment: int = -1) -> np.ndarray:
         """Current positions of the nodes, (n_nodes, 3) [m]."""
         return self.nodes + self.field("displacement", increment)
 
     def _checked(self, increment: int, file: h5py.File) -> int:
-        n = _n_steps(file)
+        n = self._n_whole(file)
         if not -n <= increment < n:
             raise IndexError(f"increment {increment} is not in {self.path}, which has {n} increments")
         return increment % n
@@ -308,12 +308,12 @@ class Results:
     @property
     def history(self) -> Table:
         """The columns that the deck asked for, over all increments."""
-        return self._table("_history.csv", read_csv)
+        return self._whole(self._table("_history.csv", read_csv))
 
     @property
     def contacts(self) -> Table:
         """The contact ledger: a row for each contact at each increment."""
-        return self._table("_contacts.csv", read_csv)
+        return self._whole(self._table("_contacts.csv", read_csv))
 
     def contacts_at(self, increment: int = -1) -> Table:
         """The contacts at one increment."""
@@ -373,6 +373,35 @@ class Results:
         """The .cvg table: a row per iteration."""
         return self._table(".cvg", read_aligned)
 
+    # A run writes the fields of an increment first, then the tables, and last its line of the .sta table: what has no
+    # line there is not yet, or after a kill will never be, whole in all files.
+
+    def _last_whole(self, file: h5py.File) -> tuple[int, int] | None:
+        """Step and increment of the last increment that is whole in all files; None: all there are."""
+        if file["litz"].attrs["finished"] or not self.path.with_suffix(".sta").exists():
+            return None
+        status = self.status
+        done = [k for k in range(status.n_rows) if not status["remark"][k].startswith("cut")]
+        if done:
+            return int(status["step"][done[-1]]), int(status["increment"][done[-1]])
+        return _numbers_of(file, 0) if _n_steps(file) else None
+
+    def _n_whole(self, file: h5py.File) -> int:
+        """Number of increments in the result file that are whole in all files."""
+        n, last = _n_steps(file), self._last_whole(file)
+        while last is not None and n > 1 and _numbers_of(file, n - 1) > last:
+            n -= 1
+        return n
+
+    def _whole(self, table: Table) -> Table:
+        """The rows of a table up to the last increment that is whole in all files."""
+        with self._open() as file:
+            last = self._last_whole(file)
+        if last is None or not table.n_rows:
+            return table
+        later = (table["step"] > last[0]) | ((table["step"] == last[0]) & (table["increment"] > last[1]))
+        return table.where(~later) if later.any() else table
+
     def _table(self, ending: str, read: Callable[[Path], Table]) -> Table:
         """A table beside the result file; read again when it has grown, as that of a run that goes on."""
         path = self.path.with_name(self.path.stem + ending)
@@ -428,6 +457,11 @@ def _find(path: Path) -> Path:
 
 def _n_steps(file: h5py.File) -> int:
     return int(file["VTKHDF/Steps"].attrs["NSteps"])
+
+
+def _numbers_of(file: h5py.File, index: int) -> tuple[int, int]:
+    """Numbers of the step and of the increment in it."""
+    return int(file["litz/increments/step"][index]), int(file["litz/increments/increment"][index])
 
 
 def _text(value: bytes | str) -> str:

@@ -83,6 +83,9 @@ class OutOfMemoryError(LitzError):
     exit_code = 6
 
 
+#: How long a program that is to end may take [s]
+_PATIENCE = 5.0
+
 _ERRORS: dict[int, type[LitzError]] = {
     error.exit_code: error
     for error in (InputError, NotConvergedError, SolverError, FileError, InternalError, OutOfMemoryError)
@@ -301,6 +304,15 @@ def _progress_of(deck: Path) -> "Progress":
     return Progress(total_time(deck), deck.stem)
 
 
+def _end(process: subprocess.Popen) -> None:
+    """End a program that may still run; it then takes its lock away."""
+    process.terminate()
+    try:
+        process.wait(timeout=_PATIENCE)
+    except subprocess.TimeoutExpired:
+        process.kill()
+
+
 def _call(command: list[str | Path], quiet: bool, progress: "Progress | None" = None) -> tuple[int, str, str]:
     """Exit code, standard output and standard error of a command; the output is passed on line by line if wanted."""
     printed = []
@@ -326,7 +338,7 @@ def _call(command: list[str | Path], quiet: bool, progress: "Progress | None" = 
                         sys.stdout.flush()
                 exit_code = process.wait()
             finally:
-                process.kill()
+                _end(process)
         if progress is not None:
             progress.close(exit_code == 0)
         messages.seek(0)

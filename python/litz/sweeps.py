@@ -228,7 +228,8 @@ class _Run:
             results = run_silently(deck, output_directory=self.directory, **self._options)
         except LitzError as error:
             self.message, self.n_warnings = str(error), len(error.warnings)
-            self._keep(identity)
+            # a full disk, or another run in the same place: nothing that a next sweep should take over
+            self._keep(None if isinstance(error, FileError) else identity)
             return
         self.n_warnings = len(results.warnings)
         self.values = _numbers(self._collected(results))

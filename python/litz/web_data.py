@@ -2,6 +2,7 @@
 
 import base64
 import json
+import math
 from functools import cached_property
 
 import matplotlib as mpl
@@ -134,7 +135,14 @@ def _described(scalar: Scalar, low: float, high: float) -> dict:
 def _column(name: str, values: np.ndarray) -> list:
     if name in _TEXT_COLUMNS or values.dtype.kind in "iU":
         return values.tolist()
-    return [float(f"{value:.{_DIGITS}g}") if np.isfinite(value) else None for value in values]
+    return [_number(value) for value in values.tolist()]
+
+
+def _number(value: float) -> float | str | None:
+    """JSON has no word for infinity: the viewer shows words as they are, and a dash for None."""
+    if math.isinf(value):
+        return "∞" if value > 0 else "-∞"
+    return None if math.isnan(value) else float(f"{value:.{_DIGITS}g}")
 
 
 def _base64(values: np.ndarray, kind: type) -> str:

@@ -431,6 +431,13 @@ KEYWORDS = [
         "must have the same OP; this one has OP=NEW, an earlier one OP=MOD",
         "NEW",
     ),
+    case(
+        "no loads",
+        "*CLOAD, AMP",
+        "*CLOAD\n*CLOAD, AMP",
+        "a data line is missing: *CLOAD needs at least 1",
+        "CLOAD",
+    ),
     case("quote", "INC=50", 'INC=50, NAME="FIRST', "this quotation mark is never closed", '"'),
     case(
         "step keyword in the model part",

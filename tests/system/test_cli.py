@@ -1,6 +1,7 @@
 """The command `litz` of the Python package."""
 
 import os
+import re
 import subprocess
 import sys
 
@@ -54,7 +55,26 @@ def test_help_about_one_command(name):
 def test_help_about_a_command_that_is_none():
     shown = command("help", "rnu")
     assert shown.returncode == 1
-    assert shown.stderr == 'error: unknown command "rnu"; did you mean litz run?\n'
+    assert shown.stderr.startswith('error: unknown command "rnu"; did you mean litz run? There is run, check')
+
+
+@pytest.mark.parametrize("wrong", [["plto"], ["help", "plto"], ["frobnicate"]])
+def test_a_misspelt_command_is_answered_with_all_commands_of_both(litz_program, wrong):
+    direct = subprocess.run([litz_program, *wrong], capture_output=True, text=True, check=False)
+    through_python = command(*wrong)
+    assert direct.returncode == through_python.returncode == 1
+    assert direct.stderr == through_python.stderr
+    assert ("did you mean litz plot?" in direct.stderr) == ("plto" in wrong)
+    of_program, of_package = direct.stderr.split("of the Python package there is")
+    for known in ("run", "check", "keywords", "help"):
+        assert re.search(rf"\b{known}\b", of_program)
+    assert set(re.findall(r"\w+", of_package)) - {"and"} == set(cli.COMMANDS)
+
+
+def test_the_program_alone_says_where_a_command_of_the_package_is(litz_program):
+    direct = subprocess.run([litz_program, "plot", "deck.inp"], capture_output=True, text=True, check=False)
+    assert direct.returncode == 1
+    assert "litz plot is a command of the Python package" in direct.stderr
 
 
 def test_the_package_can_be_started_as_a_module():

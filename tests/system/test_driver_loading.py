@@ -46,3 +46,43 @@ def test_nothing_to_do_takes_no_iteration(run):
     assert process.returncode == 0, process.stderr
     # loads on a held node change its reaction, not the structure: held values are not taken back and forth by round-off
     assert (results.convergence["iteration"][results.convergence["step"] == 2] == 0).all()
+
+
+def test_op_new_without_data_lines_takes_all_loads_back_over_the_step(run):
+    """As every load that a step no longer names, they ramp to zero."""
+    loads = "*CLOAD\n 11, 2, 20\n 6, 3, 10\n 11, 4, 0.1"
+    process, results = run(cantilever(loads, "*CLOAD, OP=NEW", static="0.25, 1, 1e-3, 0.25"))
+    assert process.returncode == 0, process.stderr
+    for increment in range(1, 5):
+        left = 1 - increment / 4
+        force = results.field("applied_force", results.index(2, increment))
+        assert force[[10, 5]] == pytest.approx(left * np.array([[0, 20, 0], [0, 0, 10]]), abs=1e-12)
+        moment = results.field("applied_moment", results.index(2, increment))
+        assert moment[10] == pytest.approx([left * 0.1, 0, 0], abs=1e-12)
+    # an elastic wire without loads is straight again
+    np.testing.assert_allclose(results.field("displacement"), 0, atol=1e-9)
+    assert abs(results.field("displacement", results.index(1, 4))).max() > 1e-2
+
+
+def test_op_new_without_data_lines_takes_all_currents_back(run):
+    deck = cantilever(
+        "*BOUNDARY\n 1, 9\n 6, 9, 9, 1e-3\n*CECURRENT\n 11, , 2", "*CECURRENT, OP=NEW", static="0.5, 1, 1e-3, 0.5"
+    )
+    process, results = run(deck.replace(" 200e9, 0.3\n", " 200e9, 0.3\n*ELECTRICAL CONDUCTIVITY\n 5e6\n"))
+    assert process.returncode == 0, process.stderr
+    entering = [results.field("applied_current", results.index(*at))[10] for at in ((1, 2), (2, 1), (2, 2))]
+    assert entering == pytest.approx([2, 1, 0], abs=1e-12)
+    # behind the node that is held at 1 mV no current flows any more
+    np.testing.assert_allclose(results.field("potential")[5:], 1e-3, rtol=1e-9)
+
+
+def test_op_new_without_data_lines_sets_all_supports_free(run):
+    """Those of the model part, too: the wire is then held nowhere, and litz says so."""
+    process, _ = run(cantilever("*CLOAD\n 11, 2, 1", "*BOUNDARY, OP=NEW"))
+    assert process.returncode == 1
+    assert "nothing holds WIRE (10 connected elements from element 1 on) in step 2" in process.stderr
+    moved = "*BOUNDARY, OP=NEW\n*BOUNDARY, OP=NEW\n 11, ENCASTRE"
+    process, results = run(cantilever("*CLOAD\n 11, 2, 1", moved), name="moved")
+    assert process.returncode == 0, process.stderr
+    assert (results.field("reaction_force")[0] == 0).all()
+    assert results.field("reaction_force")[10].any()

@@ -16,6 +16,7 @@ from decks import crossed
 from litz import Results
 from same_results import KEEP_ALL, assert_same_end, assert_same_numbers, written
 
+#: Writes to HDF5 files and lines of tables count alike
 KILL_AT_WRITE = r"""
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -24,15 +25,34 @@ KILL_AT_WRITE = r"""
 #include <stdlib.h>
 #include <sys/types.h>
 #include <unistd.h>
-/* Ends the program like kill -9 just before its n-th write to an HDF5 file, or counts these writes. */
+/* Ends the program like kill -9 just before its n-th write to an HDF5 file, flush of a table or renaming, or counts
+   these. */
 static long n = 0;
+static void count(void)
+{
+   const char *at = getenv("KILL_AT");
+   n++;
+   if (at && n == atol(at)) kill(getpid(), SIGKILL);
+}
+int fflush(FILE *file)
+{
+   static int (*real)(FILE *) = NULL;
+   if (!real) real = (int (*)(FILE *))dlsym(RTLD_NEXT, "fflush");
+   if (file) count();
+   return real(file);
+}
+int rename(const char *old, const char *new)
+{
+   static int (*real)(const char *, const char *) = NULL;
+   if (!real) real = (int (*)(const char *, const char *))dlsym(RTLD_NEXT, "rename");
+   count();
+   return real(old, new);
+}
 ssize_t pwrite(int file, const void *buffer, size_t size, off_t offset)
 {
    static ssize_t (*real)(int, const void *, size_t, off_t) = NULL;
    if (!real) real = (ssize_t (*)(int, const void *, size_t, off_t))dlsym(RTLD_NEXT, "pwrite64");
-   const char *at = getenv("KILL_AT");
-   n++;
-   if (at && n == atol(at)) kill(getpid(), SIGKILL);
+   count();
    return real(file, buffer, size, offset);
 }
 ssize_t pwrite64(int file, const void *buffer, size_t size, off_t offset) { return pwrite(file, buffer, size, offset); }
@@ -63,6 +83,34 @@ def kill_at_write(tmp_path_factory):
     return environment
 
 
+def increments_of(path):
+    """Times in the whole lines of a table, each once."""
+    lines = path.read_text().rpartition("\n")[0].splitlines()
+    heads = lines[0].split("," if path.suffix == ".csv" else None)
+    column = heads.index(next(head for head in heads if head.startswith("time")))
+    cells = [line.split("," if path.suffix == ".csv" else None) for line in lines[1:]]
+    return list(dict.fromkeys(float(row[column]) for row in cells if not row[-1].startswith("cut")))
+
+
+def assert_in_step(directory, part, reference):
+    """No table is ahead of the fields, none is more than one increment behind; read together they agree."""
+    with h5py.File(directory / "deck.vtkhdf", "r") as file:
+        times = file["VTKHDF/Steps/Values"][: file["VTKHDF/Steps"].attrs["NSteps"]].tolist()
+    history, status = increments_of(directory / "deck_history.csv"), increments_of(directory / "deck.sta")
+    contacts = increments_of(directory / "deck_contacts.csv")
+    # the fields and the history begin with the start of the run
+    assert len(times) >= len(history) >= len(status) + 1 >= len(times) - 1
+    assert len(times) - 1 >= len(contacts) >= len(status)
+    n = len(part.times)
+    assert n == min(len(times), len(status) + 1)
+    assert part.history["time"].tolist() == part.times.tolist()
+    assert part.status["time"].tolist() == pytest.approx(part.times.tolist()[1:], rel=1e-6)
+    whole = [reference.contacts_at(k) for k in range(n)]
+    assert part.contacts.n_rows == sum(rows.n_rows for rows in whole)
+    for k, rows in enumerate(whole):
+        assert_same_numbers(part.contacts_at(k)["force"], rows["force"])
+
+
 def readable(directory, reference):
     """Read all there is of the files a killed run has left; return the number of its increments."""
     n = 0
@@ -79,6 +127,7 @@ def readable(directory, reference):
             rows = getattr(part, table)
             for column in rows:
                 assert_same_numbers(rows[column], getattr(reference, table)[column][: rows.n_rows])
+        assert_in_step(directory, part, reference)
     if (directory / "deck_contacts.vtkhdf").exists():
         with h5py.File(directory / "deck_contacts.vtkhdf", "r") as file:
             times = file["VTKHDF/Steps/Values"][: file["VTKHDF/Steps"].attrs["NSteps"]]

@@ -3,7 +3,7 @@
 !> Two wires of four nodes cross in their middles: the lower one (nodes 1, 2) along x, the upper one (3, 4) along y,
 !> pressed together by a force `f`; a current `i` enters at node 1, crosses the spot and leaves at node 3.
 program test_audit
-   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
+   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan, ieee_positive_inf
    use litz_kinds, only: dp
    use litz_audit, only: audit_t, scales_t, audit_increment, audit_error
    use litz_errors, only: error_t, exit_not_converged
@@ -92,6 +92,19 @@ program test_audit
    wrong%contacts(1)%resistance = ieee_value(1.0_dp, ieee_quiet_nan)
    call expect_finding(wrong, 'a value of contact 7 (elements 101 and 102) is not a number')
 
+
+   wrong = right
+   wrong%contacts(1)%resistance = ieee_value(1.0_dp, ieee_positive_inf)
+   call expect_finding(wrong, 'current and voltage of contact 7 disagree')
+   wrong%contacts%current = 0
+   wrong%contacts%joule_heat = 0
+   wrong%reaction_current = 0
+   wrong%applied_current = 0
+   wrong%element_current = 0
+   wrong%joule_heat = 0
+   audit = audit_increment(model, wrong, at_rest, scales)
+   call expect(len(audit%finding) == 0, 'an insulated contact without a current is right: '//audit%finding)
+
    wrong = right
    wrong%reaction(3, 1) = 0
    wrong%step = 2
@@ -106,7 +119,8 @@ program test_audit
    call expect_finding(wrong, 'contact 7 (elements 101 and 102) overlaps by 20 % of the smaller radius (above 5 %): '// &
       'a penalty of 160000 N/m at least would hold it')
    model%interactions(1)%normal_law = normal_hertz
-   call expect_finding(wrong, 'the law of Hertz is for smaller ones')
+   call expect_finding(wrong, 'contact 7 (elements 101 and 102) overlaps by 20 % of the smaller radius (above 5 %): '// &
+      'the law of Hertz is for smaller ones')
 
    model%interactions(1)%normal_law = normal_linear
    call make_state(wrong)

@@ -228,6 +228,18 @@ def test_op_new_removes_what_was_before(check):
     ]
 
 
+def test_op_new_without_data_lines_removes_all_loads(check):
+    assert loads_of_step_2(check, "*CLOAD\nEND, 1, 1.\nEND, 2, 1.\n", "*CLOAD, OP=NEW\n") == []
+
+
+def test_op_new_without_data_lines_keeps_what_another_card_of_the_step_prescribes(check):
+    both = "*CLOAD, OP=NEW\n*CLOAD, OP=NEW\nEND, 3, 5.\n"
+    assert loads_of_step_2(check, "*CLOAD\nEND, 1, 1.\n", both) == ["loads at degree of freedom 3: 1 node, 5"]
+    assert loads_of_step_2(check, "*CLOAD\nEND, 1, 1.\n", "".join(reversed(both.partition("*CLOAD, OP=NEW\n")))) == [
+        "loads at degree of freedom 3: 1 node, 5"
+    ]
+
+
 @pytest.mark.parametrize(
     ("time", "factor"),
     [("STEP TIME", 1.0), ("TOTAL TIME", 3.0)],

@@ -343,8 +343,9 @@ def test_what_is_refused_leaves_no_trace(built):
     assert built["model"].to_deck() == before
 
 
-def test_op_new_without_a_value_is_told(built):
+def test_op_new_without_a_value_removes_the_loads_of_earlier_steps(built):
     model = built["model"]
     model.step(cload_op="NEW")
-    with pytest.raises(ValueError, match=r"CLOAD, OP=NEW needs one value"):
-        model.to_deck()
+    last = model.to_deck().rpartition("*STEP")[2]
+    assert [line for line in last.splitlines() if "CLOAD" in line] == ["*CLOAD, OP=NEW"]
+    assert "*BOUNDARY" not in last

@@ -130,7 +130,12 @@ class Load:
 
 
 def grouped(keyword: str, items: Sequence[Prescribed | Load], op: str = "MOD") -> Iterator[CardSpec]:
-    """Cards for prescribed values or loads: one for each run of lines with the same amplitude."""
+    """Cards for prescribed values or loads: one for each run of lines with the same amplitude.
+
+    With `OP=NEW` and no lines a card that removes what earlier steps prescribed.
+    """
+    if op != "MOD" and not items:
+        yield keyword, {"OP": op}, []
     begin = 0
     for end in range(1, len(items) + 1):
         if end < len(items) and items[end].amplitude == items[begin].amplitude:

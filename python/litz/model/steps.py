@@ -293,15 +293,9 @@ class Step:
         """All cards of the step, in the order of the deck."""
         yield self._step
         yield self._static
-        yield from grouped("BOUNDARY", self.prescribed, self._ops["BOUNDARY"])
         loads = [load for load in self.loads if load.dof != POTENTIAL]
         currents = [load for load in self.loads if load.dof == POTENTIAL]
-        yield from grouped("CLOAD", loads, self._ops["CLOAD"])
-        yield from grouped("CECURRENT", currents, self._ops["CECURRENT"])
         for name, items in (("BOUNDARY", self.prescribed), ("CLOAD", loads), ("CECURRENT", currents)):
-            if self._ops[name] != "MOD" and not items:
-                raise ValueError(
-                    f"step {self.name}: *{name}, OP={self._ops[name]} needs one value at least in the step"
-                )
+            yield from grouped(name, items, self._ops[name])
         yield from self.cards
         yield "END STEP", {}, []

@@ -20,22 +20,31 @@ export function drawColourBar(element, table, limits, text, unit) {
    }));
 }
 
+/** An element of an SVG; its text is text, whatever the results hold. */
+function svgElement(name, attributes, text = "") {
+   const element = document.createElementNS("http://www.w3.org/2000/svg", name);
+   for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
+   element.textContent = text;
+   return element;
+}
+
 /** Directions of the axes, and a bar of a round length, as an SVG of 190 x 70 pixels. */
 export function drawCompass(svg, stage, lengthUnit) {
-   const lines = [];
+   const parts = [];
    [[1, 0, 0], [0, 1, 0], [0, 0, 1]].forEach((axis, k) => {
       const [x, y] = stage.direction(new Vector3(...axis));
       if (Math.hypot(x, y) < 0.1) return;
       const [tipX, tipY] = [150 + 24 * x, 35 - 24 * y];
-      lines.push(`<line x1="150" y1="35" x2="${tipX}" y2="${tipY}" marker-end="url(#litz-arrow)"/>`);
-      lines.push(`<text x="${150 + 34 * x}" y="${39 - 34 * y}">${"xyz"[k]}</text>`);
+      parts.push(svgElement("line", { x1: 150, y1: 35, x2: tipX, y2: tipY, "marker-end": "url(#litz-arrow)" }));
+      parts.push(svgElement("text", { x: 150 + 34 * x, y: 39 - 34 * y }, "xyz"[k]));
    });
    const wanted = 90 / stage.pixelsPerMetre;
    const decade = 10 ** Math.floor(Math.log10(wanted));
    const length = decade * Math.max(...[1, 2, 5].filter((step) => step * decade <= wanted));
    const pixels = length * stage.pixelsPerMetre;
    const [factor, unit] = engineering(length, lengthUnit);
-   lines.push(`<line x1="${100 - pixels}" y1="50" x2="100" y2="50" stroke-width="3"/>`);
-   lines.push(`<text x="${100 - pixels / 2}" y="42">${Number((factor * length).toPrecision(3))} ${unit}</text>`);
-   svg.querySelector("g").innerHTML = lines.join("");
+   parts.push(svgElement("line", { x1: 100 - pixels, y1: 50, x2: 100, y2: 50, "stroke-width": 3 }));
+   const text = `${Number((factor * length).toPrecision(3))} ${unit}`;
+   parts.push(svgElement("text", { x: 100 - pixels / 2, y: 42 }, text));
+   svg.querySelector("g").replaceChildren(...parts);
 }
