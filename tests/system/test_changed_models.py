@@ -95,6 +95,7 @@ def kept(litz_of_module, tmp_path_factory):
 @pytest.fixture(scope="module")
 def litz_of_module(litz_program):
     """The program, for the whole module."""
+
     def run(*arguments):
         return subprocess.run(
             [litz_program, *map(str, arguments)], capture_output=True, text=True, timeout=120, check=False
@@ -190,10 +191,13 @@ def changes(keyword, text):
                 yield spec, [deck(start, f"{card[0]}, {name}")]
             if name not in given or spec["kind"] == "flag":
                 continue
-            yield spec, [
-                deck(start, card[0].replace(f"{name}={given[name]}", f"{name}={value}"))
-                for value in other_values(given[name], spec)
-            ]
+            yield (
+                spec,
+                [
+                    deck(start, card[0].replace(f"{name}={given[name]}", f"{name}={value}"))
+                    for value in other_values(given[name], spec)
+                ],
+            )
         for form in keyword["data"]:
             wanted = form["when"]
             if wanted:
@@ -244,7 +248,9 @@ def test_every_value_that_decides_results_is_compared(litz_of_module, go_on):
                     missed.append(what)
     unchanged = sorted(expected - covered)
     assert not missed, f"changed without a word: {missed}"
-    assert not unchanged, f"no deck of this test changes {unchanged}: give model() a card with it, or say why it is free"
+    assert not unchanged, (
+        f"no deck of this test changes {unchanged}: give model() a card with it, or say why it is free"
+    )
     assert len(covered) > 50
 
 
@@ -331,7 +337,9 @@ def test_a_mesh_in_a_file_is_compared_by_what_it_says(litz, tmp_path):
     assert litz("run", deck, "-o", tmp_path / "second", "--restart", place).returncode == 0
     with h5py.File(tmp_path / "mesh.h5", "r+") as file:
         file["nodes/position"][2, 0] = 0.11
-    assert "the nodes: positions changed" in differences(litz("run", deck, "-o", tmp_path / "third", "--restart", place))
+    assert "the nodes: positions changed" in differences(
+        litz("run", deck, "-o", tmp_path / "third", "--restart", place)
+    )
 
 
 def test_what_a_user_may_change_is_accepted(go_on):

@@ -57,7 +57,9 @@ def moved(text, by):
     lines, in_nodes = [], False
     for line in text.splitlines():
         if line.startswith("*"):
-            in_nodes = in_nodes and line.startswith("**") or re.match(r"\*NODE *(,|$)", line, re.IGNORECASE) is not None
+            in_nodes = (in_nodes and line.startswith("**")) or re.match(
+                r"\*NODE *(,|$)", line, re.IGNORECASE
+            ) is not None
         elif in_nodes:
             number, *position = line.split(",")
             line = ",".join([number, *(repr(float(x) + d) for x, d in zip(position[:3], by, strict=True))])
