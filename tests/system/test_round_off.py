@@ -61,7 +61,8 @@ def moved(text, by):
             ) is not None
         elif in_nodes:
             number, *position = line.split(",")
-            line = ",".join([number, *(repr(float(x) + d) for x, d in zip(position[:3], by, strict=True))])
+            lines.append(",".join([number, *(repr(float(x) + d) for x, d in zip(position[:3], by, strict=True))]))
+            continue
         lines.append(line)
     return "\n".join(lines) + "\n"
 
