@@ -77,11 +77,13 @@ contains
       !> Number of characters
       integer, intent(in) :: length
       character(len=:), allocatable :: text
+      integer(int64) :: shifted
       integer :: i
 
       allocate (character(len=length) :: text)
       do i = 1, length
-         text(i:i) = achar(int(iand(ishft(numbers(1, (i - 1)/per_number + 1), -8*modulo(i - 1, per_number)), 255_int64)))
+         shifted = ishft(numbers(1, (i - 1)/per_number + 1), -8*modulo(i - 1, per_number))
+         text(i:i) = achar(int(iand(shifted, 255_int64)))
       end do
    end function unpacked
 

@@ -4,6 +4,7 @@ import json
 import re
 import shutil
 import subprocess
+from itertools import pairwise
 from pathlib import Path
 
 import h5py
@@ -95,6 +96,7 @@ def kept(litz_of_module, tmp_path_factory):
 @pytest.fixture(scope="module")
 def litz_of_module(litz_program):
     """The program, for the whole module."""
+
     def run(*arguments):
         return subprocess.run(
             [litz_program, *map(str, arguments)], capture_output=True, text=True, timeout=120, check=False
@@ -135,7 +137,8 @@ FREE_VALUES = {
     ("NODE", "NSET"): "a name", ("ELEMENT", "ELSET"): "a name", ("NSET", "NSET"): "a name", ("ELSET", "ELSET"): "a name",
     # one carries over, the other removes: in the first step there is nothing else
     ("BOUNDARY", "OP"): "tested by itself", ("CLOAD", "OP"): "none before", ("CECURRENT", "OP"): "none before",
-    ("BOUNDARY", "first"): "tested by its last one", ("NSET", "GENERATE"): "form of the data", ("ELSET", "GENERATE"): "form of the data",
+    ("BOUNDARY", "first"): "tested by its last one",
+    ("NSET", "GENERATE"): "form of the data", ("ELSET", "GENERATE"): "form of the data",
     ("SURFACE BEHAVIOR", "PRESSURE-OVERCLOSURE"): "tested by itself, with its data",
     ("BEAM SECTION", "SECTION"): "form of the data", ("BEAM SECTION", "ELSET"): "every element has one section",
 }  # fmt: skip
@@ -145,13 +148,13 @@ def cards_of(text):
     """Cards as (first line, lines of the card)."""
     lines = text.splitlines()
     starts = [i for i, line in enumerate(lines) if line.startswith("*")] + [len(lines)]
-    return [(start, lines[start:end]) for start, end in zip(starts, starts[1:], strict=False)]
+    return [(start, lines[start:end]) for start, end in pairwise(starts)]
 
 
 def parameters_of(line):
     """Parameters of a keyword line, as written."""
     words = [word.strip() for word in line.split(",")[1:]]
-    return {word.split("=")[0].strip(): (word.split("=") + ["YES"])[1].strip() for word in words}
+    return {word.split("=")[0].strip(): [*word.split("="), "YES"][1].strip() for word in words}
 
 
 def other_values(text, spec):
@@ -173,49 +176,51 @@ def renumbered(text, number):
     return re.sub(rf"(?m)(^ |, ){number}(?=,|$)", r"\g<1>7777", text)
 
 
+def with_line(text, at, line):
+    """The deck with another line in the place of one."""
+    lines = text.splitlines()
+    return "\n".join([*lines[:at], line, *lines[at + 1 :]]) + "\n"
+
+
+def changed_parameters(keyword, text, start, line):
+    given = parameters_of(line)
+    for spec in keyword["parameters"]:
+        name = spec["name"]
+        if spec["kind"] == "flag" and name not in given:
+            yield spec, [with_line(text, start, f"{line}, {name}")]
+        elif spec["kind"] != "flag" and name in given:
+            others = other_values(given[name], spec)
+            yield spec, [with_line(text, start, line.replace(f"{name}={given[name]}", f"{name}={x}")) for x in others]
+
+
+def changed_data(form, text, at, line):
+    values = [value.strip() for value in line.split(",")]
+    for i, (value, spec) in enumerate(zip(values, form["values"], strict=False)):
+        if not value:
+            continue
+        decks = [
+            with_line(text, at, " " + ", ".join([*values[:i], other, *values[i + 1 :]]))
+            for other in other_values(value, spec)
+        ]
+        if spec["name"] == "id":
+            decks.insert(0, renumbered(text, value))
+        if spec["name"] == "n1":
+            decks.insert(0, with_line(text, at, f" {values[0]}, {values[2]}, {values[1]}"))
+        yield spec, decks
+
+
 def changes(keyword, text):
     """(description, decks in which it alone is another) for each value of a keyword that the deck has."""
-    lines = text.splitlines()
     for start, card in cards_of(text):
         if card[0].split(",")[0].strip().upper() != f"*{keyword['name']}":
             continue
+        yield from changed_parameters(keyword, text, start, card[0])
         given = parameters_of(card[0])
-
-        def deck(at, line):
-            return "\n".join([*lines[:at], line, *lines[at + 1 :]]) + "\n"
-
-        for spec in keyword["parameters"]:
-            name = spec["name"]
-            if spec["kind"] == "flag" and name not in given:
-                yield spec, [deck(start, f"{card[0]}, {name}")]
-            if name not in given or spec["kind"] == "flag":
-                continue
-            yield spec, [
-                deck(start, card[0].replace(f"{name}={given[name]}", f"{name}={value}"))
-                for value in other_values(given[name], spec)
-            ]
         for form in keyword["data"]:
-            wanted = form["when"]
-            if wanted:
-                parameter, _, word = wanted.partition("=")
-                if given.get(parameter, "NO") != word:
-                    continue
-            k = form["first"]
-            if k >= len(card):
-                continue
-            values = [value.strip() for value in card[k].split(",")]
-            for i, spec in enumerate(form["values"]):
-                if i >= len(values) or not values[i]:
-                    continue
-                others = [
-                    deck(start + k, " " + ", ".join([*values[:i], other, *values[i + 1 :]]))
-                    for other in other_values(values[i], spec)
-                ]
-                if spec["name"] == "id":
-                    others.insert(0, renumbered(text, values[i]))
-                if spec["name"] == "n1":
-                    others.insert(0, deck(start + k, f" {values[0]}, {values[2]}, {values[1]}"))
-                yield spec, others
+            parameter, _, word = (form["when"] or "=").partition("=")
+            if form["first"] < len(card) and (not parameter or given.get(parameter, "NO") == word):
+                at = form["first"]
+                yield from changed_data(form, text, start + at, card[at])
 
 
 def test_every_value_that_decides_results_is_compared(litz_of_module, go_on):
@@ -244,7 +249,9 @@ def test_every_value_that_decides_results_is_compared(litz_of_module, go_on):
                     missed.append(what)
     unchanged = sorted(expected - covered)
     assert not missed, f"changed without a word: {missed}"
-    assert not unchanged, f"no deck of this test changes {unchanged}: give model() a card with it, or say why it is free"
+    assert not unchanged, (
+        f"no deck of this test changes {unchanged}: give model() a card with it, or say why it is free"
+    )
     assert len(covered) > 50
 
 
@@ -331,7 +338,9 @@ def test_a_mesh_in_a_file_is_compared_by_what_it_says(litz, tmp_path):
     assert litz("run", deck, "-o", tmp_path / "second", "--restart", place).returncode == 0
     with h5py.File(tmp_path / "mesh.h5", "r+") as file:
         file["nodes/position"][2, 0] = 0.11
-    assert "the nodes: positions changed" in differences(litz("run", deck, "-o", tmp_path / "third", "--restart", place))
+    assert "the nodes: positions changed" in differences(
+        litz("run", deck, "-o", tmp_path / "third", "--restart", place)
+    )
 
 
 def test_what_a_user_may_change_is_accepted(go_on):

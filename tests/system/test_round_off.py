@@ -5,7 +5,6 @@ import re
 import numpy as np
 import pytest
 
-from conftest import INPUTS
 from decks import MATERIAL, straight, wire
 
 #: A machine part of 10 mm, as a beam: 8e11 times as stiff in bending as a thread
@@ -57,10 +56,13 @@ def moved(text, by):
     lines, in_nodes = [], False
     for line in text.splitlines():
         if line.startswith("*"):
-            in_nodes = in_nodes and line.startswith("**") or re.match(r"\*NODE *(,|$)", line, re.IGNORECASE) is not None
+            in_nodes = (in_nodes and line.startswith("**")) or re.match(
+                r"\*NODE *(,|$)", line, re.IGNORECASE
+            ) is not None
         elif in_nodes:
             number, *position = line.split(",")
-            line = ",".join([number, *(repr(float(x) + d) for x, d in zip(position[:3], by, strict=True))])
+            lines.append(",".join([number, *(repr(float(x) + d) for x, d in zip(position[:3], by, strict=True))]))
+            continue
         lines.append(line)
     return "\n".join(lines) + "\n"
 
@@ -69,9 +71,9 @@ def moved(text, by):
 @pytest.mark.parametrize(
     "name", ["01_crossed_wires", "02_oblique_crossing", "04_wire_grid", "08_elastica", "09_paper_law", "13_stick_slip"]
 )
-def test_what_round_off_leaves_is_allowed(run, name, by):
+def test_what_round_off_leaves_is_allowed(run, inputs, name, by):
     """With a tolerance that nothing can meet, round-off alone ends the iterations: never with a cut, and soon."""
-    text = (INPUTS / f"{name}.inp").read_text()
+    text = (inputs / f"{name}.inp").read_text()
     step, n = re.subn(
         r"(?m)^\*STATIC", "*CONTROLS, PARAMETERS=FIELD\n 1e-30\n*STATIC", moved(text, by) if any(by) else text, count=1
     )
