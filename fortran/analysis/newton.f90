@@ -10,6 +10,7 @@ module litz_newton
    use litz_audit, only: scales_t
    use litz_contact_forces, only: apply_normal_law, assemble_contacts, predict_contacts
    use litz_contact_pairs, only: contact_set_t, find_candidates, locate_points
+   use litz_contact_tangents, only: follow_centre_line
    use litz_element_library, only: elements_t
    use litz_equations, only: equations_t, build_system
    use litz_errors, only: error_t, exit_solver
@@ -196,6 +197,8 @@ contains
       problem%contact%points = problem%contact%converged
       problem%contact%points%predicted = .false.
       problem%contact%points%mixed_force = problem%contact%points%force
+      if (problem%contact%present) call follow_centre_line(problem%model, problem%elements, problem%iterate%x, &
+         problem%iterate%rotation, problem%wires)
       problem%contact%depth = max(0.0_dp, maxval(-problem%contact%points%kinematics%gap))
    end subroutine start_iterate
 

@@ -33,6 +33,8 @@ module litz_wires
       !> Reference triads at both ends of each element, columns tangent, first and second section axis
       !> (3, 3, 2, n_elements)
       real(dp), allocatable :: triads0(:, :, :, :)
+      !> Reference tangents at both ends of the axis that touches others (3, 2, n_elements), see litz_contact_tangents
+      real(dp), allocatable :: contact_tangents0(:, :, :)
    end type wires_t
 
 contains
@@ -54,6 +56,7 @@ contains
       call join_elements(model, chord, wires)
       call number_wires(model%n_elements, wires)
       call nodal_triads(model, chord, length, wires)
+      allocate (wires%contact_tangents0, source=wires%triads0(:, 1, :, :))
    end subroutine build_wires
 
    !> Which element continues which.
