@@ -167,7 +167,7 @@ contains
             if (other == e) cycle
             side = merge(1, 2, wires%at_node(i) < 0)
             if (axis == axis_hermite) then
-               away = (3 - 2*side)*matmul(rotation(:, :, node), wires%triads0(:, 1, side, other))
+               away = (3 - 2*side)*matmul(rotation(:, :, node), wires%contact_tangents0(:, side, other))
             else
                away = x(:, model%connectivity(3 - side, other)) - x(:, node)
                away = away/norm2(away)

@@ -97,8 +97,8 @@ contains
          associate (node_bar => model%connectivity(side, eb), node => model%connectivity(side, e))
             xe(:, side) = x(:, node_bar)
             xe(:, 2 + side) = x(:, node)
-            t(:, side) = matmul(rotation(:, :, node_bar), wires%triads0(:, 1, side, eb))
-            t(:, 2 + side) = matmul(rotation(:, :, node), wires%triads0(:, 1, side, e))
+            t(:, side) = matmul(rotation(:, :, node_bar), wires%contact_tangents0(:, side, eb))
+            t(:, 2 + side) = matmul(rotation(:, :, node), wires%contact_tangents0(:, side, e))
          end associate
       end do
       length = elements%length([eb, e])

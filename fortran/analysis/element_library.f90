@@ -23,6 +23,8 @@ module litz_element_library
       real(dp), allocatable :: resistivity(:)
       !> Area and contact radius (n_elements) [m^2, m]
       real(dp), allocatable :: area(:), radius(:)
+      !> The centre line may be turned against the normals of the sections (n_elements)
+      logical, allocatable :: shear_flexible(:)
    end type elements_t
 
 contains
@@ -35,7 +37,7 @@ contains
 
       n = model%n_elements
       allocate (elements%length(n), elements%strain0(6, n), elements%stiffness(6, n), elements%rigidity(6, n), &
-         elements%resistivity(n), elements%area(n), elements%radius(n))
+         elements%resistivity(n), elements%area(n), elements%radius(n), elements%shear_flexible(n))
       do e = 1, n
          associate (section => model%sections(model%element_section(e)), x0 => model%x(:, model%connectivity(:, e)))
             associate (material => model%materials(section%material))
@@ -49,9 +51,11 @@ contains
             elements%radius(e) = section%contact_radius
             select case (model%element_type(e))
             case (element_b31)
+               elements%shear_flexible(e) = .true.
                call beam_b31_reference(x0, wires%triads0(:, :, :, e), elements%length(e), elements%strain0(:, e))
                elements%rigidity(:, e) = beam_b31_rigidities(elements%stiffness(:, e), elements%length(e))
             case (element_b33)
+               elements%shear_flexible(e) = .false.
                call beam_b33_reference(x0, wires%triads0(:, :, :, e), elements%length(e), elements%strain0(:, e))
                elements%rigidity(:, e) = beam_b33_rigidities(elements%stiffness(:, e), elements%length(e))
             end select

@@ -83,14 +83,12 @@ contains
       character(len=7), parameter :: names(3) = ['force  ', 'moment ', 'current']
       type(scales_t) :: scales
       real(dp) :: tolerance
-      integer :: field, node
+      integer :: field
 
       scales = measure_scales(problem)
       tolerance = max(allowed_imbalance, problem%model%steps(problem%state%step)%controls%r_n)
       do field = 1, size(names)
-         node = outcome%last%residual_node(field)
-         if (node == 0) cycle
-         if (scales%reference(field) <= scales%round_off(field, node)) cycle
+         if (scales%reference(field) <= maxval(scales%round_off(field, :))) cycle
          associate (share => outcome%last%residual(field)/scales%reference(field))
             if (share > tolerance) call problem%warnings%add('round_off', 'accepted at the limit of round-off: the '// &
                trim(names(field))//' residual is '//to_text(100*share)//' % of the largest '//trim(names(field)), &

@@ -13,8 +13,9 @@ module litz_newton
    use litz_contact_sweep, only: sweep_contacts
    use litz_contact_forces, only: apply_normal_law, assemble_contacts, predict_contacts
    use litz_contact_pairs, only: find_candidates, locate_points
-   use litz_contact_step, only: bearable_fraction
    use litz_contact_points, only: contact_set_t
+   use litz_contact_step, only: bearable_fraction
+   use litz_contact_tangents, only: follow_centre_line
    use litz_element_library, only: elements_t
    use litz_equations, only: equations_t, build_system
    use litz_errors, only: error_t, exit_solver
@@ -136,6 +137,15 @@ contains
          call count_contacts(problem%contact, outcome%last)
          if (outcome%last%factor_age == 0 .and. &
             .not. only_contacts_changed(outcome%last, outcome%before%contacts_active)) counted = counted + 1
+         if (mechanics_converged(outcome%last) .and. problem%contact%present .and. any(problem%elements%shear_flexible) &
+            .and. .not. any(abs(increment) > 0)) then
+            ! the axes have sheared since the increment began: contact is to balance where they are now
+            call follow_centre_line(problem%model, problem%elements, problem%iterate%x, problem%iterate%rotation, &
+               problem%wires)
+            call evaluate(problem, x_start, increment, error)
+            if (allocated(error)) return
+            call measure_residual(problem, step, outcome%last, outcome%at_round_off)
+         end if
          ! the monolithic tangent leaves out what contacts on the same element do to each other
          if ((problem%coupling /= coupling_monolithic .or. problem%contact%shared%present) .and. &
             (.not. any(abs(increment) > 0))) then
@@ -206,6 +216,8 @@ contains
       problem%contact%points = problem%contact%converged
       problem%contact%points%predicted = .false.
       problem%contact%points%mixed_force = problem%contact%points%force
+      if (problem%contact%present) call follow_centre_line(problem%model, problem%elements, problem%iterate%x, &
+         problem%iterate%rotation, problem%wires)
       problem%contact%depth = max(0.0_dp, maxval(-problem%contact%points%kinematics%gap))
    end subroutine start_iterate
 

@@ -37,6 +37,8 @@ module litz_wires
       integer, allocatable :: at_node(:), first_at_node(:)
       !> The wire shares a node with another one (n_wires)
       logical, allocatable :: is_joined(:)
+      !> Reference tangents at both ends of the axis that touches others (3, 2, n_elements), see litz_contact_tangents
+      real(dp), allocatable :: contact_tangents0(:, :, :)
    contains
       procedure :: arc_between
    end type wires_t
@@ -62,6 +64,7 @@ contains
       call number_wires(model%n_elements, wires)
       call find_joints(model, wires)
       call nodal_triads(model, chord, length, wires)
+      allocate (wires%contact_tangents0, source=wires%triads0(:, 1, :, :))
    end subroutine build_wires
 
    pure subroutine list_elements_at_nodes(model, wires)

@@ -178,7 +178,8 @@ contains
       call begin(k, 'SURFACE INTERACTION', place_model, 'Begins the laws of a contact; *SURFACE BEHAVIOR and *GAP'// &
          ' ELECTRICAL CONDUCTANCE follow it.')
       call k%add(name('NAME', 'name of the interaction', required=.true.))
-      call k%add(choice('AXIS', 'HERMITE|LINEAR', 'interpolation of the wire axes that touch (own word of litz)', &
+      call k%add(choice('AXIS', 'HERMITE|LINEAR', 'interpolation of the wire axes that touch (own word of litz);'// &
+         ' LINEAR has kinks at the nodes of a bent wire, where a contact may be missed or counted twice', &
          default='HERMITE'))
       call finish(table, k)
 
