@@ -8,7 +8,7 @@ module litz_wires
    use litz_rotations, only: cross
    implicit none
    private
-   public :: wires_t, build_wires, measure_wires
+   public :: wires_t, build_wires, measure_wires, arc_from_to
 
    !> A sharper angle between two elements [rad] is a corner, not a smooth wire (20 degrees, as in Abaqus)
    real(dp), parameter :: corner_angle = 20*pi/180
@@ -165,6 +165,16 @@ contains
          if (all(wires%next(:, wires%element(wires%first(w))) /= 0)) wires%circumference(w) = s
       end do
    end subroutine measure_wires
+
+   !> How far one place lies beyond another along a wire: around a closed wire the short way, over the node where its arc
+   !> lengths begin or not.
+   elemental real(dp) function arc_from_to(from, to, circumference) result(arc)
+      !> Arc lengths of the two places, and length around the wire [m], 0: it has two ends
+      real(dp), intent(in) :: from, to, circumference
+
+      arc = to - from
+      if (circumference > 0) arc = arc - circumference*anint(arc/circumference)
+   end function arc_from_to
 
    !> Tangents at the nodes from a parabola through three neighbours (at the end of a wire: the circle that goes on),
    !> section axes perpendicular to them.
