@@ -111,8 +111,8 @@ contains
    end subroutine apply_normal_law
 
    !> Add all points to the system: mechanics, and where a current can cross, the paper's electric blocks.
-   subroutine assemble_contacts(model, wires, elements, equations, x_start, increment, iterate, contact, matrix, forces, &
-      timing)
+   subroutine assemble_contacts(model, wires, elements, equations, x_start, increment, iterate, contact, matrix, &
+      forces, timing)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements

@@ -37,8 +37,9 @@ contains
       integer :: elements(2)
 
       elements = [point%element_bar, point%element]
-      if (.not. (point%history%closed .or. point%friction_iteration%touched)) &
+      if (.not. (point%history%closed .or. point%friction_iteration%touched)) then
          call find_touch(wires%direction(elements)*length/2, dq, closing, point)
+      end if
       slip = slip_kinematics(point%kinematics, x, t, length, law%axis, wires%direction(elements), &
          arc_from_to(start_of_slip(point), [point%arc_bar, point%arc], wires%circumference(wires%wire(elements))))
       residual = 0
@@ -52,8 +53,8 @@ contains
          r = r + residual
       end if
 
+      if (point%friction_iteration%status == friction_none) call suppose(point)
       associate (iteration => point%friction_iteration)
-         if (iteration%status == friction_none) call suppose(point)
          iteration%difference = -residual
          iteration%limit = 0
          iteration%dtrial = 0

@@ -3,7 +3,9 @@
 !> The return map alone can send an iteration to and fro for ever: from slip one way, with the constant force of slip,
 !> to slip the other way, past a stick zone that is a thousand times smaller than the step. So the status of a contact
 !> follows from the trial traction that the last linear step predicted: it sticks in the next iteration when that lies
-!> in the cone, or when it points against the slip of this one, since a slip that turns back passes through stick.
+!> in the cone, or when it points against the slip of this one, since a slip that turns back passes through stick. There
+!> it stays while a step still takes most of a trial traction away: the slip has been so much larger than the stick zone
+!> that the linear step misses it, on either side.
 module litz_friction_iteration
    use litz_kinds, only: dp
    use litz_friction_law, only: friction_none, friction_stick, friction_slip
@@ -14,6 +16,8 @@ module litz_friction_iteration
    type :: friction_iteration_t
       !> Status that the iteration supposes; `friction_none`: nothing yet
       integer :: status = friction_none
+      !> It sticks because a slip has turned back
+      logical :: turned = .false.
       !> Traction of the geometric stiffness (2) [N]
       real(dp) :: mixed_traction(2) = 0
       !> Trial traction of this iteration (2) [N] and how it changes with the unknowns of the contact (24, 2)
@@ -27,6 +31,9 @@ module litz_friction_iteration
       !> Arc lengths of the places along the barred and the unbarred wire at which it closed (2) [m]
       real(dp) :: touch(2) = 0
    end type friction_iteration_t
+
+   !> A step that leaves less than this of a trial traction has gone too far to say whether the contact sticks
+   real(dp), parameter :: still_far = 0.1_dp
 
 contains
 
@@ -61,13 +68,16 @@ contains
       real(dp), intent(in) :: dq(24)
       type(friction_iteration_t), intent(inout) :: iteration
       real(dp) :: trial(2), limit
-      logical :: turns_back
+      logical :: turns_back, still_returns
 
       if (iteration%status == friction_none) return
       trial = iteration%trial + matmul(dq, iteration%dtrial)
       limit = max(0.0_dp, iteration%limit + dot_product(iteration%dlimit, dq))
       turns_back = iteration%status == friction_slip .and. dot_product(trial, iteration%trial) < 0
-      if (turns_back .or. norm2(trial) <= limit) then
+      still_returns = iteration%status == friction_stick .and. iteration%turned .and. &
+         norm2(trial) < still_far*norm2(iteration%trial)
+      iteration%turned = turns_back .or. still_returns
+      if (iteration%turned .or. norm2(trial) <= limit) then
          iteration%status = friction_stick
       else
          iteration%status = friction_slip

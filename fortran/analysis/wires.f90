@@ -166,8 +166,8 @@ contains
       end do
    end subroutine measure_wires
 
-   !> How far one place lies beyond another along a wire: around a closed wire the short way, over the node where its arc
-   !> lengths begin or not.
+   !> How far one place lies beyond another along a wire: around a closed wire the short way, be it over the node where
+   !> its arc lengths begin.
    elemental real(dp) function arc_from_to(from, to, circumference) result(arc)
       !> Arc lengths of the two places, and length around the wire [m], 0: it has two ends
       real(dp), intent(in) :: from, to, circumference
