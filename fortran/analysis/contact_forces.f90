@@ -12,8 +12,8 @@ module litz_contact_forces
    use litz_contact_spot, only: contact_spot_of_ellipse
    use litz_element_library, only: elements_t
    use litz_equations, only: equations_t
-   use litz_friction_forces, only: has_friction, add_friction
-   use litz_friction_iteration, only: predict_friction
+   use litz_friction_forces, only: add_friction
+   use litz_friction_iteration, only: predict_friction, forget_friction
    use litz_friction_law, only: friction_law_t, friction_slip
    use litz_hertz, only: hertz_ellipse
    use litz_linear_solver, only: system_matrix_t
@@ -111,12 +111,14 @@ contains
    end subroutine apply_normal_law
 
    !> Add all points to the system: mechanics, and where a current can cross, the paper's electric blocks.
-   subroutine assemble_contacts(model, wires, elements, equations, increment, iterate, contact, matrix, forces, timing)
+   subroutine assemble_contacts(model, wires, elements, equations, x_start, increment, iterate, contact, matrix, &
+      forces, timing)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(equations_t), intent(in) :: equations
-      real(dp), intent(in) :: increment(:, :)
+      !> Positions when the increment began (3, n_nodes) [m], and what is prescribed of it (7, n_nodes)
+      real(dp), intent(in) :: x_start(:, :), increment(:, :)
       type(iterate_t), intent(in) :: iterate
       type(contact_set_t), intent(inout) :: contact
       type(system_matrix_t), intent(inout) :: matrix
@@ -172,7 +174,8 @@ contains
             form_hessian, k_p, r_p)
          call materials_of(model, elements, point, radius, young, poisson, resistivity)
          associate (law => model%interactions(model%contact_pairs(point%pair)%interaction))
-            if (has_friction(law, point)) call add_friction(law, wires, x, t, length, young, poisson, point, k_p, r_p)
+            if (law%friction > 0) call add_friction(law, wires, x, t, length, young, poisson, motion(nodes_p), &
+               contact%converged_clearance(point%pair) - contact%clearance(point%pair), point, k_p, r_p)
             call normal_force_of_ellipse(law%normal_law, law%penalty, point%gap, point%ellipse, force, dforce_dgap, &
                dforce_dangle, info)
          end associate
@@ -184,6 +187,17 @@ contains
                k_ee_p, r_e_p, k_me_p)
          end if
       end subroutine evaluate
+
+      !> Displacements and rotations of nodes since the increment began.
+      pure function motion(nodes_p) result(dq)
+         integer, intent(in) :: nodes_p(4)
+         real(dp) :: dq(24)
+         integer :: a
+
+         do a = 1, 4
+            dq(6*a - 5:6*a) = [iterate%x(:, nodes_p(a)) - x_start(:, nodes_p(a)), iterate%turn(:, nodes_p(a))]
+         end do
+      end function motion
 
       subroutine evaluate_current(point, nodes_p, radius, young, poisson, resistivity, dforce_dgap, dforce_dangle, &
          k_ee_p, r_e_p, k_me_p)
@@ -278,6 +292,7 @@ contains
    elemental subroutine clear_results(point)
       type(contact_point_t), intent(inout) :: point
 
+      if (.not. (point%active .or. point%closed)) call forget_friction(point%friction_iteration)
       point%friction = friction_law_t()
       point%traction_on_bar = 0
       point%conductance = 0

@@ -7,7 +7,7 @@ module litz_contact_history
    use litz_friction_law, only: friction_law_t, friction_slip
    implicit none
    private
-   public :: contact_history_t, advanced_history, moved_arcs
+   public :: contact_history_t, advanced_history
 
    type :: contact_history_t
       !> The contact was closed; all else is zero where it was not
@@ -42,16 +42,5 @@ contains
       history%elastic_energy = start%elastic_energy + friction%elastic_work
       history%largest_force = merge(force, max(force, start%largest_force), friction%status == friction_slip)
    end function advanced_history
-
-   !> How far the closest points have moved along the wires, the short way around a closed wire.
-   pure function moved_arcs(start, arc, circumference) result(moved)
-      type(contact_history_t), intent(in) :: start
-      !> Present arc lengths, and lengths around the wires (2) [m], 0: the wire has two ends
-      real(dp), intent(in) :: arc(2), circumference(2)
-      real(dp) :: moved(2)
-
-      moved = arc - start%arc
-      where (circumference > 0) moved = moved - circumference*anint(moved/max(circumference, tiny(1.0_dp)))
-   end function moved_arcs
 
 end module litz_contact_history

@@ -15,7 +15,7 @@ module litz_contact_pairs
    use litz_errors, only: error_t, fail, exit_memory
    use litz_model, only: model_t, axis_hermite
    use litz_parallel, only: worth_threads
-   use litz_wires, only: wires_t
+   use litz_wires, only: wires_t, arc_from_to
    implicit none
    private
    public :: prepare_contact, find_candidates, locate_points
@@ -359,11 +359,8 @@ contains
             do j = 1, 2
                associate (e => contact%candidates(j, k), e_other => contact%candidates(j, other))
                   if (wires%wire(e) /= wires%wire(e_other)) exit
-                  distance = abs(arc_at(e, xi(j, k)) - arc_at(e_other, xi(j, other)))
-                  ! where a closed wire begins it also ends
-                  associate (around => wires%circumference(wires%wire(e)))
-                     if (around > 0) distance = min(distance, abs(around - distance))
-                  end associate
+                  distance = abs(arc_from_to(arc_at(e, xi(j, k)), arc_at(e_other, xi(j, other)), &
+                     wires%circumference(wires%wire(e))))
                   if (distance > near_node*elements%length(e)) exit
                end associate
             end do
@@ -594,7 +591,8 @@ contains
          j = first_left(wires%wire(points(i)%element_bar))
          do while (j > 0)
             if (.not. taken(j) .and. wires%wire(old(j)%element) == wires%wire(points(i)%element)) then
-               distance = abs(old(j)%arc_bar - points(i)%arc_bar) + abs(old(j)%arc - points(i)%arc)
+               distance = sum(abs(arc_from_to([old(j)%arc_bar, old(j)%arc], [points(i)%arc_bar, points(i)%arc], &
+                  wires%circumference(wires%wire([points(i)%element_bar, points(i)%element])))))
                if (distance < nearest) then
                   nearest = distance
                   origin(i) = j

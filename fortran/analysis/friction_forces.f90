@@ -2,38 +2,31 @@
 module litz_friction_forces
    use litz_kinds, only: dp
    use litz_contact_friction, only: slip_t, slip_kinematics, friction_residual, friction_tangent
-   use litz_contact_history, only: moved_arcs
    use litz_contact_points, only: contact_point_t
-   use litz_friction_iteration, only: friction_iteration_t
-   use litz_friction_law, only: friction_law_t, friction_law, mindlin_ratio
+   use litz_friction_iteration, only: place_touch
+   use litz_friction_law, only: friction_law_t, friction_law, mindlin_ratio, friction_none, friction_stick
    use litz_hertz, only: hertz_ellipse_t
    use litz_model, only: interaction_t, normal_hertz, stick_elastic_slip, stick_stiffness
    use litz_normal_law, only: hertz_approach_of_ellipse
    use litz_rotation_forms, only: spin_to_hessian
-   use litz_wires, only: wires_t
+   use litz_wires, only: wires_t, arc_from_to
    implicit none
    private
-   public :: has_friction, add_friction
+   public :: add_friction
 
 contains
 
-   !> A contact grips from the increment after the one in which it closes: for how much of that one it was closed, and
-   !> so how far it has slipped, is not known.
-   pure logical function has_friction(law, point)
-      type(interaction_t), intent(in) :: law
-      type(contact_point_t), intent(in) :: point
-
-      has_friction = law%friction > 0 .and. point%history%closed
-   end function has_friction
-
    !> Add the traction to the residual and the tangent of a contact.
-   pure subroutine add_friction(law, wires, x, t, length, young, poisson, point, k, r)
+   pure subroutine add_friction(law, wires, x, t, length, young, poisson, dq, closing, point, k, r)
       type(interaction_t), intent(in) :: law
       type(wires_t), intent(in) :: wires
       !> Nodal positions [m] and unit tangents (3, 4), reference lengths (2) [m]: barred first
       real(dp), intent(in) :: x(3, 4), t(3, 4), length(2)
       !> Young's moduli (2) [Pa], Poisson's ratios (2) [-]
       real(dp), intent(in) :: young(2), poisson(2)
+      !> Displacements and rotations of the four nodes since the increment began (24) [m, rad], and what the clearance
+      !> of an interference has closed the gap by [m]
+      real(dp), intent(in) :: dq(24), closing
       !> Gets the traction, and what the iteration supposes of it
       type(contact_point_t), intent(inout) :: point
       !> Tangent (24, 24), in Hessian form, and residual (24)
@@ -44,8 +37,11 @@ contains
       integer :: elements(2)
 
       elements = [point%element_bar, point%element]
+      if (.not. (point%history%closed .or. point%friction_iteration%touched)) then
+         call find_touch(wires%direction(elements)*length/2, dq, closing, point)
+      end if
       slip = slip_kinematics(point%kinematics, x, t, length, law%axis, wires%direction(elements), &
-         moved_arcs(point%history, [point%arc_bar, point%arc], wires%circumference(wires%wire(elements))))
+         arc_from_to(start_of_slip(point), [point%arc_bar, point%arc], wires%circumference(wires%wire(elements))))
       residual = 0
       if (point%closed) then
          call stick(law, young, poisson, point%force, point%ellipse, stiffness, dstiffness_dforce)
@@ -53,11 +49,12 @@ contains
             point%history%traction, slip%slip)
          point%traction_on_bar = -matmul(slip%frame, point%friction%traction)
          residual = friction_residual(point%kinematics, slip, point%friction%traction)
+         if (.not. point%history%closed) call grow_with_force(dot_product(residual, dq), point%friction)
          r = r + residual
       end if
 
+      if (point%friction_iteration%status == friction_none) call suppose(point)
       associate (iteration => point%friction_iteration)
-         if (.not. point%predicted) iteration = friction_iteration_t(mixed_traction=point%history%traction)
          iteration%difference = -residual
          iteration%limit = 0
          iteration%dtrial = 0
@@ -79,6 +76,57 @@ contains
          iteration%dlimit = law%friction*dforce
       end associate
    end subroutine add_friction
+
+   !> What the iteration supposes of a contact at first: it sticks when it was closed before, or else does what it would
+   !> do here. A stick far beyond the limit would throw open again a contact that closes with a small force.
+   pure subroutine suppose(point)
+      type(contact_point_t), intent(inout) :: point
+
+      associate (iteration => point%friction_iteration)
+         iteration%status = friction_stick
+         if (point%predicted .or. .not. point%history%closed) then
+            if (point%closed) iteration%status = point%friction%status
+         else
+            iteration%mixed_traction = point%history%traction
+         end if
+      end associate
+   end subroutine suppose
+
+   !> Place at which a contact that was open when the increment began has closed.
+   pure subroutine find_touch(arc_over_xi, dq, closing, point)
+      !> How arc lengths along the wires change with xi, barred and unbarred (2) [m]
+      real(dp), intent(in) :: arc_over_xi(2)
+      !> As in `add_friction`
+      real(dp), intent(in) :: dq(24), closing
+      type(contact_point_t), intent(inout) :: point
+      real(dp) :: gap, gap_start
+
+      gap_start = point%gap - dot_product(point%kinematics%dgap, dq) + closing
+      gap = point%gap
+      if (point%predicted) gap = min(gap, point%predicted_gap)
+      call place_touch(gap_start, gap, [point%arc_bar, point%arc], arc_over_xi* &
+         [dot_product(point%kinematics%dxi_bar, dq), dot_product(point%kinematics%dxi, dq)], point%friction_iteration)
+   end subroutine find_touch
+
+   !> Arc lengths from which a contact slips in this increment (2) [m].
+   pure function start_of_slip(point) result(arc)
+      type(contact_point_t), intent(in) :: point
+      real(dp) :: arc(2)
+
+      arc = point%friction_iteration%touch
+      if (point%history%closed) arc = point%history%arc
+   end function start_of_slip
+
+   !> Heat and work where the normal force has grown from nothing, in proportion to the slip since the contact closed:
+   !> half of the heat of the last force, and no work on the way before.
+   pure subroutine grow_with_force(work, friction)
+      !> Of the present traction in the motion since the increment began [J]
+      real(dp), intent(in) :: work
+      type(friction_law_t), intent(inout) :: friction
+
+      friction%dissipation = friction%dissipation/2
+      friction%work_beyond_mean = friction%elastic_work + friction%dissipation - work/2
+   end subroutine grow_with_force
 
    !> Tangential stiffness of a contact that sticks, and how it changes with the normal force.
    pure subroutine stick(law, young, poisson, force, ellipse, stiffness, dstiffness_dforce)

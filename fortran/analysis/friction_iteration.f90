@@ -3,17 +3,21 @@
 !> The return map alone can send an iteration to and fro for ever: from slip one way, with the constant force of slip,
 !> to slip the other way, past a stick zone that is a thousand times smaller than the step. So the status of a contact
 !> follows from the trial traction that the last linear step predicted: it sticks in the next iteration when that lies
-!> in the cone, or when it points against the slip of this one, since a slip that turns back passes through stick.
+!> in the cone, or when it points against the slip of this one, since a slip that turns back passes through stick. There
+!> it stays while a step still takes most of a trial traction away: the slip has been so much larger than the stick zone
+!> that the linear step misses it, on either side.
 module litz_friction_iteration
    use litz_kinds, only: dp
-   use litz_friction_law, only: friction_stick, friction_slip
+   use litz_friction_law, only: friction_none, friction_stick, friction_slip
    implicit none
    private
-   public :: friction_iteration_t, predict_friction
+   public :: friction_iteration_t, predict_friction, forget_friction, place_touch
 
    type :: friction_iteration_t
-      !> Status that the iteration supposes
-      integer :: status = friction_stick
+      !> Status that the iteration supposes; `friction_none`: nothing yet
+      integer :: status = friction_none
+      !> It sticks because a slip has turned back
+      logical :: turned = .false.
       !> Traction of the geometric stiffness (2) [N]
       real(dp) :: mixed_traction(2) = 0
       !> Trial traction of this iteration (2) [N] and how it changes with the unknowns of the contact (24, 2)
@@ -22,21 +26,58 @@ module litz_friction_iteration
       real(dp) :: limit = 0, dlimit(24) = 0
       !> What the supposed status and the law of the present place differ by (24) [N, N m]
       real(dp) :: difference(24) = 0
+      !> The contact was open when the increment began and has been closed since
+      logical :: touched = .false.
+      !> Arc lengths of the places along the barred and the unbarred wire at which it closed (2) [m]
+      real(dp) :: touch(2) = 0
    end type friction_iteration_t
 
+   !> A step that leaves less than this of a trial traction has gone too far to say whether the contact sticks
+   real(dp), parameter :: still_far = 0.1_dp
+
 contains
+
+   !> A contact that the iteration has opened supposes nothing when it closes again; where it first closed stays.
+   pure subroutine forget_friction(iteration)
+      type(friction_iteration_t), intent(inout) :: iteration
+
+      iteration = friction_iteration_t(touched=iteration%touched, touch=iteration%touch)
+   end subroutine forget_friction
+
+   !> Where a contact closes within the increment: there its slip begins.
+   !>
+   !> Asked when the iteration first finds it closed, so that nothing has held the overlap back yet: gap and places of a
+   !> motion in proportion go straight from their start to here, and the gap is zero after `g_0/(g_0 - g)` of the way.
+   !> The place is then kept, and the equations of the increment with it.
+   pure subroutine place_touch(gap_start, gap, arc, moved, iteration)
+      !> Gap when the increment began, and now, below zero [m]
+      real(dp), intent(in) :: gap_start, gap
+      !> Arc lengths of the places now, and how far they have moved since the increment began (2) [m]
+      real(dp), intent(in) :: arc(2), moved(2)
+      type(friction_iteration_t), intent(inout) :: iteration
+      real(dp) :: closed_share
+
+      closed_share = 1
+      if (gap_start > 0) closed_share = gap/(gap - gap_start)
+      iteration%touched = .true.
+      iteration%touch = arc - closed_share*moved
+   end subroutine place_touch
 
    !> Status and traction of the next iteration, after a linear step `dq` of the contact's 24 unknowns.
    pure subroutine predict_friction(dq, iteration)
       real(dp), intent(in) :: dq(24)
       type(friction_iteration_t), intent(inout) :: iteration
       real(dp) :: trial(2), limit
-      logical :: turns_back
+      logical :: turns_back, still_returns
 
+      if (iteration%status == friction_none) return
       trial = iteration%trial + matmul(dq, iteration%dtrial)
       limit = max(0.0_dp, iteration%limit + dot_product(iteration%dlimit, dq))
       turns_back = iteration%status == friction_slip .and. dot_product(trial, iteration%trial) < 0
-      if (turns_back .or. norm2(trial) <= limit) then
+      still_returns = iteration%status == friction_stick .and. iteration%turned .and. &
+         norm2(trial) < still_far*norm2(iteration%trial)
+      iteration%turned = turns_back .or. still_returns
+      if (iteration%turned .or. norm2(trial) <= limit) then
          iteration%status = friction_stick
       else
          iteration%status = friction_slip

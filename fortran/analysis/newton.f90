@@ -19,6 +19,7 @@ module litz_newton
    use litz_element_library, only: elements_t
    use litz_equations, only: equations_t, build_system
    use litz_errors, only: error_t, exit_solver
+   use litz_friction_iteration, only: friction_iteration_t
    use litz_grounding, only: ground_floating_conductors
    use litz_linear_solver, only: linear_solver_t, system_matrix_t
    use litz_live_progress, only: live_progress_t
@@ -116,6 +117,7 @@ contains
       real(dp) :: increment(7, problem%model%n_nodes), correction(7, problem%model%n_nodes)
       real(dp) :: x_start(3, problem%model%n_nodes)
       type(error_t), allocatable :: solver_error
+      integer, allocatable :: numbers(:)
       integer :: counted
       logical :: keep
 
@@ -128,6 +130,7 @@ contains
       end if
       outcome%last = report
       outcome%last%contacts_active = count(problem%contact%points%closed)
+      numbers = [outcome%last%contacts_active]
       counted = 0
       do
          call evaluate(problem, x_start, increment, error)
@@ -136,7 +139,8 @@ contains
          call measure_residual(problem, step, outcome%last, outcome%at_round_off)
          call count_contacts(problem%contact, outcome%last)
          if (outcome%last%factor_age == 0 .and. &
-            .not. only_contacts_changed(outcome%last, outcome%before%contacts_active)) counted = counted + 1
+            .not. only_contacts_changed(outcome%last, numbers)) counted = counted + 1
+         numbers = [numbers, outcome%last%contacts_active]
          if (mechanics_converged(outcome%last) .and. problem%contact%present .and. any(problem%elements%shear_flexible) &
             .and. .not. any(abs(increment) > 0)) then
             ! the axes have sheared since the increment began: contact is to balance where they are now
@@ -216,6 +220,7 @@ contains
       problem%contact%points = problem%contact%converged
       problem%contact%points%predicted = .false.
       problem%contact%points%mixed_force = problem%contact%points%force
+      problem%contact%points%friction_iteration = friction_iteration_t()
       if (problem%contact%present) call follow_centre_line(problem%model, problem%elements, problem%iterate%x, &
          problem%iterate%rotation, problem%wires)
       problem%contact%depth = max(0.0_dp, maxval(-problem%contact%points%kinematics%gap))
@@ -246,7 +251,7 @@ contains
             problem%forces, timing)
          call assemble_conductors(model, elements, problem%equations, increment, iterate, problem%matrix, &
             problem%forces)
-         call assemble_contacts(model, wires, elements, problem%equations, increment, iterate, contact, &
+         call assemble_contacts(model, wires, elements, problem%equations, x_start, increment, iterate, contact, &
             problem%matrix, problem%forces, timing)
          call assemble_load_stiffness(problem%equations, problem%loading%load, problem%forces, problem%matrix)
          if (any(problem%damping > 0)) call assemble_stabilization(problem%damping, problem%equations, x_start, &
@@ -453,12 +458,14 @@ contains
    end function keeps_factor
 
    !> More or fewer contacts are closed than before, each one as the linear equations predicted: they hold for the whole
-   !> increment, and one of any smaller size (at first touch) would go through the same changes. Not worth a cut.
-   pure logical function only_contacts_changed(report, contacts_before)
+   !> increment, and one of any smaller size (at first touch) would go through the same changes. Not worth a cut. A
+   !> number that returns is no progress but a cycle.
+   pure logical function only_contacts_changed(report, numbers)
       type(iteration_report_t), intent(in) :: report
-      integer, intent(in) :: contacts_before
+      !> Closed contacts of all iterations before
+      integer, intent(in) :: numbers(:)
 
-      only_contacts_changed = report%contacts_active /= contacts_before .and. report%contacts_new == 0 .and. &
+      only_contacts_changed = all(report%contacts_active /= numbers) .and. report%contacts_new == 0 .and. &
          report%contacts_lost == 0
    end function only_contacts_changed
 

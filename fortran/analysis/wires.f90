@@ -8,7 +8,7 @@ module litz_wires
    use litz_rotations, only: cross
    implicit none
    private
-   public :: wires_t, build_wires, measure_wires
+   public :: wires_t, build_wires, measure_wires, arc_from_to
 
    !> A sharper angle between two elements [rad] is a corner, not a smooth wire (20 degrees, as in Abaqus)
    real(dp), parameter :: corner_angle = 20*pi/180
@@ -210,6 +210,16 @@ contains
       end do
    end subroutine measure_wires
 
+   !> How far one place lies beyond another along a wire: around a closed wire the short way, be it over the node where
+   !> its arc lengths begin.
+   elemental real(dp) function arc_from_to(from, to, circumference) result(arc)
+      !> Arc lengths of the two places, and length around the wire [m], 0: it has two ends
+      real(dp), intent(in) :: from, to, circumference
+
+      arc = to - from
+      if (circumference > 0) arc = arc - circumference*anint(arc/circumference)
+   end function arc_from_to
+
    !> Distance of two places along a wire, the short way around a closed one [m].
    pure real(dp) function arc_between(self, wire, arc, other)
       class(wires_t), intent(in) :: self
@@ -217,8 +227,7 @@ contains
       !> Arc lengths of the two places [m]
       real(dp), intent(in) :: arc, other
 
-      arc_between = abs(arc - other)
-      if (self%circumference(wire) > 0) arc_between = min(arc_between, abs(self%circumference(wire) - arc_between))
+      arc_between = abs(arc_from_to(arc, other, self%circumference(wire)))
    end function arc_between
 
    !> Tangents at the nodes from a parabola through three neighbours (at the end of a wire: the circle that goes on),

@@ -10,7 +10,7 @@ module litz_friction_law
    public :: friction_law_t, friction_law, mindlin_ratio
    public :: friction_none, friction_stick, friction_slip
 
-   !> No traction: the contact is open, or closed in this increment only
+   !> No traction: the contact is open, or has no friction
    integer, parameter :: friction_none = 0
    integer, parameter :: friction_stick = 1
    integer, parameter :: friction_slip = 2

@@ -198,7 +198,8 @@ contains
          'Coulomb friction of the contact points, the same in every direction of the plane of the two wires. Before'// &
          ' it slips, a contact gives way elastically: by Mindlin''s tangential stiffness, 2(1-nu)/(2-nu) of the'// &
          ' normal stiffness for equal materials, or by one of the parameters. Without this keyword the wires slide'// &
-         ' freely. A contact grips from the increment after the one in which it closes.', after='SURFACE INTERACTION')
+         ' freely. A contact that closes grips from the place where it has closed within the increment.', &
+         after='SURFACE INTERACTION')
       call k%add(number('ELASTIC SLIP', 'slip at which friction reaches its limit [m], whatever the force', &
          limit_positive))
       call k%add(number('STICK STIFFNESS', 'tangential stiffness of a contact [N/m] (own word of litz)', &

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from decks import CONDUCTOR, straight, wire
+from litz import build
 
 MU = 0.3
 PENALTY = 1e7
@@ -132,6 +133,44 @@ def test_a_contact_that_opens_forgets_its_traction(run):
     assert reaction(results)[-1, 0] == pytest.approx(STICK * 2e-6, rel=1e-7)
 
 
+OPEN = 3 * OVERLAP
+
+
+def closing(x, y=0.0, *, increments=1, friction=f"*FRICTION, STICK STIFFNESS={STICK}\n {MU}"):
+    """The wires part, and then close in proportion as the upper one moves: they touch at three quarters of the way."""
+    deck = rubbing(move(x, y, increments=increments), friction=friction)
+    return deck.replace(f"UPPER, 3, 3, {-OVERLAP}", f"UPPER, 3, 3, {OPEN}", 1)
+
+
+@pytest.mark.parametrize("x", [4e-6, 4e-4, -4e-4])
+def test_a_contact_that_closes_slips_from_where_it_has_closed(run, x):
+    """T = min(k D, mu F) with the slip D after first touch, and mu F/2 for its heat: the force grows with the slip."""
+    _, results = run(closing(x))
+    contact = results.contacts_at(-1)
+    slip = x * OVERLAP / (OVERLAP + OPEN)
+    traction = np.sign(x) * min(STICK * abs(slip), MU * FORCE)
+    assert contact["traction_x"] == pytest.approx(traction, rel=1e-7)
+    assert reaction(results)[-1] == pytest.approx([traction, 0], rel=1e-7, abs=1e-12)
+    slipped = abs(slip) - abs(traction) / STICK
+    assert contact["slip_path"] == pytest.approx(slipped, rel=1e-6, abs=1e-12)
+    assert contact["dissipation"] == pytest.approx(MU * FORCE / 2 * slipped, rel=1e-6, abs=1e-15)
+
+
+@pytest.mark.parametrize("increments", [4, 40])
+def test_a_contact_that_closes_has_the_same_friction_in_any_number_of_increments(run, increments):
+    _, once = run(closing(2e-4, 1e-4), name="once")
+    _, often = run(closing(2e-4, 1e-4, increments=increments), name="often")
+    for name in ("force", "traction_x", "traction_y"):
+        assert once.contacts_at(-1)[name] == pytest.approx(often.contacts_at(-1)[name], rel=1e-6)
+
+
+def test_a_contact_that_closes_goes_on_sliding_or_sticking_in_the_next_increment(run):
+    """The traction of the closing increment is remembered: turning back, it falls by the stick stiffness."""
+    back = 4e-6
+    _, results = run(closing(4e-4) + move(4e-4 - back, increments=2))
+    np.testing.assert_allclose(reaction(results)[-2:, 0], MU * FORCE - STICK * back * np.array([0.5, 1]), rtol=1e-6)
+
+
 def test_elastic_slip_is_where_friction_reaches_its_limit(run):
     _, results = run(rubbing(move(1e-5), friction=f"*FRICTION, ELASTIC SLIP=4e-6\n {MU}"))
     u = np.linspace(0, 1e-5, 11)[1:]
@@ -213,6 +252,33 @@ def drag(x, y=0.0, *, static="0.1, 1", direct=True, extra=""):
  ENDS, 2, 2, {y:.17g}
 {extra}*END STEP
 """
+
+
+@pytest.mark.parametrize("law", ["HERTZ", "LINEAR\n 1e6"])
+@pytest.mark.parametrize("gap", [0.0, 3e-5])
+def test_wires_pressed_and_dragged_at_once_have_their_friction_in_a_single_increment(run, law, gap):
+    """Opposite to the slip, and mu F; the same as in 60 increments of the same path, to squares of the rotations."""
+    push = np.array([2.0, 1.0]) / np.sqrt(5)
+    contacts = []
+    for n in (1, 2, 6, 60):
+        pressed = f"ENDS, 3, 3, -1e-4\n ENDS, 1, 1, {2e-3 * push[0]:.17g}\n ENDS, 2, 2, {2e-3 * push[1]:.17g}"
+        deck = bending(law=law, friction="*FRICTION\n 0.5").replace("ENDS, 3, 3, -1e-4", pressed)
+        deck = raised(deck, gap).replace(" 0.5, 1\n", f" {1 / n!r}, 1\n")
+        _, results = run(deck, name=f"increments{n}")
+        contacts.append(results.contacts_at(-1))
+    for contact in contacts:
+        assert list(contact["friction"]) == ["slip"]
+        traction = np.array([contact[f"traction_{i}"][0] for i in "xyz"])
+        assert np.linalg.norm(traction) == pytest.approx(0.5 * contact["force"][0], rel=1e-9)
+        assert contact["force"] == pytest.approx(contacts[-1]["force"], rel=1e-4)
+        reference = np.array([contacts[-1][f"traction_{i}"][0] for i in "xyz"])
+        np.testing.assert_allclose(traction, reference, atol=1e-3 * np.linalg.norm(reference))
+        np.testing.assert_allclose(traction[:2] / np.linalg.norm(traction[:2]), push, atol=0.01)
+
+
+def raised(deck, gap):
+    """The deck of `bending` with the upper wire higher by `gap` [m]."""
+    return deck.replace(", 0.002\n", f", {2e-3 + gap:.17g}\n") if gap else deck
 
 
 @pytest.mark.parametrize(("status", "distance"), [("stick", 2e-7), ("slip", 1e-3)])
@@ -301,3 +367,72 @@ def test_a_restart_remembers_traction_slip_and_energies(run, tmp_path):
         assert continued.contacts_at(-1)[column] == whole.contacts_at(-1)[column]
     for column in ("ALLWK", "ALLSE", "ALLCCE", "ALLFD"):
         assert continued.history[column][-1] == whole.history[column][-1]
+
+
+# a closed wire
+
+
+def rubbed_ring(first):
+    """A fixed ring of 24 elements, and a straight wire across it that is dragged along it; its node `first` is node 1."""
+    angles = 2 * np.pi * (np.arange(24) + first) / 24
+    ring = wire(
+        "RING", 0.02 * np.stack([np.cos(angles), np.sin(angles), 0 * angles], axis=-1), element="B33", closed=True
+    )
+    across = wire("ACROSS", straight((0.012, -3e-3, 2e-3), (0.028, -3e-3, 2e-3), 3), 101, element="B33")
+    step = "*BOUNDARY\n ACROSS, 3, 3, {z}\n ACROSS, 2, 2, {y}\n*END STEP\n"
+    return f"""*HEADING
+a ring rubbed
+{ring}{across}{CONDUCTOR}*BEAM SECTION, ELSET=RING, MATERIAL=COPPER, SECTION=CIRC
+ 1e-3
+*BEAM SECTION, ELSET=ACROSS, MATERIAL=COPPER, SECTION=CIRC
+ 1e-3
+*SURFACE INTERACTION, NAME=TOUCH
+*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR
+ {PENALTY}
+*FRICTION, STICK STIFFNESS={STICK}
+ {MU}
+*CONTACT PAIR, INTERACTION=TOUCH
+ RING, ACROSS
+*BOUNDARY
+ RING, ENCASTRE
+ ACROSS, 1, 6
+ 1, 9
+ 101, 9
+*STEP
+*STATIC, DIRECT
+ 1, 1
+{step.format(z=-OVERLAP, y=0)}*STEP
+*STATIC, DIRECT
+ 0.125, 1
+{step.format(z=-OVERLAP, y=6e-3)}"""
+
+
+def test_a_closed_wire_remembers_where_its_numbering_begins(run):
+    """Rubbed over node 1, or with node 1 on the far side: one contact, that slips all the way with mu F."""
+    tables = []
+    for first in (0, 12):
+        process, results = run(rubbed_ring(first), name=f"first{first}")
+        assert process.returncode == 0, process.stderr
+        tables.append(results.contacts)
+    over, elsewhere = tables
+    assert set(over["id"]) == set(elsewhere["id"]) == {1}
+    assert len(over["id"]) == 9
+    assert set(over["element_bar"]) == {1, 24}
+    assert (over["friction"][1:] == "slip").all()
+    traction = np.stack([over[f"traction_{i}"] for i in "xyz"], axis=-1)[1:]
+    np.testing.assert_allclose(np.linalg.norm(traction, axis=1), MU * over["force"][1:], rtol=1e-9)
+    for name in ("force", "traction_x", "traction_y", "traction_z", "slip_path", "dissipation"):
+        np.testing.assert_allclose(over[name], elsewhere[name], rtol=1e-9, atol=1e-9 * np.abs(elsewhere[name]).max())
+
+
+def test_a_mat_with_friction_is_pressed_and_released_without_a_cut(run):
+    """Contacts open and close within the iterations: none may keep a force of before."""
+    model = build.fibre_mat((10e-3, 10e-3), 10, radius=0.1e-3, seed=11, n_layers=4, clearance=5e-6)
+    model.press(40e-6, voltage=1e-3)
+    model.press(0.0, voltage=1e-3, name="RELEASE")
+    hertz = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ\n"
+    deck = model.to_deck().replace(hertz, f"{hertz}*FRICTION\n 0.3\n")
+    process, results = run(deck)
+    assert process.returncode == 0, process.stderr
+    assert results.status["attempts"].max() == 1
+    assert results.status["contacts"].max() > 300

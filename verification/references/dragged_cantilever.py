@@ -9,13 +9,19 @@ deflections of straight beams:
   tension, c_l = a^3/(3 E I) (1 - 2 T a^2/(5 E I)). It leans with the slope theta of the lower wire: V = N + T theta;
 - along x: the upper wire gives way by c_u times the force on it, -T + N theta, as the normal of the contact leans with
   the slope theta of the lower wire. The slip s is what its point of contact moves, less the diameter times the turn of
-  the normal, and takes the contact to a + s.
-- friction: T = T_0 + k_t (s - s_0) while |T| <= mu N, and |T| = mu N in slip.
+  the normal, and what the lower wire draws back as it bends by f, 3 f^2/(5 a); it takes the contact to a + s.
+- friction: T = T_0 + k_t (s - s_0) while |T| <= mu N, and |T| = mu N in slip, along the slip. It acts from first touch:
+  while the clamp goes down the contact sticks, and holds the wires back by the same T along both. The part across the
+  way stays until the contact slips, and then fades as the wires spring back across: c dT_y = -ds T_y/|T_x|.
 
 Each branch is solved by fixed-point iteration, which contracts by better than 1/30 a turn.
 """
 
+import math
 from dataclasses import dataclass
+
+#: Steps of the clamp in which slip is followed [m]: the friction across the way fades over c mu N, 30 microns
+LONGEST_STEP = 1e-7
 
 
 @dataclass(frozen=True)
@@ -55,32 +61,52 @@ class DraggedCantilever:
     def free_slip(self, u, slip, traction):
         """Slip without the part that the upper wire gives way under friction."""
         lean = self.b**3 / (3 * self.ei) * self.lean(slip, traction)
-        turn = self.diameter * self.slope(self.a + slip, self.normal_force(slip, traction), traction)
-        return u + lean - turn
+        force, a = self.normal_force(slip, traction), self.a + slip
+        turn = self.diameter * self.slope(a, force, traction)
+        shortening = 3 * (force * a**3 / (3 * self.ei)) ** 2 / (5 * a)
+        return u + lean - turn + shortening
+
+    def pressed(self):
+        """Slip and traction along each wire when the clamp is down: stuck since the wires have touched."""
+        return self.stuck(0.0, 0.0, 0.0)
 
     def path(self, displacements):
-        """Friction and force on the upper support at each of `displacements` of it, which begin at 0."""
-        slip, traction, forces = 0.0, 0.0, []
+        """Friction and force on the upper support at each of `displacements` of it, which begin at 0 or near it."""
+        slip, traction = self.pressed()
+        across, u_before, forces = traction, 0.0, []
         for u in displacements:
-            slip, traction = self.step(u, slip, traction)
+            count = max(1, math.ceil(abs(u - u_before) / LONGEST_STEP))
+            for i in range(1, count + 1):
+                slip, traction, across = self.step(u_before + (u - u_before) * i / count, slip, traction, across)
+            u_before = u
             forces.append((traction, traction - self.lean(slip, traction)))
         return forces
 
-    def step(self, u, slip_before, traction_before):
-        """Slip and traction after the support has moved to u: stuck, or else slipped."""
-        c, start = self.b**3 / (3 * self.ei), self.free_slip(0.0, 0.0, 0.0)
+    def stuck(self, u, slip_before, traction_before):
+        """Slip and traction along the way after the support has moved to u, for a contact that sticks."""
+        c = self.b**3 / (3 * self.ei)
         slip, traction = slip_before, traction_before
         for _ in range(25):
             force = self.normal_force(slip, traction)
             stiffness = self.stick_ratio * 1.5 * force ** (1 / 3) / self.hertz
-            free = self.free_slip(u, slip, traction) - start
+            free = self.free_slip(u, slip, traction)
             # T = T_0 + k (s - s_0), s = free - c T
             traction = (traction_before + stiffness * (free - slip_before)) / (1 + stiffness * c)
             slip = free - c * traction
-        if abs(traction) <= self.mu * force:
-            return slip, traction
-        sign = 1 if traction > 0 else -1
-        for _ in range(25):
-            traction = sign * self.mu * self.normal_force(slip, traction)
-            slip = self.free_slip(u, slip, traction) - start - c * traction
         return slip, traction
+
+    def step(self, u, slip_before, traction_before, across_before):
+        """Slip, traction along the way and across it after the support has moved to u: stuck, or else slipped."""
+        c = self.b**3 / (3 * self.ei)
+        slip, traction = self.stuck(u, slip_before, traction_before)
+        if math.hypot(traction, across_before) <= self.mu * self.normal_force(slip, traction):
+            return slip, traction, across_before
+        sign = 1 if traction > 0 else -1
+        across = across_before
+        for _ in range(25):
+            limit = self.mu * self.normal_force(slip, traction)
+            # the slip is along the traction: across the way the upper wire is stiff, the lower one gives way by c T
+            across = across_before / (1 + abs(slip - slip_before) / (c * abs(traction)))
+            traction = sign * math.sqrt(limit**2 - across**2)
+            slip = self.free_slip(u, slip, traction) - c * traction
+        return slip, traction, across
