@@ -1,15 +1,16 @@
 !> Whether wires passed through each other on the way from the start of an increment to its end.
 !>
-!> The nodes and their tangents move uniformly, and with them every point of the axes, which are cubic curves in them. Axes
-!> are cut into straight pieces, and each pair of pieces is followed (litz_moving_segments). Where no axes meet, the
-!> end of the increment can be reached from its start without a passage. Where they meet, the increment is rejected, but
-!> for a crossing that shows the same side at both ends after a small turn: there the uniform motion is to
-!> blame, which shortens wires that turn.
+!> The way is that of litz_contact_path, leg by leg. Within a leg the nodes and their tangents move uniformly, and with them
+!> every point of the axes, which are cubic curves in them. Axes are cut into straight pieces, and each pair of pieces is
+!> followed (litz_moving_segments). Where no axes meet, the end of the increment can be reached from its start without a
+!> passage. Where they meet, the increment is rejected, but for a crossing that shows the same side at both ends
+!> after a small turn: there the way is to blame, which is a guess.
 module litz_contact_sweep
    use litz_kinds, only: dp
    use litz_axis, only: axis_polynomial, axis_sagitta
    use litz_closest_points, only: segment_distance
-   use litz_contact_findings, only: finding_t, worse_of, finding_passed
+   use litz_contact_findings, only: finding_t, worse_of, finding_none, finding_passed
+   use litz_contact_path, only: contact_path_t
    use litz_contact_points, only: contact_set_t, pair_geometry
    use litz_contact_side, only: crossing_t, crossing_of, have_kept
    use litz_element_library, only: elements_t
@@ -30,31 +31,40 @@ module litz_contact_sweep
 contains
 
    !> The worst passage of all near pairs of elements; `finding_none`: there is none.
-   function sweep_contacts(model, wires, elements, contact, x_start, rotation_start, x, rotation) result(worst)
+   function sweep_contacts(model, wires, elements, contact, path) result(worst)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       !> With the candidates and points of the end of the increment
       type(contact_set_t), intent(in) :: contact
-      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes) at the start and at the end of the increment
-      real(dp), intent(in) :: x_start(:, :), rotation_start(:, :, :), x(:, :), rotation(:, :, :)
+      type(contact_path_t), intent(in) :: path
       type(finding_t) :: worst
       type(finding_t), allocatable :: found(:)
-      integer :: i, n
+      real(dp), allocatable :: x_start(:, :), rotation_start(:, :, :), x(:, :), rotation(:, :, :)
+      integer :: leg, i, n
 
       n = size(contact%candidates, 2)
       allocate (found(n + size(contact%coiled, 2)))
-      !$omp parallel do schedule(dynamic, 64) if (size(found) >= worth_threads)
-      do i = 1, size(found)
-         if (i <= n) then
-            call sweep_pair(contact%candidates(:, i), found(i))
-         else
-            call sweep_pair(contact%coiled(:, i - n), found(i))
-         end if
-      end do
-      !$omp end parallel do
-      do i = 1, size(found)
-         worst = worse_of(worst, found(i))
+      x = path%positions(model, wires, 0.0_dp)
+      rotation = path%rotations(0.0_dp)
+      do leg = 1, path%n_legs
+         x_start = x
+         rotation_start = rotation
+         x = path%positions(model, wires, real(leg, dp)/path%n_legs)
+         rotation = path%rotations(real(leg, dp)/path%n_legs)
+         !$omp parallel do schedule(dynamic, 64) if (size(found) >= worth_threads)
+         do i = 1, size(found)
+            if (i <= n) then
+               call sweep_pair(contact%candidates(:, i), found(i))
+            else
+               call sweep_pair(contact%coiled(:, i - n), found(i))
+            end if
+         end do
+         !$omp end parallel do
+         do i = 1, size(found)
+            worst = worse_of(worst, found(i))
+         end do
+         if (worst%kind /= finding_none) return
       end do
 
    contains
@@ -90,8 +100,8 @@ contains
          end associate
       end subroutine sweep_pair
 
-      !> Whether the axes met only because uniform motion shortens wires that turn: one crossing of the two wires
-      !> was near this place at the start, and is there at the end, on the same side.
+      !> Whether the axes met only on the way that was guessed: one crossing of the two wires was near this place at the
+      !> start, and is there at the end, on the same side.
       pure logical function is_crossing_kept(candidate, place, length) result(kept)
          integer, intent(in) :: candidate(3)
          !> Where they met (barred, unbarred) in [-1, 1], and reference lengths (2) [m]

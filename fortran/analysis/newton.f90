@@ -13,6 +13,7 @@ module litz_newton
    use litz_contact_sweep, only: sweep_contacts
    use litz_contact_forces, only: apply_normal_law, assemble_contacts, predict_contacts
    use litz_contact_pairs, only: find_candidates, locate_points
+   use litz_contact_path, only: contact_path_t, find_path
    use litz_contact_points, only: contact_set_t
    use litz_contact_step, only: bearable_fraction
    use litz_contact_tangents, only: follow_centre_line
@@ -32,7 +33,7 @@ module litz_newton
    use litz_run_warnings, only: run_warnings_t
    use litz_stabilization, only: assemble_stabilization
    use litz_state, only: state_t
-   use litz_timing, only: timing_t, phase_search, phase_contact, phase_assembly, phase_analyse, phase_factor, &
+   use litz_timing, only: timing_t, phase_search, phase_contact, phase_check, phase_assembly, phase_analyse, phase_factor, &
       phase_solve, phase_update, phase_output
    use litz_wires, only: wires_t
    implicit none
@@ -195,7 +196,7 @@ contains
          increment = 0
       end do
       call refuse_lost_contacts(problem, x_start, outcome)
-      call problem%timing%lap(phase_contact)
+      call problem%timing%lap(phase_check)
    end subroutine solve_increment
 
    subroutine give_up(outcome, cause, reason)
@@ -317,8 +318,7 @@ contains
       !> A residual is accepted for round-off only, above its own tolerance
       logical, intent(out) :: at_round_off
       type(scales_t) :: scales
-      real(dp), allocatable :: residual(:, :)
-      real(dp) :: worst(3), part, allowed
+      real(dp) :: residual(3, problem%model%n_nodes), worst(3), part, allowed
       integer :: node, field
 
       scales = measure_scales(problem)
@@ -606,13 +606,16 @@ contains
       type(problem_t), intent(in) :: problem
       real(dp), intent(in) :: x_start(:, :)
       type(outcome_t), intent(inout) :: outcome
+      type(contact_path_t) :: path
 
       outcome%converged = .true.
       if (.not. problem%contact%present) return
       associate (model => problem%model, wires => problem%wires, elements => problem%elements, &
          contact => problem%contact, iterate => problem%iterate)
+         call find_path(model, wires, elements, x_start, problem%state%rotation, iterate%x, iterate%rotation, &
+            iterate%turn, any(contact%in_bar .or. contact%in_set, 2), path)
          outcome%finding = worse_of(inspect_contacts(model, wires, elements, contact, iterate%x, iterate%rotation), &
-            sweep_contacts(model, wires, elements, contact, x_start, problem%state%rotation, iterate%x, iterate%rotation))
+            sweep_contacts(model, wires, elements, contact, path))
          if (outcome%finding%kind /= finding_none) call give_up(outcome, cause_lost_contact, outcome%finding%describe(model))
       end associate
    end subroutine refuse_lost_contacts

@@ -4,16 +4,16 @@ module litz_timing
    implicit none
    private
    public :: timing_t, peak_memory
-   public :: phase_reading, phase_preparation, phase_search, phase_elements, phase_contact, phase_assembly, &
+   public :: phase_reading, phase_preparation, phase_search, phase_elements, phase_contact, phase_check, phase_assembly, &
       phase_analyse, phase_factor, phase_solve, phase_update, phase_output
 
    integer, parameter :: phase_reading = 1, phase_preparation = 2, phase_search = 3, phase_elements = 4, &
       phase_contact = 5, phase_assembly = 6, phase_analyse = 7, phase_factor = 8, phase_solve = 9, &
-      phase_update = 10, phase_output = 11
+      phase_update = 10, phase_check = 11, phase_output = 12
 
-   integer, parameter :: n_phases = 11
+   integer, parameter :: n_phases = 12
    character(len=*), parameter :: phase_name(n_phases) = [character(len=12) :: 'reading', 'preparation', 'search', &
-      'elements', 'contact', 'assembly', 'analyse', 'factor', 'solve', 'update', 'output']
+      'elements', 'contact', 'assembly', 'analyse', 'factor', 'solve', 'update', 'check', 'output']
 
    type :: timing_t
       !> Wall-clock time of each phase [s], and how often a lap was charged to it

@@ -70,7 +70,8 @@ def cable(
     where curved bundles bend towards each other, the cable is laid again with more room.
 
     Neighbouring wires of a layer are nearly parallel and touch along lines. litz models contacts of crossing wires as
-    points and has no line contact: the geometry is right, but a run misses these contacts, and says how many pairs.
+    points and has no line contact: the geometry is right, but a run says how many pairs
+    lie so, and ends where they touch.
 
     Parameters
     ----------

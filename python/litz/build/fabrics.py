@@ -13,6 +13,8 @@ from .geometry import rounded, smooth_axis
 
 #: Largest crimp over pitch at which yarns that wrap each other stay apart beside the crossing: 1/(pi sqrt(2)), and a margin
 _LARGEST_CRIMP = 0.22
+#: Angles between elements: from here on a wire has a kink, and what a fabric has by itself [rad]
+_KINK, _TURN_OF_DEFAULT = math.radians(20), math.radians(15)
 
 
 def wire_grid(
@@ -88,7 +90,7 @@ def woven_fabric(
     pitch: float,
     radius: float,
     clearance: float | None = None,
-    elements_per_pitch: int = 4,
+    elements_per_pitch: int | None = None,
     plates: bool = True,
     bar_radius: float | None = None,
     material: Material = COPPER,
@@ -115,7 +117,8 @@ def woven_fabric(
     clearance : float, optional
         Gap at the crossings and between plates and yarns [m], a fiftieth of the radius when left out.
     elements_per_pitch : int
-        Elements of each yarn between two crossings, an even number.
+        Elements of each yarn between two crossings, an even number; when left out, as many as turn by less than 15 degrees
+        from one to the next, 4 at least. At 20 degrees a yarn would have a kink, where contact is not modelled.
     plates : bool
         With the two plates; without them `model.guides` has the ends of the yarns alone.
     bar_radius : float, optional
@@ -129,8 +132,8 @@ def woven_fabric(
         Groups WARP and WEFT, with plates PLATE_BOTTOM and PLATE_TOP; node sets PLUS (top plate, or the first ends of the
         warp) and MINUS (bottom plate, or the first ends of the weft).
     """
-    _check_counts(n_warp, n_weft, elements_per_pitch)
-    if elements_per_pitch % 2:
+    _check_counts(n_warp, n_weft, 2 if elements_per_pitch is None else elements_per_pitch)
+    if elements_per_pitch is not None and elements_per_pitch % 2:
         raise ValueError(f"elements_per_pitch must be even, not {elements_per_pitch}")
     clearance = radius / 50 if clearance is None else clearance
     if not radius > 0 or not clearance >= 0:
@@ -138,6 +141,15 @@ def woven_fabric(
     crimp = radius + clearance / 2
     if crimp > _LARGEST_CRIMP * pitch:
         raise ValueError(f"pitch must be at least {crimp / _LARGEST_CRIMP:g} m, so that yarns touch at crossings only")
+    if elements_per_pitch is None:
+        fine = (n for n in itertools.count(4, 2) if _largest_turn(crimp, pitch, n) < _TURN_OF_DEFAULT)
+        elements_per_pitch = next(fine)
+    elif _largest_turn(crimp, pitch, elements_per_pitch) >= _KINK:
+        raise ValueError(
+            f"with {elements_per_pitch} elements_per_pitch the yarns have kinks of "
+            f"{math.degrees(_largest_turn(crimp, pitch, elements_per_pitch)):.1f} degrees, where contact is not modelled: "
+            "less than 20 degrees are needed, by more elements"
+        )
     amplitude = _amplitude(crimp, pitch, elements_per_pitch)
     model = Model(f"Plain weave of {n_warp} x {n_weft} yarns")
     size = np.array([n_weft, n_warp]) * pitch
@@ -169,6 +181,13 @@ def woven_fabric(
         model.node_set(name, nodes)
     model.element_set("WIRES", list(model.groups))
     return model
+
+
+def _largest_turn(crest: float, pitch: float, elements_per_pitch: int) -> float:
+    """Largest angle between neighbouring elements of a yarn [rad]."""
+    s = (np.arange(4 * elements_per_pitch) + 0.5) / elements_per_pitch
+    slope = np.diff(crest * np.cos(math.pi * (s - 0.5))) / np.diff(s * pitch)
+    return float(np.abs(np.diff(np.arctan(slope))).max())
 
 
 def _amplitude(crest: float, pitch: float, elements_per_pitch: int) -> float:

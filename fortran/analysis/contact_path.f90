@@ -1,0 +1,167 @@
+!> The way of wires through an increment of which only the start and the end are known.
+!>
+!> The chord of each element turns and stretches uniformly. A wire is put together from its chords, from the node on that
+!> moves least, which goes straight on: wires that turn keep their lengths, which they would not if each node went straight.
+!> The way is cut into legs so short that within one of them nodes do go straight.
+module litz_contact_path
+   use litz_kinds, only: dp
+   use litz_element_library, only: elements_t
+   use litz_model, only: model_t
+   use litz_rotations, only: cross, nearest_rotation_vector, rotation_exp
+   use litz_wires, only: wires_t
+   implicit none
+   private
+   public :: contact_path_t, find_path
+
+   !> Straight legs leave the way by this part of the radius at most
+   real(dp), parameter :: leg_tolerance = 0.1_dp
+   integer, parameter :: max_legs = 1024
+
+   type :: contact_path_t
+      !> Straight legs; 1: all nodes go straight
+      integer :: n_legs = 1
+      !> Positions at the start and at the end (3, n_nodes) [m], rotations at the start (3, 3, n_nodes)
+      real(dp), allocatable :: x_start(:, :), x_end(:, :), rotation_start(:, :, :)
+      !> Rotation vector of each node over the increment (3, n_nodes) [rad]
+      real(dp), allocatable :: turn(:, :)
+      !> How each chord turns: with the mean of its nodes, and by what is left (3, n_elements) [rad]
+      real(dp), allocatable :: chord_turn(:, :), chord_rest(:, :)
+   contains
+      procedure :: positions
+      procedure :: rotations
+   end type contact_path_t
+
+contains
+
+   !> Prepare the way, and see how many legs it needs.
+   pure subroutine find_path(model, wires, elements, x_start, rotation_start, x_end, rotation_end, turn, is_swept, path)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes) at the start and at the end of the increment
+      real(dp), intent(in) :: x_start(:, :), rotation_start(:, :, :), x_end(:, :), rotation_end(:, :, :)
+      !> Sum of the rotations of each node in the increment (3, n_nodes) [rad]: tells full turns apart
+      real(dp), intent(in) :: turn(:, :)
+      !> The element may touch others (n_elements)
+      logical, intent(in) :: is_swept(:)
+      type(contact_path_t), intent(out) :: path
+      real(dp) :: angle, longest
+      integer :: node, e, w
+
+      path%x_start = x_start
+      path%x_end = x_end
+      path%rotation_start = rotation_start
+      allocate (path%turn(3, size(x_start, 2)))
+      do node = 1, size(x_start, 2)
+         path%turn(:, node) = nearest_rotation_vector( &
+            matmul(rotation_end(:, :, node), transpose(rotation_start(:, :, node))), turn(:, node))
+      end do
+      allocate (path%chord_turn(3, model%n_elements), path%chord_rest(3, model%n_elements))
+      do e = 1, model%n_elements
+         associate (nodes => model%connectivity(:, e))
+            path%chord_turn(:, e) = sum(path%turn(:, nodes), 2)/2
+            path%chord_rest(:, e) = turn_between(matmul(rotation_exp(path%chord_turn(:, e)), &
+               x_start(:, nodes(2)) - x_start(:, nodes(1))), x_end(:, nodes(2)) - x_end(:, nodes(1)))
+         end associate
+      end do
+      do w = 1, wires%n_wires
+         associate (members => wires%element(wires%first(w):wires%first(w + 1) - 1))
+            if (.not. any(is_swept(members))) cycle
+            angle = maxval(norm2(path%chord_turn(:, members), 1) + norm2(path%chord_rest(:, members), 1))
+            ! an arc of this angle and of the length of the wire leaves its chord by length angle^2/8
+            longest = sqrt(8*leg_tolerance*minval(elements%radius(members))/sum(elements%length(members)))
+            path%n_legs = max(path%n_legs, ceiling(min(angle/longest, real(max_legs, dp))))
+         end associate
+      end do
+   end subroutine find_path
+
+   !> Rotation vector of the smallest turn from one direction to another.
+   pure function turn_between(a, b) result(turn)
+      real(dp), intent(in) :: a(3), b(3)
+      real(dp) :: turn(3), axis(3)
+
+      axis = cross(a, b)
+      turn = 0
+      if (norm2(axis) > 0) turn = axis/norm2(axis)*atan2(norm2(axis), dot_product(a, b))
+   end function turn_between
+
+   !> Positions of all nodes at a time from 0 to 1 (3, n_nodes) [m].
+   pure function positions(self, model, wires, time) result(x)
+      class(contact_path_t), intent(in) :: self
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      real(dp), intent(in) :: time
+      real(dp) :: x(3, size(self%x_start, 2))
+      integer :: w
+
+      x = (1 - time)*self%x_start + time*self%x_end
+      if (self%n_legs == 1 .or. time <= 0 .or. time >= 1) return
+      do w = 1, wires%n_wires
+         call put_together(self, model, wires, w, time, x)
+      end do
+   end function positions
+
+   !> Put a wire together from its chords.
+   pure subroutine put_together(path, model, wires, w, time, x)
+      type(contact_path_t), intent(in) :: path
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      integer, intent(in) :: w
+      real(dp), intent(in) :: time
+      !> In: all nodes gone straight; out: those of this wire put together
+      real(dp), intent(inout) :: x(:, :)
+      real(dp) :: along(3, 0:wires%first(w + 1) - wires%first(w)), gap(3)
+      integer :: nodes(0:wires%first(w + 1) - wires%first(w)), k, n, anchor
+
+      n = wires%first(w + 1) - wires%first(w)
+      along(:, 0) = 0
+      do k = 1, n
+         associate (e => wires%element(wires%first(w) + k - 1))
+            nodes(k - 1:k) = model%connectivity(:, e)
+            if (wires%direction(e) < 0) nodes(k - 1:k) = model%connectivity([2, 1], e)
+            along(:, k) = along(:, k - 1) + wires%direction(e)*chord_at(path, model, e, time)
+         end associate
+      end do
+      if (nodes(n) == nodes(0)) then
+         ! a closed wire stays closed
+         gap = along(:, n)
+         do k = 1, n
+            along(:, k) = along(:, k) - real(k, dp)/n*gap
+         end do
+      end if
+      anchor = minloc(norm2(path%x_end(:, nodes) - path%x_start(:, nodes), 1), 1) - 1
+      gap = x(:, nodes(anchor)) - along(:, anchor)
+      do k = 0, n
+         x(:, nodes(k)) = along(:, k) + gap
+      end do
+   end subroutine put_together
+
+   !> From the first to the second node of an element [m].
+   pure function chord_at(path, model, e, time) result(chord)
+      type(contact_path_t), intent(in) :: path
+      type(model_t), intent(in) :: model
+      integer, intent(in) :: e
+      real(dp), intent(in) :: time
+      real(dp) :: chord(3), before(3), after(3)
+
+      associate (nodes => model%connectivity(:, e))
+         before = path%x_start(:, nodes(2)) - path%x_start(:, nodes(1))
+         after = path%x_end(:, nodes(2)) - path%x_end(:, nodes(1))
+      end associate
+      chord = matmul(rotation_exp(time*path%chord_rest(:, e)), matmul(rotation_exp(time*path%chord_turn(:, e)), before)) &
+         *(1 + time*(norm2(after)/norm2(before) - 1))
+   end function chord_at
+
+   !> Rotations of all nodes from the reference at a time from 0 to 1 (3, 3, n_nodes).
+   pure function rotations(self, time) result(rotation)
+      class(contact_path_t), intent(in) :: self
+      real(dp), intent(in) :: time
+      real(dp) :: rotation(3, 3, size(self%x_start, 2))
+      integer :: node
+
+      do node = 1, size(rotation, 3)
+         rotation(:, :, node) = matmul(rotation_exp(time*self%turn(:, node)), self%rotation_start(:, :, node))
+      end do
+   end function rotations
+
+end module litz_contact_path
