@@ -406,8 +406,9 @@ contains
          call report_increment(problem, outcome, audit, attempt, increment, target, start_time, options, results, error)
          if (allocated(error)) return
          possible = control%cut(step, increment, attempt)
-         if (outcome%cause == cause_lost_contact) possible = control%refuse(outcome%finding, problem%wires%wire, target) &
-            .and. possible
+         if (outcome%cause == cause_lost_contact) then
+            if (.not. control%refuse(outcome%finding, problem%wires%wire, target)) possible = .false.
+         end if
          if (.not. possible) then
             call give_up(problem, step, outcome, step_time, increment, attempt, results, options, error)
             return

@@ -112,7 +112,7 @@ contains
          text = 'Contact at the end of a wire is not modelled: let the wires reach beyond their crossings. '
       case (finding_kink)
          text = 'Contact at a kink is not modelled: round the kink by shorter elements (less than 20 degrees at'// &
-            ' each node). '
+            ' each node); with AXIS=LINEAR each node of a bent wire is one. '
       case (finding_line)
          text = 'Contact along a line is not modelled: keep such wires apart, or let them cross at larger angles. '
       case default

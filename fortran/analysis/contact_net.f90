@@ -11,7 +11,7 @@ module litz_contact_net
       finding_coiled, finding_end, finding_kink, finding_line, finding_passed
    use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry
    use litz_element_library, only: elements_t
-   use litz_model, only: model_t, axis_hermite, normal_linear
+   use litz_model, only: model_t, axis_hermite, axis_linear, normal_linear
    use litz_parallel, only: worth_threads
    use litz_rotations, only: cross
    use litz_wires, only: wires_t
@@ -91,14 +91,16 @@ contains
          type(contact_point_t), intent(in) :: point
          real(dp) :: sine2, half_length, radius
 
-         if (.not. point%closed) return
+         if (.not. point%gap < 0) return
          if (is_unlimited(point%pair)) return
          radius = minval(elements%radius([point%element_bar, point%element]))
          finding%elements = [point%element_bar, point%element]
          finding%overlap = -point%gap/radius
          if (finding%overlap > allowed_penetration) finding%kind = finding_deep
-         if (model%interactions(model%contact_pairs(point%pair)%interaction)%normal_law == normal_linear) &
-            finding%penalty = point%force/(allowed_penetration*radius)
+         associate (law => model%interactions(model%contact_pairs(point%pair)%interaction))
+            if (law%normal_law == normal_linear) finding%penalty = point%force/(allowed_penetration*radius)
+            if (law%axis == axis_linear .and. has_neighbour(point)) finding%kind = finding_kink
+         end associate
          ! the distance is a paraboloid there: `det M` over the squared tangents is sin^2 of the angle of straight wires
          associate (m_inverse => point%kinematics%between_q, length => elements%length(finding%elements))
             sine2 = 16/((m_inverse(1, 1)*m_inverse(2, 2) - m_inverse(1, 2)*m_inverse(2, 1))*product(length)**2)
@@ -107,6 +109,37 @@ contains
          if (half_length > longest_point*radius) finding%kind = finding_line
          if (point%kinematics%distance <= 0) finding%kind = finding_passed
       end function inspect_point
+
+      !> Another contact of the same two wires is next to this one: at a kink of a straight axis both of its elements
+      !> have one, and the force would count twice.
+      pure logical function has_neighbour(point)
+         type(contact_point_t), intent(in) :: point
+         integer :: k
+
+         has_neighbour = .false.
+         k = first_of_wire(wires%wire(point%element_bar))
+         do while (k > 0 .and. .not. has_neighbour)
+            if (contact%points(k)%gap < 0 .and. contact%points(k)%candidate /= point%candidate) then
+               has_neighbour = is_at(contact%points(k), [point%element_bar, point%element], [point%arc_bar, point%arc])
+            end if
+            k = next_of_wire(k)
+         end do
+      end function has_neighbour
+
+      !> A contact is that of two wires at these arc lengths, barred first.
+      pure logical function is_at(point, pair, arc)
+         type(contact_point_t), intent(in) :: point
+         !> Elements, and arc lengths (2) [m]
+         integer, intent(in) :: pair(2)
+         real(dp), intent(in) :: arc(2)
+         real(dp) :: allowed
+
+         is_at = .false.
+         if (wires%wire(point%element) /= wires%wire(pair(2))) return
+         allowed = same_contact*sum(elements%radius(pair))
+         is_at = wires%arc_between(wires%wire(pair(1)), arc(1), point%arc_bar) < allowed .and. &
+            wires%arc_between(wires%wire(pair(2)), arc(2), point%arc) < allowed
+      end function is_at
 
       pure logical function is_unlimited(pair)
          integer, intent(in) :: pair
@@ -182,18 +215,12 @@ contains
          integer, intent(in) :: candidate(3)
          !> Arc lengths on the barred and the unbarred wire (2) [m]
          real(dp), intent(in) :: arc(2)
-         real(dp) :: allowed
          integer :: k
 
          is_known = .false.
-         allowed = same_contact*sum(elements%radius(candidate(1:2)))
          k = first_of_wire(wires%wire(candidate(1)))
          do while (k > 0 .and. .not. is_known)
-            associate (point => contact%points(k))
-               if (wires%wire(point%element) == wires%wire(candidate(2))) is_known = &
-                  wires%arc_between(wires%wire(candidate(1)), arc(1), point%arc_bar) < allowed .and. &
-                  wires%arc_between(wires%wire(candidate(2)), arc(2), point%arc) < allowed
-            end associate
+            is_known = is_at(contact%points(k), candidate(1:2), arc)
             k = next_of_wire(k)
          end do
       end function is_known
@@ -209,7 +236,7 @@ contains
          kind = merge(finding_second, finding_missed, has_point)
          if (is_coiled) then
             kind = finding_coiled
-         else if (norm2(cross(tangent(:, 1), tangent(:, 2))) < side_by_side*norm2(tangent(:, 1))*norm2(tangent(:, 2))) then
+         else if (norm2(cross(tangent(:, 1), tangent(:, 2))) < side_by_side*product(norm2(tangent, 1))) then
             kind = finding_line
          else
             do k = 1, 2

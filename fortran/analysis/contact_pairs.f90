@@ -179,7 +179,8 @@ contains
       pure logical function joined_within(side)
          integer, intent(in) :: side
 
-         joined_within = leads_to(b, model%connectivity(side, a), a, self_contact_distance*radius, model, wires, elements)
+         joined_within = leads_to(b, model%connectivity(side, a), a, self_contact_distance*radius, model, wires, &
+            elements)
       end function joined_within
 
    end function distance_along
@@ -226,7 +227,8 @@ contains
          if (e == from) cycle
          leads = e == goal
          if (.not. leads .and. elements%length(e) < length) leads = leads_to(goal, &
-            model%connectivity(merge(2, 1, wires%at_node(i) < 0), e), e, length - elements%length(e), model, wires, elements)
+            model%connectivity(merge(2, 1, wires%at_node(i) < 0), e), e, length - elements%length(e), model, wires, &
+            elements)
          if (leads) return
       end do
    end function leads_to

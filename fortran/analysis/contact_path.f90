@@ -1,8 +1,8 @@
 !> The way of wires through an increment of which only the start and the end are known.
 !>
-!> The chord of each element turns and stretches uniformly. A wire is put together from its chords, from the node on that
-!> moves least, which goes straight on: wires that turn keep their lengths, which they would not if each node went straight.
-!> The way is cut into legs so short that within one of them nodes do go straight.
+!> The chord of each element turns and stretches uniformly. A wire is put together from its chords, from the node on
+!> that moves least, which goes straight on: wires that turn keep their lengths, which they would not if each node
+!> went straight. The way is cut into legs so short that within one of them nodes do go straight.
 module litz_contact_path
    use litz_kinds, only: dp
    use litz_element_library, only: elements_t
@@ -148,8 +148,8 @@ contains
          before = path%x_start(:, nodes(2)) - path%x_start(:, nodes(1))
          after = path%x_end(:, nodes(2)) - path%x_end(:, nodes(1))
       end associate
-      chord = matmul(rotation_exp(time*path%chord_rest(:, e)), matmul(rotation_exp(time*path%chord_turn(:, e)), before)) &
-         *(1 + time*(norm2(after)/norm2(before) - 1))
+      chord = matmul(rotation_exp(time*path%chord_turn(:, e)), before)*(1 + time*(norm2(after)/norm2(before) - 1))
+      chord = matmul(rotation_exp(time*path%chord_rest(:, e)), chord)
    end function chord_at
 
    !> Rotations of all nodes from the reference at a time from 0 to 1 (3, 3, n_nodes).

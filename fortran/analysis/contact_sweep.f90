@@ -1,10 +1,10 @@
 !> Whether wires passed through each other on the way from the start of an increment to its end.
 !>
-!> The way is that of litz_contact_path, leg by leg. Within a leg the nodes and their tangents move uniformly, and with them
-!> every point of the axes, which are cubic curves in them. Axes are cut into straight pieces, and each pair of pieces is
-!> followed (litz_moving_segments). Where no axes meet, the end of the increment can be reached from its start without a
-!> passage. Where they meet, the increment is rejected, but for a crossing that shows the same side at both ends
-!> after a small turn: there the way is to blame, which is a guess.
+!> The way is that of litz_contact_path, leg by leg. Within a leg the nodes and their tangents move uniformly, and
+!> with them every point of the axes, which are cubic curves in them. Axes are cut into straight pieces, and each pair
+!> of pieces is followed (litz_moving_segments). Where no axes meet, the end of the increment can be reached from its
+!> start without a passage. Where they meet, the increment is rejected, but for a crossing that shows the same side at
+!> both ends after a small turn: there the way is to blame, which is a guess.
 module litz_contact_sweep
    use litz_kinds, only: dp
    use litz_axis, only: axis_polynomial, axis_sagitta
@@ -73,8 +73,8 @@ contains
          !> Barred element, unbarred element, contact pair
          integer, intent(in) :: candidate(3)
          type(finding_t), intent(out) :: finding
-         real(dp) :: x0(3, 4), t0(3, 4), x1(3, 4), t1(3, 4), length(2), p0(3, 0:3, 2), p1(3, 0:3, 2), leave(2), motion, &
-            limit, time, place(2)
+         real(dp) :: x0(3, 4), t0(3, 4), x1(3, 4), t1(3, 4), length(2), p0(3, 0:3, 2), p1(3, 0:3, 2)
+         real(dp) :: leave(2), motion, limit, time, place(2)
          integer :: k, pieces(2)
 
          associate (eb => candidate(1), e => candidate(2), &
@@ -126,7 +126,8 @@ contains
          do i = 1, size(contact%converged)
             associate (point => contact%converged(i))
                if (any(wires%wire([point%element_bar, point%element]) /= wires%wire(candidate(1:2)))) cycle
-               if (is_between(candidate, arc, [point%arc_bar, point%arc], [point%arc_bar, point%arc])) n_start = n_start + 1
+               if (.not. is_between(candidate, arc, [point%arc_bar, point%arc], [point%arc_bar, point%arc])) cycle
+               n_start = n_start + 1
             end associate
          end do
          kept = n_kept == 1 .and. n_start <= 1

@@ -4,9 +4,9 @@
 !> a shear-flexible one the centre line is turned against it by the shear angle, which is constant in the element. A
 !> node has the mean of its two elements, so that the axis has no kink there.
 !>
-!> The angle is that of a state in balance: while the iteration goes there the tangents turn with their nodes, like those of
-!> elements without shear. So the gap depends on the unknowns of two elements only, and its derivatives are exact. Where
-!> the iteration has converged the angle is taken anew, and it goes on until the forces balance with it.
+!> The angle is that of a state in balance: while the iteration goes there the tangents turn with their nodes, like
+!> those of elements without shear. So the gap depends on the unknowns of two elements only, and its derivatives are
+!> exact. Where the iteration has converged the angle is taken anew, and it goes on until the forces balance with it.
 !>
 !> Source: theory section 3.
 module litz_contact_tangents

@@ -33,8 +33,8 @@ module litz_newton
    use litz_run_warnings, only: run_warnings_t
    use litz_stabilization, only: assemble_stabilization
    use litz_state, only: state_t
-   use litz_timing, only: timing_t, phase_search, phase_contact, phase_check, phase_assembly, phase_analyse, phase_factor, &
-      phase_solve, phase_update, phase_output
+   use litz_timing, only: timing_t, phase_search, phase_contact, phase_check, phase_assembly, phase_analyse, &
+      phase_factor, phase_solve, phase_update, phase_output
    use litz_wires, only: wires_t
    implicit none
    private
@@ -142,8 +142,8 @@ contains
          if (outcome%last%factor_age == 0 .and. &
             .not. only_contacts_changed(outcome%last, numbers)) counted = counted + 1
          numbers = [numbers, outcome%last%contacts_active]
-         if (mechanics_converged(outcome%last) .and. problem%contact%present .and. any(problem%elements%shear_flexible) &
-            .and. .not. any(abs(increment) > 0)) then
+         if (mechanics_converged(outcome%last) .and. problem%contact%present .and. .not. any(abs(increment) > 0) .and. &
+            any(problem%elements%shear_flexible)) then
             ! the axes have sheared since the increment began: contact is to balance where they are now
             call follow_centre_line(problem%model, problem%elements, problem%iterate%x, problem%iterate%rotation, &
                problem%wires)
@@ -616,7 +616,8 @@ contains
             iterate%turn, any(contact%in_bar .or. contact%in_set, 2), path)
          outcome%finding = worse_of(inspect_contacts(model, wires, elements, contact, iterate%x, iterate%rotation), &
             sweep_contacts(model, wires, elements, contact, path))
-         if (outcome%finding%kind /= finding_none) call give_up(outcome, cause_lost_contact, outcome%finding%describe(model))
+         if (outcome%finding%kind == finding_none) return
+         call give_up(outcome, cause_lost_contact, outcome%finding%describe(model))
       end associate
    end subroutine refuse_lost_contacts
 

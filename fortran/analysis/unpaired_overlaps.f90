@@ -34,8 +34,8 @@ contains
       integer :: i, n, example(2)
       logical :: too_many
 
-      call near_segments(x(:, model%connectivity(1, :)), x(:, model%connectivity(2, :)), elements%radius, max_pairs, pairs, &
-         too_many)
+      call near_segments(x(:, model%connectivity(1, :)), x(:, model%connectivity(2, :)), elements%radius, max_pairs, &
+         pairs, too_many)
       text = ''
       if (too_many) return
       n = 0

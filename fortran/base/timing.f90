@@ -4,8 +4,8 @@ module litz_timing
    implicit none
    private
    public :: timing_t, peak_memory
-   public :: phase_reading, phase_preparation, phase_search, phase_elements, phase_contact, phase_check, phase_assembly, &
-      phase_analyse, phase_factor, phase_solve, phase_update, phase_output
+   public :: phase_reading, phase_preparation, phase_search, phase_elements, phase_contact, phase_assembly, &
+      phase_analyse, phase_factor, phase_solve, phase_update, phase_check, phase_output
 
    integer, parameter :: phase_reading = 1, phase_preparation = 2, phase_search = 3, phase_elements = 4, &
       phase_contact = 5, phase_assembly = 6, phase_analyse = 7, phase_factor = 8, phase_solve = 9, &

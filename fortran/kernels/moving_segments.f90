@@ -1,8 +1,8 @@
 !> When two straight pieces that move meet.
 !>
 !> Conservative advancement: at a distance d, and while no two points of the pieces approach each other faster than v,
-!> nothing can happen for a time d/v. No root of a polynomial is asked for, so that parallel and coplanar pieces and their
-!> ends are no special cases. Source: B. Mirtich, Impulse-based dynamic simulation of rigid body systems, 1996.
+!> nothing can happen for a time d/v. No root of a polynomial is asked for, so that parallel and coplanar pieces and
+!> their ends are no special cases. Source: B. Mirtich, Impulse-based dynamic simulation of rigid body systems, 1996.
 module litz_moving_segments
    use litz_kinds, only: dp
    use litz_closest_points, only: segment_distance

@@ -8,9 +8,9 @@ import math
 
 import numpy as np
 import pytest
+from verification.references import pushed_cantilever
 
 from litz.closed_forms import hertz_contact
-from verification.references import pushed_cantilever
 
 LENGTH, YOUNG, RADIUS = 0.163, 110e9, 0.4e-3
 PUSHER = {"young": 200e9, "poisson": 0.28, "radius": 0.7e-3}

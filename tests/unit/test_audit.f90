@@ -116,11 +116,11 @@ program test_audit
    wrong = right
    wrong%contacts(1)%gap = -0.2_dp*radius
    ! the force over 5 % of the radius
-   call expect_finding(wrong, 'contact 7 (elements 101 and 102) overlaps by 20 % of the smaller radius (above 5 %): '// &
-      'a penalty of 160000 N/m at least would hold it')
+   call expect_finding(wrong, 'contact 7 (elements 101 and 102) overlaps by 20 % of the smaller radius '// &
+      '(above 5 %): a penalty of 160000 N/m at least would hold it')
    model%interactions(1)%normal_law = normal_hertz
-   call expect_finding(wrong, 'contact 7 (elements 101 and 102) overlaps by 20 % of the smaller radius (above 5 %): '// &
-      'the law of Hertz is for smaller ones')
+   call expect_finding(wrong, 'contact 7 (elements 101 and 102) overlaps by 20 % of the smaller radius '// &
+      '(above 5 %): the law of Hertz is for smaller ones')
 
    model%interactions(1)%normal_law = normal_linear
    call make_state(wrong)

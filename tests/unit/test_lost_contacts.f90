@@ -1,4 +1,5 @@
-!> What finds contacts that were lost: pieces that meet on their way, all local minima of a distance, sides of crossings.
+!> What finds contacts that were lost: pieces that meet on their way, all local minima of a distance, sides of
+!> crossings.
 program test_lost_contacts
    use litz_kinds, only: dp, pi
    use litz_closest_points, only: local_minima, max_minima, segment_distance
@@ -66,7 +67,7 @@ contains
    subroutine parallel_segments_that_swap_sides_meet()
       real(dp) :: x_start(3, 4), x_end(3, 4)
 
-      x_start = reshape([0.0_dp, 0.0_dp, 1.0_dp, 1.0_dp, 0.0_dp, 1.0_dp, 0.2_dp, 0.0_dp, 0.0_dp, 1.2_dp, 0.0_dp, 0.0_dp], [3, 4])
+      x_start = real(reshape([0.0, 0.0, 1.0, 1.0, 0.0, 1.0, 0.2, 0.0, 0.0, 1.2, 0.0, 0.0], [3, 4]), dp)
       x_end = x_start
       x_end(3, 1:2) = -1
       call check(abs(meeting_time(x_start, x_end, 0.1_dp) - 0.5_dp) < 0.051_dp, 'parallel segments meet half way')
@@ -76,7 +77,7 @@ contains
    subroutine segments_that_pass_by_each_other_do_not_meet()
       real(dp) :: x_start(3, 4), x_end(3, 4)
 
-      x_start = reshape([0.0_dp, 0.0_dp, 1.0_dp, 1.0_dp, 0.0_dp, 1.0_dp, 1.2_dp, -1.0_dp, 0.0_dp, 1.2_dp, 1.0_dp, 0.0_dp], [3, 4])
+      x_start = real(reshape([0.0, 0.0, 1.0, 1.0, 0.0, 1.0, 1.2, -1.0, 0.0, 1.2, 1.0, 0.0], [3, 4]), dp)
       x_end = x_start
       x_end(3, 1:2) = -1
       call check(meeting_time(x_start, x_end, 0.1_dp) >= never, 'a gap of 0.2 at the end is no meeting')
@@ -100,7 +101,8 @@ contains
       call check(n == 2, 'two minima')
       if (n /= 2) return
       call check(abs(sum(places(1, :2))) < 1.0e-6_dp, 'they lie opposite to each other on the arc')
-      ! the circle is at the height of the line at cos(angle) = 0.97; the cubic leaves it by arc^4/384, over its slope there
+      ! the circle is at the height of the line at cos(angle) = 0.97; the cubic leaves it by arc^4/384, over its slope
+      ! there
       call check(all(abs(abs(places(1, :2))*half - acos(0.97_dp)) < (2*half)**4/384/0.24_dp), &
          'where the circle crosses the line')
    end subroutine an_arc_that_crosses_a_line_twice_has_two_minima
@@ -147,8 +149,8 @@ contains
       integer :: degrees
 
       do degrees = 2, 178, 4
-         call check(have_passed(crossing(crossed_at(degrees*pi/180, 0.2_dp)), crossing(crossed_at(degrees*pi/180, -0.2_dp))), &
-            'axes that have passed are seen at all angles')
+         call check(have_passed(crossing(crossed_at(degrees*pi/180, 0.2_dp)), &
+            crossing(crossed_at(degrees*pi/180, -0.2_dp))), 'axes that have passed are seen at all angles')
       end do
    end subroutine axes_that_pass_change_the_side
 
@@ -185,7 +187,8 @@ contains
 
       t(:, 1:2) = spread((x(:, 2) - x(:, 1))/2, 2, 2)
       t(:, 3:4) = spread((x(:, 4) - x(:, 3))/2, 2, 2)
-      call contact_kinematics(x, t, [2.0_dp, 2.0_dp], axis_linear, [0.1_dp, 0.1_dp], 0.0_dp, 0.0_dp, 0, kinematics, info)
+      call contact_kinematics(x, t, [2.0_dp, 2.0_dp], axis_linear, [0.1_dp, 0.1_dp], 0.0_dp, 0.0_dp, 0, kinematics, &
+         info)
       call check(info == kinematics_ok, 'the elements cross')
       crossing = crossing_of(kinematics, [1, 1], [0.0_dp, 0.0_dp])
    end function crossing

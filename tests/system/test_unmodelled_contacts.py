@@ -1,0 +1,136 @@
+"""What litz does not model ends the run in words: which wires, what it is, and what helps."""
+
+import re
+
+import numpy as np
+import pytest
+
+from decks import MATERIAL, pair_of_wires, straight, wire
+from litz import build
+
+
+def lowered(first, second, push):
+    """Deck of a wire A that is held at all nodes, and a wire B whose nodes are all lowered by `push` [m]."""
+    # a free middle would give way sideways; here the way is what is prescribed
+    return pair_of_wires(
+        wire("A", first, 1, element="B33"),
+        wire("B", second, 101, element="B33"),
+        "A, 1, 6\nB, 1, 2\nB, 4, 6\n",
+        f"B, 3, 3, {push}\n",
+    )
+
+
+ALONG = straight((-0.05, 0, 0), (0.05, 0, 0), 5)
+ACROSS = straight((0, -0.05, 0), (0, 0.05, 0), 5)
+CASES = {
+    "parallel wires": (ALONG, ALONG + [0.003, 0, 0.004], -8e-3, "side by side"),
+    "wires at half a degree": (ALONG, ALONG @ np.array([[1, 0.009, 0], [-0.009, 1, 0], [0, 0, 1]]) + [0, 0, 0.004], -2.1e-3, "side by side"),
+    "the end of a wire": (ALONG, straight((0, 0.0005, 0.004), (0, 0.05, 0.004), 5), -2.1e-3, "at the end of one of them"),
+    "a kink of 30 degrees": (ACROSS, np.array([(-0.05, 0, 0.0174), (0, 0, 0.004), (0.05, 0, 0.0174)]), -2.1e-3, "at a kink"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_a_contact_that_is_not_modelled_ends_the_run_and_is_named(run, case):
+    first, second, push, words = CASES[case]
+    process, results = run(lowered(first, second, push))
+    assert process.returncode == 2
+    assert f"touch {words}" in process.stderr
+    assert "not modelled" in process.stderr
+    assert re.search(r"the wires of elements \d+ and 1\d\d", process.stderr)
+    # it is given up early, not after all cut-backs
+    assert len(results.status["attempts"]) <= 20
+    # what was accepted has no overlap, to a millionth of the radius; the end lies half a millimetre beside the axis
+    height = results.positions(len(results.times) - 1)[:, 2]
+    aside = 0.5e-3 if "end" in case else 0.0
+    assert np.hypot(height[6:].min() - height[:6].max(), aside) > 2e-3 - 1e-9
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_a_contact_that_is_not_modelled_is_refused_at_the_start(litz, tmp_path, case):
+    first, second, _, words = CASES[case]
+    (tmp_path / "deck.inp").write_text(lowered(first, second + [0, 0, -0.0021], -1e-4))
+    for command in ("check", "run"):
+        process = litz(command, "deck.inp", cwd=tmp_path)
+        assert process.returncode == 1
+        assert re.search(rf"at the start the wires of elements \d+ and \d+ touch {words}", process.stderr)
+
+
+def test_a_second_contact_within_one_pair_of_elements_ends_the_run(run):
+    """An element that is bent by 46 degrees while it is lowered: its bow of 2 mm crosses a straight wire twice."""
+    bent = straight((-0.01, -0.001, 0.004), (0.01, -0.001, 0.004), 1)
+    turn = np.radians(23)
+    deck = pair_of_wires(
+        wire("A", ALONG, 1, element="B33"), wire("B", bent, 101, element="B33"),
+        "A, 1, 6\nB, 1, 2\nB, 4, 5\n", f"B, 3, 3, -2.02e-3\n101, 6, 6, {turn}\n102, 6, 6, {-turn}\n",
+    )  # fmt: skip
+    process, _ = run(deck)
+    assert process.returncode == 2
+    assert "cross a second time within these elements" in process.stderr
+    assert "use shorter elements" in process.stderr
+
+
+@pytest.mark.parametrize("axis", ["HERMITE", "LINEAR"])
+def test_a_ring_of_few_elements_is_no_smooth_wire(run, axis):
+    """Kinks of 22.5 degrees are corners; with straight axes those of 18 degrees are, too."""
+    for n in (16, 20):
+        angle = 2 * np.pi * np.arange(n) / n - np.pi / 2
+        ring = np.stack([0.01 * np.cos(angle), 0 * angle, 0.01 + 0.01 * np.sin(angle)], axis=1) + [0, 0, 0.00205]
+        deck = pair_of_wires(
+            wire("A", ACROSS, 1, element="B33"), wire("B", ring, 101, element="B33", closed=True),
+            f"A, 1, 6\n{101 + n // 2}, 1, 2\n{101 + n // 2}, 4, 6\n", f"{101 + n // 2}, 3, 3, -1e-4\n",
+        )  # fmt: skip
+        process, results = run(deck.replace("NAME=TOUCH\n", f"NAME=TOUCH, AXIS={axis}\n", 1), name=f"ring{n}")
+        if n == 20 and axis == "HERMITE":
+            assert process.returncode == 0, process.stderr
+            assert results.contacts_at(-1)["force"][0] > 0
+        else:
+            assert process.returncode == 2
+            assert "touch at a kink" in process.stderr
+
+
+def test_a_concave_kink_of_a_straight_axis_does_not_count_twice(run):
+    """A rod in the crook of two straight elements, at 10 degrees, has a contact with both: one wire would have one."""
+    valley = np.array([(-0.05, 0, 0.0044), (0, 0, 0), (0.05, 0, 0.0044)])
+    deck = lowered(valley, ACROSS + [0, 0, 0.0022], -2.2e-4).replace("NAME=TOUCH\n", "NAME=TOUCH, AXIS=LINEAR\n", 1)
+    process, _ = run(deck)
+    assert process.returncode == 2
+    assert "at a kink" in process.stderr
+
+
+def test_wires_of_no_contact_pair_that_overlap_are_one_warning(run):
+    free = wire("C", straight((-0.05, -0.02, 0.0005), (0.05, 0.02, 0.0005), 3), 201, element="B33")
+    deck = lowered(ALONG, ACROSS + [0, 0, 0.0021], -1e-3).replace(MATERIAL, free + MATERIAL, 1)
+    deck = deck.replace("*ELSET, ELSET=WIRES\n A, B\n", "*ELSET, ELSET=WIRES\n A, B, C\n").replace(
+        "B, 4, 6\n", "B, 4, 6\nC, 1, 6\n"
+    )
+    process, results = run(deck.replace("B, 3, 3, -0.001\n", "B, 3, 3, -0.0001\n"), "--quiet")
+    assert process.returncode == 0, process.stderr
+    (warning,) = [entry for entry in results.warnings if entry.kind == "unpaired_overlap"]
+    assert "that no *CONTACT PAIR names" in warning.message
+    assert process.stderr.count("no *CONTACT PAIR names") == 1
+
+
+def test_a_wire_that_swings_past_a_post_in_one_increment_is_stopped_by_it(run):
+    """A clamp that turns by 150 degrees: each node alone would go straight and never come near the post."""
+    arm, post = straight((0, 0, 0), (0.04, 0, 0), 8), straight((0, 0.03, -0.02), (0, 0.03, 0.02), 3)
+    deck = pair_of_wires(
+        wire("A", post, 1, element="B33"), wire("B", arm, 101, element="B33"),
+        "A, 1, 6\n101, 1, 5\n", f"101, 6, 6, {np.radians(150)}\n",
+    )  # fmt: skip
+    process, results = run(deck)
+    # bent by the post it may snap, or overlap too much; it is never on the far side without having touched it
+    tip = results.positions(len(results.times) - 1)[-1]
+    touched = len(results.contacts_at(-1)["force"]) > 0
+    assert process.returncode != 0 or touched or tip[0] > 0
+
+
+def test_the_default_fabric_has_no_kinks():
+    for pitch in (1e-3, 0.6e-3, 0.47e-3):
+        model = build.woven_fabric(3, 3, pitch=pitch, radius=0.1e-3, plates=False)
+        for yarn in (*model.groups["WARP"].wires, *model.groups["WEFT"].wires):
+            chords = np.diff(model.x[np.array(yarn.nodes) - 1], axis=0)
+            chords /= np.linalg.norm(chords, axis=1)[:, None]
+            assert np.degrees(np.arccos((chords[1:] * chords[:-1]).sum(1))).max() < 16
+    with pytest.raises(ValueError, match=r"kinks of .* degrees"):
+        build.woven_fabric(3, 3, pitch=0.5e-3, radius=0.1e-3, elements_per_pitch=4)
