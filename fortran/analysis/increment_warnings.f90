@@ -4,6 +4,7 @@ module litz_increment_warnings
    use litz_audit, only: audit_t, scales_t, penetration, contact_words, allowed_imbalance
    use litz_contact_net, only: allowed_penetration
    use litz_errors, only: error_list_t
+   use litz_kinked_wires, only: kink_warning
    use litz_model, only: model_t
    use litz_newton, only: problem_t, outcome_t, measure_scales
    use litz_parallel_wires, only: shallow_angle, parallel_warning
@@ -38,6 +39,8 @@ contains
       call problem%warnings%set_place(0, 0, 0.0_dp)
       words = parallel_warning(problem%model, problem%elements, problem%contact)
       if (len(words) > 0) call problem%warnings%add('side_by_side', words)
+      words = kink_warning(problem%model, problem%wires, problem%contact)
+      if (len(words) > 0) call problem%warnings%add('kink', words)
       call add_unpaired_overlaps(problem, problem%model%x)
    end subroutine add_start_warnings
 

@@ -20,11 +20,16 @@ def lowered(first, second, push):
     )
 
 
+def moved(points, *shift):
+    """Points of a wire, moved by a vector [m]."""
+    return points + np.array(shift)
+
+
 ALONG = straight((-0.05, 0, 0), (0.05, 0, 0), 5)
 ACROSS = straight((0, -0.05, 0), (0, 0.05, 0), 5)
 CASES = {
-    "parallel wires": (ALONG, ALONG + [0.003, 0, 0.004], -8e-3, "side by side"),
-    "wires at half a degree": (ALONG, ALONG @ np.array([[1, 0.009, 0], [-0.009, 1, 0], [0, 0, 1]]) + [0, 0, 0.004], -2.1e-3, "side by side"),
+    "parallel wires": (ALONG, moved(ALONG, 0.003, 0, 0.004), -8e-3, "side by side"),
+    "wires at half a degree": (ALONG, straight((-0.05, -4.5e-4, 0.004), (0.05, 4.5e-4, 0.004), 5), -2.1e-3, "side by side"),
     "the end of a wire": (ALONG, straight((0, 0.0005, 0.004), (0, 0.05, 0.004), 5), -2.1e-3, "at the end of one of them"),
     "a kink of 30 degrees": (ACROSS, np.array([(-0.05, 0, 0.0174), (0, 0, 0.004), (0.05, 0, 0.0174)]), -2.1e-3, "at a kink"),
 }  # fmt: skip
@@ -49,7 +54,7 @@ def test_a_contact_that_is_not_modelled_ends_the_run_and_is_named(run, case):
 @pytest.mark.parametrize("case", CASES)
 def test_a_contact_that_is_not_modelled_is_refused_at_the_start(litz, tmp_path, case):
     first, second, _, words = CASES[case]
-    (tmp_path / "deck.inp").write_text(lowered(first, second + [0, 0, -0.0021], -1e-4))
+    (tmp_path / "deck.inp").write_text(lowered(first, moved(second, 0, 0, -0.0021), -1e-4))
     for command in ("check", "run"):
         process = litz(command, "deck.inp", cwd=tmp_path)
         assert process.returncode == 1
@@ -75,7 +80,7 @@ def test_a_ring_of_few_elements_is_no_smooth_wire(run, axis):
     """Kinks of 22.5 degrees are corners; with straight axes those of 18 degrees are, too."""
     for n in (16, 20):
         angle = 2 * np.pi * np.arange(n) / n - np.pi / 2
-        ring = np.stack([0.01 * np.cos(angle), 0 * angle, 0.01 + 0.01 * np.sin(angle)], axis=1) + [0, 0, 0.00205]
+        ring = np.stack([0.01 * np.cos(angle), 0 * angle, 0.01205 + 0.01 * np.sin(angle)], axis=1)
         deck = pair_of_wires(
             wire("A", ACROSS, 1, element="B33"), wire("B", ring, 101, element="B33", closed=True),
             f"A, 1, 6\n{101 + n // 2}, 1, 2\n{101 + n // 2}, 4, 6\n", f"{101 + n // 2}, 3, 3, -1e-4\n",
@@ -87,12 +92,15 @@ def test_a_ring_of_few_elements_is_no_smooth_wire(run, axis):
         else:
             assert process.returncode == 2
             assert "touch at a kink" in process.stderr
+        kinks = [entry.message for entry in results.warnings if entry.kind == "kink"]
+        assert len(kinks) == (n == 16)
+        assert all("at 16 nodes, such as 101" in message for message in kinks)
 
 
 def test_a_concave_kink_of_a_straight_axis_does_not_count_twice(run):
     """A rod in the crook of two straight elements, at 10 degrees, has a contact with both: one wire would have one."""
     valley = np.array([(-0.05, 0, 0.0044), (0, 0, 0), (0.05, 0, 0.0044)])
-    deck = lowered(valley, ACROSS + [0, 0, 0.0022], -2.2e-4).replace("NAME=TOUCH\n", "NAME=TOUCH, AXIS=LINEAR\n", 1)
+    deck = lowered(valley, moved(ACROSS, 0, 0, 0.0022), -2.2e-4).replace("NAME=TOUCH\n", "NAME=TOUCH, AXIS=LINEAR\n", 1)
     process, _ = run(deck)
     assert process.returncode == 2
     assert "at a kink" in process.stderr
@@ -100,7 +108,7 @@ def test_a_concave_kink_of_a_straight_axis_does_not_count_twice(run):
 
 def test_wires_of_no_contact_pair_that_overlap_are_one_warning(run):
     free = wire("C", straight((-0.05, -0.02, 0.0005), (0.05, 0.02, 0.0005), 3), 201, element="B33")
-    deck = lowered(ALONG, ACROSS + [0, 0, 0.0021], -1e-3).replace(MATERIAL, free + MATERIAL, 1)
+    deck = lowered(ALONG, moved(ACROSS, 0, 0, 0.0021), -1e-3).replace(MATERIAL, free + MATERIAL, 1)
     deck = deck.replace("*ELSET, ELSET=WIRES\n A, B\n", "*ELSET, ELSET=WIRES\n A, B, C\n").replace(
         "B, 4, 6\n", "B, 4, 6\nC, 1, 6\n"
     )
