@@ -9,7 +9,7 @@ module litz_contact_net
    use litz_closest_points, only: local_minima, max_minima, segment_distance
    use litz_contact_findings, only: finding_t, worse_of, finding_none, finding_deep, finding_missed, finding_second, &
       finding_coiled, finding_end, finding_kink, finding_line, finding_passed
-   use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry
+   use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry, chain_by_wire
    use litz_element_library, only: elements_t
    use litz_model, only: model_t, axis_hermite, axis_linear, normal_linear
    use litz_parallel, only: worth_threads
@@ -51,7 +51,9 @@ contains
       integer, allocatable :: point_of(:), first_of_wire(:), next_of_wire(:)
       integer :: i, n
 
-      call list_points
+      call chain_by_wire(wires, contact%points, first_of_wire, next_of_wire)
+      allocate (point_of(size(contact%candidates, 2)), source=0)
+      point_of(contact%points%candidate) = [(i, i=1, size(contact%points))]
       n = size(contact%candidates, 2)
       allocate (found(n + size(contact%coiled, 2)))
       !$omp parallel do schedule(dynamic, 64) if (size(found) >= worth_threads)
@@ -71,20 +73,6 @@ contains
       end do
 
    contains
-
-      subroutine list_points
-         integer :: k
-
-         allocate (point_of(size(contact%candidates, 2)), first_of_wire(wires%n_wires), &
-            next_of_wire(size(contact%points)), source=0)
-         do k = size(contact%points), 1, -1
-            point_of(contact%points(k)%candidate) = k
-            associate (first => first_of_wire(wires%wire(contact%points(k)%element_bar)))
-               next_of_wire(k) = first
-               first = k
-            end associate
-         end do
-      end subroutine list_points
 
       !> A contact that is too deep, as long as a line, or on the wrong side.
       type(finding_t) function inspect_point(point) result(finding)

@@ -8,7 +8,7 @@ module litz_contact_pairs
    use litz_closest_points, only: closest_points, end_tolerance, search_limit, closest_inside, closest_beyond, &
       closest_not_unique, closest_parallel, closest_not_converged
    use litz_contact_kinematics, only: contact_kinematics, kinematics_ok
-   use litz_contact_points, only: contact_point_t, contact_set_t, pair_geometry
+   use litz_contact_points, only: contact_point_t, contact_set_t, pair_geometry, chain_by_wire
    use litz_contact_search, only: near_segments
    use litz_contact_side, only: crossing_t, crossing_of, have_passed
    use litz_element_library, only: elements_t
@@ -263,7 +263,7 @@ contains
       call collect
       call match_points(wires, elements, old, contact%points, origin)
       call match_points(wires, elements, contact%converged, contact%points, converged)
-      call chain_converged
+      call chain_by_wire(wires, contact%converged, first_converged, next_converged)
       !$omp parallel do schedule(static) if (size(contact%points) >= worth_threads)
       do c = 1, size(contact%points)
          call inherit(contact%points(c), origin(c), converged(c))
@@ -378,19 +378,6 @@ contains
 
          arc_at = wires%arc(e) + wires%direction(e)*xi_e*elements%length(e)/2
       end function arc_at
-
-      !> The last converged points by their barred wires.
-      subroutine chain_converged
-         integer :: k
-
-         allocate (first_converged(wires%n_wires), next_converged(size(contact%converged)), source=0)
-         do k = size(contact%converged), 1, -1
-            associate (first => first_converged(wires%wire(contact%converged(k)%element_bar)))
-               next_converged(k) = first
-               first = k
-            end associate
-         end do
-      end subroutine chain_converged
 
       !> What a point takes over: of the last iterate the predictions, of the last converged state its memory and on
       !> which side of each other the wires are.

@@ -14,7 +14,7 @@ module litz_contact_points
    implicit none
    private
    public :: contact_point_t, contact_set_t
-   public :: pair_geometry
+   public :: pair_geometry, chain_by_wire
 
    !> A crossing of two wires, open or closed.
    type :: contact_point_t
@@ -103,5 +103,22 @@ contains
       end do
       length = elements%length([eb, e])
    end subroutine pair_geometry
+
+   !> The points of each barred wire, as chains: the first one of each wire (n_wires) and the next one of each point
+   !> (n_points), in their order; 0: none.
+   pure subroutine chain_by_wire(wires, points, first, next)
+      type(wires_t), intent(in) :: wires
+      type(contact_point_t), intent(in) :: points(:)
+      integer, allocatable, intent(out) :: first(:), next(:)
+      integer :: k
+
+      allocate (first(wires%n_wires), next(size(points)), source=0)
+      do k = size(points), 1, -1
+         associate (head => first(wires%wire(points(k)%element_bar)))
+            next(k) = head
+            head = k
+         end associate
+      end do
+   end subroutine chain_by_wire
 
 end module litz_contact_points
