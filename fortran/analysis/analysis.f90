@@ -223,7 +223,8 @@ contains
       allocate (overlap(size(problem%model%contact_pairs)), source=0.0_dp)
       if (.not. problem%contact%present) return
       associate (model => problem%model, contact => problem%contact, state => problem%state)
-         call find_candidates(model, problem%wires, problem%elements, model%x, model%x, contact, changed, error)
+         call find_candidates(model, problem%wires, problem%elements, model%x, state%rotation, model%x, &
+            state%rotation, contact, changed, error)
          if (allocated(error)) return
          call locate_points(model, problem%wires, problem%elements, model%x, state%rotation, model%x, state%rotation, &
             contact)

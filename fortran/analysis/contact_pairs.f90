@@ -5,6 +5,7 @@
 !> (litz_contact_side): an iterate that has pushed the axes through each other has a gap below minus both radii.
 module litz_contact_pairs
    use litz_kinds, only: dp, int64
+   use litz_axis, only: axis_polynomial, axis_sagitta
    use litz_closest_points, only: closest_points, end_tolerance, search_limit, closest_inside, closest_beyond, &
       closest_not_unique, closest_parallel, closest_not_converged
    use litz_contact_kinematics, only: contact_kinematics, kinematics_ok
@@ -18,7 +19,7 @@ module litz_contact_pairs
    use litz_wires, only: wires_t, arc_from_to
    implicit none
    private
-   public :: prepare_contact, find_candidates, locate_points
+   public :: prepare_contact, find_candidates, candidates_hold, locate_points
    public :: distance_along, along_apart, find_contact_pair
 
    !> Two elements along their wires: far apart; of one wire, and near; next to each other or joined by a short path
@@ -28,6 +29,8 @@ module litz_contact_pairs
    real(dp), parameter :: self_contact_distance = 8.0_dp
    !> A point this near to an end of its element, in units of xi, may be found again in the next element
    real(dp), parameter :: near_node = 1.0e-6_dp
+   !> An axis may bend by this part of its length before candidates are collected anew
+   real(dp), parameter :: bending = 0.05_dp
    !> Surface distance up to which an element pair is a candidate, in mean radii of the two
    real(dp), parameter :: skin = 1.0_dp
    !> Pairs of elements at most: four nodes of each are counted in default integers, beside two of each element
@@ -53,6 +56,8 @@ contains
             contact%in_set(model%element_sets(pair%set)%members, p) = .true.
          end associate
       end do
+      contact%members = pack([(e, e=1, model%n_elements)], any(contact%in_bar .or. contact%in_set, 2))
+      allocate (contact%valid_sagitta(model%n_elements), source=0.0_dp)
       allocate (contact%valid_motion(model%n_nodes), source=huge(1.0_dp))
       do e = 1, model%n_elements
          if (.not. any(contact%in_bar(e, :) .or. contact%in_set(e, :))) cycle
@@ -63,39 +68,44 @@ contains
    end subroutine prepare_contact
 
    !> Collect the element pairs that are near in the present positions, or were passed since the increment began.
-   subroutine find_candidates(model, wires, elements, x_start, x, contact, changed, error)
+   subroutine find_candidates(model, wires, elements, x_start, rotation_start, x, rotation, contact, changed, error)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
-      !> Positions at the start of the increment and now (3, n_nodes) [m]
-      real(dp), intent(in) :: x_start(:, :), x(:, :)
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes) when the increment began, and now
+      real(dp), intent(in) :: x_start(:, :), rotation_start(:, :, :), x(:, :), rotation(:, :, :)
       type(contact_set_t), intent(inout) :: contact
       !> The candidates are not those of the last call
       logical, intent(out) :: changed
       !> There are more than can be counted
       type(error_t), allocatable, intent(out) :: error
-      integer, allocatable :: member(:), pairs(:, :), found(:, :)
+      integer, allocatable :: pairs(:, :), found(:, :)
       real(dp), allocatable :: reach(:)
-      integer :: i, e, n_found
+      real(dp) :: p(3, 0:3)
+      integer :: i, n_found
       logical :: too_many
       character(len=80) :: text
 
       changed = .false.
-      member = pack([(e, e=1, model%n_elements)], any(contact%in_bar .or. contact%in_set, 2))
-      allocate (reach(size(member)))
-      do i = 1, size(member)
-         associate (e => member(i), node => model%connectivity(:, member(i)))
-            ! what the axis may leave its chord by, what it has moved since the increment began, and half of the overlap
-            ! it then had count as thickness
-            reach(i) = (1 + skin/2)*elements%radius(e) + contact%depth/2 &
-               + elements%length(e)*sagitta_bound(wires, e) + sqrt(maxval(sum((x(:, node) - x_start(:, node))**2, 1)))
+      associate (member => contact%members)
+         allocate (reach(size(member)))
+         do i = 1, size(member)
+            associate (e => member(i), node => model%connectivity(:, member(i)))
+               p = axis_of_element(model, wires, elements, e, x, rotation)
+               contact%valid_sagitta(e) = axis_sagitta(p) + bending*elements%length(e)
+               ! what the axis may leave its chord by, what its nodes and its bow have moved since the increment began,
+               ! and half of the overlap it then had count as thickness
+               reach(i) = (1 + skin/2)*elements%radius(e) + contact%depth/2 + contact%valid_sagitta(e) &
+                  + sqrt(maxval(sum((x(:, node) - x_start(:, node))**2, 1))) &
+                  + axis_sagitta(p - axis_of_element(model, wires, elements, e, x_start, rotation_start))
+            end associate
+         end do
+         associate (first => model%connectivity(1, member), second => model%connectivity(2, member))
+            call near_segments(x(:, first), x(:, second), reach, most_candidates, pairs, too_many)
          end associate
-      end do
-      associate (first => model%connectivity(1, member), second => model%connectivity(2, member))
-         call near_segments(x(:, first), x(:, second), reach, most_candidates, pairs, too_many)
       end associate
       if (too_many) then
-         write (text, '(a, i0, a, i0, a)') 'contact search: of ', size(member), ' elements more than ', &
+         write (text, '(a, i0, a, i0, a)') 'contact search: of ', size(contact%members), ' elements more than ', &
             most_candidates, ' pairs'
          error = fail(exit_memory, trim(text)//' lie within a radius of each other, which is more than can be'// &
             ' counted; name fewer wires in *CONTACT PAIR, or make the model smaller')
@@ -104,8 +114,8 @@ contains
       allocate (found(3, size(pairs, 2)))
       !$omp parallel do schedule(static) if (size(pairs, 2) >= worth_threads)
       do i = 1, size(pairs, 2)
-         call assign_roles(model, wires, elements, contact, member(pairs(1, i)), member(pairs(2, i)), found(1:2, i), &
-            found(3, i))
+         call assign_roles(model, wires, elements, contact, contact%members(pairs(1, i)), &
+            contact%members(pairs(2, i)), found(1:2, i), found(3, i))
       end do
       !$omp end parallel do
       contact%coiled = abs(reshape(pack(found, spread(found(3, :) < 0, 1, 3)), [3, count(found(3, :) < 0)]))
@@ -121,16 +131,43 @@ contains
       if (changed) contact%candidates = found(:, :n_found)
    end subroutine find_candidates
 
-   !> How far the axis of an element may leave its chord, as a fraction of its length.
-   pure real(dp) function sagitta_bound(wires, e) result(bound)
+   !> The axis of an element in powers of xi (3, 0:3) [m].
+   pure function axis_of_element(model, wires, elements, e, x, rotation) result(p)
+      type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
       integer, intent(in) :: e
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
+      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      real(dp) :: p(3, 0:3), t(3, 2)
+      integer :: side
 
-      associate (axes => wires%triads0(:, :, :, e))
-         ! twice the reference sagitta of an arc with these end tangents, and room for bending in the increment
-         bound = 0.05_dp + acos(min(1.0_dp, max(-1.0_dp, dot_product(axes(:, 1, 1), axes(:, 1, 2)))))/4
-      end associate
-   end function sagitta_bound
+      do side = 1, 2
+         t(:, side) = matmul(rotation(:, :, model%connectivity(side, e)), wires%contact_tangents0(:, side, e))
+      end do
+      p = axis_polynomial(axis_hermite, elements%length(e), x(:, model%connectivity(:, e)), t)
+   end function axis_of_element
+
+   !> The candidates are still all that may touch: nothing has moved or bent too far since they were collected.
+   pure logical function candidates_hold(model, wires, elements, contact, x, rotation) result(hold)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(contact_set_t), intent(in) :: contact
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
+      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      integer :: i
+
+      hold = allocated(contact%x_collected)
+      if (.not. hold) return
+      hold = all(norm2(x - contact%x_collected, 1) < contact%valid_motion)
+      do i = 1, size(contact%members)
+         if (.not. hold) return
+         associate (e => contact%members(i))
+            hold = axis_sagitta(axis_of_element(model, wires, elements, e, x, rotation)) < contact%valid_sagitta(e)
+         end associate
+      end do
+   end function candidates_hold
 
    !> Which element is the barred one, and by which contact pair they may touch; 0: none; negative: they are too near to
    !> each other along their wire.

@@ -59,14 +59,17 @@ module litz_contact_points
       logical :: present = .false.
       !> Element belongs to the barred / the unbarred set of each contact pair (n_elements, n_pairs)
       logical, allocatable :: in_bar(:, :), in_set(:, :)
+      !> Elements of any contact pair
+      integer, allocatable :: members(:)
       !> Barred element, unbarred element, contact pair (3, n_candidates); sorted by the smaller, then the larger one
       integer, allocatable :: candidates(:, :)
       !> Pairs of one wire that are too near along it to touch, but not next to each other (3, n_coiled), as candidates
       integer, allocatable :: coiled(:, :)
       !> Positions of the nodes when the candidates were collected (3, n_nodes)
       real(dp), allocatable :: x_collected(:, :)
-      !> Candidates hold while no node has moved by this much since they were collected (n_nodes) [m]
-      real(dp), allocatable :: valid_motion(:)
+      !> Candidates hold while no node has moved by this much since they were collected (n_nodes) [m], and no axis leaves
+      !> its chord by more than this (n_elements) [m]
+      real(dp), allocatable :: valid_motion(:), valid_sagitta(:)
       !> Elements with several contacts that carry a current
       type(shared_conductors_t) :: shared
       !> Largest overlap when the increment began [m]

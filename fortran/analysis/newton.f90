@@ -12,7 +12,7 @@ module litz_newton
    use litz_contact_net, only: inspect_contacts
    use litz_contact_sweep, only: sweep_contacts
    use litz_contact_forces, only: apply_normal_law, assemble_contacts, predict_contacts
-   use litz_contact_pairs, only: find_candidates, locate_points
+   use litz_contact_pairs, only: find_candidates, candidates_hold, locate_points
    use litz_contact_path, only: contact_path_t, find_path
    use litz_contact_points, only: contact_set_t
    use litz_contact_step, only: bearable_fraction
@@ -271,11 +271,9 @@ contains
       logical :: changed
 
       associate (contact => problem%contact, x => problem%iterate%x)
-         if (allocated(contact%x_collected)) then
-            if (all(norm2(x - contact%x_collected, 1) < contact%valid_motion)) return
-         end if
-         call find_candidates(problem%model, problem%wires, problem%elements, x_start, x, contact, changed, &
-            error)
+         if (candidates_hold(problem%model, problem%wires, problem%elements, contact, x, problem%iterate%rotation)) return
+         call find_candidates(problem%model, problem%wires, problem%elements, x_start, problem%state%rotation, x, &
+            problem%iterate%rotation, contact, changed, error)
          problem%pattern_changed = problem%pattern_changed .or. changed
       end associate
    end subroutine refresh_candidates
