@@ -102,8 +102,8 @@ contains
       select case (self%kind)
       case (finding_deep)
          text = 'The law of Hertz is for smaller overlaps: the force is too large for these wires. '
-         if (self%penalty > 0) text = 'A penalty of '//to_text(self%penalty)//' '//model%units%label('N/m')// &
-            ' at least would hold it so far (*SURFACE BEHAVIOR). '
+         if (self%penalty > 0) text = 'The force that it has there needs a penalty of '//to_text(self%penalty)//' '// &
+            model%units%label('N/m')//' at least (*SURFACE BEHAVIOR). '
       case (finding_second)
          text = 'Each pair of elements can have one contact: use shorter elements. '
       case (finding_coiled)

@@ -14,6 +14,8 @@ module litz_contact_history
       logical :: closed = .false.
       !> Arc lengths of the closest points along the barred and the unbarred wire (2) [m]
       real(dp) :: arc(2) = 0
+      !> Normal force [N]
+      real(dp) :: force = 0
       !> Traction in the frame of litz_contact_friction (2) [N]
       real(dp) :: traction(2) = 0
       !> Path of the slip since the contact closed [m], and the heat that friction made of it [J]
@@ -36,6 +38,7 @@ contains
 
       history%closed = .true.
       history%arc = arc
+      history%force = force
       history%traction = friction%traction
       history%slip_path = start%slip_path + norm2(friction%plastic_slip)
       history%dissipation = start%dissipation + friction%dissipation

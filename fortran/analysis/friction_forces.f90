@@ -46,7 +46,7 @@ contains
       if (point%closed) then
          call stick(law, young, poisson, point%force, point%ellipse, stiffness, dstiffness_dforce)
          point%friction = friction_law(law%friction, point%force, stiffness, dstiffness_dforce, &
-            point%history%traction, slip%slip)
+            point%history%traction, slip%slip, force_start=point%history%force)
          point%traction_on_bar = -matmul(slip%frame, point%friction%traction)
          residual = friction_residual(point%kinematics, slip, point%friction%traction)
          if (.not. point%history%closed) call grow_with_force(dot_product(residual, dq), point%friction)
@@ -117,14 +117,13 @@ contains
       if (point%history%closed) arc = point%history%arc
    end function start_of_slip
 
-   !> Heat and work where the normal force has grown from nothing, in proportion to the slip since the contact closed:
-   !> half of the heat of the last force, and no work on the way before.
+   !> Work where the normal force has grown from nothing, in proportion to the slip since the contact closed: none on the
+   !> way before.
    pure subroutine grow_with_force(work, friction)
       !> Of the present traction in the motion since the increment began [J]
       real(dp), intent(in) :: work
       type(friction_law_t), intent(inout) :: friction
 
-      friction%dissipation = friction%dissipation/2
       friction%work_beyond_mean = friction%elastic_work + friction%dissipation - work/2
    end subroutine grow_with_force
 

@@ -58,6 +58,7 @@ contains
       call record%field('was_closed', history%closed)
       call record%field('converged_arc_bar', history%arc(1))
       call record%field('converged_arc', history%arc(2))
+      call record%field('converged_force', history%force)
       call record%field('traction_1', history%traction(1))
       call record%field('traction_2', history%traction(2))
       call record%field('slip_path', history%slip_path)

@@ -33,7 +33,8 @@ module litz_friction_law
 
 contains
 
-   pure function friction_law(mu, force, stiffness, dstiffness_dforce, traction_start, slip, taken_as) result(law)
+   pure function friction_law(mu, force, stiffness, dstiffness_dforce, traction_start, slip, taken_as, &
+      force_start) result(law)
       !> Coefficient of friction [-], and normal force [N]; both at least 0
       real(dp), intent(in) :: mu, force
       !> Tangential stiffness k_t [N/m], greater than 0, and how it changes with the normal force [1/m]
@@ -42,6 +43,8 @@ contains
       real(dp), intent(in) :: traction_start(2), slip(2)
       !> `friction_stick` or `friction_slip`: the status that an iteration supposes, whatever the trial traction says
       integer, intent(in), optional :: taken_as
+      !> Normal force at the start of the increment [N], for the heat of the slip; the present one where it is left out
+      real(dp), intent(in), optional :: force_start
       type(friction_law_t) :: law
       real(dp) :: trial(2), dtrial_dforce(2), size_of_trial, direction(2), ratio
       integer :: i
@@ -66,7 +69,9 @@ contains
             law%dtraction_dslip(i, i) = law%dtraction_dslip(i, i) + ratio*stiffness
          end do
          law%plastic_slip = (size_of_trial - mu*force)/stiffness*direction
-         law%dissipation = mu*force*(size_of_trial - mu*force)/stiffness
+         law%dissipation = mu*force*norm2(law%plastic_slip)
+         ! a limit that changes along the slip counts with its mean
+         if (present(force_start)) law%dissipation = mu*(force_start + force)/2*norm2(law%plastic_slip)
       end if
       law%elastic_work = dot_product(traction_start + law%traction, slip - law%plastic_slip)/2
       law%work_beyond_mean = law%dissipation - dot_product(traction_start + law%traction, law%plastic_slip)/2

@@ -372,7 +372,8 @@ contains
          ' ALLSE: in the beams. ALLCCE: in the contacts. ALLFD: made heat by friction.'// &
          ' ALLSD: taken by stabilization.'// &
          ' ETOTAL: ALLSE + ALLCCE + ALLFD + ALLSD - ALLWK,'// &
-         ' which goes to zero with the size of the increments.')
+         ' which goes to zero with the size of the increments, but for what the elements of B31 miss at contacts,'// &
+         ' which goes to zero with their size.')
       call finish(table, k)
 
       call begin(k, 'ELECTRODE PRINT', place_step, &

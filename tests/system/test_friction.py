@@ -295,6 +295,30 @@ def test_the_iteration_converges_quadratically_in_stick_and_in_slip(run, law, st
         assert after < before**2
 
 
+@pytest.mark.parametrize("growth", [5.0, 0.1])
+@pytest.mark.parametrize("increments", [1, 2, 10])
+def test_the_heat_of_a_slip_under_a_changing_force_is_its_work(run, increments, growth):
+    """The force goes in proportion to the way from F to `growth` F: heat is mu times the mean force times the slip.
+
+    What supports have done, by their own forces and ways, is that heat, the elastic slip, and the overlap.
+    """
+    begin, way = 2e-5, 2e-4
+    deck = rubbing(move(begin, increments=1), move(begin + way, increments=increments, z=-growth * OVERLAP))
+    process, results = run(deck.replace(" RF\n", " RF, U\n"))
+    assert process.returncode == 0, process.stderr
+    history, last = results.history, results.history["step"] == 3
+    first = np.flatnonzero(last)[0] - 1
+    slip = way - MU * (growth - 1) * FORCE / STICK
+    heat = history["ALLFD"][-1] - history["ALLFD"][first]
+    assert heat == pytest.approx(MU * FORCE * (1 + growth) / 2 * slip, rel=1e-6)
+    force = np.stack([history[f"RF{i} sum UPPER"] for i in (1, 2, 3)], axis=-1)[first:]
+    place = np.stack([history[f"U{i} mean UPPER"] for i in (1, 2, 3)], axis=-1)[first:]
+    work = ((force[1:] + force[:-1]) / 2 * np.diff(place, axis=0)).sum()
+    assert history["ALLWK"][-1] - history["ALLWK"][first] == pytest.approx(work, rel=1e-6)
+    # the slip begins within the second step: what it does there beyond the mean of its forces is counted
+    assert abs(history["ETOTAL"][-1]) < 1e-9 * history["ALLWK"][-1]
+
+
 def test_a_turn_of_the_whole_model_leaves_the_traction_as_it_is(run):
     """All supports turn about z by half a radian, with a contact that sticks under load."""
     drags = drag(2e-7, 1e-7)
