@@ -7,7 +7,7 @@ module litz_contact_findings
    private
    public :: finding_t, worse_of
    public :: finding_none, finding_deep, finding_missed, finding_second, finding_coiled, finding_end, finding_kink, &
-      finding_line, finding_passed
+      finding_line, finding_passed, finding_turned
 
    !> From harmless to serious: of two findings the later one is reported
    integer, parameter :: finding_none = 0
@@ -18,8 +18,8 @@ module litz_contact_findings
    integer, parameter :: finding_missed = 2, finding_second = 3, finding_coiled = 4
    !> ... at the end of a wire; at a kink; side by side, or a contact as long as a line
    integer, parameter :: finding_end = 5, finding_kink = 6, finding_line = 7
-   !> The axes of two wires met on their way through the increment
-   integer, parameter :: finding_passed = 8
+   !> The axes of two wires met on their way through the increment; a wire turned so far that its way is not known
+   integer, parameter :: finding_passed = 8, finding_turned = 9
 
    type :: finding_t
       integer :: kind = finding_none
@@ -61,7 +61,7 @@ contains
    pure logical function can_be_cut(self)
       class(finding_t), intent(in) :: self
 
-      can_be_cut = self%kind == finding_passed .or. self%kind == finding_missed
+      can_be_cut = any(self%kind == [finding_passed, finding_missed, finding_turned])
    end function can_be_cut
 
    !> What was found, with the two elements.
@@ -86,6 +86,9 @@ contains
          text = pair//' touch at a kink of one of them, and'//depth//' there'
       case (finding_line)
          text = pair//' touch side by side, along a line, and'//depth//' there'
+      case (finding_turned)
+         text = 'the wire of element '//to_text(model%element_id(self%elements(1)))// &
+            ' turns by more than 150 degrees in this increment: what it meets on its way is not known'
       case (finding_passed)
          text = pair//' would pass through each other in this increment'
       case default

@@ -16,10 +16,15 @@ module litz_contact_path
    !> Straight legs leave the way by this part of the radius at most
    real(dp), parameter :: leg_tolerance = 0.1_dp
    integer, parameter :: max_legs = 1024
+   !> A wire that turns by more than this (150 degrees) has been farther from its end than at its start: what it may have
+   !> met is not among the candidates [rad]
+   real(dp), parameter :: max_turn = 2.618_dp
 
    type :: contact_path_t
       !> Straight legs; 1: all nodes go straight
       integer :: n_legs = 1
+      !> An element that turns by more than `max_turn` on its way; 0: none
+      integer :: turned_element = 0
       !> Positions at the start and at the end (3, n_nodes) [m], rotations at the start (3, 3, n_nodes)
       real(dp), allocatable :: x_start(:, :), x_end(:, :), rotation_start(:, :, :)
       !> Rotation vector of each node over the increment (3, n_nodes) [rad]
@@ -68,6 +73,7 @@ contains
          associate (members => wires%element(wires%first(w):wires%first(w + 1) - 1))
             if (.not. any(is_swept(members))) cycle
             angle = maxval(norm2(path%chord_turn(:, members), 1) + norm2(path%chord_rest(:, members), 1))
+            if (angle > max_turn) path%turned_element = members(1)
             ! an arc of this angle and of the length of the wire leaves its chord by length angle^2/8
             longest = sqrt(8*leg_tolerance*minval(elements%radius(members))/sum(elements%length(members)))
             path%n_legs = max(path%n_legs, ceiling(min(angle/longest, real(max_legs, dp))))

@@ -9,7 +9,7 @@ module litz_contact_sweep
    use litz_kinds, only: dp
    use litz_axis, only: axis_polynomial, axis_sagitta
    use litz_closest_points, only: segment_distance
-   use litz_contact_findings, only: finding_t, worse_of, finding_none, finding_passed
+   use litz_contact_findings, only: finding_t, worse_of, finding_none, finding_passed, finding_turned
    use litz_contact_path, only: contact_path_t
    use litz_contact_points, only: contact_set_t, pair_geometry
    use litz_contact_side, only: crossing_t, crossing_of, have_kept
@@ -23,7 +23,7 @@ module litz_contact_sweep
    public :: sweep_contacts
 
    !> Axes that come nearer than this part of the sum of their radii have met
-   real(dp), parameter :: met = 0.5_dp
+   real(dp), parameter :: met = 0.9_dp
    !> Straight pieces leave the axis by this part of the smaller radius at most
    real(dp), parameter :: chord_tolerance = 0.02_dp
    integer, parameter :: max_pieces = 64
@@ -43,6 +43,10 @@ contains
       real(dp), allocatable :: x_start(:, :), rotation_start(:, :, :), x(:, :), rotation(:, :, :)
       integer :: leg, i, n
 
+      if (path%turned_element > 0) then
+         worst = finding_t(finding_turned, spread(path%turned_element, 1, 2))
+         return
+      end if
       n = size(contact%candidates, 2)
       allocate (found(n + size(contact%coiled, 2)))
       x = path%positions(model, wires, 0.0_dp)
