@@ -6,7 +6,7 @@ module litz_contact_findings
    implicit none
    private
    public :: finding_t, worse_of
-   public :: finding_none, finding_deep, finding_missed, finding_second, finding_coiled, finding_end, finding_kink, &
+   public :: finding_none, finding_deep, finding_missed, finding_second, finding_joined, finding_end, finding_kink, &
       finding_line, finding_passed, finding_turned
 
    !> From harmless to serious: of two findings the later one is reported
@@ -14,8 +14,8 @@ module litz_contact_findings
    !> A contact overlaps by more than is allowed
    integer, parameter :: finding_deep = 1
    !> Wires overlap where there is no contact: without a reason that is known; beside another contact of the same two
-   !> elements; of a wire with itself a few radii along it
-   integer, parameter :: finding_missed = 2, finding_second = 3, finding_coiled = 4
+   !> elements; of joined elements, beyond their joint
+   integer, parameter :: finding_missed = 2, finding_second = 3, finding_joined = 4
    !> ... at the end of a wire; at a kink; side by side, or a contact as long as a line
    integer, parameter :: finding_end = 5, finding_kink = 6, finding_line = 7
    !> The axes of two wires met on their way through the increment; a wire turned so far that its way is not known
@@ -78,8 +78,8 @@ contains
          text = pair//depth//', 5 % are allowed'
       case (finding_second)
          text = pair//' cross a second time within these elements, and'//depth//' there'
-      case (finding_coiled)
-         text = pair//', which are one wire, lie within a few radii of each other along it, and'//depth
+      case (finding_joined)
+         text = pair//', which are joined, touch beyond their joint, and'//depth//' there'
       case (finding_end)
          text = pair//' touch at the end of one of them, and'//depth//' there'
       case (finding_kink)
@@ -109,8 +109,9 @@ contains
             model%units%label('N/m')//' at least (*SURFACE BEHAVIOR). '
       case (finding_second)
          text = 'Each pair of elements can have one contact: use shorter elements. '
-      case (finding_coiled)
-         text = 'The wire is bent more tightly than contact of a wire with itself is modelled. '
+      case (finding_joined)
+         text = 'Joined elements, and those within 8 radii of each other along a wire, have no contact: use shorter'// &
+            ' elements, or bend the wire less. '
       case (finding_end)
          text = 'Contact at the end of a wire is not modelled: let the wires reach beyond their crossings. '
       case (finding_kink)

@@ -8,7 +8,8 @@ module litz_contact_net
    use litz_axis, only: axis_polynomial, axis_sagitta, axis_shape, on_axis
    use litz_closest_points, only: local_minima, max_minima, segment_distance
    use litz_contact_findings, only: finding_t, worse_of, finding_none, finding_deep, finding_missed, finding_second, &
-      finding_coiled, finding_end, finding_kink, finding_line, finding_passed
+      finding_joined, finding_end, finding_kink, finding_line, finding_passed
+   use litz_contact_joints, only: path_between, lead_apart, joint_radii
    use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry, chain_by_wire
    use litz_element_library, only: elements_t
    use litz_model, only: model_t, axis_hermite, axis_linear, normal_linear
@@ -31,8 +32,6 @@ module litz_contact_net
    real(dp), parameter :: flat = 1.0e-6_dp
    !> Places nearer to a contact than this, in sums of radii, are that contact
    real(dp), parameter :: same_contact = 0.2_dp
-   !> A wire may overlap itself up to this many radii along it: its bend has no room for more
-   real(dp), parameter :: bend_overlap = 4.0_dp
 
 contains
 
@@ -55,13 +54,13 @@ contains
       allocate (point_of(size(contact%candidates, 2)), source=0)
       point_of(contact%points%candidate) = [(i, i=1, size(contact%points))]
       n = size(contact%candidates, 2)
-      allocate (found(n + size(contact%coiled, 2)))
+      allocate (found(n + size(contact%joined, 2)))
       !$omp parallel do schedule(dynamic, 64) if (size(found) >= worth_threads)
       do i = 1, size(found)
          if (i <= n) then
             call inspect_pair(contact%candidates(:, i), point_of(i), .false., found(i))
          else
-            call inspect_pair(contact%coiled(:, i - n), 0, .true., found(i))
+            call inspect_pair(contact%joined(:, i - n), 0, .true., found(i))
          end if
       end do
       !$omp end parallel do
@@ -136,24 +135,28 @@ contains
       end function is_unlimited
 
       !> All local minima of the distance of two elements that overlap.
-      subroutine inspect_pair(candidate, point, is_coiled, finding)
+      subroutine inspect_pair(candidate, point, is_joined, finding)
          !> Barred element, unbarred element, contact pair
          integer, intent(in) :: candidate(3)
          !> The contact point of this pair; 0: none
          integer, intent(in) :: point
-         !> The elements are too near along their wire to be a candidate
-         logical, intent(in) :: is_coiled
+         !> The elements are joined, and no candidate
+         logical, intent(in) :: is_joined
          type(finding_t), intent(out) :: finding
          real(dp) :: xe(3, 4), t(3, 4), length(2), places(2, max_minima), arc(2), reach, overlap
-         real(dp) :: w(3), tangent(3, 2)
+         real(dp) :: w(3), tangent(3, 2), leave(2)
          integer :: k, n_places, axis
 
          associate (eb => candidate(1), e => candidate(2), radius => elements%radius(candidate(1:2)))
             axis = model%interactions(model%contact_pairs(candidate(3))%interaction)%axis
             reach = sum(radius) - contact%clearance(candidate(3))
             call pair_geometry(model, wires, elements, eb, e, x, rotation, xe, t, length)
-            if (segment_distance(xe) - axis_sagitta(axis_polynomial(axis, length(1), xe(:, 1:2), t(:, 1:2))) &
-               - axis_sagitta(axis_polynomial(axis, length(2), xe(:, 3:4), t(:, 3:4))) > reach) return
+            leave(1) = axis_sagitta(axis_polynomial(axis, length(1), xe(:, 1:2), t(:, 1:2)))
+            leave(2) = axis_sagitta(axis_polynomial(axis, length(2), xe(:, 3:4), t(:, 3:4)))
+            if (segment_distance(xe) - sum(leave) > reach) return
+            if (is_joined) then
+               if (lead_apart(model, elements, candidate(1:2), xe, leave)) return
+            end if
             call local_minima(xe, t, length, axis, places, n_places)
             do k = 1, n_places
                call axes_at(axis, xe, t, length, places(:, k), w, tangent)
@@ -161,12 +164,13 @@ contains
                if (overlap < unseen_overlap) cycle
                if (falls_beyond(axis, eb, places(1, k), w) .or. falls_beyond(axis, e, places(2, k), -w)) cycle
                arc = wires%arc([eb, e]) + wires%direction([eb, e])*places(:, k)*length/2
-               if (is_coiled) then
-                  if (wires%arc_between(wires%wire(e), arc(1), arc(2)) < bend_overlap*maxval(radius)) cycle
+               if (is_joined) then
+                  if (path_between(model, wires, elements, candidate(1:2), places(:, k)) &
+                     < joint_radii*maxval(radius)) cycle
                else if (is_known(candidate, arc)) then
                   cycle
                end if
-               finding = worse_of(finding, finding_t(kind_of(candidate, places(:, k), tangent, point > 0, is_coiled), &
+               finding = worse_of(finding, finding_t(kind_of(candidate, places(:, k), tangent, point > 0, is_joined), &
                   candidate(1:2), overlap))
             end do
          end associate
@@ -214,16 +218,16 @@ contains
       end function is_known
 
       !> Why there is no contact.
-      integer function kind_of(candidate, place, tangent, has_point, is_coiled) result(kind)
+      integer function kind_of(candidate, place, tangent, has_point, is_joined) result(kind)
          integer, intent(in) :: candidate(3)
          !> Place (2), and tangents there (3, 2) [m]
          real(dp), intent(in) :: place(2), tangent(3, 2)
-         logical, intent(in) :: has_point, is_coiled
+         logical, intent(in) :: has_point, is_joined
          integer :: k, node
 
          kind = merge(finding_second, finding_missed, has_point)
-         if (is_coiled) then
-            kind = finding_coiled
+         if (is_joined) then
+            kind = finding_joined
          else if (norm2(cross(tangent(:, 1), tangent(:, 2))) < side_by_side*product(norm2(tangent, 1))) then
             kind = finding_line
          else

@@ -20,10 +20,7 @@ module litz_contact_pairs
    implicit none
    private
    public :: prepare_contact, find_candidates, candidates_hold, locate_points
-   public :: distance_along, along_apart, find_contact_pair
-
-   !> Two elements along their wires: far apart; of one wire, and near; next to each other or joined by a short path
-   integer, parameter :: along_apart = 0, along_coiled = 1, along_joined = 2
+   public :: are_joined, find_contact_pair
 
    !> Elements of one wire nearer along it than this many contact radii do not touch each other
    real(dp), parameter :: self_contact_distance = 8.0_dp
@@ -43,7 +40,7 @@ contains
       type(contact_set_t), intent(out) :: contact
       integer :: p, e
 
-      allocate (contact%points(0), contact%converged(0), contact%candidates(3, 0), contact%coiled(3, 0))
+      allocate (contact%points(0), contact%converged(0), contact%candidates(3, 0), contact%joined(3, 0))
       allocate (contact%clearance(size(model%contact_pairs)), source=0.0_dp)
       contact%converged_clearance = contact%clearance
       contact%present = size(model%contact_pairs) > 0
@@ -118,7 +115,7 @@ contains
             contact%members(pairs(2, i)), found(1:2, i), found(3, i))
       end do
       !$omp end parallel do
-      contact%coiled = abs(reshape(pack(found, spread(found(3, :) < 0, 1, 3)), [3, count(found(3, :) < 0)]))
+      contact%joined = abs(reshape(pack(found, spread(found(3, :) < 0, 1, 3)), [3, count(found(3, :) < 0)]))
       n_found = 0
       do i = 1, size(found, 2)
          if (found(3, i) <= 0) cycle
@@ -169,8 +166,8 @@ contains
       end do
    end function candidates_hold
 
-   !> Which element is the barred one, and by which contact pair they may touch; 0: none; negative: they are too near to
-   !> each other along their wire.
+   !> Which element is the barred one, and by which contact pair they may touch; 0: none; negative: they would, but are
+   !> joined.
    pure subroutine assign_roles(model, wires, elements, contact, a, b, roles, pair)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
@@ -178,37 +175,32 @@ contains
       type(contact_set_t), intent(in) :: contact
       integer, intent(in) :: a, b
       integer, intent(out) :: roles(2), pair
-      integer :: distance
 
-      roles = 0
-      pair = 0
-      distance = distance_along(model, wires, elements, a, b)
-      if (distance /= along_joined) call find_contact_pair(model, wires, contact, a, b, roles, pair)
-      if (distance == along_coiled) pair = -pair
+      call find_contact_pair(model, wires, contact, a, b, roles, pair)
+      if (pair == 0) return
+      if (are_joined(model, wires, elements, a, b)) pair = -pair
    end subroutine assign_roles
 
-   !> How far two elements are from each other along their wires: `along_apart`, `along_coiled` or `along_joined`.
-   pure integer function distance_along(model, wires, elements, a, b) result(distance)
+   !> Two elements are near to each other along their wire, or joined by a short path.
+   pure logical function are_joined(model, wires, elements, a, b)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       integer, intent(in) :: a, b
       real(dp) :: separation, radius
 
-      distance = along_joined
+      are_joined = .true.
       if (any(model%connectivity(:, a) == model%connectivity(1, b)) .or. &
          any(model%connectivity(:, a) == model%connectivity(2, b))) return
       radius = max(elements%radius(a), elements%radius(b))
       if (wires%wire(a) == wires%wire(b)) then
          separation = wires%arc_between(wires%wire(a), wires%arc(a), wires%arc(b)) &
             - (elements%length(a) + elements%length(b))/2
-         if (separation < radius) return
-         distance = along_coiled
          if (separation < self_contact_distance*radius) return
       else if (wires%is_joined(wires%wire(a)) .and. wires%is_joined(wires%wire(b))) then
          if (joined_within(1) .or. joined_within(2)) return
       end if
-      distance = along_apart
+      are_joined = .false.
 
    contains
 
@@ -220,7 +212,7 @@ contains
             elements)
       end function joined_within
 
-   end function distance_along
+   end function are_joined
 
    !> The last contact pair that names both elements, and which of them is the barred one; 0: none.
    pure subroutine find_contact_pair(model, wires, contact, a, b, roles, pair)

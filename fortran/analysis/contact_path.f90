@@ -16,8 +16,8 @@ module litz_contact_path
    !> Straight legs leave the way by this part of the radius at most
    real(dp), parameter :: leg_tolerance = 0.1_dp
    integer, parameter :: max_legs = 1024
-   !> A wire that turns by more than this (150 degrees) has been farther from its end than at its start: what it may have
-   !> met is not among the candidates [rad]
+   !> A wire that turns by more than this (150 degrees) has been farther from its end than at its start: what it may
+   !> have met is not among the candidates [rad]
    real(dp), parameter :: max_turn = 2.618_dp
 
    type :: contact_path_t

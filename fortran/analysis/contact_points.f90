@@ -63,12 +63,12 @@ module litz_contact_points
       integer, allocatable :: members(:)
       !> Barred element, unbarred element, contact pair (3, n_candidates); sorted by the smaller, then the larger one
       integer, allocatable :: candidates(:, :)
-      !> Pairs of one wire that are too near along it to touch, but not next to each other (3, n_coiled), as candidates
-      integer, allocatable :: coiled(:, :)
+      !> Pairs that would be candidates, but are joined (3, n_joined)
+      integer, allocatable :: joined(:, :)
       !> Positions of the nodes when the candidates were collected (3, n_nodes)
       real(dp), allocatable :: x_collected(:, :)
-      !> Candidates hold while no node has moved by this much since they were collected (n_nodes) [m], and no axis leaves
-      !> its chord by more than this (n_elements) [m]
+      !> Candidates hold while no node has moved by this much since they were collected (n_nodes) [m], and no axis
+      !> leaves its chord by more than this (n_elements) [m]
       real(dp), allocatable :: valid_motion(:), valid_sagitta(:)
       !> Elements with several contacts that carry a current
       type(shared_conductors_t) :: shared

@@ -10,6 +10,7 @@ module litz_contact_sweep
    use litz_axis, only: axis_polynomial, axis_sagitta
    use litz_closest_points, only: segment_distance
    use litz_contact_findings, only: finding_t, worse_of, finding_none, finding_passed, finding_turned
+   use litz_contact_joints, only: path_between, lead_apart, joint_radii
    use litz_contact_path, only: contact_path_t
    use litz_contact_points, only: contact_set_t, pair_geometry
    use litz_contact_side, only: crossing_t, crossing_of, have_kept
@@ -24,6 +25,8 @@ module litz_contact_sweep
 
    !> Axes that come nearer than this part of the sum of their radii have met
    real(dp), parameter :: met = 0.9_dp
+   !> Joined elements overlap near their joint: they have met where their axes do
+   real(dp), parameter :: met_joined = 0.05_dp
    !> Straight pieces leave the axis by this part of the smaller radius at most
    real(dp), parameter :: chord_tolerance = 0.02_dp
    integer, parameter :: max_pieces = 64
@@ -48,7 +51,7 @@ contains
          return
       end if
       n = size(contact%candidates, 2)
-      allocate (found(n + size(contact%coiled, 2)))
+      allocate (found(n + size(contact%joined, 2)))
       x = path%positions(model, wires, 0.0_dp)
       rotation = path%rotations(0.0_dp)
       do leg = 1, path%n_legs
@@ -59,9 +62,9 @@ contains
          !$omp parallel do schedule(dynamic, 64) if (size(found) >= worth_threads)
          do i = 1, size(found)
             if (i <= n) then
-               call sweep_pair(contact%candidates(:, i), found(i))
+               call sweep_pair(contact%candidates(:, i), .false., found(i))
             else
-               call sweep_pair(contact%coiled(:, i - n), found(i))
+               call sweep_pair(contact%joined(:, i - n), .true., found(i))
             end if
          end do
          !$omp end parallel do
@@ -73,12 +76,14 @@ contains
 
    contains
 
-      subroutine sweep_pair(candidate, finding)
+      subroutine sweep_pair(candidate, is_joined, finding)
          !> Barred element, unbarred element, contact pair
          integer, intent(in) :: candidate(3)
+         !> The elements are joined: only what lies beyond their joint is followed
+         logical, intent(in) :: is_joined
          type(finding_t), intent(out) :: finding
          real(dp) :: x0(3, 4), t0(3, 4), x1(3, 4), t1(3, 4), length(2), p0(3, 0:3, 2), p1(3, 0:3, 2)
-         real(dp) :: leave(2), motion, limit, time, place(2)
+         real(dp) :: leave(2), motion, limit, apart, time, place(2)
          integer :: k, pieces(2)
 
          associate (eb => candidate(1), e => candidate(2), &
@@ -91,12 +96,21 @@ contains
                p1(:, :, k) = axis_polynomial(law%axis, length(k), x1(:, 2*k - 1:2*k), t1(:, 2*k - 1:2*k))
                leave(k) = max(axis_sagitta(p0(:, :, k)), axis_sagitta(p1(:, :, k)))
             end do
-            limit = met*sum(elements%radius([eb, e]))
+            limit = merge(met_joined, met, is_joined)*sum(elements%radius([eb, e]))
+            if (is_joined) then
+               if (lead_apart(model, elements, [eb, e], x0, leave) .and. &
+                  lead_apart(model, elements, [eb, e], x1, leave)) return
+            end if
             motion = largest_relative_motion(x0, x1)
             ! chords that approach each other at this speed at most, axes that leave them by this much
             if (segment_distance(x0) + segment_distance(x1) - motion - 2*sum(leave) > 2*limit) return
             pieces = max(1, min(max_pieces, ceiling(sqrt(leave/(chord_tolerance*minval(elements%radius([eb, e])))))))
-            call follow(p0, p1, pieces, limit, time, place)
+            apart = 0
+            if (is_joined) then
+               apart = joint_radii*maxval(elements%radius([eb, e]))
+               pieces = max(pieces, min(max_pieces, ceiling(2*length/apart)))
+            end if
+            call follow([eb, e], p0, p1, pieces, apart, limit, time, place)
             if (time >= never) return
             if (is_crossing_kept(candidate, place, length)) return
             finding%kind = finding_passed
@@ -155,34 +169,38 @@ contains
          end do
       end function is_between
 
-   end function sweep_contacts
+      !> Follow all pieces of two moving axes.
+      pure subroutine follow(pair, p0, p1, pieces, apart, limit, time, place)
+         !> Elements; axes in powers of xi at the start and at the end (3, 0:3, 2) [m]; number of pieces (2)
+         integer, intent(in) :: pair(2), pieces(2)
+         real(dp), intent(in) :: p0(3, 0:3, 2), p1(3, 0:3, 2)
+         !> Pieces nearer along the wires than this are left out, and distance at which they meet [m]
+         real(dp), intent(in) :: apart, limit
+         !> First meeting, or `never`, and where: middles of the pieces (2) in [-1, 1]
+         real(dp), intent(out) :: time, place(2)
+         real(dp) :: a(3, 2, 0:max_pieces), b(3, 2, 0:max_pieces), meeting, middle(2)
+         integer :: i, j
 
-   !> Follow all pieces of two moving axes.
-   pure subroutine follow(p0, p1, pieces, limit, time, place)
-      !> Axes in powers of xi at the start and at the end (3, 0:3, 2) [m]; number of pieces (2)
-      real(dp), intent(in) :: p0(3, 0:3, 2), p1(3, 0:3, 2)
-      integer, intent(in) :: pieces(2)
-      !> Distance at which they meet [m]
-      real(dp), intent(in) :: limit
-      !> First meeting, or `never`, and where: middles of the pieces (2) in [-1, 1]
-      real(dp), intent(out) :: time, place(2)
-      real(dp) :: a(3, 2, 0:max_pieces), b(3, 2, 0:max_pieces), meeting
-      integer :: i, j
-
-      call cut(p0(:, :, 1), p1(:, :, 1), pieces(1), a)
-      call cut(p0(:, :, 2), p1(:, :, 2), pieces(2), b)
-      time = never
-      place = 0
-      do i = 1, pieces(1)
-         do j = 1, pieces(2)
-            meeting = meeting_time(reshape([a(:, 1, i - 1:i), b(:, 1, j - 1:j)], [3, 4]), &
-               reshape([a(:, 2, i - 1:i), b(:, 2, j - 1:j)], [3, 4]), limit)
-            if (meeting >= time) cycle
-            time = meeting
-            place = [-1 + (2*i - 1)/real(pieces(1), dp), -1 + (2*j - 1)/real(pieces(2), dp)]
+         call cut(p0(:, :, 1), p1(:, :, 1), pieces(1), a)
+         call cut(p0(:, :, 2), p1(:, :, 2), pieces(2), b)
+         time = never
+         place = 0
+         do i = 1, pieces(1)
+            do j = 1, pieces(2)
+               middle = [-1 + (2*i - 1)/real(pieces(1), dp), -1 + (2*j - 1)/real(pieces(2), dp)]
+               if (apart > 0) then
+                  if (path_between(model, wires, elements, pair, middle) < 2*apart) cycle
+               end if
+               meeting = meeting_time(reshape([a(:, 1, i - 1:i), b(:, 1, j - 1:j)], [3, 4]), &
+                  reshape([a(:, 2, i - 1:i), b(:, 2, j - 1:j)], [3, 4]), limit)
+               if (meeting >= time) cycle
+               time = meeting
+               place = middle
+            end do
          end do
-      end do
-   end subroutine follow
+      end subroutine follow
+
+   end function sweep_contacts
 
    !> Ends of the pieces of an axis at the start and at the end.
    pure subroutine cut(p0, p1, n, ends)

@@ -117,8 +117,8 @@ contains
       if (point%history%closed) arc = point%history%arc
    end function start_of_slip
 
-   !> Work where the normal force has grown from nothing, in proportion to the slip since the contact closed: none on the
-   !> way before.
+   !> Work where the normal force has grown from nothing, in proportion to the slip since the contact closed: none on
+   !> the way before.
    pure subroutine grow_with_force(work, friction)
       !> Of the present traction in the motion since the increment began [J]
       real(dp), intent(in) :: work

@@ -271,7 +271,8 @@ contains
       logical :: changed
 
       associate (contact => problem%contact, x => problem%iterate%x)
-         if (candidates_hold(problem%model, problem%wires, problem%elements, contact, x, problem%iterate%rotation)) return
+         if (candidates_hold(problem%model, problem%wires, problem%elements, contact, x, &
+            problem%iterate%rotation)) return
          call find_candidates(problem%model, problem%wires, problem%elements, x_start, problem%state%rotation, x, &
             problem%iterate%rotation, contact, changed, error)
          problem%pattern_changed = problem%pattern_changed .or. changed

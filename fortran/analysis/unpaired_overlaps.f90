@@ -3,7 +3,7 @@ module litz_unpaired_overlaps
    use litz_kinds, only: dp
    use litz_axis, only: axis_polynomial, axis_sagitta
    use litz_closest_points, only: segment_distance
-   use litz_contact_pairs, only: distance_along, along_apart, find_contact_pair
+   use litz_contact_pairs, only: are_joined, find_contact_pair
    use litz_contact_points, only: contact_set_t, pair_geometry
    use litz_contact_search, only: near_segments
    use litz_element_library, only: elements_t
@@ -57,7 +57,7 @@ contains
          integer :: roles(2), pair
 
          overlap_unpaired = .false.
-         if (distance_along(model, wires, elements, a, b) /= along_apart) return
+         if (are_joined(model, wires, elements, a, b)) return
          if (contact%present) then
             call find_contact_pair(model, wires, contact, a, b, roles, pair)
             if (pair > 0) return

@@ -632,6 +632,8 @@ def beside_passed(motion, way, beside):
         near = near[motion.wire[near] == motion.wire[f]]
         if motion.wire[e] == motion.wire[f]:
             near = near[np.abs(near - e) > 1]
+        if not len(near):
+            continue
         reach = motion.radius[e] + motion.radius[f]
         sides = []
         for state in (0, 1):
