@@ -228,13 +228,13 @@ contains
          if (allocated(error)) return
          call locate_points(model, problem%wires, problem%elements, model%x, state%rotation, model%x, state%rotation, &
             contact)
-         contact%converged = contact%points
          n_refused = 0
          worst = 0
          do i = 1, size(contact%points)
             associate (point => contact%points(i))
                if (model%contact_pairs(point%pair)%interference_fit) then
-                  overlap(point%pair) = max(overlap(point%pair), -point%gap)
+                  point%fit = max(0.0_dp, -point%gap)
+                  overlap(point%pair) = max(overlap(point%pair), point%fit)
                else if (-point%gap > allowed_overlap*minval(radii(point))) then
                   n_refused = n_refused + 1
                   if (worst == 0) worst = i
@@ -242,6 +242,7 @@ contains
                end if
             end associate
          end do
+         contact%converged = contact%points
          call refuse_unmodelled(problem, error)
          if (n_refused == 0 .or. allocated(error)) return
          associate (point => contact%points(worst), pair => model%contact_pairs(contact%points(worst)%pair))

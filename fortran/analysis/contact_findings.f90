@@ -113,7 +113,8 @@ contains
          text = 'Joined elements, and those within 8 radii of each other along a wire, have no contact: use shorter'// &
             ' elements, or bend the wire less. '
       case (finding_end)
-         text = 'Contact at the end of a wire is not modelled: let the wires reach beyond their crossings. '
+         text = 'Contact at the end of a wire, or of the part of it that *CONTACT PAIR names, is not modelled:'// &
+            ' let both reach beyond their crossings. '
       case (finding_kink)
          text = 'Contact at a kink is not modelled: round the kink by shorter elements (less than 20 degrees at'// &
             ' each node); with AXIS=LINEAR each node of a bent wire is one. '

@@ -8,7 +8,7 @@ module litz_contact_forces
    use litz_assembly, only: iterate_t, forces_t, chunk, add_mechanical, add_electric, add_coupling
    use litz_contact_electricity, only: contact_electricity_t, contact_electricity, coupling_tangent
    use litz_contact_mechanics, only: contact_mechanics, form_hessian
-   use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry
+   use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry, clearance_of
    use litz_contact_spot, only: contact_spot_of_ellipse
    use litz_element_library, only: elements_t
    use litz_equations, only: equations_t
@@ -175,7 +175,8 @@ contains
          call materials_of(model, elements, point, radius, young, poisson, resistivity)
          associate (law => model%interactions(model%contact_pairs(point%pair)%interaction))
             if (law%friction > 0) call add_friction(law, wires, x, t, length, young, poisson, motion(nodes_p), &
-               contact%converged_clearance(point%pair) - contact%clearance(point%pair), point, k_p, r_p)
+               clearance_of(point%fit, contact%converged_clearance(point%pair)) &
+               - clearance_of(point%fit, contact%clearance(point%pair)), point, k_p, r_p)
             call normal_force_of_ellipse(law%normal_law, law%penalty, point%gap, point%ellipse, force, dforce_dgap, &
                dforce_dangle, info)
          end associate

@@ -149,7 +149,7 @@ contains
 
          associate (eb => candidate(1), e => candidate(2), radius => elements%radius(candidate(1:2)))
             axis = model%interactions(model%contact_pairs(candidate(3))%interaction)%axis
-            reach = sum(radius) - contact%clearance(candidate(3))
+            reach = sum(radius)
             call pair_geometry(model, wires, elements, eb, e, x, rotation, xe, t, length)
             leave(1) = axis_sagitta(axis_polynomial(axis, length(1), xe(:, 1:2), t(:, 1:2)))
             leave(2) = axis_sagitta(axis_polynomial(axis, length(2), xe(:, 3:4), t(:, 3:4)))
@@ -162,7 +162,8 @@ contains
                call axes_at(axis, xe, t, length, places(:, k), w, tangent)
                overlap = (reach - norm2(w))/minval(radius)
                if (overlap < unseen_overlap) cycle
-               if (falls_beyond(axis, eb, places(1, k), w) .or. falls_beyond(axis, e, places(2, k), -w)) cycle
+               if (falls_beyond(candidate(3), eb, places(1, k), w) .or. &
+                  falls_beyond(candidate(3), e, places(2, k), -w)) cycle
                arc = wires%arc([eb, e]) + wires%direction([eb, e])*places(:, k)*length/2
                if (is_joined) then
                   if (path_between(model, wires, elements, candidate(1:2), places(:, k)) &
@@ -176,9 +177,10 @@ contains
          end associate
       end subroutine inspect_pair
 
-      !> The distance falls further beyond the end of the element, along another element that is joined there.
-      logical function falls_beyond(axis, e, xi, w)
-         integer, intent(in) :: axis, e
+      !> The distance falls further beyond the end of the element, along another element of the contact pair that is
+      !> joined there.
+      logical function falls_beyond(pair, e, xi, w)
+         integer, intent(in) :: pair, e
          !> Place in the element, and the line from the other wire to this one (3) [m]
          real(dp), intent(in) :: xi, w(3)
          real(dp) :: away(3)
@@ -189,9 +191,9 @@ contains
          node = model%connectivity(merge(1, 2, xi < 0), e)
          do i = wires%first_at_node(node), wires%first_at_node(node + 1) - 1
             other = abs(wires%at_node(i))
-            if (other == e) cycle
+            if (other == e .or. .not. is_named(other, pair)) cycle
             side = merge(1, 2, wires%at_node(i) < 0)
-            if (axis == axis_hermite) then
+            if (model%interactions(model%contact_pairs(pair)%interaction)%axis == axis_hermite) then
                away = (3 - 2*side)*matmul(rotation(:, :, node), wires%contact_tangents0(:, side, other))
             else
                away = x(:, model%connectivity(3 - side, other)) - x(:, node)
@@ -201,6 +203,12 @@ contains
             if (falls_beyond) return
          end do
       end function falls_beyond
+
+      logical function is_named(e, pair)
+         integer, intent(in) :: e, pair
+
+         is_named = contact%in_bar(e, pair) .or. contact%in_set(e, pair)
+      end function is_named
 
       !> The contacts have one of these two wires at this place.
       logical function is_known(candidate, arc)
@@ -223,7 +231,7 @@ contains
          !> Place (2), and tangents there (3, 2) [m]
          real(dp), intent(in) :: place(2), tangent(3, 2)
          logical, intent(in) :: has_point, is_joined
-         integer :: k, node
+         integer :: i, k, node
 
          kind = merge(finding_second, finding_missed, has_point)
          if (is_joined) then
@@ -234,7 +242,8 @@ contains
             do k = 1, 2
                if (abs(place(k)) < 1) cycle
                node = model%connectivity(merge(1, 2, place(k) < 0), candidate(k))
-               kind = merge(finding_end, finding_kink, wires%first_at_node(node + 1) - wires%first_at_node(node) == 1)
+               kind = merge(finding_end, finding_kink, count([(is_named(abs(wires%at_node(i)), candidate(3)), &
+                  i=wires%first_at_node(node), wires%first_at_node(node + 1) - 1)]) == 1)
                if (kind == finding_end) return
             end do
          end if

@@ -9,7 +9,8 @@ module litz_contact_pairs
    use litz_closest_points, only: closest_points, end_tolerance, search_limit, closest_inside, closest_beyond, &
       closest_not_unique, closest_parallel, closest_not_converged
    use litz_contact_kinematics, only: contact_kinematics, kinematics_ok
-   use litz_contact_points, only: contact_point_t, contact_set_t, pair_geometry, chain_by_wire
+   use litz_contact_points, only: contact_point_t, contact_set_t, pair_geometry, chain_by_wire, &
+      clearance_of
    use litz_contact_search, only: near_segments
    use litz_contact_side, only: crossing_t, crossing_of, have_passed
    use litz_element_library, only: elements_t
@@ -423,7 +424,10 @@ contains
             point%mixed_force = old(from)%mixed_force
             point%friction_iteration = old(from)%friction_iteration
          end if
-         if (from_converged > 0) point%history = contact%converged(from_converged)%history
+         if (from_converged > 0) then
+            point%history = contact%converged(from_converged)%history
+            point%fit = contact%converged(from_converged)%fit
+         end if
          associate (eb => point%element_bar, e => point%element, kinematics => point%kinematics, &
             axis => model%interactions(model%contact_pairs(point%pair)%interaction)%axis)
             call pair_geometry(model, wires, elements, eb, e, x, rotation, xe, t, length)
@@ -435,7 +439,7 @@ contains
                   elements%radius([eb, e]), point%xi_bar, point%xi, -kinematics%side, kinematics, info)
             end if
             point%regular = info == kinematics_ok
-            point%gap = kinematics%gap + contact%clearance(point%pair)
+            point%gap = kinematics%gap + clearance_of(point%fit, contact%clearance(point%pair))
          end associate
       end subroutine inherit
 

@@ -14,7 +14,7 @@ module litz_contact_points
    implicit none
    private
    public :: contact_point_t, contact_set_t
-   public :: pair_geometry, chain_by_wire
+   public :: pair_geometry, chain_by_wire, clearance_of
 
    !> A crossing of two wires, open or closed.
    type :: contact_point_t
@@ -34,6 +34,8 @@ module litz_contact_points
       !> The last iteration predicted the gap and the force of this point [m, N]
       logical :: predicted = .false.
       real(dp) :: predicted_gap = 0, mixed_force = 0
+      !> Overlap of the reference configuration that an interference fit resolves here [m]; 0: this crossing has none
+      real(dp) :: fit = 0
       !> Gap that the law sees: of the geometry, plus what is left of an interference fit [m]
       real(dp) :: gap = 0
       !> In contact as the iteration takes it (prediction) and as it is
@@ -106,6 +108,14 @@ contains
       end do
       length = elements%length([eb, e])
    end subroutine pair_geometry
+
+   !> Clearance that stands for what is left of the fit of a crossing [m].
+   elemental real(dp) function clearance_of(fit, left)
+      !> Overlap that the fit resolves at the crossing, and what is left at this time of the largest one of the pair [m]
+      real(dp), intent(in) :: fit, left
+
+      clearance_of = min(fit, left)
+   end function clearance_of
 
    !> The points of each barred wire, as chains: the first one of each wire (n_wires) and the next one of each point
    !> (n_points), in their order; 0: none.

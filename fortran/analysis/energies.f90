@@ -6,7 +6,7 @@
 module litz_energies
    use litz_kinds, only: dp
    use litz_assembly, only: iterate_t
-   use litz_contact_points, only: contact_set_t, contact_point_t
+   use litz_contact_points, only: contact_set_t, contact_point_t, clearance_of
    use litz_loading, only: loading_t
    use litz_model, only: model_t, normal_hertz
    use litz_state, only: state_t, energies_t
@@ -70,7 +70,8 @@ contains
       type(contact_set_t), intent(in) :: contact
       type(contact_point_t), intent(in) :: point
 
-      work = point%force*(contact%converged_clearance(point%pair) - contact%clearance(point%pair))/2
+      work = point%force*(clearance_of(point%fit, contact%converged_clearance(point%pair)) &
+         - clearance_of(point%fit, contact%clearance(point%pair)))/2
    end function work_of_interference
 
    !> Integral of the force over the overlap: `F |g|/2` of a penalty, `2 F |g|/5` of Hertz's `F ~ |g|^(3/2)`.

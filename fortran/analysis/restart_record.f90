@@ -43,6 +43,7 @@ contains
       call record%field('arc_bar', point%arc_bar)
       call record%field('arc', point%arc)
       call record%field('gap', point%gap)
+      call record%field('fit', point%fit)
       call record%field('distance_gap', point%kinematics%gap)
       call record%field('normal', point%kinematics%normal)
       call record%field('side', point%kinematics%side)
