@@ -8,7 +8,8 @@ import pytest
 from litz import Results
 
 FOUND = Path(__file__).parent / "found"
-#: Decks that litz can compute, and their contacts at the end; all others ask for a contact that is not modelled, or that cannot be followed
+#: Decks that litz can compute, and their contacts at the end; all others ask for a contact that is not modelled, or
+#: that cannot be followed
 RIGHT = {
     "bent_wire_pressed_on_its_crest": 1,
     "bent_short_wire_pressed_on_its_crest": 1,
