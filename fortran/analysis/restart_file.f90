@@ -304,7 +304,7 @@ contains
       integer, allocatable :: numbers(:, :)
       logical :: ok
 
-      numbers = warnings%to_numbers()
+      allocate (numbers, source=warnings%to_numbers())
       call self%array('warnings', numbers, 1, error)
       if (allocated(error) .or. self%mode /= reading) return
       call warnings%from_numbers(numbers, ok)
