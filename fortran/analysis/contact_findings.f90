@@ -7,7 +7,7 @@ module litz_contact_findings
    private
    public :: finding_t, worse_of
    public :: finding_none, finding_deep, finding_missed, finding_second, finding_joined, finding_end, finding_kink, &
-      finding_line, finding_passed, finding_turned
+      finding_line, finding_departed, finding_passed, finding_turned
 
    !> From harmless to serious: of two findings the later one is reported
    integer, parameter :: finding_none = 0
@@ -20,6 +20,8 @@ module litz_contact_findings
    integer, parameter :: finding_end = 5, finding_kink = 6, finding_line = 7
    !> The axes of two wires met on their way through the increment; a wire turned so far that its way is not known
    integer, parameter :: finding_passed = 8, finding_turned = 9
+   !> A contact has left the part of a wire that the contact pair names
+   integer, parameter :: finding_departed = 10
 
    type :: finding_t
       integer :: kind = finding_none
@@ -61,7 +63,7 @@ contains
    pure logical function can_be_cut(self)
       class(finding_t), intent(in) :: self
 
-      can_be_cut = any(self%kind == [finding_passed, finding_missed, finding_turned])
+      can_be_cut = any(self%kind == [finding_passed, finding_missed, finding_turned, finding_departed])
    end function can_be_cut
 
    !> What was found, with the two elements.
@@ -86,6 +88,9 @@ contains
          text = pair//' touch at a kink of one of them, and'//depth//' there'
       case (finding_line)
          text = pair//' touch side by side, along a line, and'//depth//' there'
+      case (finding_departed)
+         text = 'the contact of '//pair//' has left the part of one of them that *CONTACT PAIR names, and they'// &
+            ' overlap by '//to_text(100*self%overlap)//' % of the smaller radius beyond it'
       case (finding_turned)
          text = 'the wire of element '//to_text(model%element_id(self%elements(1)))// &
             ' turns by more than 150 degrees in this increment: what it meets on its way is not known'
@@ -112,7 +117,7 @@ contains
       case (finding_joined)
          text = 'Joined elements, and those within 8 radii of each other along a wire, have no contact: use shorter'// &
             ' elements, or bend the wire less. '
-      case (finding_end)
+      case (finding_end, finding_departed)
          text = 'Contact at the end of a wire, or of the part of it that *CONTACT PAIR names, is not modelled:'// &
             ' let both reach beyond their crossings. '
       case (finding_kink)

@@ -8,7 +8,7 @@ module litz_contact_joints
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: path_between, lead_apart, joint_radii
+   public :: path_between, lead_apart, walk_along, joint_radii
 
    !> Joined wires may overlap up to this many radii along them: a bend has no room for more
    real(dp), parameter :: joint_radii = 4.0_dp
@@ -71,5 +71,37 @@ contains
          end do
       end do
    end function lead_apart
+
+   !> The place on a wire at an arc length from one end of an element, on this element and those that continue it.
+   pure subroutine walk_along(wires, elements, from, side, arc, element, place)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> Element, and 1 or 2: the walk begins at its first or second node and goes through it
+      integer, intent(in) :: from, side
+      !> Length of the walk [m]
+      real(dp), intent(in) :: arc
+      !> Element of the place, and the place in [-1, 1]; 0: the wire ends before
+      integer, intent(out) :: element
+      real(dp), intent(out) :: place
+      real(dp) :: left
+      integer :: first, next
+
+      element = from
+      first = side
+      left = arc
+      place = 0
+      do while (left > elements%length(element))
+         left = left - elements%length(element)
+         next = wires%next(3 - first, element)
+         if (next == 0 .or. next == from) then
+            element = 0
+            return
+         end if
+         ! elements of one wire may run against each other
+         if (wires%direction(next) /= wires%direction(element)) first = 3 - first
+         element = next
+      end do
+      place = (3 - 2*first)*(2*left/elements%length(element) - 1)
+   end subroutine walk_along
 
 end module litz_contact_joints

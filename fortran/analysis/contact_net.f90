@@ -9,7 +9,8 @@ module litz_contact_net
    use litz_closest_points, only: local_minima, max_minima, segment_distance
    use litz_contact_findings, only: finding_t, worse_of, finding_none, finding_deep, finding_missed, finding_second, &
       finding_joined, finding_end, finding_kink, finding_line, finding_passed
-   use litz_contact_joints, only: path_between, lead_apart, joint_radii
+   use litz_contact_joints, only: path_between, lead_apart, walk_along, joint_radii
+   use litz_contact_pairs, only: are_joined, self_contact_distance
    use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry, chain_by_wire
    use litz_element_library, only: elements_t
    use litz_model, only: model_t, axis_hermite, axis_linear, normal_linear
@@ -145,10 +146,10 @@ contains
          type(finding_t), intent(out) :: finding
          real(dp) :: xe(3, 4), t(3, 4), length(2), places(2, max_minima), arc(2), reach, overlap
          real(dp) :: w(3), tangent(3, 2), leave(2)
-         integer :: k, n_places, axis
+         integer :: k, n_places, axis, beyond(2), kind
 
          associate (eb => candidate(1), e => candidate(2), radius => elements%radius(candidate(1:2)))
-            axis = model%interactions(model%contact_pairs(candidate(3))%interaction)%axis
+            axis = axis_of(candidate)
             reach = sum(radius)
             call pair_geometry(model, wires, elements, eb, e, x, rotation, xe, t, length)
             leave(1) = axis_sagitta(axis_polynomial(axis, length(1), xe(:, 1:2), t(:, 1:2)))
@@ -162,31 +163,101 @@ contains
                call axes_at(axis, xe, t, length, places(:, k), w, tangent)
                overlap = (reach - norm2(w))/minval(radius)
                if (overlap < unseen_overlap) cycle
-               if (falls_beyond(candidate(3), eb, places(1, k), w) .or. &
-                  falls_beyond(candidate(3), e, places(2, k), -w)) cycle
                arc = wires%arc([eb, e]) + wires%direction([eb, e])*places(:, k)*length/2
-               if (is_joined) then
+               beyond = [element_beyond(candidate(3), eb, places(1, k), w), &
+                  element_beyond(candidate(3), e, places(2, k), -w)]
+               if (any(beyond > 0)) then
+                  ! further along it is found again, but towards a joint it would be called part of that
+                  if (.not. leads_to_joint(candidate, beyond)) cycle
+                  if (overlap_of_reference(candidate, places(:, k)) > 0) cycle
+                  kind = finding_joined
+               else if (is_joined) then
                   if (path_between(model, wires, elements, candidate(1:2), places(:, k)) &
                      < joint_radii*maxval(radius)) cycle
-               else if (is_known(candidate, arc)) then
-                  cycle
+                  kind = finding_joined
+               else
+                  if (is_known(candidate, arc)) cycle
+                  kind = kind_of(candidate, places(:, k), tangent, point > 0)
                end if
-               finding = worse_of(finding, finding_t(kind_of(candidate, places(:, k), tangent, point > 0, is_joined), &
-                  candidate(1:2), overlap))
+               finding = worse_of(finding, finding_t(kind, candidate(1:2), overlap))
             end do
+            if (is_joined) call inspect_legs(candidate, finding)
          end associate
       end subroutine inspect_pair
 
-      !> The distance falls further beyond the end of the element, along another element of the contact pair that is
-      !> joined there.
-      logical function falls_beyond(pair, e, xi, w)
+      !> Two elements that share a node, where their wires fold up: do these overlap where joined elements end to be
+      !> without contact, and did not in the reference configuration?
+      subroutine inspect_legs(candidate, finding)
+         !> Barred element, unbarred element, contact pair
+         integer, intent(in) :: candidate(3)
+         type(finding_t), intent(inout) :: finding
+         real(dp) :: xe(3, 4), t(3, 4), length(2), w(3), tangent(3, 2), place(2), apart, overlap
+         integer :: i, j, leg(3)
+
+         leg(3) = candidate(3)
+         apart = self_contact_distance*maxval(elements%radius(candidate(1:2)))
+         do i = 1, 2
+            do j = 1, 2
+               if (model%connectivity(i, candidate(1)) /= model%connectivity(j, candidate(2))) cycle
+               call walk_along(wires, elements, candidate(1), i, apart/2, leg(1), place(1))
+               call walk_along(wires, elements, candidate(2), j, apart/2, leg(2), place(2))
+               if (any(leg == 0)) cycle
+               call pair_geometry(model, wires, elements, leg(1), leg(2), x, rotation, xe, t, length)
+               call axes_at(axis_of(leg), xe, t, length, place, w, tangent)
+               overlap = (sum(elements%radius(leg(1:2))) - norm2(w))/minval(elements%radius(leg(1:2)))
+               if (overlap < unseen_overlap) cycle
+               if (overlap_of_reference(leg, place) > 0) cycle
+               finding = worse_of(finding, finding_t(finding_joined, leg(1:2), overlap))
+            end do
+         end do
+      end subroutine inspect_legs
+
+      !> Overlap at two places in the reference configuration over the smaller radius; negative: none.
+      real(dp) function overlap_of_reference(candidate, place) result(overlap)
+         !> Barred element, unbarred element, contact pair
+         integer, intent(in) :: candidate(3)
+         !> In [-1, 1] (2)
+         real(dp), intent(in) :: place(2)
+         real(dp) :: xe(3, 4), t(3, 4), w(3), tangent(3, 2)
+         integer :: k
+
+         do k = 1, 2
+            xe(:, 2*k - 1:2*k) = model%x(:, model%connectivity(:, candidate(k)))
+            t(:, 2*k - 1:2*k) = wires%contact_tangents0(:, :, candidate(k))
+         end do
+         associate (pair => candidate(1:2))
+            call axes_at(axis_of(candidate), xe, t, elements%length(pair), place, w, tangent)
+            overlap = (sum(elements%radius(pair)) - norm2(w))/minval(elements%radius(pair))
+         end associate
+      end function overlap_of_reference
+
+      pure integer function axis_of(candidate)
+         integer, intent(in) :: candidate(3)
+
+         axis_of = model%interactions(model%contact_pairs(candidate(3))%interaction)%axis
+      end function axis_of
+
+      !> One of two elements, or the one beyond its end, is joined to the other one or to that beyond its end.
+      logical function leads_to_joint(candidate, beyond)
+         !> Barred element, unbarred element, contact pair; elements beyond their ends, 0: none
+         integer, intent(in) :: candidate(3), beyond(2)
+         integer :: next(2)
+
+         next = merge(beyond, candidate(1:2), beyond > 0)
+         leads_to_joint = are_joined(model, wires, elements, next(1), next(2)) .and. &
+            .not. are_joined(model, wires, elements, candidate(1), candidate(2))
+      end function leads_to_joint
+
+      !> The element of the contact pair that is joined to an end of this one, and along which the distance falls
+      !> further; 0: none.
+      integer function element_beyond(pair, e, xi, w)
          integer, intent(in) :: pair, e
          !> Place in the element, and the line from the other wire to this one (3) [m]
          real(dp), intent(in) :: xi, w(3)
          real(dp) :: away(3)
          integer :: i, other, node, side
 
-         falls_beyond = .false.
+         element_beyond = 0
          if (abs(xi) < 1) return
          node = model%connectivity(merge(1, 2, xi < 0), e)
          do i = wires%first_at_node(node), wires%first_at_node(node + 1) - 1
@@ -199,10 +270,12 @@ contains
                away = x(:, model%connectivity(3 - side, other)) - x(:, node)
                away = away/norm2(away)
             end if
-            falls_beyond = dot_product(w, away) < -flat*norm2(w)
-            if (falls_beyond) return
+            if (dot_product(w, away) < -flat*norm2(w)) then
+               element_beyond = other
+               return
+            end if
          end do
-      end function falls_beyond
+      end function element_beyond
 
       logical function is_named(e, pair)
          integer, intent(in) :: e, pair
@@ -226,17 +299,15 @@ contains
       end function is_known
 
       !> Why there is no contact.
-      integer function kind_of(candidate, place, tangent, has_point, is_joined) result(kind)
+      integer function kind_of(candidate, place, tangent, has_point) result(kind)
          integer, intent(in) :: candidate(3)
          !> Place (2), and tangents there (3, 2) [m]
          real(dp), intent(in) :: place(2), tangent(3, 2)
-         logical, intent(in) :: has_point, is_joined
+         logical, intent(in) :: has_point
          integer :: i, k, node
 
          kind = merge(finding_second, finding_missed, has_point)
-         if (is_joined) then
-            kind = finding_joined
-         else if (norm2(cross(tangent(:, 1), tangent(:, 2))) < side_by_side*product(norm2(tangent, 1))) then
+         if (norm2(cross(tangent(:, 1), tangent(:, 2))) < side_by_side*product(norm2(tangent, 1))) then
             kind = finding_line
          else
             do k = 1, 2

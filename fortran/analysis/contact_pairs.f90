@@ -21,7 +21,7 @@ module litz_contact_pairs
    implicit none
    private
    public :: prepare_contact, find_candidates, candidates_hold, locate_points
-   public :: are_joined, find_contact_pair
+   public :: are_joined, find_contact_pair, self_contact_distance
 
    !> Elements of one wire nearer along it than this many contact radii do not touch each other
    real(dp), parameter :: self_contact_distance = 8.0_dp

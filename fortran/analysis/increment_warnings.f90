@@ -44,7 +44,7 @@ contains
       call add_unpaired_overlaps(problem, problem%model%x)
    end subroutine add_start_warnings
 
-   !> Wires that no contact pair names; looked for at the start and at the end of each step.
+   !> Overlapping wires that no contact pair names.
    subroutine add_unpaired_overlaps(problem, x)
       type(problem_t), intent(inout) :: problem
       !> Positions (3, n_nodes) [m]
@@ -73,8 +73,7 @@ contains
          do i = 1, size(state%contacts)
             call add_contact(problem%model, state%contacts(i), warnings)
          end do
-         if (.not. state%step_time < problem%model%steps(state%step)%total) call add_unpaired_overlaps(problem, &
-            problem%model%x + state%displacement)
+         call add_unpaired_overlaps(problem, problem%model%x + state%displacement)
       end associate
    end subroutine add_increment_warnings
 

@@ -11,6 +11,7 @@ module litz_newton
    use litz_contact_findings, only: finding_t, worse_of, finding_none
    use litz_contact_net, only: inspect_contacts
    use litz_contact_sweep, only: sweep_contacts
+   use litz_departed_contacts, only: find_departed_contacts
    use litz_contact_forces, only: apply_normal_law, assemble_contacts, predict_contacts
    use litz_contact_pairs, only: find_candidates, candidates_hold, locate_points
    use litz_contact_path, only: contact_path_t, find_path
@@ -615,6 +616,8 @@ contains
             iterate%turn, any(contact%in_bar .or. contact%in_set, 2), path)
          outcome%finding = worse_of(inspect_contacts(model, wires, elements, contact, iterate%x, iterate%rotation), &
             sweep_contacts(model, wires, elements, contact, path))
+         outcome%finding = worse_of(outcome%finding, &
+            find_departed_contacts(model, wires, elements, contact, iterate%x, iterate%rotation))
          if (outcome%finding%kind == finding_none) return
          call give_up(outcome, cause_lost_contact, outcome%finding%describe(model))
       end associate

@@ -1,13 +1,12 @@
 !> Wires that overlap although no contact pair lets them touch: they are free to, but hardly meant to.
 module litz_unpaired_overlaps
    use litz_kinds, only: dp
-   use litz_axis, only: axis_polynomial, axis_sagitta
-   use litz_closest_points, only: segment_distance
    use litz_contact_pairs, only: are_joined, find_contact_pair
-   use litz_contact_points, only: contact_set_t, pair_geometry
+   use litz_contact_points, only: contact_set_t
    use litz_contact_search, only: near_segments
+   use litz_departed_contacts, only: surely_overlap
    use litz_element_library, only: elements_t
-   use litz_model, only: model_t, axis_hermite
+   use litz_model, only: model_t
    use litz_text, only: to_text
    use litz_wires, only: wires_t
    implicit none
@@ -34,9 +33,10 @@ contains
       integer :: i, n, example(2)
       logical :: too_many
 
+      text = ''
+      if (all_named(contact)) return
       call near_segments(x(:, model%connectivity(1, :)), x(:, model%connectivity(2, :)), elements%radius, max_pairs, &
          pairs, too_many)
-      text = ''
       if (too_many) return
       n = 0
       example = 0
@@ -53,7 +53,6 @@ contains
 
       logical function overlap_unpaired(a, b)
          integer, intent(in) :: a, b
-         real(dp) :: xe(3, 4), t(3, 4), length(2)
          integer :: roles(2), pair
 
          overlap_unpaired = .false.
@@ -62,14 +61,22 @@ contains
             call find_contact_pair(model, wires, contact, a, b, roles, pair)
             if (pair > 0) return
          end if
-         call pair_geometry(model, wires, elements, a, b, x, rotation, xe, t, length)
-         ! what lies between chord and axis is in doubt and not reported
-         overlap_unpaired = segment_distance(xe) &
-            + axis_sagitta(axis_polynomial(axis_hermite, length(1), xe(:, 1:2), t(:, 1:2))) &
-            + axis_sagitta(axis_polynomial(axis_hermite, length(2), xe(:, 3:4), t(:, 3:4))) &
-            < sum(elements%radius([a, b])) - reported_overlap*minval(elements%radius([a, b]))
+         overlap_unpaired = surely_overlap(model, wires, elements, a, b, x, rotation) > reported_overlap
       end function overlap_unpaired
 
    end function describe_unpaired_overlaps
+
+   !> A contact pair names every element on both sides.
+   pure logical function all_named(contact)
+      type(contact_set_t), intent(in) :: contact
+      integer :: pair
+
+      all_named = .false.
+      if (.not. contact%present) return
+      do pair = 1, size(contact%in_bar, 2)
+         all_named = all(contact%in_bar(:, pair) .and. contact%in_set(:, pair))
+         if (all_named) return
+      end do
+   end function all_named
 
 end module litz_unpaired_overlaps

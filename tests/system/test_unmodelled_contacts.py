@@ -119,6 +119,76 @@ def test_wires_of_no_contact_pair_that_overlap_are_one_warning(run):
     assert process.stderr.count("no *CONTACT PAIR names") == 1
 
 
+def test_an_overlap_of_no_contact_pair_that_comes_and_goes_within_a_step_is_warned_of(run):
+    """A wire that is lowered through one that its contact pair does not name, and raised again."""
+    free = wire("C", straight((-0.05, -0.02, 0.0), (0.05, -0.02, 0.0), 3), 201, element="B33")
+    deck = lowered(moved(ALONG, 0, 0, -0.02), moved(ACROSS, 0, 0, 0.004), -3e-3).replace(MATERIAL, free + MATERIAL, 1)
+    deck = deck.replace("*ELSET, ELSET=WIRES\n A, B\n", "*ELSET, ELSET=WIRES\n A, B, C\n").replace(
+        "B, 4, 6\n", "B, 4, 6\nC, 1, 6\n*AMPLITUDE, NAME=THERE AND BACK\n0, 0, 0.5, 1, 1, 0\n"
+    )
+    head, _, motion = deck.rpartition("*BOUNDARY\n")
+    process, results = run(head + "*BOUNDARY, AMPLITUDE=THERE AND BACK\n" + motion)
+    assert process.returncode == 0, process.stderr
+    (warning,) = [entry for entry in results.warnings if entry.kind == "unpaired_overlap"]
+    assert 0 < warning.time <= warning.last_time < results.times[-1]
+
+
+@pytest.mark.parametrize("first_increment", [0.05, 0.5, 1.0])
+def test_a_contact_that_leaves_the_part_of_a_wire_that_its_pair_names_ends_the_run(run, first_increment):
+    """Half of A is named; B is pressed on that half, dragged beyond it, and would spring through the rest."""
+    deck = pair_of_wires(
+        wire("A", straight((-0.06, 0, 0), (0.06, 0, 0), 12), 1, element="B33"),
+        wire("B", straight((-0.006, -0.06, 0.002), (-0.006, 0.06, 0.002), 12), 101, element="B33"),
+        "1, 1, 6\n13, 1, 6\n101, 1, 2\n101, 4, 6\n113, 1, 2\n113, 4, 6\n",
+        "101, 3, 3, -6e-5\n113, 3, 3, -6e-5\n",
+    ).replace("\n A, B\n*BOUNDARY", "\n HALF, B\n*ELSET, ELSET=HALF\n 1, 2, 3, 4, 5, 6\n*BOUNDARY", 1)
+    drag = f"*STEP\n*STATIC\n{first_increment}, 1.\n*BOUNDARY\n101, 1, 1, 0.0072\n113, 1, 1, 0.0072\n*END STEP\n"
+    process, _ = run(deck + drag)
+    assert process.returncode == 2
+    assert "has left the part of one of them that *CONTACT PAIR names" in process.stderr
+
+
+def v_shaped_wire(degrees, elements):
+    """Two legs of 20 mm in the plane, joined in the origin; nodes 1 (joint), 101... and 201...; radius 0.5 mm."""
+    half = np.radians(degrees / 2)
+    nodes, lines = ["1, 0, 0, 0"], []
+    for first, side in ((101, 1), (201, -1)):
+        for k in range(elements):
+            arc = 0.02 * (k + 1) / elements
+            nodes.append(f"{first + k}, {arc * np.cos(half):.9g}, {side * arc * np.sin(half):.9g}, 0")
+            lines.append(f"{first + k}, {first + k - 1 if k else 1}, {first + k}")
+    return "\n".join(["*NODE", *nodes, "*ELEMENT, TYPE=B33, ELSET=V", *lines, ""])
+
+
+@pytest.mark.parametrize("elements", [1, 2, 10])
+@pytest.mark.parametrize(("degrees", "ends"), [(32, "refused"), (25, "built so")])
+def test_legs_of_a_v_that_fold_up_next_to_their_joint_end_the_run(run, degrees, ends, elements):
+    """Pushed together at the tips, legs at 32 degrees come to overlap 4 radii from their joint; at 25 they are built so."""
+    push = 0.005 if ends == "refused" else 0.0005
+    deck = f"""{v_shaped_wire(degrees, elements)}{MATERIAL}*BEAM SECTION, ELSET=V, MATERIAL=STEEL, SECTION=CIRC
+0.0005
+*SURFACE INTERACTION, NAME=TOUCH
+*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ
+*CONTACT PAIR, INTERACTION=TOUCH
+V, V
+*BOUNDARY
+1, 1, 6
+*STEP
+*STATIC
+0.1, 1.
+*BOUNDARY
+{100 + elements}, 2, 2, {-push}
+{200 + elements}, 2, 2, {push}
+*END STEP
+"""
+    process, _ = run(deck)
+    if ends == "refused":
+        assert process.returncode == 2
+        assert "touch beyond their joint" in process.stderr
+    else:
+        assert process.returncode == 0, process.stderr
+
+
 def test_a_wire_that_swings_past_a_post_in_one_increment_is_stopped_by_it(run):
     """A clamp that turns by 150 degrees: each node alone would go straight and never come near the post."""
     arm, post = straight((0, 0, 0), (0.04, 0, 0), 8), straight((0, 0.03, -0.02), (0, 0.03, 0.02), 3)
