@@ -303,8 +303,8 @@ contains
          'Prescribed displacements (1-3), rotations (4-6) and potentials (9). Before the'// &
          ' first step only zero values. ENCASTRE (1-6) and PINNED (1-3) may stand in place of the degrees of'// &
          ' freedom. All three rotations of a node are its rotation vector. One or two alone are angles turned'// &
-         ' increment by increment about these axes, in addition to what is left free: where that is much, the result depends on'// &
-         ' the increments.')
+         ' increment by increment about these axes, in addition to what is left free: where that is much, the'// &
+         ' result depends on the increments.')
       call add_op(k, 'prescribed values')
       call k%add_data([item_field('node', 'number of a node or name of a node set'), &
          name_field('first', 'first degree of freedom, ENCASTRE or PINNED'), &
