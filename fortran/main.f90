@@ -3,8 +3,8 @@ program litz
    use, intrinsic :: iso_fortran_env, only: output_unit, error_unit, compiler_version
    use, intrinsic :: iso_c_binding, only: c_int, c_intptr_t, c_funptr, c_null_funptr
    use hdf5, only: h5open_f, h5get_libversion_f
-   use litz_analysis, only: run_options_t, run_analysis, check_model
    use litz_blas_threads, only: blas_name, reserve_blas_memory
+   use litz_check, only: check_model
    use litz_command_line, only: command_t, read_command, help_text, action_run, action_check, action_keywords, &
       action_version
    use litz_deck_reader, only: read_deck
@@ -16,6 +16,7 @@ program litz
    use litz_model, only: model_t
    use litz_model_summary, only: model_summary
    use litz_output_files, only: make_directory
+   use litz_run, only: run_options_t, run_model
    use litz_run_warnings, only: run_warnings_t
    use litz_size_check, only: check_size
    use litz_solver_factory, only: available_solvers, solver_libraries
@@ -96,7 +97,7 @@ contains
       options%restart_increment = command%restart_increment
       options%quiet = command%quiet
       options%print_timing = command%timing
-      call run_analysis(model, options, error)
+      call run_model(model, options, error)
       if (allocated(error)) call end_with(error)
    end subroutine run
 

@@ -15,9 +15,13 @@ MAY_USE = {
     "kernels": {"base"},
     "model": {"base"},
     "solvers": {"base"},
-    "analysis": {"base", "kernels", "model", "solvers"},
+    "terms": {"base", "kernels", "model", "solvers"},
+    "contact": {"base", "kernels", "model", "solvers", "terms"},
+    "solution": {"base", "kernels", "model", "solvers", "terms", "contact"},
+    "output": {"base", "model", "solvers", "solution"},
+    "restart": {"base", "model", "terms", "contact", "solution"},
     "interfaces": {"base", "kernels"},
-    "main": {"base", "model", "solvers", "analysis"},
+    "main": {"base", "model", "solvers", "solution", "output", "restart"},
 }
 
 

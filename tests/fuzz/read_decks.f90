@@ -6,7 +6,7 @@
 program read_decks
    use, intrinsic :: iso_c_binding, only: c_int
    use, intrinsic :: iso_fortran_env, only: input_unit, output_unit
-   use litz_analysis, only: check_model
+   use litz_check, only: check_model
    use litz_deck_reader, only: read_deck
    use litz_errors, only: error_t, error_list_t, exit_success
    use litz_model, only: model_t

@@ -13,7 +13,9 @@ program test_results
    use litz_model, only: model_t, section_t, material_t, named_set_t, step_t, output_request_t, element_b31, &
       request_node, request_element, request_electrode
    use litz_state, only: state_t, contact_t
-   use litz_results, only: results_t, iteration_report_t, increment_report_t
+   use litz_output_files, only: make_directory
+   use litz_reports, only: iteration_report_t, increment_report_t
+   use litz_results, only: results_t
    implicit none
 
    character(len=*), parameter :: nl = new_line('a')
@@ -32,7 +34,9 @@ program test_results
    if (how == 'limited') call ignore_file_size_signal()
    call make_crossed_wires(model)
    if (how == 'seldom') model%steps(1)%output_frequency = 2
-   call results%open(model, directory, 'crossed', state, error)
+   call make_directory(trim(directory), error)
+   call stop_on(error)
+   call results%open(model, trim(directory)//'/crossed', state, error)
    call stop_on(error)
    do increment = 1, 3
       call make_state(model, increment, state)

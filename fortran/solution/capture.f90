@@ -5,36 +5,14 @@ module litz_capture
    use litz_contact_history, only: contact_history_t, advanced_history
    use litz_contact_points, only: contact_point_t
    use litz_energies, only: advanced_energies
-   use litz_newton, only: problem_t
-   use litz_rotations, only: identity3, nearest_rotation_vector
+   use litz_problem, only: problem_t
+   use litz_rotations, only: nearest_rotation_vector
    use litz_state, only: state_t, contact_t
    implicit none
    private
-   public :: start_state, capture_state
+   public :: capture_state
 
 contains
-
-   !> The undeformed model without voltages, and arrays of the iteration.
-   subroutine start_state(problem)
-      type(problem_t), intent(inout) :: problem
-      integer :: n, m
-
-      n = problem%model%n_nodes
-      m = problem%model%n_elements
-      associate (state => problem%state, iterate => problem%iterate)
-         allocate (state%displacement(3, n), state%rotation_vector(3, n), state%reaction(6, n), &
-            state%applied_load(6, n), state%stabilizing_force(6, n), source=0.0_dp)
-         allocate (state%potential(n), state%reaction_current(n), state%applied_current(n), source=0.0_dp)
-         allocate (state%section_forces(6, m), source=0.0_dp)
-         allocate (state%element_current(m), state%joule_heat(m), source=0.0_dp)
-         allocate (state%contacts(0))
-         state%rotation = spread(identity3, 3, n)
-         allocate (iterate%sigma(6, m), iterate%strain(6, m), iterate%section_forces(6, m), iterate%b(6, 12, m), &
-            source=0.0_dp)
-         allocate (iterate%element_current(m), iterate%joule_heat(m), source=0.0_dp)
-         allocate (iterate%turn(3, n), source=0.0_dp)
-      end associate
-   end subroutine start_state
 
    !> Take over what has converged.
    subroutine capture_state(problem)

@@ -3,13 +3,15 @@ module litz_increment_warnings
    use litz_kinds, only: dp, pi
    use litz_audit, only: audit_t, scales_t, penetration, contact_words, allowed_imbalance
    use litz_contact_net, only: allowed_penetration
+   use litz_convergence, only: measure_scales
    use litz_errors, only: error_list_t
    use litz_kinked_wires, only: kink_warning
    use litz_model, only: model_t
-   use litz_newton, only: problem_t, outcome_t, measure_scales
+   use litz_newton, only: outcome_t
    use litz_parallel_wires, only: shallow_angle, parallel_warning
    use litz_run_warnings, only: run_warnings_t
    use litz_state, only: contact_t
+   use litz_problem, only: problem_t
    use litz_text, only: to_text
    use litz_unpaired_overlaps, only: describe_unpaired_overlaps
    implicit none

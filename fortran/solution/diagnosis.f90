@@ -3,7 +3,8 @@ module litz_diagnosis
    use litz_kinds, only: dp
    use litz_errors, only: error_t, fail, exit_not_converged
    use litz_model, only: step_t
-   use litz_newton, only: problem_t, outcome_t, cause_iterations, cause_not_finite, cause_singular, cause_lost_contact
+   use litz_newton, only: outcome_t, cause_iterations, cause_not_finite, cause_singular, cause_lost_contact
+   use litz_problem, only: problem_t
    use litz_text, only: to_text
    implicit none
    private

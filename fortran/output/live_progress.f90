@@ -5,7 +5,7 @@ module litz_live_progress
    use, intrinsic :: iso_c_binding, only: c_int
    use, intrinsic :: iso_fortran_env, only: output_unit, int64
    use litz_kinds, only: dp
-   use litz_progress_tables, only: iteration_report_t
+   use litz_reports, only: iteration_report_t
    implicit none
    private
    public :: live_progress_t

@@ -13,28 +13,21 @@ module litz_restart_file
    use litz_hdf5_input, only: hdf5_open_file, hdf5_close_input
    use litz_hdf5_rows_reader, only: read_attribute_integer, read_attribute_text, read_real_rows, read_integer_rows
    use litz_model, only: step_t
-   use litz_newton, only: problem_t
    use litz_restart_model, only: write_model_record, check_model_record
    use litz_run_warnings, only: run_warnings_t
    use litz_restart_record, only: record_t, exchange_point, exchange_contact, name_length
    use litz_state, only: contact_t, energies_t
-   use litz_step_control, only: step_control_t
+   use litz_step_control, only: course_t
+   use litz_problem, only: problem_t
    use litz_text, only: to_text
    use litz_version, only: version
    implicit none
    private
-   public :: restart_file_t, course_t, read_restart, wants_restart
+   public :: restart_file_t, read_restart, wants_restart
 
    integer, parameter :: format_version = 3
    integer, parameter :: creating = 1, writing = 2, reading = 3
    integer, parameter :: most_datasets = 40
-
-   !> Where a run stands beside its state.
-   type :: course_t
-      type(step_control_t) :: control
-      !> Total time at the start of the step [s]
-      real(dp) :: start_time = 0
-   end type course_t
 
    type :: restart_file_t
       private

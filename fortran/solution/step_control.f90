@@ -5,7 +5,7 @@ module litz_step_control
    use litz_model, only: step_t
    implicit none
    private
-   public :: step_control_t
+   public :: step_control_t, course_t
 
    !> Increments that are given up because of the same two wires, one after the other: where they pass each other, and
    !> where they touch in a way that is not modelled
@@ -27,6 +27,13 @@ module litz_step_control
       procedure :: accept
       procedure :: cut
    end type step_control_t
+
+   !> Where a run stands beside its state.
+   type :: course_t
+      type(step_control_t) :: control
+      !> Total time at the start of the step [s]
+      real(dp) :: start_time = 0
+   end type course_t
 
 contains
 

@@ -1,36 +1,36 @@
-!> Warnings as the user meets them while a run goes on: on standard error, also of a quiet run, and in its files.
+!> Warnings as the user meets them while a run goes on: on standard error, also of a quiet run.
 module litz_warning_messages
    use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
-   use litz_errors, only: error_t
-   use litz_newton, only: problem_t
-   use litz_results, only: results_t
    use litz_run_warnings, only: run_warnings_t
    implicit none
    private
-   public :: issue_warnings, print_warning_count
+   public :: has_new_warnings, print_new_warnings, print_warning_count
 
    !> Messages of one kind on standard error: a mat may have thousands of contacts that are alike
    integer, parameter :: max_messages = 10
 
 contains
 
-   !> What is new goes to the user and into the files.
-   subroutine issue_warnings(problem, results, error)
-      type(problem_t), intent(inout) :: problem
-      type(results_t), intent(inout) :: results
-      type(error_t), allocatable, intent(inout) :: error
+   !> Some were not told to the user yet.
+   pure logical function has_new_warnings(warnings)
+      type(run_warnings_t), intent(in) :: warnings
+
+      has_new_warnings = warnings%n_shown < warnings%n
+   end function has_new_warnings
+
+   !> Those that are new go to the user.
+   subroutine print_new_warnings(warnings)
+      type(run_warnings_t), intent(inout) :: warnings
       integer :: i
 
-      call results%write_warnings(problem%warnings, error)
-      if (problem%warnings%n_shown == problem%warnings%n) return
-      call problem%progress%clear
+      if (.not. has_new_warnings(warnings)) return
       flush (output_unit)
-      do i = problem%warnings%n_shown + 1, problem%warnings%n
-         call print_warning(problem%warnings, i)
+      do i = warnings%n_shown + 1, warnings%n
+         call print_warning(warnings, i)
       end do
       flush (error_unit)
-      problem%warnings%n_shown = problem%warnings%n
-   end subroutine issue_warnings
+      warnings%n_shown = warnings%n
+   end subroutine print_new_warnings
 
    subroutine print_warning(warnings, i)
       type(run_warnings_t), intent(in) :: warnings

@@ -15,16 +15,16 @@ module litz_results
    use litz_errors, only: error_t, exit_files
    use litz_model, only: model_t
    use litz_state, only: state_t
-   use litz_output_files, only: text_file_t, make_directory, check_writable, remove_file
+   use litz_output_files, only: text_file_t, check_writable, remove_file
    use litz_run_warnings, only: run_warnings_t
    use litz_wire_results, only: wire_results_t
    use litz_contact_ledger, only: contact_ledger_t
    use litz_history, only: history_t
-   use litz_progress_tables, only: iteration_report_t, increment_report_t, iteration_header, iteration_line, &
-      increment_header, increment_line
+   use litz_progress_tables, only: iteration_header, iteration_line, increment_header, increment_line
+   use litz_reports, only: iteration_report_t, increment_report_t
    implicit none
    private
-   public :: results_t, iteration_report_t, increment_report_t
+   public :: results_t
 
    character(len=*), parameter :: endings(6) = [character(len=16) :: '.vtkhdf', '_contacts.vtkhdf', '_contacts.csv', &
       '_history.csv', '.sta', '.cvg']
@@ -66,27 +66,19 @@ module litz_results
 
 contains
 
-   !> Begins all files, in a directory that is made where it does not exist.
-   subroutine results_open(self, model, output_directory, stem, state, error)
+   !> Begins all files.
+   subroutine results_open(self, model, base, state, error)
       class(results_t), intent(inout) :: self
       type(model_t), intent(in) :: model
-      !> Empty: the current directory
-      character(len=*), intent(in) :: output_directory
-      !> Name of the deck without directory and ending
-      character(len=*), intent(in) :: stem
+      !> Directory, which exists, and stem of all files
+      character(len=*), intent(in) :: base
       !> Where the run starts
       type(state_t), intent(in) :: state
       type(error_t), allocatable, intent(out) :: error
       type(error_t), allocatable :: ignored
-      character(len=:), allocatable :: base
       logical :: there
       integer :: i
 
-      base = trim(stem)
-      if (len_trim(output_directory) > 0) then
-         call make_directory(trim(output_directory), error)
-         base = trim(output_directory)//'/'//base
-      end if
       self%base = base
       do i = 1, size(endings)
          inquire (file=base//trim(endings(i)), exist=there)

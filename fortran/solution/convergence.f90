@@ -1,0 +1,157 @@
+!> How far an iterate is from equilibrium, and whether that is near enough.
+!>
+!> Source: theory section 9.
+module litz_convergence
+   use litz_kinds, only: dp
+   use litz_audit, only: scales_t
+   use litz_model, only: model_t, step_t, coupling_monolithic
+   use litz_problem, only: problem_t
+   use litz_reports, only: iteration_report_t
+   implicit none
+   private
+   public :: measure_residual, nodal_residual, measure_scales, mechanics_converged, corrections_small, worst_field
+
+   !> A residual that only round-off excuses is told of above this fraction of the reference
+   real(dp), parameter :: worth_telling = 1.0e-6_dp
+
+contains
+
+   !> True residual over the free unknowns, and what is allowed: of each field those of the node where the first is the
+   !> largest part of the second. What round-off excuses differs from node to node, by the stiffness there.
+   subroutine measure_residual(problem, step, report, at_round_off)
+      type(problem_t), intent(in) :: problem
+      type(step_t), intent(in) :: step
+      type(iteration_report_t), intent(inout) :: report
+      !> A residual is accepted for round-off only, above its own tolerance
+      logical, intent(out) :: at_round_off
+      type(scales_t) :: scales
+      real(dp) :: residual(3, problem%model%n_nodes), worst(3), part, allowed
+      integer :: node, field
+
+      scales = measure_scales(problem)
+      residual = nodal_residual(problem)
+      report%residual = 0
+      report%residual_node = 0
+      report%allowed = step%controls%r_n*scales%reference
+      worst = 0
+      at_round_off = .false.
+      do node = 1, size(residual, 2)
+         do field = 1, 3
+            associate (r => residual(field, node), reference => scales%reference(field))
+               if (r > max(step%controls%r_n, worth_telling)*reference) at_round_off = .true.
+               allowed = max(step%controls%r_n*reference, scales%round_off(field, node))
+               part = part_of(r, allowed)
+               ! a value that is not a number wins
+               if (part <= worst(field) .or. .not. worst(field) <= huge(part)) cycle
+               worst(field) = part
+               report%residual(field) = r
+               report%residual_node(field) = node
+               report%allowed(field) = allowed
+            end associate
+         end do
+      end do
+   end subroutine measure_residual
+
+   !> Largest force [N], moment [N m] and current [A] that are left over at each node (3, n_nodes).
+   pure function nodal_residual(problem) result(residual)
+      type(problem_t), intent(in) :: problem
+      real(dp), allocatable :: residual(:, :)
+      integer :: node
+
+      associate (internal => problem%forces%internal, load => problem%loading%load, equations => problem%equations)
+         allocate (residual(3, size(load, 2)))
+         do node = 1, size(load, 2)
+            associate (free => equations%mechanical(:, node) > 0, r => abs(internal(:, node) - load(:, node)))
+               residual(:, node) = [largest(r(1:3), free(1:3)), largest(r(4:6), free(4:6)), &
+                  largest(r(7:7), [equations%electric(node) > 0])]
+            end associate
+         end do
+      end associate
+
+   contains
+
+      !> A value that is not a number wins.
+      pure real(dp) function largest(entries, mask)
+         real(dp), intent(in) :: entries(:)
+         logical, intent(in) :: mask(:)
+         integer :: i
+
+         largest = 0
+         do i = 1, size(entries)
+            if (.not. mask(i) .or. entries(i) <= largest) cycle
+            largest = entries(i)
+            if (.not. largest <= huge(largest)) return
+         end do
+      end function largest
+
+   end function nodal_residual
+
+   !> `residual/allowed`, or the largest number where that is none.
+   pure real(dp) function part_of(residual, allowed) result(part)
+      real(dp), intent(in) :: residual, allowed
+      real(dp) :: divisor
+
+      divisor = max(allowed, tiny(1.0_dp))
+      part = huge(1.0_dp)
+      if (divisor < 1 .and. residual > divisor*huge(1.0_dp)) return
+      part = residual/divisor
+   end function part_of
+
+   !> What residuals are measured by: the largest forces at any node, and the round-off at each.
+   pure function measure_scales(problem) result(scales)
+      type(problem_t), intent(in) :: problem
+      type(scales_t) :: scales
+      integer :: node
+
+      associate (load => problem%loading%load, forces => problem%forces)
+         scales%reference = max(forces%reference, &
+            [maxval(abs(load(1:3, :))), maxval(abs(load(4:6, :))), maxval(abs(load(7, :)))])
+         allocate (scales%round_off(3, size(load, 2)))
+         do node = 1, size(load, 2)
+            associate (s => forces%sensitivity(:, node))
+               scales%round_off(:, node) = epsilon(1.0_dp)*[maxval(s(1:3)), maxval(s(4:6)), s(7)]
+            end associate
+         end do
+      end associate
+   end function measure_scales
+
+   pure logical function mechanics_converged(report)
+      type(iteration_report_t), intent(in) :: report
+
+      mechanics_converged = all(report%residual(1:2) <= report%allowed(1:2))
+   end function mechanics_converged
+
+   !> The second criterion of *CONTROLS, asked for with a non-zero C_n.
+   pure logical function corrections_small(step, problem, x_start, report)
+      type(step_t), intent(in) :: step
+      type(problem_t), intent(in) :: problem
+      real(dp), intent(in) :: x_start(:, :)
+      type(iteration_report_t), intent(in) :: report
+
+      corrections_small = step%controls%c_n <= 0 .or. &
+         report%correction(1) <= step%controls%c_n*maxval(abs(problem%iterate%x - x_start))
+   end function corrections_small
+
+   !> Why the iteration limit was met: the field that is farthest from its tolerance. Voltages that are found after the
+   !> displacements are not to blame while these are not.
+   function worst_field(model, coupling, report) result(text)
+      type(model_t), intent(in) :: model
+      integer, intent(in) :: coupling
+      type(iteration_report_t), intent(in) :: report
+      character(len=:), allocatable :: text
+      character(len=8), parameter :: names(3) = ['force  ', 'moment ', 'current']
+      character(len=4), parameter :: units(3) = ['N   ', 'N m ', 'A   ']
+      character(len=200) :: buffer
+      integer :: field, n_fields
+
+      n_fields = merge(3, 2, coupling == coupling_monolithic .or. mechanics_converged(report))
+      field = maxloc(report%residual(:n_fields)/max(report%allowed(:n_fields), tiny(1.0_dp)), 1)
+      write (buffer, '(3a, es9.2, 1x, 2a, es9.2, a, i0, a)') 'the largest ', trim(names(field)), ' residual is', &
+         report%residual(field), trim(units(field)), ', allowed are', report%allowed(field), ', after ', &
+         report%iteration, ' iterations'
+      if (report%residual_node(field) > 0) write (buffer(len_trim(buffer) + 1:), '(a, i0)') ', at node ', &
+         model%node_id(report%residual_node(field))
+      text = trim(buffer)
+   end function worst_field
+
+end module litz_convergence

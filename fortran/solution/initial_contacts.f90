@@ -1,0 +1,90 @@
+!> The contacts of the reference configuration: interference fits, and overlaps that are errors.
+module litz_initial_contacts
+   use litz_contact_findings, only: finding_t, finding_none, finding_deep
+   use litz_contact_net, only: inspect_contacts
+   use litz_contact_pairs, only: find_candidates, locate_points
+   use litz_contact_points, only: contact_point_t
+   use litz_errors, only: error_t, fail, exit_input
+   use litz_kinds, only: dp
+   use litz_problem, only: problem_t
+   implicit none
+   private
+   public :: find_initial_overlap
+
+   !> Wires may overlap in the reference by this fraction of the smaller radius without being an interference fit
+   real(dp), parameter :: allowed_overlap = 0.01_dp
+
+contains
+
+   !> Largest overlap of the reference configuration for each pair that is meant as an interference fit; an error for
+   !> any other pair.
+   subroutine find_initial_overlap(problem, overlap, error)
+      type(problem_t), intent(inout) :: problem
+      real(dp), allocatable, intent(out) :: overlap(:)
+      type(error_t), allocatable, intent(out) :: error
+      integer :: i, n_refused, worst
+      logical :: changed
+      character(len=400) :: text
+
+      allocate (overlap(size(problem%model%contact_pairs)), source=0.0_dp)
+      if (.not. problem%contact%present) return
+      associate (model => problem%model, contact => problem%contact, state => problem%state)
+         call find_candidates(model, problem%wires, problem%elements, model%x, state%rotation, model%x, &
+            state%rotation, contact, changed, error)
+         if (allocated(error)) return
+         call locate_points(model, problem%wires, problem%elements, model%x, state%rotation, model%x, state%rotation, &
+            contact)
+         n_refused = 0
+         worst = 0
+         do i = 1, size(contact%points)
+            associate (point => contact%points(i))
+               if (model%contact_pairs(point%pair)%interference_fit) then
+                  point%fit = max(0.0_dp, -point%gap)
+                  overlap(point%pair) = max(overlap(point%pair), point%fit)
+               else if (-point%gap > allowed_overlap*minval(radii(point))) then
+                  n_refused = n_refused + 1
+                  if (worst == 0) worst = i
+                  if (point%gap < contact%points(worst)%gap) worst = i
+               end if
+            end associate
+         end do
+         contact%converged = contact%points
+         call refuse_unmodelled(problem, error)
+         if (n_refused == 0 .or. allocated(error)) return
+         associate (point => contact%points(worst), pair => model%contact_pairs(contact%points(worst)%pair))
+            write (text, '(a, i0, a, i0, a, es9.2, a, f0.1, a, i0, a)') 'the wires of elements ', &
+               model%element_id(point%element_bar), ' and ', model%element_id(point%element), &
+               ' overlap at the start by', -point%gap, ' '//trim(model%units%length)//', that is ', &
+               -100*point%gap/minval(radii(point)), &
+               ' % of the smaller radius (allowed: 1 %; ', n_refused, &
+               ' crossings overlap in all); move the wires apart, or add INTERFERENCE FIT to *CONTACT PAIR'
+            error = fail(exit_input, trim(text))
+            error%file = pair%file
+            error%line = pair%line
+         end associate
+      end associate
+
+   contains
+
+      pure function radii(point)
+         type(contact_point_t), intent(in) :: point
+         real(dp) :: radii(2)
+
+         radii = problem%elements%radius([point%element_bar, point%element])
+      end function radii
+
+   end subroutine find_initial_overlap
+
+   !> Wires that overlap at the start in a way that is not modelled.
+   subroutine refuse_unmodelled(problem, error)
+      type(problem_t), intent(in) :: problem
+      type(error_t), allocatable, intent(out) :: error
+      type(finding_t) :: finding
+
+      finding = inspect_contacts(problem%model, problem%wires, problem%elements, problem%contact, problem%model%x, &
+         problem%state%rotation)
+      if (finding%kind == finding_none .or. finding%kind == finding_deep) return
+      error = fail(exit_input, 'at the start '//finding%describe(problem%model)//'. '//finding%advice(problem%model))
+   end subroutine refuse_unmodelled
+
+end module litz_initial_contacts

@@ -1,0 +1,303 @@
+!> The steps of a run: increments, cut-backs, and the end in words where these do not help.
+module litz_steps
+   use litz_audit, only: audit_t, audit_increment, audit_error
+   use litz_capture, only: capture_state
+   use litz_convergence, only: measure_scales, nodal_residual
+   use litz_diagnosis, only: not_converged
+   use litz_equations, only: number_equations
+   use litz_errors, only: error_t, fail, exit_not_converged
+   use litz_increment_warnings, only: add_increment_warnings
+   use litz_kinds, only: dp
+   use litz_loading, only: loading_t, start_loading, load_targets, next_break_point
+   use litz_model, only: step_t, solver_block, coupling_default, coupling_monolithic, coupling_updated
+   use litz_newton, only: outcome_t, solve_increment, cause_not_finite, cause_lost_contact
+   use litz_observer, only: observer_t
+   use litz_parallel_wires, only: shallow_angle
+   use litz_problem, only: problem_t
+   use litz_reports, only: iteration_report_t, increment_report_t
+   use litz_solver_factory, only: create_solver, resolved_solver
+   use litz_stabilization, only: damping_stiffness
+   use litz_step_control, only: course_t
+   use litz_timing, only: phase_update, phase_output
+   implicit none
+   private
+   public :: run_step
+
+contains
+
+   !> Solve a step, from its start or from where the problem stands in it.
+   subroutine run_step(problem, number, solver, overlap, continued, course, observer, error)
+      type(problem_t), intent(inout) :: problem
+      !> Step, and one of the solver constants of the model; 0: as the step says
+      integer, intent(in) :: number, solver
+      !> Interference that this step resolves, one per contact pair [m]
+      real(dp), intent(in) :: overlap(:)
+      !> The problem stands somewhere in this step, and the course with it
+      logical, intent(in) :: continued
+      type(course_t), intent(inout) :: course
+      class(observer_t), intent(inout) :: observer
+      type(error_t), allocatable, intent(out) :: error
+      type(loading_t) :: restored
+      logical :: restart_taken
+      character(len=120) :: text
+
+      associate (step => problem%model%steps(number), state => problem%state)
+         restored = problem%loading
+         call begin_step(problem, step, solver, error)
+         if (allocated(error)) return
+         if (continued) then
+            problem%loading = restored
+         else
+            call course%control%start(step)
+            state%step = number
+            state%increment = 0
+            state%step_time = 0
+            course%start_time = state%time
+         end if
+         do while (state%step_time < step%total*(1 - 1.0e-9_dp))
+            if (state%increment >= step%max_increments) then
+               write (text, '(a, i0, a, i0, a, es10.3, a, es10.3)') 'step ', number, ': the ', step%max_increments, &
+                  ' increments of INC= are used up at step time', state%step_time, ' of', step%total
+               error = fail(exit_not_converged, trim(text))
+               return
+            end if
+            call run_increment(problem, step, overlap, course, observer, error)
+            if (allocated(error)) return
+            call observer%offer_restart(problem, course, restart_taken, error)
+            if (allocated(error)) return
+            ! a run that goes on from here has none either
+            if (restart_taken) problem%has_factor = .false.
+         end do
+      end associate
+   end subroutine run_step
+
+   !> Supports, solver and equations of the step.
+   subroutine begin_step(problem, step, solver, error)
+      type(problem_t), intent(inout) :: problem
+      type(step_t), intent(in) :: step
+      !> One of the solver constants of the model; 0: as the step says
+      integer, intent(in) :: solver
+      type(error_t), allocatable, intent(out) :: error
+      logical :: in_beam(problem%model%n_nodes), in_conductor(problem%model%n_nodes)
+      integer, allocatable :: mechanical(:, :), electric(:)
+      integer :: e, kind
+      logical :: same_system
+
+      call start_loading(step, problem%state, problem%loading)
+      in_beam = .false.
+      in_conductor = .false.
+      do e = 1, problem%model%n_elements
+         in_beam(problem%model%connectivity(:, e)) = .true.
+         if (problem%elements%resistivity(e) > 0) in_conductor(problem%model%connectivity(:, e)) = .true.
+      end do
+      if (allocated(problem%solver)) then
+         mechanical = problem%equations%mechanical
+         electric = problem%equations%electric
+      end if
+      call number_equations(problem%loading%fixed, in_beam, in_conductor, problem%equations)
+      kind = resolved_solver(merge(solver, step%solver, solver > 0))
+      same_system = .false.
+      if (allocated(problem%solver)) same_system = problem%solver%kind == kind .and. &
+         all(mechanical == problem%equations%mechanical) .and. all(electric == problem%equations%electric)
+      if (.not. same_system) then
+         if (allocated(problem%solver)) deallocate (problem%solver)
+         call create_solver(kind, problem%solver, error)
+         if (allocated(error)) return
+         problem%pattern_changed = .true.
+      end if
+      problem%has_factor = .false.
+      problem%coupling = step%coupling
+      if (problem%coupling == coupling_default) then
+         problem%coupling = merge(coupling_updated, coupling_monolithic, kind == solver_block)
+      end if
+   end subroutine begin_step
+
+   !> One increment with its cut-backs.
+   subroutine run_increment(problem, step, overlap, course, observer, error)
+      type(problem_t), intent(inout) :: problem
+      type(step_t), intent(in) :: step
+      !> Interference that the step resolves, one per contact pair [m]
+      real(dp), intent(in) :: overlap(:)
+      type(course_t), intent(inout) :: course
+      class(observer_t), intent(inout) :: observer
+      type(error_t), allocatable, intent(out) :: error
+      type(iteration_report_t) :: report
+      type(outcome_t) :: outcome
+      type(audit_t) :: audit
+      real(dp) :: break_point, increment, target
+      logical :: possible
+
+      associate (step_time => problem%state%step_time, start_time => course%start_time, control => course%control)
+         report%step = problem%state%step
+         report%increment = problem%state%increment + 1
+         report%attempt = 0
+         break_point = next_break_point(problem%model, step, step_time, start_time + step_time)
+         do
+            report%attempt = report%attempt + 1
+            increment = control%propose(step_time, break_point)
+            target = step_time + increment
+            call load_targets(problem%model, step, target, start_time + target, problem%loading)
+            problem%contact%clearance = overlap*max(0.0_dp, 1 - target/step%total)
+            problem%damping = damping_stiffness(problem%model, problem%elements%length, step%controls%stabilize, &
+               increment/step%total)
+            call solve_increment(problem, step, report, observer, outcome, error)
+            if (allocated(error)) return
+            problem%n_iterations = problem%n_iterations + outcome%iterations
+            if (outcome%converged) exit
+            problem%has_factor = .false.
+            call observer%attempt_done(problem, report_of(problem, outcome, audit, increment, target, start_time), error)
+            if (allocated(error)) return
+            possible = control%cut(step, increment, report%attempt)
+            if (outcome%cause == cause_lost_contact) then
+               if (.not. control%refuse(outcome%finding, problem%wires%wire, target)) possible = .false.
+            end if
+            if (.not. possible) then
+               call give_up(problem, step, outcome, increment, observer, error)
+               return
+            end if
+         end do
+         call advance(problem, outcome, increment, target, start_time)
+         audit = audit_increment(problem%model, problem%state, nodal_residual(problem), measure_scales(problem))
+         problem%state%audit = [audit%force, audit%moment, audit%current, audit%power, audit%penetration]
+         call problem%timing%lap(phase_update)
+         call tell(problem, outcome, audit, report_of(problem, outcome, audit, increment, target, start_time), observer, &
+            error)
+         if (allocated(error)) return
+         call control%accept(step, step_time, outcome%factorisations)
+      end associate
+   end subroutine run_increment
+
+   !> The iterate becomes the converged state.
+   subroutine advance(problem, outcome, increment, step_time, start_time)
+      type(problem_t), intent(inout) :: problem
+      type(outcome_t), intent(in) :: outcome
+      !> Increment, time of the step at its end, and total time at the start of the step [s]
+      real(dp), intent(in) :: increment, step_time, start_time
+
+      problem%n_increments = problem%n_increments + 1
+      problem%state%increment = outcome%last%increment
+      problem%state%iterations = outcome%iterations
+      problem%state%step_time = step_time
+      problem%state%time = start_time + step_time
+      problem%state%time_increment = increment
+      call capture_state(problem)
+   end subroutine advance
+
+   !> Tell of an increment that has converged; one that fails its audit ends the run.
+   subroutine tell(problem, outcome, audit, report, observer, error)
+      type(problem_t), intent(inout) :: problem
+      type(outcome_t), intent(in) :: outcome
+      type(audit_t), intent(in) :: audit
+      type(increment_report_t), intent(in) :: report
+      class(observer_t), intent(inout) :: observer
+      type(error_t), allocatable, intent(out) :: error
+
+      if (len(audit%finding) == 0) call observer%increment_accepted(problem, error)
+      if (allocated(error)) return
+      call add_increment_warnings(problem, outcome, audit)
+      call observer%warnings_added(problem, error)
+      if (allocated(error)) return
+      call observer%attempt_done(problem, report, error)
+      if (.not. allocated(error) .and. len(audit%finding) > 0) error = audit_error(problem%state, audit)
+      call problem%timing%lap(phase_output)
+   end subroutine tell
+
+   !> End the run in words, and tell how far the iteration had come.
+   subroutine give_up(problem, step, outcome, increment, observer, error)
+      type(problem_t), intent(inout) :: problem
+      type(step_t), intent(in) :: step
+      type(outcome_t), intent(in) :: outcome
+      !> The last one that was tried [s]
+      real(dp), intent(in) :: increment
+      class(observer_t), intent(inout) :: observer
+      type(error_t), allocatable, intent(out) :: error
+      type(error_t), allocatable :: write_error
+      character(len=:), allocatable :: place
+
+      error = not_converged(problem, step, outcome, problem%state%step_time, increment, outcome%last%attempt)
+      if (problem%n_increments > 0) error%message = error%message//' The results hold all increments before.'
+      if (outcome%cause == cause_not_finite) return
+      associate (state => problem%state)
+         state%increment = outcome%last%increment
+         state%iterations = outcome%iterations
+         state%time = state%time + increment
+         state%step_time = state%step_time + increment
+         state%time_increment = increment
+         state%audit = 0
+      end associate
+      call observer%begin_giving_up(problem, write_error)
+      call capture_state(problem)
+      call observer%given_up(problem, place, write_error)
+      if (allocated(write_error)) return
+      error%message = error%message//' The iterate that was given up, and its contacts, are in '//place//'.'
+   end subroutine give_up
+
+   !> What there is to tell of an increment, converged or cut.
+   function report_of(problem, outcome, audit, increment, step_time, start_time) result(report)
+      type(problem_t), intent(in) :: problem
+      type(outcome_t), intent(in) :: outcome
+      !> Of an accepted increment
+      type(audit_t), intent(in) :: audit
+      !> Increment, time of the step at its end, and total time at the start of the step [s]
+      real(dp), intent(in) :: increment, step_time, start_time
+      type(increment_report_t) :: report
+      character(len=:), allocatable :: remark
+
+      report%step = outcome%last%step
+      report%increment = outcome%last%increment
+      report%attempts = outcome%last%attempt
+      report%iterations = outcome%iterations
+      report%time = start_time + step_time
+      report%step_time = step_time
+      report%time_increment = increment
+      report%residual = outcome%last%residual
+      report%negative_pivots = outcome%negative_pivots
+      report%contacts = outcome%last%contacts_active
+      report%converged = outcome%converged
+      remark = remark_of(problem, outcome)
+      if (outcome%converged) then
+         report%audit = problem%state%audit
+         if (len(audit%finding) > 0) remark = 'audit failed: '//audit%finding
+         if (outcome%at_round_off) remark = remark//'accepted at the limit of round-off'
+      end if
+      report%remark = without_last_semicolon(remark)
+   end function report_of
+
+   !> What a user should know of an increment, in words; empty when there is nothing.
+   function remark_of(problem, outcome) result(remark)
+      type(problem_t), intent(in) :: problem
+      type(outcome_t), intent(in) :: outcome
+      character(len=:), allocatable :: remark
+      character(len=120) :: text
+      integer :: n
+
+      remark = ''
+      if (.not. outcome%converged) then
+         remark = 'cut: '//outcome%reason
+         return
+      end if
+      if (outcome%negative_pivots > 0) remark = 'negative pivots: beyond a critical load; '
+      if (any(problem%damping > 0)) then
+         write (text, '(a, es9.2, a, es9.2, a)') 'stabilization has taken', problem%state%energies%stabilization, &
+            ' J, the beams hold', problem%state%energies%strain, ' J;'
+         remark = remark//trim(text)//' '
+      end if
+      n = count(problem%contact%points%closed .and. sin(problem%contact%points%kinematics%angle) < sin(shallow_angle))
+      if (n > 0) then
+         write (text, '(i0, a)') n, ' contacts cross at less than 10 degrees;'
+         remark = remark//trim(text)//' '
+      end if
+   end function remark_of
+
+   !> Remarks end in semicolons, because others may follow.
+   pure function without_last_semicolon(remark) result(text)
+      character(len=*), intent(in) :: remark
+      character(len=:), allocatable :: text
+
+      text = trim(remark)
+      if (len(text) > 0) then
+         if (text(len(text):) == ';') text = text(:len(text) - 1)
+      end if
+   end function without_last_semicolon
+
+end module litz_steps
