@@ -14,10 +14,11 @@ MAY_USE = {
     "base": set(),
     "kernels": {"base"},
     "model": {"base"},
+    "deck": {"base", "model"},
     "solvers": {"base"},
     "analysis": {"base", "kernels", "model", "solvers"},
     "interfaces": {"base", "kernels"},
-    "main": {"base", "model", "solvers", "analysis"},
+    "main": {"base", "model", "deck", "solvers", "analysis"},
 }
 
 
