@@ -7,7 +7,8 @@ module litz_card_checks
    use litz_keywords, only: parameter_spec_t, data_spec_t, unknown_keyword_message, place_model, &
       place_step, place_begins_step, kind_flag, kind_choice
    use litz_foreign_words, only: advice_about
-   use litz_reader, only: reader_t, fail_at, check_value, applies, has_choice
+   use litz_reader, only: reader_t, fail_at, applies, has_choice
+   use litz_value_checks, only: check_value
    implicit none
    private
    public :: check_cards

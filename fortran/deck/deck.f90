@@ -8,7 +8,7 @@ module litz_deck
    use litz_text, only: shown
    implicit none
    private
-   public :: deck_t, source_t, line_t, token_t, parameter_t, card_t, no_token
+   public :: deck_t, source_t, line_t, token_t, parameter_t, card_t, no_token, append_line, append_card
 
    !> Longest part of a line that an error shows, and what of it stands before the caret
    integer, parameter :: window = 110, window_before = 50
@@ -248,5 +248,45 @@ contains
          end do
       end associate
    end subroutine deck_split
+
+   pure subroutine append_line(deck, line)
+      type(deck_t), intent(inout) :: deck
+      type(line_t), intent(in) :: line
+      type(line_t), allocatable :: grown(:)
+
+      if (deck%n_lines == size(deck%lines)) then
+         allocate (grown(2*deck%n_lines))
+         grown(:deck%n_lines) = deck%lines
+         call move_alloc(grown, deck%lines)
+      end if
+      deck%n_lines = deck%n_lines + 1
+      deck%lines(deck%n_lines) = line
+   end subroutine append_line
+
+   pure subroutine append_card(deck, card)
+      type(deck_t), intent(inout) :: deck
+      type(card_t), intent(inout) :: card
+      type(card_t), allocatable :: grown(:)
+      integer :: i
+
+      if (deck%n_cards == size(deck%cards)) then
+         allocate (grown(2*deck%n_cards))
+         do i = 1, deck%n_cards
+            call move_card(deck%cards(i), grown(i))
+         end do
+         call move_alloc(grown, deck%cards)
+      end if
+      deck%n_cards = deck%n_cards + 1
+      call move_card(card, deck%cards(deck%n_cards))
+   end subroutine append_card
+
+   pure subroutine move_card(from, to)
+      type(card_t), intent(inout) :: from, to
+
+      to%name = from%name
+      to%first_data = from%first_data
+      to%last_data = from%last_data
+      call move_alloc(from%parameters, to%parameters)
+   end subroutine move_card
 
 end module litz_deck

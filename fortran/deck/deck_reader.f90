@@ -6,7 +6,8 @@ module litz_deck_reader
    use litz_keyword_table, only: keyword_table
    use litz_deck, only: token_t
    use litz_model, only: model_t
-   use litz_reader, only: reader_t, fail_at, keyword_of, parameter_of, read_line
+   use litz_reader, only: reader_t, fail_at, keyword_of, parameter_of
+   use litz_data_lines, only: read_line
    use litz_card_checks, only: check_cards
    use litz_read_mesh, only: read_mesh
    use litz_sets, only: read_sets

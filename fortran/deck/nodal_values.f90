@@ -5,8 +5,10 @@ module litz_nodal_values
    use litz_numbers, only: parse_integer, number_ok
    use litz_deck, only: token_t
    use litz_model, only: model_t, nodal_value_t, amplitude_factor, dof_potential
-   use litz_reader, only: reader_t, fail_at, read_line, parameter_of, choice_of, keyword_of, name_of, find_definition, &
-      advice_about_value, behind_semicolon
+   use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, keyword_of, name_of
+   use litz_value_checks, only: advice_about_value, behind_semicolon
+   use litz_data_lines, only: read_line
+   use litz_definitions, only: find_definition
    use litz_sets, only: find_item
    implicit none
    private

@@ -6,8 +6,10 @@ module litz_read_contact
    use litz_laws, only: axis_linear, normal_linear, normal_hertz, stick_elastic_slip, stick_stiffness, &
       spot_none, spot_laws, spot_law_number
    use litz_model, only: model_t, interaction_t, contact_pair_t
-   use litz_reader, only: reader_t, fail_at, read_line, parameter_of, choice_of, real_parameter, has_flag, keyword_of, &
-      add_definition, find_definition, n_cards_of
+   use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, real_parameter, has_flag, keyword_of, &
+      n_cards_of
+   use litz_data_lines, only: read_line
+   use litz_definitions, only: add_definition, find_definition
    use litz_sets, only: find_set
    implicit none
    private

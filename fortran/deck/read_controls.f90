@@ -4,7 +4,8 @@ module litz_read_controls
    use litz_text, only: to_text
    use litz_model, only: step_t, controls_t, coupling_monolithic, coupling_updated
    use litz_solver_names, only: solver_block, solver_umfpack, solver_skyline
-   use litz_reader, only: reader_t, fail_at, read_line, choice_of, integer_parameter, parameter_of
+   use litz_reader, only: reader_t, fail_at, choice_of, integer_parameter, parameter_of
+   use litz_data_lines, only: read_line
    implicit none
    private
    public :: read_controls, read_solver, read_solution_technique

@@ -4,9 +4,10 @@ module litz_read_properties
    use litz_text, only: to_text
    use litz_deck, only: token_t
    use litz_model, only: model_t, section_t
-   use litz_reader, only: reader_t, definitions_t, fail_at, read_line, parameter_of, choice_of, has_flag, keyword_of, &
-      real_parameter, &
-      add_definition, find_definition, n_cards_of
+   use litz_reader, only: reader_t, definitions_t, fail_at, parameter_of, choice_of, has_flag, keyword_of, &
+      real_parameter, n_cards_of
+   use litz_data_lines, only: read_line
+   use litz_definitions, only: add_definition, find_definition
    use litz_rotations, only: cross
    use litz_sets, only: find_set
    implicit none

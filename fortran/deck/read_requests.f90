@@ -6,7 +6,8 @@ module litz_read_requests
    use litz_deck, only: token_t
    use litz_model, only: model_t, step_t, output_request_t, request_node, request_element, request_contact, &
       request_electrode, request_energy
-   use litz_reader, only: reader_t, fail_at, read_line, parameter_of, choice_of, integer_parameter, keyword_of
+   use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, integer_parameter, keyword_of
+   use litz_data_lines, only: read_line
    use litz_sets, only: find_set
    use litz_nodal_values, only: nodes_with_potential
    implicit none

@@ -6,9 +6,9 @@ module litz_read_steps
    use litz_deck, only: token_t
    use litz_foreign_words, only: advice_about
    use litz_model, only: model_t, step_t
-   use litz_reader, only: reader_t, fail_at, read_line, parameter_of, choice_of, has_flag, integer_parameter, &
-      keyword_of, &
+   use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, has_flag, integer_parameter, keyword_of, &
       name_of
+   use litz_data_lines, only: read_line
    use litz_lookup, only: name_map_t
    use litz_nodal_values, only: value_list_t, kind_boundary, kind_load, kind_current, start_list, begin_step, &
       read_nodal_values

@@ -6,8 +6,8 @@ module litz_sets
    use litz_deck, only: token_t
    use litz_lookup, only: id_map_t
    use litz_model, only: model_t, named_set_t, name_length
-   use litz_reader, only: reader_t, set_builder_t, fail_at, read_line, parameter_of, has_flag, name_of, keyword_of, &
-      names_hint
+   use litz_reader, only: reader_t, set_builder_t, fail_at, parameter_of, has_flag, name_of, keyword_of, names_hint
+   use litz_data_lines, only: read_line
    implicit none
    private
    public :: open_set, open_named_set, continue_set, add_member, add_once, read_sets, find_set, find_item
