@@ -17,6 +17,7 @@ contains
    !> Read and check the values of a data line; whatever is wrong is reported.
    subroutine read_line(self, card, line, ok)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       !> Index into the lines of the deck
       integer, intent(in) :: line
@@ -53,7 +54,10 @@ contains
    !> The form that the table gives for this line of the card.
    pure subroutine find_form(self, card, line)
       type(reader_t), intent(inout) :: self
-      integer, intent(in) :: card, line
+      !> Index of the card
+      integer, intent(in) :: card
+      !> Index into the lines of the deck
+      integer, intent(in) :: line
       integer :: ordinal, i
 
       associate (keyword => self%table%keywords(self%spec(card)))
@@ -96,7 +100,9 @@ contains
    subroutine read_value(self, field, i, ok)
       type(reader_t), intent(inout) :: self
       type(field_spec_t), intent(in) :: field
+      !> Place of the value on the line
       integer, intent(in) :: i
+      !> .false.: an error was reported
       logical, intent(out) :: ok
       integer :: whole
       real(dp) :: real_value
@@ -122,9 +128,12 @@ contains
 
    !> A number that is as it should be, by the shortest way: a deck may have millions of them.
    pure subroutine take_number(text, field, whole, real_value, ok)
+      !> The value, without blanks around it
       character(len=*), intent(in) :: text
       type(field_spec_t), intent(in) :: field
+      !> `kind_integer`: the number; else 0
       integer, intent(out) :: whole
+      !> The number, a whole one too; 0 where there is none
       real(dp), intent(out) :: real_value
       !> .false.: not a number, or one with something wrong about it
       logical, intent(out) :: ok
@@ -147,7 +156,9 @@ contains
    subroutine check_missing(self, form, line, ok)
       type(reader_t), intent(inout) :: self
       type(data_spec_t), intent(in) :: form
+      !> Index into the lines of the deck
       integer, intent(in) :: line
+      !> Becomes .false. where an error is reported
       logical, intent(inout) :: ok
       integer :: i
 

@@ -34,6 +34,7 @@ contains
 
    !> Read a deck with all it includes. Errors of form go to `errors`; what can be read is read.
    subroutine scan_deck(path, deck, whole_text, errors)
+      !> The deck file, as the user wrote it
       character(len=*), intent(in) :: path
       type(deck_t), intent(out) :: deck
       !> The deck in one text, included files in place of their *INCLUDE lines
@@ -59,8 +60,12 @@ contains
    subroutine open_source(deck, scanner, path, parent, parent_line, error)
       type(deck_t), intent(inout) :: deck
       type(scanner_t), intent(inout) :: scanner
+      !> The file, as messages name it
       character(len=*), intent(in) :: path
-      integer, intent(in) :: parent, parent_line
+      !> Index of the source that includes it; 0: none
+      integer, intent(in) :: parent
+      !> Line number of the *INCLUDE in that source; 0: none
+      integer, intent(in) :: parent_line
       type(error_t), allocatable, intent(out) :: error
       type(source_t), allocatable :: grown(:)
       character(len=:), allocatable :: text
@@ -135,8 +140,10 @@ contains
    subroutine next_line(deck, scanner, source, line, found)
       type(deck_t), intent(in) :: deck
       type(scanner_t), intent(inout) :: scanner
+      !> Index of the source
       integer, intent(in) :: source
       type(line_t), intent(out) :: line
+      !> .false.: the source is at its end
       logical, intent(out) :: found
       integer :: length, line_end
 
@@ -162,6 +169,7 @@ contains
    end subroutine next_line
 
    pure logical function starts_with_mark(text)
+      !> Whole text of a source
       character(len=*), intent(in) :: text
 
       starts_with_mark = .false.
@@ -169,6 +177,7 @@ contains
    end function starts_with_mark
 
    pure subroutine trim_line(text, line)
+      !> Text of the source that the line is in
       character(len=*), intent(in) :: text
       type(line_t), intent(inout) :: line
 
@@ -183,6 +192,7 @@ contains
    end subroutine trim_line
 
    pure logical function is_blank(character)
+      !> The character to be judged
       character(len=1), intent(in) :: character
 
       is_blank = character == ' ' .or. character == tab .or. character == return_character
@@ -206,6 +216,7 @@ contains
 
       !> What the line may have been meant for.
       pure function advice(line)
+         !> The first line of the deck that is neither blank nor a comment
          character(len=*), intent(in) :: line
          character(len=:), allocatable :: advice
 
@@ -223,6 +234,7 @@ contains
    subroutine read_card(deck, scanner, source, card, errors)
       type(deck_t), intent(inout) :: deck
       type(scanner_t), intent(inout) :: scanner
+      !> Index of the source
       integer, intent(in) :: source
       type(card_t), intent(out) :: card
       type(error_list_t), intent(inout) :: errors
@@ -272,8 +284,10 @@ contains
    !> Split at commas; a quote that is not closed is an error.
    subroutine split_keyword_line(deck, line, fields, n, errors)
       type(deck_t), intent(in) :: deck
+      !> Index into the lines of the deck
       integer, intent(in) :: line
       type(token_t), allocatable, intent(inout) :: fields(:)
+      !> Number of fields
       integer, intent(out) :: n
       type(error_list_t), intent(inout) :: errors
       integer :: i, quote, n_quotes
@@ -340,6 +354,7 @@ contains
    recursive subroutine include_file(deck, scanner, source, card, n_lines, errors)
       type(deck_t), intent(inout) :: deck
       type(scanner_t), intent(inout) :: scanner
+      !> Index of the source
       integer, intent(in) :: source
       type(card_t), intent(in) :: card
       !> Number of lines of the deck before the *INCLUDE, which is taken out again
@@ -392,8 +407,10 @@ contains
    !> Refuse circles, chains that are too deep, and too many files.
    subroutine check_chain(deck, source, name, path, errors, error)
       type(deck_t), intent(in) :: deck
+      !> Index of the source that has the *INCLUDE
       integer, intent(in) :: source
       type(token_t), intent(in) :: name
+      !> The file that it names
       character(len=*), intent(in) :: path
       type(error_list_t), intent(inout) :: errors
       type(error_t), allocatable, intent(out) :: error

@@ -12,9 +12,11 @@ contains
    subroutine add_definition(self, definitions, what, token, index)
       type(reader_t), intent(inout) :: self
       type(definitions_t), intent(inout) :: definitions
+      !> What is defined, as messages name it: `material`, `amplitude`, `interaction`
       character(len=*), intent(in) :: what
       !> The name
       type(token_t), intent(in) :: token
+      !> Index of the definition
       integer, intent(out) :: index
       integer :: before
 
@@ -52,8 +54,10 @@ contains
    subroutine find_definition(self, definitions, what, token, index)
       type(reader_t), intent(inout) :: self
       type(definitions_t), intent(inout) :: definitions
+      !> What is defined, as messages name it: `material`, `amplitude`, `interaction`
       character(len=*), intent(in) :: what
       type(token_t), intent(in) :: token
+      !> Index of the definition
       integer, intent(out) :: index
 
       index = definitions%names%get(name_of(self, token))

@@ -103,6 +103,7 @@ contains
 
    pure subroutine add_set_data(k, what)
       type(keyword_t), intent(inout) :: k
+      !> Kind of the members: `node` or `element`
       character(len=*), intent(in) :: what
 
       call k%add_data([item_field(what, 'number of a '//what//', or name of another set; any number of them')], &
@@ -330,6 +331,7 @@ contains
 
    pure subroutine add_op(k, what)
       type(keyword_t), intent(inout) :: k
+      !> What the keyword prescribes, in the plural
       character(len=*), intent(in) :: what
 
       call k%add(choice('OP', 'MOD|NEW', 'MOD changes or adds to the '//what//' of earlier steps, NEW removes'// &
@@ -453,8 +455,13 @@ contains
 
    pure subroutine begin(k, name, place, help, after)
       type(keyword_t), intent(out) :: k
-      character(len=*), intent(in) :: name, help
+      !> The keyword in capitals
+      character(len=*), intent(in) :: name
+      !> Sentences for the reference
+      character(len=*), intent(in) :: help
+      !> Where the keyword may stand, one of `place_...`
       integer, intent(in) :: place
+      !> Keyword of the group that it belongs to; absent: it begins a group
       character(len=*), intent(in), optional :: after
 
       k%name = name
@@ -473,7 +480,10 @@ contains
    end subroutine finish
 
    pure function text_field(name, help) result(spec)
-      character(len=*), intent(in) :: name, help
+      !> What the field is called in the reference and in messages
+      character(len=*), intent(in) :: name
+      !> What it means
+      character(len=*), intent(in) :: help
       type(field_spec_t) :: spec
 
       spec = field(name, kind_text, '', help)
@@ -481,6 +491,7 @@ contains
 
    !> A place of CalculiX's that litz has no use for.
    pure function unused(name) result(spec)
+      !> CalculiX's name of the field
       character(len=*), intent(in) :: name
       type(field_spec_t) :: spec
 

@@ -98,6 +98,7 @@ contains
    !> Index of a keyword, however it is written; 0 when it is not in the table.
    pure integer function table_find(self, name) result(index)
       class(keyword_table_t), intent(in) :: self
+      !> The keyword without its asterisk, in any case
       character(len=*), intent(in) :: name
       character(len=:), allocatable :: wanted
 
@@ -122,8 +123,10 @@ contains
    !> What to say about a keyword that is not in the table.
    pure function unknown_keyword_message(table, name, shown) result(message)
       type(keyword_table_t), intent(in) :: table
-      !> As the user wrote it, and in quotes
-      character(len=*), intent(in) :: name, shown
+      !> The keyword as the user wrote it
+      character(len=*), intent(in) :: name
+      !> The same as the message shows it
+      character(len=*), intent(in) :: shown
       character(len=:), allocatable :: message
       character(len=:), allocatable :: nearest
 
@@ -147,6 +150,7 @@ contains
    !> The longest keyword with which a name begins, followed by a blank; empty when there is none.
    pure function keyword_before_blank(table, name) result(keyword)
       type(keyword_table_t), intent(in) :: table
+      !> As the user wrote it
       character(len=*), intent(in) :: name
       character(len=:), allocatable :: keyword
       integer :: i, known
@@ -162,6 +166,7 @@ contains
    !> Index of a parameter, however it is written; 0 when there is none.
    pure integer function keyword_find_parameter(self, name) result(index)
       class(keyword_t), intent(in) :: self
+      !> The parameter, in any case
       character(len=*), intent(in) :: name
       character(len=:), allocatable :: wanted
 
@@ -182,9 +187,15 @@ contains
    pure subroutine keyword_add_data(self, fields, when, first, last, required, repeats, optional_with)
       class(keyword_t), intent(inout) :: self
       type(field_spec_t), intent(in) :: fields(:)
-      character(len=*), intent(in), optional :: when, optional_with
+      !> `PARAMETER=VALUE`: lines of this form are there only then; absent: always
+      character(len=*), intent(in), optional :: when
+      !> `PARAMETER=VALUE`: the lines may be left out then
+      character(len=*), intent(in), optional :: optional_with
+      !> First and last of the data lines that have this form; `last` 0: any number of lines
       integer, intent(in), optional :: first, last
+      !> .true.: the line must be there
       logical, intent(in), optional :: required
+      !> How many times the fields may follow each other on a line; 0: any number of times
       integer, intent(in), optional :: repeats
       type(data_spec_t) :: spec
       type(data_spec_t), allocatable :: grown(:)
@@ -208,7 +219,9 @@ contains
    end subroutine keyword_add_data
 
    pure logical function within_limit(value, limit)
+      !> The number
       real(dp), intent(in) :: value
+      !> What the number must satisfy, one of `limit_...`
       integer, intent(in) :: limit
 
       within_limit = abs(value) <= largest_number
@@ -227,6 +240,7 @@ contains
    end function within_limit
 
    pure function limit_words(limit) result(words)
+      !> One of `limit_...`
       integer, intent(in) :: limit
       character(len=:), allocatable :: words
 
@@ -249,10 +263,19 @@ contains
    ! Short constructors, so that the table reads like a table.
 
    pure type(field_spec_t) function field(name, kind, unit, help, limit, required, choices) result(spec)
-      character(len=*), intent(in) :: name, unit, help
+      !> Name in the reference and in messages
+      character(len=*), intent(in) :: name
+      !> Unit in SI; empty: none
+      character(len=*), intent(in) :: unit
+      !> What it means, for the reference and for messages
+      character(len=*), intent(in) :: help
+      !> One of `kind_...`
       integer, intent(in) :: kind
+      !> What the number must satisfy, one of `limit_...`
       integer, intent(in), optional :: limit
+      !> .true.: must not be left out
       logical, intent(in), optional :: required
+      !> The words allowed, separated by bars
       character(len=*), intent(in), optional :: choices
 
       spec%name = name
@@ -265,50 +288,86 @@ contains
    end function field
 
    pure type(field_spec_t) function integer_field(name, help, limit, required) result(spec)
-      character(len=*), intent(in) :: name, help
+      !> Name in the reference and in messages
+      character(len=*), intent(in) :: name
+      !> What it means, for the reference and for messages
+      character(len=*), intent(in) :: help
+      !> What the number must satisfy, one of `limit_...`
       integer, intent(in), optional :: limit
+      !> .true.: must not be left out
       logical, intent(in), optional :: required
 
       spec = field(name, kind_integer, '', help, limit, required)
    end function integer_field
 
    pure type(field_spec_t) function real_field(name, unit, help, limit, required) result(spec)
-      character(len=*), intent(in) :: name, unit, help
+      !> Name in the reference and in messages
+      character(len=*), intent(in) :: name
+      !> Unit in SI; empty: none
+      character(len=*), intent(in) :: unit
+      !> What it means, for the reference and for messages
+      character(len=*), intent(in) :: help
+      !> What the number must satisfy, one of `limit_...`
       integer, intent(in), optional :: limit
+      !> .true.: must not be left out
       logical, intent(in), optional :: required
 
       spec = field(name, kind_real, unit, help, limit, required)
    end function real_field
 
    pure type(field_spec_t) function choice_field(name, choices, help) result(spec)
-      character(len=*), intent(in) :: name, choices, help
+      !> Name in the reference and in messages
+      character(len=*), intent(in) :: name
+      !> The words allowed, separated by bars
+      character(len=*), intent(in) :: choices
+      !> What it means, for the reference and for messages
+      character(len=*), intent(in) :: help
 
       spec = field(name, kind_choice, '', help, choices=choices)
    end function choice_field
 
    pure type(field_spec_t) function name_field(name, help, required) result(spec)
-      character(len=*), intent(in) :: name, help
+      !> Name in the reference and in messages
+      character(len=*), intent(in) :: name
+      !> What it means, for the reference and for messages
+      character(len=*), intent(in) :: help
+      !> .true.: must not be left out
       logical, intent(in), optional :: required
 
       spec = field(name, kind_name, '', help, required=required)
    end function name_field
 
    pure type(field_spec_t) function item_field(name, help) result(spec)
-      character(len=*), intent(in) :: name, help
+      !> Name in the reference and in messages
+      character(len=*), intent(in) :: name
+      !> What it means, for the reference and for messages
+      character(len=*), intent(in) :: help
 
       spec = field(name, kind_item, '', help)
    end function item_field
 
    pure type(parameter_spec_t) function flag(name, help) result(spec)
-      character(len=*), intent(in) :: name, help
+      !> Name in the reference and in messages
+      character(len=*), intent(in) :: name
+      !> What it means, for the reference and for messages
+      character(len=*), intent(in) :: help
 
       spec%name = name
       spec%help = help
    end function flag
 
    pure type(parameter_spec_t) function choice(name, choices, help, required, default, value_optional) result(spec)
-      character(len=*), intent(in) :: name, choices, help
-      logical, intent(in), optional :: required, value_optional
+      !> Name in the reference and in messages
+      character(len=*), intent(in) :: name
+      !> The words allowed, separated by bars
+      character(len=*), intent(in) :: choices
+      !> What it means, for the reference and for messages
+      character(len=*), intent(in) :: help
+      !> .true.: must not be left out
+      logical, intent(in), optional :: required
+      !> .true.: the parameter may stand without a value
+      logical, intent(in), optional :: value_optional
+      !> Value that holds where there is none
       character(len=*), intent(in), optional :: default
 
       spec%name = name
@@ -321,7 +380,11 @@ contains
    end function choice
 
    pure type(parameter_spec_t) function name(parameter, help, required) result(spec)
-      character(len=*), intent(in) :: parameter, help
+      !> The parameter in capitals
+      character(len=*), intent(in) :: parameter
+      !> What it means, for the reference and for messages
+      character(len=*), intent(in) :: help
+      !> .true.: must not be left out
       logical, intent(in), optional :: required
 
       spec%name = parameter
@@ -332,8 +395,13 @@ contains
 
    !> A real number.
    pure type(parameter_spec_t) function number(name, help, limit, default) result(spec)
-      character(len=*), intent(in) :: name, help
+      !> Name in the reference and in messages
+      character(len=*), intent(in) :: name
+      !> What it means, for the reference and for messages
+      character(len=*), intent(in) :: help
+      !> What the number must satisfy, one of `limit_...`
       integer, intent(in) :: limit
+      !> Value that holds where there is none
       character(len=*), intent(in), optional :: default
 
       spec%name = name
@@ -345,7 +413,12 @@ contains
 
    !> A whole number of at least 1.
    pure type(parameter_spec_t) function count_of(name, help, default) result(spec)
-      character(len=*), intent(in) :: name, help, default
+      !> Name in the reference and in messages
+      character(len=*), intent(in) :: name
+      !> What it means, for the reference and for messages
+      character(len=*), intent(in) :: help
+      !> Value that holds where there is none
+      character(len=*), intent(in) :: default
 
       spec%name = name
       spec%kind = kind_integer
@@ -355,7 +428,10 @@ contains
    end function count_of
 
    pure type(parameter_spec_t) function file(name, help) result(spec)
-      character(len=*), intent(in) :: name, help
+      !> Name in the reference and in messages
+      character(len=*), intent(in) :: name
+      !> What it means, for the reference and for messages
+      character(len=*), intent(in) :: help
 
       spec%name = name
       spec%kind = kind_file

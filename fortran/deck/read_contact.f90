@@ -63,6 +63,7 @@ contains
 
    subroutine read_behavior(self, card, interaction)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(interaction_t), intent(inout) :: interaction
       logical :: ok
@@ -77,6 +78,7 @@ contains
 
    subroutine read_friction(self, card, interaction)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(interaction_t), intent(inout) :: interaction
       logical :: ok
@@ -98,6 +100,7 @@ contains
 
    pure logical function has_data(self, card)
       type(reader_t), intent(in) :: self
+      !> Index of the card
       integer, intent(in) :: card
 
       has_data = self%deck%cards(card)%last_data >= self%deck%cards(card)%first_data
@@ -105,6 +108,7 @@ contains
 
    subroutine read_spot_law(self, card, interaction)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(interaction_t), intent(inout) :: interaction
       logical :: ok
@@ -125,6 +129,7 @@ contains
    !> Resistance over force, forces ascending.
    subroutine read_table(self, card, interaction)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(interaction_t), intent(inout) :: interaction
       integer :: line, n

@@ -19,6 +19,7 @@ contains
 
    subroutine read_controls(self, card, controls)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(controls_t), intent(inout) :: controls
       integer :: line
@@ -52,14 +53,18 @@ contains
    contains
 
       subroutine take_real(i, value)
+         !> Place of the value on the data line
          integer, intent(in) :: i
+         !> In: the default. Out: what the line gives, where it gives anything
          real(dp), intent(inout) :: value
 
          if (self%values%given(i)) value = self%values%real(i)
       end subroutine take_real
 
       subroutine take_whole(i, value)
+         !> Place of the value on the data line
          integer, intent(in) :: i
+         !> In: the default. Out: what the line gives, where it gives anything
          integer, intent(inout) :: value
 
          if (self%values%given(i)) value = self%values%whole(i)
@@ -67,8 +72,11 @@ contains
 
       !> A factor that shrinks increments, or one that lets them grow.
       subroutine take_factor(i, value, below_one)
+         !> Place of the value on the data line
          integer, intent(in) :: i
+         !> In: the default. Out: what the line gives, where it gives anything
          real(dp), intent(inout) :: value
+         !> .true.: the factor shrinks increments; .false.: it lets them grow
          logical, intent(in) :: below_one
 
          call take_real(i, value)
@@ -83,6 +91,7 @@ contains
 
    subroutine read_solver(self, card, step)
       type(reader_t), intent(in) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(step_t), intent(inout) :: step
 
@@ -104,6 +113,7 @@ contains
 
    subroutine read_solution_technique(self, card, step)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(step_t), intent(inout) :: step
 

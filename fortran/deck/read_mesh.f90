@@ -62,6 +62,7 @@ contains
    !> What a *MESH names.
    subroutine open_mesh_file(self, card, mesh)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(mesh_file_t), intent(out) :: mesh
       type(error_t), allocatable :: error
@@ -98,6 +99,7 @@ contains
    contains
 
       integer function n_data_lines(keyword) result(n)
+         !> The keyword as the table has it
          character(len=*), intent(in) :: keyword
          integer :: card
 
@@ -112,6 +114,7 @@ contains
 
    subroutine read_nodes(self, card, model)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(model_t), intent(inout) :: model
       integer :: line, set
@@ -128,6 +131,7 @@ contains
 
    subroutine take_nodes(self, card, mesh, model)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(mesh_file_t), intent(in) :: mesh
       type(model_t), intent(inout) :: model
@@ -160,7 +164,9 @@ contains
       type(model_t), intent(inout) :: model
       !> Where it is defined
       type(token_t), intent(in) :: token
+      !> The user's number
       integer, intent(in) :: id
+      !> Position [m]
       real(dp), intent(in) :: position(3)
       !> The position could be read
       logical, intent(in) :: ok
@@ -186,6 +192,7 @@ contains
 
    subroutine read_elements(self, card, model)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(model_t), intent(inout) :: model
       integer :: line, set, kind, element
@@ -204,6 +211,7 @@ contains
 
    subroutine take_elements(self, card, mesh, model)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(mesh_file_t), intent(in) :: mesh
       type(model_t), intent(inout) :: model
@@ -230,11 +238,13 @@ contains
       type(model_t), intent(inout) :: model
       !> Where it is defined
       type(token_t), intent(in) :: token
-      !> `element_b31` or `element_b33`
-      integer, intent(in) :: id, kind
+      !> The user's number
+      integer, intent(in) :: id
+      !> One of `element_...` of litz_model
+      integer, intent(in) :: kind
       !> Set that it is put into; 0: none
       integer, intent(in) :: set
-      !> Its index; 0 after an error
+      !> Index of the new element; 0 after an error
       integer, intent(out) :: element
       integer :: known
 
@@ -258,6 +268,7 @@ contains
    !> The sets of a mesh file, which may have members defined elsewhere.
    subroutine take_sets(self, card, what, sets, builder, map, n_items)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       !> `node` or `element`
       character(len=*), intent(in) :: what
@@ -291,9 +302,11 @@ contains
    subroutine join_nodes(self, model, element, tokens, ids)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(inout) :: model
+      !> Index of the element
       integer, intent(in) :: element
       !> Where the nodes are named, and their numbers
       type(token_t), intent(in) :: tokens(2)
+      !> Numbers of the nodes
       integer, intent(in) :: ids(2)
       real(dp) :: length
       integer :: k

@@ -33,6 +33,7 @@ contains
    subroutine read_request(self, model, card, list, step)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(in) :: model
+      !> Index of the card
       integer, intent(in) :: card
       type(request_list_t), intent(inout) :: list
       type(step_t), intent(inout) :: step
@@ -89,6 +90,7 @@ contains
    !> *NODE PRINT or *EL PRINT: members, sums, or both.
    subroutine read_print(self, card, parameter, list, request)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       !> NSET or ELSET
       character(len=*), intent(in) :: parameter
@@ -115,6 +117,7 @@ contains
    !> The quantities of the line read last.
    subroutine add_quantities(self, card, request)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(output_request_t), intent(inout) :: request
       character(len=word_length), allocatable :: words(:)
@@ -140,6 +143,7 @@ contains
    !> The quantities of *NODE FILE and *EL FILE only have to exist.
    subroutine check_quantities(self, card)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       integer :: line
       logical :: ok
@@ -152,6 +156,7 @@ contains
    subroutine read_electrodes(self, model, card, list, request)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(in) :: model
+      !> Index of the card
       integer, intent(in) :: card
       type(request_list_t), intent(inout) :: list
       type(output_request_t), intent(inout) :: request
@@ -185,6 +190,7 @@ contains
 
       subroutine check_electrode(token, members)
          type(token_t), intent(in) :: token
+         !> Indices of the nodes of the electrode (n)
          integer, intent(in) :: members(:)
          integer :: k
 

@@ -116,6 +116,7 @@ contains
    !> *STEP: its name, title and parameters.
    subroutine read_step_line(self, card, names, step)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(name_map_t), intent(inout) :: names
       type(step_t), intent(inout) :: step
@@ -143,6 +144,7 @@ contains
 
    subroutine read_static(self, card, step)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(step_t), intent(inout) :: step
       logical :: ok
@@ -188,8 +190,10 @@ contains
    !> A step whose largest increments do not reach its end cannot finish.
    subroutine check_increments(self, card, step, has_procedure)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(step_t), intent(in) :: step
+      !> .true.: the step has a *STATIC
       logical, intent(in) :: has_procedure
       type(token_t) :: token
       real(dp) :: needed

@@ -84,6 +84,7 @@ contains
    subroutine fail_at(self, token, message)
       type(reader_t), intent(inout) :: self
       type(token_t), intent(in) :: token
+      !> What was found and what is allowed
       character(len=*), intent(in) :: message
 
       if (self%errors%is_full()) then
@@ -96,6 +97,7 @@ contains
    !> The keyword of a card as the table has it.
    pure function keyword_of(self, card) result(keyword)
       type(reader_t), intent(in) :: self
+      !> Index of the card
       integer, intent(in) :: card
       character(len=:), allocatable :: keyword
 
@@ -106,6 +108,7 @@ contains
    !> How many cards have this keyword.
    pure integer function n_cards_of(self, keyword) result(n)
       type(reader_t), intent(in) :: self
+      !> The keyword as the table has it
       character(len=*), intent(in) :: keyword
       integer :: card
 
@@ -129,7 +132,9 @@ contains
    !> The value of a parameter; `no_token` when the card does not have it.
    pure type(token_t) function parameter_of(self, card, name) result(token)
       type(reader_t), intent(in) :: self
+      !> Index of the card
       integer, intent(in) :: card
+      !> The parameter as the table has it
       character(len=*), intent(in) :: name
       integer :: i
 
@@ -145,7 +150,9 @@ contains
 
    pure logical function has_flag(self, card, name)
       type(reader_t), intent(in) :: self
+      !> Index of the card
       integer, intent(in) :: card
+      !> The parameter as the table has it
       character(len=*), intent(in) :: name
       type(token_t) :: token
 
@@ -156,7 +163,9 @@ contains
    !> The word chosen, without blanks; the default when there is none or a wrong one.
    pure function choice_of(self, card, name) result(word)
       type(reader_t), intent(in) :: self
+      !> Index of the card
       integer, intent(in) :: card
+      !> The parameter as the table has it
       character(len=*), intent(in) :: name
       character(len=:), allocatable :: word
       character(len=word_length), allocatable :: words(:)
@@ -184,8 +193,11 @@ contains
 
    pure real(dp) function real_parameter(self, card, name, default) result(value)
       type(reader_t), intent(in) :: self
+      !> Index of the card
       integer, intent(in) :: card
+      !> The parameter as the table has it
       character(len=*), intent(in) :: name
+      !> What holds without the parameter
       real(dp), intent(in) :: default
       real(dp) :: number
       integer :: status
@@ -198,8 +210,11 @@ contains
    !> All whole numbers among the parameters are at least 1.
    pure integer function integer_parameter(self, card, name, default) result(value)
       type(reader_t), intent(in) :: self
+      !> Index of the card
       integer, intent(in) :: card
+      !> The parameter as the table has it
       character(len=*), intent(in) :: name
+      !> What holds without the parameter
       integer, intent(in) :: default
       integer :: status, number
 
@@ -213,6 +228,7 @@ contains
    !> .true. when the parameters of the card ask for this form of data line.
    pure logical function applies(self, card, form)
       type(reader_t), intent(in) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(data_spec_t), intent(in) :: form
 
@@ -223,6 +239,7 @@ contains
    !> .true. when the card has a parameter with this value, or its default is the value.
    pure logical function has_choice(self, card, choice)
       type(reader_t), intent(in) :: self
+      !> Index of the card
       integer, intent(in) :: card
       !> `PARAMETER=VALUE`
       character(len=*), intent(in) :: choice

@@ -13,6 +13,7 @@ module litz_source_files
       function c_realpath(path, resolved) bind(c, name='realpath') result(pointer)
          import :: c_char, c_ptr
          implicit none
+         !> Ended by a null character
          character(kind=c_char), intent(in) :: path(*)
          type(c_ptr), value :: resolved
          type(c_ptr) :: pointer
@@ -32,9 +33,11 @@ module litz_source_files
 contains
 
    subroutine read_file(path, largest, text, error)
+      !> The file, as messages name it
       character(len=*), intent(in) :: path
       !> Most bytes that may be read
       integer(int64), intent(in) :: largest
+      !> All bytes of the file; not to be used after an error
       character(len=:), allocatable, intent(out) :: text
       type(error_t), allocatable, intent(out) :: error
       character(len=200) :: reason
@@ -79,6 +82,7 @@ contains
 
    !> The path without symbolic links and dots, or as it is where the system cannot tell.
    function real_path(path) result(resolved)
+      !> Any path, of a file that exists
       character(len=*), intent(in) :: path
       character(len=:), allocatable :: resolved
       type(c_ptr) :: pointer
@@ -98,7 +102,10 @@ contains
 
    !> A path relative to the directory of the file that names it.
    pure function relative_to(file, path) result(full)
-      character(len=*), intent(in) :: file, path
+      !> Path of the file that names the other
+      character(len=*), intent(in) :: file
+      !> As it stands there; absolute paths stay as they are
+      character(len=*), intent(in) :: path
       character(len=:), allocatable :: full
 
       full = path

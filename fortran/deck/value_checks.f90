@@ -19,12 +19,19 @@ contains
    subroutine check_value(self, token, kind, limit, choices, what, whole, real_value, ok)
       type(reader_t), intent(inout) :: self
       type(token_t), intent(in) :: token
-      integer, intent(in) :: kind, limit
+      !> What the value is, one of `kind_...`
+      integer, intent(in) :: kind
+      !> What a number must satisfy, one of `limit_...`
+      integer, intent(in) :: limit
+      !> `kind_choice`: the words allowed, separated by bars
       character(len=*), intent(in) :: choices
       !> Subject of the message, with its comma where it ends in a relative clause
       character(len=*), intent(in) :: what
+      !> A whole number, the number of a node or element, or that of the chosen word; else 0
       integer, intent(out) :: whole
+      !> A number; else 0
       real(dp), intent(out) :: real_value
+      !> .false.: an error was reported
       logical, intent(out) :: ok
       integer :: status
 
@@ -54,6 +61,7 @@ contains
    contains
 
       subroutine check_number(noun)
+         !> What is wanted, as the end of a sentence
          character(len=*), intent(in) :: noun
 
          ok = .false.
@@ -87,9 +95,13 @@ contains
    subroutine check_choice(self, token, choices, what, chosen, ok)
       type(reader_t), intent(inout) :: self
       type(token_t), intent(in) :: token
-      character(len=*), intent(in) :: choices, what
-      !> Number of the word
+      !> `kind_choice`: the words allowed, separated by bars
+      character(len=*), intent(in) :: choices
+      !> Subject of the message, with its comma where it ends in a relative clause
+      character(len=*), intent(in) :: what
+      !> Number of the word; 0 after an error
       integer, intent(out) :: chosen
+      !> .false.: an error was reported
       logical, intent(out) :: ok
       character(len=word_length), allocatable :: words(:)
       character(len=:), allocatable :: word, nearest, advice
@@ -134,6 +146,7 @@ contains
    !> The card that a line belongs to; 0 when the line is before the first one.
    pure integer function card_of(self, line)
       type(reader_t), intent(in) :: self
+      !> Index into the lines of the deck
       integer, intent(in) :: line
       integer :: beyond, middle
 
@@ -150,6 +163,7 @@ contains
    end function card_of
 
    pure function behind_semicolon(advice) result(text)
+      !> A clause; may be empty
       character(len=*), intent(in) :: advice
       character(len=:), allocatable :: text
 
@@ -159,6 +173,7 @@ contains
 
    !> For a value with something in it that separates values elsewhere.
    pure function hint_about_blanks(text) result(hint)
+      !> The value as the user wrote it
       character(len=*), intent(in) :: text
       character(len=:), allocatable :: hint
 

@@ -107,8 +107,9 @@ contains
       real(dp), intent(in) :: length(2)
       !> `axis_linear` or `axis_hermite` of litz_laws
       integer, intent(in) :: axis
-      !> Places (barred, unbarred) in [-1, 1] (2, max_minima), and how many there are
+      !> Places (barred, unbarred) in [-1, 1] of the first `n` minima
       real(dp), intent(out) :: places(2, max_minima)
+      !> Number of minima
       integer, intent(out) :: n
       real(dp) :: p(3, 0:3), p_bar(3, 0:3), relative(3, 4), f(0:n_grid + 1, 0:n_grid + 1)
       integer :: i, j
@@ -132,8 +133,13 @@ contains
 
    !> The minimum below `start`, unless it is known already.
    pure subroutine add_minimum(p_bar, p, start, places, n)
-      real(dp), intent(in) :: p_bar(3, 0:3), p(3, 0:3), start(2)
+      !> Axes in powers of xi (3, 0:3) [m]: barred, unbarred
+      real(dp), intent(in) :: p_bar(3, 0:3), p(3, 0:3)
+      !> Places (barred, unbarred) from which the minimum is looked for
+      real(dp), intent(in) :: start(2)
+      !> Places (barred, unbarred) of the minima that are known
       real(dp), intent(inout) :: places(2, max_minima)
+      !> Number of minima that are known
       integer, intent(inout) :: n
       type(point_t) :: point
       integer :: k
@@ -194,9 +200,11 @@ contains
 
    !> A minimum of `f` in the box `|xi| <= limit`, going down from `start`.
    pure subroutine minimise(p_bar, p, start, limit, point)
+      !> Axes in powers of xi (3, 0:3) [m]: barred, unbarred
       real(dp), intent(in) :: p_bar(3, 0:3), p(3, 0:3)
       !> Places (barred, unbarred) within the box
       real(dp), intent(in) :: start(2)
+      !> Half the width of the box: 1 for the elements, more for their continuations
       real(dp), intent(in) :: limit
       type(point_t), intent(out) :: point
       type(point_t) :: trial
@@ -228,7 +236,11 @@ contains
 
    !> Shortens a step that leaves the box so that it ends on the border.
    pure subroutine stop_at_border(limit, xi, step)
-      real(dp), intent(in) :: limit, xi(2)
+      !> Half the width of the box: 1 for the elements, more for their continuations
+      real(dp), intent(in) :: limit
+      !> Places (barred, unbarred) within the box
+      real(dp), intent(in) :: xi(2)
+      !> Step from there (barred, unbarred)
       real(dp), intent(inout) :: step(2)
       real(dp) :: border(2)
       integer :: i
@@ -245,7 +257,9 @@ contains
    !> when `f` falls outwards there, or when the step would lead outwards.
    pure subroutine descent_step(point, limit, step, is_newton)
       type(point_t), intent(in) :: point
+      !> Half the width of the box: 1 for the elements, more for their continuations
       real(dp), intent(in) :: limit
+      !> Step (barred, unbarred) in xi
       real(dp), intent(out) :: step(2)
       !> .true.: exactly Newton's step in all free coordinates
       logical, intent(out) :: is_newton
@@ -272,6 +286,7 @@ contains
       real(dp), intent(in) :: scale
       !> Step (2) [m]
       real(dp), intent(out) :: step(2)
+      !> .true.: exactly Newton's step
       logical, intent(out) :: is_newton
       real(dp) :: lowest, shift, a11, a22, direction(2)
 
@@ -297,6 +312,7 @@ contains
       logical, intent(in) :: fixed(2)
       !> Step (2) [m]
       real(dp), intent(out) :: step(2)
+      !> .true.: exactly Newton's step
       logical, intent(out) :: is_newton
       integer :: i
 
@@ -335,6 +351,7 @@ contains
    !> Whether `f` is certainly convex over both elements, by bounds on the tangents and curvatures of the two axes: then
    !> it has one minimum there. Straight axes always are.
    pure logical function is_convex(p_bar, p) result(convex)
+      !> Axes in powers of xi (3, 0:3) [m]: barred, unbarred
       real(dp), intent(in) :: p_bar(3, 0:3), p(3, 0:3)
       real(dp) :: reach, tangent(2), bend(2), curvature(2), diagonal(2), mixed
 
@@ -351,6 +368,7 @@ contains
 
    !> Goes down from every local minimum of a grid and keeps the closest point found, one inside before one at an end.
    pure subroutine search_grid(p_bar, p, best, unique)
+      !> Axes in powers of xi (3, 0:3) [m]: barred, unbarred
       real(dp), intent(in) :: p_bar(3, 0:3), p(3, 0:3)
       !> In: a minimum already found. Out: the best one
       type(point_t), intent(inout) :: best
@@ -381,6 +399,7 @@ contains
 
    !> Squared distances at the places of a grid, with a rim of huge ones.
    pure function grid_distances(p_bar, p) result(f)
+      !> Axes in powers of xi (3, 0:3) [m]: barred, unbarred
       real(dp), intent(in) :: p_bar(3, 0:3), p(3, 0:3)
       real(dp) :: f(0:n_grid + 1, 0:n_grid + 1)
       integer :: i, j
@@ -395,20 +414,26 @@ contains
 
    !> No neighbour along the axes is lower; valleys that run across the grid hide a minimum from the diagonal ones.
    pure logical function is_grid_minimum(f, i, j)
+      !> Squared distances on the grid with its rim (0:n_grid + 1, 0:n_grid + 1) [m^2]
       real(dp), intent(in) :: f(0:, 0:)
+      !> Grid point: along the barred, along the unbarred axis
       integer, intent(in) :: i, j
 
       is_grid_minimum = f(i, j) <= min(f(i - 1, j), f(i + 1, j), f(i, j - 1), f(i, j + 1))
    end function is_grid_minimum
 
    pure real(dp) function grid_xi(i) result(xi)
+      !> Number of the grid point along an axis, 1 to `n_grid`
       integer, intent(in) :: i
 
       xi = -1 + 2*real(i - 1, dp)/(n_grid - 1)
    end function grid_xi
 
    pure real(dp) function squared_distance(p_bar, p, xi_bar, xi) result(f)
-      real(dp), intent(in) :: p_bar(3, 0:3), p(3, 0:3), xi_bar, xi
+      !> Axes in powers of xi (3, 0:3) [m]: barred, unbarred
+      real(dp), intent(in) :: p_bar(3, 0:3), p(3, 0:3)
+      !> Places in the barred and the unbarred element
+      real(dp), intent(in) :: xi_bar, xi
       real(dp) :: w(3)
 
       w = (p_bar(:, 0) - p(:, 0)) + xi_bar*(p_bar(:, 1) + xi_bar*(p_bar(:, 2) + xi_bar*p_bar(:, 3))) &
@@ -485,7 +510,10 @@ contains
    end function closest_on_chords
 
    pure real(dp) function nearest_on_line(square, projection) result(xi)
-      real(dp), intent(in) :: square, projection
+      !> Square of half the chord [m^2]
+      real(dp), intent(in) :: square
+      !> Vector from the middle of the chord to the other point, times half the chord [m^2]
+      real(dp), intent(in) :: projection
 
       xi = 0
       if (square > 0) xi = max(-1.0_dp, min(1.0_dp, projection/square))

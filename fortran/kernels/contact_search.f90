@@ -101,7 +101,10 @@ contains
 
    !> Pieces of all segments, sorted into grids of decreasing box size.
    subroutine build_grids(a, b, reach, grids)
-      real(dp), intent(in) :: a(:, :), b(:, :), reach(:)
+      !> Ends of the segments (3, n) [m]
+      real(dp), intent(in) :: a(:, :), b(:, :)
+      !> Radius around each segment (n) [m]
+      real(dp), intent(in) :: reach(:)
       type(grid_t), allocatable, intent(out) :: grids(:)
       real(dp), allocatable :: length(:), extent(:)
       integer, allocatable :: pieces(:), level(:), members(:)
@@ -155,7 +158,9 @@ contains
 
    !> First place of each value 1, 2, ... when the values are sorted, and one past the last place.
    pure subroutine count_by(values, first)
+      !> Numbers (n) from 1 to `size(first) - 1`
       integer, intent(in) :: values(:)
+      !> First place of each value, and one past the last (values + 1)
       integer, intent(out) :: first(:)
       integer :: i
 
@@ -173,6 +178,7 @@ contains
    pure subroutine size_grid(extent, largest, n_boxes, grid)
       !> Of all boxes together, and the widest box of the grid [m]
       real(dp), intent(in) :: extent(3), largest
+      !> Number of boxes of the grid
       integer, intent(in) :: n_boxes
       type(grid_t), intent(out) :: grid
       !> Most cells along one direction: their number stays within 64 bits
@@ -191,12 +197,18 @@ contains
 
    !> Counting sort of the boxes of some segments by the entries of the table that their cells are folded onto.
    subroutine fill_grid(members, a, b, reach, pieces, origin, slack, grid)
-      !> The segments
+      !> Indices of the segments of this grid (n)
       integer, intent(in) :: members(:)
-      real(dp), intent(in) :: a(:, :), b(:, :), reach(:)
-      !> Number of pieces of each segment, common origin, and what boxes are larger by [m]
+      !> Ends of the segments (3, n) [m]
+      real(dp), intent(in) :: a(:, :), b(:, :)
+      !> Radius around each segment (n) [m]
+      real(dp), intent(in) :: reach(:)
+      !> Number of pieces that each segment is cut into (n)
       integer, intent(in) :: pieces(:)
-      real(dp), intent(in) :: origin(3), slack
+      !> Common origin of all grids [m]
+      real(dp), intent(in) :: origin(3)
+      !> What boxes are larger by on each side, for single precision [m]
+      real(dp), intent(in) :: slack
       type(grid_t), intent(inout) :: grid
       integer, allocatable :: first(:), place(:)
       real(sp) :: corners(6)
@@ -252,7 +264,10 @@ contains
 
       !> Box around piece k of a segment.
       pure function piece_corners(segment, k) result(corners)
-         integer, intent(in) :: segment, k
+         !> Index of the segment
+         integer, intent(in) :: segment
+         !> Number of the piece, 1 to `pieces(segment)`
+         integer, intent(in) :: k
          real(sp) :: corners(6)
          real(dp) :: p(3), q(3)
 
@@ -269,6 +284,7 @@ contains
    !> Cell of a point, from the common origin, for which it is (1, 1, 1).
    pure function cell_of(grid, point) result(cell)
       type(grid_t), intent(in) :: grid
+      !> Position from the common origin [m]
       real(dp), intent(in) :: point(3)
       integer(int64) :: cell(3)
 
@@ -277,6 +293,7 @@ contains
 
    pure integer(int64) function cell_number(grid, cell)
       type(grid_t), intent(in) :: grid
+      !> Place along x, y, z
       integer(int64), intent(in) :: cell(3)
 
       cell_number = cell(1) + grid%cells(1)*(cell(2) + grid%cells(2)*cell(3))
@@ -285,6 +302,7 @@ contains
    !> Partners of a box within its grid that come later in the order of layers, rows and boxes.
    subroutine visit_own_grid(grid, box, list)
       type(grid_t), intent(in) :: grid
+      !> Index of the box in its grid
       integer, intent(in) :: box
       type(pair_list_t), intent(inout) :: list
       integer(int64) :: own(3), first(3), last(3), j, k
@@ -307,6 +325,7 @@ contains
    subroutine visit_coarser_grid(grid, box, coarser, list)
       !> The box and its grid
       type(grid_t), intent(in) :: grid
+      !> Index of the box in its grid
       integer, intent(in) :: box
       type(grid_t), intent(in) :: coarser
       type(pair_list_t), intent(inout) :: list
@@ -326,10 +345,15 @@ contains
    subroutine visit_row(grid, box, other_grid, range, j, k, from, list)
       !> The box and its grid
       type(grid_t), intent(in) :: grid
+      !> Index of the box in its grid
       integer, intent(in) :: box
       !> Where the row is: cells `range` along x, and their places along y and z
       type(grid_t), intent(in) :: other_grid
-      integer(int64), intent(in) :: range(2), j, k
+      !> First and last cell of the row along x
+      integer(int64), intent(in) :: range(2)
+      !> Place of the row along y and z
+      integer(int64), intent(in) :: j, k
+      !> First box that counts
       integer, intent(in) :: from
       type(pair_list_t), intent(inout) :: list
       integer(int64) :: entry, left, more
@@ -363,6 +387,7 @@ contains
 
    pure subroutine append(list, i, j)
       type(pair_list_t), intent(inout) :: list
+      !> Indices of the two segments, the smaller one first
       integer, intent(in) :: i, j
       integer, allocatable :: larger(:, :)
 
@@ -378,8 +403,10 @@ contains
 
    !> All lists as one, sorted, every pair once: an order that depends neither on the grids nor on the threads.
    subroutine sort_pairs(n_segments, lists, pairs)
+      !> Number of segments
       integer, intent(in) :: n_segments
       type(pair_list_t), intent(in) :: lists(:)
+      !> Indices of the two segments of each pair (2, pairs), the smaller one first
       integer, allocatable, intent(out) :: pairs(:, :)
       integer, allocatable :: start(:), free(:), second(:), kept(:)
       integer :: l, p, i
@@ -426,7 +453,9 @@ contains
 
    !> Insertion sort of a short list that keeps equal values once, at the front.
    pure subroutine sort_once(values, kept)
+      !> Numbers (n). Out: the first `kept` are sorted, each once
       integer, intent(inout) :: values(:)
+      !> Number of different values
       integer, intent(out) :: kept
       integer :: i, k, value
 
@@ -476,6 +505,7 @@ contains
    contains
 
       pure real(dp) function clamp(value)
+         !> Any number
          real(dp), intent(in) :: value
 
          clamp = max(0.0_dp, min(1.0_dp, value))
