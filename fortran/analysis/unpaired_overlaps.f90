@@ -2,7 +2,7 @@
 module litz_unpaired_overlaps
    use litz_kinds, only: dp
    use litz_axis, only: axis_polynomial, axis_sagitta
-   use litz_closest_points, only: segment_distance
+   use litz_straight_segments, only: segment_distance
    use litz_contact_pairs, only: are_joined, find_contact_pair
    use litz_contact_points, only: contact_set_t, pair_geometry
    use litz_contact_search, only: near_segments
