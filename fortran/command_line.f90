@@ -96,6 +96,7 @@ contains
 
    !> Is there a --help behind the command?
    subroutine look_for_help(found)
+      !> .true.: some word behind the command asks for help
       logical, intent(out) :: found
       character(len=:), allocatable :: word
       integer :: i
@@ -108,6 +109,7 @@ contains
    end subroutine look_for_help
 
    function argument(i) result(word)
+      !> Number of the word on the command line
       integer, intent(in) :: i
       character(len=:), allocatable :: word
       integer :: length
@@ -118,6 +120,7 @@ contains
    end function argument
 
    function unknown_command(word) result(error)
+      !> The first word, as the user wrote it
       character(len=*), intent(in) :: word
       type(error_t) :: error
       character(len=:), allocatable :: message, nearest
@@ -146,6 +149,7 @@ contains
       type(command_t), intent(inout) :: command
       !> First argument to read
       integer, intent(inout) :: next
+      !> Options that the command takes (n)
       character(len=*), intent(in) :: allowed(:)
       !> Of the command, for messages
       character(len=*), intent(in) :: name
@@ -168,9 +172,13 @@ contains
    !> `--option value` or `--option=value`
    subroutine read_option(command, word, next, allowed, name, error)
       type(command_t), intent(inout) :: command
+      !> The word of the command line that begins with `-`
       character(len=*), intent(in) :: word
+      !> Number of the next word of the command line; moved past the value of an option
       integer, intent(inout) :: next
+      !> Options that the command takes (n)
       character(len=*), intent(in) :: allowed(:)
+      !> Name of the command, for messages
       character(len=*), intent(in) :: name
       type(error_t), allocatable, intent(out) :: error
       character(len=:), allocatable :: option, value
@@ -217,8 +225,11 @@ contains
    end subroutine read_option
 
    function unknown_option(option, allowed, name) result(error)
+      !> As the user wrote it, without a value
       character(len=*), intent(in) :: option
+      !> Options that the command takes (n)
       character(len=*), intent(in) :: allowed(:)
+      !> Name of the command, for messages
       character(len=*), intent(in) :: name
       type(error_t) :: error
       character(len=:), allocatable :: message, nearest
@@ -236,6 +247,7 @@ contains
    end function unknown_option
 
    subroutine read_solver(value, solver, error)
+      !> Name of the solver as the user wrote it
       character(len=*), intent(in) :: value
       !> A constant of litz_solver_names
       integer, intent(out) :: solver
@@ -253,7 +265,9 @@ contains
    end subroutine read_solver
 
    subroutine read_threads(value, threads, error)
+      !> Number as the user wrote it
       character(len=*), intent(in) :: value
+      !> Number of threads, at least 1; 0 after an error
       integer, intent(out) :: threads
       type(error_t), allocatable, intent(out) :: error
       integer :: status
@@ -268,6 +282,7 @@ contains
    !> `FILE` or `FILE:step:increment`
    subroutine read_restart(command, value)
       type(command_t), intent(inout) :: command
+      !> As the user wrote it
       character(len=*), intent(in) :: value
       integer :: first, second, step, increment, status(2)
 
@@ -289,6 +304,7 @@ contains
    !> `litz keywords`, with a keyword that may be several words and may begin with an asterisk.
    subroutine read_keyword(command, next, error)
       type(command_t), intent(inout) :: command
+      !> Number of the next word of the command line; behind the last one at the end
       integer, intent(inout) :: next
       type(error_t), allocatable, intent(out) :: error
       character(len=:), allocatable :: word
@@ -307,6 +323,7 @@ contains
 
    !> About one command, or about all when it is empty.
    pure function help_text(command) result(text)
+      !> Name of the command, or empty
       character(len=*), intent(in) :: command
       character(len=:), allocatable :: text
       character(len=1), parameter :: nl = new_line('a')

@@ -63,6 +63,7 @@ contains
          type(c_funptr) function c_signal(number, handler) bind(c, name='signal')
             import :: c_int, c_funptr
             implicit none
+            !> Number of the signal
             integer(c_int), value :: number
             type(c_funptr), value :: handler
          end function c_signal
@@ -122,6 +123,7 @@ contains
 
    !> The model of a deck. Warnings are printed; errors end the program.
    subroutine read_model(path, model, warnings)
+      !> The deck file, as the user wrote it
       character(len=*), intent(in) :: path
       type(model_t), intent(out) :: model
       type(error_list_t), intent(out) :: warnings
@@ -178,6 +180,7 @@ contains
    end subroutine print_text
 
    subroutine print_error_text(text)
+      !> Whole lines, each with its end; may be empty
       character(len=*), intent(in) :: text
 
       flush (output_unit)
@@ -193,17 +196,20 @@ contains
    end subroutine end_with
 
    subroutine stop_with(code)
+      !> One of the exit codes of litz_errors; `exit_success` returns
       integer, intent(in) :: code
 
       interface
          subroutine c_exit(status) bind(c, name='exit')
             import :: c_int
             implicit none
+            !> Exit code of the process
             integer(c_int), value :: status
          end subroutine c_exit
          subroutine c_exit_at_once(status) bind(c, name='_exit')
             use, intrinsic :: iso_c_binding, only: c_int
             implicit none
+            !> Exit code of the process
             integer(c_int), value :: status
          end subroutine c_exit_at_once
       end interface

@@ -61,7 +61,8 @@ contains
       continued = len(options%restart_path) > 0
       if (continued) then
          call output%check_continued(options%restart_path, error)
-         call read_restart(options%restart_path, options%restart_step, options%restart_increment, problem, course, error)
+         call read_restart(options%restart_path, options%restart_step, options%restart_increment, problem, course, &
+            error)
          if (allocated(error)) return
       end if
       call add_deck_warnings(options%deck_warnings, problem%warnings)

@@ -14,6 +14,7 @@ MAY_USE = {
     "base": set(),
     "kernels": {"base"},
     "model": {"base"},
+    "deck": {"base", "model"},
     "solvers": {"base"},
     "terms": {"base", "kernels", "model", "solvers"},
     "contact": {"base", "kernels", "model", "solvers", "terms"},
@@ -21,7 +22,7 @@ MAY_USE = {
     "output": {"base", "model", "solvers", "solution"},
     "restart": {"base", "model", "terms", "contact", "solution"},
     "interfaces": {"base", "kernels"},
-    "main": {"base", "model", "solvers", "solution", "output", "restart"},
+    "main": {"base", "model", "deck", "solvers", "solution", "output", "restart"},
 }
 
 

@@ -64,7 +64,9 @@ contains
 
    !> An error without a place in a deck.
    pure function fail(code, message) result(error)
+      !> The exit code that the error leads to, one of `exit_...`
       integer, intent(in) :: code
+      !> What was found and what is allowed, as a sentence without a full stop
       character(len=*), intent(in) :: message
       type(error_t) :: error
 

@@ -17,6 +17,7 @@ contains
 
    pure subroutine append(self, piece)
       class(growing_text_t), intent(inout) :: self
+      !> What the text goes on with; nothing is trimmed
       character(len=*), intent(in) :: piece
       character(len=:), allocatable :: grown
       integer :: capacity

@@ -31,7 +31,9 @@ contains
 
    !> Opens a file for reading.
    subroutine hdf5_open_file(path, file, error)
+      !> Name of the file
       character(len=*), intent(in) :: path
+      !> Identifier of the open file; -1 where it could not be opened
       integer(hid_t), intent(out) :: file
       type(error_t), allocatable, intent(inout) :: error
       character(len=:), allocatable :: reason
@@ -61,6 +63,7 @@ contains
    end subroutine hdf5_open_file
 
    subroutine hdf5_close_input(file)
+      !> In: identifier, or -1 for a file that is not open. Out: -1
       integer(hid_t), intent(inout) :: file
       integer :: ignored
 
@@ -70,6 +73,7 @@ contains
 
    !> There is a group or dataset of this path in the file.
    logical function hdf5_has(file, path)
+      !> Identifier of the open file
       integer(hid_t), intent(in) :: file
       !> `a/b/c`
       character(len=*), intent(in) :: path
@@ -91,8 +95,11 @@ contains
 
    !> Names of the members of a group; none when there is no such group.
    subroutine hdf5_names(file, path, names, error)
+      !> Identifier of the open file
       integer(hid_t), intent(in) :: file
+      !> Path of the group
       character(len=*), intent(in) :: path
+      !> Names (n) in the order of the file's index
       character(len=longest_name), allocatable, intent(out) :: names(:)
       type(error_t), allocatable, intent(inout) :: error
       character(len=longest_name) :: name
@@ -121,10 +128,13 @@ contains
 
    !> A dataset of whole numbers, (rows) in the file or (rows, columns) for more than one column.
    subroutine hdf5_read_integers(file, path, columns, values, error)
+      !> Identifier of the open file
       integer(hid_t), intent(in) :: file
+      !> Place in the file, `a/b/c`
       character(len=*), intent(in) :: path
+      !> Number of columns that the dataset must have
       integer, intent(in) :: columns
-      !> (columns, rows)
+      !> The numbers (columns, rows); not allocated after an error
       integer, allocatable, intent(out) :: values(:, :)
       type(error_t), allocatable, intent(inout) :: error
       integer(int64), allocatable, target :: buffer(:, :)
@@ -152,10 +162,13 @@ contains
 
    !> A dataset of real or whole numbers, (rows) in the file or (rows, columns) for more than one column.
    subroutine hdf5_read_reals(file, path, columns, values, error)
+      !> Identifier of the open file
       integer(hid_t), intent(in) :: file
+      !> Place in the file, `a/b/c`
       character(len=*), intent(in) :: path
+      !> Number of columns that the dataset must have
       integer, intent(in) :: columns
-      !> (columns, rows)
+      !> The numbers (columns, rows); not allocated after an error
       real(dp), allocatable, intent(out) :: values(:, :)
       type(error_t), allocatable, intent(inout) :: error
       real(dp), allocatable, target :: buffer(:, :)
@@ -177,13 +190,19 @@ contains
 
    !> A dataset whose type and shape are what they should be.
    subroutine open_dataset(file, path, columns, classes, noun, dataset, rows, error)
+      !> Identifier of the open file
       integer(hid_t), intent(in) :: file
+      !> Place in the file, `a/b/c`
       character(len=*), intent(in) :: path
+      !> Number of columns that the dataset must have
       integer, intent(in) :: columns
-      !> Classes of types that are taken, and what they are called
+      !> HDF5 classes of number types (n) that are accepted
       integer, intent(in) :: classes(:)
+      !> What the numbers are called in a message
       character(len=*), intent(in) :: noun
+      !> Identifier of the dataset, which the caller closes; closed already after an error
       integer(hid_t), intent(out) :: dataset
+      !> Number of rows; 0 after an error
       integer, intent(out) :: rows
       type(error_t), allocatable, intent(inout) :: error
       integer(hid_t) :: type
@@ -230,7 +249,9 @@ contains
 
    !> Dimensions in Fortran's order: rows last.
    subroutine find_extent(dataset, extent)
+      !> Identifier of the open dataset
       integer(hid_t), intent(in) :: dataset
+      !> Dimensions (rank), rows last
       integer(hsize_t), allocatable, intent(out) :: extent(:)
       integer(hsize_t), allocatable :: largest(:)
       integer(hid_t) :: space
@@ -245,7 +266,9 @@ contains
 
    !> There are data for all rows. Without that, a small file could ask for all of the memory.
    logical function is_written(dataset, extent)
+      !> Identifier of the open dataset
       integer(hid_t), intent(in) :: dataset
+      !> Dimensions (rank), rows last
       integer(hsize_t), intent(in) :: extent(:)
       !> A byte of data holds no more numbers, however they are compressed: more than deflate can reach
       integer(hsize_t), parameter :: most_numbers = 2000
@@ -257,7 +280,9 @@ contains
    end function is_written
 
    pure logical function has_shape(extent, columns)
+      !> Dimensions (rank), rows last
       integer(hsize_t), intent(in) :: extent(:)
+      !> Number of columns that the dataset must have
       integer, intent(in) :: columns
 
       has_shape = size(extent) == merge(1, 2, columns == 1)
@@ -266,6 +291,7 @@ contains
 
    !> As h5py and h5dump show it: rows first.
    pure function shape_words(extent) result(words)
+      !> Dimensions (rank), rows last
       integer(hsize_t), intent(in) :: extent(:)
       character(len=:), allocatable :: words
       character(len=20) :: number
@@ -281,6 +307,7 @@ contains
    end function shape_words
 
    pure function wanted_words(columns) result(words)
+      !> Number of columns that the dataset must have
       integer, intent(in) :: columns
       character(len=:), allocatable :: words
 

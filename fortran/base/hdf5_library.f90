@@ -12,7 +12,9 @@ module litz_hdf5_library
       integer(c_int) function c_setenv(name, value, overwrite) bind(c, name='setenv')
          import :: c_char, c_int
          implicit none
+         !> Name of the variable and its value, each ended by a null character
          character(kind=c_char), intent(in) :: name(*), value(*)
+         !> 0: a value that is there already stays
          integer(c_int), value :: overwrite
       end function c_setenv
    end interface

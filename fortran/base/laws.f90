@@ -64,6 +64,7 @@ contains
 
    !> Whether a law needs the Hertz ellipse; false for numbers that are none.
    pure logical function spot_law_uses_ellipse(law) result(uses)
+      !> One of `spot_...`, or any other number
       integer, intent(in) :: law
 
       uses = .false.

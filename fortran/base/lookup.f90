@@ -42,8 +42,9 @@ contains
    !> Store `key -> index`; the key must be new.
    pure subroutine id_map_put(self, key, index)
       class(id_map_t), intent(inout) :: self
+      !> A number of the user's
       integer, intent(in) :: key
-      !> Positive
+      !> What `get` will return for the key, positive
       integer, intent(in) :: index
       integer :: slot
 
@@ -61,6 +62,7 @@ contains
    !> Index of a key, 0 when it is not there.
    pure integer function id_map_get(self, key) result(index)
       class(id_map_t), intent(in) :: self
+      !> A number of the user's
       integer, intent(in) :: key
 
       index = 0
@@ -70,6 +72,7 @@ contains
    !> The slot that holds the key, or the free one where it belongs.
    pure integer function slot_of(self, key) result(slot)
       class(id_map_t), intent(in) :: self
+      !> A number of the user's
       integer, intent(in) :: key
 
       slot = int(iand(hash(int(key, int64)), int(size(self%key) - 1, int64)))
@@ -97,6 +100,7 @@ contains
 
    !> Bits mixed so that ids in steps of any size spread evenly. Source: xorshift with shifts 13 and 7, folded.
    pure integer(int64) function hash(key)
+      !> Any number
       integer(int64), intent(in) :: key
 
       hash = ieor(key, shiftl(key, 13))
@@ -107,7 +111,9 @@ contains
    !> Index of a name, which is added when it is new.
    pure subroutine name_map_put(self, name, index)
       class(name_map_t), intent(inout) :: self
+      !> A name, compared letter by letter: the case matters
       character(len=*), intent(in) :: name
+      !> Place of the name in the order of the `put`s, from 1
       integer, intent(out) :: index
       type(entry_t), allocatable :: grown(:)
       integer :: slot, i
@@ -141,6 +147,7 @@ contains
    !> Index of a name, 0 when it is not there.
    pure integer function name_map_get(self, name) result(index)
       class(name_map_t), intent(in) :: self
+      !> A name, compared letter by letter: the case matters
       character(len=*), intent(in) :: name
 
       index = 0
@@ -149,6 +156,7 @@ contains
 
    pure function name_map_name(self, index) result(name)
       class(name_map_t), intent(in) :: self
+      !> Place of the name, 1 to `n`
       integer, intent(in) :: index
       character(len=:), allocatable :: name
 
@@ -158,6 +166,7 @@ contains
    !> What else may have been meant, as the end of a sentence: the nearest name, or all when they are few.
    pure function name_map_hint(self, name) result(hint)
       class(name_map_t), intent(in) :: self
+      !> The name that was not found
       character(len=*), intent(in) :: name
       character(len=:), allocatable :: hint
       character(len=longest_hint) :: names(self%n)
@@ -178,6 +187,7 @@ contains
 
    pure integer function name_slot(self, name) result(slot)
       class(name_map_t), intent(in) :: self
+      !> A name, compared letter by letter: the case matters
       character(len=*), intent(in) :: name
       integer(int64) :: code
       integer :: i

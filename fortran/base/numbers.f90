@@ -25,7 +25,9 @@ contains
    pure subroutine parse_integer(text, value, status)
       !> Without blanks around it
       character(len=*), intent(in) :: text
+      !> The number; 0 unless `status` is `number_ok`
       integer, intent(out) :: value
+      !> `number_ok`, or why the text is no number: one of `number_...`
       integer, intent(out) :: status
       integer(int64) :: magnitude
       integer :: i, first
@@ -51,7 +53,9 @@ contains
    pure subroutine parse_real(text, value, status)
       !> Without blanks around it; `1`, `-.5`, `2.e3`, `1.5d-3`
       character(len=*), intent(in) :: text
+      !> The number; 0 where the text is none
       real(dp), intent(out) :: value
+      !> `number_ok`, or why the text is no number: one of `number_...`
       integer, intent(out) :: status
       integer(int64) :: mantissa
       integer :: exponent, n_digits
@@ -73,12 +77,16 @@ contains
 
    !> Digits and exponent of a decimal number `mantissa * 10^exponent`.
    pure subroutine split_number(text, mantissa, exponent, n_digits, status)
+      !> Without blanks around it
       character(len=*), intent(in) :: text
+      !> The first `max_digits` digits as one number, without the sign
       integer(int64), intent(out) :: mantissa
+      !> Power of ten that belongs to the complete digits
       integer, intent(out) :: exponent
       !> Digits from the first that is not zero on; 0: the number is zero; more than `most_digits`: `mantissa` is not
       !> complete
       integer, intent(out) :: n_digits
+      !> `number_ok`, or why the text is no number: one of `number_...`
       integer, intent(out) :: status
       integer :: i, n_all, after_point
       logical :: point
@@ -117,10 +125,13 @@ contains
    end subroutine split_number
 
    pure subroutine read_exponent(text, first, exponent, status)
+      !> The whole number with its exponent
       character(len=*), intent(in) :: text
       !> Where the exponent letter should be
       integer, intent(in) :: first
+      !> With its sign; 0 unless `status` is `number_ok`
       integer, intent(out) :: exponent
+      !> `number_ok`, or why the text is no number: one of `number_...`
       integer, intent(out) :: status
       integer :: i, start
 
@@ -138,10 +149,13 @@ contains
    end subroutine read_exponent
 
    pure subroutine parse_long_real(text, magnitude, value, status)
+      !> A decimal number in good form
       character(len=*), intent(in) :: text
       !> The number is below `10^magnitude` and at least a tenth of it
       integer, intent(in) :: magnitude
+      !> The number, correctly rounded; meaningless unless `status` is `number_ok`
       real(dp), intent(out) :: value
+      !> `number_ok`, or why the text is no number: one of `number_...`
       integer, intent(out) :: status
       character(len=16) :: form
       integer :: iostat
@@ -161,7 +175,9 @@ contains
 
    !> First position behind an optional sign at `first`.
    pure integer function after_sign(text, first) result(position)
+      !> Without blanks around it
       character(len=*), intent(in) :: text
+      !> Position of the optional sign, 1 to one beyond the text
       integer, intent(in) :: first
 
       position = first
@@ -170,12 +186,14 @@ contains
    end function after_sign
 
    pure logical function is_digit(character)
+      !> The character to be judged
       character(len=1), intent(in) :: character
 
       is_digit = character >= '0' .and. character <= '9'
    end function is_digit
 
    pure logical function is_not_finite(text)
+      !> A number without its sign, or anything else
       character(len=*), intent(in) :: text
 
       select case (text)

@@ -15,6 +15,7 @@ contains
 
    !> Within a parallel region: this thread is the one that writes the rows of a node.
    logical function owned(node)
+      !> Index of a node
       integer, intent(in) :: node
 
       owned = .true.

@@ -15,6 +15,7 @@ module litz_path_kind
       integer(c_int) function c_path_kind(path) bind(c, name='litz_kind_of_path')
          import :: c_char, c_int
          implicit none
+         !> Ended by a null character
          character(kind=c_char), intent(in) :: path(*)
       end function c_path_kind
    end interface
@@ -23,6 +24,7 @@ contains
 
    !> Why what is there is not read, as the end of a sentence; empty for a regular file, and where there is nothing.
    function why_not_read(path) result(reason)
+      !> Any path; blanks at its end do not count
       character(len=*), intent(in) :: path
       character(len=:), allocatable :: reason
       character(len=*), parameter :: advice = ', not a regular file; write its content to a file and name that'

@@ -20,6 +20,7 @@ module litz_rotations
 contains
 
    pure function cross(a, b) result(c)
+      !> The factors, in their order
       real(dp), intent(in) :: a(3), b(3)
       real(dp) :: c(3)
 
@@ -28,6 +29,7 @@ contains
 
    !> The matrix `a^` with `a^ b = a x b`.
    pure function skew(a) result(s)
+      !> Axial vector of the matrix
       real(dp), intent(in) :: a(3)
       real(dp) :: s(3, 3)
 
@@ -37,6 +39,7 @@ contains
    end function skew
 
    pure function outer(a, b) result(c)
+      !> The factors: `a` gives the rows, `b` the columns
       real(dp), intent(in) :: a(3), b(3)
       real(dp) :: c(3, 3)
 
@@ -50,8 +53,12 @@ contains
    !>
    !> `c1 = sin a/a`, `c2 = (1 - cos a)/a^2`, `c3 = (a - sin a)/a^3`.
    pure subroutine rotation_coefficients(angle, c1, c2, c3, d2, d3)
+      !> Length of the rotation vector [rad], not negative
       real(dp), intent(in) :: angle
-      real(dp), intent(out) :: c1, c2, c3, d2, d3
+      !> The coefficients of `exp` and `T`
+      real(dp), intent(out) :: c1, c2, c3
+      !> Derivatives of `c2` and `c3` with respect to the angle, divided by it [1/rad^2]
+      real(dp), intent(out) :: d2, d3
       real(dp) :: q
 
       q = angle*angle
@@ -72,6 +79,7 @@ contains
 
    !> Rotation matrix of a rotation vector [rad]. Source: Euler-Rodrigues formula.
    pure function rotation_exp(v) result(r)
+      !> Rotation vector [rad] in global axes
       real(dp), intent(in) :: v(3)
       real(dp) :: r(3, 3)
       real(dp) :: c1, c2, c3, d2, d3
@@ -85,7 +93,10 @@ contains
 
    !> The rotation vector of a matrix that is nearest to a given one, so that it goes on past pi.
    pure function nearest_rotation_vector(rotation, reference) result(vector)
-      real(dp), intent(in) :: rotation(3, 3), reference(3)
+      !> Rotation matrix
+      real(dp), intent(in) :: rotation(3, 3)
+      !> Rotation vector [rad] to be near to, such as that of the step before
+      real(dp), intent(in) :: reference(3)
       real(dp) :: vector(3)
       real(dp) :: angle, axis(3)
 
@@ -106,6 +117,7 @@ contains
    !> Goes through the unit quaternion of largest component (Spurrier's choice), so that it is accurate to round-off
    !> for every angle.
    pure function rotation_log(r) result(v)
+      !> Rotation matrix: orthogonal, with determinant 1
       real(dp), intent(in) :: r(3, 3)
       real(dp) :: v(3)
       real(dp) :: trace, q0, q(3), length
@@ -140,6 +152,7 @@ contains
    !>
    !> Source: `d exp(v) = (T(v) dv)^ exp(v)`, with `T = 1 + c2 v^ + c3 v^ v^`.
    pure function spin_tangent(v) result(t)
+      !> Rotation vector [rad]
       real(dp), intent(in) :: v(3)
       real(dp) :: t(3, 3)
       real(dp) :: c1, c2, c3, d2, d3
@@ -152,7 +165,10 @@ contains
    !>
    !> At `v = 0` this is `m^/2`, which turns the spin form of a tangent into the symmetric Hessian of an energy.
    pure function spin_tangent_transpose_derivative(v, m) result(d)
-      real(dp), intent(in) :: v(3), m(3)
+      !> Rotation vector [rad]
+      real(dp), intent(in) :: v(3)
+      !> Moment [N m] that is held fixed
+      real(dp), intent(in) :: m(3)
       real(dp) :: d(3, 3)
       real(dp) :: c1, c2, c3, d2, d3, vxm(3)
 

@@ -62,6 +62,7 @@ contains
    !> The increment that the warnings to come belong to; 0, 0: the start of the run.
    pure subroutine warnings_set_place(self, step, increment, time)
       class(run_warnings_t), intent(inout) :: self
+      !> Numbers of the step and of the increment in it
       integer, intent(in) :: step, increment
       !> Total time [s]
       real(dp), intent(in) :: time
@@ -79,9 +80,11 @@ contains
       character(len=*), intent(in) :: message
       !> The user's numbers of one or two elements that it is about
       integer, intent(in), optional :: elements(:)
-      !> How bad it is, with a unit such as `degrees`
+      !> How bad it is
       real(dp), intent(in), optional :: value
+      !> Unit of `value`, such as `degrees`
       character(len=*), intent(in), optional :: unit
+      !> .true.: of repeated warnings the smallest value is kept, not the largest
       logical, intent(in), optional :: smaller_is_worse
       type(run_warning_t) :: new
       logical :: downwards
@@ -109,6 +112,7 @@ contains
 
    !> A message is a line of a table: what would end it becomes a blank.
    pure function one_line(text) result(line)
+      !> A message of any length
       character(len=*), intent(in) :: text
       character(len=:), allocatable :: line
       integer :: i
@@ -194,6 +198,7 @@ contains
 
    !> Step and increment as `litz run --restart` takes them.
    pure function place_words(place) result(words)
+      !> Step and increment; 0, 0: the start of the run
       integer, intent(in) :: place(2)
       character(len=:), allocatable :: words
 
@@ -292,6 +297,7 @@ contains
 
       !> What comes before the next mark.
       function next_word(mark) result(word)
+         !> The character that ends the word
          character(len=1), intent(in) :: mark
          character(len=:), allocatable :: word
          integer :: length

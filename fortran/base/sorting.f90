@@ -8,6 +8,7 @@ contains
 
    !> Ascending, in place. Source: heap sort (Williams 1964), O(n log n) in the worst case.
    pure subroutine sort_integers(values)
+      !> Numbers (n); equal ones are kept
       integer, intent(inout) :: values(:)
       integer :: i, n, largest
 
@@ -25,8 +26,12 @@ contains
 
    !> Let the value at `root` sink into the heap of the first `n` values.
    pure subroutine sift_down(values, root, n)
+      !> Numbers (at least n); below `root` they are a heap already: no child is larger than its parent
       integer, intent(inout) :: values(:)
-      integer, intent(in) :: root, n
+      !> Place of the number that sinks
+      integer, intent(in) :: root
+      !> Length of the heap
+      integer, intent(in) :: n
       integer :: parent, child, sinking
 
       sinking = values(root)

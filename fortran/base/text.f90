@@ -18,6 +18,7 @@ module litz_text
 contains
 
    pure function upper(text) result(capitals)
+      !> Letters beyond ASCII stay as they are
       character(len=*), intent(in) :: text
       character(len=len(text)) :: capitals
       integer :: i
@@ -33,6 +34,7 @@ contains
 
    !> Capitals without any blank: the form in which keywords and choices are compared.
    pure function squeezed(text) result(word)
+      !> A keyword or a choice as the user wrote it
       character(len=*), intent(in) :: text
       character(len=:), allocatable :: word
       integer, parameter :: tabulator = 9, blank = 32
@@ -50,6 +52,7 @@ contains
    end function squeezed
 
    pure function integer_to_text(number) result(text)
+      !> Any integer
       integer, intent(in) :: number
       character(len=:), allocatable :: text
       character(len=12) :: buffer
@@ -60,6 +63,7 @@ contains
 
    !> At most six significant digits, without padding: 0.001, 1.2e+11, 384.6
    pure function real_to_text(number) result(text)
+      !> Any real number, infinities included
       real(dp), intent(in) :: number
       character(len=:), allocatable :: text
       character(len=24) :: buffer, form
@@ -87,6 +91,7 @@ contains
 
    !> Without the zeros behind the point, and without the point when nothing is left behind it.
    pure function without_trailing_zeros(digits) result(text)
+      !> A decimal number without an exponent
       character(len=*), intent(in) :: digits
       character(len=:), allocatable :: text
       integer :: last
@@ -103,6 +108,7 @@ contains
 
    !> The user's text in quotes, fit for a message: one line, no control characters, not too long.
    pure function shown(text) result(quoted)
+      !> As the user wrote it
       character(len=*), intent(in) :: text
       character(len=:), allocatable :: quoted
       integer :: i
@@ -117,7 +123,9 @@ contains
 
    !> `1 node`, `2 nodes`
    pure function plural(number, noun) result(text)
+      !> How many there are
       integer, intent(in) :: number
+      !> In the singular; its plural must end in `s`
       character(len=*), intent(in) :: noun
       character(len=:), allocatable :: text
 
@@ -127,6 +135,7 @@ contains
 
    !> Split `A|B|C` into words.
    pure function words_of(list) result(words)
+      !> The words with bars between them; blanks around a word do not count
       character(len=*), intent(in) :: list
       character(len=word_length), allocatable :: words(:)
       integer :: i, first, last, n
@@ -145,7 +154,9 @@ contains
 
    !> `A, B or C`
    pure function join_words(words, conjunction) result(text)
+      !> The words (n); blanks at their ends do not count
       character(len=*), intent(in) :: words(:)
+      !> What stands before the last word: `and`, `or`
       character(len=*), intent(in) :: conjunction
       character(len=:), allocatable :: text
       integer :: i
@@ -163,7 +174,9 @@ contains
 
    !> Lines of at most `width` columns, each ended by a new-line character.
    pure function wrapped(text, width, indent) result(lines)
+      !> One line of words
       character(len=*), intent(in) :: text
+      !> Most columns of a line
       integer, intent(in) :: width
       !> Blanks before the second and later lines
       integer, intent(in) :: indent
@@ -185,7 +198,9 @@ contains
 
    !> The word that was probably meant, or an empty string when none is near.
    pure function nearest_word(word, candidates) result(nearest)
+      !> As the user wrote it
       character(len=*), intent(in) :: word
+      !> The words (n) that are allowed
       character(len=*), intent(in) :: candidates(:)
       character(len=:), allocatable :: nearest
       integer :: i, distance, best
@@ -206,6 +221,7 @@ contains
    !> Fewest insertions, deletions, substitutions and swaps of neighbours that turn `a` into `b`.
    !> Source: optimal string alignment distance (restricted Damerau-Levenshtein).
    pure integer function edit_distance(a, b) result(distance)
+      !> The two words
       character(len=*), intent(in) :: a, b
       integer :: d(0:len(a), 0:len(b)), i, j
 
@@ -223,6 +239,7 @@ contains
 
       !> Cost when the last two letters have changed places.
       pure integer function swapped(last_a, last_b)
+         !> Position of the last letter of the parts of `a` and `b` that are compared, both at least 2
          integer, intent(in) :: last_a, last_b
 
          swapped = huge(swapped)

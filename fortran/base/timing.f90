@@ -38,6 +38,7 @@ contains
    !> Charge the time since the last lap to a phase.
    subroutine timing_lap(self, phase)
       class(timing_t), intent(inout) :: self
+      !> One of `phase_...`
       integer, intent(in) :: phase
       integer(int64) :: now, rate
 
@@ -57,6 +58,7 @@ contains
    !> A line per phase: seconds, share of the whole, seconds per iteration.
    pure function timing_table(self, n_iterations) result(table)
       class(timing_t), intent(in) :: self
+      !> Number of Newton iterations of the run; 0 counts as 1
       integer, intent(in) :: n_iterations
       character(len=:), allocatable :: table
       character(len=80) :: line

@@ -20,6 +20,7 @@ contains
    !> The label of a unit that is written in SI: `N m` is `mN mm` where the labels are mN and mm.
    pure function label(self, unit) result(text)
       class(unit_labels_t), intent(in) :: self
+      !> Unit in SI, symbols joined by blanks, `/`, `^` and digits: `N m`, `A/mm^2`
       character(len=*), intent(in) :: unit
       character(len=:), allocatable :: text
       integer :: first, i
@@ -37,6 +38,7 @@ contains
    end function label
 
    pure logical function is_letter(character)
+      !> The character to be judged
       character(len=1), intent(in) :: character
 
       is_letter = (character >= 'a' .and. character <= 'z') .or. (character >= 'A' .and. character <= 'Z')
@@ -45,6 +47,7 @@ contains
    !> The label of one symbol; of a derived one the product that it stands for, unless its factors are SI.
    pure function symbol(self, si) result(text)
       type(unit_labels_t), intent(in) :: self
+      !> Symbol of one SI unit, or any other word, which stays as it is
       character(len=*), intent(in) :: si
       character(len=:), allocatable :: text
       logical :: mechanical, electrical
@@ -82,6 +85,7 @@ contains
    !> columns keep their place.
    pure function in_header(self, header) result(text)
       class(unit_labels_t), intent(in) :: self
+      !> Heads of columns, with units in SI between brackets
       character(len=*), intent(in) :: header
       character(len=:), allocatable :: text, new
       integer :: at, left, right, cell, grown

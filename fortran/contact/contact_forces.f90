@@ -9,7 +9,7 @@ module litz_contact_forces
    use litz_contact_electricity, only: contact_electricity_t, contact_electricity, coupling_tangent
    use litz_contact_mechanics, only: contact_mechanics, form_hessian
    use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry, clearance_of
-   use litz_contact_spot, only: contact_spot_of_ellipse
+   use litz_contact_spot, only: contact_spot_t, contact_spot_of_ellipse
    use litz_element_library, only: elements_t
    use litz_equations, only: equations_t
    use litz_friction_forces, only: add_friction
@@ -206,7 +206,8 @@ contains
          integer, intent(in) :: nodes_p(4)
          real(dp), intent(in) :: radius(2), young(2), poisson(2), resistivity(2), dforce_dgap, dforce_dangle
          real(dp), intent(inout) :: k_ee_p(4, 4), r_e_p(4), k_me_p(4, 24)
-         real(dp) :: approach, dg_dforce, dg_dangle, series(2), spot_force, dspot_force
+         real(dp) :: dg_dforce, series(2), spot_force, dspot_force
+         type(contact_spot_t) :: spot
          type(contact_electricity_t) :: electricity
          integer :: info, pair(2)
 
@@ -222,14 +223,16 @@ contains
                spot_force = point%history%largest_force
             end if
             call contact_spot_of_ellipse(law%spot_law, spot_force, radius, young, poisson, resistivity, &
-               point%ellipse, law%spot_value, law%table_force, law%table_resistance, point%semi_major, &
-               point%semi_minor, approach, point%conductance, dg_dforce, dg_dangle, info)
-            dg_dforce = dg_dforce*dspot_force
+               point%ellipse, law%spot_value, law%table_force, law%table_resistance, spot, info)
+            point%semi_major = spot%semi_major
+            point%semi_minor = spot%semi_minor
+            point%conductance = spot%conductance
+            dg_dforce = spot%dconductance_dforce*dspot_force
             series = 0
             if (law%voltage_correction) series = resistivity*elements%length(pair)/(4*elements%area(pair))
          end associate
          call contact_electricity(point%kinematics, iterate%potential(nodes_p), point%conductance, &
-            dg_dforce*dforce_dgap, dg_dangle + dg_dforce*dforce_dangle, series, electricity)
+            dg_dforce*dforce_dgap, spot%dconductance_dangle + dg_dforce*dforce_dangle, series, electricity)
          point%current = electricity%current
          point%series_resistance = series
          point%heat_inside = point%current**2*series*(1 - [point%xi_bar, point%xi]**2)

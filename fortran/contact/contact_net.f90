@@ -6,7 +6,8 @@
 module litz_contact_net
    use litz_kinds, only: dp
    use litz_axis, only: axis_polynomial, axis_sagitta, axis_shape, on_axis
-   use litz_closest_points, only: local_minima, max_minima, segment_distance
+   use litz_closest_points, only: local_minima, max_minima
+   use litz_straight_segments, only: segment_distance
    use litz_contact_findings, only: finding_t, worse_of, finding_none, finding_deep, finding_missed, finding_second, &
       finding_joined, finding_end, finding_kink, finding_line, finding_passed
    use litz_contact_joints, only: path_between, lead_apart, walk_along, joint_radii

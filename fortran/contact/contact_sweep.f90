@@ -8,7 +8,7 @@
 module litz_contact_sweep
    use litz_kinds, only: dp
    use litz_axis, only: axis_polynomial, axis_sagitta
-   use litz_closest_points, only: segment_distance
+   use litz_straight_segments, only: segment_distance
    use litz_contact_findings, only: finding_t, worse_of, finding_none, finding_passed, finding_turned
    use litz_contact_joints, only: path_between, lead_apart, joint_radii
    use litz_contact_path, only: contact_path_t

@@ -1,7 +1,7 @@
 !> Wires that lie side by side: they touch along a line, which point contact does not describe.
 module litz_parallel_wires
    use litz_kinds, only: dp, pi
-   use litz_closest_points, only: segment_distance
+   use litz_straight_segments, only: segment_distance
    use litz_contact_points, only: contact_set_t
    use litz_element_library, only: elements_t
    use litz_model, only: model_t

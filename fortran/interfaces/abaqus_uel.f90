@@ -12,8 +12,34 @@ subroutine uel(rhs, amatrx, svars, energy, ndofel, nrhs, nsvars, props, nprops, 
    use litz_kinds, only: dp
    use litz_user_element, only: user_contact, n_history, history_energy, contact_active
    implicit none
-   integer, intent(in) :: ndofel, nrhs, nsvars, nprops, mcrd, nnode, jtype, kstep, kinc, jelem, ndload, npredf, &
-      mlvarx, mdload, njprop
+   !> Number of unknowns: 28
+   integer, intent(in) :: ndofel
+   !> Number of right-hand sides
+   integer, intent(in) :: nrhs
+   !> Number of entries of `svars`
+   integer, intent(in) :: nsvars
+   !> Number of real properties
+   integer, intent(in) :: nprops
+   !> Number of coordinates of a node
+   integer, intent(in) :: mcrd
+   !> Number of nodes: 4
+   integer, intent(in) :: nnode
+   !> Number of the type of element
+   integer, intent(in) :: jtype
+   !> Numbers of the step and of the increment
+   integer, intent(in) :: kstep, kinc
+   !> Number of the element
+   integer, intent(in) :: jelem
+   !> Number of the distributed load
+   integer, intent(in) :: ndload
+   !> Number of predefined fields
+   integer, intent(in) :: npredf
+   !> Rows of `rhs` and `du`
+   integer, intent(in) :: mlvarx
+   !> Number of distributed loads on the element
+   integer, intent(in) :: mdload
+   !> Number of integer properties
+   integer, intent(in) :: njprop
    !> Right-hand side: minus the residual
    real(dp), intent(inout) :: rhs(mlvarx, *)
    !> Tangent: minus the derivative of the right-hand side
@@ -22,10 +48,34 @@ subroutine uel(rhs, amatrx, svars, energy, ndofel, nrhs, nsvars, props, nprops, 
    real(dp), intent(inout) :: svars(*)
    !> (2): elastic energy
    real(dp), intent(inout) :: energy(8)
-   real(dp), intent(in) :: props(nprops), coords(mcrd, nnode), u(ndofel), du(mlvarx, *), v(ndofel), a(ndofel)
-   real(dp), intent(in) :: time(2), dtime, params(*), adlmag(mdload, *), ddlmag(mdload, *), predef(2, npredf, nnode), &
-      period
-   integer, intent(in) :: jdltyp(mdload, *), lflags(*), jprops(njprop)
+   !> Real properties (nprops), see litz_user_element
+   real(dp), intent(in) :: props(nprops)
+   !> Positions of the nodes before loading (mcrd, nnode) [m]
+   real(dp), intent(in) :: coords(mcrd, nnode)
+   !> Displacements [m], rotation vectors [rad] and voltages [V] (ndofel), all of them totals
+   real(dp), intent(in) :: u(ndofel)
+   !> Their increments (mlvarx, nrhs)
+   real(dp), intent(in) :: du(mlvarx, *)
+   !> Rates of the unknowns (ndofel), first and second
+   real(dp), intent(in) :: v(ndofel), a(ndofel)
+   !> Time in the step and in all (2) [s]
+   real(dp), intent(in) :: time(2)
+   !> Time of the increment [s]
+   real(dp), intent(in) :: dtime
+   !> Parameters of the time integration
+   real(dp), intent(in) :: params(*)
+   !> Distributed loads (mdload, nrhs) and their increments
+   real(dp), intent(in) :: adlmag(mdload, *), ddlmag(mdload, *)
+   !> Predefined fields (2, npredf, nnode)
+   real(dp), intent(in) :: predef(2, npredf, nnode)
+   !> Time of the step [s]
+   real(dp), intent(in) :: period
+   !> Types of the distributed loads (mdload, nrhs)
+   integer, intent(in) :: jdltyp(mdload, *)
+   !> What kind of step it is, and what is asked for
+   integer, intent(in) :: lflags(*)
+   !> Integer properties (njprop): the options of litz_user_element
+   integer, intent(in) :: jprops(njprop)
    !> Below 1: the increment is to be tried again, that much shorter
    real(dp), intent(inout) :: pnewdt
    !> lflags(3): what is asked for

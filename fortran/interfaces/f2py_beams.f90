@@ -14,9 +14,36 @@ contains
 
    subroutine beam_b31(x, triads, x0, triads0, stiffness, sigma, given_sigma, spin, &
          k, r, energy, section_forces, strain, b, length)
-      real(c_double), intent(in) :: x(3, 2), triads(3, 3, 2), x0(3, 2), triads0(3, 3, 2), stiffness(6), sigma(6)
-      logical, intent(in) :: given_sigma, spin
-      real(c_double), intent(out) :: k(12, 12), r(12), energy, section_forces(6), strain(6), b(6, 12), length
+      !> Present positions of the nodes (3, 2) [m]
+      real(c_double), intent(in) :: x(3, 2)
+      !> Present triads of the nodes (3, 3, 2): columns tangent, first, second section axis
+      real(c_double), intent(in) :: triads(3, 3, 2)
+      !> Stress-free positions of the nodes (3, 2) [m]
+      real(c_double), intent(in) :: x0(3, 2)
+      !> Stress-free triads of the nodes (3, 3, 2)
+      real(c_double), intent(in) :: triads0(3, 3, 2)
+      !> EA, GA2, GA3 [N], GJ, EI2, EI3 [N m^2]
+      real(c_double), intent(in) :: stiffness(6)
+      !> Section forces (6) [N, N m] for the geometric part of the tangent
+      real(c_double), intent(in) :: sigma(6)
+      !> .true.: `sigma` counts; .false.: those of the present state do
+      logical, intent(in) :: given_sigma
+      !> .true.: tangent in the spin form; .false.: in the Hessian form
+      logical, intent(in) :: spin
+      !> Tangent (12, 12) [N/m, N, N m]
+      real(c_double), intent(out) :: k(12, 12)
+      !> Residual (12) [N, N m]
+      real(c_double), intent(out) :: r(12)
+      !> Elastic energy [J]
+      real(c_double), intent(out) :: energy
+      !> N, Q2, Q3 [N], T, M2, M3 [N m]
+      real(c_double), intent(out) :: section_forces(6)
+      !> Strains that belong to the section forces (6) [-, 1/m]
+      real(c_double), intent(out) :: strain(6)
+      !> Derivatives of the strains with respect to the unknowns (6, 12)
+      real(c_double), intent(out) :: b(6, 12)
+      !> Reference length [m]
+      real(c_double), intent(out) :: length
       real(c_double) :: strain0(6)
 
       call b31_reference(x0, triads0, length, strain0)
@@ -30,9 +57,36 @@ contains
 
    subroutine beam_b33(x, triads, x0, triads0, stiffness, sigma, given_sigma, spin, &
          k, r, energy, section_forces, strain, b, length)
-      real(c_double), intent(in) :: x(3, 2), triads(3, 3, 2), x0(3, 2), triads0(3, 3, 2), stiffness(6), sigma(6)
-      logical, intent(in) :: given_sigma, spin
-      real(c_double), intent(out) :: k(12, 12), r(12), energy, section_forces(6), strain(6), b(6, 12), length
+      !> Present positions of the nodes (3, 2) [m]
+      real(c_double), intent(in) :: x(3, 2)
+      !> Present triads of the nodes (3, 3, 2): columns tangent, first, second section axis
+      real(c_double), intent(in) :: triads(3, 3, 2)
+      !> Stress-free positions of the nodes (3, 2) [m]
+      real(c_double), intent(in) :: x0(3, 2)
+      !> Stress-free triads of the nodes (3, 3, 2)
+      real(c_double), intent(in) :: triads0(3, 3, 2)
+      !> EA, GA2, GA3 [N], GJ, EI2, EI3 [N m^2]
+      real(c_double), intent(in) :: stiffness(6)
+      !> Section forces (6) [N, N m] for the geometric part of the tangent
+      real(c_double), intent(in) :: sigma(6)
+      !> .true.: `sigma` counts; .false.: those of the present state do
+      logical, intent(in) :: given_sigma
+      !> .true.: tangent in the spin form; .false.: in the Hessian form
+      logical, intent(in) :: spin
+      !> Tangent (12, 12) [N/m, N, N m]
+      real(c_double), intent(out) :: k(12, 12)
+      !> Residual (12) [N, N m]
+      real(c_double), intent(out) :: r(12)
+      !> Elastic energy [J]
+      real(c_double), intent(out) :: energy
+      !> N, Q2, Q3 [N], T, M2, M3 [N m]
+      real(c_double), intent(out) :: section_forces(6)
+      !> Strains that belong to the section forces (6) [-, 1/m]
+      real(c_double), intent(out) :: strain(6)
+      !> Derivatives of the strains with respect to the unknowns (6, 12)
+      real(c_double), intent(out) :: b(6, 12)
+      !> Reference length [m]
+      real(c_double), intent(out) :: length
       real(c_double) :: strain0(6)
 
       call b33_reference(x0, triads0, length, strain0)
@@ -45,16 +99,42 @@ contains
    end subroutine beam_b33
 
    subroutine conductor(x, v, length, area, resistivity, current_length, k, r, k_me, current, heat)
-      real(c_double), intent(in) :: x(3, 2), v(2), length, area, resistivity
+      !> Present positions of the nodes (3, 2) [m]
+      real(c_double), intent(in) :: x(3, 2)
+      !> Voltages of the nodes (2) [V]
+      real(c_double), intent(in) :: v(2)
+      !> Reference length [m]
+      real(c_double), intent(in) :: length
+      !> Cross-section [m^2]
+      real(c_double), intent(in) :: area
+      !> Resistivity [ohm m]
+      real(c_double), intent(in) :: resistivity
+      !> .true.: conduction over the present length
       logical, intent(in) :: current_length
-      real(c_double), intent(out) :: k(2, 2), r(2), k_me(2, 6), current, heat
+      !> Derivatives of the residual with respect to the voltages (2, 2) [S]
+      real(c_double), intent(out) :: k(2, 2)
+      !> Currents that leave the nodes (2) [A]
+      real(c_double), intent(out) :: r(2)
+      !> Derivatives of the residual with respect to the positions (2, 6) [A/m]
+      real(c_double), intent(out) :: k_me(2, 6)
+      !> Current from node 1 to node 2 [A]
+      real(c_double), intent(out) :: current
+      !> Joule heat [W]
+      real(c_double), intent(out) :: heat
 
       call core_conductor(x, v, length, area, resistivity, current_length, k, r, k_me, current, heat)
    end subroutine conductor
 
    subroutine potential_rise(n, scale, xi, current, rise)
+      !> Number of contacts on the element
       integer(c_int), intent(in) :: n
-      real(c_double), intent(in) :: scale, xi(n), current(n)
+      !> Resistivity times length over 4 areas [ohm]
+      real(c_double), intent(in) :: scale
+      !> Places of the contacts (n)
+      real(c_double), intent(in) :: xi(n)
+      !> Currents that enter there (n) [A]
+      real(c_double), intent(in) :: current(n)
+      !> Rise of the potential above the linear one at each contact (n) [V]
       real(c_double), intent(out) :: rise(n)
 
       call core_potential_rise(scale, xi, current, rise)

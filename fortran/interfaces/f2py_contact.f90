@@ -4,10 +4,11 @@ module f2py_contact
    use iso_c_binding, only: c_double, c_int
    use litz_elliptic, only: elliptic_t, elliptic_integrals, elliptic_integrals_complementary
    use litz_laws, only: spot_laws
-   use litz_contact_spot, only: core_contact_spot => contact_spot
+   use litz_contact_spot, only: core_contact_spot => contact_spot, contact_spot_t
    use litz_normal_law, only: core_normal_force => normal_force, core_hertz_approach => hertz_approach
    use litz_closest_points, only: core_closest_points => closest_points
-   use litz_contact_em, only: core_contact_em => contact_em, contact_em_t, contact_active
+   use litz_contact_em, only: core_contact_em => contact_em, contact_em_t, wire_pair_t, contact_laws_t, &
+      contact_active
    use litz_contact_electricity, only: coupling_parts
    use litz_contact_kinematics, only: core_contact_kinematics => contact_kinematics, contact_kinematics_t
    use litz_contact_mechanics, only: core_contact_mechanics => contact_mechanics
@@ -19,7 +20,10 @@ contains
 
    ! Names of the spot laws and of their values, at the places of their numbers; blank beyond the last one.
    subroutine spot_law_names(names, values)
-      character(len=16), intent(out) :: names(32), values(32)
+      !> Names in capitals, blank beyond the last one
+      character(len=16), intent(out) :: names(32)
+      !> Names of the numbers that are their data, blank where there is none
+      character(len=16), intent(out) :: values(32)
       names = ''
       values = ''
       names(:size(spot_laws)) = spot_laws%name
@@ -28,8 +32,11 @@ contains
 
    ! K, E, B, D, C, dK/dm, dE/dm at m, or with complementary /= 0 at 1 - m.
    subroutine elliptic(m, complementary, values)
+      !> Parameter
       real(c_double), intent(in) :: m
+      !> Not 0: `m` is the complementary parameter
       integer(c_int), intent(in) :: complementary
+      !> K, E, B, D, C, dK/dm, dE/dm
       real(c_double), intent(out) :: values(7)
       type(elliptic_t) :: f
       if (complementary /= 0) then
@@ -43,36 +50,99 @@ contains
    ! values: semi_major, semi_minor, approach, conductance, dconductance_dforce, dconductance_dangle
    subroutine contact_spot(law, force, radius, young, poisson, resistivity, angle, law_value, n_table, table_force, &
       table_resistance, values, info)
-      integer(c_int), intent(in) :: law, n_table
-      real(c_double), intent(in) :: force, radius(2), young(2), poisson(2), resistivity(2), angle, law_value
-      real(c_double), intent(in) :: table_force(n_table), table_resistance(n_table)
+      !> One of `spot_...` of litz_laws
+      integer(c_int), intent(in) :: law
+      !> Number of pairs of the table, at least 1
+      integer(c_int), intent(in) :: n_table
+      !> Contact force [N], positive in contact
+      real(c_double), intent(in) :: force
+      !> Radii (2) [m]: barred, unbarred
+      real(c_double), intent(in) :: radius(2)
+      !> Young's moduli (2) [Pa]
+      real(c_double), intent(in) :: young(2)
+      !> Poisson's ratios (2) [-]
+      real(c_double), intent(in) :: poisson(2)
+      !> Resistivities (2) [ohm m]
+      real(c_double), intent(in) :: resistivity(2)
+      !> Angle between the tangents [rad]
+      real(c_double), intent(in) :: angle
+      !> The number that is the data of the spot law
+      real(c_double), intent(in) :: law_value
+      !> Forces (n_table) [N]
+      real(c_double), intent(in) :: table_force(n_table)
+      !> Resistances (n_table) [ohm]
+      real(c_double), intent(in) :: table_resistance(n_table)
+      !> Semi-axes, approach [m], G [S], dG/dF [S/N], dG/dangle [S/rad]
       real(c_double), intent(out) :: values(6)
+      !> 0: all is well; else one of the constants of the kernel
       integer(c_int), intent(out) :: info
+      type(contact_spot_t) :: spot
       call core_contact_spot(law, force, radius, young, poisson, resistivity, angle, law_value, table_force, &
-         table_resistance, values(1), values(2), values(3), values(4), values(5), values(6), info)
+         table_resistance, spot, info)
+      values = [spot%semi_major, spot%semi_minor, spot%approach, spot%conductance, spot%dconductance_dforce, &
+         spot%dconductance_dangle]
    end subroutine contact_spot
 
    ! values: force, dforce_dgap, dforce_dangle
    subroutine normal_force(law, penalty, gap, radius, young, poisson, angle, values, info)
+      !> `normal_linear` or `normal_hertz` of litz_laws
       integer(c_int), intent(in) :: law
-      real(c_double), intent(in) :: penalty, gap, radius(2), young(2), poisson(2), angle
+      !> Penalty stiffness [N/m]
+      real(c_double), intent(in) :: penalty
+      !> Gap [m], negative in contact
+      real(c_double), intent(in) :: gap
+      !> Radii (2) [m]: barred, unbarred
+      real(c_double), intent(in) :: radius(2)
+      !> Young's moduli (2) [Pa]
+      real(c_double), intent(in) :: young(2)
+      !> Poisson's ratios (2) [-]
+      real(c_double), intent(in) :: poisson(2)
+      !> Angle between the tangents [rad]
+      real(c_double), intent(in) :: angle
+      !> F [N], dF/dgap [N/m], dF/dangle [N/rad]
       real(c_double), intent(out) :: values(3)
+      !> 0: all is well; else one of the constants of the kernel
       integer(c_int), intent(out) :: info
       call core_normal_force(law, penalty, gap, radius, young, poisson, angle, values(1), values(2), values(3), info)
    end subroutine normal_force
 
    subroutine hertz_approach(force, radius, young, poisson, angle, delta, ddelta_dforce, info)
-      real(c_double), intent(in) :: force, radius(2), young(2), poisson(2), angle
-      real(c_double), intent(out) :: delta, ddelta_dforce
+      !> Contact force [N], positive in contact
+      real(c_double), intent(in) :: force
+      !> Radii (2) [m]: barred, unbarred
+      real(c_double), intent(in) :: radius(2)
+      !> Young's moduli (2) [Pa]
+      real(c_double), intent(in) :: young(2)
+      !> Poisson's ratios (2) [-]
+      real(c_double), intent(in) :: poisson(2)
+      !> Angle between the tangents [rad]
+      real(c_double), intent(in) :: angle
+      !> Approach of the axes [m]
+      real(c_double), intent(out) :: delta
+      !> Its derivative [m/N]
+      real(c_double), intent(out) :: ddelta_dforce
+      !> 0: all is well; else one of the constants of the kernel
       integer(c_int), intent(out) :: info
       call core_hertz_approach(force, radius, young, poisson, angle, delta, ddelta_dforce, info)
    end subroutine hertz_approach
 
    ! start is looked at when has_start /= 0.
    subroutine closest_points(x, t, length, axis, has_start, start, xi_bar, xi, status)
-      real(c_double), intent(in) :: x(3, 4), t(3, 4), length(2), start(2)
-      integer(c_int), intent(in) :: axis, has_start
+      !> Nodal positions (3, 4) [m]: barred 1, barred 2, 1, 2
+      real(c_double), intent(in) :: x(3, 4)
+      !> Unit tangents of the nodes (3, 4)
+      real(c_double), intent(in) :: t(3, 4)
+      !> Reference lengths (2) [m]: barred, unbarred
+      real(c_double), intent(in) :: length(2)
+      !> Places (barred, unbarred) of an earlier solution
+      real(c_double), intent(in) :: start(2)
+      !> `axis_linear` or `axis_hermite` of litz_laws
+      integer(c_int), intent(in) :: axis
+      !> Not 0: `start` counts
+      integer(c_int), intent(in) :: has_start
+      !> Places in the barred and the unbarred element
       real(c_double), intent(out) :: xi_bar, xi
+      !> One of `closest_...`
       integer(c_int), intent(out) :: status
       if (has_start /= 0) then
          call core_closest_points(x, t, length, axis, xi_bar, xi, status, start)
@@ -83,9 +153,27 @@ contains
 
    ! rows: dgap, dxi_bar, dxi, dcos_angle, dangle; values: distance, gap, angle, cos_angle, side
    subroutine contact_kinematics(x, t, length, axis, radius, xi_bar, xi, side, values, normal, rows, info)
-      real(c_double), intent(in) :: x(3, 4), t(3, 4), length(2), radius(2), xi_bar, xi
-      integer(c_int), intent(in) :: axis, side
-      real(c_double), intent(out) :: values(5), normal(3), rows(24, 5)
+      !> Nodal positions (3, 4) [m]: barred 1, barred 2, 1, 2
+      real(c_double), intent(in) :: x(3, 4)
+      !> Unit tangents of the nodes (3, 4)
+      real(c_double), intent(in) :: t(3, 4)
+      !> Reference lengths (2) [m]: barred, unbarred
+      real(c_double), intent(in) :: length(2)
+      !> Radii (2) [m]: barred, unbarred
+      real(c_double), intent(in) :: radius(2)
+      !> Places in the barred and the unbarred element
+      real(c_double), intent(in) :: xi_bar, xi
+      !> `axis_linear` or `axis_hermite` of litz_laws
+      integer(c_int), intent(in) :: axis
+      !> Remembered orientation +1 or -1; 0: none
+      integer(c_int), intent(in) :: side
+      !> Distance, gap [m], angle [rad], its cosine, side
+      real(c_double), intent(out) :: values(5)
+      !> Unit normal from the unbarred to the barred axis
+      real(c_double), intent(out) :: normal(3)
+      !> Derivatives with respect to the mechanical unknowns (24) of gap, xi_bar, xi, cosine, angle
+      real(c_double), intent(out) :: rows(24, 5)
+      !> 0: all is well; else one of the constants of the kernel
       integer(c_int), intent(out) :: info
       type(contact_kinematics_t) :: kinematics
       call core_contact_kinematics(x, t, length, axis, radius, xi_bar, xi, side, kinematics, info)
@@ -102,10 +190,35 @@ contains
    ! Residual and tangent at given closest points, as a driver composes them.
    subroutine contact_mechanics(x, t, length, axis, radius, xi_bar, xi, side, force, stiffness, geometric_force, form, &
       dforce_dangle, k, r, info)
-      real(c_double), intent(in) :: x(3, 4), t(3, 4), length(2), radius(2), xi_bar, xi
-      integer(c_int), intent(in) :: axis, side, form
-      real(c_double), intent(in) :: force, stiffness, geometric_force, dforce_dangle
-      real(c_double), intent(out) :: k(24, 24), r(24)
+      !> Nodal positions (3, 4) [m]: barred 1, barred 2, 1, 2
+      real(c_double), intent(in) :: x(3, 4)
+      !> Unit tangents of the nodes (3, 4)
+      real(c_double), intent(in) :: t(3, 4)
+      !> Reference lengths (2) [m]: barred, unbarred
+      real(c_double), intent(in) :: length(2)
+      !> Radii (2) [m]: barred, unbarred
+      real(c_double), intent(in) :: radius(2)
+      !> Places in the barred and the unbarred element
+      real(c_double), intent(in) :: xi_bar, xi
+      !> `axis_linear` or `axis_hermite` of litz_laws
+      integer(c_int), intent(in) :: axis
+      !> Remembered orientation +1 or -1; 0: none
+      integer(c_int), intent(in) :: side
+      !> `form_spin` or `form_hessian` of contact_mechanics
+      integer(c_int), intent(in) :: form
+      !> Contact force [N], positive in contact
+      real(c_double), intent(in) :: force
+      !> -dF/dg [N/m]
+      real(c_double), intent(in) :: stiffness
+      !> Force in the geometric part of the tangent [N]
+      real(c_double), intent(in) :: geometric_force
+      !> dF/dangle [N/rad]
+      real(c_double), intent(in) :: dforce_dangle
+      !> Tangent (24, 24)
+      real(c_double), intent(out) :: k(24, 24)
+      !> Residual (24) [N, N m]
+      real(c_double), intent(out) :: r(24)
+      !> 0: all is well; else one of the constants of the kernel
       integer(c_int), intent(out) :: info
       type(contact_kinematics_t) :: kinematics
       k = 0
@@ -117,8 +230,22 @@ contains
 
    ! values: traction (2), plastic slip (2), dissipation, status; derivatives: dT/dD (2, 2) and dT/dF
    subroutine friction_law(mu, force, stiffness, dstiffness_dforce, traction_start, slip, values, derivatives)
-      real(c_double), intent(in) :: mu, force, stiffness, dstiffness_dforce, traction_start(2), slip(2)
-      real(c_double), intent(out) :: values(6), derivatives(2, 3)
+      !> Coefficient of friction [-]
+      real(c_double), intent(in) :: mu
+      !> Contact force [N], positive in contact
+      real(c_double), intent(in) :: force
+      !> Tangential stiffness [N/m]
+      real(c_double), intent(in) :: stiffness
+      !> Its derivative with respect to the force [1/m]
+      real(c_double), intent(in) :: dstiffness_dforce
+      !> Traction at the start of the increment (2) [N]
+      real(c_double), intent(in) :: traction_start(2)
+      !> Slip since then (2) [m]
+      real(c_double), intent(in) :: slip(2)
+      !> Traction (2) [N], plastic slip (2) [m], dissipation [J], status
+      real(c_double), intent(out) :: values(6)
+      !> dT/dD (2, 2) [N/m] and dT/dF (2) [-] as columns
+      real(c_double), intent(out) :: derivatives(2, 3)
       type(friction_law_t) :: law
       law = core_friction_law(mu, force, stiffness, dstiffness_dforce, traction_start, slip)
       values = [law%traction, law%plastic_slip, law%dissipation, real(law%status, c_double)]
@@ -127,7 +254,11 @@ contains
    end subroutine friction_law
 
    subroutine mindlin_ratio(young, poisson, ratio)
-      real(c_double), intent(in) :: young(2), poisson(2)
+      !> Young's moduli (2) [Pa]
+      real(c_double), intent(in) :: young(2)
+      !> Poisson's ratios (2) [-]
+      real(c_double), intent(in) :: poisson(2)
+      !> Tangential over normal stiffness [-]
       real(c_double), intent(out) :: ratio
       ratio = core_mindlin_ratio(young, poisson)
    end subroutine mindlin_ratio
@@ -136,10 +267,41 @@ contains
    ! values: traction (2), plastic slip (2), dissipation, status; on_bar: the force on the barred wire
    subroutine contact_friction(x, t, length, axis, radius, xi_bar, xi, side, direction, moved, mu, force, stiffness, &
       traction_start, k, r, values, on_bar, info)
-      real(c_double), intent(in) :: x(3, 4), t(3, 4), length(2), radius(2), xi_bar, xi
-      integer(c_int), intent(in) :: axis, side, direction(2)
-      real(c_double), intent(in) :: moved(2), mu, force(3), stiffness(2), traction_start(2)
-      real(c_double), intent(out) :: k(24, 24), r(24), values(6), on_bar(3)
+      !> Nodal positions (3, 4) [m]: barred 1, barred 2, 1, 2
+      real(c_double), intent(in) :: x(3, 4)
+      !> Unit tangents of the nodes (3, 4)
+      real(c_double), intent(in) :: t(3, 4)
+      !> Reference lengths (2) [m]: barred, unbarred
+      real(c_double), intent(in) :: length(2)
+      !> Radii (2) [m]: barred, unbarred
+      real(c_double), intent(in) :: radius(2)
+      !> Places in the barred and the unbarred element
+      real(c_double), intent(in) :: xi_bar, xi
+      !> `axis_linear` or `axis_hermite` of litz_laws
+      integer(c_int), intent(in) :: axis
+      !> Remembered orientation +1 or -1; 0: none
+      integer(c_int), intent(in) :: side
+      !> +1 or -1: whether xi runs along the wire or against it (2)
+      integer(c_int), intent(in) :: direction(2)
+      !> Arc lengths by which the closest points have moved since the increment began (2) [m]
+      real(c_double), intent(in) :: moved(2)
+      !> Coefficient of friction [-]
+      real(c_double), intent(in) :: mu
+      !> F [N], dF/dg [N/m], dF/dangle [N/rad]
+      real(c_double), intent(in) :: force(3)
+      !> k_t [N/m], dk_t/dF [1/m]
+      real(c_double), intent(in) :: stiffness(2)
+      !> Traction at the start of the increment (2) [N]
+      real(c_double), intent(in) :: traction_start(2)
+      !> Tangent (24, 24)
+      real(c_double), intent(out) :: k(24, 24)
+      !> Residual (24) [N, N m]
+      real(c_double), intent(out) :: r(24)
+      !> Traction (2) [N], plastic slip (2) [m], dissipation [J], status
+      real(c_double), intent(out) :: values(6)
+      !> Force on the barred wire (3) [N]
+      real(c_double), intent(out) :: on_bar(3)
+      !> 0: all is well; else one of the constants of the kernel
       integer(c_int), intent(out) :: info
       type(contact_kinematics_t) :: kinematics
       type(slip_t) :: slip
@@ -165,21 +327,74 @@ contains
    subroutine contact_em(x, t, length, v, radius, young, poisson, resistivity, normal_law, eps_n, spot_law, law_value, &
       n_table, table_force, table_resistance, axis, side, series_resistance, has_rotation_vectors, rotation_vectors, &
       k, r, numbers, normal, k_me, info)
-      real(c_double), intent(in) :: x(3, 4), t(3, 4), length(2), v(4)
-      real(c_double), intent(in) :: radius(2), young(2), poisson(2), resistivity(2)
-      integer(c_int), intent(in) :: normal_law, spot_law, n_table, axis, side, has_rotation_vectors
-      real(c_double), intent(in) :: eps_n, law_value, table_force(n_table), table_resistance(n_table)
-      real(c_double), intent(in) :: series_resistance(2), rotation_vectors(3, 4)
-      real(c_double), intent(out) :: k(28, 28), r(28), numbers(11), normal(3), k_me(4, 24, 5)
+      !> Nodal positions (3, 4) [m]: barred 1, barred 2, 1, 2
+      real(c_double), intent(in) :: x(3, 4)
+      !> Unit tangents of the nodes (3, 4)
+      real(c_double), intent(in) :: t(3, 4)
+      !> Reference lengths (2) [m]: barred, unbarred
+      real(c_double), intent(in) :: length(2)
+      !> Voltages of the nodes (4) [V]
+      real(c_double), intent(in) :: v(4)
+      !> Radii (2) [m]: barred, unbarred
+      real(c_double), intent(in) :: radius(2)
+      !> Young's moduli (2) [Pa]
+      real(c_double), intent(in) :: young(2)
+      !> Poisson's ratios (2) [-]
+      real(c_double), intent(in) :: poisson(2)
+      !> Resistivities (2) [ohm m]
+      real(c_double), intent(in) :: resistivity(2)
+      !> `normal_linear` or `normal_hertz` of litz_laws
+      integer(c_int), intent(in) :: normal_law
+      !> One of `spot_...` of litz_laws
+      integer(c_int), intent(in) :: spot_law
+      !> Number of pairs of the table, at least 1
+      integer(c_int), intent(in) :: n_table
+      !> `axis_linear` or `axis_hermite` of litz_laws
+      integer(c_int), intent(in) :: axis
+      !> Remembered orientation +1 or -1; 0: none
+      integer(c_int), intent(in) :: side
+      !> Not 0: `rotation_vectors` count
+      integer(c_int), intent(in) :: has_rotation_vectors
+      !> Penalty stiffness [N/m]
+      real(c_double), intent(in) :: eps_n
+      !> The number that is the data of the spot law
+      real(c_double), intent(in) :: law_value
+      !> Forces (n_table) [N]
+      real(c_double), intent(in) :: table_force(n_table)
+      !> Resistances (n_table) [ohm]
+      real(c_double), intent(in) :: table_resistance(n_table)
+      !> rho L0/(4 A) (2) [ohm]; 0: the paper's linear voltage
+      real(c_double), intent(in) :: series_resistance(2)
+      !> Rotation vectors of the nodes (3, 4) [rad]
+      real(c_double), intent(in) :: rotation_vectors(3, 4)
+      !> Tangent (28, 28)
+      real(c_double), intent(out) :: k(28, 28)
+      !> Residual (28) [N, N m, A]
+      real(c_double), intent(out) :: r(28)
+      !> xi_bar, xi, gap [m], angle [rad], force [N], semi-axes [m], resistance [ohm], current [A], voltage across the
+      !> spot [V], side
+      real(c_double), intent(out) :: numbers(11)
+      !> Unit normal from the unbarred to the barred axis
+      real(c_double), intent(out) :: normal(3)
+      !> The five parts of the coupling block (4, 24, 5)
+      real(c_double), intent(out) :: k_me(4, 24, 5)
+      !> 0: all is well; else one of the constants of the kernel
       integer(c_int), intent(out) :: info
       type(contact_em_t) :: contact
+      type(wire_pair_t) :: wires
+      type(contact_laws_t) :: laws
+      wires = wire_pair_t(radius, young, poisson, resistivity, series_resistance)
+      laws%axis = axis
+      laws%normal_law = normal_law
+      laws%penalty = eps_n
+      laws%spot_law = spot_law
+      laws%spot_value = law_value
+      laws%table_force = table_force
+      laws%table_resistance = table_resistance
       if (has_rotation_vectors /= 0) then
-         call core_contact_em(x, t, length, v, radius, young, poisson, resistivity, normal_law, eps_n, spot_law, &
-            law_value, table_force, table_resistance, axis, side, series_resistance, k, r, contact, info, &
-            rotation_vectors)
+         call core_contact_em(x, t, length, v, wires, laws, side, k, r, contact, info, rotation_vectors)
       else
-         call core_contact_em(x, t, length, v, radius, young, poisson, resistivity, normal_law, eps_n, spot_law, &
-            law_value, table_force, table_resistance, axis, side, series_resistance, k, r, contact, info)
+         call core_contact_em(x, t, length, v, wires, laws, side, k, r, contact, info)
       end if
       numbers = [contact%xi_bar, contact%xi, contact%gap, contact%angle, contact%force, contact%semi_major, &
          contact%semi_minor, contact%resistance, contact%current, contact%voltage_gap, real(contact%side, c_double)]

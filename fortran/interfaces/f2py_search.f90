@@ -13,8 +13,15 @@ contains
 
    ! Find the pairs, and how many there are; -1: more than `most_pairs`.
    subroutine find_near_segments(n, a, b, reach, most_pairs, n_pairs)
-      integer(c_int), intent(in) :: n, most_pairs
-      real(c_double), intent(in) :: a(3, n), b(3, n), reach(n)
+      !> Number of segments
+      integer(c_int), intent(in) :: n
+      !> Search ends where there are more pairs
+      integer(c_int), intent(in) :: most_pairs
+      !> Ends of the segments (3, n) [m]
+      real(c_double), intent(in) :: a(3, n), b(3, n)
+      !> Radius around each segment (n) [m]
+      real(c_double), intent(in) :: reach(n)
+      !> Number of pairs, or -1
       integer(c_int), intent(out) :: n_pairs
       logical :: too_many
 
@@ -25,7 +32,9 @@ contains
 
    ! The pairs of the last search, counted from 1; they are forgotten.
    subroutine take_near_segments(n_pairs, pairs)
+      !> Number of pairs that was found
       integer(c_int), intent(in) :: n_pairs
+      !> Numbers of the two segments of each pair (2, n_pairs), from 1
       integer(c_int), intent(out) :: pairs(2, n_pairs)
 
       pairs = found

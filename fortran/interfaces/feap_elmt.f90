@@ -13,13 +13,28 @@ subroutine elmt01(d, ul, xl, ix, tl, s, r, ndf, ndm, nst, isw)
    implicit none
    include 'hdata.h'
    include 'comblk.h'
-   integer, intent(in) :: ndf, ndm, nst, isw, ix(*)
+   !> Unknowns of each node
+   integer, intent(in) :: ndf
+   !> Space dimensions
+   integer, intent(in) :: ndm
+   !> Unknowns of the element: 28
+   integer, intent(in) :: nst
+   !> What is asked for
+   integer, intent(in) :: isw
+   !> Numbers of the nodes (4)
+   integer, intent(in) :: ix(*)
    !> Material data: properties, then options
    real(dp), intent(inout) :: d(*)
-   !> Totals (:, :, 1) of the present iterate; positions before loading; temperatures
-   real(dp), intent(in) :: ul(ndf, nst/ndf, *), xl(ndm, *), tl(*)
-   !> Tangent; minus the residual
-   real(dp), intent(inout) :: s(nst, nst), r(nst)
+   !> Unknowns (ndf, nodes, kinds); kind 1: totals of the present iterate [m, rad, V]
+   real(dp), intent(in) :: ul(ndf, nst/ndf, *)
+   !> Positions of the nodes before loading (ndm, nodes) [m]
+   real(dp), intent(in) :: xl(ndm, *)
+   !> Temperatures of the nodes (nodes), not used
+   real(dp), intent(in) :: tl(*)
+   !> Tangent (nst, nst)
+   real(dp), intent(inout) :: s(nst, nst)
+   !> Minus the residual (nst) [N, N m, A]
+   real(dp), intent(inout) :: r(nst)
    integer, parameter :: read_data = 1, tangent_and_residual = 3, residual = 6
    logical, external :: tinput
    character(len=15) :: unused(1)

@@ -5,8 +5,9 @@
 !> it.
 module litz_user_element
    use litz_kinds, only: dp, pi
-   use litz_contact_em, only: contact_em, contact_em_t, contact_active, contact_open, contact_beyond, &
-      contact_parallel, contact_not_unique, contact_not_converged, contact_unknown_law, contact_bad_table
+   use litz_contact_em, only: contact_em, contact_em_t, wire_pair_t, contact_laws_t, contact_active, contact_open, &
+      contact_beyond, contact_parallel, contact_not_unique, contact_not_converged, contact_unknown_law, &
+      contact_bad_table
    use litz_rotations, only: rotation_exp
    implicit none
    private
@@ -47,35 +48,31 @@ contains
       real(dp), intent(in) :: coordinates(3, 4)
       !> Displacements [m], rotation vectors [rad] and voltages [V] (7, 4), all of them totals
       real(dp), intent(in) :: u(7, 4)
-      !> (`n_properties` and more), (`n_options`)
+      !> Properties (`n_properties` and more)
       real(dp), intent(in) :: properties(:)
+      !> Options (`n_options`)
       integer, intent(in) :: options(:)
-      !> (`n_history`): in, those of the last converged state (zeros at the start); out, the present ones
+      !> History (`n_history`): in, that of the last converged state (zeros at the start); out, the present one
       real(dp), intent(inout) :: history(:)
       !> Tangent (28, 28) and residual (28), internal minus external: forces [N], moments [N m], currents leaving [A]
       real(dp), intent(out) :: k(28, 28), r(28)
       !> `contact_active`, `contact_open` or `contact_beyond`; what is negative is a failure, and `k` and `r` are zero
       integer, intent(out) :: info
       real(dp) :: x(3, 4), t(3, 4), length(2), k_paper(28, 28), r_paper(28)
+      type(wire_pair_t) :: wires
+      type(contact_laws_t) :: laws
       type(contact_em_t) :: contact
-      integer :: order(28)
+      integer :: order(28), side
 
       call present_shape(coordinates, u, x, t, length)
-      associate (radius => properties(1:2), young => properties(3:4), poisson => properties(5:6), &
-         resistivity => properties(7:8), penalty => properties(9), law_value => properties(10), &
-         table_force => properties(n_properties + 1::2), table_resistance => properties(n_properties + 2::2), &
-         side => nint(history(history_side)))
-         if (options(option_rotations) == 0) then
-            call contact_em(x, t, length, u(7, :), radius, young, poisson, resistivity, options(option_normal_law), &
-               penalty, options(option_spot_law), law_value, table_force, table_resistance, options(option_axis), &
-               side, series_resistance(options, length, radius, resistivity), k_paper, r_paper, contact, info)
-         else
-            call contact_em(x, t, length, u(7, :), radius, young, poisson, resistivity, options(option_normal_law), &
-               penalty, options(option_spot_law), law_value, table_force, table_resistance, options(option_axis), &
-               side, series_resistance(options, length, radius, resistivity), k_paper, r_paper, contact, info, &
-               u(4:6, :))
-         end if
-      end associate
+      wires = wires_of(properties, options, length)
+      call set_laws(properties, options, laws)
+      side = nint(history(history_side))
+      if (options(option_rotations) == 0) then
+         call contact_em(x, t, length, u(7, :), wires, laws, side, k_paper, r_paper, contact, info)
+      else
+         call contact_em(x, t, length, u(7, :), wires, laws, side, k_paper, r_paper, contact, info, u(4:6, :))
+      end if
       order = reshape(place, [28])
       k = k_paper(order, order)
       r = r_paper(order)
@@ -91,8 +88,16 @@ contains
 
    !> Positions and unit tangents of the nodes as they are now, and lengths as they were.
    pure subroutine present_shape(coordinates, u, x, t, length)
-      real(dp), intent(in) :: coordinates(3, 4), u(7, 4)
-      real(dp), intent(out) :: x(3, 4), t(3, 4), length(2)
+      !> Positions of the nodes before loading (3, 4) [m]
+      real(dp), intent(in) :: coordinates(3, 4)
+      !> Displacements [m], rotation vectors [rad] and voltages [V] (7, 4), all of them totals
+      real(dp), intent(in) :: u(7, 4)
+      !> Present positions of the nodes (3, 4) [m]
+      real(dp), intent(out) :: x(3, 4)
+      !> Present unit tangents of the nodes (3, 4)
+      real(dp), intent(out) :: t(3, 4)
+      !> Reference lengths (2) [m]: barred, unbarred
+      real(dp), intent(out) :: length(2)
       real(dp) :: chord(3)
       integer :: node, beam
 
@@ -105,21 +110,48 @@ contains
       end do
    end subroutine present_shape
 
-   !> rho L0/(4 A) of both wires [ohm], or 0 where the voltage is to be the linear one (theory section 7).
-   pure function series_resistance(options, length, radius, resistivity) result(series)
+   !> The wires of the pair; their voltages are corrected where the options ask for it (theory section 7).
+   pure type(wire_pair_t) function wires_of(properties, options, length) result(wires)
+      !> Properties (`n_properties` and more)
+      real(dp), intent(in) :: properties(:)
+      !> Options (`n_options`)
       integer, intent(in) :: options(:)
-      real(dp), intent(in) :: length(2), radius(2), resistivity(2)
-      real(dp) :: series(2)
+      !> Reference lengths (2) [m]: barred, unbarred
+      real(dp), intent(in) :: length(2)
 
-      series = 0
-      if (options(option_voltage) == 1) series = resistivity*length/(4*pi*radius**2)
-   end function series_resistance
+      wires%radius = properties(1:2)
+      wires%young = properties(3:4)
+      wires%poisson = properties(5:6)
+      wires%resistivity = properties(7:8)
+      if (options(option_voltage) == 1) wires%series_resistance = wires%resistivity*length/(4*pi*wires%radius**2)
+   end function wires_of
+
+   !> The laws of the contact.
+   pure subroutine set_laws(properties, options, laws)
+      !> Properties (`n_properties` and more)
+      real(dp), intent(in) :: properties(:)
+      !> Options (`n_options`)
+      integer, intent(in) :: options(:)
+      type(contact_laws_t), intent(out) :: laws
+
+      laws%axis = options(option_axis)
+      laws%normal_law = options(option_normal_law)
+      laws%penalty = properties(9)
+      laws%spot_law = options(option_spot_law)
+      laws%spot_value = properties(10)
+      laws%table_force = properties(n_properties + 1::2)
+      laws%table_resistance = properties(n_properties + 2::2)
+   end subroutine set_laws
 
    !> Energy of the normal law [J]: F g/2 of the penalty, 2 F delta/5 of Hertz, where F goes with delta^(3/2).
    pure real(dp) function stored_energy(normal_law, force, gap) result(energy)
       use litz_laws, only: normal_hertz
+      !> `normal_linear` or `normal_hertz`
       integer, intent(in) :: normal_law
-      real(dp), intent(in) :: force, gap
+      !> Contact force [N], positive in contact
+      real(dp), intent(in) :: force
+      !> Gap [m], negative in contact
+      real(dp), intent(in) :: gap
 
       energy = -force*gap/2
       if (normal_law == normal_hertz) energy = -2*force*gap/5

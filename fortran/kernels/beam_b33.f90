@@ -137,8 +137,12 @@ contains
 
       !> Derivatives of the energy by gamma and psi from section forces: the chain rule through (2), (3).
       pure subroutine by_gamma_and_psi(forces, n, m)
+         !> Section forces (6): N, Q2, Q3, T, M2, M3 [N, N m]
          real(dp), intent(in) :: forces(6)
-         real(dp), intent(out) :: n(3), m(3)
+         !> Derivative of the energy with respect to gamma [N m]
+         real(dp), intent(out) :: n(3)
+         !> Derivative of the energy with respect to psi [N m]
+         real(dp), intent(out) :: m(3)
          integer :: j
 
          do j = 1, 3
@@ -162,6 +166,7 @@ contains
    !> `lambda`, `rho = omega/g`, `kappa = (drho/dg)/g = (gamma1/lambda^2 - rho)/g^2` and
    !> `tau = (dkappa/dg)/g = -(2 gamma1/lambda^4 + 3 kappa)/g^2`, `gamma1` held fixed in both.
    pure function arc_functions(gamma) result(arc)
+      !> Chord over the reference length, in the mid triad (3) [-]
       real(dp), intent(in) :: gamma(3)
       type(arc_t) :: arc
       real(dp) :: g_squared, slope_squared, c(3)
@@ -189,6 +194,7 @@ contains
    !> Derivatives of (e1, e2, e3) by gamma: `dbeta_j/dgamma1 = -gamma_j/lambda^2`,
    !> `dbeta_j/dgamma_k = rho delta_jk + kappa gamma_j gamma_k`.
    pure function strains_by_gamma(gamma, arc) result(rows)
+      !> Chord over the reference length, in the mid triad (3) [-]
       real(dp), intent(in) :: gamma(3)
       type(arc_t), intent(in) :: arc
       !> (strain, component of gamma)
@@ -211,10 +217,12 @@ contains
    !>     by gamma1, gamma_k   -t_k/lambda^2 + 2 (t.gamma) gamma_k/lambda^4
    !>     by gamma_k, gamma_l  kappa (t_k gamma_l + gamma_k t_l + delta_kl t.gamma) + tau (t.gamma) gamma_k gamma_l
    pure function strains_by_gamma_twice(gamma, arc, rows, s) result(h)
+      !> Chord over the reference length, in the mid triad (3) [-]
       real(dp), intent(in) :: gamma(3)
       type(arc_t), intent(in) :: arc
       !> The first derivatives, from `strains_by_gamma`
       real(dp), intent(in) :: rows(3, 3)
+      !> Section forces that belong to the three strains [N]
       real(dp), intent(in) :: s(3)
       real(dp) :: h(3, 3)
       real(dp) :: t(2), t_gamma

@@ -119,6 +119,7 @@ contains
 
    !> f, h, w of (4), (5), and their derivatives by the angle over the angle.
    pure function coefficients(angle_squared) result(c)
+      !> Square of the relative rotation of the nodes [rad^2]
       real(dp), intent(in) :: angle_squared
       real(dp) :: c(6)
       real(dp) :: angle, sine, cosine, f, h, w, df
@@ -253,6 +254,7 @@ contains
 
    !> From blocks over `D = u2 - u1`, `s = (delta1 + delta2)/2`, `r = delta2 - delta1` to the unknowns of the nodes.
    pure function over_nodes(dd, ds, dr, ss, sr, rr) result(k)
+      !> Second derivatives of the energy (3, 3): the first letter is of the rows, the second of the columns
       real(dp), dimension(3, 3), intent(in) :: dd, ds, dr, ss, sr, rr
       real(dp) :: k(12, 12)
 
@@ -276,13 +278,17 @@ contains
 
    !> Matrix in the mid triad to global axes.
    pure function to_global(mid, c) result(g)
-      real(dp), intent(in) :: mid(3, 3), c(3, 3)
+      !> Mid triad, its axes as columns
+      real(dp), intent(in) :: mid(3, 3)
+      !> Components in the mid triad
+      real(dp), intent(in) :: c(3, 3)
       real(dp) :: g(3, 3)
 
       g = matmul(matmul(mid, c), transpose(mid))
    end function to_global
 
    pure function diagonal(entries) result(c)
+      !> Diagonal of the matrix
       real(dp), intent(in) :: entries(3)
       real(dp) :: c(3, 3)
 
@@ -293,6 +299,7 @@ contains
    end function diagonal
 
    pure function outer(a, b) result(c)
+      !> The factors: `a` gives the rows, `b` the columns
       real(dp), intent(in) :: a(3), b(3)
       real(dp) :: c(3, 3)
 
@@ -303,6 +310,7 @@ contains
 
    !> Symmetric part of `a b^T`.
    pure function symmetric_outer(a, b) result(c)
+      !> The factors, in any order
       real(dp), intent(in) :: a(3), b(3)
       real(dp) :: c(3, 3)
 

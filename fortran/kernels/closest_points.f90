@@ -7,9 +7,10 @@
 module litz_closest_points
    use litz_kinds, only: dp
    use litz_axis, only: axis_polynomial
+   use litz_straight_segments, only: closest_on_chords
    implicit none
    private
-   public :: closest_points, local_minima, segment_distance
+   public :: closest_points, local_minima
    public :: parallel_sine, end_tolerance, search_limit, max_minima
    public :: closest_inside, closest_beyond, closest_parallel, closest_not_unique, closest_not_converged
 
@@ -107,8 +108,9 @@ contains
       real(dp), intent(in) :: length(2)
       !> `axis_linear` or `axis_hermite` of litz_laws
       integer, intent(in) :: axis
-      !> Places (barred, unbarred) in [-1, 1] (2, max_minima), and how many there are
+      !> Places (barred, unbarred) in [-1, 1] of the first `n` minima
       real(dp), intent(out) :: places(2, max_minima)
+      !> Number of minima
       integer, intent(out) :: n
       real(dp) :: p(3, 0:3), p_bar(3, 0:3), relative(3, 4), f(0:n_grid + 1, 0:n_grid + 1)
       integer :: i, j
@@ -132,8 +134,13 @@ contains
 
    !> The minimum below `start`, unless it is known already.
    pure subroutine add_minimum(p_bar, p, start, places, n)
-      real(dp), intent(in) :: p_bar(3, 0:3), p(3, 0:3), start(2)
+      !> Axes in powers of xi (3, 0:3) [m]: barred, unbarred
+      real(dp), intent(in) :: p_bar(3, 0:3), p(3, 0:3)
+      !> Places (barred, unbarred) from which the minimum is looked for
+      real(dp), intent(in) :: start(2)
+      !> Places (barred, unbarred) of the minima that are known
       real(dp), intent(inout) :: places(2, max_minima)
+      !> Number of minima that are known
       integer, intent(inout) :: n
       type(point_t) :: point
       integer :: k
@@ -194,9 +201,11 @@ contains
 
    !> A minimum of `f` in the box `|xi| <= limit`, going down from `start`.
    pure subroutine minimise(p_bar, p, start, limit, point)
+      !> Axes in powers of xi (3, 0:3) [m]: barred, unbarred
       real(dp), intent(in) :: p_bar(3, 0:3), p(3, 0:3)
       !> Places (barred, unbarred) within the box
       real(dp), intent(in) :: start(2)
+      !> Half the width of the box: 1 for the elements, more for their continuations
       real(dp), intent(in) :: limit
       type(point_t), intent(out) :: point
       type(point_t) :: trial
@@ -228,7 +237,11 @@ contains
 
    !> Shortens a step that leaves the box so that it ends on the border.
    pure subroutine stop_at_border(limit, xi, step)
-      real(dp), intent(in) :: limit, xi(2)
+      !> Half the width of the box: 1 for the elements, more for their continuations
+      real(dp), intent(in) :: limit
+      !> Places (barred, unbarred) within the box
+      real(dp), intent(in) :: xi(2)
+      !> Step from there (barred, unbarred)
       real(dp), intent(inout) :: step(2)
       real(dp) :: border(2)
       integer :: i
@@ -245,7 +258,9 @@ contains
    !> when `f` falls outwards there, or when the step would lead outwards.
    pure subroutine descent_step(point, limit, step, is_newton)
       type(point_t), intent(in) :: point
+      !> Half the width of the box: 1 for the elements, more for their continuations
       real(dp), intent(in) :: limit
+      !> Step (barred, unbarred) in xi
       real(dp), intent(out) :: step(2)
       !> .true.: exactly Newton's step in all free coordinates
       logical, intent(out) :: is_newton
@@ -272,6 +287,7 @@ contains
       real(dp), intent(in) :: scale
       !> Step (2) [m]
       real(dp), intent(out) :: step(2)
+      !> .true.: exactly Newton's step
       logical, intent(out) :: is_newton
       real(dp) :: lowest, shift, a11, a22, direction(2)
 
@@ -297,6 +313,7 @@ contains
       logical, intent(in) :: fixed(2)
       !> Step (2) [m]
       real(dp), intent(out) :: step(2)
+      !> .true.: exactly Newton's step
       logical, intent(out) :: is_newton
       integer :: i
 
@@ -335,6 +352,7 @@ contains
    !> Whether `f` is certainly convex over both elements, by bounds on the tangents and curvatures of the two axes: then
    !> it has one minimum there. Straight axes always are.
    pure logical function is_convex(p_bar, p) result(convex)
+      !> Axes in powers of xi (3, 0:3) [m]: barred, unbarred
       real(dp), intent(in) :: p_bar(3, 0:3), p(3, 0:3)
       real(dp) :: reach, tangent(2), bend(2), curvature(2), diagonal(2), mixed
 
@@ -351,6 +369,7 @@ contains
 
    !> Goes down from every local minimum of a grid and keeps the closest point found, one inside before one at an end.
    pure subroutine search_grid(p_bar, p, best, unique)
+      !> Axes in powers of xi (3, 0:3) [m]: barred, unbarred
       real(dp), intent(in) :: p_bar(3, 0:3), p(3, 0:3)
       !> In: a minimum already found. Out: the best one
       type(point_t), intent(inout) :: best
@@ -381,6 +400,7 @@ contains
 
    !> Squared distances at the places of a grid, with a rim of huge ones.
    pure function grid_distances(p_bar, p) result(f)
+      !> Axes in powers of xi (3, 0:3) [m]: barred, unbarred
       real(dp), intent(in) :: p_bar(3, 0:3), p(3, 0:3)
       real(dp) :: f(0:n_grid + 1, 0:n_grid + 1)
       integer :: i, j
@@ -395,20 +415,26 @@ contains
 
    !> No neighbour along the axes is lower; valleys that run across the grid hide a minimum from the diagonal ones.
    pure logical function is_grid_minimum(f, i, j)
+      !> Squared distances on the grid with its rim (0:n_grid + 1, 0:n_grid + 1) [m^2]
       real(dp), intent(in) :: f(0:, 0:)
+      !> Grid point: along the barred, along the unbarred axis
       integer, intent(in) :: i, j
 
       is_grid_minimum = f(i, j) <= min(f(i - 1, j), f(i + 1, j), f(i, j - 1), f(i, j + 1))
    end function is_grid_minimum
 
    pure real(dp) function grid_xi(i) result(xi)
+      !> Number of the grid point along an axis, 1 to `n_grid`
       integer, intent(in) :: i
 
       xi = -1 + 2*real(i - 1, dp)/(n_grid - 1)
    end function grid_xi
 
    pure real(dp) function squared_distance(p_bar, p, xi_bar, xi) result(f)
-      real(dp), intent(in) :: p_bar(3, 0:3), p(3, 0:3), xi_bar, xi
+      !> Axes in powers of xi (3, 0:3) [m]: barred, unbarred
+      real(dp), intent(in) :: p_bar(3, 0:3), p(3, 0:3)
+      !> Places in the barred and the unbarred element
+      real(dp), intent(in) :: xi_bar, xi
       real(dp) :: w(3)
 
       w = (p_bar(:, 0) - p(:, 0)) + xi_bar*(p_bar(:, 1) + xi_bar*(p_bar(:, 2) + xi_bar*p_bar(:, 3))) &
@@ -431,64 +457,5 @@ contains
          better = point%f < best%f .or. .not. best%converged
       end if
    end function is_better
-
-   !> Least distance of two straight pieces, also where these are parallel or have no length [m].
-   pure real(dp) function segment_distance(x) result(distance)
-      !> Ends (3, 4) [m]: two of the one piece, two of the other
-      real(dp), intent(in) :: x(3, 4)
-      real(dp) :: xi(2)
-
-      xi = closest_on_chords(x)
-      distance = norm2((1 - xi(1))/2*x(:, 1) + (1 + xi(1))/2*x(:, 2) - (1 - xi(2))/2*x(:, 3) - (1 + xi(2))/2*x(:, 4))
-   end function segment_distance
-
-   !> Closest points of the two straight chords, also where these are parallel or have no length.
-   !>
-   !> Source: the minimum of a convex quadratic over a square: the unrestricted one when it lies inside, else the best
-   !> of the four edges.
-   pure function closest_on_chords(x) result(xi)
-      !> Nodal positions (3, 4) [m]
-      real(dp), intent(in) :: x(3, 4)
-      !> Places (barred, unbarred) in [-1, 1]
-      real(dp) :: xi(2)
-      real(dp) :: w(3), c_bar(3), c(3), aa, ab, bb, wa, wb, determinant, edge(2), f, best
-      integer :: side
-
-      c_bar = (x(:, 2) - x(:, 1))/2
-      c = (x(:, 4) - x(:, 3))/2
-      w = (x(:, 1) + x(:, 2) - x(:, 3) - x(:, 4))/2
-      aa = dot_product(c_bar, c_bar)
-      bb = dot_product(c, c)
-      ab = dot_product(c_bar, c)
-      wa = dot_product(w, c_bar)
-      wb = dot_product(w, c)
-      determinant = aa*bb - ab**2
-      if (determinant > 1.0e-12_dp*aa*bb) then
-         xi = [(ab*wb - bb*wa)/determinant, (aa*wb - ab*wa)/determinant]
-         if (all(abs(xi) <= 1)) return
-      end if
-      best = huge(best)
-      xi = 0
-      do side = 1, 4
-         edge = merge(-1.0_dp, 1.0_dp, mod(side, 2) == 0)
-         if (side <= 2) then
-            edge(2) = nearest_on_line(bb, wb + ab*edge(1))
-         else
-            edge(1) = nearest_on_line(aa, ab*edge(2) - wa)
-         end if
-         f = dot_product(w + edge(1)*c_bar - edge(2)*c, w + edge(1)*c_bar - edge(2)*c)
-         if (f < best) then
-            best = f
-            xi = edge
-         end if
-      end do
-   end function closest_on_chords
-
-   pure real(dp) function nearest_on_line(square, projection) result(xi)
-      real(dp), intent(in) :: square, projection
-
-      xi = 0
-      if (square > 0) xi = max(-1.0_dp, min(1.0_dp, projection/square))
-   end function nearest_on_line
 
 end module litz_closest_points

@@ -107,14 +107,20 @@ contains
    end subroutine coupling_parts
 
    pure function k_me3_column(current, dxi_bar, dxi) result(column)
-      real(dp), intent(in) :: current, dxi_bar, dxi
+      !> Current from the barred to the unbarred wire [A]
+      real(dp), intent(in) :: current
+      !> Derivatives of the places with respect to one unknown [1/m, 1/rad]
+      real(dp), intent(in) :: dxi_bar, dxi
       real(dp) :: column(4)
 
       column = current*[-dxi_bar, dxi_bar, dxi, -dxi]/2
    end function k_me3_column
 
    pure function along(n_v, row) result(k)
-      real(dp), intent(in) :: n_v(4), row(24)
+      !> Shares of the nodal voltages (4)
+      real(dp), intent(in) :: n_v(4)
+      !> A row over the mechanical unknowns (24)
+      real(dp), intent(in) :: row(24)
       real(dp) :: k(4, 24)
 
       k = spread(n_v, 2, 24)*spread(row, 1, 4)

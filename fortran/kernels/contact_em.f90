@@ -8,10 +8,10 @@
 !> The steps, each its own kernel: closest points, kinematics, normal force, spot, mechanics, electricity.
 module litz_contact_em
    use litz_kinds, only: dp
-   use litz_laws, only: normal_hertz, spot_law_uses_ellipse
+   use litz_laws, only: axis_hermite, normal_hertz, spot_none, spot_law_uses_ellipse
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
    use litz_normal_law, only: normal_force_of_ellipse, normal_ok
-   use litz_contact_spot, only: contact_spot_of_ellipse, spot_ok, spot_bad_table
+   use litz_contact_spot, only: contact_spot_t, contact_spot_of_ellipse, spot_ok, spot_bad_table
    use litz_axis, only: axis_shape
    use litz_closest_points, only: closest_points, closest_inside, closest_beyond, closest_parallel, closest_not_unique
    use litz_contact_kinematics, only: contact_kinematics_t, contact_kinematics, kinematics_ok, kinematics_parallel
@@ -20,7 +20,7 @@ module litz_contact_em
    use litz_rotation_forms, only: spin_to_rotation_vectors
    implicit none
    private
-   public :: contact_em, contact_em_t
+   public :: contact_em, contact_em_t, wire_pair_t, contact_laws_t
    public :: contact_active, contact_open, contact_beyond, contact_parallel, contact_not_unique, &
       contact_not_converged, contact_unknown_law, contact_bad_table
 
@@ -38,6 +38,27 @@ module litz_contact_em
    integer, parameter :: contact_not_converged = -3
    integer, parameter :: contact_unknown_law = -4
    integer, parameter :: contact_bad_table = -5
+
+   !> The two wires: barred, unbarred.
+   type :: wire_pair_t
+      !> Radii [m], Young's moduli [Pa], Poisson's ratios [-], resistivities [ohm m]
+      real(dp) :: radius(2) = 0, young(2) = 0, poisson(2) = 0, resistivity(2) = 0
+      !> rho L0/(4 A) [ohm], see contact_electricity; 0: the paper's linear voltage
+      real(dp) :: series_resistance(2) = 0
+   end type wire_pair_t
+
+   !> How the wires act on each other.
+   type :: contact_laws_t
+      !> `axis_linear` or `axis_hermite`
+      integer :: axis = axis_hermite
+      !> `normal_linear` with penalty stiffness `penalty` [N/m], or `normal_hertz`
+      integer :: normal_law = normal_hertz
+      real(dp) :: penalty = 0
+      !> One of `spot_...` with its data, see contact_spot; tables that are not allocated have no pairs
+      integer :: spot_law = spot_none
+      real(dp) :: spot_value = 0
+      real(dp), allocatable :: table_force(:), table_resistance(:)
+   end type contact_laws_t
 
    !> What is known of the contact besides `k` and `r`; zero where it is not active, except the places and the gap.
    type :: contact_em_t
@@ -65,28 +86,17 @@ module litz_contact_em
 contains
 
    !> Tangent and residual of one pair of elements.
-   pure subroutine contact_em(x, t, length, v, radius, young, poisson, resistivity, normal_law, eps_n, spot_law, &
-      law_value, table_force, table_resistance, axis, side, series_resistance, k, r, contact, info, rotation_vectors)
+   pure subroutine contact_em(x, t, length, v, wires, laws, side, k, r, contact, info, rotation_vectors)
       !> Nodal positions [m] and unit tangents (3, 4): barred 1, barred 2, 1, 2
       real(dp), intent(in) :: x(3, 4), t(3, 4)
       !> Reference lengths (2) [m]: barred, unbarred
       real(dp), intent(in) :: length(2)
       !> Nodal voltages (4) [V]
       real(dp), intent(in) :: v(4)
-      !> Radii (2) [m], Young's moduli (2) [Pa], Poisson's ratios (2) [-], resistivities (2) [ohm m]
-      real(dp), intent(in) :: radius(2), young(2), poisson(2), resistivity(2)
-      !> `normal_linear` with penalty stiffness `eps_n` [N/m], or `normal_hertz`
-      integer, intent(in) :: normal_law
-      real(dp), intent(in) :: eps_n
-      !> One of `spot_...` with its data, see contact_spot
-      integer, intent(in) :: spot_law
-      real(dp), intent(in) :: law_value, table_force(:), table_resistance(:)
-      !> `axis_linear` or `axis_hermite`
-      integer, intent(in) :: axis
+      type(wire_pair_t), intent(in) :: wires
+      type(contact_laws_t), intent(in) :: laws
       !> Remembered orientation +1 or -1, or 0, see contact_kinematics
       integer, intent(in) :: side
-      !> rho L0/(4 A) (2) [ohm], see contact_electricity; 0: the paper's linear voltage
-      real(dp), intent(in) :: series_resistance(2)
       !> Tangent (28, 28) and residual (28); rotations are spins
       real(dp), intent(out) :: k(28, 28), r(28)
       type(contact_em_t), intent(out) :: contact
@@ -95,30 +105,29 @@ contains
       !> Rotation vectors of the nodes (3, 4) [rad], when rotations are additive changes of these instead
       real(dp), intent(in), optional :: rotation_vectors(3, 4)
       type(hertz_ellipse_t) :: ellipse
+      type(contact_spot_t) :: spot
       real(dp) :: dforce_dgap, dforce_dangle, k_mm(24, 24)
-      real(dp) :: approach, conductance, dconductance_dforce, dconductance_dangle
       integer :: law_info
 
       k = 0
       r = 0
-      call find_contact(x, t, length, axis, radius, side, contact, info)
+      call find_contact(x, t, length, laws%axis, wires%radius, side, contact, info)
       if (info /= contact_active) return
 
       ! the force ...
-      if (normal_law == normal_hertz .or. spot_law_uses_ellipse(spot_law)) then
-         call hertz_ellipse(radius, young, poisson, contact%angle, ellipse, law_info)
+      if (laws%normal_law == normal_hertz .or. spot_law_uses_ellipse(laws%spot_law)) then
+         call hertz_ellipse(wires%radius, wires%young, wires%poisson, contact%angle, ellipse, law_info)
          info = contact_parallel
          if (law_info /= hertz_ok) return
       end if
       info = contact_unknown_law
-      call normal_force_of_ellipse(normal_law, eps_n, contact%gap, ellipse, contact%force, dforce_dgap, dforce_dangle, &
-         law_info)
+      call normal_force_of_ellipse(laws%normal_law, laws%penalty, contact%gap, ellipse, contact%force, dforce_dgap, &
+         dforce_dangle, law_info)
       if (law_info /= normal_ok) return
 
       ! ... makes the spot ...
-      call contact_spot_of_ellipse(spot_law, contact%force, radius, young, poisson, resistivity, ellipse, law_value, &
-         table_force, table_resistance, contact%semi_major, contact%semi_minor, approach, conductance, &
-         dconductance_dforce, dconductance_dangle, law_info)
+      call contact_spot_of_ellipse(laws%spot_law, contact%force, wires%radius, wires%young, wires%poisson, &
+         wires%resistivity, ellipse, laws%spot_value, laws%table_force, laws%table_resistance, spot, law_info)
       if (law_info == spot_bad_table) info = contact_bad_table
       if (law_info /= spot_ok) return
       info = contact_active
@@ -126,26 +135,38 @@ contains
       ! ... and the spot carries the current
       call contact_mechanics(contact%kinematics, t, contact%force, -dforce_dgap, contact%force, form_spin, k_mm, &
          r(1:24), dforce_dangle)
-      call contact_electricity(contact%kinematics, v, conductance, dconductance_dforce*dforce_dgap, &
-         dconductance_dangle + dconductance_dforce*dforce_dangle, series_resistance, contact%electricity)
+      call contact_electricity(contact%kinematics, v, spot%conductance, spot%dconductance_dforce*dforce_dgap, &
+         spot%dconductance_dangle + spot%dconductance_dforce*dforce_dangle, wires%series_resistance, &
+         contact%electricity)
       k(1:24, 1:24) = k_mm
       k(25:28, 1:24) = coupling_tangent(contact%electricity, contact%kinematics)
       k(25:28, 25:28) = contact%electricity%k_ee
       r(25:28) = contact%electricity%r_e
       if (present(rotation_vectors)) call spin_to_rotation_vectors(k, r, rotation_vectors, [4, 10, 16, 22])
 
-      if (conductance > 0) contact%resistance = 1/conductance
+      contact%semi_major = spot%semi_major
+      contact%semi_minor = spot%semi_minor
+      if (spot%conductance > 0) contact%resistance = 1/spot%conductance
       contact%current = contact%electricity%current
       contact%voltage_gap = contact%electricity%voltage_gap
    end subroutine contact_em
 
    !> Closest points and kinematics; `info` is `contact_active` when the wires overlap within both elements.
    pure subroutine find_contact(x, t, length, axis, radius, side, contact, info)
-      real(dp), intent(in) :: x(3, 4), t(3, 4), length(2)
+      !> Nodal positions (3, 4) [m]: barred 1, barred 2, 1, 2
+      real(dp), intent(in) :: x(3, 4)
+      !> Unit tangents (3, 4): barred 1, barred 2, 1, 2
+      real(dp), intent(in) :: t(3, 4)
+      !> Reference lengths (2) [m]: barred, unbarred
+      real(dp), intent(in) :: length(2)
+      !> `axis_linear` or `axis_hermite`
       integer, intent(in) :: axis
+      !> Radii (2) [m]: barred, unbarred
       real(dp), intent(in) :: radius(2)
+      !> Remembered orientation +1 or -1, or 0, see contact_kinematics
       integer, intent(in) :: side
       type(contact_em_t), intent(inout) :: contact
+      !> One of the constants above
       integer, intent(out) :: info
       integer :: status, kinematics_info
 
@@ -177,8 +198,15 @@ contains
 
    !> Distance of two axis points [m].
    pure real(dp) function distance_at(x, t, length, axis, xi_bar, xi) result(distance)
-      real(dp), intent(in) :: x(3, 4), t(3, 4), length(2)
+      !> Nodal positions (3, 4) [m]: barred 1, barred 2, 1, 2
+      real(dp), intent(in) :: x(3, 4)
+      !> Unit tangents (3, 4): barred 1, barred 2, 1, 2
+      real(dp), intent(in) :: t(3, 4)
+      !> Reference lengths (2) [m]: barred, unbarred
+      real(dp), intent(in) :: length(2)
+      !> `axis_linear` or `axis_hermite`
       integer, intent(in) :: axis
+      !> Places in the barred and the unbarred element
       real(dp), intent(in) :: xi_bar, xi
       real(dp), dimension(4) :: h, h1, h2, hb
       real(dp) :: w(3)

@@ -106,6 +106,7 @@ contains
    !> Forces on (xi, xib) [N m].
    pure function forces_on_places(slip, traction) result(tau)
       type(slip_t), intent(in) :: slip
+      !> Tangential force [N] along the two directions of the slip
       real(dp), intent(in) :: traction(2)
       real(dp) :: tau(2)
 
@@ -142,6 +143,7 @@ contains
       type(contact_kinematics_t), intent(in) :: kinematics
       !> Unbarred and barred axis at the closest points
       type(axis_point_t), intent(in) :: a, b
+      !> Unit tangents of the nodes (3, 4): barred 1, barred 2, 1, 2
       real(dp), intent(in) :: t(3, 4)
       !> Forces on (xi, xib) [N m], and their derivatives (24, 2)
       real(dp), intent(in) :: tau(2), dtau(24, 2)
@@ -169,8 +171,16 @@ contains
    end function tangent_of_closest_points
 
    pure type(axis_point_t) function axis_point(axis, length, xi, x, t) result(point)
+      !> `axis_linear` or `axis_hermite`
       integer, intent(in) :: axis
-      real(dp), intent(in) :: length, xi, x(3, 2), t(3, 2)
+      !> Reference length [m]
+      real(dp), intent(in) :: length
+      !> Place in the element
+      real(dp), intent(in) :: xi
+      !> Nodal positions (3, 2) [m]
+      real(dp), intent(in) :: x(3, 2)
+      !> Unit tangents of the nodes (3, 2)
+      real(dp), intent(in) :: t(3, 2)
       integer :: order
 
       call axis_shape(axis, length, xi, point%h(:, 0), point%h(:, 1), point%h(:, 2))
@@ -183,10 +193,18 @@ contains
    !> Second derivatives of `Phi = -mu1 x'.w + mu2 xb'.w` over positions and tangents `p` and the places (xi, xib).
    pure subroutine second_derivatives(a, b, t, w, mu, left, right, phi_p_xi, phi_xi_xi)
       type(axis_point_t), intent(in) :: a, b
-      real(dp), intent(in) :: t(3, 4), w(3), mu(2)
+      !> Unit tangents of the nodes (3, 4): barred 1, barred 2, 1, 2
+      real(dp), intent(in) :: t(3, 4)
+      !> Vector from the unbarred to the barred closest point [m]
+      real(dp), intent(in) :: w(3)
+      !> Factors of the two conditions, `-M^-1 tau` [N/m]
+      real(dp), intent(in) :: mu(2)
       !> Columns 1 to 6: `Phi_pp = left right^T` = Z^T S + S^T Z with `Z = -mu1 S1 + mu2 Sb1`
       real(dp), intent(inout) :: left(24, 10), right(24, 10)
-      real(dp), intent(out) :: phi_p_xi(24, 2), phi_xi_xi(2, 2)
+      !> Mixed derivatives, over `p` (24) and (xi, xib)
+      real(dp), intent(out) :: phi_p_xi(24, 2)
+      !> Derivatives over (xi, xib) twice [N m]
+      real(dp), intent(out) :: phi_xi_xi(2, 2)
       real(dp) :: across
       integer :: i
 
@@ -221,9 +239,13 @@ contains
 
    !> A nodal tangent turns with its node while the force on it stays: `t f^T - (t.f) 1` (theory section 3).
    pure subroutine add_turning_tangent(t, f, first, k)
-      real(dp), intent(in) :: t(3), f(3)
+      !> Unit tangent of the node
+      real(dp), intent(in) :: t(3)
+      !> Generalised force on it [N m]
+      real(dp), intent(in) :: f(3)
       !> First rotation unknown of the node
       integer, intent(in) :: first
+      !> Tangent (24, 24), added to
       real(dp), intent(inout) :: k(24, 24)
       integer :: j
 

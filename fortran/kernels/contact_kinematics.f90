@@ -56,10 +56,11 @@ contains
    pure subroutine contact_kinematics(x, t, length, axis, radius, xi_bar, xi, side, kinematics, info)
       !> Nodal positions [m] and unit tangents (3, 4): barred 1, barred 2, 1, 2
       real(dp), intent(in) :: x(3, 4), t(3, 4)
-      !> Reference lengths (2) [m], and radii (2) [m]: barred, unbarred
+      !> Reference lengths (2) [m]: barred, unbarred
       real(dp), intent(in) :: length(2)
       !> `axis_linear` or `axis_hermite` of litz_laws
       integer, intent(in) :: axis
+      !> Radii (2) [m]: barred, unbarred
       real(dp), intent(in) :: radius(2)
       !> The closest points, from `closest_points`
       real(dp), intent(in) :: xi_bar, xi
@@ -144,8 +145,11 @@ contains
    !> How the angle changes: through the unit tangents `e`, by the nodes and by the move of the closest points.
    pure subroutine add_angle(kinematics, t, x1, x2, xb1, xb2, h1, hb1)
       type(contact_kinematics_t), intent(inout) :: kinematics
+      !> Unit tangents of the nodes (3, 4): barred 1, barred 2, 1, 2
       real(dp), intent(in) :: t(3, 4)
+      !> First and second derivatives of the unbarred and of the barred axis by xi [m]
       real(dp), dimension(3), intent(in) :: x1, x2, xb1, xb2
+      !> First derivatives of the shape functions (4): unbarred, barred
       real(dp), dimension(4), intent(in) :: h1, hb1
       real(dp), dimension(3) :: e, eb, v, vb
 
@@ -160,6 +164,7 @@ contains
    end subroutine add_angle
 
    pure function inverse(a) result(b)
+      !> Regular matrix
       real(dp), intent(in) :: a(2, 2)
       real(dp) :: b(2, 2)
 

@@ -50,7 +50,10 @@ contains
    !> `stiffness b b^T - F d2g` as the product of two matrices of five columns: B (2), Q (2) and b.
    pure subroutine factors_of_tangent(kinematics, stiffness, geometric_force, left, right)
       type(contact_kinematics_t), intent(in) :: kinematics
-      real(dp), intent(in) :: stiffness, geometric_force
+      !> -dF/dg [N/m]
+      real(dp), intent(in) :: stiffness
+      !> Force whose direction changes with the closest points [N]
+      real(dp), intent(in) :: geometric_force
       !> (24, 5) each; their product is `left right^T`
       real(dp), intent(out) :: left(24, 5), right(24, 5)
       real(dp) :: from_b(24, 2), from_q(24, 2)
@@ -71,8 +74,13 @@ contains
    !> in the spin form, its symmetric part in the Hessian form.
    pure subroutine add_turning_tangents(kinematics, t, geometric_force, form, k)
       type(contact_kinematics_t), intent(in) :: kinematics
-      real(dp), intent(in) :: t(3, 4), geometric_force
+      !> Unit tangents of the nodes (3, 4): barred 1, barred 2, 1, 2
+      real(dp), intent(in) :: t(3, 4)
+      !> Force whose direction changes with the closest points [N]
+      real(dp), intent(in) :: geometric_force
+      !> `form_spin` or `form_hessian`
       integer, intent(in) :: form
+      !> Tangent (24, 24), added to
       real(dp), intent(inout) :: k(24, 24)
       real(dp) :: f(3), block(3, 3)
       integer :: node, i, j

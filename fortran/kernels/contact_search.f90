@@ -10,6 +10,7 @@
 module litz_contact_search
    use litz_kinds, only: dp, sp, int64
    use litz_parallel, only: worth_threads
+   use litz_pair_lists, only: pair_list_t, append, sort_pairs
 !$ use omp_lib, only: omp_get_max_threads, omp_get_thread_num
    implicit none
    private
@@ -44,13 +45,6 @@ module litz_contact_search
       !> Ends and reach of the segment of each box (7, boxes): a copy that lies where it is wanted
       real(dp), allocatable :: ends(:, :)
    end type grid_t
-
-   !> Pairs that one thread has found.
-   type :: pair_list_t
-      integer :: n = 0
-      !> (2, at least n)
-      integer, allocatable :: pairs(:, :)
-   end type pair_list_t
 
 contains
 
@@ -101,7 +95,10 @@ contains
 
    !> Pieces of all segments, sorted into grids of decreasing box size.
    subroutine build_grids(a, b, reach, grids)
-      real(dp), intent(in) :: a(:, :), b(:, :), reach(:)
+      !> Ends of the segments (3, n) [m]
+      real(dp), intent(in) :: a(:, :), b(:, :)
+      !> Radius around each segment (n) [m]
+      real(dp), intent(in) :: reach(:)
       type(grid_t), allocatable, intent(out) :: grids(:)
       real(dp), allocatable :: length(:), extent(:)
       integer, allocatable :: pieces(:), level(:), members(:)
@@ -155,7 +152,9 @@ contains
 
    !> First place of each value 1, 2, ... when the values are sorted, and one past the last place.
    pure subroutine count_by(values, first)
+      !> Numbers (n) from 1 to `size(first) - 1`
       integer, intent(in) :: values(:)
+      !> First place of each value, and one past the last (values + 1)
       integer, intent(out) :: first(:)
       integer :: i
 
@@ -173,6 +172,7 @@ contains
    pure subroutine size_grid(extent, largest, n_boxes, grid)
       !> Of all boxes together, and the widest box of the grid [m]
       real(dp), intent(in) :: extent(3), largest
+      !> Number of boxes of the grid
       integer, intent(in) :: n_boxes
       type(grid_t), intent(out) :: grid
       !> Most cells along one direction: their number stays within 64 bits
@@ -191,12 +191,18 @@ contains
 
    !> Counting sort of the boxes of some segments by the entries of the table that their cells are folded onto.
    subroutine fill_grid(members, a, b, reach, pieces, origin, slack, grid)
-      !> The segments
+      !> Indices of the segments of this grid (n)
       integer, intent(in) :: members(:)
-      real(dp), intent(in) :: a(:, :), b(:, :), reach(:)
-      !> Number of pieces of each segment, common origin, and what boxes are larger by [m]
+      !> Ends of the segments (3, n) [m]
+      real(dp), intent(in) :: a(:, :), b(:, :)
+      !> Radius around each segment (n) [m]
+      real(dp), intent(in) :: reach(:)
+      !> Number of pieces that each segment is cut into (n)
       integer, intent(in) :: pieces(:)
-      real(dp), intent(in) :: origin(3), slack
+      !> Common origin of all grids [m]
+      real(dp), intent(in) :: origin(3)
+      !> What boxes are larger by on each side, for single precision [m]
+      real(dp), intent(in) :: slack
       type(grid_t), intent(inout) :: grid
       integer, allocatable :: first(:), place(:)
       real(sp) :: corners(6)
@@ -252,7 +258,10 @@ contains
 
       !> Box around piece k of a segment.
       pure function piece_corners(segment, k) result(corners)
-         integer, intent(in) :: segment, k
+         !> Index of the segment
+         integer, intent(in) :: segment
+         !> Number of the piece, 1 to `pieces(segment)`
+         integer, intent(in) :: k
          real(sp) :: corners(6)
          real(dp) :: p(3), q(3)
 
@@ -269,6 +278,7 @@ contains
    !> Cell of a point, from the common origin, for which it is (1, 1, 1).
    pure function cell_of(grid, point) result(cell)
       type(grid_t), intent(in) :: grid
+      !> Position from the common origin [m]
       real(dp), intent(in) :: point(3)
       integer(int64) :: cell(3)
 
@@ -277,6 +287,7 @@ contains
 
    pure integer(int64) function cell_number(grid, cell)
       type(grid_t), intent(in) :: grid
+      !> Place along x, y, z
       integer(int64), intent(in) :: cell(3)
 
       cell_number = cell(1) + grid%cells(1)*(cell(2) + grid%cells(2)*cell(3))
@@ -285,6 +296,7 @@ contains
    !> Partners of a box within its grid that come later in the order of layers, rows and boxes.
    subroutine visit_own_grid(grid, box, list)
       type(grid_t), intent(in) :: grid
+      !> Index of the box in its grid
       integer, intent(in) :: box
       type(pair_list_t), intent(inout) :: list
       integer(int64) :: own(3), first(3), last(3), j, k
@@ -307,6 +319,7 @@ contains
    subroutine visit_coarser_grid(grid, box, coarser, list)
       !> The box and its grid
       type(grid_t), intent(in) :: grid
+      !> Index of the box in its grid
       integer, intent(in) :: box
       type(grid_t), intent(in) :: coarser
       type(pair_list_t), intent(inout) :: list
@@ -326,10 +339,15 @@ contains
    subroutine visit_row(grid, box, other_grid, range, j, k, from, list)
       !> The box and its grid
       type(grid_t), intent(in) :: grid
+      !> Index of the box in its grid
       integer, intent(in) :: box
       !> Where the row is: cells `range` along x, and their places along y and z
       type(grid_t), intent(in) :: other_grid
-      integer(int64), intent(in) :: range(2), j, k
+      !> First and last cell of the row along x
+      integer(int64), intent(in) :: range(2)
+      !> Place of the row along y and z
+      integer(int64), intent(in) :: j, k
+      !> First box that counts
       integer, intent(in) :: from
       type(pair_list_t), intent(inout) :: list
       integer(int64) :: entry, left, more
@@ -361,92 +379,6 @@ contains
       end do
    end subroutine visit_row
 
-   pure subroutine append(list, i, j)
-      type(pair_list_t), intent(inout) :: list
-      integer, intent(in) :: i, j
-      integer, allocatable :: larger(:, :)
-
-      if (list%n == size(list%pairs, 2)) then
-         allocate (larger(2, 2*list%n))
-         larger(:, :list%n) = list%pairs
-         call move_alloc(larger, list%pairs)
-      end if
-      list%n = list%n + 1
-      list%pairs(1, list%n) = i
-      list%pairs(2, list%n) = j
-   end subroutine append
-
-   !> All lists as one, sorted, every pair once: an order that depends neither on the grids nor on the threads.
-   subroutine sort_pairs(n_segments, lists, pairs)
-      integer, intent(in) :: n_segments
-      type(pair_list_t), intent(in) :: lists(:)
-      integer, allocatable, intent(out) :: pairs(:, :)
-      integer, allocatable :: start(:), free(:), second(:), kept(:)
-      integer :: l, p, i
-
-      allocate (start(n_segments + 1), kept(n_segments), source=0)
-      do l = 1, size(lists)
-         do p = 1, lists(l)%n
-            start(lists(l)%pairs(1, p) + 1) = start(lists(l)%pairs(1, p) + 1) + 1
-         end do
-      end do
-      start(1) = 1
-      do i = 1, n_segments
-         start(i + 1) = start(i) + start(i + 1)
-      end do
-      allocate (free, source=start)
-      allocate (second(start(n_segments + 1) - 1))
-      do l = 1, size(lists)
-         do p = 1, lists(l)%n
-            associate (place => free(lists(l)%pairs(1, p)))
-               second(place) = lists(l)%pairs(2, p)
-               place = place + 1
-            end associate
-         end do
-      end do
-      !$omp parallel do schedule(static) if (n_segments >= worth_threads)
-      do i = 1, n_segments
-         call sort_once(second(start(i):start(i + 1) - 1), kept(i))
-      end do
-      !$omp end parallel do
-      free(1) = 0
-      do i = 1, n_segments
-         free(i + 1) = free(i) + kept(i)
-      end do
-      allocate (pairs(2, free(n_segments + 1)))
-      !$omp parallel do schedule(static) private(p) if (n_segments >= worth_threads)
-      do i = 1, n_segments
-         do p = 1, kept(i)
-            pairs(1, free(i) + p) = i
-            pairs(2, free(i) + p) = second(start(i) + p - 1)
-         end do
-      end do
-      !$omp end parallel do
-   end subroutine sort_pairs
-
-   !> Insertion sort of a short list that keeps equal values once, at the front.
-   pure subroutine sort_once(values, kept)
-      integer, intent(inout) :: values(:)
-      integer, intent(out) :: kept
-      integer :: i, k, value
-
-      kept = 0
-      do i = 1, size(values)
-         value = values(i)
-         k = kept
-         do while (k > 0)
-            if (values(k) <= value) exit
-            k = k - 1
-         end do
-         if (k > 0) then
-            if (values(k) == value) cycle
-         end if
-         values(k + 2:kept + 1) = values(k + 1:kept)
-         values(k + 1) = value
-         kept = kept + 1
-      end do
-   end subroutine sort_once
-
    !> Whether the least distance between two straight segments is at most the sum of their reaches, also where they are
    !> parallel or have no length.
    !>
@@ -476,6 +408,7 @@ contains
    contains
 
       pure real(dp) function clamp(value)
+         !> Any number
          real(dp), intent(in) :: value
 
          clamp = max(0.0_dp, min(1.0_dp, value))

@@ -24,7 +24,7 @@ module litz_contact_spot
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok, effective_modulus
    implicit none
    private
-   public :: contact_spot, contact_spot_of_ellipse
+   public :: contact_spot_t, contact_spot, contact_spot_of_ellipse
    public :: spot_ok, spot_parallel, spot_unknown_law, spot_bad_table
 
    integer, parameter :: spot_ok = 0
@@ -34,11 +34,21 @@ module litz_contact_spot
    !> TABLE: no pair at all, forces not ascending, or an entry that is not positive
    integer, parameter :: spot_bad_table = -3
 
+   !> A spot and its conductance. All are 0 where there is none.
+   type :: contact_spot_t
+      !> Semi-axes [m]
+      real(dp) :: semi_major = 0, semi_minor = 0
+      !> Elastic approach of the two axes [m]
+      real(dp) :: approach = 0
+      !> G [S], dG/dF [S/N] at fixed angle, dG/dangle [S/rad] at fixed force
+      real(dp) :: conductance = 0, dconductance_dforce = 0, dconductance_dangle = 0
+   end type contact_spot_t
+
 contains
 
    !> Spot and conductance of one contact, with the derivatives of the conductance.
    pure subroutine contact_spot(law, force, radius, young, poisson, resistivity, angle, law_value, table_force, &
-      table_resistance, semi_major, semi_minor, approach, conductance, dconductance_dforce, dconductance_dangle, info)
+      table_resistance, spot, info)
       !> One of the constants `spot_...` of litz_laws
       integer, intent(in) :: law
       !> Contact force [N], positive in contact
@@ -53,45 +63,43 @@ contains
       real(dp), intent(in) :: law_value
       !> TABLE: forces (n) [N], ascending, and resistances (n) [ohm], all positive; else not used
       real(dp), intent(in) :: table_force(:), table_resistance(:)
-      !> Semi-axes of the spot [m]
-      real(dp), intent(out) :: semi_major, semi_minor
-      !> Elastic approach of the two axes [m]
-      real(dp), intent(out) :: approach
-      !> G [S], dG/dF [S/N] at fixed angle, dG/dangle [S/rad] at fixed force
-      real(dp), intent(out) :: conductance, dconductance_dforce, dconductance_dangle
-      !> `spot_ok`, or what is wrong; all results are then 0
+      type(contact_spot_t), intent(out) :: spot
+      !> `spot_ok`, or what is wrong; there is no spot then
       integer, intent(out) :: info
       type(hertz_ellipse_t) :: ellipse
       integer :: ellipse_info
 
+      info = spot_parallel
       if (spot_law_uses_ellipse(law)) then
          call hertz_ellipse(radius, young, poisson, angle, ellipse, ellipse_info)
-         if (ellipse_info /= hertz_ok) then
-            call no_spot(semi_major, semi_minor, approach, conductance, dconductance_dforce, dconductance_dangle)
-            info = spot_parallel
-            return
-         end if
+         if (ellipse_info /= hertz_ok) return
       end if
       call contact_spot_of_ellipse(law, force, radius, young, poisson, resistivity, ellipse, law_value, table_force, &
-         table_resistance, semi_major, semi_minor, approach, conductance, dconductance_dforce, dconductance_dangle, &
-         info)
+         table_resistance, spot, info)
    end subroutine contact_spot
 
    !> The same where the Hertz ellipse is already known (laws that do not use it do not look at it).
    pure subroutine contact_spot_of_ellipse(law, force, radius, young, poisson, resistivity, ellipse, law_value, &
-      table_force, table_resistance, semi_major, semi_minor, approach, conductance, dconductance_dforce, &
-      dconductance_dangle, info)
+      table_force, table_resistance, spot, info)
+      !> One of the constants `spot_...` of litz_laws
       integer, intent(in) :: law
-      real(dp), intent(in) :: force, radius(2), young(2), poisson(2), resistivity(2)
+      !> Contact force [N], positive in contact
+      real(dp), intent(in) :: force
+      !> Wire radii (2) [m]: barred, unbarred
+      real(dp), intent(in) :: radius(2)
+      !> Young's moduli (2) [Pa], Poisson's ratios (2) [-], resistivities (2) [ohm m]: barred, unbarred
+      real(dp), intent(in) :: young(2), poisson(2), resistivity(2)
       !> From `hertz_ellipse` at the present angle
       type(hertz_ellipse_t), intent(in) :: ellipse
-      real(dp), intent(in) :: law_value, table_force(:), table_resistance(:)
-      real(dp), intent(out) :: semi_major, semi_minor, approach
-      real(dp), intent(out) :: conductance, dconductance_dforce, dconductance_dangle
+      !> The number that is the law's data, see `spot_laws` of litz_laws: hardness, film resistivity, resistance
+      real(dp), intent(in) :: law_value
+      !> TABLE: forces (n) [N], ascending, and resistances (n) [ohm], all positive; else not used
+      real(dp), intent(in), optional :: table_force(:), table_resistance(:)
+      type(contact_spot_t), intent(out) :: spot
+      !> `spot_ok`, or what is wrong; there is no spot then
       integer, intent(out) :: info
       real(dp) :: rho, r_star, film, resistance, slope
 
-      call no_spot(semi_major, semi_minor, approach, conductance, dconductance_dforce, dconductance_dangle)
       info = spot_ok
       if (force <= 0) return
       rho = sum(resistivity)
@@ -101,64 +109,52 @@ contains
          return
       case (spot_paper)
          r_star = product(radius)/sum(radius)
-         semi_major = (3*force*r_star/(4*effective_modulus(young, poisson)))**(1.0_dp/3)
-         semi_minor = semi_major
-         approach = semi_major**2/r_star
-         conductance = 4*semi_major/rho                                          ! R_c = (rho1+rho2)/(4a)
-         dconductance_dforce = conductance/(3*force)
+         spot%semi_major = (3*force*r_star/(4*effective_modulus(young, poisson)))**(1.0_dp/3)
+         spot%semi_minor = spot%semi_major
+         spot%approach = spot%semi_major**2/r_star
+         spot%conductance = 4*spot%semi_major/rho                               ! R_c = (rho1+rho2)/(4a)
+         spot%dconductance_dforce = spot%conductance/(3*force)
       case (spot_hertz, spot_film)
-         semi_major = ellipse%semi_major*force**(1.0_dp/3)
-         semi_minor = ellipse%ratio*semi_major
-         approach = ellipse%approach*force**(1.0_dp/3)*force**(1.0_dp/3)
-         conductance = 3*force/(rho*ellipse%modulus*approach)                    ! R_c = (rho1+rho2) K/(2 pi a)
-         dconductance_dforce = conductance/(3*force)
-         dconductance_dangle = -conductance*ellipse%dapproach_dangle/ellipse%approach
+         spot%semi_major = ellipse%semi_major*force**(1.0_dp/3)
+         spot%semi_minor = ellipse%ratio*spot%semi_major
+         spot%approach = ellipse%approach*force**(1.0_dp/3)*force**(1.0_dp/3)
+         spot%conductance = 3*force/(rho*ellipse%modulus*spot%approach)         ! R_c = (rho1+rho2) K/(2 pi a)
+         spot%dconductance_dforce = spot%conductance/(3*force)
+         spot%dconductance_dangle = -spot%conductance*ellipse%dapproach_dangle/ellipse%approach
          if (law == spot_film) then
-            film = law_value/(pi*semi_major*semi_minor)                          ! R_f = sigma_f/(pi a b)
-            call add_in_series(film, -2*film/(3*force), -film*ellipse%dlog_area_dangle, conductance, &
-               dconductance_dforce, dconductance_dangle)
+            film = law_value/(pi*spot%semi_major*spot%semi_minor)               ! R_f = sigma_f/(pi a b)
+            call add_in_series(film, -2*film/(3*force), -film*ellipse%dlog_area_dangle, spot)
          end if
       case (spot_plastic)
-         semi_major = sqrt(force/(pi*law_value))                                 ! F = pi a^2 H
-         semi_minor = semi_major
-         conductance = 4*semi_major/rho
-         dconductance_dforce = conductance/(2*force)
+         spot%semi_major = sqrt(force/(pi*law_value))                           ! F = pi a^2 H
+         spot%semi_minor = spot%semi_major
+         spot%conductance = 4*spot%semi_major/rho
+         spot%dconductance_dforce = spot%conductance/(2*force)
       case (spot_constant)
-         conductance = 1/law_value
+         spot%conductance = 1/law_value
       case (spot_table)
+         info = spot_bad_table
+         if (.not. (present(table_force) .and. present(table_resistance))) return
          call table_resistance_at(force, table_force, table_resistance, resistance, slope, info)
          if (info /= spot_ok) return
-         conductance = 1/resistance
-         dconductance_dforce = -slope/resistance**2
+         spot%conductance = 1/resistance
+         spot%dconductance_dforce = -slope/resistance**2
       case default
          info = spot_unknown_law
       end select
    end subroutine contact_spot_of_ellipse
 
-   pure subroutine no_spot(semi_major, semi_minor, approach, conductance, dconductance_dforce, dconductance_dangle)
-      real(dp), intent(out) :: semi_major, semi_minor, approach
-      real(dp), intent(out) :: conductance, dconductance_dforce, dconductance_dangle
-
-      semi_major = 0
-      semi_minor = 0
-      approach = 0
-      conductance = 0
-      dconductance_dforce = 0
-      dconductance_dangle = 0
-   end subroutine no_spot
-
    !> `1/G <- 1/G + R` and the derivatives that follow.
-   pure subroutine add_in_series(resistance, dresistance_dforce, dresistance_dangle, conductance, &
-      dconductance_dforce, dconductance_dangle)
+   pure subroutine add_in_series(resistance, dresistance_dforce, dresistance_dangle, spot)
       !> R [ohm], dR/dF [ohm/N], dR/dangle [ohm/rad]
       real(dp), intent(in) :: resistance, dresistance_dforce, dresistance_dangle
-      real(dp), intent(inout) :: conductance, dconductance_dforce, dconductance_dangle
+      type(contact_spot_t), intent(inout) :: spot
       real(dp) :: share
 
-      share = 1/(1 + conductance*resistance)
-      conductance = conductance*share
-      dconductance_dforce = dconductance_dforce*share**2 - conductance**2*dresistance_dforce
-      dconductance_dangle = dconductance_dangle*share**2 - conductance**2*dresistance_dangle
+      share = 1/(1 + spot%conductance*resistance)
+      spot%conductance = spot%conductance*share
+      spot%dconductance_dforce = spot%dconductance_dforce*share**2 - spot%conductance**2*dresistance_dforce
+      spot%dconductance_dangle = spot%dconductance_dangle*share**2 - spot%conductance**2*dresistance_dangle
    end subroutine add_in_series
 
    !> `R_c(F)` through the pairs of a table: smooth, and monotone wherever the table is.
@@ -173,6 +169,7 @@ contains
       real(dp), intent(in) :: table_force(:), table_resistance(:)
       !> R_c [ohm] and dR_c/dF [ohm/N]
       real(dp), intent(out) :: resistance, slope
+      !> `spot_ok` or `spot_bad_table`
       integer, intent(out) :: info
       real(dp) :: x, h, s, d(2), y(2), value, derivative
       integer :: n, i
@@ -215,8 +212,12 @@ contains
    !> Source: F. N. Fritsch, J. Butland, SIAM J. Sci. Stat. Comput. 5 (1984) 300: the weighted harmonic mean of the two
    !> neighbouring slopes, 0 where they differ in sign; at an end that of the only neighbour.
    pure real(dp) function table_slope(i, table_force, table_resistance) result(slope)
+      !> Number of the pair
       integer, intent(in) :: i
-      real(dp), intent(in) :: table_force(:), table_resistance(:)
+      !> Forces (n) [N], ascending
+      real(dp), intent(in) :: table_force(:)
+      !> Resistances (n) [ohm]
+      real(dp), intent(in) :: table_resistance(:)
       real(dp) :: h(2), s(2), weight
       integer :: j, n
 

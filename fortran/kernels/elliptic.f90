@@ -41,7 +41,10 @@ contains
    end function elliptic_integrals_complementary
 
    pure type(elliptic_t) function integrals(m, m1) result(f)
-      real(dp), intent(in) :: m, m1
+      !> Parameter, in [0, 1)
+      real(dp), intent(in) :: m
+      !> Complementary parameter `1 - m`, known without cancellation
+      real(dp), intent(in) :: m1
       real(dp) :: mean, sigma, tau, mean_1, sigma_1, tau_1
 
       f%m = m
@@ -68,8 +71,16 @@ contains
    !> With `c_0^2 = m` and `c_{n+1} = (a_n - b_n)/2 = c_n^2/(4 a_{n+1})`: `sigma = sum 2^(n-1) c_n^2/m` over n >= 0 is
    !> `D/K`, and `tau = (2 sigma - 1)/m` is `C/K`. All terms are positive, so nothing cancels.
    pure subroutine arithmetic_geometric_mean(m, k1, mean, sigma, tau)
-      real(dp), intent(in) :: m, k1
-      real(dp), intent(out) :: mean, sigma, tau
+      !> Parameter, in [0, 1]
+      real(dp), intent(in) :: m
+      !> Complementary modulus `sqrt(1 - m)`, positive
+      real(dp), intent(in) :: k1
+      !> The limit
+      real(dp), intent(out) :: mean
+      !> `D/K`
+      real(dp), intent(out) :: sigma
+      !> `C/K`
+      real(dp), intent(out) :: tau
       real(dp) :: a, b, c, power, geometric
       integer :: n
 

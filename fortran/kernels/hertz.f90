@@ -116,6 +116,7 @@ contains
    !> `A/B = (b/a)^(3/2)` of a nearly round spot, or the asymptote `(b/a)^2 (log(4 a/b) - 1)` of a slender one, solved
    !> roughly.
    pure real(dp) function start_of_ratio(target_value) result(s)
+      !> log(A/B), not positive
       real(dp), intent(in) :: target_value
 
       s = 2*target_value/3

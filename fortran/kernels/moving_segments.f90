@@ -5,7 +5,7 @@
 !> their ends are no special cases. Source: B. Mirtich, Impulse-based dynamic simulation of rigid body systems, 1996.
 module litz_moving_segments
    use litz_kinds, only: dp
-   use litz_closest_points, only: segment_distance
+   use litz_straight_segments, only: segment_distance
    implicit none
    private
    public :: meeting_time, never, largest_relative_motion

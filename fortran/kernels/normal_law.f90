@@ -53,11 +53,21 @@ contains
 
    !> The same where the Hertz ellipse is already known (LINEAR does not look at it).
    pure subroutine normal_force_of_ellipse(law, penalty, gap, ellipse, force, dforce_dgap, dforce_dangle, info)
+      !> `normal_linear` or `normal_hertz`
       integer, intent(in) :: law
-      real(dp), intent(in) :: penalty, gap
+      !> LINEAR: penalty stiffness [N/m]
+      real(dp), intent(in) :: penalty
+      !> Gap [m], negative in contact
+      real(dp), intent(in) :: gap
       !> From `hertz_ellipse` at the present angle
       type(hertz_ellipse_t), intent(in) :: ellipse
-      real(dp), intent(out) :: force, dforce_dgap, dforce_dangle
+      !> Contact force [N], positive in contact
+      real(dp), intent(out) :: force
+      !> dF/dg at fixed angle [N/m], not positive
+      real(dp), intent(out) :: dforce_dgap
+      !> dF/dangle at fixed gap [N/rad]
+      real(dp), intent(out) :: dforce_dangle
+      !> `normal_ok` or `normal_unknown_law`
       integer, intent(out) :: info
       real(dp) :: scaled
 
@@ -110,10 +120,14 @@ contains
 
    !> The same where the Hertz ellipse is already known.
    pure subroutine hertz_approach_of_ellipse(force, ellipse, delta, ddelta_dforce)
+      !> Contact force [N]
       real(dp), intent(in) :: force
       !> From `hertz_ellipse` at the present angle
       type(hertz_ellipse_t), intent(in) :: ellipse
-      real(dp), intent(out) :: delta, ddelta_dforce
+      !> Approach of the axes [m]; 0 without a force
+      real(dp), intent(out) :: delta
+      !> Its derivative [m/N]; without a force the largest number
+      real(dp), intent(out) :: ddelta_dforce
       real(dp) :: cube_root
 
       delta = 0

@@ -45,9 +45,13 @@ contains
    end subroutine spin_to_hessian
 
    pure subroutine add_moment_terms(factor, k, r, first)
+      !> -1/2 from the Hessian to spins, +1/2 back
       real(dp), intent(in) :: factor
+      !> Tangent (n, n) [N, m, rad]
       real(dp), intent(inout) :: k(:, :)
+      !> Residual (n); its moments are used
       real(dp), intent(in) :: r(:)
+      !> First rotation of each node among the unknowns (nodes)
       integer, intent(in) :: first(:)
       integer :: node, i, j
 

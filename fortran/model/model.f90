@@ -205,6 +205,7 @@ contains
    !> Piecewise linear value of an amplitude, constant beyond its ends.
    pure real(dp) function amplitude_factor(amplitude, time) result(factor)
       type(amplitude_t), intent(in) :: amplitude
+      !> Time [s], of the step or of the whole run as the amplitude has it
       real(dp), intent(in) :: time
       integer :: i
 

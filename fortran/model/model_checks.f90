@@ -41,9 +41,13 @@ contains
 
    pure subroutine add(findings, n, message, element, kind)
       type(finding_t), allocatable, intent(inout) :: findings(:)
+      !> Number of findings so far
       integer, intent(inout) :: n
+      !> A sentence without a full stop
       character(len=*), intent(in) :: message
+      !> Index of the element that it is about
       integer, intent(in) :: element
+      !> Code word of a warning; empty: an error
       character(len=*), intent(in) :: kind
       type(finding_t), allocatable :: grown(:)
       integer :: i
@@ -65,6 +69,7 @@ contains
 
    !> ` in step 2`, or nothing for the first
    pure function step_words(step) result(words)
+      !> Number of the step
       integer, intent(in) :: step
       character(len=:), allocatable :: words
 
@@ -74,6 +79,7 @@ contains
 
    !> How many others a warning stands for: a mat may have thousands of wires that only contacts hold.
    pure function others_words(n_others) result(words)
+      !> How many there are besides the one that is named
       integer, intent(in) :: n_others
       character(len=:), allocatable :: words
 
@@ -86,6 +92,7 @@ contains
    subroutine check_stiffnesses(model, findings, n)
       type(model_t), intent(in) :: model
       type(finding_t), allocatable, intent(inout) :: findings(:)
+      !> Number of findings so far
       integer, intent(inout) :: n
       real(dp), parameter :: largest = 100
       real(dp) :: length, exponents(8)
@@ -117,6 +124,7 @@ contains
    subroutine check_beams(model, findings, n)
       type(model_t), intent(in) :: model
       type(finding_t), allocatable, intent(inout) :: findings(:)
+      !> Number of findings so far
       integer, intent(inout) :: n
       type(parts_t) :: parts
       real(dp), allocatable :: centre(:, :), length(:), supports(:, :, :)
@@ -171,7 +179,10 @@ contains
    pure subroutine measure_parts(model, parts, centre, length)
       type(model_t), intent(in) :: model
       type(parts_t), intent(in) :: parts
-      real(dp), allocatable, intent(out) :: centre(:, :), length(:)
+      !> Centre of the nodes of each part (3, parts) [m]
+      real(dp), allocatable, intent(out) :: centre(:, :)
+      !> Largest distance of a node from it (parts) [m]
+      real(dp), allocatable, intent(out) :: length(:)
       integer, allocatable :: n_nodes(:)
       integer :: node, part
 
@@ -197,7 +208,10 @@ contains
       type(model_t), intent(in) :: model
       type(step_t), intent(in) :: step
       type(parts_t), intent(in) :: parts
-      real(dp), intent(in) :: centre(:, :), length(:)
+      !> Centre of the nodes of each part (3, parts) [m]
+      real(dp), intent(in) :: centre(:, :)
+      !> Size of each part (parts) [m]
+      real(dp), intent(in) :: length(:)
       real(dp), allocatable :: matrices(:, :, :)
       integer :: i, part
 
@@ -227,6 +241,7 @@ contains
    contains
 
       pure subroutine mark(members)
+         !> Indices of the elements of a set (n)
          integer, intent(in) :: members(:)
 
          in_contact(parts%of_element(members)) = .true.
@@ -238,6 +253,7 @@ contains
    subroutine check_conductors(model, findings, n)
       type(model_t), intent(in) :: model
       type(finding_t), allocatable, intent(inout) :: findings(:)
+      !> Number of findings so far
       integer, intent(inout) :: n
       type(parts_t) :: parts
       logical, allocatable :: included(:), told(:), held(:), group_held(:)
@@ -305,6 +321,7 @@ contains
    contains
 
       subroutine join_members(members)
+         !> Indices of the elements of a set (n)
          integer, intent(in) :: members(:)
          integer :: k, this
 

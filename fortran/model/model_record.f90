@@ -144,6 +144,7 @@ contains
    !> A contact pair and the laws of its interaction.
    subroutine record_contact_pair(model, i, record)
       type(model_t), intent(in) :: model
+      !> Number of the contact pair in the deck
       integer, intent(in) :: i
       type(record_t), intent(inout) :: record
 
@@ -175,8 +176,9 @@ contains
    contains
 
       subroutine record_members(what, members)
+         !> Which of the two sets of the pair
          character(len=*), intent(in) :: what
-         !> Elements of a set
+         !> Indices of its elements (n)
          integer, intent(in) :: members(:)
 
          call record%value('number of elements of the '//what, to_text(size(members)))
@@ -213,6 +215,7 @@ contains
 
       !> A checksum for each degree of freedom, node by node: a deck may name them in another order.
       subroutine record_values(keyword, items)
+         !> The keyword that gives such values
          character(len=*), intent(in) :: keyword
          type(nodal_value_t), intent(in) :: items(:)
          !> Checksums of the values at each node; 0: there is none
@@ -236,6 +239,7 @@ contains
 
       !> Of the amplitude's name; its points have lines of their own.
       pure integer(int64) function amplitude_sum(amplitude) result(total)
+         !> Index of the amplitude; 0: none
          integer, intent(in) :: amplitude
 
          total = 0
@@ -247,6 +251,7 @@ contains
    !> Whether there is a thing at all is a line of its own: what is missing is then named once.
    pure subroutine begin(self, subject)
       class(record_t), intent(inout) :: self
+      !> What the lines to come belong to, as messages name it
       character(len=*), intent(in) :: subject
 
       self%subject = subject
@@ -255,14 +260,21 @@ contains
 
    pure subroutine add(self, what, kind, value)
       class(record_t), intent(inout) :: self
-      character(len=*), intent(in) :: what, kind, value
+      !> Name of the quantity within the subject
+      character(len=*), intent(in) :: what
+      !> One letter that says how values are compared, one of `kind_...`
+      character(len=*), intent(in) :: kind
+      !> The value as text
+      character(len=*), intent(in) :: value
 
       call self%lines%append(to_text(self%step)//tab//self%subject//tab//what//tab//kind//value//nl)
    end subroutine add
 
    pure subroutine add_real(self, what, value)
       class(record_t), intent(inout) :: self
+      !> Name of the quantity within the subject
       character(len=*), intent(in) :: what
+      !> Any finite number
       real(dp), intent(in) :: value
       character(len=32) :: buffer
 
@@ -274,7 +286,9 @@ contains
    !> One of several choices.
    pure subroutine add_integer(self, what, value)
       class(record_t), intent(inout) :: self
+      !> Name of the quantity within the subject
       character(len=*), intent(in) :: what
+      !> Number of the choice
       integer, intent(in) :: value
 
       call self%add(what, kind_sum, to_text(value))
@@ -282,14 +296,19 @@ contains
 
    pure subroutine add_text(self, what, value)
       class(record_t), intent(inout) :: self
-      character(len=*), intent(in) :: what, value
+      !> Name of the quantity within the subject
+      character(len=*), intent(in) :: what
+      !> The value; may be empty
+      character(len=*), intent(in) :: value
 
       call self%add(what, kind_text, value)
    end subroutine add_text
 
    pure subroutine add_reals(self, what, values)
       class(record_t), intent(inout) :: self
+      !> Name of the quantity within the subject
       character(len=*), intent(in) :: what
+      !> Numbers (components, items)
       real(dp), intent(in) :: values(:, :)
 
       call self%add(what, kind_sum, sum_text(checksum(values + 0.0_dp)))
@@ -297,13 +316,16 @@ contains
 
    pure subroutine add_integers(self, what, values)
       class(record_t), intent(inout) :: self
+      !> Name of the quantity within the subject
       character(len=*), intent(in) :: what
+      !> Numbers (components, items)
       integer, intent(in) :: values(:, :)
 
       call self%add(what, kind_sum, sum_text(checksum(int(values, int64))))
    end subroutine add_integers
 
    pure function sum_text(total) result(text)
+      !> A checksum
       integer(int64), intent(in) :: total
       character(len=:), allocatable :: text
       character(len=24) :: buffer
@@ -313,6 +335,7 @@ contains
    end function sum_text
 
    pure function yes_or_no(yes) result(word)
+      !> The answer
       logical, intent(in) :: yes
       character(len=:), allocatable :: word
 
@@ -320,12 +343,14 @@ contains
    end function yes_or_no
 
    pure integer(int64) function bits(value)
+      !> The number whose bits are wanted; both zeros count as one
       real(dp), intent(in) :: value
 
       bits = transfer(value + 0.0_dp, bits)
    end function bits
 
    pure integer(int64) function checksum_of_text(text) result(total)
+      !> ASCII
       character(len=*), intent(in) :: text
       integer(int64) :: codes(len(text), 1)
       integer :: i
@@ -371,6 +396,7 @@ contains
       !> Name a difference, but no part of something that is missing as a whole.
       subroutine tell(line, what)
          type(line_t), intent(in) :: line
+         !> What is different about the line, as the end of a clause
          character(len=*), intent(in) :: what
 
          if (line%subject == told) return
@@ -429,7 +455,9 @@ contains
 
    !> The lines of a record that belong to the model or to steps that have begun, and their places by name.
    pure subroutine take_apart(record, last_step, lines, places)
+      !> Lines of a record, each with its end
       character(len=*), intent(in) :: record
+      !> Number of the last step that has begun; the lines of later ones do not count
       integer, intent(in) :: last_step
       type(line_t), allocatable, intent(out) :: lines(:)
       type(name_map_t), intent(inout) :: places

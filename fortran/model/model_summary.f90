@@ -58,6 +58,7 @@ contains
    contains
 
       pure function material_line(m) result(line)
+         !> Index of the material
          integer, intent(in) :: m
          character(len=:), allocatable :: line
 
@@ -77,6 +78,7 @@ contains
 
    pure function section_lines(model, s) result(text)
       type(model_t), intent(in) :: model
+      !> Index of the section
       integer, intent(in) :: s
       character(len=:), allocatable :: text
 
@@ -95,7 +97,9 @@ contains
    contains
 
       pure function with_unit(value, unit) result(words)
+         !> In the unit of the deck
          real(dp), intent(in) :: value
+         !> That unit in SI
          character(len=*), intent(in) :: unit
          character(len=:), allocatable :: words
 
@@ -105,6 +109,7 @@ contains
    end function section_lines
 
    pure function set_lines(what, sets) result(text)
+      !> What the sets are called in the singular, such as `node set`
       character(len=*), intent(in) :: what
       type(named_set_t), intent(in) :: sets(:)
       character(len=:), allocatable :: text
@@ -119,6 +124,7 @@ contains
 
    pure function pair_line(model, p) result(line)
       type(model_t), intent(in) :: model
+      !> Index of the contact pair
       integer, intent(in) :: p
       character(len=:), allocatable :: line
 
@@ -178,6 +184,7 @@ contains
 
    pure function step_lines(model, s) result(text)
       type(model_t), intent(in) :: model
+      !> Number of the step
       integer, intent(in) :: s
       character(len=:), allocatable :: text
       integer :: i
@@ -216,6 +223,7 @@ contains
 
    !> How many values for each degree of freedom, and their range.
    pure function value_lines(what, items) result(text)
+      !> What the values are called at the head of a line
       character(len=*), intent(in) :: what
       type(nodal_value_t), intent(in) :: items(:)
       character(len=:), allocatable :: text

@@ -72,6 +72,7 @@ contains
    pure function part_words(model, parts, part) result(words)
       type(model_t), intent(in) :: model
       type(parts_t), intent(in) :: parts
+      !> Index of the part
       integer, intent(in) :: part
       character(len=:), allocatable :: words, first
 
@@ -86,7 +87,9 @@ contains
 
    !> Put two members into the same tree.
    pure subroutine join(root, a, b)
+      !> For each member another one of the same tree, nearer to the root; the root for itself (members)
       integer, intent(inout) :: root(:)
+      !> The two members
       integer, intent(in) :: a, b
       integer :: i, j
 
@@ -100,7 +103,9 @@ contains
 
    !> Walk to the root, and shorten the way for the next time.
    pure subroutine halve_path(root, i)
+      !> For each member another one of the same tree, nearer to the root; the root for itself (members)
       integer, intent(inout) :: root(:)
+      !> In: a member. Out: the root of its tree
       integer, intent(inout) :: i
 
       do while (root(i) /= i)
@@ -110,7 +115,9 @@ contains
    end subroutine halve_path
 
    pure integer function find_root(root, member) result(i)
+      !> For each member another one of the same tree, nearer to the root; the root for itself (members)
       integer, intent(in) :: root(:)
+      !> Any member of the tree
       integer, intent(in) :: member
 
       i = member

@@ -17,10 +17,23 @@ module litz_rigid_modes
       pure subroutine dsyev(jobz, uplo, n, a, lda, w, work, lwork, info)
          import :: dp
          implicit none
-         character(len=1), intent(in) :: jobz, uplo
-         integer, intent(in) :: n, lda, lwork
+         !> `V`: eigenvectors too
+         character(len=1), intent(in) :: jobz
+         !> `U`: the upper triangle of `a` is given
+         character(len=1), intent(in) :: uplo
+         !> Order of the matrix
+         integer, intent(in) :: n
+         !> Leading dimension of `a`
+         integer, intent(in) :: lda
+         !> Size of `work`, at least 3 n - 1
+         integer, intent(in) :: lwork
+         !> In: the matrix (lda, n). Out: its eigenvectors as columns
          real(dp), intent(inout) :: a(lda, *)
-         real(dp), intent(out) :: w(*), work(*)
+         !> Eigenvalues (n), ascending
+         real(dp), intent(out) :: w(*)
+         !> Room for the computation (lwork)
+         real(dp), intent(out) :: work(*)
+         !> 0: all is well
          integer, intent(out) :: info
       end subroutine dsyev
    end interface
@@ -30,6 +43,7 @@ contains
    !> Add one prescribed degree of freedom to the matrix of supports, `sum of c c^T` with `c . (t, L theta) = 0` the
    !> condition on the translation `t` and the rotation `theta` of the body.
    pure subroutine add_support(matrix, dof, arm)
+      !> Matrix of supports (6, 6) in `(t, L theta)` [-]
       real(dp), intent(inout) :: matrix(6, 6)
       !> 1-3 displacement, 4-6 rotation
       integer, intent(in) :: dof
@@ -50,7 +64,9 @@ contains
 
    !> Basis of the motions that no support restrains.
    pure subroutine free_modes(matrix, n, modes)
+      !> Matrix of supports (6, 6), see add_support
       real(dp), intent(in) :: matrix(6, 6)
+      !> Number of motions that nothing restrains, 0 to 6
       integer, intent(out) :: n
       !> Columns: t, L theta; the first `n` are set
       real(dp), intent(out) :: modes(6, 6)
@@ -67,6 +83,7 @@ contains
    !> Gauss-Jordan elimination, rotations first, so that the basis has as many pure translations as there are, and
    !> motions along and about single axes where that is possible.
    pure subroutine simplify(modes)
+      !> Basis (6, n): columns `t, L theta`
       real(dp), intent(inout) :: modes(:, :)
       integer, parameter :: order(6) = [4, 5, 6, 1, 2, 3]
       real(dp) :: column(6)
@@ -90,7 +107,9 @@ contains
 
    !> `translation along x, rotation about the x direction through (0, 0, 0)`
    pure function modes_in_words(n, modes, centre, length) result(words)
+      !> Number of motions
       integer, intent(in) :: n
+      !> Their directions (6, 6): the first `n` columns `t, L theta`
       real(dp), intent(in) :: modes(6, 6)
       !> Centre [m] and size [m] of the body
       real(dp), intent(in) :: centre(3), length
@@ -105,7 +124,14 @@ contains
    end function modes_in_words
 
    pure function mode_words(translation, rotation, centre, length) result(words)
-      real(dp), intent(in) :: translation(3), rotation(3), centre(3), length
+      !> Translation of the centre (3), of any length
+      real(dp), intent(in) :: translation(3)
+      !> Rotation (3) that belongs to it, in its unit over [m]
+      real(dp), intent(in) :: rotation(3)
+      !> Centre of the body [m]
+      real(dp), intent(in) :: centre(3)
+      !> Size of the body [m]
+      real(dp), intent(in) :: length
       character(len=:), allocatable :: words
       real(dp) :: point(3), axis(3), advance
 
@@ -125,6 +151,7 @@ contains
    end function mode_words
 
    pure function direction_words(direction) result(words)
+      !> Unit vector (3)
       real(dp), intent(in) :: direction(3)
       character(len=:), allocatable :: words
       character(len=1), parameter :: names(3) = ['x', 'y', 'z']

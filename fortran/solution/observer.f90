@@ -32,8 +32,8 @@ module litz_observer
          type(error_t), allocatable, intent(inout) :: error
       end subroutine on_iteration
 
-      !> `increment_accepted`: the state is a new one, and has passed its audit. `warnings_added`: some may be new; those
-      !> that were told are marked so. `begin_giving_up`: the last converged state is about to give way to the iterate.
+      !> `increment_accepted`: the state is a new one, and has passed its audit. `warnings_added`: some may be new;
+      !> those that were told are marked so. `begin_giving_up`: the iterate is about to become the state.
       subroutine on_problem(self, problem, error)
          import :: observer_t, problem_t, error_t
          implicit none

@@ -145,7 +145,8 @@ contains
             problem%n_iterations = problem%n_iterations + outcome%iterations
             if (outcome%converged) exit
             problem%has_factor = .false.
-            call observer%attempt_done(problem, report_of(problem, outcome, audit, increment, target, start_time), error)
+            call observer%attempt_done(problem, report_of(problem, outcome, audit, increment, target, start_time), &
+               error)
             if (allocated(error)) return
             possible = control%cut(step, increment, report%attempt)
             if (outcome%cause == cause_lost_contact) then
@@ -160,8 +161,8 @@ contains
          audit = audit_increment(problem%model, problem%state, nodal_residual(problem), measure_scales(problem))
          problem%state%audit = [audit%force, audit%moment, audit%current, audit%power, audit%penetration]
          call problem%timing%lap(phase_update)
-         call tell(problem, outcome, audit, report_of(problem, outcome, audit, increment, target, start_time), observer, &
-            error)
+         call tell(problem, outcome, audit, report_of(problem, outcome, audit, increment, target, start_time), &
+            observer, error)
          if (allocated(error)) return
          call control%accept(step, step_time, outcome%factorisations)
       end associate

@@ -22,7 +22,10 @@ contains
 
    !> The number behind a word at the beginning of a line, in bytes; the largest number when there is none.
    integer(int64) function number_behind(file, word, unit_of_file) result(bytes)
-      character(len=*), intent(in) :: file, word
+      !> Path of a file of the system
+      character(len=*), intent(in) :: file
+      !> What its line begins with
+      character(len=*), intent(in) :: word
       !> [bytes]
       integer, intent(in) :: unit_of_file
       character(len=200) :: line
@@ -45,6 +48,7 @@ contains
 
    !> In the unit a reader likes: `3.8 GB`, `12.0 MB`.
    pure function memory_text(bytes) result(text)
+      !> Amount of memory [bytes]
       integer(int64), intent(in) :: bytes
       character(len=:), allocatable :: text
       character(len=24) :: number

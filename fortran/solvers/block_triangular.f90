@@ -64,6 +64,7 @@ contains
    subroutine block_factor(self, matrix, symmetric, error)
       class(diagonal_block_t), intent(inout) :: self
       type(csr_matrix_t), intent(in) :: matrix
+      !> .true.: the matrix is symmetric, and its Cholesky factor solves it exactly
       logical, intent(in) :: symmetric
       type(error_t), allocatable, intent(out) :: error
 
@@ -113,7 +114,9 @@ contains
       class(diagonal_block_t), intent(inout) :: self
       !> What was factored
       type(csr_matrix_t), intent(in) :: matrix
+      !> Right-hand side (n)
       real(dp), intent(in) :: b(:)
+      !> Solution (n); of no use after an error
       real(dp), intent(out) :: x(:)
       type(error_t), allocatable, intent(out) :: error
       logical :: converged
@@ -192,8 +195,14 @@ contains
    subroutine block_solver_solve(self, matrix, b_m, b_e, x_m, x_e, error)
       class(block_solver_t), intent(inout) :: self
       type(system_matrix_t), intent(in) :: matrix
-      real(dp), intent(in) :: b_m(:), b_e(:)
-      real(dp), intent(out) :: x_m(:), x_e(:)
+      !> Right-hand side of the mechanical block (n_m) [N, N m]
+      real(dp), intent(in) :: b_m(:)
+      !> Right-hand side of the electric block (n_e) [A]
+      real(dp), intent(in) :: b_e(:)
+      !> Solution of the mechanical block (n_m) [m, rad]
+      real(dp), intent(out) :: x_m(:)
+      !> Solution of the electric block (n_e) [V]
+      real(dp), intent(out) :: x_e(:)
       type(error_t), allocatable, intent(out) :: error
       real(dp) :: b(size(b_e))
 
@@ -207,7 +216,9 @@ contains
    subroutine block_solver_solve_mechanical(self, matrix, b, x, error)
       class(block_solver_t), intent(inout) :: self
       type(system_matrix_t), intent(in) :: matrix
+      !> Right-hand side (n_m) [N, N m]
       real(dp), intent(in) :: b(:)
+      !> Solution (n_m) [m, rad]
       real(dp), intent(out) :: x(:)
       type(error_t), allocatable, intent(out) :: error
 
@@ -220,7 +231,9 @@ contains
    subroutine block_solver_solve_electric(self, matrix, b, x, error)
       class(block_solver_t), intent(inout) :: self
       type(system_matrix_t), intent(in) :: matrix
+      !> Right-hand side (n_e) [A]
       real(dp), intent(in) :: b(:)
+      !> Solution (n_e) [V]
       real(dp), intent(out) :: x(:)
       type(error_t), allocatable, intent(out) :: error
 

@@ -46,8 +46,12 @@ module litz_cholmod
          import :: c_ptr, c_int64_t, c_int
          implicit none
          type(c_ptr), value :: handle
+         !> Number of equations
          integer(c_int64_t), value :: n
-         integer(c_int64_t), intent(in) :: start(*), row(*)
+         !> Place of the first entry of each column and one past the last (n + 1), from 0
+         integer(c_int64_t), intent(in) :: start(*)
+         !> Row of each entry, from 0, ascending within a column
+         integer(c_int64_t), intent(in) :: row(*)
          integer(c_int) :: status
       end function cholmod_shim_analyse
 
@@ -62,9 +66,15 @@ module litz_cholmod
          import :: c_ptr, c_int64_t, c_double, c_int
          implicit none
          type(c_ptr), value :: handle
+         !> Number of equations
          integer(c_int64_t), value :: n
-         integer(c_int64_t), intent(in) :: start(*), row(*)
+         !> Place of the first entry of each column and one past the last (n + 1), from 0
+         integer(c_int64_t), intent(in) :: start(*)
+         !> Row of each entry, from 0, ascending within a column
+         integer(c_int64_t), intent(in) :: row(*)
+         !> Entries of both triangles; the upper one is read
          real(c_double), intent(in) :: value(*)
+         !> Column, from 0, whose pivot is not positive
          integer(c_int64_t), intent(inout) :: failed
          integer(c_int) :: status
       end function cholmod_shim_factor
@@ -73,6 +83,7 @@ module litz_cholmod
          import :: c_ptr, c_double
          implicit none
          type(c_ptr), value :: handle
+         !> Squares of the diagonal of the factor (n), in the order of the equations
          real(c_double), intent(out) :: pivot(*)
       end subroutine cholmod_shim_pivots
 
@@ -80,8 +91,11 @@ module litz_cholmod
          import :: c_ptr, c_int64_t, c_double, c_int
          implicit none
          type(c_ptr), value :: handle
+         !> Number of equations
          integer(c_int64_t), value :: n
+         !> Right-hand side (n)
          real(c_double), intent(in) :: b(*)
+         !> Solution (n)
          real(c_double), intent(out) :: x(*)
          integer(c_int) :: status
       end function cholmod_shim_solve
@@ -121,6 +135,7 @@ contains
    !> A factor that does not fit is refused before the system would kill the run for it.
    subroutine check_memory(self, n, error)
       class(cholmod_factor_t), intent(in) :: self
+      !> Number of equations
       integer, intent(in) :: n
       type(error_t), allocatable, intent(out) :: error
       integer(int64) :: bytes, limit
@@ -161,7 +176,9 @@ contains
 
    subroutine cholmod_solve(self, b, x, error)
       class(cholmod_factor_t), intent(inout) :: self
+      !> Right-hand side (n)
       real(dp), intent(in) :: b(:)
+      !> Solution (n); of no use after an error
       real(dp), intent(out) :: x(:)
       type(error_t), allocatable, intent(out) :: error
       integer(c_int) :: status
@@ -171,7 +188,9 @@ contains
    end subroutine cholmod_solve
 
    function cholmod_error(status, n) result(error)
+      !> What the shim returned, not `cholmod_ok`
       integer(c_int), intent(in) :: status
+      !> Number of equations
       integer, intent(in) :: n
       type(error_t) :: error
       character(len=12) :: equations, code

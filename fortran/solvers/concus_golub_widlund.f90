@@ -47,7 +47,9 @@ contains
       !> `A`, the factor of `S`
       type(csr_matrix_t), intent(in) :: matrix
       type(scaled_factor_t), intent(inout) :: factor
+      !> Right-hand side (n)
       real(dp), intent(in) :: b(:)
+      !> Solution (n)
       real(dp), intent(out) :: x(:)
       !> .false.: `N` is too large, `x` is of no use
       logical, intent(out) :: converged

@@ -49,7 +49,10 @@ contains
    !> Largest entry of `diag(row_scale) A diag(column_scale)`.
    pure real(dp) function scaled_maximum(matrix, row_scale, column_scale) result(maximum)
       type(csr_matrix_t), intent(in) :: matrix
-      real(dp), intent(in) :: row_scale(:), column_scale(:)
+      !> Factors of the rows (n), not negative
+      real(dp), intent(in) :: row_scale(:)
+      !> Factors of the columns (n), not negative
+      real(dp), intent(in) :: column_scale(:)
       integer :: row
 
       maximum = 0
@@ -60,8 +63,12 @@ contains
 
    pure real(dp) function scaled_row_maximum(matrix, row, row_scale, column_scale) result(maximum)
       type(csr_matrix_t), intent(in) :: matrix
+      !> Number of the row
       integer, intent(in) :: row
-      real(dp), intent(in) :: row_scale, column_scale(:)
+      !> Its factor; not positive: the row counts as empty
+      real(dp), intent(in) :: row_scale
+      !> Factors of the columns (n), not negative
+      real(dp), intent(in) :: column_scale(:)
       integer :: k
 
       maximum = 0
@@ -73,6 +80,7 @@ contains
 
    !> Largest power of two that is not above `a`; 0 stays 0.
    elemental real(dp) function power_of_two_below(a) result(power)
+      !> Not negative
       real(dp), intent(in) :: a
 
       power = 0

@@ -77,8 +77,14 @@ module litz_linear_solver
          implicit none
          class(linear_solver_t), intent(inout) :: self
          type(system_matrix_t), intent(in) :: matrix
-         real(dp), intent(in) :: b_m(:), b_e(:)
-         real(dp), intent(out) :: x_m(:), x_e(:)
+         !> Right-hand side of the mechanical block (n_m) [N, N m]
+         real(dp), intent(in) :: b_m(:)
+         !> Right-hand side of the electric block (n_e) [A]
+         real(dp), intent(in) :: b_e(:)
+         !> Solution of the mechanical block (n_m) [m, rad]
+         real(dp), intent(out) :: x_m(:)
+         !> Solution of the electric block (n_e) [V]
+         real(dp), intent(out) :: x_e(:)
          type(error_t), allocatable, intent(out) :: error
       end subroutine solve_interface
       subroutine solve_part_interface(self, matrix, b, x, error)
@@ -86,7 +92,9 @@ module litz_linear_solver
          implicit none
          class(linear_solver_t), intent(inout) :: self
          type(system_matrix_t), intent(in) :: matrix
+         !> Right-hand side of the block (n)
          real(dp), intent(in) :: b(:)
+         !> Solution of the block (n); of no use after an error
          real(dp), intent(out) :: x(:)
          type(error_t), allocatable, intent(out) :: error
       end subroutine solve_part_interface
@@ -104,6 +112,7 @@ contains
    !> The right-hand side of a block must be as long as the block has rows.
    subroutine check_right_side(block, b, error)
       type(csr_matrix_t), intent(in) :: block
+      !> Right-hand side (n)
       real(dp), intent(in) :: b(:)
       type(error_t), allocatable, intent(out) :: error
       character(len=80) :: lengths

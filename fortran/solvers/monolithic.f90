@@ -79,8 +79,12 @@ contains
    !> Row of `block` as the next entries of `whole`, its columns moved by `shift`.
    pure subroutine append(block, row, shift, whole, next)
       type(csr_matrix_t), intent(in) :: block
-      integer, intent(in) :: row, shift
+      !> Row of `block`
+      integer, intent(in) :: row
+      !> What is added to each column number
+      integer, intent(in) :: shift
       type(csr_matrix_t), intent(inout) :: whole
+      !> Place of the next entry in `whole`; moved past the row
       integer, intent(inout) :: next
       integer :: count
 
@@ -146,8 +150,14 @@ contains
    subroutine monolithic_solve(self, matrix, b_m, b_e, x_m, x_e, error)
       class(monolithic_solver_t), intent(inout) :: self
       type(system_matrix_t), intent(in) :: matrix
-      real(dp), intent(in) :: b_m(:), b_e(:)
-      real(dp), intent(out) :: x_m(:), x_e(:)
+      !> Right-hand side of the mechanical block (n_m) [N, N m]
+      real(dp), intent(in) :: b_m(:)
+      !> Right-hand side of the electric block (n_e) [A]
+      real(dp), intent(in) :: b_e(:)
+      !> Solution of the mechanical block (n_m) [m, rad]
+      real(dp), intent(out) :: x_m(:)
+      !> Solution of the electric block (n_e) [V]
+      real(dp), intent(out) :: x_e(:)
       type(error_t), allocatable, intent(out) :: error
       real(dp) :: x(size(b_m) + size(b_e))
 
@@ -164,7 +174,9 @@ contains
    subroutine monolithic_solve_mechanical(self, matrix, b, x, error)
       class(monolithic_solver_t), intent(inout) :: self
       type(system_matrix_t), intent(in) :: matrix
+      !> Right-hand side (n_m) [N, N m]
       real(dp), intent(in) :: b(:)
+      !> Solution (n_m) [m, rad]
       real(dp), intent(out) :: x(:)
       type(error_t), allocatable, intent(out) :: error
       real(dp) :: b_e(matrix%ee%n_rows), x_e(matrix%ee%n_rows)
@@ -176,7 +188,9 @@ contains
    subroutine monolithic_solve_electric(self, matrix, b, x, error)
       class(monolithic_solver_t), intent(inout) :: self
       type(system_matrix_t), intent(in) :: matrix
+      !> Right-hand side (n_e) [A]
       real(dp), intent(in) :: b(:)
+      !> Solution (n_e) [V]
       real(dp), intent(out) :: x(:)
       type(error_t), allocatable, intent(out) :: error
       real(dp) :: b_m(matrix%mm%n_rows), x_m(matrix%mm%n_rows)

@@ -35,10 +35,15 @@ contains
    !> levels grows no more.
    pure subroutine find_peripheral_vertex(graph, start, done, level, order, vertex)
       type(csr_matrix_t), intent(in) :: graph
+      !> Vertex to begin with
       integer, intent(in) :: start
       !> Vertices numbered before; `order` is scratch beyond, `level` comes back as it was
       integer, intent(in) :: done
-      integer, intent(inout) :: level(:), order(:)
+      !> Breadth-first level of each vertex, from 1 (n); 0: not reached. Comes back as it was
+      integer, intent(inout) :: level(:)
+      !> Vertices in the order of their numbers (n); scratch beyond `done`
+      integer, intent(inout) :: order(:)
+      !> The vertex that was found, of the part of the graph that `start` belongs to
       integer, intent(out) :: vertex
       integer :: candidate, height, last, k
 
@@ -57,6 +62,7 @@ contains
 
    pure integer function least_connected_of_last_level(graph, level, vertices) result(vertex)
       type(csr_matrix_t), intent(in) :: graph
+      !> Breadth-first level of each vertex, from 1 (n); 0: not reached
       integer, intent(in) :: level(:)
       !> In the order of their levels
       integer, intent(in) :: vertices(:)
@@ -72,8 +78,15 @@ contains
    !> Breadth-first numbering of the part of the graph that `start` belongs to, into `order(done+1:last)`.
    pure subroutine number_from(graph, start, done, level, order, last)
       type(csr_matrix_t), intent(in) :: graph
-      integer, intent(in) :: start, done
-      integer, intent(inout) :: level(:), order(:)
+      !> Vertex to begin with
+      integer, intent(in) :: start
+      !> Number of vertices numbered before, which stand in `order(:done)`
+      integer, intent(in) :: done
+      !> Breadth-first level of each vertex, from 1 (n); 0: not reached
+      integer, intent(inout) :: level(:)
+      !> Vertices in the order of their numbers (n)
+      integer, intent(inout) :: order(:)
+      !> Number of vertices numbered with these
       integer, intent(out) :: last
       integer :: current, first_new, k, neighbour
 
@@ -98,6 +111,7 @@ contains
    !> Ascending degree, equal degrees in the order they came (insertion: a vertex has few new neighbours).
    pure subroutine sort_by_degree(graph, vertices)
       type(csr_matrix_t), intent(in) :: graph
+      !> Vertices (n) to be sorted in place
       integer, intent(inout) :: vertices(:)
       integer :: i, j, vertex
 
@@ -113,6 +127,7 @@ contains
 
    pure integer function degree(graph, vertex)
       type(csr_matrix_t), intent(in) :: graph
+      !> The vertex whose neighbours are counted
       integer, intent(in) :: vertex
 
       degree = graph%row_start(vertex + 1) - graph%row_start(vertex)

@@ -40,6 +40,7 @@ contains
    subroutine scaled_factor_analyse(self, matrix, offset, error)
       class(scaled_factor_t), intent(inout) :: self
       type(csr_matrix_t), intent(in) :: matrix
+      !> Number of equations of the whole system before those of the matrix, for messages
       integer, intent(in) :: offset
       type(error_t), allocatable, intent(out) :: error
 
@@ -113,7 +114,9 @@ contains
    !> `A x = b`
    subroutine scaled_factor_solve(self, b, x, error)
       class(scaled_factor_t), intent(inout) :: self
+      !> Right-hand side (n)
       real(dp), intent(in) :: b(:)
+      !> Solution (n); of no use after an error
       real(dp), intent(out) :: x(:)
       type(error_t), allocatable, intent(out) :: error
       real(dp), allocatable :: residual(:), correction(:)
@@ -142,7 +145,9 @@ contains
    !> The same without refinement and verdict, for iterations that correct themselves; `solve` has been called before.
    subroutine scaled_factor_solve_once(self, b, x, error)
       class(scaled_factor_t), intent(inout) :: self
+      !> Right-hand side (n)
       real(dp), intent(in) :: b(:)
+      !> Solution (n); of no use after an error
       real(dp), intent(out) :: x(:)
       type(error_t), allocatable, intent(out) :: error
 
@@ -152,7 +157,9 @@ contains
 
    subroutine give_up(self, equation, reason, error)
       class(scaled_factor_t), intent(inout) :: self
+      !> Number of the equation within the matrix
       integer, intent(in) :: equation
+      !> What is wrong about it, as the end of a sentence
       character(len=*), intent(in) :: reason
       type(error_t), allocatable, intent(out) :: error
       character(len=12) :: number

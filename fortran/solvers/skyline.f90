@@ -43,7 +43,11 @@ module litz_skyline
       pure real(dp) function ddot(n, x, step_x, y, step_y)
          import :: dp
          implicit none
-         integer, intent(in) :: n, step_x, step_y
+         !> Number of products
+         integer, intent(in) :: n
+         !> Distance between the entries that are used
+         integer, intent(in) :: step_x, step_y
+         !> The vectors
          real(dp), intent(in) :: x(*), y(*)
       end function ddot
    end interface
@@ -77,8 +81,12 @@ contains
    end function factor_bytes
 
    subroutine refuse(n, bytes, limit, error)
+      !> Number of equations
       integer, intent(in) :: n
-      integer(int64), intent(in) :: bytes, limit
+      !> Memory that the profile needs [bytes]
+      integer(int64), intent(in) :: bytes
+      !> Memory that may be used [bytes]
+      integer(int64), intent(in) :: limit
       type(error_t), allocatable, intent(out) :: error
       character(len=12) :: number
 
@@ -115,6 +123,7 @@ contains
       graph%row_start(matrix%n_rows + 1) = count + 1
    contains
       subroutine add(column)
+         !> Column of the entry
          integer, intent(in) :: column
 
          if (seen(column)) return
@@ -126,6 +135,7 @@ contains
 
    pure subroutine set_profiles(matrix, position, lower, upper)
       type(csr_matrix_t), intent(in) :: matrix
+      !> Place of each equation in the order of elimination (n)
       integer, intent(in) :: position(:)
       type(profile_t), intent(inout) :: lower, upper
       integer :: row, i, j, k
@@ -145,6 +155,7 @@ contains
    end subroutine set_profiles
 
    pure function line_starts(first) result(start)
+      !> First column of each line of the profile (n)
       integer, intent(in) :: first(:)
       integer(int64) :: start(size(first)), used
       integer :: i
@@ -190,8 +201,10 @@ contains
 
    pure subroutine fill_profiles(matrix, position, lower, upper, diagonal)
       type(csr_matrix_t), intent(in) :: matrix
+      !> Place of each equation in the order of elimination (n)
       integer, intent(in) :: position(:)
       type(profile_t), intent(inout) :: lower, upper
+      !> Diagonal of the matrix (n) in the order of elimination
       real(dp), intent(out) :: diagonal(:)
       integer :: row, i, j, k
 
@@ -216,6 +229,7 @@ contains
    !> `A = L U` in place: column j of U and row j of L from all lines before them.
    pure subroutine factor_profiles(lower, upper, diagonal, failed)
       type(profile_t), intent(inout) :: lower, upper
+      !> In: the diagonal of the matrix (n). Out: that of `U`
       real(dp), intent(inout) :: diagonal(:)
       !> Line whose pivot vanished; 0: all went well
       integer, intent(out) :: failed
@@ -241,7 +255,12 @@ contains
    !> Sum over k < `before` of entry k of line i of `a` times entry k of line j of `b`.
    pure real(dp) function line_product(a, i, b, j, before) result(sum)
       type(profile_t), intent(in) :: a, b
-      integer, intent(in) :: i, j, before
+      !> Line of `a`
+      integer, intent(in) :: i
+      !> Line of `b`
+      integer, intent(in) :: j
+      !> Where the sum ends, this entry not included
+      integer, intent(in) :: before
       integer :: k
 
       k = max(a%first(i), b%first(j))
@@ -251,7 +270,9 @@ contains
 
    subroutine skyline_solve(self, b, x, error)
       class(skyline_factor_t), intent(inout) :: self
+      !> Right-hand side (n)
       real(dp), intent(in) :: b(:)
+      !> Solution (n)
       real(dp), intent(out) :: x(:)
       type(error_t), allocatable, intent(out) :: error
       real(dp) :: y(size(b))

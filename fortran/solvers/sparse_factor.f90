@@ -43,7 +43,9 @@ module litz_sparse_factor
          import :: sparse_factor_t, error_t, dp
          implicit none
          class(sparse_factor_t), intent(inout) :: self
+         !> Right-hand side (n)
          real(dp), intent(in) :: b(:)
+         !> Solution (n); of no use after an error
          real(dp), intent(out) :: x(:)
          type(error_t), allocatable, intent(out) :: error
       end subroutine solve_interface

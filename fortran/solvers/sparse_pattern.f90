@@ -20,6 +20,7 @@ contains
    !> node blocks. The work is the sum of the squares of the clique sizes: a row is gathered in any order and handed out
    !> as a column of the transpose, whose rows so come out ascending, and the pattern is its own transpose.
    pure subroutine pattern_from_cliques(n, clique_start, clique_members, matrix, entries, most_entries)
+      !> Number of members: rows and columns of the pattern
       integer, intent(in) :: n
       !> (cliques + 1): first member of each clique, and one past the last
       integer, intent(in) :: clique_start(:)
@@ -27,8 +28,9 @@ contains
       integer, intent(in) :: clique_members(:)
       !> Structurally symmetric, with a full diagonal; values zero
       type(csr_matrix_t), intent(out) :: matrix
-      !> Number of entries of the pattern, and up to which number it is made; default: what can be counted
+      !> Number of entries that the pattern has
       integer(int64), intent(out), optional :: entries
+      !> A pattern with more entries is not made; default: as many as can be counted
       integer(int64), intent(in), optional :: most_entries
       integer, allocatable :: cliques_start(:), cliques_of(:), neighbours(:), free(:), last_seen(:)
       integer(int64) :: total, most
@@ -70,9 +72,15 @@ contains
 
    !> The inverse lists: the cliques each unknown belongs to.
    pure subroutine cliques_of_members(n, clique_start, clique_members, start, cliques)
-      integer, intent(in) :: n, clique_start(:), clique_members(:)
-      !> (n + 1)
+      !> Number of members
+      integer, intent(in) :: n
+      !> First member of each clique, and one past the last (cliques + 1)
+      integer, intent(in) :: clique_start(:)
+      !> Members 1..n, or 0: left out
+      integer, intent(in) :: clique_members(:)
+      !> First clique of each member in `cliques`, and one past the last (n + 1)
       integer, allocatable, intent(out) :: start(:)
+      !> The cliques of each member, one member after the other
       integer, allocatable, intent(out) :: cliques(:)
       integer, allocatable :: free(:)
       integer :: clique, k, member
@@ -101,11 +109,21 @@ contains
    !> Everyone who shares a clique with `row`, each once, `row` first.
    pure subroutine gather_neighbours(row, cliques_start, cliques, clique_start, clique_members, last_seen, neighbours, &
       count)
-      integer, intent(in) :: row, cliques_start(:), cliques(:), clique_start(:), clique_members(:)
+      !> The member whose neighbours are wanted
+      integer, intent(in) :: row
+      !> First clique of each member in `cliques`, and one past the last (n + 1)
+      integer, intent(in) :: cliques_start(:)
+      !> The cliques of each member, one member after the other
+      integer, intent(in) :: cliques(:)
+      !> First member of each clique, and one past the last (cliques + 1)
+      integer, intent(in) :: clique_start(:)
+      !> Members 1..n, or 0: left out
+      integer, intent(in) :: clique_members(:)
       !> (n) the last row for which each unknown was gathered
       integer, intent(inout) :: last_seen(:)
       !> (n), of which the first `count` are set
       integer, intent(inout) :: neighbours(:)
+      !> Number of neighbours, `row` included
       integer, intent(out) :: count
       integer :: i, k, member
 
@@ -127,6 +145,7 @@ contains
    !> Where entry (row, column) stands in `matrix%value`; 0: it is not in the pattern.
    pure integer function csr_position(matrix, row, column) result(position)
       type(csr_matrix_t), intent(in) :: matrix
+      !> Place of the entry in the matrix, from 1
       integer, intent(in) :: row, column
       integer :: low, high
 
@@ -154,6 +173,7 @@ contains
 
    !> More entries of a matrix than can be counted are refused. (Those of its factors are counted in 64 bits.)
    subroutine check_entries(equations, entries, error)
+      !> Number of equations
       integer, intent(in) :: equations
       !> That the matrix would have
       integer(int64), intent(in) :: entries
@@ -212,6 +232,7 @@ contains
    !> `y = y + factor A x`
    subroutine csr_add_product(matrix, factor, x, y)
       type(csr_matrix_t), intent(in) :: matrix
+      !> Any number
       real(dp), intent(in) :: factor
       !> (n_columns)
       real(dp), intent(in) :: x(:)

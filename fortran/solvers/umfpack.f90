@@ -40,17 +40,25 @@ module litz_umfpack
       subroutine umfpack_dl_defaults(control) bind(c)
          import :: c_double
          implicit none
+         !> Settings of UMFPACK (20)
          real(c_double), intent(out) :: control(*)
       end subroutine umfpack_dl_defaults
 
       function umfpack_dl_symbolic(n_row, n_col, ap, ai, ax, symbolic, control, info) bind(c) result(status)
          import :: c_int64_t, c_double, c_ptr
          implicit none
+         !> Numbers of rows and columns
          integer(c_int64_t), value :: n_row, n_col
-         integer(c_int64_t), intent(in) :: ap(*), ai(*)
+         !> Place of the first entry of each column and one past the last (n_col + 1), from 0
+         integer(c_int64_t), intent(in) :: ap(*)
+         !> Row of each entry, from 0, ascending within a column
+         integer(c_int64_t), intent(in) :: ai(*)
+         !> Entries of the matrix
          real(c_double), intent(in) :: ax(*)
          type(c_ptr), intent(out) :: symbolic
+         !> Settings of UMFPACK (20)
          real(c_double), intent(in) :: control(*)
+         !> What UMFPACK tells about its work (90)
          real(c_double), intent(out) :: info(*)
          integer(c_int64_t) :: status
       end function umfpack_dl_symbolic
@@ -58,11 +66,17 @@ module litz_umfpack
       function umfpack_dl_numeric(ap, ai, ax, symbolic, numeric, control, info) bind(c) result(status)
          import :: c_int64_t, c_double, c_ptr
          implicit none
-         integer(c_int64_t), intent(in) :: ap(*), ai(*)
+         !> Place of the first entry of each column and one past the last (n_col + 1), from 0
+         integer(c_int64_t), intent(in) :: ap(*)
+         !> Row of each entry, from 0, ascending within a column
+         integer(c_int64_t), intent(in) :: ai(*)
+         !> Entries of the matrix
          real(c_double), intent(in) :: ax(*)
          type(c_ptr), value :: symbolic
          type(c_ptr), intent(out) :: numeric
+         !> Settings of UMFPACK (20)
          real(c_double), intent(in) :: control(*)
+         !> What UMFPACK tells about its work (90)
          real(c_double), intent(out) :: info(*)
          integer(c_int64_t) :: status
       end function umfpack_dl_numeric
@@ -71,12 +85,17 @@ module litz_umfpack
       function umfpack_dl_solve(sys, ap, ai, ax, x, b, numeric, control, info) bind(c) result(status)
          import :: c_int64_t, c_double, c_ptr
          implicit none
+         !> Which system is solved, such as `solve_transposed`
          integer(c_int64_t), value :: sys
          type(c_ptr), value :: ap, ai, ax
+         !> Solution (n)
          real(c_double), intent(out) :: x(*)
+         !> Right-hand side (n)
          real(c_double), intent(in) :: b(*)
          type(c_ptr), value :: numeric
+         !> Settings of UMFPACK (20)
          real(c_double), intent(in) :: control(*)
+         !> What UMFPACK tells about its work (90)
          real(c_double), intent(out) :: info(*)
          integer(c_int64_t) :: status
       end function umfpack_dl_solve
@@ -86,7 +105,11 @@ module litz_umfpack
          import :: c_int64_t, c_double, c_ptr
          implicit none
          type(c_ptr), value :: lp, lj, lx, up, ui, ux
-         integer(c_int64_t), intent(out) :: p(*), q(*)
+         !> Row of the matrix that each pivot is in (n), from 0
+         integer(c_int64_t), intent(out) :: p(*)
+         !> Column of the matrix that each pivot is in (n), from 0
+         integer(c_int64_t), intent(out) :: q(*)
+         !> Pivots (n)
          real(c_double), intent(out) :: dx(*)
          type(c_ptr), value :: do_recip, rs
          type(c_ptr), value :: numeric
@@ -149,6 +172,7 @@ contains
    !> Pivot of each equation; zero where a singular matrix left none.
    subroutine get_pivots(self, n)
       type(umfpack_factor_t), intent(inout) :: self
+      !> Number of equations
       integer, intent(in) :: n
       integer(c_int64_t) :: p(n), q(n), status
       real(dp) :: diagonal(n)
@@ -164,7 +188,9 @@ contains
 
    subroutine umfpack_solve(self, b, x, error)
       class(umfpack_factor_t), intent(inout) :: self
+      !> Right-hand side (n)
       real(dp), intent(in) :: b(:)
+      !> Solution (n); of no use after an error
       real(dp), intent(out) :: x(:)
       type(error_t), allocatable, intent(out) :: error
       real(c_double) :: info(info_length)
@@ -176,7 +202,9 @@ contains
    end subroutine umfpack_solve
 
    function umfpack_error(status, n) result(error)
+      !> What UMFPACK returned, not `umfpack_ok`
       integer(c_int64_t), intent(in) :: status
+      !> Number of equations
       integer, intent(in) :: n
       type(error_t) :: error
       character(len=12) :: equations, code

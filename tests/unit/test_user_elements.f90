@@ -4,8 +4,8 @@
 !> names.
 program test_user_elements
    use litz_kinds, only: dp
-   use litz_contact_em, only: contact_em, contact_em_t, contact_active
-   use litz_laws, only: axis_hermite, normal_linear, spot_hertz
+   use litz_contact_em, only: contact_em, contact_em_t, wire_pair_t, contact_laws_t, contact_active, contact_bad_table
+   use litz_laws, only: axis_hermite, normal_linear, spot_hertz, spot_table
    use litz_rotations, only: rotation_exp
    use litz_user_element, only: n_history, n_properties, n_options, history_side, history_gap, history_force, &
       history_current, history_energy
@@ -31,6 +31,7 @@ program test_user_elements
    u(7, :) = [2.0e-3_dp, 1.0e-3_dp, 0.0_dp, -1.0e-3_dp]
 
    call test_abaqus_equals_the_kernel()
+   call test_the_kernel_refuses_a_table_that_was_never_given()
    call test_abaqus_gives_what_it_is_asked_for()
    call test_the_tangent_is_the_derivative()
    call test_feap_equals_abaqus_with_additive_rotations()
@@ -41,20 +42,11 @@ contains
 
    !> Against the kernel, entry by entry: node n has rows 7n-6 to 7n-1 and 7n.
    subroutine test_abaqus_equals_the_kernel()
-      real(dp) :: x(3, 4), t(3, 4), k_kernel(28, 28), r_kernel(28), lengths(2), no_table(0)
+      real(dp) :: k_kernel(28, 28), r_kernel(28)
       type(contact_em_t) :: contact
       integer :: info, node, other, i, j
 
-      lengths = [norm2(coordinates(:, 2) - coordinates(:, 1)), norm2(coordinates(:, 4) - coordinates(:, 3))]
-      x = coordinates + u(1:3, :)
-      do node = 1, 4
-         other = (node + 1)/2*2
-         t(:, node) = matmul(rotation_exp(u(4:6, node)), coordinates(:, other) - coordinates(:, other - 1))
-         t(:, node) = t(:, node)/norm2(t(:, node))
-      end do
-      call contact_em(x, t, lengths, u(7, :), properties(1:2), properties(3:4), properties(5:6), properties(7:8), &
-         normal_linear, penalty, spot_hertz, 0.0_dp, no_table, no_table, axis_hermite, 0, [0.0_dp, 0.0_dp], k_kernel, &
-         r_kernel, contact, info)
+      call call_kernel(spot_hertz, k_kernel, r_kernel, contact, info)
       call expect(info == contact_active .and. contact%current > 0, 'the wires touch, and current flows')
 
       svars = 0
@@ -82,6 +74,39 @@ contains
       call expect(near(elastic, penalty*contact%gap**2/2), 'energy of the penalty')
       call expect(svars(history_energy) > 0, 'energy is kept')
    end subroutine test_abaqus_equals_the_kernel
+
+   subroutine test_the_kernel_refuses_a_table_that_was_never_given()
+      real(dp) :: k_kernel(28, 28), r_kernel(28)
+      type(contact_em_t) :: contact
+      integer :: info
+
+      call call_kernel(spot_table, k_kernel, r_kernel, contact, info)
+      call expect(info == contact_bad_table, 'no table')
+   end subroutine test_the_kernel_refuses_a_table_that_was_never_given
+
+   subroutine call_kernel(spot_law, k_kernel, r_kernel, contact, info)
+      integer, intent(in) :: spot_law
+      real(dp), intent(out) :: k_kernel(28, 28), r_kernel(28)
+      type(contact_em_t), intent(out) :: contact
+      integer, intent(out) :: info
+      real(dp) :: x(3, 4), t(3, 4), lengths(2)
+      type(contact_laws_t) :: laws
+      integer :: node, other
+
+      lengths = [norm2(coordinates(:, 2) - coordinates(:, 1)), norm2(coordinates(:, 4) - coordinates(:, 3))]
+      x = coordinates + u(1:3, :)
+      do node = 1, 4
+         other = (node + 1)/2*2
+         t(:, node) = matmul(rotation_exp(u(4:6, node)), coordinates(:, other) - coordinates(:, other - 1))
+         t(:, node) = t(:, node)/norm2(t(:, node))
+      end do
+      laws%normal_law = normal_linear
+      laws%penalty = penalty
+      laws%spot_law = spot_law
+      call contact_em(x, t, lengths, u(7, :), &
+         wire_pair_t(properties(1:2), properties(3:4), properties(5:6), properties(7:8)), laws, 0, k_kernel, r_kernel, &
+         contact, info)
+   end subroutine call_kernel
 
    subroutine test_abaqus_gives_what_it_is_asked_for()
       real(dp) :: k_asked(28, 28), r_asked(28)

@@ -36,6 +36,7 @@ contains
 
    !> The solver that is meant: the default of this build where nobody chose.
    pure integer function resolved_solver(kind)
+      !> A constant of litz_solver_names; `solver_default`: nobody chose
       integer, intent(in) :: kind
 
       resolved_solver = kind

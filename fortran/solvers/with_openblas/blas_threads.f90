@@ -16,14 +16,27 @@ module litz_blas_threads
       subroutine openblas_set_num_threads(threads) bind(c)
          import :: c_int
          implicit none
+         !> Number of threads, at least 1
          integer(c_int), value :: threads
       end subroutine openblas_set_num_threads
       subroutine dsymv(uplo, n, alpha, a, lda, x, incx, beta, y, incy)
          import :: dp
          implicit none
+         !> Triangle of the matrix that is looked at: `U` or `L`
          character(len=1), intent(in) :: uplo
-         integer, intent(in) :: n, lda, incx, incy
-         real(dp), intent(in) :: alpha, beta, a(lda, *), x(*)
+         !> Order of the matrix
+         integer, intent(in) :: n
+         !> Leading dimension of `a`
+         integer, intent(in) :: lda
+         !> Distance between the entries of `x` and `y` that are used
+         integer, intent(in) :: incx, incy
+         !> Factors of `A x` and of `y`
+         real(dp), intent(in) :: alpha, beta
+         !> Symmetric matrix (lda, n)
+         real(dp), intent(in) :: a(lda, *)
+         !> Vector (n)
+         real(dp), intent(in) :: x(*)
+         !> In: vector (n). Out: `alpha A x + beta y`
          real(dp), intent(inout) :: y(*)
       end subroutine dsymv
       type(c_ptr) function openblas_get_config() bind(c)
@@ -35,6 +48,7 @@ module litz_blas_threads
 contains
 
    subroutine set_blas_threads(threads)
+      !> Number of threads, at least 1
       integer, intent(in) :: threads
 
       chosen = .true.

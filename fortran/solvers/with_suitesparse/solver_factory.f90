@@ -19,6 +19,7 @@ module litz_solver_factory
       subroutine suitesparse_versions(versions) bind(c, name='litz_suitesparse_versions')
          import :: c_int
          implicit none
+         !> Main, sub and patch version of each of the three (9)
          integer(c_int), intent(out) :: versions(9)
       end subroutine suitesparse_versions
    end interface
@@ -50,6 +51,7 @@ contains
 
    !> The solver that is meant: the default of this build where nobody chose.
    pure integer function resolved_solver(kind)
+      !> A constant of litz_solver_names; `solver_default`: nobody chose
       integer, intent(in) :: kind
 
       resolved_solver = kind

@@ -8,6 +8,7 @@ contains
 
    !> Without effect.
    subroutine set_blas_threads(threads)
+      !> Number of threads that is wanted
       integer, intent(in) :: threads
 
       associate (unused => threads)

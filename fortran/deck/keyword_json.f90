@@ -87,6 +87,7 @@ contains
    end function field_object
 
    pure function place_word(place) result(word)
+      !> One of `place_...`
       integer, intent(in) :: place
       character(len=:), allocatable :: word
 
@@ -103,6 +104,7 @@ contains
    end function place_word
 
    pure function kind_word(kind) result(word)
+      !> One of `kind_...`
       integer, intent(in) :: kind
       character(len=:), allocatable :: word
 
@@ -128,6 +130,7 @@ contains
 
    !> Members of an object, each with a comma before it.
    pure function limit_members(limit) result(json)
+      !> One of `limit_...`
       integer, intent(in) :: limit
       character(len=:), allocatable :: json
 
@@ -150,6 +153,7 @@ contains
 
    !> Words that bars separate.
    pure function choice_list(choices) result(json)
+      !> The words
       character(len=*), intent(in) :: choices
       character(len=:), allocatable :: json
       integer :: i
@@ -168,6 +172,7 @@ contains
    end function choice_list
 
    pure function quoted(text) result(json)
+      !> Blanks at its end do not count
       character(len=*), intent(in) :: text
       character(len=:), allocatable :: json
       integer :: i
@@ -181,6 +186,7 @@ contains
    end function quoted
 
    pure function quoted_or_null(text) result(json)
+      !> Empty or blank: null
       character(len=*), intent(in) :: text
       character(len=:), allocatable :: json
 
@@ -190,6 +196,7 @@ contains
 
    !> 0 stands for any number.
    pure function number_or_null(number) result(json)
+      !> Not negative
       integer, intent(in) :: number
       character(len=:), allocatable :: json
 
@@ -198,6 +205,7 @@ contains
    end function number_or_null
 
    pure function truth(value) result(json)
+      !> The value as JSON has it
       logical, intent(in) :: value
       character(len=:), allocatable :: json
 

@@ -4,7 +4,8 @@ module litz_read_controls
    use litz_text, only: to_text
    use litz_model, only: step_t, controls_t, coupling_monolithic, coupling_updated
    use litz_solver_names, only: solver_block, solver_umfpack, solver_skyline
-   use litz_reader, only: reader_t, fail_at, read_line, choice_of, integer_parameter, parameter_of
+   use litz_reader, only: reader_t, fail_at, choice_of, integer_parameter, parameter_of
+   use litz_data_lines, only: read_line
    implicit none
    private
    public :: read_controls, read_solver, read_solution_technique
@@ -18,6 +19,7 @@ contains
 
    subroutine read_controls(self, card, controls)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(controls_t), intent(inout) :: controls
       integer :: line
@@ -51,14 +53,18 @@ contains
    contains
 
       subroutine take_real(i, value)
+         !> Place of the value on the data line
          integer, intent(in) :: i
+         !> In: the default. Out: what the line gives, where it gives anything
          real(dp), intent(inout) :: value
 
          if (self%values%given(i)) value = self%values%real(i)
       end subroutine take_real
 
       subroutine take_whole(i, value)
+         !> Place of the value on the data line
          integer, intent(in) :: i
+         !> In: the default. Out: what the line gives, where it gives anything
          integer, intent(inout) :: value
 
          if (self%values%given(i)) value = self%values%whole(i)
@@ -66,8 +72,11 @@ contains
 
       !> A factor that shrinks increments, or one that lets them grow.
       subroutine take_factor(i, value, below_one)
+         !> Place of the value on the data line
          integer, intent(in) :: i
+         !> In: the default. Out: what the line gives, where it gives anything
          real(dp), intent(inout) :: value
+         !> .true.: the factor shrinks increments; .false.: it lets them grow
          logical, intent(in) :: below_one
 
          call take_real(i, value)
@@ -82,6 +91,7 @@ contains
 
    subroutine read_solver(self, card, step)
       type(reader_t), intent(in) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(step_t), intent(inout) :: step
 
@@ -103,6 +113,7 @@ contains
 
    subroutine read_solution_technique(self, card, step)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(step_t), intent(inout) :: step
 

@@ -170,9 +170,12 @@ contains
 
    !> What to do in litz, or an empty string when nothing is known about the word.
    pure function advice_about(keyword, parameter, value) result(advice)
+      !> The keyword in any case
       character(len=*), intent(in) :: keyword
-      !> Empty: of the keyword itself, or of its data lines
-      character(len=*), intent(in), optional :: parameter, value
+      !> Parameter of the keyword; empty: none in particular
+      character(len=*), intent(in), optional :: parameter
+      !> Value of the parameter, or of a data line (`+`: more values than litz takes); empty: none
+      character(len=*), intent(in), optional :: value
       character(len=:), allocatable :: advice
 
       advice = ''
@@ -201,6 +204,7 @@ contains
 
    !> A keyword that litz lacks, as the table spells it; empty when it is none.
    pure function foreign_keyword(name) result(keyword)
+      !> As the user wrote it
       character(len=*), intent(in) :: name
       character(len=:), allocatable :: keyword
 
@@ -228,7 +232,9 @@ contains
 
    !> Is the word in the list, or are both empty?
    pure logical function fits(list, word)
+      !> Words with bars between them
       character(len=*), intent(in) :: list
+      !> A word in any case; empty or absent: none
       character(len=*), intent(in), optional :: word
 
       if (.not. present(word)) then
@@ -242,7 +248,10 @@ contains
 
    !> Is the word in a list, however it is written?
    pure logical function is_one_of(list, word)
-      character(len=*), intent(in) :: list, word
+      !> Words with bars between them
+      character(len=*), intent(in) :: list
+      !> A word in any case, with or without blanks
+      character(len=*), intent(in) :: word
 
       is_one_of = index('|'//squeezed(list)//'|', '|'//squeezed(word)//'|') > 0
    end function is_one_of

@@ -6,8 +6,8 @@ module litz_sets
    use litz_deck, only: token_t
    use litz_lookup, only: id_map_t
    use litz_model, only: model_t, named_set_t, name_length
-   use litz_reader, only: reader_t, set_builder_t, fail_at, read_line, parameter_of, has_flag, name_of, keyword_of, &
-      names_hint
+   use litz_reader, only: reader_t, set_builder_t, fail_at, parameter_of, has_flag, name_of, keyword_of, names_hint
+   use litz_data_lines, only: read_line
    implicit none
    private
    public :: open_set, open_named_set, continue_set, add_member, add_once, read_sets, find_set, find_item
@@ -23,6 +23,7 @@ contains
       type(set_builder_t), intent(inout) :: builder
       !> The name; empty when the card has none
       type(token_t), intent(in) :: token
+      !> Index of the set; 0: the card names none, or its name was refused
       integer, intent(out) :: set
 
       set = 0
@@ -35,7 +36,9 @@ contains
       type(set_builder_t), intent(inout) :: builder
       !> Where it is named
       type(token_t), intent(in) :: token
+      !> The name as the user wrote it
       character(len=*), intent(in) :: name
+      !> Index of the set; 0 after an error
       integer, intent(out) :: set
       integer, allocatable :: grown(:)
       integer :: number, status
@@ -68,7 +71,7 @@ contains
       type(set_builder_t), intent(inout) :: builder
       !> 0: nothing is done
       integer, intent(in) :: set
-      !> A copy: it may come from the list that grows here
+      !> Index of the node or element
       integer, value :: member
       integer, allocatable :: members(:), next(:)
       integer :: status
@@ -94,6 +97,7 @@ contains
    !> A member that the set, made ready by `continue_set`, may have already.
    pure subroutine add_once(builder, set, member)
       type(set_builder_t), intent(inout) :: builder
+      !> Index of the set
       integer, intent(in) :: set
       !> A copy: it may come from the list that grows here
       integer, value :: member
@@ -106,6 +110,7 @@ contains
    !> Mark the members that the set has.
    pure subroutine continue_set(builder, set, n_items)
       type(set_builder_t), intent(inout) :: builder
+      !> Index of the set; 0: none
       integer, intent(in) :: set
       !> Number of nodes or elements
       integer, intent(in) :: n_items
@@ -144,12 +149,13 @@ contains
 
    subroutine read_set(self, card, what, builder, map, ids)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       !> `node` or `element`
       character(len=*), intent(in) :: what
       type(set_builder_t), intent(inout) :: builder
       type(id_map_t), intent(in) :: map
-      !> The user's numbers by index
+      !> The user's numbers by index (n)
       integer, intent(in) :: ids(:)
       integer :: line, set
       logical :: ok
@@ -171,8 +177,10 @@ contains
    !> A line of numbers and names of other sets.
    subroutine list_members(self, what, builder, set, map)
       type(reader_t), intent(inout) :: self
+      !> `node` or `element`
       character(len=*), intent(in) :: what
       type(set_builder_t), intent(inout) :: builder
+      !> Index of the set; 0: none
       integer, intent(in) :: set
       type(id_map_t), intent(in) :: map
       integer :: i, other, entry, index
@@ -194,10 +202,13 @@ contains
    !> `first, last, step`. Gaps in the numbering are passed over, but a range with nothing in it is an error.
    subroutine generate_members(self, what, builder, set, map, ids)
       type(reader_t), intent(inout) :: self
+      !> `node` or `element`
       character(len=*), intent(in) :: what
       type(set_builder_t), intent(inout) :: builder
+      !> Index of the set; 0: none
       integer, intent(in) :: set
       type(id_map_t), intent(in) :: map
+      !> The user's numbers by index (n)
       integer, intent(in) :: ids(:)
       integer :: first, last, step, i, n
       logical :: found
@@ -230,6 +241,7 @@ contains
    contains
 
       subroutine take(member)
+         !> Index of the node or element
          integer, intent(in) :: member
 
          found = .true.
@@ -250,11 +262,16 @@ contains
    !> What value `i` of the line names: an index by its number, or a set by its name. Both 0 after an error.
    subroutine find_item(self, what, builder, map, i, index, set)
       type(reader_t), intent(inout) :: self
+      !> `node` or `element`
       character(len=*), intent(in) :: what
       type(set_builder_t), intent(in) :: builder
       type(id_map_t), intent(in) :: map
+      !> Place of the value on the data line
       integer, intent(in) :: i
-      integer, intent(out) :: index, set
+      !> Index of the node or element; 0: a set is named, or there is none
+      integer, intent(out) :: index
+      !> Index of the set; 0: a number is named, or there is none
+      integer, intent(out) :: set
       integer :: number, status
 
       index = 0
@@ -278,6 +295,7 @@ contains
       character(len=*), intent(in) :: what
       type(set_builder_t), intent(in) :: builder
       type(token_t), intent(in) :: token
+      !> Index of the set; 0 after an error
       integer, intent(out) :: set
 
       set = 0

@@ -30,6 +30,7 @@ contains
    end function keyword_list
 
    pure function first_sentence(help) result(sentence)
+      !> Sentences
       character(len=*), intent(in) :: help
       character(len=:), allocatable :: sentence
       integer :: stop_at
@@ -110,7 +111,10 @@ contains
 
    !> Each word of the list as code, behind `before`.
    pure function listed(list, before) result(text)
-      character(len=*), intent(in) :: list, before
+      !> Words with bars between them
+      character(len=*), intent(in) :: list
+      !> What stands before each of them
+      character(len=*), intent(in) :: before
       character(len=:), allocatable :: text
       character(len=word_length), allocatable :: words(:)
       integer :: i
@@ -147,6 +151,7 @@ contains
 
    !> A bar would end the cell of a table.
    pure function escaped(text) result(cell)
+      !> Text of a cell
       character(len=*), intent(in) :: text
       character(len=:), allocatable :: cell
       integer :: i

@@ -6,7 +6,8 @@ module litz_deck_reader
    use litz_keyword_table, only: keyword_table
    use litz_deck, only: token_t
    use litz_model, only: model_t
-   use litz_reader, only: reader_t, fail_at, keyword_of, parameter_of, read_line
+   use litz_reader, only: reader_t, fail_at, keyword_of, parameter_of
+   use litz_data_lines, only: read_line
    use litz_card_checks, only: check_cards
    use litz_read_mesh, only: read_mesh
    use litz_sets, only: read_sets
@@ -23,6 +24,7 @@ contains
 
    !> The model of a deck. It is complete when `errors` is empty.
    subroutine read_deck(path, model, errors, warnings)
+      !> The deck file, as the user wrote it
       character(len=*), intent(in) :: path
       type(model_t), intent(out) :: model
       type(error_list_t), intent(out) :: errors, warnings
@@ -135,8 +137,11 @@ contains
 
    subroutine read_label(self, card, quantity, label)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
+      !> Parameter that gives the label
       character(len=*), intent(in) :: quantity
+      !> In: the label that holds without the parameter. Out: the one of the deck
       character(len=unit_length), intent(inout) :: label
       type(token_t) :: token
       character(len=:), allocatable :: text

@@ -33,6 +33,7 @@ contains
 
    !> Everything a mesh file holds; empty after an error.
    subroutine read_mesh_file(path, mesh, error)
+      !> The mesh file
       character(len=*), intent(in) :: path
       type(mesh_file_t), intent(out) :: mesh
       !> What the file does or has, to follow its name
@@ -62,6 +63,7 @@ contains
    end subroutine start_empty
 
    subroutine read_nodes(file, mesh, error)
+      !> Identifier of the open mesh file
       integer(hid_t), intent(in) :: file
       type(mesh_file_t), intent(inout) :: mesh
       type(error_t), allocatable, intent(inout) :: error
@@ -83,8 +85,11 @@ contains
 
    !> The elements of one type, behind those read before.
    subroutine read_elements(file, name, kind, mesh, error)
+      !> Identifier of the open mesh file
       integer(hid_t), intent(in) :: file
+      !> Name of the type in the file
       character(len=*), intent(in) :: name
+      !> One of `element_...` of litz_model
       integer, intent(in) :: kind
       type(mesh_file_t), intent(inout) :: mesh
       type(error_t), allocatable, intent(inout) :: error
@@ -107,6 +112,7 @@ contains
 
    !> A misspelt type of element, or group of the file, must not be passed over in silence.
    subroutine refuse_others(file, error)
+      !> Identifier of the open mesh file
       integer(hid_t), intent(in) :: file
       type(error_t), allocatable, intent(inout) :: error
       character(len=longest_name), allocatable :: names(:)
@@ -130,7 +136,9 @@ contains
    end subroutine refuse_others
 
    subroutine read_sets(file, group, sets, error)
+      !> Identifier of the open mesh file
       integer(hid_t), intent(in) :: file
+      !> Group of the file: `node_sets` or `element_sets`
       character(len=*), intent(in) :: group
       type(mesh_set_t), allocatable, intent(inout) :: sets(:)
       type(error_t), allocatable, intent(inout) :: error
@@ -151,7 +159,9 @@ contains
    end subroutine read_sets
 
    pure type(error_t) function unequal(first, n_first, second, n_second) result(error)
+      !> Paths of the two datasets
       character(len=*), intent(in) :: first, second
+      !> Their numbers of rows
       integer, intent(in) :: n_first, n_second
 
       error = fail(exit_input, 'has '//to_text(n_first)//' rows in '//first//' and '//to_text(n_second)//' in '// &

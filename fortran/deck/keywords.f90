@@ -13,8 +13,6 @@ module litz_keywords
    public :: kind_flag, kind_integer, kind_real, kind_choice, kind_name, kind_item, kind_file, kind_text
    public :: limit_none, limit_positive, limit_not_negative, limit_poisson, limit_zero, limit_unused, limit_words
    public :: unknown_keyword_message, within_limit, largest_number, smallest_positive
-   public :: field, integer_field, real_field, choice_field, name_field, item_field, flag, choice, name, number, &
-      count_of, file
 
    !> Where a keyword may stand
    integer, parameter :: place_model = 1, place_step = 2, place_both = 3, place_begins_step = 4
@@ -98,6 +96,7 @@ contains
    !> Index of a keyword, however it is written; 0 when it is not in the table.
    pure integer function table_find(self, name) result(index)
       class(keyword_table_t), intent(in) :: self
+      !> The keyword without its asterisk, in any case
       character(len=*), intent(in) :: name
       character(len=:), allocatable :: wanted
 
@@ -122,8 +121,10 @@ contains
    !> What to say about a keyword that is not in the table.
    pure function unknown_keyword_message(table, name, shown) result(message)
       type(keyword_table_t), intent(in) :: table
-      !> As the user wrote it, and in quotes
-      character(len=*), intent(in) :: name, shown
+      !> The keyword as the user wrote it
+      character(len=*), intent(in) :: name
+      !> The same as the message shows it
+      character(len=*), intent(in) :: shown
       character(len=:), allocatable :: message
       character(len=:), allocatable :: nearest
 
@@ -147,6 +148,7 @@ contains
    !> The longest keyword with which a name begins, followed by a blank; empty when there is none.
    pure function keyword_before_blank(table, name) result(keyword)
       type(keyword_table_t), intent(in) :: table
+      !> As the user wrote it
       character(len=*), intent(in) :: name
       character(len=:), allocatable :: keyword
       integer :: i, known
@@ -162,6 +164,7 @@ contains
    !> Index of a parameter, however it is written; 0 when there is none.
    pure integer function keyword_find_parameter(self, name) result(index)
       class(keyword_t), intent(in) :: self
+      !> The parameter, in any case
       character(len=*), intent(in) :: name
       character(len=:), allocatable :: wanted
 
@@ -182,9 +185,15 @@ contains
    pure subroutine keyword_add_data(self, fields, when, first, last, required, repeats, optional_with)
       class(keyword_t), intent(inout) :: self
       type(field_spec_t), intent(in) :: fields(:)
-      character(len=*), intent(in), optional :: when, optional_with
+      !> `PARAMETER=VALUE`: lines of this form are there only then; absent: always
+      character(len=*), intent(in), optional :: when
+      !> `PARAMETER=VALUE`: the lines may be left out then
+      character(len=*), intent(in), optional :: optional_with
+      !> First and last of the data lines that have this form; `last` 0: any number of lines
       integer, intent(in), optional :: first, last
+      !> .true.: the line must be there
       logical, intent(in), optional :: required
+      !> How many times the fields may follow each other on a line; 0: any number of times
       integer, intent(in), optional :: repeats
       type(data_spec_t) :: spec
       type(data_spec_t), allocatable :: grown(:)
@@ -208,7 +217,9 @@ contains
    end subroutine keyword_add_data
 
    pure logical function within_limit(value, limit)
+      !> The number
       real(dp), intent(in) :: value
+      !> What the number must satisfy, one of `limit_...`
       integer, intent(in) :: limit
 
       within_limit = abs(value) <= largest_number
@@ -227,6 +238,7 @@ contains
    end function within_limit
 
    pure function limit_words(limit) result(words)
+      !> One of `limit_...`
       integer, intent(in) :: limit
       character(len=:), allocatable :: words
 
@@ -247,120 +259,5 @@ contains
    end function limit_words
 
    ! Short constructors, so that the table reads like a table.
-
-   pure type(field_spec_t) function field(name, kind, unit, help, limit, required, choices) result(spec)
-      character(len=*), intent(in) :: name, unit, help
-      integer, intent(in) :: kind
-      integer, intent(in), optional :: limit
-      logical, intent(in), optional :: required
-      character(len=*), intent(in), optional :: choices
-
-      spec%name = name
-      spec%kind = kind
-      spec%unit = unit
-      spec%help = help
-      if (present(limit)) spec%limit = limit
-      if (present(required)) spec%required = required
-      if (present(choices)) spec%choices = choices
-   end function field
-
-   pure type(field_spec_t) function integer_field(name, help, limit, required) result(spec)
-      character(len=*), intent(in) :: name, help
-      integer, intent(in), optional :: limit
-      logical, intent(in), optional :: required
-
-      spec = field(name, kind_integer, '', help, limit, required)
-   end function integer_field
-
-   pure type(field_spec_t) function real_field(name, unit, help, limit, required) result(spec)
-      character(len=*), intent(in) :: name, unit, help
-      integer, intent(in), optional :: limit
-      logical, intent(in), optional :: required
-
-      spec = field(name, kind_real, unit, help, limit, required)
-   end function real_field
-
-   pure type(field_spec_t) function choice_field(name, choices, help) result(spec)
-      character(len=*), intent(in) :: name, choices, help
-
-      spec = field(name, kind_choice, '', help, choices=choices)
-   end function choice_field
-
-   pure type(field_spec_t) function name_field(name, help, required) result(spec)
-      character(len=*), intent(in) :: name, help
-      logical, intent(in), optional :: required
-
-      spec = field(name, kind_name, '', help, required=required)
-   end function name_field
-
-   pure type(field_spec_t) function item_field(name, help) result(spec)
-      character(len=*), intent(in) :: name, help
-
-      spec = field(name, kind_item, '', help)
-   end function item_field
-
-   pure type(parameter_spec_t) function flag(name, help) result(spec)
-      character(len=*), intent(in) :: name, help
-
-      spec%name = name
-      spec%help = help
-   end function flag
-
-   pure type(parameter_spec_t) function choice(name, choices, help, required, default, value_optional) result(spec)
-      character(len=*), intent(in) :: name, choices, help
-      logical, intent(in), optional :: required, value_optional
-      character(len=*), intent(in), optional :: default
-
-      spec%name = name
-      spec%kind = kind_choice
-      spec%choices = choices
-      spec%help = help
-      if (present(required)) spec%required = required
-      if (present(default)) spec%default = default
-      if (present(value_optional)) spec%value_optional = value_optional
-   end function choice
-
-   pure type(parameter_spec_t) function name(parameter, help, required) result(spec)
-      character(len=*), intent(in) :: parameter, help
-      logical, intent(in), optional :: required
-
-      spec%name = parameter
-      spec%kind = kind_name
-      spec%help = help
-      if (present(required)) spec%required = required
-   end function name
-
-   !> A real number.
-   pure type(parameter_spec_t) function number(name, help, limit, default) result(spec)
-      character(len=*), intent(in) :: name, help
-      integer, intent(in) :: limit
-      character(len=*), intent(in), optional :: default
-
-      spec%name = name
-      spec%kind = kind_real
-      spec%limit = limit
-      spec%help = help
-      if (present(default)) spec%default = default
-   end function number
-
-   !> A whole number of at least 1.
-   pure type(parameter_spec_t) function count_of(name, help, default) result(spec)
-      character(len=*), intent(in) :: name, help, default
-
-      spec%name = name
-      spec%kind = kind_integer
-      spec%limit = limit_positive
-      spec%help = help
-      spec%default = default
-   end function count_of
-
-   pure type(parameter_spec_t) function file(name, help) result(spec)
-      character(len=*), intent(in) :: name, help
-
-      spec%name = name
-      spec%kind = kind_file
-      spec%required = .true.
-      spec%help = help
-   end function file
 
 end module litz_keywords

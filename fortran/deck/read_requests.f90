@@ -6,7 +6,8 @@ module litz_read_requests
    use litz_deck, only: token_t
    use litz_model, only: model_t, step_t, output_request_t, request_node, request_element, request_contact, &
       request_electrode, request_energy
-   use litz_reader, only: reader_t, fail_at, read_line, parameter_of, choice_of, integer_parameter, keyword_of
+   use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, integer_parameter, keyword_of
+   use litz_data_lines, only: read_line
    use litz_sets, only: find_set
    use litz_nodal_values, only: nodes_with_potential
    implicit none
@@ -32,6 +33,7 @@ contains
    subroutine read_request(self, model, card, list, step)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(in) :: model
+      !> Index of the card
       integer, intent(in) :: card
       type(request_list_t), intent(inout) :: list
       type(step_t), intent(inout) :: step
@@ -88,6 +90,7 @@ contains
    !> *NODE PRINT or *EL PRINT: members, sums, or both.
    subroutine read_print(self, card, parameter, list, request)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       !> NSET or ELSET
       character(len=*), intent(in) :: parameter
@@ -114,6 +117,7 @@ contains
    !> The quantities of the line read last.
    subroutine add_quantities(self, card, request)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(output_request_t), intent(inout) :: request
       character(len=word_length), allocatable :: words(:)
@@ -139,6 +143,7 @@ contains
    !> The quantities of *NODE FILE and *EL FILE only have to exist.
    subroutine check_quantities(self, card)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       integer :: line
       logical :: ok
@@ -151,6 +156,7 @@ contains
    subroutine read_electrodes(self, model, card, list, request)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(in) :: model
+      !> Index of the card
       integer, intent(in) :: card
       type(request_list_t), intent(inout) :: list
       type(output_request_t), intent(inout) :: request
@@ -184,6 +190,7 @@ contains
 
       subroutine check_electrode(token, members)
          type(token_t), intent(in) :: token
+         !> Indices of the nodes of the electrode (n)
          integer, intent(in) :: members(:)
          integer :: k
 

@@ -7,7 +7,8 @@ module litz_card_checks
    use litz_keywords, only: parameter_spec_t, data_spec_t, unknown_keyword_message, place_model, &
       place_step, place_begins_step, kind_flag, kind_choice
    use litz_foreign_words, only: advice_about
-   use litz_reader, only: reader_t, fail_at, check_value, applies, has_choice
+   use litz_reader, only: reader_t, fail_at, applies, has_choice
+   use litz_value_checks, only: check_value
    implicit none
    private
    public :: check_cards
@@ -40,6 +41,7 @@ contains
 
    subroutine unknown_keyword(self, card)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       character(len=:), allocatable :: word, message
       type(token_t) :: token
@@ -101,7 +103,9 @@ contains
    !> Keywords such as *ELASTIC must stand in the group of the keyword they belong to.
    subroutine check_parent(self, card, parent)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
+      !> In: the keyword whose group the card stands in, empty at the beginning. Out: that of the next card
       character(len=:), allocatable, intent(inout) :: parent
 
       associate (keyword => self%table%keywords(self%spec(card)))
@@ -117,6 +121,7 @@ contains
 
    subroutine check_parameters(self, card)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       integer :: i, j, index
       integer, allocatable :: seen(:)
@@ -146,6 +151,7 @@ contains
 
    subroutine unknown_parameter(self, card, token)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(token_t), intent(in) :: token
       character(len=word_length), allocatable :: names(:)
@@ -177,7 +183,10 @@ contains
    !> Value there or not, and of the right kind.
    subroutine check_parameter(self, card, i, spec)
       type(reader_t), intent(inout) :: self
-      integer, intent(in) :: card, i
+      !> Index of the card
+      integer, intent(in) :: card
+      !> Index into the parameters of the card
+      integer, intent(in) :: i
       type(parameter_spec_t), intent(in) :: spec
       integer :: whole
       real(dp) :: real_value
@@ -214,6 +223,7 @@ contains
    !> Too few lines, or more than the keyword takes.
    subroutine check_data_lines(self, card)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       integer :: i, n, needed, most
       logical :: unlimited

@@ -5,8 +5,10 @@ module litz_nodal_values
    use litz_numbers, only: parse_integer, number_ok
    use litz_deck, only: token_t
    use litz_model, only: model_t, nodal_value_t, amplitude_factor, dof_potential
-   use litz_reader, only: reader_t, fail_at, read_line, parameter_of, choice_of, keyword_of, name_of, find_definition, &
-      advice_about_value, behind_semicolon
+   use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, keyword_of, name_of
+   use litz_value_checks, only: advice_about_value, behind_semicolon
+   use litz_data_lines, only: read_line
+   use litz_definitions, only: find_definition
    use litz_sets, only: find_item
    implicit none
    private
@@ -36,6 +38,7 @@ contains
 
    pure subroutine start_list(list, kind, model)
       type(value_list_t), intent(out) :: list
+      !> One of `kind_boundary`, `kind_load`, `kind_current`
       integer, intent(in) :: kind
       type(model_t), intent(in) :: model
       integer :: e, k
@@ -70,6 +73,7 @@ contains
    !> Elements whose section or material is in error count as conductors, so that no second error follows.
    pure logical function conducts(model, element)
       type(model_t), intent(in) :: model
+      !> Index of the element
       integer, intent(in) :: element
 
       conducts = .true.
@@ -107,6 +111,7 @@ contains
    subroutine read_nodal_values(self, model, card, list)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(in) :: model
+      !> Index of the card
       integer, intent(in) :: card
       type(value_list_t), intent(inout) :: list
       type(token_t) :: amplitude_name
@@ -139,6 +144,7 @@ contains
    !> OP=NEW removes what earlier steps left; within a step all cards must agree.
    subroutine apply_op(self, card, list)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(value_list_t), intent(inout) :: list
       type(token_t) :: token
@@ -165,6 +171,7 @@ contains
    end subroutine apply_op
 
    pure integer function slot(dof)
+      !> Degree of freedom: 1-6 or 9
       integer, intent(in) :: dof
 
       slot = merge(7, dof, dof == dof_potential)
@@ -173,8 +180,11 @@ contains
    !> The degrees of freedom that the line names.
    subroutine find_dofs(self, kind, first, last, ok)
       type(reader_t), intent(inout) :: self
+      !> One of `kind_boundary`, `kind_load`, `kind_current`
       integer, intent(in) :: kind
+      !> First and last degree of freedom, with Abaqus's numbers
       integer, intent(out) :: first, last
+      !> .false.: an error was reported
       logical, intent(out) :: ok
 
       select case (kind)
@@ -197,7 +207,9 @@ contains
 
    subroutine find_boundary_dofs(self, first, last, ok)
       type(reader_t), intent(inout) :: self
+      !> First and last degree of freedom, with Abaqus's numbers
       integer, intent(out) :: first, last
+      !> .false.: an error was reported
       logical, intent(out) :: ok
       integer :: status
 
@@ -245,6 +257,7 @@ contains
 
       subroutine check_dof(token, dof)
          type(token_t), intent(in) :: token
+         !> The number that the line names
          integer, intent(in) :: dof
 
          if ((dof >= 1 .and. dof <= 6) .or. dof == dof_potential) return
@@ -261,8 +274,12 @@ contains
       type(reader_t), intent(inout) :: self
       type(model_t), intent(in) :: model
       type(value_list_t), intent(inout) :: list
+      !> Indices of the nodes (n)
       integer, intent(in) :: nodes(:)
-      integer, intent(in) :: first, last, amplitude
+      !> First and last degree of freedom, with Abaqus's numbers
+      integer, intent(in) :: first, last
+      !> Index of the amplitude; 0: none
+      integer, intent(in) :: amplitude
       type(nodal_value_t) :: value
       integer :: i, dof
       logical :: ok
@@ -296,7 +313,9 @@ contains
    pure function node_words(self, model, node, nodes) result(words)
       type(reader_t), intent(in) :: self
       type(model_t), intent(in) :: model
+      !> Index of the node
       integer, intent(in) :: node
+      !> Indices of all nodes that the line names (n)
       integer, intent(in) :: nodes(:)
       character(len=:), allocatable :: words
 
@@ -310,6 +329,7 @@ contains
       type(model_t), intent(in) :: model
       type(value_list_t), intent(inout) :: list
       type(nodal_value_t), intent(in) :: value
+      !> .false.: an error was reported
       logical, intent(out) :: ok
       integer :: at
 

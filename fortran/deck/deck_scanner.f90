@@ -3,15 +3,15 @@
 !> Abaqus's rules: `**` begins a comment, a keyword line that ends with a comma goes on in the next line, blanks and
 !> case do not matter, `"..."` keeps blanks and commas together.
 module litz_deck_scanner
-   use, intrinsic :: iso_c_binding, only: c_char, c_ptr, c_null_char, c_null_ptr, c_associated, c_size_t, c_f_pointer
    use litz_kinds, only: int64
-   use litz_errors, only: error_t, error_list_t, fail, exit_files
-   use litz_deck, only: deck_t, source_t, line_t, token_t, parameter_t, card_t, no_token
-   use litz_path_kind, only: why_not_read
+   use litz_errors, only: error_t, error_list_t, exit_files
+   use litz_deck, only: deck_t, source_t, line_t, token_t, parameter_t, card_t, no_token, append_line, append_card
+   use litz_deck_copy, only: deck_copy_t
+   use litz_source_files, only: read_file, real_path, relative_to
    use litz_text, only: squeezed, shown, to_text
    implicit none
    private
-   public :: scan_deck, relative_to
+   public :: scan_deck
 
    !> Most files in one chain of includes, and most in all
    integer, parameter :: deepest_include = 100, most_includes = 10000
@@ -21,46 +21,20 @@ module litz_deck_scanner
    !> What some editors write before UTF-8 text
    character(len=3), parameter :: byte_order_mark = char(239)//char(187)//char(191)
 
-   !> A range of a source that goes into the copy of the deck, or words of our own.
-   type :: piece_t
-      integer :: source = 0, first = 1, last = 0
-      character(len=:), allocatable :: words
-   end type piece_t
-
    type :: scanner_t
       integer(int64) :: total_length = 0
       !> Position in the source being read, and the number of the line there
       integer :: position = 1, number = 0
-      type(piece_t), allocatable :: pieces(:)
-      integer :: n_pieces = 0
+      type(deck_copy_t) :: copy
       !> Data before the first keyword have been reported
       logical :: told_stray_data = .false.
    end type scanner_t
-
-   interface
-      function c_realpath(path, resolved) bind(c, name='realpath') result(pointer)
-         import :: c_char, c_ptr
-         implicit none
-         character(kind=c_char), intent(in) :: path(*)
-         type(c_ptr), value :: resolved
-         type(c_ptr) :: pointer
-      end function c_realpath
-      pure integer(c_size_t) function c_strlen(string) bind(c, name='strlen')
-         import :: c_ptr, c_size_t
-         implicit none
-         type(c_ptr), value, intent(in) :: string
-      end function c_strlen
-      subroutine c_free(pointer) bind(c, name='free')
-         import :: c_ptr
-         implicit none
-         type(c_ptr), value :: pointer
-      end subroutine c_free
-   end interface
 
 contains
 
    !> Read a deck with all it includes. Errors of form go to `errors`; what can be read is read.
    subroutine scan_deck(path, deck, whole_text, errors)
+      !> The deck file, as the user wrote it
       character(len=*), intent(in) :: path
       type(deck_t), intent(out) :: deck
       !> The deck in one text, included files in place of their *INCLUDE lines
@@ -69,7 +43,7 @@ contains
       type(scanner_t) :: scanner
       type(error_t), allocatable :: error
 
-      allocate (deck%sources(4), deck%lines(1024), deck%cards(64), scanner%pieces(16))
+      allocate (deck%sources(4), deck%lines(1024), deck%cards(64))
       call open_source(deck, scanner, path, 0, 0, error)
       if (allocated(error)) then
          error%message = 'the deck '//error%message
@@ -79,15 +53,19 @@ contains
          return
       end if
       call scan_source(deck, scanner, deck%n_sources, errors)
-      call join_pieces(deck, scanner, whole_text)
+      call scanner%copy%text_of(deck, whole_text)
    end subroutine scan_deck
 
    !> Read a whole file into a new source.
    subroutine open_source(deck, scanner, path, parent, parent_line, error)
       type(deck_t), intent(inout) :: deck
       type(scanner_t), intent(inout) :: scanner
+      !> The file, as messages name it
       character(len=*), intent(in) :: path
-      integer, intent(in) :: parent, parent_line
+      !> Index of the source that includes it; 0: none
+      integer, intent(in) :: parent
+      !> Line number of the *INCLUDE in that source; 0: none
+      integer, intent(in) :: parent_line
       type(error_t), allocatable, intent(out) :: error
       type(source_t), allocatable :: grown(:)
       character(len=:), allocatable :: text
@@ -116,71 +94,6 @@ contains
          source%parent_line = parent_line
       end associate
    end subroutine open_source
-
-   subroutine read_file(path, largest, text, error)
-      character(len=*), intent(in) :: path
-      !> Most bytes that may be read
-      integer(int64), intent(in) :: largest
-      character(len=:), allocatable, intent(out) :: text
-      type(error_t), allocatable, intent(out) :: error
-      character(len=200) :: reason
-      character(len=:), allocatable :: irregular
-      integer(int64) :: length
-      integer :: unit, iostat
-      logical :: exists, longer_exists
-
-      inquire (file=path, exist=exists)
-      if (.not. exists) then
-         inquire (file=path//'.inp', exist=longer_exists)
-         if (longer_exists) then
-            error = fail(exit_files, 'file '//shown(path)//' does not exist; did you mean '//shown(path//'.inp')//'?')
-         else
-            error = fail(exit_files, 'file '//shown(path)//' does not exist')
-         end if
-         return
-      end if
-      irregular = why_not_read(path)
-      if (len(irregular) > 0) then
-         error = fail(exit_files, 'file '//shown(path)//' cannot be read: '//irregular)
-         return
-      end if
-      reason = 'it is not a readable file'
-      open (newunit=unit, file=path, access='stream', form='unformatted', status='old', action='read', &
-         iostat=iostat, iomsg=reason)
-      if (iostat == 0) then
-         inquire (unit=unit, size=length)
-         if (length > largest) then
-            reason = 'decks of more than 2 GB are not supported'
-            iostat = 1
-         else if (length < 0) then
-            iostat = 1
-         else
-            allocate (character(len=int(length)) :: text)
-            if (length > 0) read (unit, iostat=iostat, iomsg=reason) text
-         end if
-         close (unit)
-      end if
-      if (iostat /= 0) error = fail(exit_files, 'file '//shown(path)//' cannot be read: '//trim(reason))
-   end subroutine read_file
-
-   !> The path without symbolic links and dots, or as it is where the system cannot tell.
-   function real_path(path) result(resolved)
-      character(len=*), intent(in) :: path
-      character(len=:), allocatable :: resolved
-      type(c_ptr) :: pointer
-      character(kind=c_char), pointer :: characters(:)
-      integer :: i
-
-      resolved = path
-      pointer = c_realpath(path//c_null_char, c_null_ptr)
-      if (.not. c_associated(pointer)) return
-      call c_f_pointer(pointer, characters, [c_strlen(pointer)])
-      resolved = repeat(' ', size(characters))
-      do i = 1, size(characters)
-         resolved(i:i) = characters(i)
-      end do
-      call c_free(pointer)
-   end function real_path
 
    !> The lines of one source, in order; an included file is read where it stands.
    recursive subroutine scan_source(deck, scanner, source, errors)
@@ -212,7 +125,7 @@ contains
             call append_card(deck, card)
             cycle
          end if
-         call append_piece(scanner, piece_t(source, copied_to + 1, keyword_start - 1))
+         call scanner%copy%append_range(source, copied_to + 1, keyword_start - 1)
          saved_position = scanner%position
          saved_number = scanner%number
          call include_file(deck, scanner, source, card, n_lines, errors)
@@ -220,15 +133,17 @@ contains
          scanner%number = saved_number
          copied_to = saved_position - 1
       end do
-      call append_piece(scanner, piece_t(source, copied_to + 1, len(deck%sources(source)%text)))
+      call scanner%copy%append_range(source, copied_to + 1, len(deck%sources(source)%text))
    end subroutine scan_source
 
    !> The next line that is neither blank nor a comment.
    subroutine next_line(deck, scanner, source, line, found)
       type(deck_t), intent(in) :: deck
       type(scanner_t), intent(inout) :: scanner
+      !> Index of the source
       integer, intent(in) :: source
       type(line_t), intent(out) :: line
+      !> .false.: the source is at its end
       logical, intent(out) :: found
       integer :: length, line_end
 
@@ -254,6 +169,7 @@ contains
    end subroutine next_line
 
    pure logical function starts_with_mark(text)
+      !> Whole text of a source
       character(len=*), intent(in) :: text
 
       starts_with_mark = .false.
@@ -261,6 +177,7 @@ contains
    end function starts_with_mark
 
    pure subroutine trim_line(text, line)
+      !> Text of the source that the line is in
       character(len=*), intent(in) :: text
       type(line_t), intent(inout) :: line
 
@@ -275,6 +192,7 @@ contains
    end subroutine trim_line
 
    pure logical function is_blank(character)
+      !> The character to be judged
       character(len=1), intent(in) :: character
 
       is_blank = character == ' ' .or. character == tab .or. character == return_character
@@ -298,6 +216,7 @@ contains
 
       !> What the line may have been meant for.
       pure function advice(line)
+         !> The first line of the deck that is neither blank nor a comment
          character(len=*), intent(in) :: line
          character(len=:), allocatable :: advice
 
@@ -315,6 +234,7 @@ contains
    subroutine read_card(deck, scanner, source, card, errors)
       type(deck_t), intent(inout) :: deck
       type(scanner_t), intent(inout) :: scanner
+      !> Index of the source
       integer, intent(in) :: source
       type(card_t), intent(out) :: card
       type(error_list_t), intent(inout) :: errors
@@ -364,8 +284,10 @@ contains
    !> Split at commas; a quote that is not closed is an error.
    subroutine split_keyword_line(deck, line, fields, n, errors)
       type(deck_t), intent(in) :: deck
+      !> Index into the lines of the deck
       integer, intent(in) :: line
       type(token_t), allocatable, intent(inout) :: fields(:)
+      !> Number of fields
       integer, intent(out) :: n
       type(error_list_t), intent(inout) :: errors
       integer :: i, quote, n_quotes
@@ -432,6 +354,7 @@ contains
    recursive subroutine include_file(deck, scanner, source, card, n_lines, errors)
       type(deck_t), intent(inout) :: deck
       type(scanner_t), intent(inout) :: scanner
+      !> Index of the source
       integer, intent(in) :: source
       type(card_t), intent(in) :: card
       !> Number of lines of the deck before the *INCLUDE, which is taken out again
@@ -454,9 +377,9 @@ contains
       end if
       deck%n_lines = n_lines
       if (name%line == 0 .or. allocated(error)) return
-      call append_words(scanner, '** included: '//path//newline)
+      call scanner%copy%append_words('** included: '//path//newline)
       call scan_source(deck, scanner, deck%n_sources, errors)
-      call append_words(scanner, newline)
+      call scanner%copy%append_words(newline)
    end subroutine include_file
 
    !> The value of INPUT=, or `no_token` after an error.
@@ -484,8 +407,10 @@ contains
    !> Refuse circles, chains that are too deep, and too many files.
    subroutine check_chain(deck, source, name, path, errors, error)
       type(deck_t), intent(in) :: deck
+      !> Index of the source that has the *INCLUDE
       integer, intent(in) :: source
       type(token_t), intent(in) :: name
+      !> The file that it names
       character(len=*), intent(in) :: path
       type(error_list_t), intent(inout) :: errors
       type(error_t), allocatable, intent(out) :: error
@@ -509,113 +434,5 @@ contains
          ' files are included')
       if (allocated(error)) call errors%add(error)
    end subroutine check_chain
-
-   !> A path relative to the directory of the file that names it.
-   pure function relative_to(file, path) result(full)
-      character(len=*), intent(in) :: file, path
-      character(len=:), allocatable :: full
-
-      full = path
-      if (path(1:1) /= '/') full = file(:index(file, '/', back=.true.))//path
-   end function relative_to
-
-   pure subroutine append_line(deck, line)
-      type(deck_t), intent(inout) :: deck
-      type(line_t), intent(in) :: line
-      type(line_t), allocatable :: grown(:)
-
-      if (deck%n_lines == size(deck%lines)) then
-         allocate (grown(2*deck%n_lines))
-         grown(:deck%n_lines) = deck%lines
-         call move_alloc(grown, deck%lines)
-      end if
-      deck%n_lines = deck%n_lines + 1
-      deck%lines(deck%n_lines) = line
-   end subroutine append_line
-
-   pure subroutine append_card(deck, card)
-      type(deck_t), intent(inout) :: deck
-      type(card_t), intent(inout) :: card
-      type(card_t), allocatable :: grown(:)
-      integer :: i
-
-      if (deck%n_cards == size(deck%cards)) then
-         allocate (grown(2*deck%n_cards))
-         do i = 1, deck%n_cards
-            call move_card(deck%cards(i), grown(i))
-         end do
-         call move_alloc(grown, deck%cards)
-      end if
-      deck%n_cards = deck%n_cards + 1
-      call move_card(card, deck%cards(deck%n_cards))
-   end subroutine append_card
-
-   pure subroutine move_card(from, to)
-      type(card_t), intent(inout) :: from, to
-
-      to%name = from%name
-      to%first_data = from%first_data
-      to%last_data = from%last_data
-      call move_alloc(from%parameters, to%parameters)
-   end subroutine move_card
-
-   pure subroutine append_piece(scanner, piece)
-      type(scanner_t), intent(inout) :: scanner
-      type(piece_t), intent(in) :: piece
-      type(piece_t), allocatable :: grown(:)
-
-      if (scanner%n_pieces == size(scanner%pieces)) then
-         allocate (grown(2*scanner%n_pieces))
-         grown(:scanner%n_pieces) = scanner%pieces
-         call move_alloc(grown, scanner%pieces)
-      end if
-      scanner%n_pieces = scanner%n_pieces + 1
-      scanner%pieces(scanner%n_pieces) = piece
-   end subroutine append_piece
-
-   !> A piece that is in no file. A structure constructor would do, but gfortran 12 never frees a text in one.
-   pure subroutine append_words(scanner, words)
-      type(scanner_t), intent(inout) :: scanner
-      character(len=*), intent(in) :: words
-      type(piece_t) :: piece
-
-      piece%words = words
-      call append_piece(scanner, piece)
-   end subroutine append_words
-
-   pure subroutine join_pieces(deck, scanner, text)
-      type(deck_t), intent(in) :: deck
-      type(scanner_t), intent(in) :: scanner
-      character(len=:), allocatable, intent(out) :: text
-      integer :: i, length, at
-
-      length = 0
-      do i = 1, scanner%n_pieces
-         length = length + piece_length(scanner%pieces(i))
-      end do
-      allocate (character(len=length) :: text)
-      at = 0
-      do i = 1, scanner%n_pieces
-         associate (piece => scanner%pieces(i))
-            length = piece_length(piece)
-            if (piece%source == 0) then
-               text(at + 1:at + length) = piece%words
-            else
-               text(at + 1:at + length) = deck%sources(piece%source)%text(piece%first:piece%last)
-            end if
-            at = at + length
-         end associate
-      end do
-   end subroutine join_pieces
-
-   pure integer function piece_length(piece) result(length)
-      type(piece_t), intent(in) :: piece
-
-      if (piece%source == 0) then
-         length = len(piece%words)
-      else
-         length = max(0, piece%last - piece%first + 1)
-      end if
-   end function piece_length
 
 end module litz_deck_scanner

@@ -6,8 +6,10 @@ module litz_read_contact
    use litz_laws, only: axis_linear, normal_linear, normal_hertz, stick_elastic_slip, stick_stiffness, &
       spot_none, spot_laws, spot_law_number
    use litz_model, only: model_t, interaction_t, contact_pair_t
-   use litz_reader, only: reader_t, fail_at, read_line, parameter_of, choice_of, real_parameter, has_flag, keyword_of, &
-      add_definition, find_definition, n_cards_of
+   use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, real_parameter, has_flag, keyword_of, &
+      n_cards_of
+   use litz_data_lines, only: read_line
+   use litz_definitions, only: add_definition, find_definition
    use litz_sets, only: find_set
    implicit none
    private
@@ -61,6 +63,7 @@ contains
 
    subroutine read_behavior(self, card, interaction)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(interaction_t), intent(inout) :: interaction
       logical :: ok
@@ -75,6 +78,7 @@ contains
 
    subroutine read_friction(self, card, interaction)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(interaction_t), intent(inout) :: interaction
       logical :: ok
@@ -96,6 +100,7 @@ contains
 
    pure logical function has_data(self, card)
       type(reader_t), intent(in) :: self
+      !> Index of the card
       integer, intent(in) :: card
 
       has_data = self%deck%cards(card)%last_data >= self%deck%cards(card)%first_data
@@ -103,6 +108,7 @@ contains
 
    subroutine read_spot_law(self, card, interaction)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(interaction_t), intent(inout) :: interaction
       logical :: ok
@@ -123,6 +129,7 @@ contains
    !> Resistance over force, forces ascending.
    subroutine read_table(self, card, interaction)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(interaction_t), intent(inout) :: interaction
       integer :: line, n

@@ -6,9 +6,9 @@ module litz_read_steps
    use litz_deck, only: token_t
    use litz_foreign_words, only: advice_about
    use litz_model, only: model_t, step_t
-   use litz_reader, only: reader_t, fail_at, read_line, parameter_of, choice_of, has_flag, integer_parameter, &
-      keyword_of, &
+   use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, has_flag, integer_parameter, keyword_of, &
       name_of
+   use litz_data_lines, only: read_line
    use litz_lookup, only: name_map_t
    use litz_nodal_values, only: value_list_t, kind_boundary, kind_load, kind_current, start_list, begin_step, &
       read_nodal_values
@@ -116,6 +116,7 @@ contains
    !> *STEP: its name, title and parameters.
    subroutine read_step_line(self, card, names, step)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(name_map_t), intent(inout) :: names
       type(step_t), intent(inout) :: step
@@ -143,6 +144,7 @@ contains
 
    subroutine read_static(self, card, step)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(step_t), intent(inout) :: step
       logical :: ok
@@ -188,8 +190,10 @@ contains
    !> A step whose largest increments do not reach its end cannot finish.
    subroutine check_increments(self, card, step, has_procedure)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(step_t), intent(in) :: step
+      !> .true.: the step has a *STATIC
       logical, intent(in) :: has_procedure
       type(token_t) :: token
       real(dp) :: needed

@@ -3,14 +3,15 @@ module litz_read_mesh
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use litz_kinds, only: dp
    use litz_deck, only: token_t
-   use litz_deck_scanner, only: relative_to
+   use litz_source_files, only: relative_to
    use litz_errors, only: error_t
    use litz_keywords, only: largest_number
    use litz_lookup, only: id_map_t
    use litz_mesh_file, only: mesh_file_t, mesh_set_t, read_mesh_file
    use litz_text, only: to_text, shown
    use litz_model, only: model_t, element_b31, element_b33
-   use litz_reader, only: reader_t, set_builder_t, fail_at, read_line, parameter_of, choice_of, keyword_of
+   use litz_reader, only: reader_t, set_builder_t, fail_at, parameter_of, choice_of, keyword_of
+   use litz_data_lines, only: read_line
    use litz_sets, only: open_set, open_named_set, continue_set, add_member, add_once
    implicit none
    private
@@ -61,6 +62,7 @@ contains
    !> What a *MESH names.
    subroutine open_mesh_file(self, card, mesh)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(mesh_file_t), intent(out) :: mesh
       type(error_t), allocatable :: error
@@ -97,6 +99,7 @@ contains
    contains
 
       integer function n_data_lines(keyword) result(n)
+         !> The keyword as the table has it
          character(len=*), intent(in) :: keyword
          integer :: card
 
@@ -111,6 +114,7 @@ contains
 
    subroutine read_nodes(self, card, model)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(model_t), intent(inout) :: model
       integer :: line, set
@@ -127,6 +131,7 @@ contains
 
    subroutine take_nodes(self, card, mesh, model)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(mesh_file_t), intent(in) :: mesh
       type(model_t), intent(inout) :: model
@@ -159,7 +164,9 @@ contains
       type(model_t), intent(inout) :: model
       !> Where it is defined
       type(token_t), intent(in) :: token
+      !> The user's number
       integer, intent(in) :: id
+      !> Position [m]
       real(dp), intent(in) :: position(3)
       !> The position could be read
       logical, intent(in) :: ok
@@ -185,6 +192,7 @@ contains
 
    subroutine read_elements(self, card, model)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(model_t), intent(inout) :: model
       integer :: line, set, kind, element
@@ -203,6 +211,7 @@ contains
 
    subroutine take_elements(self, card, mesh, model)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       type(mesh_file_t), intent(in) :: mesh
       type(model_t), intent(inout) :: model
@@ -229,11 +238,13 @@ contains
       type(model_t), intent(inout) :: model
       !> Where it is defined
       type(token_t), intent(in) :: token
-      !> `element_b31` or `element_b33`
-      integer, intent(in) :: id, kind
+      !> The user's number
+      integer, intent(in) :: id
+      !> One of `element_...` of litz_model
+      integer, intent(in) :: kind
       !> Set that it is put into; 0: none
       integer, intent(in) :: set
-      !> Its index; 0 after an error
+      !> Index of the new element; 0 after an error
       integer, intent(out) :: element
       integer :: known
 
@@ -257,6 +268,7 @@ contains
    !> The sets of a mesh file, which may have members defined elsewhere.
    subroutine take_sets(self, card, what, sets, builder, map, n_items)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
       !> `node` or `element`
       character(len=*), intent(in) :: what
@@ -290,9 +302,11 @@ contains
    subroutine join_nodes(self, model, element, tokens, ids)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(inout) :: model
+      !> Index of the element
       integer, intent(in) :: element
       !> Where the nodes are named, and their numbers
       type(token_t), intent(in) :: tokens(2)
+      !> Numbers of the nodes
       integer, intent(in) :: ids(2)
       real(dp) :: length
       integer :: k

@@ -8,7 +8,7 @@ module litz_deck
    use litz_text, only: shown
    implicit none
    private
-   public :: deck_t, source_t, line_t, token_t, parameter_t, card_t, no_token
+   public :: deck_t, source_t, line_t, token_t, parameter_t, card_t, no_token, append_line, append_card
 
    !> Longest part of a line that an error shows, and what of it stands before the caret
    integer, parameter :: window = 110, window_before = 50
@@ -107,6 +107,7 @@ contains
    !> A whole line as one token.
    pure type(token_t) function deck_line_token(self, line) result(token)
       class(deck_t), intent(in) :: self
+      !> Index into the lines of the deck
       integer, intent(in) :: line
 
       token = token_t(line, self%lines(line)%first, self%lines(line)%last)
@@ -115,6 +116,7 @@ contains
    !> The place just behind a line, where something is missing.
    pure type(token_t) function deck_end_of_line(self, line) result(token)
       class(deck_t), intent(in) :: self
+      !> Index into the lines of the deck
       integer, intent(in) :: line
 
       token = token_t(line, self%lines(line)%last + 1, self%lines(line)%last)
@@ -124,6 +126,7 @@ contains
    pure type(error_t) function deck_error_at(self, token, message) result(error)
       class(deck_t), intent(in) :: self
       type(token_t), intent(in) :: token
+      !> What was found and what is allowed
       character(len=*), intent(in) :: message
       character(len=12) :: number
       integer :: source, line_end, from, i
@@ -170,6 +173,7 @@ contains
 
    !> Number of characters of UTF-8 text.
    pure integer function characters(text)
+      !> UTF-8
       character(len=*), intent(in) :: text
       integer :: i
 
@@ -181,6 +185,7 @@ contains
 
    !> Second or later byte of a UTF-8 character.
    pure logical function is_continuation(byte)
+      !> One byte of UTF-8 text
       character(len=1), intent(in) :: byte
 
       is_continuation = iand(iachar(byte), 192) == 128
@@ -188,6 +193,7 @@ contains
 
    !> One column per character: tabs and control characters become blanks.
    pure function printable(text) result(line)
+      !> UTF-8
       character(len=*), intent(in) :: text
       character(len=:), allocatable :: line
       integer :: i
@@ -205,6 +211,7 @@ contains
       integer, intent(in) :: line
       !> Grown where it is too short; the first `n` are set
       type(token_t), allocatable, intent(inout) :: tokens(:)
+      !> Number of fields, those at the end that are empty left out
       integer, intent(out) :: n
       type(token_t), allocatable :: grown(:)
       integer :: i, first, last, n_all
@@ -248,5 +255,45 @@ contains
          end do
       end associate
    end subroutine deck_split
+
+   pure subroutine append_line(deck, line)
+      type(deck_t), intent(inout) :: deck
+      type(line_t), intent(in) :: line
+      type(line_t), allocatable :: grown(:)
+
+      if (deck%n_lines == size(deck%lines)) then
+         allocate (grown(2*deck%n_lines))
+         grown(:deck%n_lines) = deck%lines
+         call move_alloc(grown, deck%lines)
+      end if
+      deck%n_lines = deck%n_lines + 1
+      deck%lines(deck%n_lines) = line
+   end subroutine append_line
+
+   pure subroutine append_card(deck, card)
+      type(deck_t), intent(inout) :: deck
+      type(card_t), intent(inout) :: card
+      type(card_t), allocatable :: grown(:)
+      integer :: i
+
+      if (deck%n_cards == size(deck%cards)) then
+         allocate (grown(2*deck%n_cards))
+         do i = 1, deck%n_cards
+            call move_card(deck%cards(i), grown(i))
+         end do
+         call move_alloc(grown, deck%cards)
+      end if
+      deck%n_cards = deck%n_cards + 1
+      call move_card(card, deck%cards(deck%n_cards))
+   end subroutine append_card
+
+   pure subroutine move_card(from, to)
+      type(card_t), intent(inout) :: from, to
+
+      to%name = from%name
+      to%first_data = from%first_data
+      to%last_data = from%last_data
+      call move_alloc(from%parameters, to%parameters)
+   end subroutine move_card
 
 end module litz_deck

@@ -4,9 +4,10 @@ module litz_read_properties
    use litz_text, only: to_text
    use litz_deck, only: token_t
    use litz_model, only: model_t, section_t
-   use litz_reader, only: reader_t, definitions_t, fail_at, read_line, parameter_of, choice_of, has_flag, keyword_of, &
-      real_parameter, &
-      add_definition, find_definition, n_cards_of
+   use litz_reader, only: reader_t, definitions_t, fail_at, parameter_of, choice_of, has_flag, keyword_of, &
+      real_parameter, n_cards_of
+   use litz_data_lines, only: read_line
+   use litz_definitions, only: add_definition, find_definition
    use litz_rotations, only: cross
    use litz_sets, only: find_set
    implicit none
@@ -62,8 +63,11 @@ contains
    subroutine add_named(self, definitions, what, card, index)
       type(reader_t), intent(inout) :: self
       type(definitions_t), intent(inout) :: definitions
+      !> What is defined, as messages name it
       character(len=*), intent(in) :: what
+      !> Index of the card
       integer, intent(in) :: card
+      !> Index of the definition
       integer, intent(out) :: index
       type(token_t) :: token
 
@@ -75,7 +79,9 @@ contains
    !> The first data line of a card; `ok` is .false. when there is none.
    subroutine read_only_line(self, card, ok)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
+      !> .false.: there is no line, or something about it was reported
       logical, intent(out) :: ok
 
       ok = self%deck%cards(card)%last_data >= self%deck%cards(card)%first_data
@@ -114,6 +120,7 @@ contains
    subroutine read_section(self, model, card, section)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(in) :: model
+      !> Index of the card
       integer, intent(in) :: card
       type(section_t), intent(inout) :: section
       type(token_t) :: name
@@ -143,7 +150,12 @@ contains
    !> Solid round wire. Source of the shear factor: Cowper, J. Appl. Mech. 33 (1966) 335-340.
    pure subroutine set_circular(section, radius, young, poisson)
       type(section_t), intent(inout) :: section
-      real(dp), intent(in) :: radius, young, poisson
+      !> Radius of the wire [m]
+      real(dp), intent(in) :: radius
+      !> Young's modulus [Pa]
+      real(dp), intent(in) :: young
+      !> Poisson's ratio [-]
+      real(dp), intent(in) :: poisson
       real(dp) :: shear_factor
 
       shear_factor = 6*(1 + poisson)/(7 + 6*poisson)
@@ -159,9 +171,12 @@ contains
    !> Section of given stiffnesses; shear is not reduced.
    pure subroutine set_general(section, data, young, poisson)
       type(section_t), intent(inout) :: section
-      !> A, I11, I12, I22, J
+      !> A [m^2], I11, I12, I22, J [m^4]
       real(dp), intent(in) :: data(5)
-      real(dp), intent(in) :: young, poisson
+      !> Young's modulus [Pa]
+      real(dp), intent(in) :: young
+      !> Poisson's ratio [-]
+      real(dp), intent(in) :: poisson
 
       section%area = data(1)
       section%i2 = data(2)
@@ -175,7 +190,11 @@ contains
    subroutine assign_section(self, model, card, section, section_line)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(inout) :: model
-      integer, intent(in) :: card, section
+      !> Index of the card
+      integer, intent(in) :: card
+      !> Index of the section
+      integer, intent(in) :: section
+      !> Line of the deck that defines each section (sections)
       integer, intent(in) :: section_line(:)
       integer :: set, i, n_twice
       logical :: ok
@@ -209,9 +228,11 @@ contains
    subroutine check_axis(self, model, members, line, n1)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(in) :: model
+      !> Indices of the elements (n)
       integer, intent(in) :: members(:)
-      !> Line that gives n1
+      !> Index of the line that gives n1
       integer, intent(in) :: line
+      !> First section axis, of any length
       real(dp), intent(out) :: n1(3)
       real(dp) :: chord(3)
       integer :: i
@@ -273,8 +294,12 @@ contains
    !> The pairs of all data lines, with ascending times.
    subroutine read_points(self, card, time, factor)
       type(reader_t), intent(inout) :: self
+      !> Index of the card
       integer, intent(in) :: card
-      real(dp), allocatable, intent(out) :: time(:), factor(:)
+      !> Times (n) [s], ascending
+      real(dp), allocatable, intent(out) :: time(:)
+      !> Factors at these times (n)
+      real(dp), allocatable, intent(out) :: factor(:)
       integer :: line, i, n
       logical :: ok
 
@@ -305,6 +330,7 @@ contains
    subroutine report_unused(self, definitions, what)
       type(reader_t), intent(inout) :: self
       type(definitions_t), intent(in) :: definitions
+      !> What is defined, as messages name it
       character(len=*), intent(in) :: what
       integer :: i
 

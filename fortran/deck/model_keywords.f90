@@ -1,0 +1,247 @@
+!> The keywords that describe the model: mesh, materials, sections, amplitudes and contact.
+module litz_model_keywords
+   use litz_laws, only: spot_laws
+   use litz_keywords, only: keyword_t, keyword_table_t, place_model, place_both, limit_positive, &
+      limit_not_negative, limit_poisson, limit_zero
+   use litz_keyword_builders, only: begin, finish, integer_field, real_field, name_field, item_field, text_field, &
+      flag, choice, name, number, file
+   implicit none
+   private
+   public :: add_general, add_mesh, add_properties, add_contact
+
+contains
+
+   pure subroutine add_general(table)
+      type(keyword_table_t), intent(inout) :: table
+      type(keyword_t) :: k
+
+      call begin(k, 'HEADING', place_model, 'Lines that say what the deck is about; they go into the result files.')
+      call k%add_data([text_field('text', 'any text')], required=.false., last=0)
+      call finish(table, k)
+
+      call begin(k, 'UNITS', place_model, &
+         'What the units of the numbers in the deck are called, in heads of tables, result files, pictures and'// &
+         ' messages (own word of litz). Labels only: nothing is converted, the units must be consistent (the unit'// &
+         ' of moments is that of force times that of length, that of resistance voltage over current).')
+      call k%add(name('LENGTH', 'label of the unit of length, such as mm; m without it'))
+      call k%add(name('FORCE', 'label of the unit of force; N without it'))
+      call k%add(name('TIME', 'label of the unit of time; s without it'))
+      call k%add(name('CURRENT', 'label of the unit of current; A without it'))
+      call k%add(name('VOLTAGE', 'label of the unit of voltage; V without it'))
+      call finish(table, k)
+
+      call begin(k, 'INCLUDE', place_both, &
+         'Reads another file in place of this line. A path that does not begin with /'// &
+         ' is relative to the directory of the file that holds the line. Data lines may stand in a file of their own.')
+      call k%add(file('INPUT', 'the file to read'))
+      call finish(table, k)
+   end subroutine add_general
+
+   pure subroutine add_mesh(table)
+      type(keyword_table_t), intent(inout) :: table
+      type(keyword_t) :: k
+
+      call begin(k, 'NODE', place_model, 'Nodes. Numbers may have gaps and come in any order.')
+      call k%add(name('NSET', 'node set that these nodes are added to'))
+      call k%add_data([integer_field('id', 'number of the node', limit_positive), real_field('x', 'm', 'position'), &
+         real_field('y', 'm', 'position'), real_field('z', 'm', 'position')], last=0)
+      call finish(table, k)
+
+      call begin(k, 'ELEMENT', place_model, 'Straight beam elements of two nodes. B31: geometrically exact, shear'// &
+         ' flexible. B33: Euler-Bernoulli, cubic, corotational. Elements of a material with conductivity conduct.')
+      call k%add(choice('TYPE', 'B31|B33', 'kind of beam', required=.true.))
+      call k%add(name('ELSET', 'element set that these elements are added to'))
+      call k%add_data([integer_field('id', 'number of the element', limit_positive), integer_field('n1', 'first node', &
+         limit_positive), integer_field('n2', 'second node', limit_positive)], last=0)
+      call finish(table, k)
+
+      call begin(k, 'MESH', place_model, 'Nodes, elements and sets from an HDF5 file, as if they stood here in'// &
+         ' *NODE, *ELEMENT, *NSET and *ELSET (own word of litz); read twice as fast as text.'// &
+         ' Datasets: /nodes/id (n), /nodes/position (n, 3); /elements/TYPE/id (m) and /elements/TYPE/nodes'// &
+         ' (m, 2) with the numbers of the nodes, for TYPE B31 and B33; /node_sets/NAME and /element_sets/NAME with'// &
+         ' the numbers of the members. A path that does not begin with / is relative to the directory of the deck.')
+      call k%add(file('INPUT', 'the HDF5 file'))
+      call finish(table, k)
+
+      call begin(k, 'NSET', place_model, &
+         'A node set, or more members for one. Sets are named before they are used in'// &
+         ' another set.')
+      call k%add(name('NSET', 'name of the set', required=.true.))
+      call k%add(flag('GENERATE', 'data lines hold ranges: first, last, step'))
+      call add_set_data(k, 'node')
+      call finish(table, k)
+
+      call begin(k, 'ELSET', place_model, 'An element set, or more members for one.')
+      call k%add(name('ELSET', 'name of the set', required=.true.))
+      call k%add(flag('GENERATE', 'data lines hold ranges: first, last, step'))
+      call add_set_data(k, 'element')
+      call finish(table, k)
+   end subroutine add_mesh
+
+   pure subroutine add_set_data(k, what)
+      type(keyword_t), intent(inout) :: k
+      !> Kind of the members: `node` or `element`
+      character(len=*), intent(in) :: what
+
+      call k%add_data([item_field(what, 'number of a '//what//', or name of another set; any number of them')], &
+         when='GENERATE=NO', last=0, repeats=0)
+      call k%add_data([integer_field('first', 'first '//what, limit_positive), &
+         integer_field('last', 'last '//what, limit_positive), &
+         integer_field('step', 'step of the numbers, 1 when left out; numbers that do not exist are passed over', &
+         limit_positive, required=.false.)], when='GENERATE=YES', last=0)
+   end subroutine add_set_data
+
+   pure subroutine add_properties(table)
+      type(keyword_table_t), intent(inout) :: table
+      type(keyword_t) :: k
+
+      call begin(k, 'MATERIAL', place_model, 'Begins a material; *ELASTIC and *ELECTRICAL CONDUCTIVITY follow it.')
+      call k%add(name('NAME', 'name of the material', required=.true.))
+      call finish(table, k)
+
+      call begin(k, 'ELASTIC', place_model, 'Linear elastic, isotropic.', after='MATERIAL')
+      call k%add(choice('TYPE', 'ISOTROPIC', 'kind of elasticity', default='ISOTROPIC'))
+      call k%add_data([real_field('E', 'Pa', 'Young''s modulus', limit_positive), &
+         real_field('nu', '-', 'Poisson''s ratio', limit_poisson)])
+      call finish(table, k)
+
+      call begin(k, 'ELECTRICAL CONDUCTIVITY', place_model, &
+         'Makes the elements of this material conductors: their nodes'// &
+         ' have a potential, degree of freedom 9. Without it a wire is an insulator.', after='MATERIAL')
+      call k%add_data([real_field('sigma', 'S/m', 'electrical conductivity', limit_positive)])
+      call finish(table, k)
+
+      call begin(k, 'BEAM SECTION', place_model, &
+         'Cross-section and material of all elements of a set. Every element has'// &
+         ' exactly one. CIRC: solid round wire, shear factor 6(1+nu)/(7+6nu). GENERAL: given'// &
+         ' stiffnesses, shear factor 1.')
+      call k%add(name('ELSET', 'the elements', required=.true.))
+      call k%add(name('MATERIAL', 'their material', required=.true.))
+      call k%add(choice('SECTION', 'CIRC|GENERAL', 'shape of the cross-section', required=.true.))
+      call k%add(number('CONTACT RADIUS', &
+         'radius of the round surface that touches others [m]; CIRC: the radius when'// &
+         ' left out; GENERAL: needed for elements in a contact pair', limit_positive))
+      call k%add(choice('CONDUCTION', 'REFERENCE LENGTH|CURRENT LENGTH', &
+         'length that the resistance of an element is taken over (own word of litz)', default='REFERENCE LENGTH'))
+      call k%add_data([real_field('radius', 'm', 'radius of the wire', limit_positive)], when='SECTION=CIRC')
+      call k%add_data([real_field('A', 'm^2', 'area', limit_positive), &
+         real_field('I11', 'm^4', 'second moment for bending about the first axis n1', limit_positive), &
+         real_field('I12', 'm^4', 'n1 and n2 are principal axes', limit_zero), &
+         real_field('I22', 'm^4', 'second moment for bending about the second axis n2', limit_positive), &
+         real_field('J', 'm^4', 'torsion constant', limit_positive)], when='SECTION=GENERAL')
+      call k%add_data([real_field('n1x', '-', 'direction of the first axis n1; chosen by litz without this line'), &
+         real_field('n1y', '-', 'its second component'), real_field('n1z', '-', 'its third component')], first=2, &
+         required=.false.)
+      call finish(table, k)
+
+      call begin(k, 'TRANSVERSE SHEAR STIFFNESS', place_model, &
+         'Shear stiffnesses of B31 elements in place of those of'// &
+         ' the section.', after='BEAM SECTION')
+      call k%add_data([real_field('GA2', 'N', 'for shear along n1', limit_positive), &
+         real_field('GA3', 'N', 'for shear along n2', limit_positive)])
+      call finish(table, k)
+
+      call begin(k, 'AMPLITUDE', place_both, 'A factor over time, linear between the points and constant beyond them.')
+      call k%add(name('NAME', 'name of the amplitude', required=.true.))
+      call k%add(choice('TIME', 'STEP TIME|TOTAL TIME', 'what the times are counted from', default='STEP TIME'))
+      call k%add_data([real_field('t', 's', 'time; ascending'), real_field('a', '-', 'factor at that time')], &
+         last=0, repeats=4)
+      call finish(table, k)
+   end subroutine add_properties
+
+   pure subroutine add_contact(table)
+      type(keyword_table_t), intent(inout) :: table
+      type(keyword_t) :: k
+
+      call begin(k, 'SURFACE INTERACTION', place_model, 'Begins the laws of a contact; *SURFACE BEHAVIOR and *GAP'// &
+         ' ELECTRICAL CONDUCTANCE follow it.')
+      call k%add(name('NAME', 'name of the interaction', required=.true.))
+      call k%add(choice('AXIS', 'HERMITE|LINEAR', 'interpolation of the wire axes that touch (own word of litz);'// &
+         ' LINEAR has kinks at the nodes of a bent wire, where a contact may be missed or counted twice', &
+         default='HERMITE'))
+      call finish(table, k)
+
+      call begin(k, 'SURFACE BEHAVIOR', place_model, 'Contact force over penetration. LINEAR: a penalty. HERTZ: the'// &
+         ' elastic approach of two wires, no data; the default when the keyword is left out.', &
+         after='SURFACE INTERACTION')
+      call k%add(choice('PRESSURE-OVERCLOSURE', 'LINEAR|HERTZ', 'the law', required=.true.))
+      call k%add(choice('PENETRATION', 'LIMITED|UNLIMITED', &
+         'UNLIMITED: soft penalties are meant, deep penetration is no'// &
+         ' error (own word of litz)', default='LIMITED'))
+      call k%add_data([real_field('penalty', 'N/m', 'contact force per penetration', limit_positive)], &
+         when='PRESSURE-OVERCLOSURE=LINEAR')
+      call finish(table, k)
+
+      call begin(k, 'FRICTION', place_model, &
+         'Coulomb friction of the contact points, the same in every direction of the plane of the two wires. Before'// &
+         ' it slips, a contact gives way elastically: by Mindlin''s tangential stiffness, 2(1-nu)/(2-nu) of the'// &
+         ' normal stiffness for equal materials, or by one of the parameters. Without this keyword the wires slide'// &
+         ' freely. A contact that closes grips from the place where it has closed within the increment.', &
+         after='SURFACE INTERACTION')
+      call k%add(number('ELASTIC SLIP', 'slip at which friction reaches its limit [m], whatever the force', &
+         limit_positive))
+      call k%add(number('STICK STIFFNESS', 'tangential stiffness of a contact [N/m] (own word of litz)', &
+         limit_positive))
+      call k%add_data([real_field('mu', '-', 'coefficient of friction', limit_not_negative)])
+      call finish(table, k)
+
+      call begin(k, 'GAP ELECTRICAL CONDUCTANCE', place_model, 'Resistance of the contact spot.'// &
+         spot_law_meanings()//' Without this keyword no current crosses.', after='SURFACE INTERACTION')
+      call k%add(choice('LAW', spot_law_names(), 'the law of the spot (own word of litz)', required=.true.))
+      call k%add(choice('VOLTAGE', 'CORRECTED|LINEAR', &
+         'CORRECTED adds the resistance that the linear voltage within an'// &
+         ' element misses', default='CORRECTED'))
+      call k%add(choice('SPOT', 'PRESENT FORCE|LARGEST FORCE', &
+         'LARGEST FORCE: a spot that has been pressed stays, with the resistance of the largest force since the'// &
+         ' contact closed or last slipped (own word of litz)', default='PRESENT FORCE'))
+      call add_spot_law_data(k)
+      call finish(table, k)
+
+      call begin(k, 'CONTACT PAIR', place_model, &
+         'Wires that may touch. All crossings between the two sets are searched;'// &
+         ' with one set, those within it.')
+      call k%add(name('INTERACTION', 'the laws of the contact', required=.true.))
+      call k%add(flag('INTERFERENCE FIT', 'wires that overlap at the start are meant to'))
+      call k%add_data([name_field('ELSET_A', 'first element set'), name_field('ELSET_B', 'second element set', &
+         required=.false.)])
+      call finish(table, k)
+   end subroutine add_contact
+
+   !> `A|B|C`
+   pure function spot_law_names() result(names)
+      character(len=:), allocatable :: names
+      integer :: i
+
+      names = trim(spot_laws(1)%name)
+      do i = 2, size(spot_laws)
+         names = names//'|'//trim(spot_laws(i)%name)
+      end do
+   end function spot_law_names
+
+   !> A sentence for each law.
+   pure function spot_law_meanings() result(text)
+      character(len=:), allocatable :: text
+      integer :: i
+
+      text = ''
+      do i = 1, size(spot_laws)
+         text = text//' '//trim(spot_laws(i)%name)//': '//trim(spot_laws(i)%meaning)//'.'
+      end do
+   end function spot_law_meanings
+
+   pure subroutine add_spot_law_data(k)
+      type(keyword_t), intent(inout) :: k
+      integer :: i
+
+      do i = 1, size(spot_laws)
+         associate (law => spot_laws(i))
+            if (len_trim(law%value_name) > 0) call k%add_data([real_field(trim(law%value_name), trim(law%value_unit), &
+               trim(law%value_meaning), limit_positive)], when='LAW='//trim(law%name))
+            if (law%has_table) call k%add_data([real_field('F', 'N', 'contact force; ascending', limit_positive), &
+               real_field('R', 'ohm', 'resistance of a contact at that force', limit_positive)], &
+               when='LAW='//trim(law%name), last=0)
+         end associate
+      end do
+   end subroutine add_spot_law_data
+
+end module litz_model_keywords

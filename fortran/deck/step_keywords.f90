@@ -1,0 +1,208 @@
+!> The keywords of steps: loads, output, and how the equations are solved.
+module litz_step_keywords
+   use litz_keywords, only: keyword_t, keyword_table_t, place_step, place_both, place_begins_step, &
+      limit_positive, limit_not_negative
+   use litz_keyword_builders, only: begin, finish, integer_field, real_field, choice_field, name_field, &
+      item_field, text_field, unused, flag, choice, name, count_of
+   implicit none
+   private
+   public :: add_step, add_loads, add_output, add_solution
+
+   character(len=*), parameter :: node_quantities = 'U|UR|RF|RM|CF|CM|EPOT|RCURR|CECUR'
+   character(len=*), parameter :: element_quantities = 'SF|EPG|JOULE'
+
+   !> Nothing but the removal of what earlier steps prescribed
+   character(len=*), parameter :: new_alone = 'OP=NEW'
+
+contains
+
+   pure subroutine add_step(table)
+      type(keyword_table_t), intent(inout) :: table
+      type(keyword_t) :: k
+
+      call begin(k, 'STEP', place_begins_step, &
+         'Begins a step. Steps follow each other and keep what they do not redefine:'// &
+         ' prescribed values, loads, output requests, controls, solver.')
+      call k%add(name('NAME', 'name of the step'))
+      call k%add(choice('NLGEOM', 'YES|NO', 'large displacements; litz always has them, NO is refused', default='YES', &
+         value_optional=.true.))
+      call k%add(count_of('INC', 'most increments of the step', '100'))
+      call k%add_data([text_field('title', 'any text')], required=.false., last=0)
+      call finish(table, k)
+
+      call begin(k, 'STATIC', place_step, 'Equilibrium of forces, moments and currents. Increments of time adapt'// &
+         ' themselves; values without an amplitude ramp over the step.')
+      call k%add(flag('DIRECT', 'increments of fixed size'))
+      call k%add_data([real_field('first', 's', 'first increment, the whole step when left out', limit_positive, &
+         .false.), &
+         real_field('total', 's', 'time of the step, 1 when left out', limit_positive, .false.), &
+         real_field('smallest', 's', 'smallest increment, 1e-5 of the step when left out', limit_positive, .false.), &
+         real_field('largest', 's', 'largest increment, the whole step when left out', limit_positive, .false.)], &
+         required=.false.)
+      call finish(table, k)
+
+      call begin(k, 'END STEP', place_step, 'Ends a step.')
+      call finish(table, k)
+   end subroutine add_step
+
+   pure subroutine add_loads(table)
+      type(keyword_table_t), intent(inout) :: table
+      type(keyword_t) :: k
+
+      call begin(k, 'BOUNDARY', place_both, &
+         'Prescribed displacements (1-3), rotations (4-6) and potentials (9). Before the'// &
+         ' first step only zero values. ENCASTRE (1-6) and PINNED (1-3) may stand in place of the degrees of'// &
+         ' freedom. All three rotations of a node are its rotation vector. One or two alone are angles turned'// &
+         ' increment by increment about these axes, in addition to what is left free: where that is much, the'// &
+         ' result depends on the increments.')
+      call add_op(k, 'prescribed values')
+      call k%add_data([item_field('node', 'number of a node or name of a node set'), &
+         name_field('first', 'first degree of freedom, ENCASTRE or PINNED'), &
+         integer_field('last', 'last degree of freedom, the first when left out', limit_positive, required=.false.), &
+         real_field('value', 'm, rad, V', 'prescribed value, 0 when left out', required=.false.)], last=0, &
+         optional_with=new_alone)
+      call finish(table, k)
+
+      call begin(k, 'CLOAD', place_step, &
+         'Concentrated forces (1-3) and moments (4-6), of fixed direction. Lines for the'// &
+         ' same node and direction add up.')
+      call add_op(k, 'loads')
+      call k%add_data([item_field('node', 'number of a node or name of a node set'), &
+         integer_field('dof', 'direction, 1-6', limit_positive), real_field('value', 'N, N m', 'force or moment')], &
+         last=0, optional_with=new_alone)
+      call finish(table, k)
+
+      call begin(k, 'CECURRENT', place_step, &
+         'Concentrated currents, positive into the body. Lines for the same node add up.')
+      call add_op(k, 'currents')
+      call k%add_data([item_field('node', 'number of a node or name of a node set'), &
+         integer_field('dof', '9 or empty', limit_positive, required=.false.), real_field('value', 'A', 'current')], &
+         last=0, optional_with=new_alone)
+      call finish(table, k)
+   end subroutine add_loads
+
+   pure subroutine add_op(k, what)
+      type(keyword_t), intent(inout) :: k
+      !> What the keyword prescribes, in the plural
+      character(len=*), intent(in) :: what
+
+      call k%add(choice('OP', 'MOD|NEW', 'MOD changes or adds to the '//what//' of earlier steps, NEW removes'// &
+         ' them all, with or without data lines', default='MOD'))
+      call k%add(name('AMPLITUDE', 'factor over time; without it the value ramps over the step'))
+   end subroutine add_op
+
+   pure subroutine add_output(table)
+      type(keyword_table_t), intent(inout) :: table
+      type(keyword_t) :: k
+
+      call begin(k, 'NODE PRINT', place_step, 'Asks for quantities of nodes in the history file.')
+      call k%add(name('NSET', 'the nodes', required=.true.))
+      call k%add(choice('TOTALS', 'YES|NO|ONLY', &
+         'sums over the set (means of U, UR, EPOT): besides the nodes, not at all, or alone', &
+         default='NO'))
+      call k%add_data([choice_field('quantity', node_quantities, &
+         'displacement U, rotation UR, reaction force RF and'// &
+         ' moment RM, applied force CF and moment CM, potential EPOT, current at supports RCURR, applied CECUR')], &
+         last=0, repeats=0)
+      call finish(table, k)
+
+      call begin(k, 'EL PRINT', place_step, 'Asks for quantities of elements in the history file.')
+      call k%add(name('ELSET', 'the elements', required=.true.))
+      call k%add(choice('TOTALS', 'YES|NO|ONLY', &
+         'sum of JOULE, means of SF and EPG: besides the elements, not at all, or alone', &
+         default='NO'))
+      call k%add_data([choice_field('quantity', element_quantities, &
+         'section forces SF, current EPG, Joule heat JOULE')], &
+         last=0, repeats=0)
+      call finish(table, k)
+
+      call begin(k, 'CONTACT PRINT', place_step, &
+         'Asks for a line about the contacts at every increment in the terminal; the'// &
+         ' contact ledger is always written.')
+      call finish(table, k)
+
+      call begin(k, 'ENERGY PRINT', place_step, &
+         'Asks for energies since the beginning in the history file. ALLWK: done by supports and loads.'// &
+         ' ALLSE: in the beams. ALLCCE: in the contacts. ALLFD: made heat by friction.'// &
+         ' ALLSD: taken by stabilization.'// &
+         ' ETOTAL: ALLSE + ALLCCE + ALLFD + ALLSD - ALLWK,'// &
+         ' which goes to zero with the size of the increments, but for what the elements of B31 miss at contacts,'// &
+         ' which goes to zero with their size.')
+      call finish(table, k)
+
+      call begin(k, 'ELECTRODE PRINT', place_step, &
+         'Asks for voltage, current and resistance between two sets of nodes in the'// &
+         ' history file (own word of litz).')
+      call k%add_data([name_field('NSET_A', 'positive electrode'), name_field('NSET_B', 'negative electrode')], last=0)
+      call finish(table, k)
+
+      call begin(k, 'NODE FILE', place_step, 'Fields are always written to the result file; this sets how often.')
+      call k%add(count_of('FREQUENCY', 'every n-th increment, and the last of the step', '1'))
+      call k%add_data([choice_field('quantity', node_quantities, 'all are written, whichever are named')], &
+         required=.false., last=0, repeats=0)
+      call finish(table, k)
+
+      call begin(k, 'RESTART', place_step, &
+         'Writes increments from which a run can go on, to DECK.restart.h5: litz run DECK.inp --restart'// &
+         ' DECK.restart.h5[:STEP:INCREMENT]. It holds for the later steps too.')
+      call k%add(flag('WRITE', 'increments are written; without it no longer'))
+      call k%add(count_of('FREQUENCY', 'every n-th increment, and the last of the step', '1'))
+      call finish(table, k)
+
+      call begin(k, 'EL FILE', place_step, 'As *NODE FILE.')
+      call k%add(count_of('FREQUENCY', 'every n-th increment, and the last of the step', '1'))
+      call k%add_data([choice_field('quantity', element_quantities, 'all are written, whichever are named')], &
+         required=.false., last=0, repeats=0)
+      call finish(table, k)
+   end subroutine add_output
+
+   pure subroutine add_solution(table)
+      type(keyword_table_t), intent(inout) :: table
+      type(keyword_t) :: k
+
+      call begin(k, 'CONTROLS', place_step, 'Convergence and increments, with CalculiX''s names and places. FIELD:'// &
+         ' convergence. TIME INCREMENTATION: counts of iterations, then factors. ROTATION: cap on an iteration'// &
+         ' (own word of litz). STABILIZE: damping of all free motion, for wires that nothing holds yet and for'// &
+         ' snaps (own word of litz); its energy is ALLSD, and stands in the .sta file. Places left empty keep what'// &
+         ' they have.')
+      call k%add(choice('PARAMETERS', 'FIELD|TIME INCREMENTATION|ROTATION|STABILIZE', 'what the data are', &
+         required=.true.))
+      call k%add_data([real_field('R_n', '-', 'largest residual over the reference of its field', limit_positive, &
+         .false.), &
+         real_field('C_n', '-', 'largest correction over the increment; 0: not asked', limit_not_negative, .false.)], &
+         when='PARAMETERS=FIELD')
+      call k%add_data([unused('I_0'), unused('I_R'), unused('I_P'), &
+         integer_field('I_C', 'most iterations before the increment is cut; those that do no more than open and'// &
+         ' close contacts as predicted do not count, up to four times as many', limit_positive, .false.), &
+         integer_field('I_L', 'more iterations than this shrink the next increment', limit_positive, .false.), &
+         integer_field('I_G', 'two increments of at most this many let it grow', limit_positive, .false.), &
+         unused('I_S'), integer_field('I_A', 'most cut-backs of one increment', limit_positive, .false.)], &
+         when='PARAMETERS=TIME INCREMENTATION')
+      call k%add_data([real_field('D_f', '-', 'factor of the increment after a failed one', limit_positive, .false.), &
+         unused('D_C'), real_field('D_B', '-', 'factor after a slow one', limit_positive, .false.), unused('D_A'), &
+         unused('D_S'), unused('D_H'), real_field('D_D', '-', 'factor after quick ones', limit_positive, .false.)], &
+         when='PARAMETERS=TIME INCREMENTATION', first=2, required=.false.)
+      call k%add_data([real_field('cap', 'rad', 'largest rotation of a node in one iteration', limit_positive)], &
+         when='PARAMETERS=ROTATION')
+      call k%add_data([real_field('factor', '-', &
+         'damping over the least stiffness of an element, 1e-8 without this line; 0: none', limit_not_negative)], &
+         when='PARAMETERS=STABILIZE', required=.false.)
+      call finish(table, k)
+
+      call begin(k, 'SOLVER', place_step, &
+         'Linear solver of this step and the later ones (own word of litz). MONOLITHIC:'// &
+         ' voltages come from the same linear step as displacements. UPDATED: from the new displacements.')
+      call k%add(choice('NAME', 'BLOCK|UMFPACK|SKYLINE', 'the solver', required=.true.))
+      call k%add(choice('COUPLING', 'MONOLITHIC|UPDATED', 'when voltages are solved'))
+      call finish(table, k)
+      call begin(k, 'SOLUTION TECHNIQUE', place_step, &
+         'How often this step and the later ones factor the tangent, as in Abaqus. NEWTON, the default: in every'// &
+         ' iteration. MODIFIED NEWTON (value of litz): a factor is kept, also from one increment to the next, as'// &
+         ' long as each iteration leaves at most a hundredth of the residual and no contact opens or closes;'// &
+         ' convergence is then linear, to the same solution.')
+      call k%add(choice('TYPE', 'NEWTON|MODIFIED NEWTON', 'when the tangent is factored', required=.true.))
+      call k%add(count_of('REFORM KERNEL', 'most iterations that keep a factor', '8'))
+      call finish(table, k)
+   end subroutine add_solution
+
+end module litz_step_keywords
