@@ -8,7 +8,7 @@ module litz_contact_joints
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: path_between, lead_apart, walk_along, joint_radii
+   public :: end_paths, path_between, lead_apart, walk_along, joint_radii
 
    !> Joined wires may overlap up to this many radii along them: a bend has no room for more
    real(dp), parameter :: joint_radii = 4.0_dp
@@ -17,18 +17,63 @@ module litz_contact_joints
 
 contains
 
-   !> Length of wire between a place on one element and a place on another one that it is joined to [m]; where the joint
-   !> is not a shared node, it counts from the nearest ends.
-   pure real(dp) function path_between(model, wires, elements, pair, place) result(path)
+   !> Lengths of the shortest ways along elements between the ends of two elements [m]; `huge` beyond a limit.
+   pure function end_paths(model, wires, elements, pair, limit) result(between)
       type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> Two elements
+      integer, intent(in) :: pair(2)
+      !> [m]
+      real(dp), intent(in) :: limit
+      !> From the first and second node of the first element to those of the second one (2, 2) [m]
+      real(dp) :: between(2, 2)
+      integer :: i, j
+
+      do j = 1, 2
+         do i = 1, 2
+            between(i, j) = way(model, wires, elements, model%connectivity(i, pair(1)), &
+               model%connectivity(j, pair(2)), pair, limit)
+         end do
+      end do
+   end function end_paths
+
+   !> Length of the shortest way from one node to another [m], not back along the element that leads there, and not
+   !> through the one that it leads to.
+   pure recursive real(dp) function way(model, wires, elements, from, goal, not_along, limit) result(length)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> Nodes, and elements (2) that are not to be used
+      integer, intent(in) :: from, goal, not_along(2)
+      !> [m]
+      real(dp), intent(in) :: limit
+      integer :: i, e
+
+      length = 0
+      if (from == goal) return
+      length = huge(1.0_dp)
+      do i = wires%first_at_node(from), wires%first_at_node(from + 1) - 1
+         e = abs(wires%at_node(i))
+         if (any(e == not_along) .or. elements%length(e) > limit) cycle
+         length = min(length, elements%length(e) + way(model, wires, elements, &
+            model%connectivity(merge(2, 1, wires%at_node(i) < 0), e), goal, [e, not_along(2)], &
+            limit - elements%length(e)))
+      end do
+   end function way
+
+   !> Length of wire between a place on one element and a place on another one that it is joined to [m]; `huge` where
+   !> no way is as short as the limit of `end_paths`.
+   pure real(dp) function path_between(wires, elements, pair, place, between) result(path)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       !> Two elements, and places in [-1, 1] (2)
       integer, intent(in) :: pair(2)
       real(dp), intent(in) :: place(2)
+      !> `end_paths` of the pair (2, 2) [m]
+      real(dp), intent(in) :: between(2, 2)
       real(dp) :: arc(2), from_end(2, 2)
       integer :: i, j
-      logical :: shares
 
       if (wires%wire(pair(1)) == wires%wire(pair(2))) then
          arc = wires%arc(pair) + wires%direction(pair)*place*elements%length(pair)/2
@@ -38,15 +83,11 @@ contains
       from_end(1, :) = (1 + place)/2*elements%length(pair)
       from_end(2, :) = (1 - place)/2*elements%length(pair)
       path = huge(1.0_dp)
-      shares = .false.
-      do i = 1, 2
-         do j = 1, 2
-            if (model%connectivity(i, pair(1)) /= model%connectivity(j, pair(2))) cycle
-            shares = .true.
-            path = min(path, from_end(i, 1) + from_end(j, 2))
+      do j = 1, 2
+         do i = 1, 2
+            if (between(i, j) < huge(1.0_dp)) path = min(path, from_end(i, 1) + between(i, j) + from_end(j, 2))
          end do
       end do
-      if (.not. shares) path = minval(from_end(:, 1)) + minval(from_end(:, 2))
    end function path_between
 
    !> Two elements that share a node lead away from each other there and are hardly bent: they cannot touch beyond it.

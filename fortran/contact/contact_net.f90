@@ -10,7 +10,7 @@ module litz_contact_net
    use litz_straight_segments, only: segment_distance
    use litz_contact_findings, only: finding_t, worse_of, finding_none, finding_deep, finding_missed, finding_second, &
       finding_joined, finding_end, finding_kink, finding_line, finding_passed
-   use litz_contact_joints, only: path_between, lead_apart, walk_along, joint_radii
+   use litz_contact_joints, only: end_paths, path_between, lead_apart, walk_along, joint_radii
    use litz_contact_pairs, only: are_joined, self_contact_distance
    use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry, chain_by_wire
    use litz_element_library, only: elements_t
@@ -173,8 +173,8 @@ contains
                   if (overlap_of_reference(candidate, places(:, k)) > 0) cycle
                   kind = finding_joined
                else if (is_joined) then
-                  if (path_between(model, wires, elements, candidate(1:2), places(:, k)) &
-                     < joint_radii*maxval(radius)) cycle
+                  if (path_between(wires, elements, candidate(1:2), places(:, k), end_paths(model, wires, elements, &
+                     candidate(1:2), self_contact_distance*maxval(radius))) < joint_radii*maxval(radius)) cycle
                   kind = finding_joined
                else
                   if (is_known(candidate, arc)) cycle

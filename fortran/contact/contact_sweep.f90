@@ -10,10 +10,11 @@ module litz_contact_sweep
    use litz_axis, only: axis_polynomial, axis_sagitta
    use litz_straight_segments, only: segment_distance
    use litz_contact_findings, only: finding_t, worse_of, finding_none, finding_passed, finding_turned
-   use litz_contact_joints, only: path_between, lead_apart, joint_radii
+   use litz_contact_joints, only: end_paths, path_between, lead_apart, joint_radii
    use litz_contact_path, only: contact_path_t
    use litz_contact_points, only: contact_set_t, pair_geometry
    use litz_contact_side, only: crossing_t, crossing_of, have_kept
+   use litz_departed_contacts, only: find_departed_pairs
    use litz_element_library, only: elements_t
    use litz_model, only: model_t
    use litz_moving_segments, only: meeting_time, never, largest_relative_motion
@@ -44,14 +45,22 @@ contains
       type(finding_t) :: worst
       type(finding_t), allocatable :: found(:)
       real(dp), allocatable :: x_start(:, :), rotation_start(:, :, :), x(:, :), rotation(:, :, :)
-      integer :: leg, i, n
+      !> Barred element, unbarred element, contact pair: joined ones first (3, n)
+      integer, allocatable :: pairs(:, :), departed(:, :)
+      integer :: leg, i, n, n_joined
 
       if (path%turned_element > 0) then
          worst = finding_t(finding_turned, spread(path%turned_element, 1, 2))
          return
       end if
-      n = size(contact%candidates, 2)
-      allocate (found(n + size(contact%joined, 2)))
+      n_joined = size(contact%joined, 2)
+      call find_departed_pairs(model, wires, contact, departed)
+      n = n_joined + size(contact%candidates, 2)
+      allocate (pairs(3, n + size(departed, 2)))
+      pairs(:, :n_joined) = contact%joined
+      pairs(:, n_joined + 1:n) = contact%candidates
+      pairs(:, n + 1:) = departed
+      allocate (found(size(pairs, 2)))
       x = path%positions(model, wires, 0.0_dp)
       rotation = path%rotations(0.0_dp)
       do leg = 1, path%n_legs
@@ -61,11 +70,7 @@ contains
          rotation = path%rotations(real(leg, dp)/path%n_legs)
          !$omp parallel do schedule(dynamic, 64) if (size(found) >= worth_threads)
          do i = 1, size(found)
-            if (i <= n) then
-               call sweep_pair(contact%candidates(:, i), .false., found(i))
-            else
-               call sweep_pair(contact%joined(:, i - n), .true., found(i))
-            end if
+            call sweep_pair(pairs(:, i), i <= n_joined, found(i))
          end do
          !$omp end parallel do
          do i = 1, size(found)
@@ -178,18 +183,19 @@ contains
          real(dp), intent(in) :: apart, limit
          !> First meeting, or `never`, and where: middles of the pieces (2) in [-1, 1]
          real(dp), intent(out) :: time, place(2)
-         real(dp) :: a(3, 2, 0:max_pieces), b(3, 2, 0:max_pieces), meeting, middle(2)
+         real(dp) :: a(3, 2, 0:max_pieces), b(3, 2, 0:max_pieces), meeting, middle(2), between(2, 2)
          integer :: i, j
 
          call cut(p0(:, :, 1), p1(:, :, 1), pieces(1), a)
          call cut(p0(:, :, 2), p1(:, :, 2), pieces(2), b)
          time = never
          place = 0
+         if (apart > 0) between = end_paths(model, wires, elements, pair, 2*apart)
          do i = 1, pieces(1)
             do j = 1, pieces(2)
                middle = [-1 + (2*i - 1)/real(pieces(1), dp), -1 + (2*j - 1)/real(pieces(2), dp)]
                if (apart > 0) then
-                  if (path_between(model, wires, elements, pair, middle) < 2*apart) cycle
+                  if (path_between(wires, elements, pair, middle, between) < 2*apart) cycle
                end if
                meeting = meeting_time(reshape([a(:, 1, i - 1:i), b(:, 1, j - 1:j)], [3, 4]), &
                   reshape([a(:, 2, i - 1:i), b(:, 2, j - 1:j)], [3, 4]), limit)

@@ -16,9 +16,56 @@ module litz_departed_contacts
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: find_departed_contacts, surely_overlap
+   public :: find_departed_pairs, find_departed_contacts, surely_overlap
 
 contains
+
+   !> Pairs of elements of the wires of contacts that are gone, which no contact pair names.
+   subroutine find_departed_pairs(model, wires, contact, pairs)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      !> With the points of this state, and those of the last converged one
+      type(contact_set_t), intent(in) :: contact
+      !> Elements of the barred and of the unbarred wire, and the contact pair of the contact that is gone (3, n)
+      integer, allocatable, intent(out) :: pairs(:, :)
+      logical :: has_successor(0:contact%last_id)
+      integer :: k
+
+      has_successor = .false.
+      has_successor(contact%points%id) = .true.
+      allocate (pairs(3, 0))
+      do k = 1, size(contact%converged)
+         associate (point => contact%converged(k))
+            if (point%gap < 0 .and. .not. has_successor(point%id)) call add_pairs(wires%wire(point%element_bar), &
+               wires%wire(point%element), point%pair)
+         end associate
+      end do
+
+   contains
+
+      !> Those of two wires, if their contact pair leaves elements of them out.
+      subroutine add_pairs(wire_bar, wire, pair)
+         !> Two wires, and a contact pair
+         integer, intent(in) :: wire_bar, wire, pair
+         integer :: new(3, wires%first(wire_bar + 1) - wires%first(wire_bar), wires%first(wire + 1) - wires%first(wire))
+         integer :: i, j, roles(2), named_by
+         logical :: unnamed(size(new, 2), size(new, 3))
+
+         associate (a => wires%element(wires%first(wire_bar):wires%first(wire_bar + 1) - 1), &
+            b => wires%element(wires%first(wire):wires%first(wire + 1) - 1))
+            if (all(contact%in_bar(a, pair)) .and. all(contact%in_set(b, pair))) return
+            do j = 1, size(b)
+               do i = 1, size(a)
+                  call find_contact_pair(model, wires, contact, a(i), b(j), roles, named_by)
+                  unnamed(i, j) = named_by == 0
+                  new(:, i, j) = [a(i), b(j), pair]
+               end do
+            end do
+         end associate
+         pairs = reshape([pairs, pack(new, spread(unnamed, 1, 3))], [3, size(pairs, 2) + count(unnamed)])
+      end subroutine add_pairs
+
+   end subroutine find_departed_pairs
 
    !> The worst of the contacts that have left; `finding_none`: there is none.
    function find_departed_contacts(model, wires, elements, contact, x, rotation) result(worst)
@@ -30,50 +77,20 @@ contains
       !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
       real(dp), intent(in) :: x(:, :), rotation(:, :, :)
       type(finding_t) :: worst
-      logical :: has_successor(0:contact%last_id)
-      integer :: k
+      integer, allocatable :: pairs(:, :)
+      real(dp) :: overlap
+      integer :: i
 
-      has_successor = .false.
-      has_successor(contact%points%id) = .true.
-      do k = 1, size(contact%converged)
-         associate (point => contact%converged(k))
-            if (point%gap < 0 .and. .not. has_successor(point%id)) call follow(wires%wire(point%element_bar), &
-               wires%wire(point%element), point%pair)
+      call find_departed_pairs(model, wires, contact, pairs)
+      do i = 1, size(pairs, 2)
+         associate (a => pairs(1, i), b => pairs(2, i))
+            overlap = surely_overlap(model, wires, elements, a, b, x, rotation)
+            if (overlap <= 0) cycle
+            if (are_joined(model, wires, elements, a, b)) cycle
+            if (surely_overlap(model, wires, elements, a, b, model%x, spread(identity3, 3, model%n_nodes)) > 0) cycle
+            worst = worse_of(worst, finding_t(finding_departed, [a, b], overlap))
          end associate
       end do
-
-   contains
-
-      !> Look at all elements of two wires, if their contact pair leaves some of them out.
-      subroutine follow(wire_bar, wire, pair)
-         integer, intent(in) :: wire_bar, wire, pair
-         integer :: i, j
-
-         associate (a => wires%element(wires%first(wire_bar):wires%first(wire_bar + 1) - 1), &
-            b => wires%element(wires%first(wire):wires%first(wire + 1) - 1))
-            if (all(contact%in_bar(a, pair)) .and. all(contact%in_set(b, pair))) return
-            do i = 1, size(a)
-               do j = 1, size(b)
-                  call look_at(a(i), b(j))
-               end do
-            end do
-         end associate
-      end subroutine follow
-
-      subroutine look_at(a, b)
-         integer, intent(in) :: a, b
-         real(dp) :: overlap
-         integer :: roles(2), pair
-
-         call find_contact_pair(model, wires, contact, a, b, roles, pair)
-         if (pair > 0) return
-         overlap = surely_overlap(model, wires, elements, a, b, x, rotation)
-         if (overlap <= 0) return
-         if (are_joined(model, wires, elements, a, b)) return
-         if (surely_overlap(model, wires, elements, a, b, model%x, spread(identity3, 3, model%n_nodes)) > 0) return
-         worst = worse_of(worst, finding_t(finding_departed, [a, b], overlap))
-      end subroutine look_at
-
    end function find_departed_contacts
 
    !> Overlap of two elements over the smaller radius, but for what lies between their chords and their axes; negative:
