@@ -5,22 +5,23 @@
 !> independent force. The converged force is that of the law at the true gap.
 module litz_contact_forces
    use litz_kinds, only: dp
-   use litz_assembly, only: iterate_t, forces_t, chunk, add_mechanical, add_electric, add_coupling
+   use litz_assembly, only: iterate_t, motion_slots, potential_slots
    use litz_contact_electricity, only: contact_electricity_t, contact_electricity, coupling_tangent
    use litz_contact_mechanics, only: contact_mechanics, form_hessian
    use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry, clearance_of
    use litz_contact_spot, only: contact_spot_t, contact_spot_of_ellipse
    use litz_element_library, only: elements_t
-   use litz_equations, only: equations_t
+   use litz_equations, only: equations_t, system_t
+   use litz_fields, only: group_mechanical, group_electric
    use litz_friction_forces, only: add_friction
    use litz_friction_iteration, only: predict_friction, forget_friction
    use litz_friction_law, only: friction_law_t, friction_slip
    use litz_hertz, only: hertz_ellipse
-   use litz_linear_solver, only: system_matrix_t
    use litz_laws, only: normal_hertz, spot_none, spot_law_uses_ellipse
    use litz_model, only: model_t
    use litz_normal_law, only: normal_force_of_ellipse, hertz_approach_of_ellipse
    use litz_parallel, only: worth_threads
+   use litz_scatter, only: forces_t, scatter, chunk
    use litz_shared_conductors, only: collect_shared
    use litz_timing, only: timing_t, phase_contact, phase_assembly
    use litz_wires, only: wires_t
@@ -111,17 +112,16 @@ contains
    end subroutine apply_normal_law
 
    !> Add all points to the system: mechanics, and where a current can cross, the paper's electric blocks.
-   subroutine assemble_contacts(model, wires, elements, equations, x_start, increment, iterate, contact, matrix, &
-      forces, timing)
+   subroutine assemble_contacts(model, wires, elements, equations, increment, iterate, contact, matrix, forces, timing)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(equations_t), intent(in) :: equations
-      !> Positions when the increment began (3, n_nodes) [m], and what is prescribed of it (7, n_nodes)
-      real(dp), intent(in) :: x_start(:, :), increment(:, :)
+      !> What is prescribed of the increment (n_slots, n_nodes)
+      real(dp), intent(in) :: increment(:, :)
       type(iterate_t), intent(in) :: iterate
       type(contact_set_t), intent(inout) :: contact
-      type(system_matrix_t), intent(inout) :: matrix
+      type(system_t), intent(inout) :: matrix
       type(forces_t), intent(inout) :: forces
       type(timing_t), intent(inout) :: timing
       real(dp), allocatable :: k(:, :, :), r(:, :), k_ee(:, :, :), r_e(:, :), k_me(:, :, :)
@@ -141,20 +141,23 @@ contains
                   k_me(:, :, i))
             end do
             !$omp end parallel do
-            if (any(contact%points(points)%friction_iteration%limit > 0)) matrix%mm_symmetric = .false.
+            if (any(contact%points(points)%friction_iteration%limit > 0)) matrix%symmetric(group_mechanical) = .false.
             do i = 1, n
                call add_iteration_force(contact%points(points(i)), nodes(:, i), forces)
             end do
             call timing%lap(phase_contact)
-            call add_mechanical(equations, nodes(:, :n), k(:, :, :n), r(:, :n), increment, matrix, forces)
+            call scatter(equations, nodes(:, :n), motion_slots, motion_slots, k(:, :, :n), increment, &
+               matrix%block(group_mechanical, group_mechanical), forces, r(:, :n))
             if (any(contact%points(points)%conductance > 0)) then
-               call add_electric(equations, nodes(:, :n), k_ee(:, :, :n), r_e(:, :n), increment, matrix, forces)
-               call add_coupling(equations, nodes(:, :n), k_me(:, :, :n), increment, matrix, forces)
+               call scatter(equations, nodes(:, :n), potential_slots, potential_slots, k_ee(:, :, :n), increment, &
+                  matrix%block(group_electric, group_electric), forces, r_e(:, :n))
+               call scatter(equations, nodes(:, :n), potential_slots, motion_slots, k_me(:, :, :n), increment, &
+                  matrix%block(group_electric, group_mechanical), forces)
             end if
             call timing%lap(phase_assembly)
          end associate
       end do
-      call share_currents(model, iterate%potential, contact, forces)
+      call share_currents(model, iterate%value(potential_slots(1), :), contact, forces)
       call timing%lap(phase_contact)
 
    contains
@@ -196,7 +199,7 @@ contains
          integer :: a
 
          do a = 1, 4
-            dq(6*a - 5:6*a) = [iterate%x(:, nodes_p(a)) - x_start(:, nodes_p(a)), iterate%turn(:, nodes_p(a))]
+            dq(6*a - 5:6*a) = iterate%change(motion_slots(1):motion_slots(2), nodes_p(a))
          end do
       end function motion
 
@@ -231,7 +234,7 @@ contains
             series = 0
             if (law%voltage_correction) series = resistivity*elements%length(pair)/(4*elements%area(pair))
          end associate
-         call contact_electricity(point%kinematics, iterate%potential(nodes_p), point%conductance, &
+         call contact_electricity(point%kinematics, iterate%value(potential_slots(1), nodes_p), point%conductance, &
             dg_dforce*dforce_dgap, spot%dconductance_dangle + dg_dforce*dforce_dangle, series, electricity)
          point%current = electricity%current
          point%series_resistance = series
@@ -250,7 +253,8 @@ contains
          integer :: a
 
          do a = 1, 4
-            forces%iteration(1:6, nodes_p(a)) = forces%iteration(1:6, nodes_p(a)) &
+            forces%iteration(motion_slots(1):motion_slots(2), nodes_p(a)) = &
+               forces%iteration(motion_slots(1):motion_slots(2), nodes_p(a)) &
                - (point%iteration_force - point%force)*point%kinematics%dgap(6*a - 5:6*a) &
                + point%friction_iteration%difference(6*a - 5:6*a)
          end do
@@ -282,7 +286,7 @@ contains
          voltage = contact%shared%voltages(potential)
          allocate (current(size(together)), rise(2, size(together)))
          call contact%shared%currents(voltage, current, rise)
-         call contact%shared%add_beyond(voltage, current, forces%internal(7, :))
+         call contact%shared%add_beyond(voltage, current, forces%internal(potential_slots(1), :))
          do k = 1, size(together)
             associate (point => points(together(k)))
                point%current = current(k)
@@ -311,7 +315,7 @@ contains
    !> Take each point's force and gap along with the step `eta dq` of the unknowns.
    subroutine predict_contacts(model, eta, step, contact)
       type(model_t), intent(in) :: model
-      !> Fraction of the step that is taken, and the step (7, n_nodes)
+      !> Fraction of the step that is taken, and the step (n_slots, n_nodes)
       real(dp), intent(in) :: eta, step(:, :)
       type(contact_set_t), intent(inout) :: contact
       real(dp) :: dq(24), dgap, force
@@ -320,7 +324,7 @@ contains
       do i = 1, size(contact%points)
          associate (point => contact%points(i))
             nodes = [model%connectivity(:, point%element_bar), model%connectivity(:, point%element)]
-            dq = reshape(step(1:6, nodes), [24])
+            dq = reshape(step(motion_slots(1):motion_slots(2), nodes), [24])
             dgap = dot_product(point%kinematics%dgap, dq)
             call predict_friction(eta*dq, point%friction_iteration)
             point%predicted = .true.

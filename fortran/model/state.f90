@@ -53,23 +53,21 @@ module litz_state
       integer :: step = 0, increment = 0, iterations = 0
       !> Total time, time in the step, last increment of time
       real(dp) :: time = 0, step_time = 0, time_increment = 0
-      !> Displacements (3, n_nodes) [m]
-      real(dp), allocatable :: displacement(:, :)
-      !> Rotation matrices of the nodes from the reference (3, 3, n_nodes), and their vectors (3, n_nodes) [rad]
-      real(dp), allocatable :: rotation(:, :, :), rotation_vector(:, :)
-      !> Electric potential (n_nodes) [V]; 0 where there is no such degree of freedom
-      real(dp), allocatable :: potential(:)
-      !> Reactions of supports (6, n_nodes) [N, N m]: what the support does to the structure, applied loads not included
+      !> Values of all fields (n_slots, n_nodes) [m, rad, V], those of rotations as rotation vectors; 0 where there is
+      !> no such degree of freedom
+      real(dp), allocatable :: value(:, :)
+      !> Rotation matrices of the nodes from the reference (3, 3, n_nodes)
+      real(dp), allocatable :: rotation(:, :, :)
+      !> Reactions of supports (n_slots, n_nodes) [N, N m, A]: what the support does to the structure, or lets into it;
+      !> loads not included
       real(dp), allocatable :: reaction(:, :)
-      !> Applied loads (6, n_nodes) [N, N m]
-      real(dp), allocatable :: applied_load(:, :)
-      !> Current that enters at nodes of prescribed potential, and applied current (n_nodes) [A]
-      real(dp), allocatable :: reaction_current(:), applied_current(:)
+      !> Applied forces, moments and currents (n_slots, n_nodes) [N, N m, A]
+      real(dp), allocatable :: load(:, :)
       !> N, Q2, Q3, T, M2, M3 (6, n_elements) [N, N m]
       real(dp), allocatable :: section_forces(:, :)
       !> Current from first to second node (n_elements) [A], heat (n_elements) [W]
       real(dp), allocatable :: element_current(:), joule_heat(:)
-      !> Forces of stabilization on the free unknowns (6, n_nodes) [N, N m]: against the motion of the increment
+      !> Forces of stabilization on the free unknowns (n_slots, n_nodes) [N, N m]: against the motion of the increment
       real(dp), allocatable :: stabilizing_force(:, :)
       !> Worst figures of the audit: balance of forces, of moments, of currents, of power; overlap over radius [-]
       real(dp) :: audit(5) = 0

@@ -329,23 +329,23 @@ contains
       value = 0
       select case (quantity)
       case (quantity_u)
-         value = state%displacement(component, member)
+         value = state%value(component, member)
       case (quantity_ur)
-         value = state%rotation_vector(component, member)
+         value = state%value(3 + component, member)
       case (quantity_rf)
          value = state%reaction(component, member)
       case (quantity_rm)
          value = state%reaction(3 + component, member)
       case (quantity_cf)
-         value = state%applied_load(component, member)
+         value = state%load(component, member)
       case (quantity_cm)
-         value = state%applied_load(3 + component, member)
+         value = state%load(3 + component, member)
       case (quantity_epot)
-         value = state%potential(member)
+         value = state%value(7, member)
       case (quantity_rcurr)
-         value = state%reaction_current(member)
+         value = state%reaction(7, member)
       case (quantity_cecur)
-         value = state%applied_current(member)
+         value = state%load(7, member)
       case (quantity_sf)
          value = state%section_forces(component, member)
       case (quantity_epg)
@@ -378,15 +378,15 @@ contains
       type(state_t), intent(in) :: state
       real(dp) :: voltage, current, round_off
 
-      voltage = sum(state%potential(plus))/size(plus) - sum(state%potential(minus))/size(minus)
-      current = sum(state%reaction_current(plus) + state%applied_current(plus))
+      voltage = sum(state%value(7, plus))/size(plus) - sum(state%value(7, minus))/size(minus)
+      current = sum(state%reaction(7, plus) + state%load(7, plus))
       select case (quantity)
       case (electrode_voltage)
          value = voltage
       case (electrode_current)
          value = current
       case default
-         round_off = 100*epsilon(value)*self%largest_conductance*maxval(abs(state%potential))
+         round_off = 100*epsilon(value)*self%largest_conductance*maxval(abs(state%value(7, :)))
          if (abs(current) > round_off) then
             value = voltage/current
          else if (abs(voltage) > 0) then

@@ -5,7 +5,8 @@ module litz_progress_tables
    use litz_kinds, only: dp
    use litz_errors, only: error_t
    use litz_model, only: model_t
-   use litz_reports, only: iteration_report_t, increment_report_t, n_fields
+   use litz_fields, only: n_fields
+   use litz_reports, only: iteration_report_t, increment_report_t
    implicit none
    private
    public :: iteration_header, iteration_line, increment_header, increment_line

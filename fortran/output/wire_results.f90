@@ -226,7 +226,7 @@ contains
       type(state_t), intent(in) :: state
       type(error_t), allocatable, intent(inout) :: error
 
-      call self%file%write_points(model%x + state%displacement, error)
+      call self%file%write_points(model%x + state%value(1:3, :), error)
       call write_point_fields(self%file, state, error)
       call write_cell_fields(self%file, model, state, error)
       call write_tables(self, state, error)
@@ -247,15 +247,15 @@ contains
       type(state_t), intent(in) :: state
       type(error_t), allocatable, intent(inout) :: error
 
-      call file%write_field('displacement', state%displacement, error)
-      call file%write_field('rotation', state%rotation_vector, error)
-      call file%write_field('potential', state%potential, error)
+      call file%write_field('displacement', state%value(1:3, :), error)
+      call file%write_field('rotation', state%value(4:6, :), error)
+      call file%write_field('potential', state%value(7, :), error)
       call file%write_field('reaction_force', state%reaction(1:3, :), error)
       call file%write_field('reaction_moment', state%reaction(4:6, :), error)
-      call file%write_field('applied_force', state%applied_load(1:3, :), error)
-      call file%write_field('applied_moment', state%applied_load(4:6, :), error)
-      call file%write_field('reaction_current', state%reaction_current, error)
-      call file%write_field('applied_current', state%applied_current, error)
+      call file%write_field('applied_force', state%load(1:3, :), error)
+      call file%write_field('applied_moment', state%load(4:6, :), error)
+      call file%write_field('reaction_current', state%reaction(7, :), error)
+      call file%write_field('applied_current', state%load(7, :), error)
    end subroutine write_point_fields
 
    subroutine write_cell_fields(file, model, state, error)

@@ -8,6 +8,7 @@ module litz_restart_file
    use litz_checksum, only: checksum
    use litz_contact_points, only: contact_point_t
    use litz_errors, only: error_t, fail, exit_files, exit_input
+   use litz_fields, only: n_slots
    use litz_hdf5_helpers, only: hid_t, hdf5_rows_t, hdf5_real, hdf5_integer, hdf5_start, hdf5_create_file, hdf5_flush, &
       hdf5_publish_file, hdf5_close_file, hdf5_discard_file, hdf5_write_attribute
    use litz_hdf5_input, only: hdf5_open_file, hdf5_close_input
@@ -225,23 +226,19 @@ contains
       self%next = 0
       call exchange_course(self, problem, course, error)
       associate (state => problem%state, loading => problem%loading, contact => problem%contact)
-         call self%array('displacement', state%displacement, error)
+         call self%array('value', state%value, error)
          call self%array('rotation', state%rotation, error)
-         call self%array('rotation_vector', state%rotation_vector, error)
-         call self%array('potential', state%potential, error)
          call self%array('reaction', state%reaction, error)
-         call self%array('applied_load', state%applied_load, error)
-         call self%array('reaction_current', state%reaction_current, error)
-         call self%array('applied_current', state%applied_current, error)
+         call self%array('load', state%load, error)
          call self%array('section_forces', state%section_forces, error)
          call self%array('element_current', state%element_current, error)
          call self%array('joule_heat', state%joule_heat, error)
-         call self%array('loading_fixed', loading%fixed, 7, error)
-         call self%array('loading_start_value', loading%start_value, error, 7)
-         call self%array('loading_start_load', loading%start_load, error, 7)
-         call self%array('loading_value', loading%value, error, 7)
-         call self%array('loading_load', loading%load, error, 7)
-         call self%array('loading_converged_value', loading%converged_value, error, 7)
+         call self%array('loading_fixed', loading%fixed, n_slots, error)
+         call self%array('loading_start_value', loading%start_value, error, n_slots)
+         call self%array('loading_start_load', loading%start_load, error, n_slots)
+         call self%array('loading_value', loading%value, error, n_slots)
+         call self%array('loading_load', loading%load, error, n_slots)
+         call self%array('loading_converged_value', loading%converged_value, error, n_slots)
          call self%array('candidates', contact%candidates, 3, error)
          call self%array('positions_at_search', contact%x_collected, error, 3)
          if (.not. (allocated(error) .or. contact%present) .and. self%mode == reading) deallocate (contact%x_collected)

@@ -4,6 +4,7 @@
 !> Source: theory section 8, the invariants of every run.
 module litz_audit
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
+   use litz_fields, only: n_fields, n_slots, first_slot, last_slot, field_displacement, field_rotation, field_potential
    use litz_kinds, only: dp
    use litz_contact_net, only: allowed_penetration
    use litz_errors, only: error_t, fail, exit_not_converged
@@ -23,11 +24,13 @@ module litz_audit
    !> *CONTROLS allows by itself are far below: more is a mistake, or a tolerance that lets a wrong answer pass.
    real(dp), parameter :: allowed_imbalance = 1.0e-4_dp
 
+   integer, parameter :: current_slot = first_slot(field_potential)
+
    !> What the sums are measured by.
    type :: scales_t
       !> Largest nodal force [N], moment [N m] and current [A] of any element, contact or load
-      real(dp) :: reference(3) = 0
-      !> What round-off makes of each at every node (3, n_nodes)
+      real(dp) :: reference(n_fields) = 0
+      !> What round-off makes of each at every node (n_fields, n_nodes)
       real(dp), allocatable :: round_off(:, :)
    end type scales_t
 
@@ -47,36 +50,36 @@ contains
    pure function audit_increment(model, state, residual, scales) result(audit)
       type(model_t), intent(in) :: model
       type(state_t), intent(in) :: state
-      !> Largest force [N], moment [N m] and current [A] that are left over at each node (3, n_nodes)
+      !> Largest force [N], moment [N m] and current [A] that are left over at each node (n_fields, n_nodes)
       real(dp), intent(in) :: residual(:, :)
       type(scales_t), intent(in) :: scales
       type(audit_t) :: audit
-      real(dp) :: extent, heat, potential, total_round_off(3)
+      real(dp) :: extent, heat, potential, total_round_off(n_fields)
       integer :: worst
 
       audit%finding = not_finite(model, state)
       if (len(audit%finding) > 0) return
       extent = maxval(maxval(model%x, 2) - minval(model%x, 2))
-      potential = maxval(abs(state%potential))
+      potential = maxval(abs(state%value(current_slot, :)))
       heat = sum(abs(state%joule_heat)) + sum(abs(state%contacts%joule_heat))
       total_round_off = sum(scales%round_off, 2)
-      call weigh_nodes('forces', residual(1, :), 1, audit%force)
-      call weigh_nodes('moments', residual(2, :), 2, audit%moment)
-      call weigh('the forces on the model do not balance', norm2(force_imbalance(state)), scales%reference(1), &
-         total_round_off(1), audit%force)
+      call weigh_nodes('forces', residual(field_displacement, :), field_displacement, audit%force)
+      call weigh_nodes('moments', residual(field_rotation, :), field_rotation, audit%moment)
+      call weigh('the forces on the model do not balance', norm2(force_imbalance(state)), &
+         scales%reference(field_displacement), total_round_off(field_displacement), audit%force)
       call weigh('the moments on the model do not balance', norm2(moment_imbalance(model, state)), &
-         scales%reference(2) + scales%reference(1)*extent, total_round_off(2) + total_round_off(1)*extent, &
-         audit%moment)
-      call weigh_nodes('currents', abs(current_imbalance(model, state)), 3, audit%current)
+         scales%reference(field_rotation) + scales%reference(field_displacement)*extent, &
+         total_round_off(field_rotation) + total_round_off(field_displacement)*extent, audit%moment)
+      call weigh_nodes('currents', abs(current_imbalance(model, state)), field_potential, audit%current)
       if (size(state%contacts) > 0) then
          associate (spots => abs(spot_imbalance(state%contacts)))
             worst = maxloc(spots, 1)
             call weigh('current and voltage of contact '//to_text(state%contacts(worst)%id)//' disagree', &
-               spots(worst), scales%reference(3), total_round_off(3), audit%current)
+               spots(worst), scales%reference(field_potential), total_round_off(field_potential), audit%current)
          end associate
       end if
       call weigh('the power of the supports is not the Joule heat', abs(power_imbalance(state)), heat, &
-         total_round_off(3)*potential, audit%power)
+         total_round_off(field_potential)*potential, audit%power)
       worst = crossed_contact(model, state%contacts)
       if (worst > 0 .and. len(audit%finding) == 0) then
          audit%finding = 'the axes of '//contact_words(model, state%contacts(worst))//' have passed each other'
@@ -144,9 +147,8 @@ contains
 
       words = ''
       do i = 1, model%n_nodes
-         finite(i) = all(ieee_is_finite(state%displacement(:, i))) .and. all(ieee_is_finite(state%rotation(:, :, i))) &
-            .and. ieee_is_finite(state%potential(i)) .and. all(ieee_is_finite(state%reaction(:, i))) &
-            .and. ieee_is_finite(state%reaction_current(i))
+         finite(i) = all(ieee_is_finite(state%value(:, i))) .and. all(ieee_is_finite(state%rotation(:, :, i))) &
+            .and. all(ieee_is_finite(state%reaction(:, i)))
       end do
       if (.not. all(finite)) then
          words = 'a value at node '//to_text(model%node_id(findloc(finite, .false., 1)))//' is not a number'
@@ -173,22 +175,26 @@ contains
       type(state_t), intent(in) :: state
       real(dp) :: total(3)
 
-      total = sum(state%reaction(1:3, :) + state%applied_load(1:3, :) + state%stabilizing_force(1:3, :), 2)
+      associate (first => first_slot(field_displacement), last => last_slot(field_displacement))
+         total = sum(state%reaction(first:last, :) + state%load(first:last, :) &
+            + state%stabilizing_force(first:last, :), 2)
+      end associate
    end function force_imbalance
 
    !> The same for moments, about the centre of the nodes in their present places [N m].
    pure function moment_imbalance(model, state) result(total)
       type(model_t), intent(in) :: model
       type(state_t), intent(in) :: state
-      real(dp) :: total(3), centre(3), x(3), force(6)
+      real(dp) :: total(3), centre(3), x(3, model%n_nodes), force(n_slots)
       integer :: node
 
-      centre = sum(model%x + state%displacement, 2)/model%n_nodes
+      x = model%x + state%value(first_slot(field_displacement):last_slot(field_displacement), :)
+      centre = sum(x, 2)/model%n_nodes
       total = 0
       do node = 1, model%n_nodes
-         x = model%x(:, node) + state%displacement(:, node) - centre
-         force = state%reaction(:, node) + state%applied_load(:, node) + state%stabilizing_force(:, node)
-         total = total + force(4:6) + cross(x, force(1:3))
+         force = state%reaction(:, node) + state%load(:, node) + state%stabilizing_force(:, node)
+         total = total + force(first_slot(field_rotation):last_slot(field_rotation)) + cross(x(:, node) - centre, &
+            force(first_slot(field_displacement):last_slot(field_displacement)))
       end do
    end function moment_imbalance
 
@@ -199,7 +205,7 @@ contains
       real(dp) :: left(model%n_nodes)
       integer :: i
 
-      left = state%reaction_current + state%applied_current
+      left = state%reaction(current_slot, :) + state%load(current_slot, :)
       do i = 1, model%n_elements
          associate (node => model%connectivity(:, i))
             left(node(1)) = left(node(1)) - state%element_current(i)
@@ -241,8 +247,8 @@ contains
    pure real(dp) function power_imbalance(state) result(left)
       type(state_t), intent(in) :: state
 
-      left = sum(state%potential*(state%reaction_current + state%applied_current)) - sum(state%joule_heat) &
-         - sum(state%contacts%joule_heat)
+      left = sum(state%value(current_slot, :)*(state%reaction(current_slot, :) + state%load(current_slot, :))) &
+         - sum(state%joule_heat) - sum(state%contacts%joule_heat)
    end function power_imbalance
 
    !> A contact whose axes are on the wrong side of each other, where the deck does not allow that; 0: none.

@@ -1,6 +1,7 @@
 !> The converged iterate as a state: fields for the results and the start of the next increment.
 module litz_capture
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf
+   use litz_fields, only: field_rotation, first_slot, last_slot
    use litz_kinds, only: dp, pi
    use litz_contact_history, only: contact_history_t, advanced_history
    use litz_contact_points, only: contact_point_t
@@ -17,33 +18,27 @@ contains
    !> Take over what has converged.
    subroutine capture_state(problem)
       type(problem_t), intent(inout) :: problem
-      logical :: mechanical_fixed(6), potential_fixed
       real(dp) :: stabilization
       integer :: node
 
       associate (state => problem%state, iterate => problem%iterate, loading => problem%loading, &
-         internal => problem%forces%internal)
+         internal => problem%forces%internal, first => first_slot(field_rotation), last => last_slot(field_rotation))
          stabilization = state%energies%stabilization
          state%energies = advanced_energies(problem%model, state, iterate, loading, internal, &
             problem%forces%strain_energy, problem%contact)
          state%energies%stabilization = stabilization + problem%forces%damping_work
          state%stabilizing_force = -problem%forces%damping
-         state%displacement = iterate%x - problem%model%x
+         state%value = iterate%value
          state%rotation = iterate%rotation
-         state%potential = iterate%potential
+         do node = 1, problem%model%n_nodes
+            state%value(first:last, node) = nearest_rotation_vector(state%rotation(:, :, node), &
+               iterate%value(first:last, node))
+         end do
          state%section_forces = iterate%section_forces
          state%element_current = iterate%element_current
          state%joule_heat = iterate%joule_heat
-         state%applied_load = loading%load(1:6, :)
-         state%applied_current = loading%load(7, :)
-         do node = 1, problem%model%n_nodes
-            state%rotation_vector(:, node) = nearest_rotation_vector(state%rotation(:, :, node), &
-               state%rotation_vector(:, node) + iterate%turn(:, node))
-            mechanical_fixed = loading%fixed(1:6, node)
-            potential_fixed = loading%fixed(7, node)
-            state%reaction(:, node) = merge(internal(1:6, node) - loading%load(1:6, node), 0.0_dp, mechanical_fixed)
-            state%reaction_current(node) = merge(internal(7, node) - loading%load(7, node), 0.0_dp, potential_fixed)
-         end do
+         state%load = loading%load
+         state%reaction = merge(internal - loading%load, 0.0_dp, loading%fixed)
          loading%converged_value = loading%value
       end associate
       call capture_contacts(problem)

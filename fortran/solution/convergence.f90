@@ -4,12 +4,13 @@
 module litz_convergence
    use litz_kinds, only: dp
    use litz_audit, only: scales_t
-   use litz_model, only: model_t, step_t, coupling_monolithic
+   use litz_fields, only: fields, n_fields, first_slot, last_slot, field_displacement
+   use litz_model, only: model_t, step_t
    use litz_problem, only: problem_t
    use litz_reports, only: iteration_report_t
    implicit none
    private
-   public :: measure_residual, nodal_residual, measure_scales, mechanics_converged, corrections_small, worst_field
+   public :: measure_residual, nodal_residual, measure_scales, has_converged, corrections_small, worst_field
 
    !> A residual that only round-off excuses is told of above this fraction of the reference
    real(dp), parameter :: worth_telling = 1.0e-6_dp
@@ -25,7 +26,7 @@ contains
       !> A residual is accepted for round-off only, above its own tolerance
       logical, intent(out) :: at_round_off
       type(scales_t) :: scales
-      real(dp) :: residual(3, problem%model%n_nodes), worst(3), part, allowed
+      real(dp) :: residual(n_fields, problem%model%n_nodes), worst(n_fields), part, allowed
       integer :: node, field
 
       scales = measure_scales(problem)
@@ -36,7 +37,7 @@ contains
       worst = 0
       at_round_off = .false.
       do node = 1, size(residual, 2)
-         do field = 1, 3
+         do field = 1, n_fields
             associate (r => residual(field, node), reference => scales%reference(field))
                if (r > max(step%controls%r_n, worth_telling)*reference) at_round_off = .true.
                allowed = max(step%controls%r_n*reference, scales%round_off(field, node))
@@ -52,18 +53,21 @@ contains
       end do
    end subroutine measure_residual
 
-   !> Largest force [N], moment [N m] and current [A] that are left over at each node (3, n_nodes).
+   !> Largest force [N], moment [N m] and current [A] that are left over at each node (n_fields, n_nodes).
    pure function nodal_residual(problem) result(residual)
       type(problem_t), intent(in) :: problem
       real(dp), allocatable :: residual(:, :)
-      integer :: node
+      integer :: node, field
 
       associate (internal => problem%forces%internal, load => problem%loading%load, equations => problem%equations)
-         allocate (residual(3, size(load, 2)))
+         allocate (residual(n_fields, size(load, 2)))
          do node = 1, size(load, 2)
-            associate (free => equations%mechanical(:, node) > 0, r => abs(internal(:, node) - load(:, node)))
-               residual(:, node) = [largest(r(1:3), free(1:3)), largest(r(4:6), free(4:6)), &
-                  largest(r(7:7), [equations%electric(node) > 0])]
+            associate (free => equations%number(:, node) > 0, r => abs(internal(:, node) - load(:, node)))
+               do field = 1, n_fields
+                  associate (first => first_slot(field), last => last_slot(field))
+                     residual(field, node) = largest(r(first:last), free(first:last))
+                  end associate
+               end do
             end associate
          end do
       end associate
@@ -101,54 +105,56 @@ contains
    pure function measure_scales(problem) result(scales)
       type(problem_t), intent(in) :: problem
       type(scales_t) :: scales
-      integer :: node
+      integer :: field
 
       associate (load => problem%loading%load, forces => problem%forces)
-         scales%reference = max(forces%reference, &
-            [maxval(abs(load(1:3, :))), maxval(abs(load(4:6, :))), maxval(abs(load(7, :)))])
-         allocate (scales%round_off(3, size(load, 2)))
-         do node = 1, size(load, 2)
-            associate (s => forces%sensitivity(:, node))
-               scales%round_off(:, node) = epsilon(1.0_dp)*[maxval(s(1:3)), maxval(s(4:6)), s(7)]
+         allocate (scales%round_off(n_fields, size(load, 2)))
+         do field = 1, n_fields
+            associate (first => first_slot(field), last => last_slot(field))
+               scales%reference(field) = max(forces%reference(field), maxval(abs(load(first:last, :))))
+               scales%round_off(field, :) = epsilon(1.0_dp)*maxval(forces%sensitivity(first:last, :), 1)
             end associate
          end do
       end associate
    end function measure_scales
 
-   pure logical function mechanics_converged(report)
+   !> The fields of the groups up to this one are within their tolerances.
+   pure logical function has_converged(report, last_group)
       type(iteration_report_t), intent(in) :: report
+      !> One of the groups of litz_fields
+      integer, intent(in) :: last_group
 
-      mechanics_converged = all(report%residual(1:2) <= report%allowed(1:2))
-   end function mechanics_converged
+      has_converged = all(report%residual <= report%allowed .or. fields%group > last_group)
+   end function has_converged
 
    !> The second criterion of *CONTROLS, asked for with a non-zero C_n.
-   pure logical function corrections_small(step, problem, x_start, report)
+   pure logical function corrections_small(step, change, report)
       type(step_t), intent(in) :: step
-      type(problem_t), intent(in) :: problem
-      real(dp), intent(in) :: x_start(:, :)
+      !> Sum of the corrections since the increment began (n_slots, n_nodes)
+      real(dp), intent(in) :: change(:, :)
       type(iteration_report_t), intent(in) :: report
 
-      corrections_small = step%controls%c_n <= 0 .or. &
-         report%correction(1) <= step%controls%c_n*maxval(abs(problem%iterate%x - x_start))
+      corrections_small = step%controls%c_n <= 0 .or. report%correction(field_displacement) <= step%controls%c_n &
+         *maxval(abs(change(first_slot(field_displacement):last_slot(field_displacement), :)))
    end function corrections_small
 
    !> Why the iteration limit was met: the field that is farthest from its tolerance. Voltages that are found after the
    !> displacements are not to blame while these are not.
-   function worst_field(model, coupling, report) result(text)
+   function worst_field(model, n_coupled, report) result(text)
       type(model_t), intent(in) :: model
-      integer, intent(in) :: coupling
+      !> Groups that are in a Newton step
+      integer, intent(in) :: n_coupled
       type(iteration_report_t), intent(in) :: report
       character(len=:), allocatable :: text
-      character(len=8), parameter :: names(3) = ['force  ', 'moment ', 'current']
-      character(len=4), parameter :: units(3) = ['N   ', 'N m ', 'A   ']
       character(len=200) :: buffer
-      integer :: field, n_fields
+      integer :: field
+      logical :: to_blame(n_fields)
 
-      n_fields = merge(3, 2, coupling == coupling_monolithic .or. mechanics_converged(report))
-      field = maxloc(report%residual(:n_fields)/max(report%allowed(:n_fields), tiny(1.0_dp)), 1)
-      write (buffer, '(3a, es9.2, 1x, 2a, es9.2, a, i0, a)') 'the largest ', trim(names(field)), ' residual is', &
-         report%residual(field), trim(units(field)), ', allowed are', report%allowed(field), ', after ', &
-         report%iteration, ' iterations'
+      to_blame = fields%group <= n_coupled .or. has_converged(report, n_coupled)
+      field = maxloc(report%residual/max(report%allowed, tiny(1.0_dp)), 1, to_blame)
+      write (buffer, '(3a, es9.2, 1x, 2a, es9.2, a, i0, a)') 'the largest ', trim(fields(field)%flux), &
+         ' residual is', report%residual(field), trim(fields(field)%flux_unit), ', allowed are', &
+         report%allowed(field), ', after ', report%iteration, ' iterations'
       if (report%residual_node(field) > 0) write (buffer(len_trim(buffer) + 1:), '(a, i0)') ', at node ', &
          model%node_id(report%residual_node(field))
       text = trim(buffer)

@@ -1,6 +1,7 @@
 !> Why an increment could not be solved, in words: where the iteration stood, and which setting of the deck helps.
 module litz_diagnosis
    use litz_kinds, only: dp
+   use litz_fields, only: fields, field_of_slot, first_slot
    use litz_errors, only: error_t, fail, exit_not_converged
    use litz_model, only: step_t
    use litz_newton, only: outcome_t, cause_iterations, cause_not_finite, cause_singular, cause_lost_contact
@@ -110,22 +111,23 @@ contains
    function free_unknown(problem) result(words)
       type(problem_t), intent(in) :: problem
       character(len=:), allocatable :: words
-      character(len=*), parameter :: unknowns(6) = [character(len=22) :: 'displacement along x', &
-         'displacement along y', 'displacement along z', 'rotation about x', 'rotation about y', 'rotation about z']
-      integer :: at(2), failed
+      character(len=*), parameter :: axes(3) = ['x', 'y', 'z']
+      character(len=:), allocatable :: unknown
+      integer :: at(2)
 
       words = ''
-      failed = problem%solver%failed_equation
-      if (failed <= 0) return
-      if (failed > problem%equations%n_mechanical) then
-         at(2) = findloc(problem%equations%electric, failed - problem%equations%n_mechanical, 1)
-         if (at(2) > 0) words = 'The equation is that of the potential of node '// &
-            to_text(problem%model%node_id(at(2)))//'. '
-      else
-         at = findloc(problem%equations%mechanical, failed)
-         if (all(at > 0)) words = 'The equation is that of the '//trim(unknowns(at(1)))//' of node '// &
-            to_text(problem%model%node_id(at(2)))//'. '
-      end if
+      associate (number => problem%equations%number, scheme => problem%scheme)
+         if (scheme%failed_group == 0) return
+         at = findloc(number, scheme%failed_equation, mask=spread(fields(field_of_slot)%group == scheme%failed_group, &
+            2, size(number, 2)))
+      end associate
+      if (any(at == 0)) return
+      associate (field => fields(field_of_slot(at(1))), component => at(1) - first_slot(field_of_slot(at(1))) + 1)
+         unknown = trim(field%name)
+         if (field%n_components == 3) unknown = unknown//trim(merge(' about', ' along', field%is_rotation))//' ' &
+            //axes(component)
+      end associate
+      words = 'The equation is that of the '//unknown//' of node '//to_text(problem%model%node_id(at(2)))//'. '
    end function free_unknown
 
    !> Why the increment was not cut once more.

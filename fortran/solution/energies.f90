@@ -5,7 +5,7 @@
 !> closes as the increments become small. Electric energy has its own balance, in every increment.
 module litz_energies
    use litz_kinds, only: dp
-   use litz_assembly, only: iterate_t
+   use litz_assembly, only: iterate_t, motion_slots
    use litz_contact_points, only: contact_set_t, contact_point_t, clearance_of
    use litz_loading, only: loading_t
    use litz_model, only: model_t, normal_hertz
@@ -22,13 +22,13 @@ contains
       type(state_t), intent(in) :: state
       type(iterate_t), intent(in) :: iterate
       type(loading_t), intent(in) :: loading
-      !> Internal forces (7, n_nodes) [N, N m, A], and energy of the beams [J]
+      !> Internal forces (n_slots, n_nodes) [N, N m, A], and energy of the beams [J]
       real(dp), intent(in) :: internal(:, :), strain_energy
       type(contact_set_t), intent(in) :: contact
       type(energies_t) :: energies
       integer :: i
 
-      energies%work = state%energies%work + work_of_increment(model, state, iterate, loading, internal)
+      energies%work = state%energies%work + work_of_increment(state, iterate, loading, internal)
       do i = 1, size(contact%converged)
          energies%work = energies%work + work_of_interference(contact, contact%converged(i))
       end do
@@ -47,21 +47,21 @@ contains
       energies%friction = energies%friction + elastic_energy_lost(contact)
    end function advanced_energies
 
-   pure real(dp) function work_of_increment(model, state, iterate, loading, internal) result(work)
-      type(model_t), intent(in) :: model
+   pure real(dp) function work_of_increment(state, iterate, loading, internal) result(work)
       type(state_t), intent(in) :: state
       type(iterate_t), intent(in) :: iterate
       type(loading_t), intent(in) :: loading
       real(dp), intent(in) :: internal(:, :)
       integer :: node
-      real(dp) :: outer_start(6), outer(6), moved(6)
+      real(dp), dimension(motion_slots(2)) :: outer_start, outer
 
       work = 0
       do node = 1, size(internal, 2)
-         outer_start = state%reaction(:, node) + state%applied_load(:, node)
-         outer = merge(internal(1:6, node), loading%load(1:6, node), loading%fixed(1:6, node))
-         moved = [iterate%x(:, node) - model%x(:, node) - state%displacement(:, node), iterate%turn(:, node)]
-         work = work + dot_product(outer_start + outer, moved)/2
+         associate (first => motion_slots(1), last => motion_slots(2))
+            outer_start = state%reaction(first:last, node) + state%load(first:last, node)
+            outer = merge(internal(first:last, node), loading%load(first:last, node), loading%fixed(first:last, node))
+            work = work + dot_product(outer_start + outer, iterate%change(first:last, node))/2
+         end associate
       end do
    end function work_of_increment
 

@@ -7,9 +7,9 @@ module litz_grounding
    use litz_kinds, only: dp
    use litz_contact_points, only: contact_set_t
    use litz_element_library, only: elements_t
-   use litz_equations, only: equations_t
+   use litz_equations, only: equations_t, system_t
    use litz_errors, only: error_t, fail, exit_input
-   use litz_linear_solver, only: system_matrix_t
+   use litz_fields, only: group_electric, field_potential, first_slot
    use litz_model, only: model_t
    implicit none
    private
@@ -17,7 +17,7 @@ module litz_grounding
 
 contains
 
-   !> Add a ground to the diagonal of `ee` for every part that floats.
+   !> Add a ground to the diagonal of the electric block for every part that floats.
    subroutine ground_floating_conductors(model, elements, contact, equations, fixed, current, matrix, error)
       type(model_t), intent(in) :: model
       type(elements_t), intent(in) :: elements
@@ -26,14 +26,14 @@ contains
       !> Nodes of prescribed potential, and applied currents [A] (n_nodes)
       logical, intent(in) :: fixed(:)
       real(dp), intent(in) :: current(:)
-      type(system_matrix_t), intent(inout) :: matrix
+      type(system_t), intent(inout) :: matrix
       type(error_t), allocatable, intent(out) :: error
       integer :: root(model%n_nodes), e, i, node, row, position
       logical :: held(model%n_nodes)
       real(dp) :: injected(model%n_nodes), scale
       character(len=16) :: number
 
-      if (equations%n_electric == 0) return
+      if (equations%count(group_electric) == 0) return
       root = [(i, i=1, model%n_nodes)]
       do e = 1, model%n_elements
          if (elements%resistivity(e) > 0) call join(root, model%connectivity(1, e), model%connectivity(2, e))
@@ -51,9 +51,10 @@ contains
          held(i) = held(i) .or. fixed(node)
          injected(i) = injected(i) + current(node)
       end do
-      scale = max(maxval(abs(matrix%ee%value)), tiny(1.0_dp))
+      associate (block => matrix%block(group_electric, group_electric))
+      scale = max(maxval(abs(block%value)), tiny(1.0_dp))
       do node = 1, model%n_nodes
-         row = equations%electric(node)
+         row = equations%number(first_slot(field_potential), node)
          if (row == 0) cycle
          i = find_root(root, node)
          if (held(i)) cycle
@@ -65,10 +66,11 @@ contains
             return
          end if
          held(i) = .true.
-         do position = matrix%ee%row_start(row), matrix%ee%row_start(row + 1) - 1
-            if (matrix%ee%column(position) == row) matrix%ee%value(position) = matrix%ee%value(position) + scale
+         do position = block%row_start(row), block%row_start(row + 1) - 1
+            if (block%column(position) == row) block%value(position) = block%value(position) + scale
          end do
       end do
+      end associate
    end subroutine ground_floating_conductors
 
    !> Representative of the part that a node belongs to; paths are halved on the way.

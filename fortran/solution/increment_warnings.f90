@@ -1,5 +1,6 @@
 !> What is to be warned of at the start of a run, and in an increment that has converged.
 module litz_increment_warnings
+   use litz_fields, only: fields, n_fields, first_slot, last_slot, field_displacement
    use litz_kinds, only: dp, pi
    use litz_audit, only: audit_t, scales_t, penetration, contact_words, allowed_imbalance
    use litz_contact_net, only: allowed_penetration
@@ -75,7 +76,8 @@ contains
          do i = 1, size(state%contacts)
             call add_contact(problem%model, state%contacts(i), warnings)
          end do
-         call add_unpaired_overlaps(problem, problem%model%x + state%displacement)
+         call add_unpaired_overlaps(problem, problem%model%x &
+            + state%value(first_slot(field_displacement):last_slot(field_displacement), :))
       end associate
    end subroutine add_increment_warnings
 
@@ -84,18 +86,18 @@ contains
    subroutine add_round_off(problem, outcome)
       type(problem_t), intent(inout) :: problem
       type(outcome_t), intent(in) :: outcome
-      character(len=7), parameter :: names(3) = ['force  ', 'moment ', 'current']
       type(scales_t) :: scales
       real(dp) :: tolerance
       integer :: field
 
       scales = measure_scales(problem)
       tolerance = max(allowed_imbalance, problem%model%steps(problem%state%step)%controls%r_n)
-      do field = 1, size(names)
+      do field = 1, n_fields
          if (scales%reference(field) <= maxval(scales%round_off(field, :))) cycle
          associate (share => outcome%last%residual(field)/scales%reference(field))
             if (share > tolerance) call problem%warnings%add('round_off', 'accepted at the limit of round-off: the '// &
-               trim(names(field))//' residual is '//to_text(100*share)//' % of the largest '//trim(names(field)), &
+               trim(fields(field)%flux)//' residual is '//to_text(100*share)//' % of the largest '// &
+               trim(fields(field)%flux), &
                value=100*share, unit='%')
          end associate
       end do

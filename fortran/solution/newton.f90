@@ -5,8 +5,8 @@
 module litz_newton
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use litz_kinds, only: dp
-   use litz_assembly, only: iterate_t, forces_t, clear_system, assemble_beams, assemble_conductors, &
-      assemble_load_stiffness
+   use litz_assembly, only: clear_system, assemble_beams, assemble_conductors, assemble_load_stiffness, motion_slots, &
+      potential_slots
    use litz_contact_findings, only: finding_t, worse_of, finding_none
    use litz_contact_net, only: inspect_contacts
    use litz_contact_sweep, only: sweep_contacts
@@ -18,14 +18,15 @@ module litz_newton
    use litz_contact_step, only: bearable_fraction
    use litz_contact_tangents, only: follow_centre_line
    use litz_element_library, only: elements_t
-   use litz_equations, only: equations_t, build_system
+   use litz_equations, only: build_system
    use litz_errors, only: error_t, exit_solver
+   use litz_fields, only: fields, n_fields, n_slots, n_groups, group_mechanical, group_electric, first_slot, &
+      last_slot, last_slot_of_group, field_displacement, field_rotation, field_potential
    use litz_friction_iteration, only: friction_iteration_t
    use litz_grounding, only: ground_floating_conductors
-   use litz_linear_solver, only: linear_solver_t, system_matrix_t
-   use litz_convergence, only: measure_residual, mechanics_converged, corrections_small, worst_field
-   use litz_loading, only: loading_t, prescribed_increment, slot_potential
-   use litz_model, only: model_t, step_t, coupling_monolithic
+   use litz_convergence, only: measure_residual, has_converged, corrections_small, worst_field
+   use litz_loading, only: prescribed_increment
+   use litz_model, only: step_t
    use litz_parallel, only: worth_threads
    use litz_observer, only: observer_t
    use litz_potentials, only: solve_potentials
@@ -85,20 +86,20 @@ contains
       type(outcome_t), intent(out) :: outcome
       !> What the observer ends the run for, or an input error met on the way; not: an increment that failed
       type(error_t), allocatable, intent(out) :: error
-      real(dp) :: increment(7, problem%model%n_nodes), correction(7, problem%model%n_nodes)
+      real(dp) :: increment(n_slots, problem%model%n_nodes), correction(n_slots, problem%model%n_nodes)
       real(dp) :: x_start(3, problem%model%n_nodes)
       type(error_t), allocatable :: solver_error
       integer, allocatable :: numbers(:)
-      integer :: counted
+      integer :: counted, first_updated
       logical :: keep
 
       call start_iterate(problem)
       x_start = problem%iterate%x
       call prescribed_increment(problem%loading, problem%state, increment)
-      if (problem%coupling /= coupling_monolithic) then
-         problem%iterate%potential = problem%iterate%potential + increment(slot_potential, :)
-         increment(slot_potential, :) = 0
-      end if
+      ! groups that are updated after the others take what is prescribed at once
+      first_updated = last_slot_of_group(problem%scheme%n_coupled) + 1
+      call move(problem, increment(first_updated:, :), first_updated)
+      increment(first_updated:, :) = 0
       outcome%last = report
       outcome%last%contacts_active = count(problem%contact%points%closed)
       numbers = [outcome%last%contacts_active]
@@ -112,7 +113,8 @@ contains
          if (outcome%last%factor_age == 0 .and. &
             .not. only_contacts_changed(outcome%last, numbers)) counted = counted + 1
          numbers = [numbers, outcome%last%contacts_active]
-         if (mechanics_converged(outcome%last) .and. problem%contact%present .and. .not. any(abs(increment) > 0) .and. &
+         if (has_converged(outcome%last, group_mechanical) .and. problem%contact%present .and. &
+            .not. any(abs(increment) > 0) .and. &
             any(problem%elements%shear_flexible)) then
             ! the axes have sheared since the increment began: contact is to balance where they are now
             call follow_centre_line(problem%model, problem%elements, problem%iterate%x, problem%iterate%rotation, &
@@ -122,9 +124,9 @@ contains
             call measure_residual(problem, step, outcome%last, outcome%at_round_off)
          end if
          ! the monolithic tangent leaves out what contacts on the same element do to each other
-         if ((problem%coupling /= coupling_monolithic .or. problem%contact%shared%present) .and. &
+         if ((problem%scheme%n_coupled < n_groups .or. problem%contact%shared%present) .and. &
             (.not. any(abs(increment) > 0))) then
-            if (mechanics_converged(outcome%last)) then
+            if (has_converged(outcome%last, group_mechanical)) then
                call update_potentials(problem, x_start, increment, outcome%last, solver_error, error)
                if (allocated(error)) return
                if (allocated(solver_error)) then
@@ -143,10 +145,10 @@ contains
             return
          end if
          if ((.not. any(abs(increment) > 0)) .and. all(outcome%last%residual <= outcome%last%allowed)) then
-            if (corrections_small(step, problem, x_start, outcome%last)) exit
+            if (corrections_small(step, problem%iterate%change, outcome%last)) exit
          end if
          if (counted > step%controls%i_c .or. outcome%iterations >= most_iterations*step%controls%i_c) then
-            call give_up(outcome, cause_iterations, worst_field(problem%model, problem%coupling, outcome%last))
+            call give_up(outcome, cause_iterations, worst_field(problem%model, problem%scheme%n_coupled, outcome%last))
             return
          end if
          keep = keeps_factor(problem, step, outcome)
@@ -159,9 +161,10 @@ contains
          outcome%last%iteration = outcome%iterations
          outcome%last%factor_age = problem%factor_age
          if (.not. keep) outcome%factorisations = outcome%factorisations + 1
-         if (.not. keep) outcome%negative_pivots = problem%solver%negative_pivots
+         if (.not. keep) outcome%negative_pivots = problem%scheme%negative_pivots
          outcome%passed_critical = outcome%passed_critical .or. outcome%negative_pivots > 0
-         call update(problem, step, correction, any(abs(increment(1:6, :)) > 0), outcome%last)
+         call update(problem, step, correction, any(abs(increment(motion_slots(1):motion_slots(2), :)) > 0), &
+            outcome%last)
          increment = 0
       end do
       call refuse_lost_contacts(problem, x_start, outcome)
@@ -182,10 +185,11 @@ contains
    subroutine start_iterate(problem)
       type(problem_t), intent(inout) :: problem
 
-      problem%iterate%x = problem%model%x + problem%state%displacement
+      problem%iterate%change = 0
+      problem%iterate%value = problem%state%value
       problem%iterate%rotation = problem%state%rotation
-      problem%iterate%potential = problem%state%potential
-      problem%iterate%turn = 0
+      problem%iterate%x = problem%model%x &
+         + problem%state%value(first_slot(field_displacement):last_slot(field_displacement), :)
       problem%iterate%sigma_from_strain = .true.
       problem%contact%points = problem%contact%converged
       problem%contact%points%predicted = .false.
@@ -221,13 +225,14 @@ contains
             problem%forces, timing)
          call assemble_conductors(model, elements, problem%equations, increment, iterate, problem%matrix, &
             problem%forces)
-         call assemble_contacts(model, wires, elements, problem%equations, x_start, increment, iterate, contact, &
+         call assemble_contacts(model, wires, elements, problem%equations, increment, iterate, contact, &
             problem%matrix, problem%forces, timing)
          call assemble_load_stiffness(problem%equations, problem%loading%load, problem%forces, problem%matrix)
-         if (any(problem%damping > 0)) call assemble_stabilization(problem%damping, problem%equations, x_start, &
-            increment, iterate, problem%matrix, problem%forces)
+         if (any(problem%damping > 0)) call assemble_stabilization(problem%damping, problem%equations, increment, &
+            iterate, problem%matrix, problem%forces)
          call ground_floating_conductors(model, elements, contact, problem%equations, &
-            problem%loading%fixed(slot_potential, :), problem%loading%load(slot_potential, :), problem%matrix, error)
+            problem%loading%fixed(potential_slots(1), :), problem%loading%load(potential_slots(1), :), problem%matrix, &
+            error)
          call timing%lap(phase_assembly)
       end associate
    end subroutine evaluate
@@ -271,7 +276,7 @@ contains
       call build_system(start, nodes, problem%equations, problem%matrix, error)
       if (allocated(error)) return
       call problem%timing%lap(phase_assembly)
-      call problem%solver%analyse(problem%matrix, error)
+      call problem%scheme%analyse(problem%matrix, error)
       call problem%timing%lap(phase_analyse)
       problem%pattern_changed = .false.
       problem%has_factor = .false.
@@ -301,7 +306,7 @@ contains
       type(outcome_t), intent(in) :: outcome
 
       associate (last => outcome%last, before => outcome%before)
-         keeps_factor = problem%has_factor .and. problem%matrix%mm_symmetric .and. &
+         keeps_factor = problem%has_factor .and. problem%matrix%symmetric(group_mechanical) .and. &
             problem%factor_age < step%reform_kernel .and. last%contacts_new == 0 .and. last%contacts_lost == 0 .and. &
             last%contacts_active == before%contacts_active
          if (outcome%iterations > 0 .and. keeps_factor) keeps_factor = all( &
@@ -327,31 +332,27 @@ contains
       real(dp), intent(in) :: x_start(:, :), increment(:, :)
       type(iteration_report_t), intent(inout) :: report
       type(error_t), allocatable, intent(out) :: solver_error, error
-      real(dp) :: b(problem%equations%n_electric), x(problem%equations%n_electric)
-      integer :: node
+      real(dp) :: b(problem%equations%count(group_electric)), x(problem%equations%count(group_electric))
+      real(dp) :: correction(potential_slots(2), problem%model%n_nodes)
 
-      if (problem%equations%n_electric > 0 .and. report%residual(3) > report%allowed(3)) then
-         do node = 1, problem%model%n_nodes
-            if (problem%equations%electric(node) > 0) b(problem%equations%electric(node)) = &
-               problem%loading%load(slot_potential, node) - problem%forces%internal(slot_potential, node)
-         end do
+      if (size(b) > 0 .and. .not. has_converged(report, group_electric)) then
+         b = problem%equations%gather(group_electric, problem%loading%load - problem%forces%internal)
          call problem%timing%lap(phase_update)
-         call problem%solver%factor_electric(problem%matrix, solver_error)
+         call problem%scheme%factor_group(group_electric, problem%matrix, solver_error)
          call problem%timing%lap(phase_factor)
-         if (.not. allocated(solver_error)) call solve_potentials(problem%solver, problem%matrix, problem%equations, &
+         if (.not. allocated(solver_error)) call solve_potentials(problem%scheme, problem%matrix, problem%equations, &
             problem%contact%shared, b, x, solver_error)
          call problem%timing%lap(phase_solve)
          if (allocated(solver_error)) return
-         do node = 1, problem%model%n_nodes
-            if (problem%equations%electric(node) > 0) problem%iterate%potential(node) = &
-               problem%iterate%potential(node) + x(problem%equations%electric(node))
-         end do
-         report%correction(3) = maxval(abs(x))
+         correction = 0
+         call problem%equations%spread_to_nodes(group_electric, x, correction)
+         call move(problem, correction(potential_slots(1):, :), potential_slots(1))
+         report%correction(field_potential) = maxval(abs(x))
          call evaluate(problem, x_start, increment, error)
       end if
    end subroutine update_potentials
 
-   !> Factor and solve for the correction of all unknowns (7, n_nodes), prescribed ones included.
+   !> Factor and solve for the correction of all unknowns (n_slots, n_nodes), prescribed ones included.
    subroutine solve_step(problem, increment, keep, correction, error)
       type(problem_t), intent(inout) :: problem
       real(dp), intent(in) :: increment(:, :)
@@ -359,48 +360,19 @@ contains
       logical, intent(in) :: keep
       real(dp), intent(out) :: correction(:, :)
       type(error_t), allocatable, intent(out) :: error
-      real(dp) :: b_m(problem%equations%n_mechanical), x_m(problem%equations%n_mechanical)
-      real(dp) :: b_e(problem%equations%n_electric), x_e(problem%equations%n_electric)
-      real(dp) :: rhs(7)
-      integer :: node, i
 
-      do node = 1, problem%model%n_nodes
-         rhs = problem%loading%load(:, node) - problem%forces%internal(:, node) - problem%forces%iteration(:, node) &
-            - problem%forces%prescribed(:, node)
-         do i = 1, 6
-            if (problem%equations%mechanical(i, node) > 0) b_m(problem%equations%mechanical(i, node)) = rhs(i)
-         end do
-         if (problem%equations%electric(node) > 0) b_e(problem%equations%electric(node)) = rhs(7)
-      end do
       call problem%timing%lap(phase_update)
       if (.not. keep) then
-         if (problem%coupling == coupling_monolithic) then
-            call problem%solver%factor(problem%matrix, error)
-         else
-            call problem%solver%factor_mechanical(problem%matrix, error)
-         end if
-         problem%has_factor = problem%matrix%mm_symmetric .and. .not. allocated(error)
+         call problem%scheme%factor(problem%matrix, error)
+         problem%has_factor = problem%matrix%symmetric(group_mechanical) .and. .not. allocated(error)
       end if
       problem%factor_age = merge(problem%factor_age + 1, 0, keep)
       call problem%timing%lap(phase_factor)
       if (allocated(error)) return
-      x_e = 0
-      if (problem%coupling == coupling_monolithic) then
-         call problem%solver%solve(problem%matrix, b_m, b_e, x_m, x_e, error)
-      else
-         call problem%solver%solve_mechanical(problem%matrix, b_m, x_m, error)
-      end if
-      call problem%timing%lap(phase_solve)
-      if (allocated(error)) return
       correction = increment
-      do node = 1, problem%model%n_nodes
-         do i = 1, 6
-            associate (equation => problem%equations%mechanical(i, node))
-               if (equation > 0) correction(i, node) = x_m(equation)
-            end associate
-         end do
-         if (problem%equations%electric(node) > 0) correction(7, node) = x_e(problem%equations%electric(node))
-      end do
+      call problem%scheme%solve(problem%matrix, problem%equations, problem%loading%load - problem%forces%internal &
+         - problem%forces%iteration - problem%forces%prescribed, correction, error)
+      call problem%timing%lap(phase_solve)
    end subroutine solve_step
 
    !> `q <- q + eta dq`, `sigma <- (1 - eta) sigma + eta C (e + B dq)`, contact forces likewise.
@@ -412,10 +384,10 @@ contains
       !> The step carries prescribed motion: it is taken whole, and the section forces are not believed
       logical, intent(in) :: prescribed
       type(iteration_report_t), intent(inout) :: report
-      real(dp) :: eta, rotation, dq(12)
-      integer :: node, e
+      real(dp) :: eta, rotation, dq(2*motion_slots(2))
+      integer :: field, e
 
-      rotation = sqrt(maxval(sum(correction(4:6, :)**2, 1)))
+      rotation = sqrt(maxval(sum(correction(first_slot(field_rotation):last_slot(field_rotation), :)**2, 1)))
       eta = 1
       if (.not. prescribed) then
          if (rotation > step%controls%rotation_cap) eta = step%controls%rotation_cap/rotation
@@ -424,25 +396,54 @@ contains
       associate (iterate => problem%iterate, elements => problem%elements)
          !$omp parallel do schedule(static) private(dq) if (problem%model%n_elements >= worth_threads)
          do e = 1, problem%model%n_elements
-            dq = reshape(correction(1:6, problem%model%connectivity(:, e)), [12])
+            dq = reshape(correction(motion_slots(1):motion_slots(2), problem%model%connectivity(:, e)), [size(dq)])
             iterate%sigma(:, e) = (1 - eta)*iterate%sigma(:, e) + eta*elements%rigidity(:, e)* &
                (iterate%strain(:, e) + matmul(iterate%b(:, :, e), dq))
          end do
          !$omp end parallel do
          iterate%sigma_from_strain = prescribed
-         call predict_contacts(problem%model, eta, correction, problem%contact)
-         iterate%x = iterate%x + eta*correction(1:3, :)
-         iterate%turn = iterate%turn + eta*correction(4:6, :)
-         do node = 1, problem%model%n_nodes
-            if (any(abs(correction(4:6, node)) > 0)) iterate%rotation(:, :, node) = &
-               matmul(rotation_exp(eta*correction(4:6, node)), iterate%rotation(:, :, node))
-         end do
-         iterate%potential = iterate%potential + eta*correction(7, :)
       end associate
-      call largest_column(eta*correction(1:3, :), report%correction(1), report%correction_node(1))
-      call largest_column(eta*correction(4:6, :), report%correction(2), report%correction_node(2))
-      call largest_column(eta*correction(7:7, :), report%correction(3), report%correction_node(3))
+      call predict_contacts(problem%model, eta, correction, problem%contact)
+      call move(problem, eta*correction, 1)
+      do field = 1, n_fields
+         call largest_column(eta*correction(first_slot(field):last_slot(field), :), report%correction(field), &
+            report%correction_node(field))
+      end do
    end subroutine update
+
+   !> `q <- q + dq`: positions and potentials add up, rotations follow one another.
+   subroutine move(problem, dq, first)
+      type(problem_t), intent(inout) :: problem
+      !> Corrections (slots, n_nodes), and the slot of the first one, which begins a field
+      real(dp), intent(in) :: dq(:, :)
+      integer, intent(in) :: first
+      integer :: field, node
+
+      associate (iterate => problem%iterate, state => problem%state)
+         do field = 1, n_fields
+            associate (a => first_slot(field), b => last_slot(field))
+               if (a < first .or. a > first + size(dq, 1) - 1) cycle
+               associate (dq_f => dq(a - first + 1:b - first + 1, :))
+                  if (fields(field)%is_rotation) then
+                     do node = 1, size(dq, 2)
+                        if (any(abs(dq_f(:, node)) > 0)) iterate%rotation(:, :, node) = &
+                           matmul(rotation_exp(dq_f(:, node)), iterate%rotation(:, :, node))
+                     end do
+                     iterate%change(a:b, :) = iterate%change(a:b, :) + dq_f
+                     iterate%value(a:b, :) = state%value(a:b, :) + iterate%change(a:b, :)
+                     cycle
+                  else if (field == field_displacement) then
+                     iterate%x = iterate%x + dq_f
+                     iterate%value(a:b, :) = iterate%x - problem%model%x
+                  else
+                     iterate%value(a:b, :) = iterate%value(a:b, :) + dq_f
+                  end if
+                  iterate%change(a:b, :) = iterate%value(a:b, :) - state%value(a:b, :)
+               end associate
+            end associate
+         end do
+      end associate
+   end subroutine move
 
    pure subroutine largest_column(values, largest_norm, column)
       real(dp), intent(in) :: values(:, :)
@@ -465,7 +466,8 @@ contains
       associate (model => problem%model, wires => problem%wires, elements => problem%elements, &
          contact => problem%contact, iterate => problem%iterate)
          call find_path(model, wires, elements, x_start, problem%state%rotation, iterate%x, iterate%rotation, &
-            iterate%turn, any(contact%in_bar .or. contact%in_set, 2), path)
+            iterate%change(first_slot(field_rotation):last_slot(field_rotation), :), &
+            any(contact%in_bar .or. contact%in_set, 2), path)
          outcome%finding = worse_of(inspect_contacts(model, wires, elements, contact, iterate%x, iterate%rotation), &
             sweep_contacts(model, wires, elements, contact, path))
          outcome%finding = worse_of(outcome%finding, &

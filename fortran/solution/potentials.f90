@@ -1,9 +1,10 @@
 !> Linear solution for the potentials at fixed displacements.
 module litz_potentials
    use litz_kinds, only: dp
-   use litz_equations, only: equations_t
+   use litz_equations, only: equations_t, system_t
+   use litz_fields, only: group_electric, field_potential, first_slot, n_slots
    use litz_errors, only: error_t
-   use litz_linear_solver, only: linear_solver_t, system_matrix_t
+   use litz_scheme, only: scheme_t
    use litz_shared_conductors, only: shared_conductors_t
    use litz_sparse_pattern, only: csr_multiply
    implicit none
@@ -16,24 +17,24 @@ module litz_potentials
 
 contains
 
-   !> `K x = b` with the electric tangent `K`; the factor of `matrix%ee` is at hand.
+   !> `K x = b` with the electric tangent `K`; the group's own block has been factored.
    !>
    !> Where contacts share elements, `K` has more than `K_ee`: conjugate gradients with `K_ee` as preconditioner.
-   subroutine solve_potentials(solver, matrix, equations, shared, b, x, error)
-      class(linear_solver_t), intent(inout) :: solver
-      type(system_matrix_t), intent(in) :: matrix
+   subroutine solve_potentials(scheme, matrix, equations, shared, b, x, error)
+      type(scheme_t), intent(inout) :: scheme
+      type(system_t), intent(in) :: matrix
       type(equations_t), intent(in) :: equations
       type(shared_conductors_t), intent(in) :: shared
-      !> (n_electric) [A]
+      !> (equations of the group) [A]
       real(dp), intent(in) :: b(:)
-      !> (n_electric) [V]
+      !> (equations of the group) [V]
       real(dp), intent(out) :: x(:)
       type(error_t), allocatable, intent(out) :: error
       real(dp), dimension(size(b)) :: left, correction, direction, product
       real(dp) :: defect, defect_before, defect_allowed, step
       integer :: k
 
-      call solver%solve_electric(matrix, b, x, error)
+      call scheme%solve_group(group_electric, matrix, b, x, error)
       if (allocated(error) .or. .not. shared%present) return
       left = b
       direction = x
@@ -46,7 +47,7 @@ contains
          step = defect/dot_product(direction, product)
          x = x + step*direction
          left = left - step*product
-         call solver%solve_electric(matrix, left, correction, error)
+         call scheme%solve_group(group_electric, matrix, left, correction, error)
          if (allocated(error)) return
          defect_before = defect
          defect = dot_product(left, correction)
@@ -58,21 +59,16 @@ contains
       subroutine multiply(v, y)
          real(dp), intent(in) :: v(:)
          real(dp), intent(out) :: y(:)
-         real(dp) :: potential(size(equations%electric)), leaving(size(equations%electric))
-         integer :: node
+         real(dp), dimension(n_slots, size(equations%number, 2)) :: potential, leaving
 
-         call csr_multiply(matrix%ee, v, y)
+         call csr_multiply(matrix%block(group_electric, group_electric), v, y)
          potential = 0
          leaving = 0
-         do node = 1, size(potential)
-            if (equations%electric(node) > 0) potential(node) = v(equations%electric(node))
-         end do
-         call shared%add_product(potential, leaving)
-         do node = 1, size(potential)
-            associate (equation => equations%electric(node))
-               if (equation > 0) y(equation) = y(equation) + leaving(node)
-            end associate
-         end do
+         associate (slot => first_slot(field_potential))
+            call equations%spread_to_nodes(group_electric, v, potential)
+            call shared%add_product(potential(slot, :), leaving(slot, :))
+            y = y + equations%gather(group_electric, leaving)
+         end associate
       end subroutine multiply
 
    end subroutine solve_potentials

@@ -1,16 +1,18 @@
 !> A model, the state that its run has reached, and all that an increment works on.
 module litz_problem
-   use litz_assembly, only: iterate_t, forces_t
+   use litz_assembly, only: iterate_t
    use litz_contact_pairs, only: prepare_contact
    use litz_contact_points, only: contact_set_t
    use litz_element_library, only: elements_t, prepare_elements
-   use litz_equations, only: equations_t
+   use litz_equations, only: equations_t, system_t
+   use litz_fields, only: n_slots
    use litz_kinds, only: dp
-   use litz_linear_solver, only: linear_solver_t, system_matrix_t
    use litz_loading, only: loading_t
-   use litz_model, only: model_t, coupling_monolithic
+   use litz_model, only: model_t
    use litz_rotations, only: identity3
    use litz_run_warnings, only: run_warnings_t
+   use litz_scatter, only: forces_t
+   use litz_scheme, only: scheme_t
    use litz_state, only: state_t
    use litz_timing, only: timing_t
    use litz_wires, only: wires_t, build_wires, measure_wires
@@ -28,10 +30,9 @@ module litz_problem
       type(state_t) :: state
       type(iterate_t) :: iterate
       type(equations_t) :: equations
-      type(system_matrix_t) :: matrix
+      type(system_t) :: matrix
       type(forces_t) :: forces
-      class(linear_solver_t), allocatable :: solver
-      integer :: coupling = coupling_monolithic
+      type(scheme_t) :: scheme
       !> Damping of the increment against displacement [N/m] and rotation [N m]; 0: none
       real(dp) :: damping(2) = 0
       !> The pattern must be built and analysed before the next solve
@@ -69,9 +70,8 @@ contains
       n = problem%model%n_nodes
       m = problem%model%n_elements
       associate (state => problem%state, iterate => problem%iterate)
-         allocate (state%displacement(3, n), state%rotation_vector(3, n), state%reaction(6, n), &
-            state%applied_load(6, n), state%stabilizing_force(6, n), source=0.0_dp)
-         allocate (state%potential(n), state%reaction_current(n), state%applied_current(n), source=0.0_dp)
+         allocate (state%value(n_slots, n), state%reaction(n_slots, n), state%load(n_slots, n), &
+            state%stabilizing_force(n_slots, n), source=0.0_dp)
          allocate (state%section_forces(6, m), source=0.0_dp)
          allocate (state%element_current(m), state%joule_heat(m), source=0.0_dp)
          allocate (state%contacts(0))
@@ -79,7 +79,7 @@ contains
          allocate (iterate%sigma(6, m), iterate%strain(6, m), iterate%section_forces(6, m), iterate%b(6, 12, m), &
             source=0.0_dp)
          allocate (iterate%element_current(m), iterate%joule_heat(m), source=0.0_dp)
-         allocate (iterate%turn(3, n), source=0.0_dp)
+         allocate (iterate%change(n_slots, n), source=0.0_dp)
       end associate
    end subroutine start_state
 

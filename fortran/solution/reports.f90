@@ -1,12 +1,10 @@
 !> What is told of an iteration and of an increment.
 module litz_reports
+   use litz_fields, only: n_fields
    use litz_kinds, only: dp
    implicit none
    private
-   public :: iteration_report_t, increment_report_t, n_fields
-
-   !> The three fields of the equilibrium, each with its own norm and tolerance
-   integer, parameter :: n_fields = 3
+   public :: iteration_report_t, increment_report_t
 
    !> One Newton iteration.
    type :: iteration_report_t

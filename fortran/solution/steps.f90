@@ -1,21 +1,22 @@
 !> The steps of a run: increments, cut-backs, and the end in words where these do not help.
 module litz_steps
+   use litz_assembly, only: motion_slots, potential_slots
    use litz_audit, only: audit_t, audit_increment, audit_error
    use litz_capture, only: capture_state
    use litz_convergence, only: measure_scales, nodal_residual
    use litz_diagnosis, only: not_converged
    use litz_equations, only: number_equations
    use litz_errors, only: error_t, fail, exit_not_converged
+   use litz_fields, only: n_slots
    use litz_increment_warnings, only: add_increment_warnings
    use litz_kinds, only: dp
    use litz_loading, only: loading_t, start_loading, load_targets, next_break_point
-   use litz_model, only: step_t, solver_block, coupling_default, coupling_monolithic, coupling_updated
+   use litz_model, only: step_t
    use litz_newton, only: outcome_t, solve_increment, cause_not_finite, cause_lost_contact
    use litz_observer, only: observer_t
    use litz_parallel_wires, only: shallow_angle
    use litz_problem, only: problem_t
    use litz_reports, only: iteration_report_t, increment_report_t
-   use litz_solver_factory, only: create_solver, resolved_solver
    use litz_stabilization, only: damping_stiffness
    use litz_step_control, only: course_t
    use litz_timing, only: phase_update, phase_output
@@ -78,38 +79,29 @@ contains
       !> One of the solver constants of the model; 0: as the step says
       integer, intent(in) :: solver
       type(error_t), allocatable, intent(out) :: error
-      logical :: in_beam(problem%model%n_nodes), in_conductor(problem%model%n_nodes)
-      integer, allocatable :: mechanical(:, :), electric(:)
+      logical :: exists(n_slots, problem%model%n_nodes), same_system
+      integer, allocatable :: number_before(:, :)
       integer :: e, kind
-      logical :: same_system
 
       call start_loading(step, problem%state, problem%loading)
-      in_beam = .false.
-      in_conductor = .false.
+      exists = .false.
       do e = 1, problem%model%n_elements
-         in_beam(problem%model%connectivity(:, e)) = .true.
-         if (problem%elements%resistivity(e) > 0) in_conductor(problem%model%connectivity(:, e)) = .true.
+         associate (nodes => problem%model%connectivity(:, e))
+            exists(motion_slots(1):motion_slots(2), nodes) = .true.
+            if (problem%elements%resistivity(e) > 0) exists(potential_slots(1):potential_slots(2), nodes) = .true.
+         end associate
       end do
-      if (allocated(problem%solver)) then
-         mechanical = problem%equations%mechanical
-         electric = problem%equations%electric
-      end if
-      call number_equations(problem%loading%fixed, in_beam, in_conductor, problem%equations)
-      kind = resolved_solver(merge(solver, step%solver, solver > 0))
-      same_system = .false.
-      if (allocated(problem%solver)) same_system = problem%solver%kind == kind .and. &
-         all(mechanical == problem%equations%mechanical) .and. all(electric == problem%equations%electric)
+      if (problem%scheme%is_created()) number_before = problem%equations%number
+      call number_equations(problem%loading%fixed, exists, problem%equations)
+      kind = merge(solver, step%solver, solver > 0)
+      same_system = problem%scheme%is_same(kind, step%coupling)
+      if (same_system) same_system = all(number_before == problem%equations%number)
       if (.not. same_system) then
-         if (allocated(problem%solver)) deallocate (problem%solver)
-         call create_solver(kind, problem%solver, error)
+         call problem%scheme%create(kind, step%coupling, error)
          if (allocated(error)) return
          problem%pattern_changed = .true.
       end if
       problem%has_factor = .false.
-      problem%coupling = step%coupling
-      if (problem%coupling == coupling_default) then
-         problem%coupling = merge(coupling_updated, coupling_monolithic, kind == solver_block)
-      end if
    end subroutine begin_step
 
    !> One increment with its cut-backs.

@@ -3,28 +3,34 @@ module litz_assembly
    use litz_kinds, only: dp
    use litz_conductor, only: conductor
    use litz_element_library, only: elements_t, evaluate_beam
-   use litz_equations, only: equations_t, block_offset
-   use litz_linear_solver, only: csr_matrix_t, system_matrix_t
+   use litz_equations, only: equations_t, system_t
+   use litz_fields, only: n_groups, group_mechanical, group_electric, depends_on, field_displacement, field_rotation, &
+      field_potential, first_slot, last_slot
    use litz_model, only: model_t
-   use litz_parallel, only: worth_threads, owned
+   use litz_parallel, only: worth_threads
    use litz_rotations, only: skew
+   use litz_scatter, only: forces_t, clear_forces, scatter, scatter_tangent, chunk
    use litz_timing, only: timing_t, phase_elements, phase_assembly
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: iterate_t, forces_t
-   public :: clear_system, assemble_beams, assemble_conductors, assemble_load_stiffness
-   public :: chunk, add_mechanical, add_electric, add_coupling
+   public :: iterate_t, clear_system, assemble_beams, assemble_conductors, assemble_load_stiffness
+   public :: motion_slots, rotation_slots, potential_slots
 
-   !> Elements evaluated between two scatters: their tangents stay in the cache
-   integer, parameter :: chunk = 8192
+   !> First and last slot of displacements and rotations, of rotations, and of potentials
+   integer, parameter :: motion_slots(2) = [first_slot(field_displacement), last_slot(field_rotation)]
+   integer, parameter :: rotation_slots(2) = [first_slot(field_rotation), last_slot(field_rotation)]
+   integer, parameter :: potential_slots(2) = [first_slot(field_potential), last_slot(field_potential)]
 
    !> The unknowns as they stand in the iteration.
    type :: iterate_t
-      !> Positions (3, n_nodes) [m], rotations from the reference (3, 3, n_nodes), potentials (n_nodes) [V]
-      real(dp), allocatable :: x(:, :), rotation(:, :, :), potential(:)
-      !> Sum of the rotations of each node since the increment began (3, n_nodes): tells full turns apart
-      real(dp), allocatable :: turn(:, :)
+      !> Values (n_slots, n_nodes); those of rotations are the rotation vector when the increment began and the turns
+      !> since, which tells full turns apart
+      real(dp), allocatable :: value(:, :)
+      !> Sum of the corrections since the increment began (n_slots, n_nodes)
+      real(dp), allocatable :: change(:, :)
+      !> Positions (3, n_nodes) [m] and rotations from the reference (3, 3, n_nodes) that belong to these
+      real(dp), allocatable :: x(:, :), rotation(:, :, :)
       !> Section forces as independent variables (6, n_elements), theory section 9
       real(dp), allocatable :: sigma(:, :)
       !> The next assembly takes the section forces of the strains instead
@@ -37,55 +43,22 @@ module litz_assembly
       real(dp), allocatable :: element_current(:), joule_heat(:)
    end type iterate_t
 
-   !> Forces over all unknowns (7, n_nodes): three forces, three moments, a current leaving the node.
-   type :: forces_t
-      real(dp), allocatable :: internal(:, :)
-      !> What contacts that the prediction and the present gap judge differently add for this iteration only
-      real(dp), allocatable :: iteration(:, :)
-      !> Tangent times the prescribed increments
-      real(dp), allocatable :: prescribed(:, :)
-      !> Largest nodal force, moment and current of any element or contact: the reference of convergence
-      real(dp) :: reference(3) = 0
-      !> How large the unknowns are (7, n_nodes) [m, -, V]: the node's position, 1 for the entries of its rotation, and
-      !> the largest potential of any node, because no node's own zero of potential is more than a convention
-      real(dp), allocatable :: magnitude(:, :)
-      !> What a relative change of these in every part of the model makes at most of the forces (7, n_nodes): the sum of
-      !> `|K| |q|` over the elements and contacts at the node. Times epsilon it is the round-off of the residual there
-      real(dp), allocatable :: sensitivity(:, :)
-      real(dp) :: strain_energy = 0
-      !> Stabilization: forces on the free unknowns, part of the internal ones (6, n_nodes), and their work [J]
-      real(dp), allocatable :: damping(:, :)
-      real(dp) :: damping_work = 0
-   end type forces_t
-
 contains
 
+   !> Nothing has been added yet.
    subroutine clear_system(iterate, matrix, forces)
       type(iterate_t), intent(in) :: iterate
-      type(system_matrix_t), intent(inout) :: matrix
+      type(system_t), intent(inout) :: matrix
       type(forces_t), intent(inout) :: forces
-      integer :: n_nodes
+      integer :: row_group, column_group
 
-      n_nodes = size(iterate%potential)
-      matrix%mm%value = 0
-      matrix%me%value = 0
-      matrix%ee%value = 0
-      matrix%mm_symmetric = .true.
-      if (.not. allocated(forces%internal)) then
-         allocate (forces%internal(7, n_nodes), forces%iteration(7, n_nodes), forces%prescribed(7, n_nodes), &
-            forces%magnitude(7, n_nodes), forces%sensitivity(7, n_nodes))
-      end if
-      forces%internal = 0
-      forces%iteration = 0
-      forces%prescribed = 0
-      forces%reference = 0
-      forces%magnitude(1:3, :) = spread(maxval(abs(iterate%x), 1), 1, 3)
-      forces%magnitude(4:6, :) = 1
-      forces%magnitude(7, :) = maxval(abs(iterate%potential))
-      forces%sensitivity = 0
-      forces%strain_energy = 0
-      forces%damping = reshape([real(dp) ::], [6, n_nodes], [0.0_dp])
-      forces%damping_work = 0
+      do column_group = 1, n_groups
+         do row_group = 1, n_groups
+            if (depends_on(row_group, column_group)) matrix%block(row_group, column_group)%value = 0
+         end do
+      end do
+      matrix%symmetric = .true.
+      call clear_forces(iterate%x, iterate%value, forces)
    end subroutine clear_system
 
    !> Beams: `R = B^T C e`, `K = B^T C B + G(sigma)`; theory sections 7 and 9.
@@ -94,10 +67,10 @@ contains
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(equations_t), intent(in) :: equations
-      !> Prescribed increments of this iteration (7, n_nodes)
+      !> Prescribed increments of this iteration (n_slots, n_nodes)
       real(dp), intent(in) :: increment(:, :)
       type(iterate_t), intent(inout) :: iterate
-      type(system_matrix_t), intent(inout) :: matrix
+      type(system_t), intent(inout) :: matrix
       type(forces_t), intent(inout) :: forces
       type(timing_t), intent(inout) :: timing
       real(dp), allocatable :: k(:, :, :), r(:, :), energy(:)
@@ -115,8 +88,8 @@ contains
          !$omp end parallel do
          forces%strain_energy = forces%strain_energy + sum(energy(:n))
          call timing%lap(phase_elements)
-         call add_mechanical(equations, model%connectivity(:, first:last), k(:, :, :n), r(:, :n), increment, matrix, &
-            forces)
+         call scatter(equations, model%connectivity(:, first:last), motion_slots, motion_slots, k(:, :, :n), &
+            increment, matrix%block(group_mechanical, group_mechanical), forces, r(:, :n))
          call timing%lap(phase_assembly)
       end do
       iterate%sigma_from_strain = .false.
@@ -156,7 +129,7 @@ contains
       type(equations_t), intent(in) :: equations
       real(dp), intent(in) :: increment(:, :)
       type(iterate_t), intent(inout) :: iterate
-      type(system_matrix_t), intent(inout) :: matrix
+      type(system_t), intent(inout) :: matrix
       type(forces_t), intent(inout) :: forces
       real(dp), allocatable :: k(:, :, :), r(:, :), k_me(:, :, :)
       integer, allocatable :: conducting(:)
@@ -173,10 +146,11 @@ contains
                call evaluate(members(i), k(:, :, i), r(:, i), k_me(:, :, i))
             end do
             !$omp end parallel do
-            call add_electric(equations, model%connectivity(:, members), k(:, :, :n), r(:, :n), increment, matrix, &
-               forces)
+            call scatter(equations, model%connectivity(:, members), potential_slots, potential_slots, k(:, :, :n), &
+               increment, matrix%block(group_electric, group_electric), forces, r(:, :n))
             if (any(model%sections(model%element_section(members))%current_length)) then
-               call add_coupling(equations, model%connectivity(:, members), k_me(:, :, :n), increment, matrix, forces)
+               call scatter(equations, model%connectivity(:, members), potential_slots, motion_slots, k_me(:, :, :n), &
+                  increment, matrix%block(group_electric, group_mechanical), forces)
             end if
          end associate
       end do
@@ -189,8 +163,8 @@ contains
          real(dp) :: k_mu(2, 6)
 
          associate (node => model%connectivity(:, e))
-            call conductor(iterate%x(:, node), iterate%potential(node), elements%length(e), elements%area(e), &
-               elements%resistivity(e), model%sections(model%element_section(e))%current_length, ke, re, k_mu, &
+            call conductor(iterate%x(:, node), iterate%value(potential_slots(1), node), elements%length(e), &
+               elements%area(e), elements%resistivity(e), model%sections(model%element_section(e))%current_length, ke, re, k_mu, &
                iterate%element_current(e), iterate%joule_heat(e))
          end associate
          k_me_e = 0
@@ -205,176 +179,25 @@ contains
    !> The same holds for the reaction moment at a node of which one rotation is held and two are free.
    subroutine assemble_load_stiffness(equations, load, forces, matrix)
       type(equations_t), intent(in) :: equations
-      !> Applied loads (7, n_nodes)
+      !> Applied loads (n_slots, n_nodes)
       real(dp), intent(in) :: load(:, :)
       type(forces_t), intent(in) :: forces
-      type(system_matrix_t), intent(inout) :: matrix
-      real(dp) :: moment(3), k(6, 6)
+      type(system_t), intent(inout) :: matrix
+      real(dp) :: moment(3)
       integer :: node
       logical :: free(3)
 
-      do node = 1, size(load, 2)
-         free = equations%mechanical(4:6, node) > 0
-         if (count(free) < 2) cycle
-         moment = merge(load(4:6, node), forces%internal(4:6, node), free)
-         if (.not. any(abs(moment) > 0)) cycle
-         matrix%mm_symmetric = .false.
-         k = 0
-         k(4:6, 4:6) = -skew(moment)/2
-         call scatter_mechanical_rows(equations, 1, [node], k, matrix%mm)
-      end do
+      associate (first => rotation_slots(1), last => rotation_slots(2), &
+         block => matrix%block(group_mechanical, group_mechanical))
+         do node = 1, size(load, 2)
+            free = equations%number(first:last, node) > 0
+            if (count(free) < 2) cycle
+            moment = merge(load(first:last, node), forces%internal(first:last, node), free)
+            if (.not. any(abs(moment) > 0)) cycle
+            matrix%symmetric(group_mechanical) = .false.
+            call scatter_tangent(equations, [node], rotation_slots, rotation_slots, -skew(moment)/2, block)
+         end do
+      end associate
    end subroutine assemble_load_stiffness
-
-   !> Add mechanical groups of nodes, such as the elements of a chunk: 6 unknowns for each node.
-   !>
-   !> Every thread adds the rows of its own nodes, group after group: no row has two writers, and each sum has the same
-   !> order for any number of threads.
-   subroutine add_mechanical(equations, nodes, k, r, increment, matrix, forces)
-      type(equations_t), intent(in) :: equations
-      !> Nodes (n, groups), tangents (6 n, 6 n, groups), forces (6 n, groups)
-      integer, intent(in) :: nodes(:, :)
-      real(dp), intent(in) :: k(:, :, :), r(:, :)
-      !> Prescribed increments (7, n_nodes)
-      real(dp), intent(in) :: increment(:, :)
-      type(system_matrix_t), intent(inout) :: matrix
-      type(forces_t), intent(inout) :: forces
-      real(dp) :: largest_force, largest_moment, dq(size(k, 1))
-      integer :: group, a, node
-
-      largest_force = forces%reference(1)
-      largest_moment = forces%reference(2)
-      !$omp parallel private(group, a, node, dq) reduction(max: largest_force, largest_moment) &
-      !$omp& if (size(nodes, 2) >= worth_threads)
-      do group = 1, size(nodes, 2)
-         do a = 1, size(nodes, 1)
-            node = nodes(a, group)
-            if (.not. owned(node)) cycle
-            associate (block => r(6*a - 5:6*a, group))
-               forces%internal(1:6, node) = forces%internal(1:6, node) + block
-               largest_force = max(largest_force, maxval(abs(block(1:3))))
-               largest_moment = max(largest_moment, maxval(abs(block(4:6))))
-            end associate
-            dq = reshape(increment(1:6, nodes(:, group)), [size(dq)])
-            if (any(abs(dq) > 0)) forces%prescribed(1:6, node) = forces%prescribed(1:6, node) &
-               + matmul(k(6*a - 5:6*a, :, group), dq)
-            call add_sensitivity(nodes(:, group), k(6*a - 5:6*a, :, group), forces%magnitude(1:6, :), &
-               forces%sensitivity(1:6, node))
-            call scatter_mechanical_rows(equations, a, nodes(:, group), k(:, :, group), matrix%mm)
-         end do
-      end do
-      !$omp end parallel
-      forces%reference(1:2) = [largest_force, largest_moment]
-   end subroutine add_mechanical
-
-   !> Add electric groups of nodes: `k(n, n, groups)`, `r(n, groups)`.
-   subroutine add_electric(equations, nodes, k, r, increment, matrix, forces)
-      type(equations_t), intent(in) :: equations
-      integer, intent(in) :: nodes(:, :)
-      real(dp), intent(in) :: k(:, :, :), r(:, :), increment(:, :)
-      type(system_matrix_t), intent(inout) :: matrix
-      type(forces_t), intent(inout) :: forces
-      integer :: group, a, b, node, row, position
-
-      forces%reference(3) = max(forces%reference(3), maxval(abs(r)))
-      !$omp parallel private(group, a, b, node, row, position) if (size(nodes, 2) >= worth_threads)
-      do group = 1, size(nodes, 2)
-         do a = 1, size(nodes, 1)
-            node = nodes(a, group)
-            if (.not. owned(node)) cycle
-            forces%internal(7, node) = forces%internal(7, node) + r(a, group)
-            forces%prescribed(7, node) = forces%prescribed(7, node) &
-               + dot_product(k(a, :, group), increment(7, nodes(:, group)))
-            call add_sensitivity(nodes(:, group), k(a:a, :, group), forces%magnitude(7:7, :), &
-               forces%sensitivity(7:7, node))
-            row = equations%electric(node)
-            if (row == 0) cycle
-            do b = 1, size(nodes, 1)
-               if (equations%electric(nodes(b, group)) == 0) cycle
-               position = matrix%ee%row_start(row) + &
-                  equations%offset_electric(block_offset(equations, node, nodes(b, group)))
-               matrix%ee%value(position) = matrix%ee%value(position) + k(a, b, group)
-            end do
-         end do
-      end do
-      !$omp end parallel
-   end subroutine add_electric
-
-   !> Add how the currents at nodes change with their motion: `k_me(n, 6 n, groups)`.
-   subroutine add_coupling(equations, nodes, k_me, increment, matrix, forces)
-      type(equations_t), intent(in) :: equations
-      integer, intent(in) :: nodes(:, :)
-      real(dp), intent(in) :: k_me(:, :, :), increment(:, :)
-      type(system_matrix_t), intent(inout) :: matrix
-      type(forces_t), intent(inout) :: forces
-      real(dp) :: dq(size(k_me, 2))
-      integer :: group, a, b, j, node, row, position
-
-      !$omp parallel private(group, a, b, j, node, row, position, dq) if (size(nodes, 2) >= worth_threads)
-      do group = 1, size(nodes, 2)
-         do a = 1, size(nodes, 1)
-            node = nodes(a, group)
-            if (.not. owned(node)) cycle
-            dq = reshape(increment(1:6, nodes(:, group)), [size(dq)])
-            forces%prescribed(7, node) = forces%prescribed(7, node) + dot_product(k_me(a, :, group), dq)
-            call add_sensitivity(nodes(:, group), k_me(a:a, :, group), forces%magnitude(1:6, :), &
-               forces%sensitivity(7:7, node))
-            row = equations%electric(node)
-            if (row == 0) cycle
-            do b = 1, size(nodes, 1)
-               position = matrix%me%row_start(row) + &
-                  equations%offset_mechanical(block_offset(equations, node, nodes(b, group)))
-               do j = 1, 6
-                  if (equations%mechanical(j, nodes(b, group)) == 0) cycle
-                  matrix%me%value(position) = matrix%me%value(position) + k_me(a, 6*b - 6 + j, group)
-                  position = position + 1
-               end do
-            end do
-         end do
-      end do
-      !$omp end parallel
-   end subroutine add_coupling
-
-   !> Add `|K| |q|` of some rows of a group.
-   pure subroutine add_sensitivity(nodes, k, magnitude, sensitivity)
-      integer, intent(in) :: nodes(:)
-      !> Rows of the tangent (rows, unknowns of a node x nodes), and how large the unknowns of all nodes are
-      real(dp), intent(in) :: k(:, :), magnitude(:, :)
-      !> Of these rows
-      real(dp), intent(inout) :: sensitivity(:)
-      integer :: b, i, column
-
-      column = 0
-      do b = 1, size(nodes)
-         do i = 1, size(magnitude, 1)
-            column = column + 1
-            sensitivity = sensitivity + abs(k(:, column))*magnitude(i, nodes(b))
-         end do
-      end do
-   end subroutine add_sensitivity
-
-   !> Add the rows of node `a` of a group to the matrix.
-   pure subroutine scatter_mechanical_rows(equations, a, nodes, k, mm)
-      type(equations_t), intent(in) :: equations
-      integer, intent(in) :: a, nodes(:)
-      real(dp), intent(in) :: k(:, :)
-      type(csr_matrix_t), intent(inout) :: mm
-      integer :: b, i, j, row, position, offset
-
-      if (equations%n_free(nodes(a)) == 0) return
-      do b = 1, size(nodes)
-         if (equations%n_free(nodes(b)) == 0) cycle
-         offset = equations%offset_mechanical(block_offset(equations, nodes(a), nodes(b)))
-         do i = 1, 6
-            row = equations%mechanical(i, nodes(a))
-            if (row == 0) cycle
-            position = mm%row_start(row) + offset
-            do j = 1, 6
-               if (equations%mechanical(j, nodes(b)) == 0) cycle
-               mm%value(position) = mm%value(position) + k(6*a - 6 + i, 6*b - 6 + j)
-               position = position + 1
-            end do
-         end do
-      end do
-   end subroutine scatter_mechanical_rows
 
 end module litz_assembly

@@ -1,128 +1,174 @@
-!> Numbering of the free unknowns and the sparse pattern they make.
+!> Numbers of the free unknowns, and the sparse matrices of their equations.
 !>
-!> The free unknowns of a node are numbered one after the other, and all rows of a node have the same columns. So a
-!> node pair is found by one offset within its rows, and an element or a contact scatters whole node blocks.
+!> The free unknowns of a node are numbered one after the other within their group of fields, and all rows of a node have
+!> the same columns. So a pair of nodes is found by one offset within its rows, and a cell scatters whole blocks.
 module litz_equations
    use litz_kinds, only: dp, int64
    use litz_errors, only: error_t
-   use litz_linear_solver, only: csr_matrix_t, system_matrix_t
+   use litz_fields, only: n_slots, n_groups, first_slot_of_group, last_slot_of_group, depends_on
+   use litz_linear_solver, only: csr_matrix_t
    use litz_sparse_pattern, only: pattern_from_cliques, check_entries
    implicit none
    private
-   public :: equations_t, number_equations, build_system, block_offset
+   public :: equations_t, system_t, number_equations, build_system, block_offset
 
    type :: equations_t
-      integer :: n_mechanical = 0, n_electric = 0
-      !> Equation of each mechanical unknown (6, n_nodes) and of each potential (n_nodes); 0: prescribed or absent
-      integer, allocatable :: mechanical(:, :), electric(:)
-      !> Free mechanical unknowns of each node (n_nodes)
-      integer, allocatable :: n_free(:)
+      !> Equations of each group of fields
+      integer :: count(n_groups) = 0
+      !> Equation of each unknown within its group (n_slots, n_nodes); 0: prescribed or absent
+      integer, allocatable :: number(:, :)
+      !> Free unknowns of each group at each node (n_groups, n_nodes)
+      integer, allocatable :: n_free(:, :)
       !> Neighbours of each node, itself included, ascending
       type(csr_matrix_t) :: nodes
-      !> Position within a row of `mm`, `me`, `ee` where the block of a neighbour begins (entries of `nodes`)
-      integer, allocatable :: offset_mechanical(:), offset_electric(:)
+      !> Position within a row where the columns of a neighbour begin, by the group of the columns
+      !> (n_groups, entries of `nodes`)
+      integer, allocatable :: offset(:, :)
+   contains
+      procedure :: gather
+      procedure :: spread_to_nodes
    end type equations_t
+
+   !> The tangent over the free unknowns, by groups of fields.
+   type :: system_t
+      !> Rows of the first group, columns of the second one; no rows where the first does not depend on the second
+      type(csr_matrix_t) :: block(n_groups, n_groups)
+      !> The values of the block of a group with itself are symmetric
+      logical :: symmetric(n_groups) = .true.
+   end type system_t
 
 contains
 
-   pure subroutine number_equations(fixed, has_rotation, has_potential, equations)
-      !> Prescribed unknowns (7, n_nodes)
-      logical, intent(in) :: fixed(:, :)
-      !> Nodes that belong to a beam, and to a conductor (n_nodes)
-      logical, intent(in) :: has_rotation(:), has_potential(:)
+   !> Number the unknowns that exist and are not prescribed.
+   pure subroutine number_equations(fixed, exists, equations)
+      !> Prescribed unknowns, and those that a cell of the node asks for (n_slots, n_nodes)
+      logical, intent(in) :: fixed(:, :), exists(:, :)
       type(equations_t), intent(inout) :: equations
-      integer :: node, i, n
+      integer :: node, slot, group, n
 
       n = size(fixed, 2)
-      if (allocated(equations%mechanical)) deallocate (equations%mechanical, equations%electric, equations%n_free)
-      allocate (equations%mechanical(6, n), equations%electric(n), equations%n_free(n), source=0)
-      equations%n_mechanical = 0
-      equations%n_electric = 0
+      if (allocated(equations%number)) deallocate (equations%number, equations%n_free)
+      allocate (equations%number(n_slots, n), equations%n_free(n_groups, n), source=0)
+      equations%count = 0
       do node = 1, n
-         do i = 1, 6
-            if (fixed(i, node) .or. .not. has_rotation(node)) cycle
-            equations%n_mechanical = equations%n_mechanical + 1
-            equations%mechanical(i, node) = equations%n_mechanical
-            equations%n_free(node) = equations%n_free(node) + 1
+         do group = 1, n_groups
+            do slot = first_slot_of_group(group), last_slot_of_group(group)
+               if (fixed(slot, node) .or. .not. exists(slot, node)) cycle
+               equations%count(group) = equations%count(group) + 1
+               equations%number(slot, node) = equations%count(group)
+               equations%n_free(group, node) = equations%n_free(group, node) + 1
+            end do
          end do
-         if (fixed(7, node) .or. .not. has_potential(node)) cycle
-         equations%n_electric = equations%n_electric + 1
-         equations%electric(node) = equations%n_electric
       end do
    end subroutine number_equations
 
-   !> Patterns of the three blocks from the groups of nodes that share an element or may share a contact.
+   !> Entries of the free unknowns of a group, from values of all nodes.
+   pure function gather(self, group, nodal) result(entries)
+      class(equations_t), intent(in) :: self
+      !> One of the groups of litz_fields
+      integer, intent(in) :: group
+      !> (n_slots, n_nodes)
+      real(dp), intent(in) :: nodal(:, :)
+      !> (equations of the group)
+      real(dp) :: entries(self%count(group))
+      integer :: node, slot
+
+      do node = 1, size(nodal, 2)
+         do slot = first_slot_of_group(group), last_slot_of_group(group)
+            if (self%number(slot, node) > 0) entries(self%number(slot, node)) = nodal(slot, node)
+         end do
+      end do
+   end function gather
+
+   !> Set the values of the free unknowns of a group; others stay.
+   pure subroutine spread_to_nodes(self, group, entries, nodal)
+      class(equations_t), intent(in) :: self
+      !> One of the groups of litz_fields
+      integer, intent(in) :: group
+      !> (equations of the group)
+      real(dp), intent(in) :: entries(:)
+      !> (n_slots, n_nodes)
+      real(dp), intent(inout) :: nodal(:, :)
+      integer :: node, slot
+
+      do node = 1, size(nodal, 2)
+         do slot = first_slot_of_group(group), last_slot_of_group(group)
+            if (self%number(slot, node) > 0) nodal(slot, node) = entries(self%number(slot, node))
+         end do
+      end do
+   end subroutine spread_to_nodes
+
+   !> Patterns of all blocks from the groups of nodes that share an element or may share a contact.
    subroutine build_system(clique_start, clique_nodes, equations, matrix, error)
-      !> (n + 1) and members: nodes of group i are `clique_nodes(clique_start(i):clique_start(i + 1) - 1)`
+      !> (n + 1) and members: nodes of clique i are `clique_nodes(clique_start(i):clique_start(i + 1) - 1)`
       integer, intent(in) :: clique_start(:), clique_nodes(:)
       type(equations_t), intent(inout) :: equations
-      type(system_matrix_t), intent(inout) :: matrix
+      type(system_t), intent(inout) :: matrix
       !> There are more entries than can be counted
       type(error_t), allocatable, intent(out) :: error
       integer(int64) :: entries
-      integer :: n, node
+      integer :: n, node, row_group, column_group
 
-      n = size(equations%n_free)
+      n = size(equations%number, 2)
       call pattern_from_cliques(n, clique_start, clique_nodes, equations%nodes, entries)
       ! each node brings one equation at least
       call check_entries(n, entries, error)
       if (allocated(error)) return
-      entries = 0
-      do node = 1, n
-         associate (first => equations%nodes%row_start(node), last => equations%nodes%row_start(node + 1) - 1)
-            entries = entries &
-               + int(equations%n_free(node), int64)*sum(equations%n_free(equations%nodes%column(first:last)))
-         end associate
+      do row_group = 1, n_groups
+         entries = 0
+         do node = 1, n
+            associate (first => equations%nodes%row_start(node), last => equations%nodes%row_start(node + 1) - 1, &
+               n_free => equations%n_free(row_group, :))
+               entries = entries + int(n_free(node), int64)*sum(n_free(equations%nodes%column(first:last)))
+            end associate
+         end do
+         call check_entries(equations%count(row_group), entries, error)
+         if (allocated(error)) return
       end do
-      call check_entries(equations%n_mechanical, entries, error)
-      if (allocated(error)) return
       call place_blocks(equations)
-      call expand(equations, .true., .true., matrix%mm)
-      call expand(equations, .false., .true., matrix%me)
-      call expand(equations, .false., .false., matrix%ee)
+      do column_group = 1, n_groups
+         do row_group = 1, n_groups
+            if (depends_on(row_group, column_group)) call expand(equations, row_group, column_group, &
+               matrix%block(row_group, column_group))
+         end do
+      end do
    end subroutine build_system
 
+   !> Where the columns of each neighbour begin in the rows of a node.
    pure subroutine place_blocks(equations)
       type(equations_t), intent(inout) :: equations
-      integer :: node, k, m, e
+      integer :: node, k, next(n_groups)
 
-      if (allocated(equations%offset_mechanical)) deallocate (equations%offset_mechanical, equations%offset_electric)
-      allocate (equations%offset_mechanical(size(equations%nodes%column)))
-      allocate (equations%offset_electric(size(equations%nodes%column)))
+      if (allocated(equations%offset)) deallocate (equations%offset)
+      allocate (equations%offset(n_groups, size(equations%nodes%column)))
       do node = 1, equations%nodes%n_rows
-         m = 0
-         e = 0
+         next = 0
          do k = equations%nodes%row_start(node), equations%nodes%row_start(node + 1) - 1
-            equations%offset_mechanical(k) = m
-            equations%offset_electric(k) = e
-            m = m + equations%n_free(equations%nodes%column(k))
-            if (equations%electric(equations%nodes%column(k)) > 0) e = e + 1
+            equations%offset(:, k) = next
+            next = next + equations%n_free(:, equations%nodes%column(k))
          end do
       end do
    end subroutine place_blocks
 
-   !> One block of the system: mechanical or electric rows, mechanical or electric columns.
-   pure subroutine expand(equations, mechanical_rows, mechanical_columns, matrix)
+   !> The pattern of one block of the system.
+   pure subroutine expand(equations, row_group, column_group, matrix)
       type(equations_t), intent(in) :: equations
-      logical, intent(in) :: mechanical_rows, mechanical_columns
+      integer, intent(in) :: row_group, column_group
       type(csr_matrix_t), intent(inout) :: matrix
-      integer, allocatable :: width(:), rows_of_node(:)
-      integer :: node, k, row, i, position, neighbour
+      integer :: node, k, row, i, slot, position
 
-      matrix%n_rows = merge(equations%n_mechanical, equations%n_electric, mechanical_rows)
-      matrix%n_columns = merge(equations%n_mechanical, equations%n_electric, mechanical_columns)
-      allocate (width, source=merge(equations%n_free, merge(1, 0, equations%electric > 0), mechanical_columns))
-      allocate (rows_of_node, source=merge(equations%n_free, merge(1, 0, equations%electric > 0), mechanical_rows))
+      matrix%n_rows = equations%count(row_group)
+      matrix%n_columns = equations%count(column_group)
       if (allocated(matrix%row_start)) deallocate (matrix%row_start, matrix%column, matrix%value)
       allocate (matrix%row_start(matrix%n_rows + 1))
       row = 0
       position = 1
-      do node = 1, size(width)
-         do i = 1, rows_of_node(node)
+      do node = 1, equations%nodes%n_rows
+         do i = 1, equations%n_free(row_group, node)
             row = row + 1
             matrix%row_start(row) = position
             do k = equations%nodes%row_start(node), equations%nodes%row_start(node + 1) - 1
-               position = position + width(equations%nodes%column(k))
+               position = position + equations%n_free(column_group, equations%nodes%column(k))
             end do
          end do
       end do
@@ -130,20 +176,16 @@ contains
       allocate (matrix%column(position - 1))
       allocate (matrix%value(position - 1), source=0.0_dp)
       position = 1
-      do node = 1, size(width)
-         do row = 1, rows_of_node(node)
+      do node = 1, equations%nodes%n_rows
+         do i = 1, equations%n_free(row_group, node)
             do k = equations%nodes%row_start(node), equations%nodes%row_start(node + 1) - 1
-               neighbour = equations%nodes%column(k)
-               if (mechanical_columns) then
-                  do i = 1, 6
-                     if (equations%mechanical(i, neighbour) == 0) cycle
-                     matrix%column(position) = equations%mechanical(i, neighbour)
+               do slot = first_slot_of_group(column_group), last_slot_of_group(column_group)
+                  associate (number => equations%number(slot, equations%nodes%column(k)))
+                     if (number == 0) cycle
+                     matrix%column(position) = number
                      position = position + 1
-                  end do
-               else if (equations%electric(neighbour) > 0) then
-                  matrix%column(position) = equations%electric(neighbour)
-                  position = position + 1
-               end if
+                  end associate
+               end do
             end do
          end do
       end do
@@ -152,6 +194,7 @@ contains
    !> Entry of the node graph that holds the neighbour; the offsets are stored there.
    pure integer function block_offset(equations, node, neighbour) result(entry)
       type(equations_t), intent(in) :: equations
+      !> Two nodes that share a cell
       integer, intent(in) :: node, neighbour
       integer :: low, high
 

@@ -4,34 +4,26 @@
 !> names ramps to zero (loads) or is set free (prescribed values). Source: Abaqus's rules for static steps.
 module litz_loading
    use litz_kinds, only: dp
-   use litz_model, only: model_t, step_t, nodal_value_t, amplitude_factor, dof_potential
+   use litz_fields, only: fields, n_fields, n_slots, first_slot, last_slot, field_rotation, slot_of_dof
+   use litz_model, only: model_t, step_t, nodal_value_t, amplitude_factor
    use litz_rotations, only: rotation_exp, nearest_rotation_vector
    use litz_state, only: state_t
    implicit none
    private
    public :: loading_t, start_loading, load_targets, prescribed_increment, next_break_point
 
-   !> Index of the potential among the seven unknowns of a node
-   integer, parameter, public :: slot_potential = 7
-
    type :: loading_t
-      !> .true. where the value is prescribed (7, n_nodes): ux uy uz phix phiy phiz V
+      !> .true. where the value is prescribed (n_slots, n_nodes)
       logical, allocatable :: fixed(:, :)
-      !> Values at the start of the step, of prescribed unknowns and of loads (7, n_nodes)
+      !> Values at the start of the step, of prescribed unknowns and of loads (n_slots, n_nodes)
       real(dp), allocatable :: start_value(:, :), start_load(:, :)
-      !> Values at the time last asked for (7, n_nodes) [m, rad, V] and [N, N m, A]
+      !> Values at the time last asked for (n_slots, n_nodes) [m, rad, V] and [N, N m, A]
       real(dp), allocatable :: value(:, :), load(:, :)
-      !> Values at the last converged increment (7, n_nodes)
+      !> Values at the last converged increment (n_slots, n_nodes)
       real(dp), allocatable :: converged_value(:, :)
    end type loading_t
 
 contains
-
-   pure integer function slot(dof)
-      integer, intent(in) :: dof
-
-      slot = merge(slot_potential, dof, dof == dof_potential)
-   end function slot
 
    !> Begin a step: which unknowns are prescribed, and from what value everything ramps.
    !>
@@ -44,26 +36,26 @@ contains
       logical, allocatable :: kept(:, :)
       integer :: i, n
 
-      n = size(state%potential)
+      n = size(state%value, 2)
       if (.not. allocated(loading%load)) then
-         allocate (loading%load(7, n), source=0.0_dp)
-         allocate (loading%fixed(7, n), loading%value(7, n), loading%start_value(7, n), &
-            loading%converged_value(7, n), loading%start_load(7, n))
+         allocate (loading%load(n_slots, n), source=0.0_dp)
+         allocate (loading%fixed(n_slots, n), loading%value(n_slots, n), loading%start_value(n_slots, n), &
+            loading%converged_value(n_slots, n), loading%start_load(n_slots, n))
          loading%fixed = .false.
       end if
       loading%start_load = loading%load
-      loading%start_value(1:3, :) = state%displacement
-      loading%start_value(4:6, :) = state%rotation_vector
-      loading%start_value(slot_potential, :) = state%potential
+      loading%start_value = state%value
       call move_alloc(loading%fixed, kept)
-      allocate (loading%fixed(7, n), source=.false.)
+      allocate (loading%fixed(n_slots, n), source=.false.)
       do i = 1, size(step%boundary)
-         loading%fixed(slot(step%boundary(i)%dof), step%boundary(i)%node) = .true.
+         loading%fixed(slot_of_dof(step%boundary(i)%dof), step%boundary(i)%node) = .true.
       end do
+      associate (first => first_slot(field_rotation), last => last_slot(field_rotation))
       do i = 1, n
          ! a rotation vector and single angles are different things
-         if (all(kept(4:6, i)) .neqv. all(loading%fixed(4:6, i))) kept(4:6, i) = .false.
+         if (all(kept(first:last, i)) .neqv. all(loading%fixed(first:last, i))) kept(first:last, i) = .false.
       end do
+      end associate
       kept = kept .and. loading%fixed
       where (kept) loading%start_value = loading%converged_value
       loading%value = loading%start_value
@@ -82,7 +74,7 @@ contains
       ramp = step_time/step%total
       do i = 1, size(step%boundary)
          associate (item => step%boundary(i))
-            loading%value(slot(item%dof), item%node) = value_at(item, loading%start_value(slot(item%dof), item%node))
+            loading%value(slot_of_dof(item%dof), item%node) = value_at(item, loading%start_value(slot_of_dof(item%dof), item%node))
          end associate
       end do
       loading%load = (1 - ramp)*loading%start_load
@@ -111,12 +103,12 @@ contains
       subroutine set_load(item)
          type(nodal_value_t), intent(in) :: item
 
-         loading%load(slot(item%dof), item%node) = value_at(item, loading%start_load(slot(item%dof), item%node))
+         loading%load(slot_of_dof(item%dof), item%node) = value_at(item, loading%start_load(slot_of_dof(item%dof), item%node))
       end subroutine set_load
 
    end subroutine load_targets
 
-   !> What the first iteration of an increment must add to each prescribed unknown (7, n_nodes).
+   !> What the first iteration of an increment must add to each prescribed unknown (n_slots, n_nodes).
    !>
    !> Where all three rotations of a node are prescribed they are its rotation vector, which may go beyond pi; a single
    !> one is the angle about a fixed axis, added up over the increments.
@@ -124,23 +116,28 @@ contains
       type(loading_t), intent(in) :: loading
       type(state_t), intent(in) :: state
       real(dp), intent(out) :: increment(:, :)
-      integer :: node
+      integer :: node, field
 
       increment = 0
       do node = 1, size(increment, 2)
-         associate (target => loading%value(:, node), converged => loading%converged_value(:, node), &
-            changed => loading%fixed(:, node) .and. abs(loading%value(:, node) - loading%converged_value(:, node)) > 0)
-            where (changed(1:3)) increment(1:3, node) = target(1:3) - state%displacement(:, node)
-            if (all(loading%fixed(4:6, node)) .and. any(changed(4:6))) then
-               increment(4:6, node) = nearest_rotation_vector(matmul(rotation_exp(target(4:6)), &
-                  transpose(state%rotation(:, :, node))), target(4:6) - converged(4:6))
-            else
-               where (changed(4:6)) increment(4:6, node) = target(4:6) - converged(4:6)
-            end if
-            if (changed(slot_potential)) then
-               increment(slot_potential, node) = target(slot_potential) - state%potential(node)
-            end if
-         end associate
+         do field = 1, n_fields
+            associate (first => first_slot(field), last => last_slot(field))
+               if (.not. any(loading%fixed(first:last, node))) cycle
+               associate (target => loading%value(first:last, node), &
+                  converged => loading%converged_value(first:last, node), fixed => loading%fixed(first:last, node), &
+                  changed => loading%fixed(first:last, node) .and. abs(loading%value(first:last, node) &
+                  - loading%converged_value(first:last, node)) > 0)
+                  if (.not. fields(field)%is_rotation) then
+                     where (changed) increment(first:last, node) = target - state%value(first:last, node)
+                  else if (all(fixed) .and. any(changed)) then
+                     increment(first:last, node) = nearest_rotation_vector(matmul(rotation_exp(target), &
+                        transpose(state%rotation(:, :, node))), target - converged)
+                  else
+                     where (changed) increment(first:last, node) = target - converged
+                  end if
+               end associate
+            end associate
+         end do
       end do
    end subroutine prescribed_increment
 

@@ -5,10 +5,11 @@
 !> does is determined. The work against it is `ALLSD`.
 module litz_stabilization
    use litz_kinds, only: dp
-   use litz_assembly, only: iterate_t, forces_t, add_mechanical
-   use litz_equations, only: equations_t
-   use litz_linear_solver, only: system_matrix_t
+   use litz_assembly, only: iterate_t, motion_slots
+   use litz_equations, only: equations_t, system_t
+   use litz_fields, only: group_mechanical, field_displacement, field_of_slot
    use litz_model, only: model_t
+   use litz_scatter, only: forces_t, scatter
    implicit none
    private
    public :: damping_stiffness, assemble_stabilization
@@ -39,34 +40,35 @@ contains
    end function damping_stiffness
 
    !> Add the damping of what has moved since the increment began.
-   subroutine assemble_stabilization(stiffness, equations, x_start, increment, iterate, matrix, forces)
+   subroutine assemble_stabilization(stiffness, equations, increment, iterate, matrix, forces)
+      !> Against displacement [N/m] and against rotation [N m] (2)
       real(dp), intent(in) :: stiffness(2)
       type(equations_t), intent(in) :: equations
-      !> Positions when the increment began (3, n_nodes) [m]
-      real(dp), intent(in) :: x_start(:, :)
-      !> Prescribed increments of this iteration (7, n_nodes)
+      !> Prescribed increments of this iteration (n_slots, n_nodes)
       real(dp), intent(in) :: increment(:, :)
       type(iterate_t), intent(in) :: iterate
-      type(system_matrix_t), intent(inout) :: matrix
+      type(system_t), intent(inout) :: matrix
       type(forces_t), intent(inout) :: forces
       real(dp), allocatable :: k(:, :, :), r(:, :)
-      real(dp) :: s(6), moved(6)
-      integer :: n, node, i
+      integer :: n, node, slot
 
-      n = size(x_start, 2)
-      allocate (k(6, 6, n), r(6, n), source=0.0_dp)
-      s = [spread(stiffness(1), 1, 3), spread(stiffness(2), 1, 3)]
-      do node = 1, n
-         moved = [iterate%x(:, node) - x_start(:, node), iterate%turn(:, node)]
-         do i = 1, 6
-            if (equations%mechanical(i, node) == 0) cycle
-            k(i, i, node) = s(i)
-            r(i, node) = s(i)*moved(i)
+      n = size(increment, 2)
+      associate (first => motion_slots(1), last => motion_slots(2))
+         allocate (k(last, last, n), r(last, n), source=0.0_dp)
+         do node = 1, n
+            do slot = first, last
+               if (equations%number(slot, node) == 0) cycle
+               associate (s => stiffness(merge(1, 2, field_of_slot(slot) == field_displacement)))
+                  k(slot, slot, node) = s
+                  r(slot, node) = s*iterate%change(slot, node)
+                  forces%damping_work = forces%damping_work + s*iterate%change(slot, node)**2
+               end associate
+            end do
          end do
-      end do
-      call add_mechanical(equations, reshape([(node, node=1, n)], [1, n]), k, r, increment, matrix, forces)
-      forces%damping = r
-      forces%damping_work = sum(r**2/spread(s, 2, n))
+         call scatter(equations, reshape([(node, node=1, n)], [1, n]), motion_slots, motion_slots, k, increment, &
+            matrix%block(group_mechanical, group_mechanical), forces, r)
+         forces%damping(first:last, :) = r
+      end associate
    end subroutine assemble_stabilization
 
 end module litz_stabilization

@@ -4,6 +4,7 @@
 !> pressed together by a force `f`; a current `i` enters at node 1, crosses the spot and leaves at node 3.
 program test_audit
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan, ieee_positive_inf
+   use litz_fields, only: n_slots
    use litz_kinds, only: dp
    use litz_audit, only: audit_t, scales_t, audit_increment, audit_error
    use litz_errors, only: error_t, exit_not_converged
@@ -83,7 +84,7 @@ program test_audit
    model%interactions(1)%unlimited_penetration = .false.
 
    wrong = right
-   wrong%potential(4) = ieee_value(1.0_dp, ieee_quiet_nan)
+   wrong%value(7, 4) = ieee_value(1.0_dp, ieee_quiet_nan)
    call expect_finding(wrong, 'a value at node 14 is not a number')
    wrong = right
    wrong%section_forces(6, 2) = ieee_value(1.0_dp, ieee_quiet_nan)
@@ -159,14 +160,13 @@ contains
       type(state_t), intent(out) :: state
       real(dp), parameter :: unit_matrix(9) = [1, 0, 0, 0, 1, 0, 0, 0, 1]
 
-      allocate (state%displacement(3, 4), state%reaction(6, 4), state%applied_load(6, 4), &
-         state%stabilizing_force(6, 4), state%section_forces(6, 2), state%applied_current(4), &
-         state%reaction_current(4), source=0.0_dp)
+      allocate (state%value(n_slots, 4), state%reaction(n_slots, 4), state%load(n_slots, 4), &
+         state%stabilizing_force(n_slots, 4), state%section_forces(6, 2), source=0.0_dp)
       state%rotation = spread(reshape(unit_matrix, [3, 3]), 3, 4)
       state%reaction(3, :) = [f/2, f/2, -f/2, -f/2]
       ! half of the current leaves each wire at either end of its element, as the linear voltage has it
-      state%reaction_current(1) = i
-      state%reaction_current(3) = -i
+      state%reaction(7, 1) = i
+      state%reaction(7, 3) = -i
       state%element_current = [i/2, -i/2]
       allocate (state%contacts(1))
       associate (c => state%contacts(1))
@@ -185,7 +185,7 @@ contains
          c%joule_heat = r_spot*i**2
       end associate
       ! each wire carries i/2, and the mean of its ends stands for its middle
-      state%potential = [r_wire*i/4 + r_spot*i, -r_wire*i/4 + r_spot*i, -r_wire*i/4, r_wire*i/4]
+      state%value(7, :) = [r_wire*i/4 + r_spot*i, -r_wire*i/4 + r_spot*i, -r_wire*i/4, r_wire*i/4]
       state%joule_heat = [r_wire, r_wire]*(i/2)**2
    end subroutine make_state
 

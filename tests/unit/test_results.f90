@@ -143,15 +143,16 @@ contains
       state%time_increment = 0.25_dp
       state%time = increment*0.25_dp
       state%step_time = state%time
-      state%displacement = increment*1.0e-3_dp*reshape([((i + 10*j, i=1, 3), j=1, n)], [3, n])
-      state%rotation_vector = increment*1.0e-2_dp*reshape([((i + 10*j, i=1, 3), j=1, n)], [3, n])
-      state%potential = [(increment*real(j, dp), j=1, n)]
-      state%reaction = increment*reshape([((i + 10.0_dp*j, i=1, 6), j=1, n)], [6, n])
-      state%applied_load = -state%reaction
-      state%reaction_current = [(increment*2.0_dp*j, j=1, n)]
-      state%applied_current = [(0.0_dp, j=1, n)]
+      allocate (state%value(7, n), state%reaction(7, n), state%load(7, n))
+      state%value(1:3, :) = increment*1.0e-3_dp*reshape([((i + 10*j, i=1, 3), j=1, n)], [3, n])
+      state%value(4:6, :) = increment*1.0e-2_dp*reshape([((i + 10*j, i=1, 3), j=1, n)], [3, n])
+      state%value(7, :) = [(increment*real(j, dp), j=1, n)]
+      state%reaction(1:6, :) = increment*reshape([((i + 10.0_dp*j, i=1, 6), j=1, n)], [6, n])
+      state%load(1:6, :) = -state%reaction(1:6, :)
+      state%reaction(7, :) = [(increment*2.0_dp*j, j=1, n)]
+      state%load(7, :) = [(0.0_dp, j=1, n)]
       ! what enters at the fifth node leaves it again but for round-off
-      state%applied_current(5) = -state%reaction_current(5) + 1.0e-14_dp
+      state%load(7, 5) = -state%reaction(7, 5) + 1.0e-14_dp
       state%section_forces = increment*reshape([((i + 10.0_dp*j, i=1, 6), j=1, 4)], [6, 4])
       state%element_current = [(increment*3.0_dp*j, j=1, 4)]
       state%joule_heat = [(increment*4.0_dp*j, j=1, 4)]

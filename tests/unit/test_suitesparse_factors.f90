@@ -2,11 +2,11 @@
 program test_suitesparse_factors
    use litz_kinds, only: dp
    use litz_errors, only: error_t
-   use litz_linear_solver, only: csr_matrix_t, system_matrix_t
+   use litz_linear_solver, only: csr_matrix_t
    use litz_scaled_factor, only: scaled_factor_t
    use litz_sparse_factor, only: sparse_factor_t
    use litz_sparse_pattern, only: pattern_from_cliques, csr_position, csr_add_product
-   use litz_block_triangular, only: block_solver_t
+   use litz_cholesky_or_lu, only: cholesky_or_lu_t
    use litz_cholmod, only: cholmod_factor_t
    use litz_concus_golub_widlund, only: symmetric_part, solve_by_symmetric_part
    use litz_umfpack, only: umfpack_factor_t
@@ -99,23 +99,21 @@ contains
    end subroutine the_symmetric_part_solves_what_is_nearly_symmetric
 
    subroutine the_solver_falls_back_where_the_skew_part_is_large()
-      type(block_solver_t) :: solver
-      type(system_matrix_t) :: matrix
+      type(cholesky_or_lu_t) :: solver
+      type(csr_matrix_t) :: matrix
       type(error_t), allocatable :: error
       real(dp) :: b(n), x(n)
       integer :: i, try
 
-      call skew_chain(100.0_dp, matrix%mm)
-      matrix%mm_symmetric = .false.
-      call pattern_from_cliques(0, [1], [integer ::], matrix%ee)
+      call skew_chain(100.0_dp, matrix)
       call solver%analyse(matrix, error)
       do try = 1, 2
-         call solver%factor_mechanical(matrix, error)
+         call solver%factor(matrix, .false., error)
          call check(.not. allocated(error), 'factors')
          b = [(sin(1.0_dp*i), i=1, n)]
-         call solver%solve_mechanical(matrix, b, x, error)
-         call check(.not. allocated(error) .and. solver%mechanical%lu_used, 'solves by LU')
-         call csr_add_product(matrix%mm, -1.0_dp, x, b)
+         call solver%solve(matrix, b, x, error)
+         call check(.not. allocated(error) .and. solver%lu_used, 'solves by LU')
+         call csr_add_product(matrix, -1.0_dp, x, b)
          call check(maxval(abs(b)) < 1.0e-13_dp, 'the solution of the fallback')
       end do
    end subroutine the_solver_falls_back_where_the_skew_part_is_large

@@ -9,9 +9,9 @@ program factorisation
    use, intrinsic :: iso_c_binding, only: c_int, c_int64_t, c_double
    use litz_kinds, only: dp, int64
    use litz_blas_threads, only: set_blas_threads
-   use litz_block_triangular, only: block_solver_t
+   use litz_cholesky_or_lu, only: cholesky_or_lu_t
    use litz_errors, only: error_t
-   use litz_linear_solver, only: system_matrix_t
+   use litz_linear_solver, only: csr_matrix_t
 !$ use omp_lib, only: omp_get_max_threads
    implicit none
 
@@ -39,7 +39,7 @@ program factorisation
    end interface
 
    character(len=*), parameter :: ordering_name(0:2) = ['default', 'metis  ', 'amd    ']
-   type(system_matrix_t) :: matrix
+   type(csr_matrix_t) :: matrix
    character(len=4096) :: word
    integer :: repetitions, repetition, ordering
 
@@ -64,35 +64,29 @@ contains
 
       open (newunit=unit, file=path, access='stream', form='unformatted', status='old', action='read')
       read (unit) rows, entries
-      associate (mm => matrix%mm)
-         mm%n_rows = rows
-         mm%n_columns = rows
-         allocate (mm%row_start(rows + 1), mm%column(entries), mm%value(entries))
-         read (unit) mm%row_start, mm%column, mm%value
-      end associate
+      matrix%n_rows = rows
+      matrix%n_columns = rows
+      allocate (matrix%row_start(rows + 1), matrix%column(entries), matrix%value(entries))
+      read (unit) matrix%row_start, matrix%column, matrix%value
       close (unit)
-      matrix%ee%row_start = [1]
-      matrix%me%row_start = [1]
-      allocate (matrix%ee%column(0), matrix%ee%value(0), matrix%me%column(0), matrix%me%value(0))
-      matrix%me%n_columns = rows
    end subroutine read_matrix
 
    subroutine time_litz()
-      type(block_solver_t) :: solver
+      type(cholesky_or_lu_t) :: solver
       type(error_t), allocatable :: error
-      real(dp) :: b(matrix%mm%n_rows), x(matrix%mm%n_rows), begin
+      real(dp) :: b(matrix%n_rows), x(matrix%n_rows), begin
 
       b = 1
       begin = clock()
       call solver%analyse(matrix, error)
       call report('litz_analyse', clock() - begin)
       begin = clock()
-      call solver%factor_mechanical(matrix, error)
+      call solver%factor(matrix, .true., error)
       call report('litz_factor', clock() - begin)
       if (allocated(error)) error stop 'the matrix cannot be factored'
       if (solver%negative_pivots /= 0) error stop 'the matrix is not positive definite'
       begin = clock()
-      call solver%solve_mechanical(matrix, b, x, error)
+      call solver%solve(matrix, b, x, error)
       call report('litz_solve', clock() - begin)
    end subroutine time_litz
 
@@ -101,7 +95,7 @@ contains
       real(c_double) :: seconds(3), flops, entries
       integer(c_int) :: status
 
-      associate (mm => matrix%mm, name => 'cholmod_'//trim(ordering_name(ordering)))
+      associate (mm => matrix, name => 'cholmod_'//trim(ordering_name(ordering)))
          status = direct_cholmod(int(mm%n_rows, c_int64_t), int(mm%row_start, c_int64_t) - 1, &
             int(mm%column, c_int64_t) - 1, mm%value, int(ordering, c_int), seconds, flops, entries)
          if (status /= 0) error stop 'CHOLMOD failed'

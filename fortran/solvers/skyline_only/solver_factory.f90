@@ -3,7 +3,7 @@ module litz_solver_factory
    use litz_errors, only: error_t, fail, exit_solver, exit_internal
    use litz_linear_solver, only: linear_solver_t
    use litz_solver_names, only: solver_default, solver_block, solver_umfpack, solver_skyline, solver_keyword
-   use litz_monolithic, only: create_monolithic
+   use litz_lu_solver, only: create_lu_solver
    use litz_sparse_factor, only: sparse_factor_t
    use litz_skyline, only: skyline_factor_t
    use litz_blas_threads, only: default_blas_threads
@@ -18,13 +18,13 @@ contains
       integer, intent(in) :: kind
       class(linear_solver_t), allocatable, intent(out) :: solver
       type(error_t), allocatable, intent(out) :: error
-      class(sparse_factor_t), allocatable :: whole, electric
+      class(sparse_factor_t), allocatable :: backend
 
       call default_blas_threads()
       select case (resolved_solver(kind))
       case (solver_skyline)
-         allocate (skyline_factor_t :: whole, electric)
-         call create_monolithic(whole, electric, solver)
+         allocate (skyline_factor_t :: backend)
+         call create_lu_solver(backend, solver)
       case (solver_block, solver_umfpack)
          error = fail(exit_solver, 'solver '//trim(solver_keyword(kind))//' is not part of this program, which was '// &
             'built without SuiteSparse; allowed: SKYLINE')

@@ -4,8 +4,8 @@ module litz_solver_factory
    use litz_errors, only: error_t, fail, exit_internal
    use litz_linear_solver, only: linear_solver_t
    use litz_solver_names, only: solver_default, solver_block, solver_umfpack, solver_skyline
-   use litz_block_triangular, only: block_solver_t
-   use litz_monolithic, only: create_monolithic
+   use litz_cholesky_or_lu, only: cholesky_or_lu_t
+   use litz_lu_solver, only: create_lu_solver
    use litz_sparse_factor, only: sparse_factor_t
    use litz_umfpack, only: umfpack_factor_t
    use litz_skyline, only: skyline_factor_t
@@ -31,18 +31,18 @@ contains
       integer, intent(in) :: kind
       class(linear_solver_t), allocatable, intent(out) :: solver
       type(error_t), allocatable, intent(out) :: error
-      class(sparse_factor_t), allocatable :: whole, electric
+      class(sparse_factor_t), allocatable :: backend
 
       call default_blas_threads()
       select case (resolved_solver(kind))
       case (solver_block)
-         allocate (block_solver_t :: solver)
+         allocate (cholesky_or_lu_t :: solver)
       case (solver_umfpack)
-         allocate (umfpack_factor_t :: whole, electric)
-         call create_monolithic(whole, electric, solver)
+         allocate (umfpack_factor_t :: backend)
+         call create_lu_solver(backend, solver)
       case (solver_skyline)
-         allocate (skyline_factor_t :: whole, electric)
-         call create_monolithic(whole, electric, solver)
+         allocate (skyline_factor_t :: backend)
+         call create_lu_solver(backend, solver)
       case default
          error = fail(exit_internal, 'linear solver: there is no solver of this kind')
       end select

@@ -1,0 +1,68 @@
+!> The unknowns of a node: one table of fields, and the slots in which their components stand.
+!>
+!> State, loads, reactions and corrections are arrays (n_slots, n_nodes). A field has the slots
+!> `first_slot(field):last_slot(field)`, a group of fields those from `first_slot_of_group` to `last_slot_of_group`. A
+!> group is what the scheme solves for at once; how groups depend on each other says `depends_on`.
+module litz_fields
+   implicit none
+   private
+   public :: field_t, fields, n_fields, field_displacement, field_rotation, field_potential
+   public :: n_slots, first_slot, last_slot, field_of_slot, slot_of_dof
+   public :: n_groups, group_mechanical, group_electric, first_slot_of_group, last_slot_of_group, depends_on
+
+   type :: field_t
+      character(len=12) :: name
+      !> Of its largest correction, in the names of columns
+      character(len=3) :: symbol
+      !> Its first place among the unknowns of a node, and how many it has
+      integer :: first_slot, n_components
+      !> Abaqus's number of its first degree of freedom
+      integer :: first_dof
+      integer :: group
+      !> Sums of its corrections are turns about fixed axes
+      logical :: is_rotation
+      character(len=3) :: unit
+      !> What does work on it or flows by it: the residual of its equations
+      character(len=8) :: flux
+      character(len=3) :: flux_unit
+   end type field_t
+
+   integer, parameter :: n_groups = 2
+   integer, parameter :: group_mechanical = 1, group_electric = 2
+
+   type(field_t), parameter :: fields(*) = [ &
+      field_t('displacement', 'u', 1, 3, 1, group_mechanical, .false., 'm', 'force', 'N'), &
+      field_t('rotation', 'phi', 4, 3, 4, group_mechanical, .true., 'rad', 'moment', 'N m'), &
+      field_t('potential', 'V', 7, 1, 9, group_electric, .false., 'V', 'current', 'A')]
+   integer, parameter :: field_displacement = 1, field_rotation = 2, field_potential = 3
+
+   integer, private :: i
+   integer, parameter :: n_fields = size(fields)
+   integer, parameter :: first_slot(n_fields) = fields%first_slot
+   integer, parameter :: last_slot(n_fields) = fields%first_slot + fields%n_components - 1
+   integer, parameter :: n_slots = maxval(last_slot)
+   integer, parameter :: field_of_slot(n_slots) = [(count(first_slot <= i), i=1, n_slots)]
+   integer, parameter :: first_slot_of_group(n_groups) = [(minval(first_slot, fields%group == i), i=1, n_groups)]
+   integer, parameter :: last_slot_of_group(n_groups) = [(maxval(last_slot, fields%group == i), i=1, n_groups)]
+
+   !> The equations of the first group have the unknowns of the second one in them
+   logical, parameter :: depends_on(n_groups, n_groups) = reshape([ &
+      .true., .true., &   ! all on mechanics: currents change as spots do
+      .false., .true.], & ! on the potential: the currents
+      [n_groups, n_groups])
+
+contains
+
+   !> Slot of a degree of freedom in Abaqus's numbers; 0: there is none.
+   pure integer function slot_of_dof(dof) result(slot)
+      integer, intent(in) :: dof
+      integer :: field
+
+      do field = 1, n_fields
+         slot = first_slot(field) + dof - fields(field)%first_dof
+         if (slot >= first_slot(field) .and. slot <= last_slot(field)) return
+      end do
+      slot = 0
+   end function slot_of_dof
+
+end module litz_fields

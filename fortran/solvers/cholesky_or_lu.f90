@@ -1,0 +1,151 @@
+!> One matrix solved by its Cholesky factor: exactly where it is symmetric and positive definite, as a preconditioner
+!> where only its symmetric part is; by LU where that cannot be, or where the skew part is too large for it.
+module litz_cholesky_or_lu
+   use litz_kinds, only: dp
+   use litz_cholmod, only: cholmod_factor_t
+   use litz_concus_golub_widlund, only: symmetric_part, solve_by_symmetric_part
+   use litz_equilibration, only: equilibrate
+   use litz_errors, only: error_t
+   use litz_linear_solver, only: linear_solver_t, csr_matrix_t, check_right_side
+   use litz_scaled_factor, only: scaled_factor_t
+   use litz_umfpack, only: umfpack_factor_t
+   implicit none
+   private
+   public :: cholesky_or_lu_t
+
+   type, extends(linear_solver_t) :: cholesky_or_lu_t
+      type(scaled_factor_t) :: cholesky, lu
+      !> The values are symmetric
+      logical :: symmetric = .true.
+      !> The LU has its symbolic work done
+      logical :: lu_analysed = .false.
+      !> The last factorisation is the LU
+      logical :: lu_used = .false.
+   contains
+      procedure :: analyse => solver_analyse
+      procedure :: factor => solver_factor
+      procedure :: solve => solver_solve
+      procedure :: release => solver_release
+   end type cholesky_or_lu_t
+
+contains
+
+   subroutine solver_analyse(self, matrix, error)
+      class(cholesky_or_lu_t), intent(inout) :: self
+      type(csr_matrix_t), intent(in) :: matrix
+      type(error_t), allocatable, intent(out) :: error
+
+      self%lu_analysed = .false.
+      if (.not. allocated(self%cholesky%backend)) allocate (cholmod_factor_t :: self%cholesky%backend)
+      if (.not. allocated(self%lu%backend)) allocate (umfpack_factor_t :: self%lu%backend)
+      call self%lu%release()
+      call self%cholesky%analyse(matrix, self%offset, error)
+   end subroutine solver_analyse
+
+   !> Scales by itself: Cholesky wants a unit diagonal.
+   subroutine solver_factor(self, matrix, symmetric, error, row_scale, column_scale)
+      class(cholesky_or_lu_t), intent(inout) :: self
+      type(csr_matrix_t), intent(in) :: matrix
+      logical, intent(in) :: symmetric
+      type(error_t), allocatable, intent(out) :: error
+      real(dp), intent(in), optional :: row_scale(:), column_scale(:)
+
+      self%negative_pivots = -1
+      call self%lu%release()
+      self%symmetric = symmetric
+      call factor_cholesky(self, matrix, error)
+      self%failed_equation = self%cholesky%failed_equation
+      self%lu_used = self%failed_equation > 0
+      if (self%lu_used) call factor_lu(self, matrix, error, row_scale, column_scale)
+      if (allocated(error)) return
+      if (symmetric .or. .not. self%lu_used) call count_negative_pivots(self)
+   end subroutine solver_factor
+
+   subroutine factor_cholesky(self, matrix, error)
+      class(cholesky_or_lu_t), intent(inout) :: self
+      type(csr_matrix_t), intent(in) :: matrix
+      type(error_t), allocatable, intent(out) :: error
+      type(csr_matrix_t) :: part
+      real(dp) :: scale(matrix%n_rows)
+
+      if (self%symmetric) then
+         call equilibrate(matrix, scale)
+         call self%cholesky%factor(matrix, scale, scale, error)
+      else
+         call symmetric_part(matrix, part)
+         call equilibrate(part, scale)
+         call self%cholesky%factor(part, scale, scale, error)
+      end if
+   end subroutine factor_cholesky
+
+   subroutine factor_lu(self, matrix, error, row_scale, column_scale)
+      class(cholesky_or_lu_t), intent(inout) :: self
+      type(csr_matrix_t), intent(in) :: matrix
+      type(error_t), allocatable, intent(out) :: error
+      !> As of `factor`
+      real(dp), intent(in), optional :: row_scale(:), column_scale(:)
+      real(dp) :: scale(matrix%n_rows)
+
+      call self%cholesky%release()
+      if (.not. self%lu_analysed) then
+         call self%lu%analyse(matrix, self%offset, error)
+         if (allocated(error)) return
+         self%lu_analysed = .true.
+      end if
+      if (present(row_scale) .and. present(column_scale)) then
+         call self%lu%factor(matrix, row_scale, column_scale, error)
+      else
+         call equilibrate(matrix, scale)
+         call self%lu%factor(matrix, scale, scale, error)
+      end if
+      self%failed_equation = self%lu%failed_equation
+   end subroutine factor_lu
+
+   !> That Cholesky failed says only that there is a negative pivot; how many, the LU tells if it could keep to the
+   !> diagonal. A matrix with a positive definite symmetric part has none.
+   subroutine count_negative_pivots(self)
+      class(cholesky_or_lu_t), intent(inout) :: self
+
+      self%negative_pivots = 0
+      self%negative_pivots_exact = .true.
+      if (.not. self%lu_used) return
+      self%negative_pivots_exact = self%lu%backend%diagonal_pivots
+      self%negative_pivots = 1
+      if (self%negative_pivots_exact) self%negative_pivots = count(self%lu%backend%pivot < 0)
+   end subroutine count_negative_pivots
+
+   subroutine solver_solve(self, matrix, b, x, error)
+      class(cholesky_or_lu_t), intent(inout) :: self
+      type(csr_matrix_t), intent(in) :: matrix
+      real(dp), intent(in) :: b(:)
+      real(dp), intent(out) :: x(:)
+      type(error_t), allocatable, intent(out) :: error
+      logical :: converged
+
+      call check_right_side(matrix, b, error)
+      if (allocated(error)) return
+      if (.not. (self%lu_used .or. self%symmetric)) then
+         call solve_by_symmetric_part(matrix, self%cholesky, b, x, converged, error)
+         self%failed_equation = self%cholesky%failed_equation
+         if (allocated(error) .or. converged) return
+         self%lu_used = .true.
+         call factor_lu(self, matrix, error)
+         if (allocated(error)) return
+      end if
+      if (self%lu_used) then
+         call self%lu%solve(b, x, error)
+         self%failed_equation = self%lu%failed_equation
+      else
+         call self%cholesky%solve(b, x, error)
+         self%failed_equation = self%cholesky%failed_equation
+      end if
+   end subroutine solver_solve
+
+   subroutine solver_release(self)
+      class(cholesky_or_lu_t), intent(inout) :: self
+
+      call self%cholesky%release()
+      call self%lu%release()
+   end subroutine solver_release
+
+end module litz_cholesky_or_lu

@@ -1,0 +1,198 @@
+!> From cells to the system: forces of all unknowns, and the tangent over the free ones.
+!>
+!> A cell is a group of nodes: an element, a contact, a node by itself. Its equations are those of some slots of each of
+!> its nodes, and its tangent has columns of some slots of each: rows of one group of fields, columns of one group.
+!> Every thread adds the rows of its own nodes, cell after cell: no row has two writers, and each sum has the same order
+!> for any number of threads.
+module litz_scatter
+   use litz_kinds, only: dp
+   use litz_equations, only: equations_t, system_t, block_offset
+   use litz_fields, only: fields, n_fields, n_slots, field_of_slot, first_slot, last_slot, first_slot_of_group, &
+      field_displacement
+   use litz_linear_solver, only: csr_matrix_t
+   use litz_parallel, only: worth_threads, owned
+   implicit none
+   private
+   public :: forces_t, clear_forces, scatter, scatter_tangent, chunk
+
+   !> Cells evaluated between two scatters: their tangents stay in the cache
+   integer, parameter :: chunk = 8192
+
+   !> Forces over all unknowns (n_slots, n_nodes): forces, moments, currents that leave the node.
+   type :: forces_t
+      real(dp), allocatable :: internal(:, :)
+      !> What contacts that the prediction and the present gap judge differently add for this iteration only
+      real(dp), allocatable :: iteration(:, :)
+      !> Tangent times the prescribed increments
+      real(dp), allocatable :: prescribed(:, :)
+      !> Largest nodal force, moment and current of any cell: the reference of convergence
+      real(dp) :: reference(n_fields) = 0
+      !> How large the unknowns are (n_slots, n_nodes) [m, -, V]: the node's position, 1 for the entries of its rotation,
+      !> and the largest potential of any node, because no node's own zero of potential is more than a convention
+      real(dp), allocatable :: magnitude(:, :)
+      !> What a relative change of these in every part of the model makes at most of the forces (n_slots, n_nodes): the
+      !> sum of `|K| |q|` over the cells at the node. Times epsilon it is the round-off of the residual there
+      real(dp), allocatable :: sensitivity(:, :)
+      real(dp) :: strain_energy = 0
+      !> Stabilization: forces on the free unknowns, part of the internal ones (n_slots, n_nodes), and their work [J]
+      real(dp), allocatable :: damping(:, :)
+      real(dp) :: damping_work = 0
+   end type forces_t
+
+contains
+
+   !> No cell has added anything yet.
+   pure subroutine clear_forces(x, value, forces)
+      !> Positions (3, n_nodes) [m], and values of all unknowns (n_slots, n_nodes)
+      real(dp), intent(in) :: x(:, :), value(:, :)
+      type(forces_t), intent(inout) :: forces
+      integer :: field, n_nodes
+
+      n_nodes = size(x, 2)
+      if (.not. allocated(forces%internal)) then
+         allocate (forces%internal(n_slots, n_nodes), forces%iteration(n_slots, n_nodes), &
+            forces%prescribed(n_slots, n_nodes), forces%magnitude(n_slots, n_nodes), &
+            forces%sensitivity(n_slots, n_nodes), forces%damping(n_slots, n_nodes))
+      end if
+      forces%internal = 0
+      forces%iteration = 0
+      forces%prescribed = 0
+      forces%reference = 0
+      forces%sensitivity = 0
+      forces%strain_energy = 0
+      forces%damping = 0
+      forces%damping_work = 0
+      do field = 1, n_fields
+         associate (magnitude => forces%magnitude(first_slot(field):last_slot(field), :))
+            if (field == field_displacement) then
+               magnitude = spread(maxval(abs(x), 1), 1, size(magnitude, 1))
+            else if (fields(field)%is_rotation) then
+               magnitude = 1
+            else
+               magnitude = maxval(abs(value(first_slot(field):last_slot(field), :)))
+            end if
+         end associate
+      end do
+   end subroutine clear_forces
+
+   !> Add cells: `k` times what is prescribed, how far round-off reaches, and the tangent; with `r` their forces as well.
+   subroutine scatter(equations, nodes, rows, columns, k, increment, matrix, forces, r)
+      type(equations_t), intent(in) :: equations
+      !> (nodes of a cell, cells)
+      integer, intent(in) :: nodes(:, :)
+      !> First and last slot of the equations and of the unknowns of each node (2)
+      integer, intent(in) :: rows(2), columns(2)
+      !> Tangents (slots of rows x nodes, slots of columns x nodes, cells)
+      real(dp), intent(in) :: k(:, :, :)
+      !> Prescribed increments (n_slots, n_nodes)
+      real(dp), intent(in) :: increment(:, :)
+      !> Block of the group of the rows and the group of the columns
+      type(csr_matrix_t), intent(inout) :: matrix
+      type(forces_t), intent(inout) :: forces
+      !> Forces (slots of rows x nodes, cells)
+      real(dp), intent(in), optional :: r(:, :)
+      real(dp) :: largest(n_fields), dq(size(k, 2))
+      integer :: n_rows, cell, a, i, node
+
+      n_rows = rows(2) - rows(1) + 1
+      largest = forces%reference
+      !$omp parallel private(cell, a, i, node, dq) reduction(max: largest) if (size(nodes, 2) >= worth_threads)
+      do cell = 1, size(nodes, 2)
+         do a = 1, size(nodes, 1)
+            node = nodes(a, cell)
+            if (.not. owned(node)) cycle
+            associate (k_a => k((a - 1)*n_rows + 1:a*n_rows, :, cell))
+               if (present(r)) then
+                  do i = 1, n_rows
+                     associate (force => r((a - 1)*n_rows + i, cell), slot => rows(1) - 1 + i)
+                        forces%internal(slot, node) = forces%internal(slot, node) + force
+                        largest(field_of_slot(slot)) = max(largest(field_of_slot(slot)), abs(force))
+                     end associate
+                  end do
+               end if
+               dq = reshape(increment(columns(1):columns(2), nodes(:, cell)), [size(dq)])
+               if (any(abs(dq) > 0)) forces%prescribed(rows(1):rows(2), node) = &
+                  forces%prescribed(rows(1):rows(2), node) + matmul(k_a, dq)
+               call add_sensitivity(nodes(:, cell), k_a, forces%magnitude(columns(1):columns(2), :), &
+                  forces%sensitivity(rows(1):rows(2), node))
+            end associate
+            call scatter_rows(equations, a, nodes(:, cell), rows, columns, k(:, :, cell), matrix)
+         end do
+      end do
+      !$omp end parallel
+      forces%reference = largest
+   end subroutine scatter
+
+   !> Add the tangent of one cell and nothing else.
+   pure subroutine scatter_tangent(equations, nodes, rows, columns, k, matrix)
+      type(equations_t), intent(in) :: equations
+      !> Of the cell
+      integer, intent(in) :: nodes(:)
+      !> First and last slot of the equations and of the unknowns of each node (2)
+      integer, intent(in) :: rows(2), columns(2)
+      !> (slots of rows x nodes, slots of columns x nodes)
+      real(dp), intent(in) :: k(:, :)
+      !> Block of the group of the rows and the group of the columns
+      type(csr_matrix_t), intent(inout) :: matrix
+      integer :: a
+
+      do a = 1, size(nodes)
+         call scatter_rows(equations, a, nodes, rows, columns, k, matrix)
+      end do
+   end subroutine scatter_tangent
+
+   !> Add `|K| |q|` of some rows of a cell.
+   pure subroutine add_sensitivity(nodes, k, magnitude, sensitivity)
+      !> Of the cell
+      integer, intent(in) :: nodes(:)
+      !> Rows of the tangent (rows, unknowns of a node x nodes), and how large the unknowns of all nodes are
+      real(dp), intent(in) :: k(:, :), magnitude(:, :)
+      !> Of these rows
+      real(dp), intent(inout) :: sensitivity(:)
+      integer :: b, i, column
+
+      column = 0
+      do b = 1, size(nodes)
+         do i = 1, size(magnitude, 1)
+            column = column + 1
+            sensitivity = sensitivity + abs(k(:, column))*magnitude(i, nodes(b))
+         end do
+      end do
+   end subroutine add_sensitivity
+
+   !> Add the rows of node `a` of a cell to the matrix.
+   pure subroutine scatter_rows(equations, a, nodes, rows, columns, k, matrix)
+      type(equations_t), intent(in) :: equations
+      !> Place of the node in the cell, and the nodes of the cell
+      integer, intent(in) :: a, nodes(:)
+      !> First and last slot of the equations and of the unknowns of each node (2)
+      integer, intent(in) :: rows(2), columns(2)
+      !> Tangent of the cell
+      real(dp), intent(in) :: k(:, :)
+      type(csr_matrix_t), intent(inout) :: matrix
+      integer :: b, i, j, row, position, offset, group, k_row, k_column
+
+      if (all(equations%number(rows(1):rows(2), nodes(a)) == 0)) return
+      group = fields(field_of_slot(columns(1)))%group
+      do b = 1, size(nodes)
+         if (equations%n_free(group, nodes(b)) == 0) cycle
+         offset = equations%offset(group, block_offset(equations, nodes(a), nodes(b))) &
+            + count(equations%number(first_slot_of_group(group):columns(1) - 1, nodes(b)) > 0)
+         k_row = (a - 1)*(rows(2) - rows(1) + 1)
+         do i = rows(1), rows(2)
+            k_row = k_row + 1
+            row = equations%number(i, nodes(a))
+            if (row == 0) cycle
+            position = matrix%row_start(row) + offset
+            k_column = (b - 1)*(columns(2) - columns(1) + 1)
+            do j = columns(1), columns(2)
+               k_column = k_column + 1
+               if (equations%number(j, nodes(b)) == 0) cycle
+               matrix%value(position) = matrix%value(position) + k(k_row, k_column)
+               position = position + 1
+            end do
+         end do
+      end do
+   end subroutine scatter_rows
+
+end module litz_scatter
