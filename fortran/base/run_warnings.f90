@@ -78,7 +78,7 @@ contains
       character(len=*), intent(in) :: kind
       !> A sentence without a full stop
       character(len=*), intent(in) :: message
-      !> The user's numbers of one or two elements that it is about
+      !> The user's numbers of the elements that it is about (1 or 2)
       integer, intent(in), optional :: elements(:)
       !> How bad it is
       real(dp), intent(in), optional :: value

@@ -76,11 +76,11 @@ contains
       integer, intent(in) :: n
       !> First member of each clique, and one past the last (cliques + 1)
       integer, intent(in) :: clique_start(:)
-      !> Members 1..n, or 0: left out
+      !> Members 1..n of one clique after the other (entries of all cliques); 0: left out
       integer, intent(in) :: clique_members(:)
       !> First clique of each member in `cliques`, and one past the last (n + 1)
       integer, allocatable, intent(out) :: start(:)
-      !> The cliques of each member, one member after the other
+      !> The cliques of each member (entries of all cliques), one member after the other
       integer, allocatable, intent(out) :: cliques(:)
       integer, allocatable :: free(:)
       integer :: clique, k, member
@@ -113,11 +113,11 @@ contains
       integer, intent(in) :: row
       !> First clique of each member in `cliques`, and one past the last (n + 1)
       integer, intent(in) :: cliques_start(:)
-      !> The cliques of each member, one member after the other
+      !> The cliques of each member (entries of all cliques), one member after the other
       integer, intent(in) :: cliques(:)
       !> First member of each clique, and one past the last (cliques + 1)
       integer, intent(in) :: clique_start(:)
-      !> Members 1..n, or 0: left out
+      !> Members 1..n of one clique after the other (entries of all cliques); 0: left out
       integer, intent(in) :: clique_members(:)
       !> (n) the last row for which each unknown was gathered
       integer, intent(inout) :: last_seen(:)
