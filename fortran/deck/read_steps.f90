@@ -55,7 +55,7 @@ contains
          case ('CECURRENT')
             call read_nodal_values(self, model, card, current)
          case ('')
-            ! one that has been told of already, such as *DYNAMIC
+            ! one that has been reported already, such as *DYNAMIC
             has_procedure = has_procedure .or. &
                index(advice_about(self%deck%text(self%deck%cards(card)%name)), 'use *STATIC') > 0
          case ('STATIC')

@@ -116,7 +116,7 @@ contains
       type(csr_matrix_t), intent(in) :: matrix
       !> Right-hand side (n)
       real(dp), intent(in) :: b(:)
-      !> Solution (n); of no use after an error
+      !> Solution (n); meaningless after an error
       real(dp), intent(out) :: x(:)
       type(error_t), allocatable, intent(out) :: error
       logical :: converged
@@ -170,8 +170,8 @@ contains
       if (matrix%mm_symmetric .or. .not. self%mechanical%lu_used) call count_negative_pivots(self)
    end subroutine block_solver_factor_mechanical
 
-   !> That Cholesky failed says only that there is a negative pivot; how many, the LU tells if it could keep to the
-   !> diagonal. A matrix with a positive definite symmetric part has none.
+   !> A failed Cholesky factor shows only that there is a negative pivot; the LU gives their number if it could keep to
+   !> the diagonal. A matrix with a positive definite symmetric part has none.
    subroutine count_negative_pivots(self)
       class(block_solver_t), intent(inout) :: self
 

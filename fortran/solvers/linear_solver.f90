@@ -30,7 +30,7 @@ module litz_linear_solver
       !> One of the constants of litz_solver_names
       integer :: kind = solver_default
       !> Negative eigenvalues of a symmetric `mm`, counted by the pivots of the last `factor`; 0 where it, or the
-      !> symmetric part of an unsymmetric one, is positive definite (stable equilibrium); -1: the solver cannot tell
+      !> symmetric part of an unsymmetric one, is positive definite (stable equilibrium); -1: the solver does not know
       integer :: negative_pivots = -1
       !> .false.: there are at least so many
       logical :: negative_pivots_exact = .true.
@@ -94,7 +94,7 @@ module litz_linear_solver
          type(system_matrix_t), intent(in) :: matrix
          !> Right-hand side of the block (n)
          real(dp), intent(in) :: b(:)
-         !> Solution of the block (n); of no use after an error
+         !> Solution of the block (n); meaningless after an error
          real(dp), intent(out) :: x(:)
          type(error_t), allocatable, intent(out) :: error
       end subroutine solve_part_interface
