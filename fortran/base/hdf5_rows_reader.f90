@@ -204,7 +204,7 @@ contains
       if (n_dimensions == rank .and. extent(1) == components .and. first >= 0 .and. count >= 0) then
          if (first <= extent(2) .and. count <= extent(2) - first) return
       end if
-      error = fail(exit_files, 'its dataset '//name//' has not the rows that it should have')
+      error = fail(exit_files, 'its dataset '//name//' does not have the expected rows')
       if (space >= 0) call h5sclose_f(space, ignored)
       call h5oclose_f(dataset, ignored)
    end subroutine open_rows

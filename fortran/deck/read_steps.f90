@@ -127,7 +127,7 @@ contains
       token = parameter_of(self, card, 'NAME')
       if (token%last >= token%first) then
          call title%append(' '//self%deck%text(token))
-         if (names%get(name_of(self, token)) > 0) call fail_at(self, token, 'there are two steps of the name '// &
+         if (names%get(name_of(self, token)) > 0) call fail_at(self, token, 'there are two steps with the name '// &
             self%deck%shown(token))
          call names%put(name_of(self, token), index)
       end if
