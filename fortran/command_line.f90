@@ -28,7 +28,7 @@ module litz_command_line
 
    type :: command_t
       integer :: action = action_help
-      !> Deck, keyword, or command to be told about
+      !> Deck, keyword, or command that help is about
       character(len=:), allocatable :: argument
       !> Directory for result files
       character(len=:), allocatable :: output_directory

@@ -89,6 +89,7 @@ contains
       type(model_t), intent(in) :: model
       type(run_options_t), intent(in) :: options
       type(problem_t), intent(out) :: problem
+      !> Largest overlap of each interference fit (contact pairs) [m]; 0 for other pairs
       real(dp), allocatable, intent(out) :: overlap(:)
       type(error_t), allocatable, intent(out) :: error
 
@@ -114,6 +115,7 @@ contains
 
    !> File name without directory and ending.
    pure function deck_stem(path) result(stem)
+      !> The deck file
       character(len=*), intent(in) :: path
       character(len=:), allocatable :: stem
       integer :: dot

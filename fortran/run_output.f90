@@ -135,6 +135,7 @@ contains
       class(run_output_t), intent(inout) :: self
       type(problem_t), intent(inout) :: problem
       type(course_t), intent(inout) :: course
+      !> .true.: the increment was written, or an error was met on the way
       logical, intent(out) :: taken
       type(error_t), allocatable, intent(inout) :: error
 
@@ -153,6 +154,7 @@ contains
    subroutine output_given_up(self, problem, place, error)
       class(run_output_t), intent(inout) :: self
       type(problem_t), intent(in) :: problem
+      !> Names of the files that were written, for a message
       character(len=:), allocatable, intent(out) :: place
       type(error_t), allocatable, intent(inout) :: error
 

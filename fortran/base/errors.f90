@@ -9,7 +9,7 @@ module litz_errors
    public :: exit_success, exit_input, exit_not_converged, exit_solver, exit_files, exit_internal, exit_memory
 
    !> Most errors that a list keeps, and most that it shows
-   integer, parameter :: most_kept = 200, most_shown = 50
+   integer, parameter :: max_kept = 200, max_shown = 50
 
    integer, parameter :: exit_success = 0
    integer, parameter :: exit_input = 1
@@ -96,7 +96,7 @@ contains
    pure logical function error_list_is_full(self)
       class(error_list_t), intent(in) :: self
 
-      error_list_is_full = self%count == most_kept
+      error_list_is_full = self%count == max_kept
    end function error_list_is_full
 
    !> Count an error that a full list would not keep.
@@ -158,10 +158,10 @@ contains
       integer :: i, not_shown
 
       text = ''
-      do i = 1, min(self%count, most_shown)
+      do i = 1, min(self%count, max_shown)
          text = text//self%items(i)%text()
       end do
-      not_shown = self%count - min(self%count, most_shown) + self%not_kept
+      not_shown = self%count - min(self%count, max_shown) + self%not_kept
       if (not_shown > 0) then
          write (number, '(i0)') not_shown
          text = text//'and '//trim(number)//' more errors'//new_line('a')

@@ -23,7 +23,7 @@ module litz_hdf5_input
    !> Longest name of a member of a group
    integer, parameter :: longest_name = 512
    !> Members of a group; more come only from damaged files
-   integer, parameter :: most_names = 1000000
+   integer, parameter :: max_names = 1000000
    !> Rows of up to three components are counted in default integers
    integer, parameter :: largest_rows = 500000000
 
@@ -111,8 +111,8 @@ contains
             call h5gn_members_f(file, path, n, status)
             if (status /= 0) then
                error = fail(exit_input, path//' must be a group')
-            else if (n > most_names) then
-               error = fail(exit_input, path//' has more than '//to_text(most_names)//' members')
+            else if (n > max_names) then
+               error = fail(exit_input, path//' has more than '//to_text(max_names)//' members')
             end if
          end if
       end if
@@ -234,11 +234,12 @@ contains
       if (.not. any(class == classes)) then
          error = fail(exit_input, path//' must hold '//noun)
       else if (.not. has_shape(extent, columns)) then
-         error = fail(exit_input, path//' has the shape '//shape_words(extent)//'; it must be '//wanted_words(columns))
+         error = fail(exit_input, path//' has the shape '//describe_shape(extent)//'; it must be '// &
+            describe_wanted_shape(columns))
       else if (extent(size(extent)) > largest_rows) then
          error = fail(exit_input, path//' has more rows than litz takes')
       else if (.not. is_written(dataset, extent)) then
-         error = fail(exit_files, path//' has the shape '//shape_words(extent)// &
+         error = fail(exit_files, path//' has the shape '//describe_shape(extent)// &
             ', but hardly any data: it was not written')
       else
          rows = int(extent(size(extent)))
@@ -271,12 +272,12 @@ contains
       !> Dimensions (rank), rows last
       integer(hsize_t), intent(in) :: extent(:)
       !> A byte of data holds no more numbers, however they are compressed: more than deflate can reach
-      integer(hsize_t), parameter :: most_numbers = 2000
+      integer(hsize_t), parameter :: max_numbers = 2000
       integer(hsize_t) :: stored
       integer :: status
 
       call h5dget_storage_size_f(dataset, stored, status)
-      is_written = status == 0 .and. product(extent)/most_numbers <= stored
+      is_written = status == 0 .and. product(extent)/max_numbers <= stored
    end function is_written
 
    pure logical function has_shape(extent, columns)
@@ -290,7 +291,7 @@ contains
    end function has_shape
 
    !> As h5py and h5dump show it: rows first.
-   pure function shape_words(extent) result(words)
+   pure function describe_shape(extent) result(words)
       !> Dimensions (rank), rows last
       integer(hsize_t), intent(in) :: extent(:)
       character(len=:), allocatable :: words
@@ -304,15 +305,15 @@ contains
          if (i > 1) words = words//', '
       end do
       words = words//')'
-   end function shape_words
+   end function describe_shape
 
-   pure function wanted_words(columns) result(words)
+   pure function describe_wanted_shape(columns) result(words)
       !> Number of columns that the dataset must have
       integer, intent(in) :: columns
       character(len=:), allocatable :: words
 
       words = '(n)'
       if (columns > 1) words = '(n, '//to_text(columns)//')'
-   end function wanted_words
+   end function describe_wanted_shape
 
 end module litz_hdf5_input

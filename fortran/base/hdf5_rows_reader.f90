@@ -1,4 +1,4 @@
-!> Rows of the datasets that `litz_hdf5_helpers` writes, read back: a range of them, so that a long file costs no more
+!> Rows of the datasets that `litz_hdf5_rows` writes, read back: a range of them, so that a long file costs no more
 !> than what is wanted of it.
 !>
 !> Every procedure passes `error` through and does nothing once it is allocated. Messages begin with what is wrong; the
@@ -23,6 +23,7 @@ contains
 
    !> The attribute has one value, not an array of them.
    logical function is_single(attribute)
+      !> Identifier of the open attribute
       integer(hid_t), intent(in) :: attribute
       integer(hid_t) :: space
       integer(hsize_t) :: n
@@ -36,9 +37,13 @@ contains
    end function is_single
 
    subroutine read_attribute_integer(file, object, name, value, error)
+      !> Identifier of the open file
       integer(hid_t), intent(in) :: file
-      !> Group or dataset that has the attribute
-      character(len=*), intent(in) :: object, name
+      !> Path of the group or dataset that has the attribute
+      character(len=*), intent(in) :: object
+      !> Name of the attribute
+      character(len=*), intent(in) :: name
+      !> Its value; 0 after an error
       integer, intent(out) :: value
       type(error_t), allocatable, intent(inout) :: error
       integer(int64), target :: buffer
@@ -67,8 +72,13 @@ contains
    end subroutine read_attribute_integer
 
    subroutine read_attribute_text(file, object, name, text, error)
+      !> Identifier of the open file
       integer(hid_t), intent(in) :: file
-      character(len=*), intent(in) :: object, name
+      !> Path of the group or dataset that has the attribute
+      character(len=*), intent(in) :: object
+      !> Name of the attribute
+      character(len=*), intent(in) :: name
+      !> Its value; empty after an error
       character(len=:), allocatable, intent(out) :: text
       type(error_t), allocatable, intent(inout) :: error
       character(kind=c_char), allocatable, target :: buffer(:)
@@ -111,8 +121,11 @@ contains
    end subroutine read_attribute_text
 
    subroutine read_real_rows(file, name, components, first, count, values, error)
+      !> Identifier of the open file
       integer(hid_t), intent(in) :: file
+      !> Path of the dataset in the file
       character(len=*), intent(in) :: name
+      !> Numbers in a row
       integer, intent(in) :: components
       !> Rows to be passed over, and rows to read
       integer(int64), intent(in) :: first, count
@@ -130,8 +143,11 @@ contains
    end subroutine read_real_rows
 
    subroutine read_integer_rows(file, name, components, first, count, values, error)
+      !> Identifier of the open file
       integer(hid_t), intent(in) :: file
+      !> Path of the dataset in the file
       character(len=*), intent(in) :: name
+      !> Numbers in a row
       integer, intent(in) :: components
       !> Rows to be passed over, and rows to read
       integer(int64), intent(in) :: first, count
@@ -151,11 +167,17 @@ contains
 
    !> A dataset that has the rows, before room is made for them.
    subroutine open_rows(file, name, components, first, count, dataset, space, error)
+      !> Identifier of the open file
       integer(hid_t), intent(in) :: file
+      !> Path of the dataset in the file
       character(len=*), intent(in) :: name
+      !> Numbers in a row
       integer, intent(in) :: components
-      integer(int64), intent(in) :: first, count
-      !> Both open, unless there is an error
+      !> Number of rows to be passed over
+      integer(int64), intent(in) :: first
+      !> Number of rows to read
+      integer(int64), intent(in) :: count
+      !> Identifiers of the dataset and of its extent; both open, unless there is an error
       integer(hid_t), intent(out) :: dataset, space
       type(error_t), allocatable, intent(inout) :: error
       integer(hsize_t) :: extent(2), largest(2)
@@ -182,17 +204,25 @@ contains
       if (n_dimensions == rank .and. extent(1) == components .and. first >= 0 .and. count >= 0) then
          if (first <= extent(2) .and. count <= extent(2) - first) return
       end if
-      error = fail(exit_files, 'its dataset '//name//' has not the rows that it should have')
+      error = fail(exit_files, 'its dataset '//name//' does not have the expected rows')
       if (space >= 0) call h5sclose_f(space, ignored)
       call h5oclose_f(dataset, ignored)
    end subroutine open_rows
 
    !> Reads the rows, and closes the dataset.
    subroutine read_buffer(dataset, space, name, components, first, count, memory_type, buffer, error)
-      integer(hid_t), intent(in) :: dataset, space, memory_type
+      !> Identifiers of the dataset and of its extent, both closed in the end
+      integer(hid_t), intent(in) :: dataset, space
+      !> Identifier of the type in memory
+      integer(hid_t), intent(in) :: memory_type
+      !> Path of the dataset in the file
       character(len=*), intent(in) :: name
+      !> Numbers in a row
       integer, intent(in) :: components
-      integer(int64), intent(in) :: first, count
+      !> Number of rows to be passed over
+      integer(int64), intent(in) :: first
+      !> Number of rows to read
+      integer(int64), intent(in) :: count
       type(c_ptr), intent(in) :: buffer
       type(error_t), allocatable, intent(inout) :: error
       type(c_ptr) :: address
@@ -217,6 +247,7 @@ contains
    end subroutine read_buffer
 
    pure function missing(what) result(error)
+      !> What is missing: a dataset or an attribute
       character(len=*), intent(in) :: what
       type(error_t) :: error
 

@@ -9,7 +9,7 @@ module litz_lookup
    !> Tables are kept at most half full
    integer, parameter :: smallest_table = 64
    !> Most names that a hint lists, and the longest that it considers
-   integer, parameter :: most_listed = 8, longest_hint = 80
+   integer, parameter :: max_listed = 8, longest_hint = 80
 
    !> Integer keys. Open addressing with linear probing.
    type :: id_map_t
@@ -180,7 +180,7 @@ contains
          hint = '; did you mean '//hint//'?'
       else if (self%n == 0) then
          hint = '; none is defined'
-      else if (self%n <= most_listed) then
+      else if (self%n <= max_listed) then
          hint = '; there is '//join_words(names, 'and')
       end if
    end function name_map_hint

@@ -16,7 +16,7 @@ module litz_numbers
    !> Integers up to here are exact in a double
    integer(int64), parameter :: largest_exact = 2_int64**53
    !> Digits that surely fit into a 64-bit integer
-   integer, parameter :: most_digits = 18
+   integer, parameter :: max_digits = 18
    !> Exponents are not counted further than this
    integer, parameter :: largest_exponent = 100000
 
@@ -63,7 +63,7 @@ contains
       value = 0
       call split_number(text, mantissa, exponent, n_digits, status)
       if (status /= number_ok .or. n_digits == 0) return
-      if (n_digits <= most_digits .and. mantissa <= largest_exact .and. abs(exponent) <= 22) then
+      if (n_digits <= max_digits .and. mantissa <= largest_exact .and. abs(exponent) <= 22) then
          if (exponent >= 0) then
             value = real(mantissa, dp)*exact_power(exponent)
          else
@@ -83,7 +83,7 @@ contains
       integer(int64), intent(out) :: mantissa
       !> Power of ten that belongs to the complete digits
       integer, intent(out) :: exponent
-      !> Digits from the first that is not zero on; 0: the number is zero; more than `most_digits`: `mantissa` is not
+      !> Digits from the first that is not zero on; 0: the number is zero; more than `max_digits`: `mantissa` is not
       !> complete
       integer, intent(out) :: n_digits
       !> `number_ok`, or why the text is no number: one of `number_...`
@@ -103,7 +103,7 @@ contains
             n_all = n_all + 1
             if (point) after_point = after_point + 1
             if (n_digits > 0 .or. text(i:i) /= '0') n_digits = n_digits + 1
-            if (n_digits <= most_digits) mantissa = 10*mantissa + (iachar(text(i:i)) - iachar('0'))
+            if (n_digits <= max_digits) mantissa = 10*mantissa + (iachar(text(i:i)) - iachar('0'))
          else if (text(i:i) == '.' .and. .not. point) then
             point = .true.
          else

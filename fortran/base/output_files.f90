@@ -31,7 +31,9 @@ module litz_output_files
       integer(c_int) function c_mkdir(path, mode) bind(c, name='mkdir')
          import :: c_char, c_int
          implicit none
+         !> Ended by a null character
          character(kind=c_char), intent(in) :: path(*)
+         !> Permissions, from which the system takes those of its mask
          integer(c_int), value :: mode
       end function c_mkdir
 
@@ -39,20 +41,26 @@ module litz_output_files
       type(c_ptr) function c_realpath(path, resolved) bind(c, name='realpath')
          import :: c_char, c_ptr
          implicit none
+         !> Ended by a null character
          character(kind=c_char), intent(in) :: path(*)
+         !> Path without symbolic links and dots (4097), ended by a null character
          character(kind=c_char), intent(out) :: resolved(*)
       end function c_realpath
 
       type(c_ptr) function c_fopen(path, mode) bind(c, name='fopen')
          import :: c_char, c_ptr
          implicit none
-         character(kind=c_char), intent(in) :: path(*), mode(*)
+         !> Ended by a null character
+         character(kind=c_char), intent(in) :: path(*)
+         !> `w`, ended by a null character
+         character(kind=c_char), intent(in) :: mode(*)
       end function c_fopen
 
       !> Negative when it fails
       integer(c_int) function c_fputs(text, file) bind(c, name='fputs')
          import :: c_char, c_int, c_ptr
          implicit none
+         !> Ended by a null character
          character(kind=c_char), intent(in) :: text(*)
          type(c_ptr), value :: file
       end function c_fputs
@@ -75,6 +83,7 @@ module litz_output_files
       integer(c_int) function c_rename(old, new) bind(c, name='rename')
          import :: c_char, c_int
          implicit none
+         !> Both ended by a null character
          character(kind=c_char), intent(in) :: old(*), new(*)
       end function c_rename
    end interface
@@ -83,6 +92,7 @@ contains
 
    !> Makes a directory and its parents where they do not exist yet.
    subroutine make_directory(path, error)
+      !> The directory; blanks at its end do not count
       character(len=*), intent(in) :: path
       type(error_t), allocatable, intent(inout) :: error
       integer, parameter :: mode = int(o'777')
@@ -105,6 +115,7 @@ contains
 
    !> Reports a file that could not be written, and leaves it as it is.
    subroutine check_writable(path, error)
+      !> The file as the user knows it
       character(len=*), intent(in) :: path
       type(error_t), allocatable, intent(inout) :: error
       logical :: was_there
@@ -130,6 +141,7 @@ contains
 
    !> Removes a file of an earlier run, if there is one.
    subroutine remove_file(path, error)
+      !> The file as the user knows it
       character(len=*), intent(in) :: path
       type(error_t), allocatable, intent(inout) :: error
       logical :: there
@@ -158,6 +170,7 @@ contains
 
    !> Two paths lead to one file, which exists.
    logical function same_file(a, b)
+      !> Two paths
       character(len=*), intent(in) :: a, b
       integer, parameter :: longest_path = 4096
       character(kind=c_char) :: real_a(longest_path + 1), real_b(longest_path + 1)
@@ -172,6 +185,7 @@ contains
    !> Begins the file anew; an older one stays until this one is published.
    subroutine text_file_create(self, path, error)
       class(text_file_t), intent(inout) :: self
+      !> Where the file will be once it is published
       character(len=*), intent(in) :: path
       type(error_t), allocatable, intent(inout) :: error
 
@@ -184,6 +198,7 @@ contains
 
    subroutine text_file_write_line(self, line, error)
       class(text_file_t), intent(in) :: self
+      !> The line without its end
       character(len=*), intent(in) :: line
       type(error_t), allocatable, intent(inout) :: error
 
@@ -233,7 +248,10 @@ contains
    end subroutine text_file_close
 
    pure function cannot_write(path, reason) result(error)
-      character(len=*), intent(in) :: path, reason
+      !> The file as the user knows it
+      character(len=*), intent(in) :: path
+      !> Why, as the system says it; blanks at its end do not count
+      character(len=*), intent(in) :: reason
       type(error_t) :: error
 
       error = fail(exit_files, 'cannot write "'//path//'": '//trim(reason))

@@ -1,4 +1,4 @@
-!> Whether a path leads to a file that can be read: pipes, directories and devices are refused in words.
+!> Whether a path leads to a file that can be read: pipes, directories and devices are refused with a reason.
 !>
 !> A pipe that nobody writes to would be waited for without end; and the results take their names, included files their
 !> place, from that of the deck.

@@ -21,7 +21,7 @@ module litz_run_warnings
 
    type :: run_warning_t
       character(len=kind_length) :: kind = ''
-      !> When it first came up, in words
+      !> When it first came up, as a message has it
       character(len=:), allocatable :: message
       !> The user's numbers; 0: about no element, or about one only
       integer :: elements(2) = 0
@@ -78,7 +78,7 @@ contains
       character(len=*), intent(in) :: kind
       !> A sentence without a full stop
       character(len=*), intent(in) :: message
-      !> The user's numbers of one or two elements that it is about
+      !> The user's numbers of the elements that it is about (1 or 2)
       integer, intent(in), optional :: elements(:)
       !> How bad it is
       real(dp), intent(in), optional :: value
@@ -190,21 +190,21 @@ contains
 
       text = self%message
       if (self%count == 1) return
-      text = text//' ('//plural(self%count, 'increment')//', '//place_words(self%first)//' to '// &
-         place_words(self%last)
+      text = text//' ('//plural(self%count, 'increment')//', '//describe_place(self%first)//' to '// &
+         describe_place(self%last)
       if (len(self%unit) > 0) text = text//', worst '//to_text(self%worst)//' '//self%unit
       text = text//')'
    end function warning_text
 
    !> Step and increment as `litz run --restart` takes them.
-   pure function place_words(place) result(words)
+   pure function describe_place(place) result(words)
       !> Step and increment; 0, 0: the start of the run
       integer, intent(in) :: place(2)
       character(len=:), allocatable :: words
 
       words = to_text(place(1))//':'//to_text(place(2))
       if (all(place == 0)) words = 'the start'
-   end function place_words
+   end function describe_place
 
    !> A line with what does not change over the run, between tabulators: kind, unit, message.
    pure function warning_record(self) result(line)

@@ -74,7 +74,7 @@ contains
       table = table//trim(line)//new_line('a')
    end function timing_table
 
-   !> Most memory the process has had so far [bytes]; 0 where the system does not tell.
+   !> Most memory the process has had so far [bytes]; 0 where the system does not report it.
    integer(int64) function peak_memory() result(bytes)
       character(len=80) :: line
       integer(int64) :: kilobytes

@@ -144,7 +144,7 @@ contains
          do j = 1, size(seen)
             if (seen(j) > 0 .or. .not. keyword%parameters(j)%required) cycle
             call fail_at(self, self%deck%cards(card)%name, '*'//trim(keyword%name)//' needs the parameter '// &
-               parameter_words(keyword%parameters(j)))
+               describe_parameter(keyword%parameters(j)))
          end do
       end associate
    end subroutine check_parameters
@@ -198,7 +198,8 @@ contains
          else if (.not. given%has_value .and. spec%value_optional) then
             return
          else if (.not. given%has_value .or. given%value%last < given%value%first) then
-            call fail_at(self, given%name, 'the parameter '//trim(spec%name)//' needs a value: '//parameter_words(spec))
+            call fail_at(self, given%name, 'the parameter '//trim(spec%name)//' needs a value: '// &
+               describe_parameter(spec))
          else
             call check_value(self, given%value, spec%kind, spec%limit, spec%choices, 'the parameter '// &
                trim(spec%name), &
@@ -208,7 +209,7 @@ contains
    end subroutine check_parameter
 
    !> `NAME=...` as the user should write it.
-   pure function parameter_words(spec) result(words)
+   pure function describe_parameter(spec) result(words)
       type(parameter_spec_t), intent(in) :: spec
       character(len=:), allocatable :: words
 
@@ -218,7 +219,7 @@ contains
       else
          words = words//'... ('//trim(spec%help)//')'
       end if
-   end function parameter_words
+   end function describe_parameter
 
    !> Too few lines, or more than the keyword takes.
    subroutine check_data_lines(self, card)

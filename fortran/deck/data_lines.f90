@@ -14,7 +14,7 @@ module litz_data_lines
 
 contains
 
-   !> Read and check the values of a data line; whatever is wrong is reported.
+   !> Read and check the values of a data line; all errors are reported.
    subroutine read_line(self, card, line, ok)
       type(reader_t), intent(inout) :: self
       !> Index of the card
@@ -38,8 +38,8 @@ contains
          n_allowed = n_fields*form%repeats
          if (n > n_allowed .and. n_allowed > 0) then
             call fail_at(self, self%values%token(n_allowed + 1), 'too many values: *'//keyword_of(self, card)// &
-               ' takes '//to_text(n_allowed)// &
-               ' on this line: '//form_words(form)//behind_semicolon(advice_about(keyword_of(self, card), value='+')))
+               ' takes '//to_text(n_allowed)//' on this line: '//describe_form(form)// &
+               behind_semicolon(advice_about(keyword_of(self, card), value='+')))
             ok = .false.
             n = n_allowed
          end if
@@ -96,7 +96,7 @@ contains
       values%token(values%n + 1:n) = line_end
    end subroutine prepare_values
 
-   !> Take one value; an empty one is complained about when it is needed.
+   !> Take one value; an empty one is an error when it is required.
    subroutine read_value(self, field, i, ok)
       type(reader_t), intent(inout) :: self
       type(field_spec_t), intent(in) :: field
@@ -111,7 +111,7 @@ contains
          ok = .true.
          if (token%last < token%first) then
             if (field%required) then
-               call fail_at(self, token, 'value '//to_text(i)//', '//field_words(field)//', is missing')
+               call fail_at(self, token, 'value '//to_text(i)//', '//describe_field(field)//', is missing')
                ok = .false.
             end if
             return
@@ -119,14 +119,14 @@ contains
          call take_number(self%deck%sources(self%deck%lines(token%line)%source)%text(token%first:token%last), field, &
             whole, real_value, ok)
          if (.not. ok) call check_value(self, token, field%kind, field%limit, field%choices, 'value '//to_text(i)// &
-            ', '//field_words(field)//',', whole, real_value, ok)
+            ', '//describe_field(field)//',', whole, real_value, ok)
          self%values%whole(i) = whole
          self%values%real(i) = real_value
          self%values%given(i) = ok
       end associate
    end subroutine read_value
 
-   !> A number that is as it should be, by the shortest way: a deck may have millions of them.
+   !> A valid number, by the shortest way: a deck may have millions of them.
    pure subroutine take_number(text, field, whole, real_value, ok)
       !> The value, without blanks around it
       character(len=*), intent(in) :: text
@@ -135,7 +135,7 @@ contains
       integer, intent(out) :: whole
       !> The number, a whole one too; 0 where there is none
       real(dp), intent(out) :: real_value
-      !> .false.: not a number, or one with something wrong about it
+      !> .false.: not a number, or not an allowed one
       logical, intent(out) :: ok
       integer :: status
 
@@ -152,7 +152,7 @@ contains
       if (ok) ok = within_limit(real_value, field%limit)
    end subroutine take_number
 
-   !> Complain about required values behind the last one.
+   !> Report a required value that is missing behind the last one.
    subroutine check_missing(self, form, line, ok)
       type(reader_t), intent(inout) :: self
       type(data_spec_t), intent(in) :: form
@@ -165,9 +165,9 @@ contains
       do i = mod(self%values%n, size(form%fields)) + 1, size(form%fields)
          if (.not. form%fields(i)%required) cycle
          call fail_at(self, self%deck%end_of_line(line), 'value '//to_text(self%values%n + i - &
-            mod(self%values%n, size(form%fields)))//', '//field_words(form%fields(i))// &
+            mod(self%values%n, size(form%fields)))//', '//describe_field(form%fields(i))// &
             ', is missing; the line holds '// &
-            form_words(form)//comma_hint())
+            describe_form(form)//comma_hint())
          ok = .false.
          return
       end do
@@ -187,15 +187,15 @@ contains
 
    end subroutine check_missing
 
-   pure function field_words(field) result(words)
+   pure function describe_field(field) result(words)
       type(field_spec_t), intent(in) :: field
       character(len=:), allocatable :: words
 
       words = trim(field%name)
       if (len_trim(field%help) > 0 .and. index(field%help, ';') == 0) words = words//' ('//trim(field%help)//')'
-   end function field_words
+   end function describe_field
 
-   pure function form_words(form) result(words)
+   pure function describe_form(form) result(words)
       type(data_spec_t), intent(in) :: form
       character(len=:), allocatable :: words
       integer :: i
@@ -206,6 +206,6 @@ contains
          words = words//trim(form%fields(i)%name)
       end do
       if (form%repeats /= 1) words = words//', '//words//', ...'
-   end function form_words
+   end function describe_form
 
 end module litz_data_lines

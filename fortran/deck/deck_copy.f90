@@ -6,7 +6,7 @@ module litz_deck_copy
    private
    public :: deck_copy_t
 
-   !> A range of a source that goes into the copy of the deck, or words of our own.
+   !> A range of a source that goes into the copy of the deck, or lines that are in no file.
    type :: piece_t
       integer :: source = 0, first = 1, last = 0
       character(len=:), allocatable :: words

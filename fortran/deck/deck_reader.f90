@@ -71,7 +71,7 @@ contains
       call report_unused(self, self%interactions, 'surface interaction')
    end subroutine read_cards
 
-   !> Data lines behind something that was wrong, such as a name that does not exist: what is wrong about them is told
+   !> Data lines behind something that was wrong, such as a name that does not exist: their errors are reported
    !> in the same pass.
    subroutine check_unread_lines(self)
       type(reader_t), intent(inout) :: self

@@ -14,7 +14,7 @@ module litz_deck_scanner
    public :: scan_deck
 
    !> Most files in one chain of includes, and most in all
-   integer, parameter :: deepest_include = 100, most_includes = 10000
+   integer, parameter :: max_include_depth = 100, max_includes = 10000
    !> Positions in a text are default integers
    integer(int64), parameter :: largest_text = 2000000000_int64
    character(len=1), parameter :: newline = achar(10), return_character = achar(13), tab = achar(9)
@@ -428,9 +428,9 @@ contains
          depth = depth + 1
          ancestor = deck%sources(ancestor)%parent
       end do
-      if (depth > deepest_include) error = deck%error_at(name, 'included files are nested more than '// &
-         to_text(deepest_include)//' deep')
-      if (deck%n_sources >= most_includes) error = deck%error_at(name, 'more than '//to_text(most_includes)// &
+      if (depth > max_include_depth) error = deck%error_at(name, 'included files are nested more than '// &
+         to_text(max_include_depth)//' deep')
+      if (deck%n_sources >= max_includes) error = deck%error_at(name, 'more than '//to_text(max_includes)// &
          ' files are included')
       if (allocated(error)) call errors%add(error)
    end subroutine check_chain

@@ -1,13 +1,13 @@
 !> The keyword table for other programs, as JSON: a list of keywords in the order of the reference.
 !>
-!> A limit stands in numbers (`exclusive_minimum`, `minimum`, `exclusive_maximum`, `maximum`) and in words. `last` of
+!> A limit stands in numbers (`exclusive_minimum`, `minimum`, `exclusive_maximum`, `maximum`) and as text. `last` of
 !> data lines is null where any number of lines is allowed, `repeats` where the values of a line may repeat any number
 !> of times.
 module litz_keyword_json
    use litz_growing_text, only: growing_text_t
    use litz_keywords, only: keyword_table_t, keyword_t, parameter_spec_t, data_spec_t, field_spec_t, place_model, &
       place_step, place_both, kind_flag, kind_integer, kind_real, kind_choice, kind_name, kind_item, kind_file, &
-      limit_none, limit_positive, limit_not_negative, limit_poisson, limit_zero, limit_unused, limit_words
+      limit_none, limit_positive, limit_not_negative, limit_poisson, limit_zero, limit_unused, describe_limit
    use litz_text, only: to_text
    implicit none
    private
@@ -148,7 +148,7 @@ contains
       case default
          json = ''
       end select
-      if (limit /= limit_none) json = json//', "limit": '//quoted(limit_words(limit))
+      if (limit /= limit_none) json = json//', "limit": '//quoted(describe_limit(limit))
    end function limit_members
 
    !> Words that bars separate.

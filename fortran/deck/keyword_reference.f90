@@ -4,7 +4,7 @@ module litz_keyword_reference
    use litz_foreign_words, only: foreign_word_t, foreign_words
    use litz_keywords, only: keyword_table_t, keyword_t, parameter_spec_t, data_spec_t, field_spec_t, place_model, &
       place_step, place_both, kind_flag, kind_integer, kind_real, kind_choice, kind_name, kind_file, kind_text, &
-      limit_none, limit_unused, limit_words
+      limit_none, limit_unused, describe_limit
    implicit none
    private
    public :: keyword_list, keyword_page, keyword_markdown
@@ -46,7 +46,7 @@ contains
       character(len=:), allocatable :: text
       integer :: i, j
 
-      text = '*'//trim(keyword%name)//' - '//place_words(keyword)//nl//wrapped(trim(keyword%help), page_width, 0)
+      text = '*'//trim(keyword%name)//' - '//describe_place(keyword)//nl//wrapped(trim(keyword%help), page_width, 0)
       if (size(keyword%parameters) > 0) text = text//'Parameters:'//nl
       do i = 1, size(keyword%parameters)
          text = text//wrapped('  '//parameter_form(keyword%parameters(i))//': '// &
@@ -85,7 +85,7 @@ contains
       integer :: i
 
       text = '## Words of Abaqus and CalculiX that litz does not have'//nl//nl// &
-         'A deck with one of them is told so, with the same advice; `litz keywords DYNAMIC` asks for it.'//nl//nl// &
+         'The reader of a deck gives the same advice, and so does, for example, `litz keywords DYNAMIC`.'//nl//nl// &
          '| word | in litz |'//nl//'|---|---|'//nl
       do i = 1, size(words)
          text = text//'| '//foreign_form(words(i))//' | '//escaped(trim(words(i)%advice))//' |'//nl
@@ -132,7 +132,7 @@ contains
       character(len=:), allocatable :: text
       integer :: i, j
 
-      text = '## \*'//trim(keyword%name)//nl//nl//'*'//place_words(keyword)//'.* '//trim(keyword%help)//nl
+      text = '## \*'//trim(keyword%name)//nl//nl//'*'//describe_place(keyword)//'.* '//trim(keyword%help)//nl
       if (size(keyword%parameters) > 0) text = text//nl//'| parameter | meaning |'//nl//'|---|---|'//nl
       do i = 1, size(keyword%parameters)
          text = text//'| `'//escaped(parameter_form(keyword%parameters(i)))//'` | '// &
@@ -163,7 +163,7 @@ contains
       end do
    end function escaped
 
-   pure function place_words(keyword) result(words)
+   pure function describe_place(keyword) result(words)
       type(keyword_t), intent(in) :: keyword
       character(len=:), allocatable :: words
 
@@ -178,7 +178,7 @@ contains
          words = 'after the model part'
       end select
       if (len_trim(keyword%after) > 0) words = words//', after *'//trim(keyword%after)
-   end function place_words
+   end function describe_place
 
    pure function parameter_form(parameter) result(form)
       type(parameter_spec_t), intent(in) :: parameter
@@ -202,7 +202,7 @@ contains
       character(len=:), allocatable :: help
 
       help = trim(parameter%help)
-      if (parameter%limit /= limit_none) help = help//'; '//limit_words(parameter%limit)
+      if (parameter%limit /= limit_none) help = help//'; '//describe_limit(parameter%limit)
       if (parameter%required) help = help//'; required'
       if (len_trim(parameter%default) > 0) help = help//'; default '//trim(parameter%default)
    end function parameter_help
@@ -216,19 +216,19 @@ contains
       else
          title = 'Data line '//to_text(form%first)
       end if
-      if (len_trim(form%when) > 0) title = title//' ('//when_words()//')'
+      if (len_trim(form%when) > 0) title = title//' ('//describe_condition()//')'
       if (.not. form%required) title = title//', optional'
       if (len_trim(form%optional_with) > 0) title = title//', optional with '//trim(form%optional_with)
 
    contains
 
-      pure function when_words()
-         character(len=:), allocatable :: when_words
+      pure function describe_condition()
+         character(len=:), allocatable :: describe_condition
 
-         when_words = trim(form%when)
-         if (when_words == 'GENERATE=YES') when_words = 'with GENERATE'
-         if (when_words == 'GENERATE=NO') when_words = 'without GENERATE'
-      end function when_words
+         describe_condition = trim(form%when)
+         if (describe_condition == 'GENERATE=YES') describe_condition = 'with GENERATE'
+         if (describe_condition == 'GENERATE=NO') describe_condition = 'without GENERATE'
+      end function describe_condition
 
    end function line_title
 
@@ -253,7 +253,7 @@ contains
       help = trim(field%help)
       if (field%kind == kind_choice) help = help//'; '//join_words(words_of(field%choices), 'or')
       if (len_trim(field%unit) > 0) help = help//' ['//trim(field%unit)//']'
-      if (field%limit /= limit_none .and. field%limit /= limit_unused) help = help//'; '//limit_words(field%limit)
+      if (field%limit /= limit_none .and. field%limit /= limit_unused) help = help//'; '//describe_limit(field%limit)
       if (.not. field%required .and. index(help, 'left out') == 0 .and. index(help, 'empty') == 0) help = help// &
          '; optional'
    end function field_help

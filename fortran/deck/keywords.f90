@@ -11,7 +11,7 @@ module litz_keywords
    public :: keyword_t, parameter_spec_t, data_spec_t, field_spec_t, keyword_table_t
    public :: place_model, place_step, place_both, place_begins_step
    public :: kind_flag, kind_integer, kind_real, kind_choice, kind_name, kind_item, kind_file, kind_text
-   public :: limit_none, limit_positive, limit_not_negative, limit_poisson, limit_zero, limit_unused, limit_words
+   public :: limit_none, limit_positive, limit_not_negative, limit_poisson, limit_zero, limit_unused, describe_limit
    public :: unknown_keyword_message, within_limit, largest_number, smallest_positive
 
    !> Where a keyword may stand
@@ -237,7 +237,7 @@ contains
       end select
    end function within_limit
 
-   pure function limit_words(limit) result(words)
+   pure function describe_limit(limit) result(words)
       !> One of `limit_...`
       integer, intent(in) :: limit
       character(len=:), allocatable :: words
@@ -256,7 +256,7 @@ contains
       case default
          words = ''
       end select
-   end function limit_words
+   end function describe_limit
 
    ! Short constructors, so that the table reads like a table.
 

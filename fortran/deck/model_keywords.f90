@@ -21,7 +21,7 @@ contains
 
       call begin(k, 'UNITS', place_model, &
          'What the units of the numbers in the deck are called, in heads of tables, result files, pictures and'// &
-         ' messages (own word of litz). Labels only: nothing is converted, the units must be consistent (the unit'// &
+         ' messages (litz extension). Labels only: nothing is converted, the units must be consistent (the unit'// &
          ' of moments is that of force times that of length, that of resistance voltage over current).')
       call k%add(name('LENGTH', 'label of the unit of length, such as mm; m without it'))
       call k%add(name('FORCE', 'label of the unit of force; N without it'))
@@ -56,7 +56,7 @@ contains
       call finish(table, k)
 
       call begin(k, 'MESH', place_model, 'Nodes, elements and sets from an HDF5 file, as if they stood here in'// &
-         ' *NODE, *ELEMENT, *NSET and *ELSET (own word of litz); read twice as fast as text.'// &
+         ' *NODE, *ELEMENT, *NSET and *ELSET (litz extension); read twice as fast as text.'// &
          ' Datasets: /nodes/id (n), /nodes/position (n, 3); /elements/TYPE/id (m) and /elements/TYPE/nodes'// &
          ' (m, 2) with the numbers of the nodes, for TYPE B31 and B33; /node_sets/NAME and /element_sets/NAME with'// &
          ' the numbers of the members. A path that does not begin with / is relative to the directory of the deck.')
@@ -122,7 +122,7 @@ contains
          'radius of the round surface that touches others [m]; CIRC: the radius when'// &
          ' left out; GENERAL: needed for elements in a contact pair', limit_positive))
       call k%add(choice('CONDUCTION', 'REFERENCE LENGTH|CURRENT LENGTH', &
-         'length that the resistance of an element is taken over (own word of litz)', default='REFERENCE LENGTH'))
+         'length that the resistance of an element is taken over (litz extension)', default='REFERENCE LENGTH'))
       call k%add_data([real_field('radius', 'm', 'radius of the wire', limit_positive)], when='SECTION=CIRC')
       call k%add_data([real_field('A', 'm^2', 'area', limit_positive), &
          real_field('I11', 'm^4', 'second moment for bending about the first axis n1', limit_positive), &
@@ -156,7 +156,7 @@ contains
       call begin(k, 'SURFACE INTERACTION', place_model, 'Begins the laws of a contact; *SURFACE BEHAVIOR and *GAP'// &
          ' ELECTRICAL CONDUCTANCE follow it.')
       call k%add(name('NAME', 'name of the interaction', required=.true.))
-      call k%add(choice('AXIS', 'HERMITE|LINEAR', 'interpolation of the wire axes that touch (own word of litz);'// &
+      call k%add(choice('AXIS', 'HERMITE|LINEAR', 'interpolation of the wire axes that touch (litz extension);'// &
          ' LINEAR has kinks at the nodes of a bent wire, where a contact may be missed or counted twice', &
          default='HERMITE'))
       call finish(table, k)
@@ -167,7 +167,7 @@ contains
       call k%add(choice('PRESSURE-OVERCLOSURE', 'LINEAR|HERTZ', 'the law', required=.true.))
       call k%add(choice('PENETRATION', 'LIMITED|UNLIMITED', &
          'UNLIMITED: soft penalties are meant, deep penetration is no'// &
-         ' error (own word of litz)', default='LIMITED'))
+         ' error (litz extension)', default='LIMITED'))
       call k%add_data([real_field('penalty', 'N/m', 'contact force per penetration', limit_positive)], &
          when='PRESSURE-OVERCLOSURE=LINEAR')
       call finish(table, k)
@@ -180,20 +180,20 @@ contains
          after='SURFACE INTERACTION')
       call k%add(number('ELASTIC SLIP', 'slip at which friction reaches its limit [m], whatever the force', &
          limit_positive))
-      call k%add(number('STICK STIFFNESS', 'tangential stiffness of a contact [N/m] (own word of litz)', &
+      call k%add(number('STICK STIFFNESS', 'tangential stiffness of a contact [N/m] (litz extension)', &
          limit_positive))
       call k%add_data([real_field('mu', '-', 'coefficient of friction', limit_not_negative)])
       call finish(table, k)
 
       call begin(k, 'GAP ELECTRICAL CONDUCTANCE', place_model, 'Resistance of the contact spot.'// &
          spot_law_meanings()//' Without this keyword no current crosses.', after='SURFACE INTERACTION')
-      call k%add(choice('LAW', spot_law_names(), 'the law of the spot (own word of litz)', required=.true.))
+      call k%add(choice('LAW', spot_law_names(), 'the law of the spot (litz extension)', required=.true.))
       call k%add(choice('VOLTAGE', 'CORRECTED|LINEAR', &
          'CORRECTED adds the resistance that the linear voltage within an'// &
          ' element misses', default='CORRECTED'))
       call k%add(choice('SPOT', 'PRESENT FORCE|LARGEST FORCE', &
          'LARGEST FORCE: a spot that has been pressed stays, with the resistance of the largest force since the'// &
-         ' contact closed or last slipped (own word of litz)', default='PRESENT FORCE'))
+         ' contact closed or last slipped (litz extension)', default='PRESENT FORCE'))
       call add_spot_law_data(k)
       call finish(table, k)
 

@@ -290,13 +290,14 @@ contains
          value%node = nodes(i)
          ok = list%has_element(nodes(i)) .or. self%broken_nodes .or. self%broken_elements
          if (.not. ok) then
-            call fail_at(self, self%values%token(1), node_words(self, model, nodes(i), nodes)//' belongs to no element')
+            call fail_at(self, self%values%token(1), describe_node(self, model, nodes(i), nodes)// &
+               ' belongs to no element')
             return
          end if
          ok = first /= dof_potential .or. list%has_potential(nodes(i)) .or. self%broken_nodes .or. &
             self%broken_elements
          if (.not. ok) then
-            call fail_at(self, self%values%token(1), node_words(self, model, nodes(i), nodes)// &
+            call fail_at(self, self%values%token(1), describe_node(self, model, nodes(i), nodes)// &
                ' has no electric potential: '// &
                'no material of its elements has *ELECTRICAL CONDUCTIVITY')
             return
@@ -310,7 +311,7 @@ contains
    end subroutine set_values
 
    !> `node 7`, or `node 7 of WIRE`
-   pure function node_words(self, model, node, nodes) result(words)
+   pure function describe_node(self, model, node, nodes) result(words)
       type(reader_t), intent(in) :: self
       type(model_t), intent(in) :: model
       !> Index of the node
@@ -321,7 +322,7 @@ contains
 
       words = 'node '//to_text(model%node_id(node))
       if (size(nodes) > 1) words = words//' of '//name_of(self, self%values%token(1))
-   end function node_words
+   end function describe_node
 
    !> One value: new, in place of that of an earlier step, or together with others of this step.
    subroutine set_value(self, model, list, value, ok)

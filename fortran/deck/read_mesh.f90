@@ -146,7 +146,7 @@ contains
             if (ok) ok = all(abs(position) <= largest_number)
             if (id < 1) then
                self%broken_nodes = .true.
-               call fail_at(self, token, 'the mesh file has a node of the number '//to_text(id)// &
+               call fail_at(self, token, 'the mesh file has a node with the number '//to_text(id)// &
                   '; numbers must be greater than 0')
                cycle
             end if
@@ -223,7 +223,7 @@ contains
          associate (id => mesh%element_id(i))
             if (id < 1) then
                self%broken_elements = .true.
-               call fail_at(self, token, 'the mesh file has an element of the number '//to_text(id)// &
+               call fail_at(self, token, 'the mesh file has an element with the number '//to_text(id)// &
                   '; numbers must be greater than 0')
                cycle
             end if

@@ -55,7 +55,7 @@ contains
          case ('CECURRENT')
             call read_nodal_values(self, model, card, current)
          case ('')
-            ! one that has been told of already, such as *DYNAMIC
+            ! one that has been reported already, such as *DYNAMIC
             has_procedure = has_procedure .or. &
                index(advice_about(self%deck%text(self%deck%cards(card)%name)), 'use *STATIC') > 0
          case ('STATIC')
@@ -127,7 +127,7 @@ contains
       token = parameter_of(self, card, 'NAME')
       if (token%last >= token%first) then
          call title%append(' '//self%deck%text(token))
-         if (names%get(name_of(self, token)) > 0) call fail_at(self, token, 'there are two steps of the name '// &
+         if (names%get(name_of(self, token)) > 0) call fail_at(self, token, 'there are two steps with the name '// &
             self%deck%shown(token))
          call names%put(name_of(self, token), index)
       end if

@@ -15,7 +15,7 @@ module litz_reader
       integer_parameter, keyword_of, n_cards_of
 
    !> After this many errors no more hints are searched for
-   integer, parameter :: most_hints = 100
+   integer, parameter :: max_hints = 100
 
    !> The values of one data line. Entries beyond `n`, and those that are not `given`, are 0.
    type :: values_t
@@ -62,13 +62,13 @@ module litz_reader
       integer, allocatable :: node_line(:), element_line(:)
       !> The position of the node could be read
       logical, allocatable :: node_ok(:)
-      !> A mesh file could not be read: nothing more can be said about the deck
+      !> A mesh file could not be read: all else that is wrong may be a follow-up error
       logical :: missed_mesh = .false.
-      !> Some line of a node or element could not be read, so that what is missing in the mesh is no news
+      !> Some line of a node or element could not be read: what is missing in the mesh is a follow-up error
       logical :: broken_nodes = .false., broken_elements = .false.
       type(set_builder_t) :: node_sets, element_sets
       type(definitions_t) :: materials, amplitudes, interactions
-      !> Some *BEAM SECTION names no set that exists, so that elements without section are no news
+      !> Some *BEAM SECTION names no set that exists: elements without section are follow-up errors
       logical :: missed_section = .false.
       !> Values of the data line read last
       type(values_t) :: values
@@ -259,7 +259,7 @@ contains
       character(len=:), allocatable :: hint
 
       hint = ''
-      if (self%errors%count < most_hints) hint = names%hint(name_of(self, token))
+      if (self%errors%count < max_hints) hint = names%hint(name_of(self, token))
    end function names_hint
 
 end module litz_reader

@@ -13,7 +13,7 @@ module litz_sets
    public :: open_set, open_named_set, continue_set, add_member, add_once, read_sets, find_set, find_item
 
    !> Most members that all sets of one kind may have: they are counted in default integers, and room for them doubles
-   integer, parameter :: most_members = 2**30
+   integer, parameter :: max_members = 2**30
 
 contains
 
@@ -78,7 +78,7 @@ contains
 
       if (set == 0 .or. builder%is_full) return
       if (builder%n == size(builder%member)) then
-         builder%is_full = builder%n >= most_members
+         builder%is_full = builder%n >= max_members
          if (builder%is_full) return
          allocate (members(2*builder%n), next(2*builder%n), stat=status)
          builder%is_full = status /= 0

@@ -1,4 +1,4 @@
-!> Files as the reader of decks sees them: whole texts, and paths that tell whether two files are the same.
+!> Files as the reader of decks sees them: whole texts, and paths that show whether two files are the same.
 module litz_source_files
    use, intrinsic :: iso_c_binding, only: c_char, c_ptr, c_null_char, c_null_ptr, c_associated, c_size_t, c_f_pointer
    use litz_kinds, only: int64
@@ -80,7 +80,7 @@ contains
       if (iostat /= 0) error = fail(exit_files, 'file '//shown(path)//' cannot be read: '//trim(reason))
    end subroutine read_file
 
-   !> The path without symbolic links and dots, or as it is where the system cannot tell.
+   !> The path without symbolic links and dots, or as it is where the system does not know.
    function real_path(path) result(resolved)
       !> Any path, of a file that exists
       character(len=*), intent(in) :: path

@@ -132,7 +132,7 @@ contains
 
       call begin(k, 'ELECTRODE PRINT', place_step, &
          'Asks for voltage, current and resistance between two sets of nodes in the'// &
-         ' history file (own word of litz).')
+         ' history file (litz extension).')
       call k%add_data([name_field('NSET_A', 'positive electrode'), name_field('NSET_B', 'negative electrode')], last=0)
       call finish(table, k)
 
@@ -162,8 +162,8 @@ contains
 
       call begin(k, 'CONTROLS', place_step, 'Convergence and increments, with CalculiX''s names and places. FIELD:'// &
          ' convergence. TIME INCREMENTATION: counts of iterations, then factors. ROTATION: cap on an iteration'// &
-         ' (own word of litz). STABILIZE: damping of all free motion, for wires that nothing holds yet and for'// &
-         ' snaps (own word of litz); its energy is ALLSD, and stands in the .sta file. Places left empty keep what'// &
+         ' (litz extension). STABILIZE: damping of all free motion, for wires that nothing holds yet and for'// &
+         ' snaps (litz extension); its energy is ALLSD, and stands in the .sta file. Places left empty keep what'// &
          ' they have.')
       call k%add(choice('PARAMETERS', 'FIELD|TIME INCREMENTATION|ROTATION|STABILIZE', 'what the data are', &
          required=.true.))
@@ -190,14 +190,14 @@ contains
       call finish(table, k)
 
       call begin(k, 'SOLVER', place_step, &
-         'Linear solver of this step and the later ones (own word of litz). MONOLITHIC:'// &
+         'Linear solver of this step and the later ones (litz extension). MONOLITHIC:'// &
          ' voltages come from the same linear step as displacements. UPDATED: from the new displacements.')
       call k%add(choice('NAME', 'BLOCK|UMFPACK|SKYLINE', 'the solver', required=.true.))
       call k%add(choice('COUPLING', 'MONOLITHIC|UPDATED', 'when voltages are solved'))
       call finish(table, k)
       call begin(k, 'SOLUTION TECHNIQUE', place_step, &
          'How often this step and the later ones factor the tangent, as in Abaqus. NEWTON, the default: in every'// &
-         ' iteration. MODIFIED NEWTON (value of litz): a factor is kept, also from one increment to the next, as'// &
+         ' iteration. MODIFIED NEWTON (litz extension): a factor is kept, also from one increment to the next, as'// &
          ' long as each iteration leaves at most a hundredth of the residual and no contact opens or closes;'// &
          ' convergence is then linear, to the same solution.')
       call k%add(choice('TYPE', 'NEWTON|MODIFIED NEWTON', 'when the tangent is factored', required=.true.))

@@ -4,8 +4,8 @@ module litz_value_checks
    use litz_text, only: squeezed, to_text, words_of, join_words, nearest_word, word_length
    use litz_numbers, only: parse_integer, parse_real, number_ok, number_not_one, number_not_finite, number_too_large
    use litz_foreign_words, only: advice_about
-   use litz_keywords, only: kind_integer, kind_real, kind_choice, kind_name, kind_item, limit_positive, limit_words, &
-      within_limit, largest_number
+   use litz_keywords, only: kind_integer, kind_real, kind_choice, kind_name, kind_item, limit_positive, &
+      describe_limit, within_limit, largest_number
    use litz_model, only: name_length
    use litz_deck, only: token_t
    use litz_reader, only: reader_t, fail_at
@@ -76,7 +76,7 @@ contains
                call fail_at(self, token, what//' is too small; it must be at least 1e-60; found '// &
                   self%deck%shown(token))
             else
-               call fail_at(self, token, what//' is '//self%deck%shown(token)//'; it must be '//limit_words(limit))
+               call fail_at(self, token, what//' is '//self%deck%shown(token)//'; it must be '//describe_limit(limit))
             end if
          case (number_not_one)
             call fail_at(self, token, what//' must be '//noun//'; found '//self%deck%shown(token)// &
@@ -86,7 +86,7 @@ contains
          case (number_too_large)
             call fail_at(self, token, what//' is too large for this program; found '//self%deck%shown(token))
          case default
-            call fail_at(self, token, what//' is too small to be told from 0; found '//self%deck%shown(token))
+            call fail_at(self, token, what//' is too small to be distinguished from 0; found '//self%deck%shown(token))
          end select
       end subroutine check_number
 

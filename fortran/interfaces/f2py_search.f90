@@ -11,12 +11,12 @@ module f2py_search
 
 contains
 
-   ! Find the pairs, and how many there are; -1: more than `most_pairs`.
-   subroutine find_near_segments(n, a, b, reach, most_pairs, n_pairs)
+   ! Find the pairs, and how many there are; -1: more than `max_pairs`.
+   subroutine find_near_segments(n, a, b, reach, max_pairs, n_pairs)
       !> Number of segments
       integer(c_int), intent(in) :: n
       !> Search ends where there are more pairs
-      integer(c_int), intent(in) :: most_pairs
+      integer(c_int), intent(in) :: max_pairs
       !> Ends of the segments (3, n) [m]
       real(c_double), intent(in) :: a(3, n), b(3, n)
       !> Radius around each segment (n) [m]
@@ -25,7 +25,7 @@ contains
       integer(c_int), intent(out) :: n_pairs
       logical :: too_many
 
-      call core_near_segments(a, b, reach, most_pairs, found, too_many)
+      call core_near_segments(a, b, reach, max_pairs, found, too_many)
       n_pairs = size(found, 2)
       if (too_many) n_pairs = -1
    end subroutine find_near_segments

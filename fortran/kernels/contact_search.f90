@@ -20,13 +20,13 @@ module litz_contact_search
    real(dp), parameter :: longest_in_reaches = 16.0_dp, longest_in_means = 0.25_dp
 
    !> Boxes smaller than the largest by more than this power of two share the last grid
-   integer, parameter :: most_grids = 24
+   integer, parameter :: max_grids = 24
 
    !> Cells are shorter along x than wide by this factor, which a row does not cost more for
    integer, parameter :: cells_per_width = 4
 
    !> Most pairs of boxes, so that the next power of two still is a default integer
-   integer, parameter :: most_found = 2**30 - 2**26
+   integer, parameter :: max_found = 2**30 - 2**26
 
    !> Boxes of like size, sorted by cell.
    type :: grid_t
@@ -49,16 +49,16 @@ module litz_contact_search
 contains
 
    !> Pairs `(i, j)`, `i < j`, of segments whose distance is at most the sum of their reaches, sorted by i, then j.
-   subroutine near_segments(a, b, reach, most_pairs, pairs, too_many)
+   subroutine near_segments(a, b, reach, max_pairs, pairs, too_many)
       !> End points (3, n) [m]
       real(dp), intent(in) :: a(:, :), b(:, :)
       !> Half the distance at which two such segments are near (n) [m]: radius and half a skin
       real(dp), intent(in) :: reach(:)
       !> Up to how many pairs are wanted
-      integer, intent(in) :: most_pairs
+      integer, intent(in) :: max_pairs
       !> (2, number of pairs)
       integer, allocatable, intent(out) :: pairs(:, :)
-      !> There are more, or more than can be counted; `pairs` is of no use
+      !> There are more, or more than can be counted; `pairs` is incomplete
       logical, intent(out) :: too_many
       type(grid_t), allocatable :: grids(:)
       type(pair_list_t), allocatable :: lists(:)
@@ -78,7 +78,7 @@ contains
       do g = 1, size(grids)
          !$omp do schedule(dynamic, 256)
          do box = 1, size(grids(g)%segment)
-            if (lists(thread)%n > most_found) cycle
+            if (lists(thread)%n > max_found) cycle
             call visit_own_grid(grids(g), box, lists(thread))
             do coarser = 1, g - 1
                call visit_coarser_grid(grids(g), box, grids(coarser), lists(thread))
@@ -87,10 +87,10 @@ contains
          !$omp end do nowait
       end do
       !$omp end parallel
-      too_many = sum(int(lists%n, int64)) > most_found
+      too_many = sum(int(lists%n, int64)) > max_found
       if (too_many) return
       call sort_pairs(size(reach), lists, pairs)
-      too_many = size(pairs, 2) > most_pairs
+      too_many = size(pairs, 2) > max_pairs
    end subroutine near_segments
 
    !> Pieces of all segments, sorted into grids of decreasing box size.
@@ -103,7 +103,7 @@ contains
       real(dp), allocatable :: length(:), extent(:)
       integer, allocatable :: pieces(:), level(:), members(:)
       real(dp) :: origin(3), corner(3), slack, longest, largest
-      integer :: i, g, n, first(most_grids + 1), free(most_grids)
+      integer :: i, g, n, first(max_grids + 1), free(max_grids)
 
       n = size(reach)
       allocate (length(n), extent(n), pieces(n), level(n), members(n))
@@ -129,18 +129,18 @@ contains
       !$omp end parallel do
       !$omp parallel do schedule(static) if (n >= worth_threads)
       do i = 1, n
-         level(i) = min(most_grids, exponent(largest/extent(i)))
+         level(i) = min(max_grids, exponent(largest/extent(i)))
       end do
       !$omp end parallel do
       call count_by(level, first)
-      free = first(:most_grids)
+      free = first(:max_grids)
       do i = 1, n
          members(free(level(i))) = i
          free(level(i)) = free(level(i)) + 1
       end do
-      allocate (grids(count(first(2:) > first(:most_grids))))
+      allocate (grids(count(first(2:) > first(:max_grids))))
       n = 0
-      do g = 1, most_grids
+      do g = 1, max_grids
          if (first(g + 1) == first(g)) cycle
          n = n + 1
          associate (member => members(first(g):first(g + 1) - 1))
@@ -176,9 +176,9 @@ contains
       integer, intent(in) :: n_boxes
       type(grid_t), intent(out) :: grid
       !> Most cells along one direction: their number stays within 64 bits
-      integer(int64), parameter :: most_cells = 2_int64**19
+      integer(int64), parameter :: max_cells = 2_int64**19
 
-      grid%width = max(largest, maxval(extent)/most_cells)
+      grid%width = max(largest, maxval(extent)/max_cells)
       grid%edge = grid%width*[1.0_dp/cells_per_width, 1.0_dp, 1.0_dp]
       ! odd numbers of cells spread the layers over the table
       grid%cells = 2*(int(extent/grid%edge, int64)/2) + 5

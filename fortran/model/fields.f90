@@ -55,6 +55,7 @@ contains
 
    !> Slot of a degree of freedom in Abaqus's numbers; 0: there is none.
    pure integer function slot_of_dof(dof) result(slot)
+      !> Such as 1-6, 9
       integer, intent(in) :: dof
       integer :: field
 

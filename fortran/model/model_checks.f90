@@ -4,8 +4,8 @@ module litz_model_checks
    use litz_kinds, only: dp
    use litz_laws, only: spot_none
    use litz_model, only: model_t, step_t, dof_potential
-   use litz_parts, only: parts_t, find_parts, part_words, join, find_root
-   use litz_rigid_modes, only: add_support, free_modes, modes_in_words
+   use litz_parts, only: parts_t, find_parts, describe_part, join, find_root
+   use litz_rigid_modes, only: add_support, free_modes, describe_modes
    use litz_text, only: to_text
    implicit none
    private
@@ -68,27 +68,27 @@ contains
    end subroutine add
 
    !> ` in step 2`, or nothing for the first
-   pure function step_words(step) result(words)
+   pure function describe_step(step) result(words)
       !> Number of the step
       integer, intent(in) :: step
       character(len=:), allocatable :: words
 
       words = ''
       if (step > 1) words = ' in step '//to_text(step)
-   end function step_words
+   end function describe_step
 
    !> How many others a warning stands for: a mat may have thousands of wires that only contacts hold.
-   pure function others_words(n_others) result(words)
+   pure function describe_others(n_others) result(words)
       !> How many there are besides the one that is named
       integer, intent(in) :: n_others
       character(len=:), allocatable :: words
 
       words = ''
       if (n_others > 0) words = '; likewise '//to_text(n_others)//' more'
-   end function others_words
+   end function describe_others
 
-   !> What the equations are made of, and the squares in their norms, must be numbers that the program can hold. Told
-   !> from exponents, because the numbers themselves might overflow.
+   !> What the equations are made of, and the squares in their norms, must be numbers that the program can hold. Judged
+   !> by exponents, because the numbers themselves might overflow.
    subroutine check_stiffnesses(model, findings, n)
       type(model_t), intent(in) :: model
       type(finding_t), allocatable, intent(inout) :: findings(:)
@@ -117,7 +117,7 @@ contains
       if (first > 0) call add(findings, n, 'the length, the stiffnesses or the conductance of element '// &
          to_text(model%element_id(first))// &
          ' are too large or too small for this program; check the units of its nodes, section and material'// &
-         others_words(n_wrong - 1), first, '')
+         describe_others(n_wrong - 1), first, '')
    end subroutine check_stiffnesses
 
    !> Every connected part needs supports against its six rigid motions. Where contacts may hold it, this is a warning.
@@ -128,50 +128,52 @@ contains
       integer, intent(inout) :: n
       type(parts_t) :: parts
       real(dp), allocatable :: centre(:, :), length(:), supports(:, :, :)
-      logical, allocatable :: included(:), told(:), in_contact(:)
+      logical, allocatable :: included(:), reported(:), in_contact(:)
       real(dp) :: modes(6, 6)
       integer :: step, part, n_free, n_alike, first_alike
-      character(len=:), allocatable :: first_words
+      character(len=:), allocatable :: first_message
 
       allocate (included(model%n_elements), source=.true.)
       call find_parts(model, included, parts)
       call measure_parts(model, parts, centre, length)
       allocate (in_contact, source=parts_in_contact(model, parts))
-      allocate (told(parts%n), source=.false.)
+      allocate (reported(parts%n), source=.false.)
       do step = 1, size(model%steps)
          supports = support_matrices(model, model%steps(step), parts, centre, length)
          n_alike = 0
          do part = 1, parts%n
-            if (told(part)) cycle
+            if (reported(part)) cycle
             call free_modes(supports(:, :, part), n_free, modes)
             if (n_free == 0) cycle
-            told(part) = .true.
+            reported(part) = .true.
             if (in_contact(part)) then
                n_alike = n_alike + 1
                if (n_alike > 1) cycle
                first_alike = part
-               first_words = beam_words()//'; only contacts can hold it, or *CONTROLS, PARAMETERS=STABILIZE damp it'
+               first_message = describe_free_part()// &
+                  '; only contacts can hold it, or *CONTROLS, PARAMETERS=STABILIZE damp it'
             else
-               call add(findings, n, beam_words()//'; *BOUNDARY must prevent that', parts%first_element(part), '')
+               call add(findings, n, describe_free_part()//'; *BOUNDARY must prevent that', &
+                  parts%first_element(part), '')
             end if
          end do
-         if (n_alike > 0) call add(findings, n, first_words//others_words(n_alike - 1), &
+         if (n_alike > 0) call add(findings, n, first_message//describe_others(n_alike - 1), &
             parts%first_element(first_alike), 'held_by_contact')
       end do
 
    contains
 
-      function beam_words() result(words)
+      function describe_free_part() result(words)
          character(len=:), allocatable :: words
 
          if (n_free == 6) then
-            words = 'nothing holds '//part_words(model, parts, part)//step_words(step)// &
+            words = 'nothing holds '//describe_part(model, parts, part)//describe_step(step)// &
                ': no displacement or rotation of its nodes is prescribed'
          else
-            words = part_words(model, parts, part)//' can still move'//step_words(step)//': '// &
-               modes_in_words(n_free, modes, centre(:, part), length(part))
+            words = describe_part(model, parts, part)//' can still move'//describe_step(step)//': '// &
+               describe_modes(n_free, modes, centre(:, part), length(part))
          end if
-      end function beam_words
+      end function describe_free_part
 
    end subroutine check_beams
 
@@ -256,7 +258,7 @@ contains
       !> Number of findings so far
       integer, intent(inout) :: n
       type(parts_t) :: parts
-      logical, allocatable :: included(:), told(:), held(:), group_held(:)
+      logical, allocatable :: included(:), reported(:), held(:), group_held(:)
       integer, allocatable :: group(:)
       integer :: e, step, part, i, n_alike, first_alike
 
@@ -266,7 +268,7 @@ contains
       end do
       call find_parts(model, included, parts)
       allocate (group, source=groups_by_contact(model, parts))
-      allocate (told(parts%n), source=.false.)
+      allocate (reported(parts%n), source=.false.)
       do step = 1, size(model%steps)
          allocate (held(parts%n), group_held(parts%n), source=.false.)
          associate (boundary => model%steps(step)%boundary)
@@ -280,20 +282,20 @@ contains
          end do
          n_alike = 0
          do part = 1, parts%n
-            if (held(part) .or. told(part)) cycle
-            told(part) = .true.
+            if (held(part) .or. reported(part)) cycle
+            reported(part) = .true.
             if (group_held(group(part))) then
                n_alike = n_alike + 1
                if (n_alike == 1) first_alike = part
             else
-               call add(findings, n, 'the conductor '//part_words(model, parts, part)// &
-                  ' has no path to a prescribed potential'//step_words(step)// &
+               call add(findings, n, 'the conductor '//describe_part(model, parts, part)// &
+                  ' has no path to a prescribed potential'//describe_step(step)// &
                   ': prescribe degree of freedom 9 at one of its nodes', parts%first_element(part), '')
             end if
          end do
-         if (n_alike > 0) call add(findings, n, 'the conductor '//part_words(model, parts, first_alike)// &
-            ' has no prescribed potential'//step_words(step)//'; only contacts can connect it to one'// &
-            others_words(n_alike - 1), parts%first_element(first_alike), 'potential_by_contact')
+         if (n_alike > 0) call add(findings, n, 'the conductor '//describe_part(model, parts, first_alike)// &
+            ' has no prescribed potential'//describe_step(step)//'; only contacts can connect it to one'// &
+            describe_others(n_alike - 1), parts%first_element(first_alike), 'potential_by_contact')
          deallocate (held, group_held)
       end do
    end subroutine check_conductors

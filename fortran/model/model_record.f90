@@ -278,7 +278,7 @@ contains
       real(dp), intent(in) :: value
       character(len=32) :: buffer
 
-      ! 18 digits tell any two numbers apart; plus zero: there is one zero only
+      ! 18 digits distinguish any two numbers; plus zero: there is one zero only
       write (buffer, '(es25.17e3)') value + 0.0_dp
       call self%add(what, kind_real, trim(adjustl(buffer)))
    end subroutine add_real
@@ -361,7 +361,7 @@ contains
       total = checksum(codes)
    end function checksum_of_text
 
-   !> In what two records differ, in words; empty: in nothing that counts.
+   !> What two records differ in, as text for a message; empty: nothing that matters.
    function record_differences(before, now, last_step) result(words)
       !> Records of the run that is continued, and of the deck
       character(len=*), intent(in) :: before, now
@@ -370,42 +370,42 @@ contains
       character(len=:), allocatable :: words
       type(line_t), allocatable :: old(:), new(:)
       type(name_map_t) :: old_places, new_places
-      character(len=:), allocatable :: told
+      character(len=:), allocatable :: missing
       integer :: i, place, n
 
       call take_apart(before, last_step, old, old_places)
       call take_apart(now, last_step, new, new_places)
       words = ''
-      told = ''
+      missing = ''
       n = 0
       do i = 1, size(old)
          place = new_places%get(key_of(old(i)))
          if (place == 0) then
-            call tell(old(i), ' in the restart file, but not in the deck')
+            call report(old(i), ' in the restart file, but not in the deck')
          else if (old(i)%kind//old(i)%value /= new(place)%kind//new(place)%value) then
-            call tell(old(i), comparison(old(i), new(place)))
+            call report(old(i), comparison(old(i), new(place)))
          end if
       end do
       do i = 1, size(new)
-         if (old_places%get(key_of(new(i))) == 0) call tell(new(i), ' in the deck, but not in the restart file')
+         if (old_places%get(key_of(new(i))) == 0) call report(new(i), ' in the deck, but not in the restart file')
       end do
       if (n > max_named) words = words//'; and '//to_text(n - max_named)//' more'
 
    contains
 
       !> Name a difference, but no part of something that is missing as a whole.
-      subroutine tell(line, what)
+      subroutine report(line, what)
          type(line_t), intent(in) :: line
          !> What is different about the line, as the end of a clause
          character(len=*), intent(in) :: what
 
-         if (line%subject == told) return
-         if (len(line%what) == 0) told = line%subject
+         if (line%subject == missing) return
+         if (len(line%what) == 0) missing = line%subject
          n = n + 1
          if (n > max_named) return
          if (n > 1) words = words//'; '
          words = words//name_of(line)//what
-      end subroutine tell
+      end subroutine report
 
    end function record_differences
 

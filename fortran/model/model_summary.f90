@@ -1,4 +1,4 @@
-!> The resolved model in words, for `litz check`.
+!> A summary of the resolved model, for `litz check`.
 module litz_model_summary
    use litz_growing_text, only: growing_text_t
    use litz_kinds, only: dp
@@ -16,7 +16,7 @@ module litz_model_summary
 
    character(len=1), parameter :: nl = new_line('a')
    !> Most sets that are listed one by one
-   integer, parameter :: most_sets = 40
+   integer, parameter :: max_sets = 40
 
 contains
 
@@ -116,10 +116,10 @@ contains
       integer :: i
 
       text = ''
-      do i = 1, min(size(sets), most_sets)
+      do i = 1, min(size(sets), max_sets)
          text = text//what//' '//sets(i)%name//': '//plural(size(sets(i)%members), 'member')//nl
       end do
-      if (size(sets) > most_sets) text = text//'and '//to_text(size(sets) - most_sets)//' more '//what//'s'//nl
+      if (size(sets) > max_sets) text = text//'and '//to_text(size(sets) - max_sets)//' more '//what//'s'//nl
    end function set_lines
 
    pure function pair_line(model, p) result(line)
@@ -135,13 +135,13 @@ contains
          else
             line = line//' with '//model%element_sets(pair%set)%name//': '
          end if
-         line = line//interaction_words(model%interactions(pair%interaction), model%units)
+         line = line//describe_interaction(model%interactions(pair%interaction), model%units)
          if (pair%interference_fit) line = line//', interference fit'
       end associate
       line = line//nl
    end function pair_line
 
-   pure function interaction_words(interaction, units) result(words)
+   pure function describe_interaction(interaction, units) result(words)
       type(interaction_t), intent(in) :: interaction
       type(unit_labels_t), intent(in) :: units
       character(len=:), allocatable :: words
@@ -152,7 +152,7 @@ contains
       else
          words = words//'Hertz force'
       end if
-      if (interaction%friction > 0) words = words//friction_words(interaction, units)
+      if (interaction%friction > 0) words = words//describe_friction(interaction, units)
       if (interaction%unlimited_penetration) words = words//', unlimited penetration'
       if (interaction%spot_law == spot_none) then
          words = words//', no current'
@@ -166,9 +166,9 @@ contains
       end associate
       if (interaction%spot_memory) words = words//' of the largest force'
       words = words//', '//trim(merge('corrected', 'linear   ', interaction%voltage_correction))//' voltage'
-   end function interaction_words
+   end function describe_interaction
 
-   pure function friction_words(interaction, units) result(words)
+   pure function describe_friction(interaction, units) result(words)
       type(interaction_t), intent(in) :: interaction
       type(unit_labels_t), intent(in) :: units
       character(len=:), allocatable :: words
@@ -180,7 +180,7 @@ contains
       case (stick_stiffness)
          words = words//' with stick stiffness '//to_text(interaction%stick_value)//' '//units%label('N/m')
       end select
-   end function friction_words
+   end function describe_friction
 
    pure function step_lines(model, s) result(text)
       type(model_t), intent(in) :: model
@@ -200,7 +200,7 @@ contains
                ', largest '// &
                to_text(step%largest)//' '//trim(model%units%time)
          end if
-         text = text//', at most '//to_text(step%max_increments)//solver_words(step)//nl
+         text = text//', at most '//to_text(step%max_increments)//describe_solver(step)//nl
          text = text//value_lines('prescribed', step%boundary)//value_lines('loads', step%load)// &
             value_lines('currents', step%current)
          do i = 1, size(step%requests)
@@ -209,7 +209,7 @@ contains
       end associate
    end function step_lines
 
-   pure function solver_words(step) result(words)
+   pure function describe_solver(step) result(words)
       type(step_t), intent(in) :: step
       character(len=:), allocatable :: words
 
@@ -219,7 +219,7 @@ contains
          ' iterations with a kept factor'
       if (step%coupling /= coupling_default) words = words//', coupling '// &
          trim(merge('monolithic', 'updated   ', step%coupling == coupling_monolithic))
-   end function solver_words
+   end function describe_solver
 
    !> How many values for each degree of freedom, and their range.
    pure function value_lines(what, items) result(text)

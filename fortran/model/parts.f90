@@ -4,7 +4,7 @@ module litz_parts
    use litz_model, only: model_t
    implicit none
    private
-   public :: parts_t, find_parts, part_words, join, find_root
+   public :: parts_t, find_parts, describe_part, join, find_root
 
    type :: parts_t
       integer :: n = 0
@@ -69,7 +69,7 @@ contains
    end subroutine find_own_sets
 
    !> `wire LOWER (20 elements from 1 on)`
-   pure function part_words(model, parts, part) result(words)
+   pure function describe_part(model, parts, part) result(words)
       type(model_t), intent(in) :: model
       type(parts_t), intent(in) :: parts
       !> Index of the part
@@ -83,7 +83,7 @@ contains
          words = to_text(parts%n_elements(part))//' connected elements from element '//first//' on'
       end if
       if (parts%set(part) > 0) words = model%element_sets(parts%set(part))%name//' ('//words//')'
-   end function part_words
+   end function describe_part
 
    !> Put two members into the same tree.
    pure subroutine join(root, a, b)

@@ -1,11 +1,11 @@
-!> Which rigid motions a set of supports leaves to a body, and in words.
+!> Which rigid motions a set of supports leaves to a body, and their description in messages.
 module litz_rigid_modes
    use litz_kinds, only: dp
    use litz_rotations, only: cross
    use litz_text, only: to_text
    implicit none
    private
-   public :: add_support, free_modes, modes_in_words
+   public :: add_support, free_modes, describe_modes
 
    !> Supports restrain a motion when its eigenvalue is larger than this part of the largest
    real(dp), parameter :: rank_tolerance = 1.0e-10_dp
@@ -106,7 +106,7 @@ contains
    end subroutine simplify
 
    !> `translation along x, rotation about the x direction through (0, 0, 0)`
-   pure function modes_in_words(n, modes, centre, length) result(words)
+   pure function describe_modes(n, modes, centre, length) result(words)
       !> Number of motions
       integer, intent(in) :: n
       !> Their directions (6, 6): the first `n` columns `t, L theta`
@@ -119,11 +119,11 @@ contains
       words = ''
       do i = 1, n
          if (i > 1) words = words//', '
-         words = words//mode_words(modes(1:3, i), modes(4:6, i)/length, centre, length)
+         words = words//describe_mode(modes(1:3, i), modes(4:6, i)/length, centre, length)
       end do
-   end function modes_in_words
+   end function describe_modes
 
-   pure function mode_words(translation, rotation, centre, length) result(words)
+   pure function describe_mode(translation, rotation, centre, length) result(words)
       !> Translation of the centre (3), of any length
       real(dp), intent(in) :: translation(3)
       !> Rotation (3) that belongs to it, in its unit over [m]
@@ -136,21 +136,21 @@ contains
       real(dp) :: point(3), axis(3), advance
 
       if (norm2(rotation)*length <= direction_tolerance*norm2(translation)) then
-         words = 'translation along '//direction_words(translation/norm2(translation))
+         words = 'translation along '//describe_direction(translation/norm2(translation))
          return
       end if
       axis = rotation/norm2(rotation)
       ! the point that does not move: t + theta x r = 0 across the axis
       point = centre + cross(axis, translation)/norm2(rotation)
       where (abs(point) < direction_tolerance*length) point = 0
-      words = 'rotation about '//direction_words(axis)//' through ('//to_text(point(1))//', '//to_text(point(2))// &
+      words = 'rotation about '//describe_direction(axis)//' through ('//to_text(point(1))//', '//to_text(point(2))// &
          ', '// &
          to_text(point(3))//')'
       advance = dot_product(axis, translation)
       if (abs(advance) > direction_tolerance*norm2(rotation)*length) words = words//' with translation along it'
-   end function mode_words
+   end function describe_mode
 
-   pure function direction_words(direction) result(words)
+   pure function describe_direction(direction) result(words)
       !> Unit vector (3)
       real(dp), intent(in) :: direction(3)
       character(len=:), allocatable :: words
@@ -164,6 +164,6 @@ contains
          where (abs(d) < direction_tolerance) d = 0
          words = 'the direction ('//to_text(d(1))//', '//to_text(d(2))//', '//to_text(d(3))//')'
       end if
-   end function direction_words
+   end function describe_direction
 
 end module litz_rigid_modes

@@ -113,6 +113,7 @@ contains
    !> Which element continues which.
    pure subroutine join_elements(model, chord, wires)
       type(model_t), intent(in) :: model
+      !> Direction of each element, of length 1 (3, elements)
       real(dp), intent(in) :: chord(:, :)
       type(wires_t), intent(inout) :: wires
       integer :: node, a, b
@@ -134,6 +135,7 @@ contains
 
    !> Walk each chain from one of its ends (from any element where it is closed).
    subroutine number_wires(n, wires)
+      !> Number of elements
       integer, intent(in) :: n
       type(wires_t), intent(inout) :: wires
       integer :: e, pass, n_walked
@@ -153,6 +155,7 @@ contains
    contains
 
       subroutine walk(start)
+         !> Index of the element to begin with
          integer, intent(in) :: start
          integer :: current, from, exit_side
 
@@ -177,7 +180,12 @@ contains
 
       !> Whether going out of `from` by `side` leads into the first node of `to`.
       pure logical function entered_at_first(from, side, to)
-         integer, intent(in) :: from, side, to
+         !> Indices of the two elements
+         integer, intent(in) :: from
+         !> Node of `from` that is left by, 1 or 2
+         integer, intent(in) :: side
+         !> Indices of the two elements
+         integer, intent(in) :: to
 
          if (wires%next(1, to) == from .and. wires%next(2, to) == from) then
             entered_at_first = side == 2
@@ -223,6 +231,7 @@ contains
    !> Distance of two places along a wire, the short way around a closed one [m].
    pure real(dp) function arc_between(self, wire, arc, other)
       class(wires_t), intent(in) :: self
+      !> Index of the wire
       integer, intent(in) :: wire
       !> Arc lengths of the two places [m]
       real(dp), intent(in) :: arc, other
@@ -234,7 +243,10 @@ contains
    !> section axes perpendicular to them.
    pure subroutine nodal_triads(model, chord, length, wires)
       type(model_t), intent(in) :: model
-      real(dp), intent(in) :: chord(:, :), length(:)
+      !> Direction of each element, of length 1 (3, elements)
+      real(dp), intent(in) :: chord(:, :)
+      !> Length of each element (elements) [m]
+      real(dp), intent(in) :: length(:)
       type(wires_t), intent(inout) :: wires
       integer :: e, side, other, sense
       logical :: free(2)
@@ -266,7 +278,10 @@ contains
 
    !> The direction asked for, or Abaqus's default (0, 0, -1), or (0, 1, 0) for an element nearly along z.
    pure function first_axis(n1, chord) result(axis)
-      real(dp), intent(in) :: n1(3), chord(3)
+      !> The direction asked for; zero: none
+      real(dp), intent(in) :: n1(3)
+      !> Direction of the element, of length 1
+      real(dp), intent(in) :: chord(3)
       real(dp) :: axis(3)
 
       axis = n1
@@ -277,7 +292,10 @@ contains
 
    !> Right-handed triad with the given tangent and a first axis as near as possible to `n1`.
    pure function triad(tangent, n1) result(axes)
-      real(dp), intent(in) :: tangent(3), n1(3)
+      !> Of length 1
+      real(dp), intent(in) :: tangent(3)
+      !> Any direction but that of the tangent
+      real(dp), intent(in) :: n1(3)
       real(dp) :: axes(3, 3), first(3)
 
       first = n1 - dot_product(n1, tangent)*tangent

@@ -6,7 +6,8 @@ module litz_contact_ledger
    use litz_state, only: state_t, contact_t
    use litz_version, only: version
    use litz_output_files, only: text_file_t
-   use litz_hdf5_helpers, only: hid_t, hdf5_create_group, hdf5_write_attribute
+   use litz_hdf5_files, only: hid_t, hdf5_create_group
+   use litz_hdf5_attributes, only: hdf5_write_attribute
    use litz_vtkhdf_writer, only: vtkhdf_file_t, on_points, vtk_vertex
    use litz_wire_results, only: format_version, most_written_increments
    implicit none

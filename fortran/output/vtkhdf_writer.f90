@@ -5,13 +5,15 @@
 !> step keeps its values. After `end_step` the file on the disk is complete up to that step, whatever happens to the
 !> program. `publish` puts the file in the place of an older one, which stays whole until then.
 !>
-!> Errors are passed through as in `litz_hdf5_helpers`.
+!> Errors are passed through as in `litz_hdf5_files`.
 module litz_vtkhdf_writer
    use litz_kinds, only: dp, int64
    use litz_errors, only: error_t, fail, exit_internal
    use litz_unit_labels, only: unit_labels_t
-   use litz_hdf5_helpers, only: hid_t, hdf5_rows_t, hdf5_real, hdf5_integer, hdf5_byte, hdf5_start, hdf5_create_file, &
-      hdf5_create_group, hdf5_flush, hdf5_publish_file, hdf5_close_file, hdf5_discard_file, hdf5_write_attribute
+   use litz_hdf5_files, only: hid_t, hdf5_start, hdf5_create_file, hdf5_create_group, hdf5_flush, &
+      hdf5_publish_file, hdf5_close_file, hdf5_discard_file
+   use litz_hdf5_attributes, only: hdf5_write_attribute
+   use litz_hdf5_rows, only: hdf5_rows_t, hdf5_real, hdf5_integer, hdf5_byte
    implicit none
    private
    public :: vtkhdf_file_t, vtkhdf_field_t

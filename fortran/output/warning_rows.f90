@@ -7,8 +7,9 @@ module litz_warning_rows
    use litz_kinds, only: dp, int64
    use litz_errors, only: error_t
    use litz_growing_text, only: growing_text_t
-   use litz_hdf5_helpers, only: hid_t, hdf5_rows_t, hdf5_real, hdf5_integer, hdf5_byte, hdf5_create_group, hdf5_flush, &
-      hdf5_write_attribute
+   use litz_hdf5_files, only: hid_t, hdf5_create_group, hdf5_flush
+   use litz_hdf5_attributes, only: hdf5_write_attribute
+   use litz_hdf5_rows, only: hdf5_rows_t, hdf5_real, hdf5_integer, hdf5_byte
    use litz_run_warnings, only: run_warnings_t
    implicit none
    private

@@ -8,8 +8,9 @@ module litz_wire_results
    use litz_model, only: model_t, section_t, named_set_t
    use litz_state, only: state_t
    use litz_version, only: version
-   use litz_hdf5_helpers, only: hid_t, hdf5_rows_t, hdf5_real, hdf5_integer, hdf5_create_group, hdf5_flush, &
-      hdf5_write_attribute, hdf5_write_text
+   use litz_hdf5_files, only: hid_t, hdf5_create_group, hdf5_flush
+   use litz_hdf5_attributes, only: hdf5_write_attribute, hdf5_write_text
+   use litz_hdf5_rows, only: hdf5_rows_t, hdf5_real, hdf5_integer
    use litz_run_warnings, only: run_warnings_t
    use litz_warning_rows, only: warning_rows_t
    use litz_vtkhdf_writer, only: vtkhdf_file_t, on_points, on_cells, vtk_line

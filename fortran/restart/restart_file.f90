@@ -9,8 +9,10 @@ module litz_restart_file
    use litz_contact_points, only: contact_point_t
    use litz_errors, only: error_t, fail, exit_files, exit_input
    use litz_fields, only: n_slots
-   use litz_hdf5_helpers, only: hid_t, hdf5_rows_t, hdf5_real, hdf5_integer, hdf5_start, hdf5_create_file, hdf5_flush, &
-      hdf5_publish_file, hdf5_close_file, hdf5_discard_file, hdf5_write_attribute
+   use litz_hdf5_files, only: hid_t, hdf5_start, hdf5_create_file, hdf5_flush, hdf5_publish_file, &
+      hdf5_close_file, hdf5_discard_file
+   use litz_hdf5_attributes, only: hdf5_write_attribute
+   use litz_hdf5_rows, only: hdf5_rows_t, hdf5_real, hdf5_integer
    use litz_hdf5_input, only: hdf5_open_file, hdf5_close_input
    use litz_hdf5_rows_reader, only: read_attribute_integer, read_attribute_text, read_real_rows, read_integer_rows
    use litz_model, only: step_t

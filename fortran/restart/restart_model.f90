@@ -4,7 +4,8 @@ module litz_restart_model
    use litz_kinds, only: int64
    use litz_checksum, only: checksum
    use litz_errors, only: error_t, fail, exit_files, exit_input
-   use litz_hdf5_helpers, only: hid_t, hdf5_rows_t, hdf5_integer
+   use litz_hdf5_files, only: hid_t
+   use litz_hdf5_rows, only: hdf5_rows_t, hdf5_integer
    use litz_hdf5_rows_reader, only: read_integer_rows
    use litz_model, only: model_t
    use litz_model_record, only: model_record, record_differences

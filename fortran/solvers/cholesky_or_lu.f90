@@ -46,8 +46,10 @@ contains
    subroutine solver_factor(self, matrix, symmetric, error, row_scale, column_scale)
       class(cholesky_or_lu_t), intent(inout) :: self
       type(csr_matrix_t), intent(in) :: matrix
+      !> Its values are symmetric, at least among the equations whose pivots are counted
       logical, intent(in) :: symmetric
       type(error_t), allocatable, intent(out) :: error
+      !> Powers of two (n_rows); without them the diagonal is made about 1
       real(dp), intent(in), optional :: row_scale(:), column_scale(:)
 
       self%negative_pivots = -1
@@ -82,7 +84,7 @@ contains
       class(cholesky_or_lu_t), intent(inout) :: self
       type(csr_matrix_t), intent(in) :: matrix
       type(error_t), allocatable, intent(out) :: error
-      !> As of `factor`
+      !> As of `factor` (n_rows)
       real(dp), intent(in), optional :: row_scale(:), column_scale(:)
       real(dp) :: scale(matrix%n_rows)
 
@@ -117,7 +119,9 @@ contains
    subroutine solver_solve(self, matrix, b, x, error)
       class(cholesky_or_lu_t), intent(inout) :: self
       type(csr_matrix_t), intent(in) :: matrix
+      !> Right-hand side (n)
       real(dp), intent(in) :: b(:)
+      !> Solution (n); of no use after an error
       real(dp), intent(out) :: x(:)
       type(error_t), allocatable, intent(out) :: error
       logical :: converged

@@ -19,7 +19,7 @@ module litz_concus_golub_widlund
    public :: symmetric_part, solve_by_symmetric_part
 
    !> More steps cost as much as an LU
-   integer, parameter :: most_steps = 40
+   integer, parameter :: max_steps = 40
    !> Error in the norm of `S` over that of the solution: beyond the first, steps that no longer halve it are round-off
    real(dp), parameter :: accurate = 1.0e-10_dp, exact = 1.0e-15_dp
 
@@ -51,7 +51,7 @@ contains
       real(dp), intent(in) :: b(:)
       !> Solution (n)
       real(dp), intent(out) :: x(:)
-      !> .false.: `N` is too large, `x` is of no use
+      !> .false.: `N` is too large, `x` is not a solution
       logical, intent(out) :: converged
       type(error_t), allocatable, intent(out) :: error
       real(dp), allocatable :: residual(:), correction(:), x_before(:), x_next(:)
@@ -64,7 +64,7 @@ contains
       omega = 1
       rho_before = 0
       rho_start = 0
-      do step = 1, most_steps
+      do step = 1, max_steps
          residual = b
          call csr_add_product(matrix, -1.0_dp, x, residual)
          if (step == 1) then

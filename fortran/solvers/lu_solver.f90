@@ -44,8 +44,10 @@ contains
    subroutine lu_factor(self, matrix, symmetric, error, row_scale, column_scale)
       class(lu_solver_t), intent(inout) :: self
       type(csr_matrix_t), intent(in) :: matrix
+      !> Its values are symmetric, at least among the equations whose pivots are counted
       logical, intent(in) :: symmetric
       type(error_t), allocatable, intent(out) :: error
+      !> Powers of two (n_rows); without them the diagonal is made about 1
       real(dp), intent(in), optional :: row_scale(:), column_scale(:)
       real(dp) :: scale(matrix%n_rows)
 
@@ -68,7 +70,9 @@ contains
    subroutine lu_solve(self, matrix, b, x, error)
       class(lu_solver_t), intent(inout) :: self
       type(csr_matrix_t), intent(in) :: matrix
+      !> Right-hand side (n)
       real(dp), intent(in) :: b(:)
+      !> Solution (n); of no use after an error
       real(dp), intent(out) :: x(:)
       type(error_t), allocatable, intent(out) :: error
 

@@ -64,7 +64,7 @@ contains
       type(csr_matrix_t), intent(in) :: graph
       !> Breadth-first level of each vertex, from 1 (n); 0: not reached
       integer, intent(in) :: level(:)
-      !> In the order of their levels
+      !> Vertices (n) in the order of their levels
       integer, intent(in) :: vertices(:)
       integer :: k
 

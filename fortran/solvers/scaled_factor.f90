@@ -116,7 +116,7 @@ contains
       class(scaled_factor_t), intent(inout) :: self
       !> Right-hand side (n)
       real(dp), intent(in) :: b(:)
-      !> Solution (n); of no use after an error
+      !> Solution (n); meaningless after an error
       real(dp), intent(out) :: x(:)
       type(error_t), allocatable, intent(out) :: error
       real(dp), allocatable :: residual(:), correction(:)
@@ -147,7 +147,7 @@ contains
       class(scaled_factor_t), intent(inout) :: self
       !> Right-hand side (n)
       real(dp), intent(in) :: b(:)
-      !> Solution (n); of no use after an error
+      !> Solution (n); meaningless after an error
       real(dp), intent(out) :: x(:)
       type(error_t), allocatable, intent(out) :: error
 

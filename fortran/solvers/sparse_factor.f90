@@ -45,7 +45,7 @@ module litz_sparse_factor
          class(sparse_factor_t), intent(inout) :: self
          !> Right-hand side (n)
          real(dp), intent(in) :: b(:)
-         !> Solution (n); of no use after an error
+         !> Solution (n); meaningless after an error
          real(dp), intent(out) :: x(:)
          type(error_t), allocatable, intent(out) :: error
       end subroutine solve_interface

@@ -10,7 +10,7 @@ module litz_sparse_pattern
    public :: check_entries
 
    !> Entries of a matrix are counted in default integers, and one more for the end of the last row
-   integer, parameter :: most_countable = huge(1) - 1
+   integer, parameter :: max_countable = huge(1) - 1
 
 contains
 
@@ -19,7 +19,7 @@ contains
    !> A clique is what one element or one contact ties together: equation numbers, or node numbers for a pattern of
    !> node blocks. The work is the sum of the squares of the clique sizes: a row is gathered in any order and handed out
    !> as a column of the transpose, whose rows so come out ascending, and the pattern is its own transpose.
-   pure subroutine pattern_from_cliques(n, clique_start, clique_members, matrix, entries, most_entries)
+   pure subroutine pattern_from_cliques(n, clique_start, clique_members, matrix, entries, max_entries)
       !> Number of members: rows and columns of the pattern
       integer, intent(in) :: n
       !> (cliques + 1): first member of each clique, and one past the last
@@ -31,13 +31,13 @@ contains
       !> Number of entries that the pattern has
       integer(int64), intent(out), optional :: entries
       !> A pattern with more entries is not made; default: as many as can be counted
-      integer(int64), intent(in), optional :: most_entries
+      integer(int64), intent(in), optional :: max_entries
       integer, allocatable :: cliques_start(:), cliques_of(:), neighbours(:), free(:), last_seen(:)
       integer(int64) :: total, most
       integer :: row, count, k
 
-      most = most_countable
-      if (present(most_entries)) most = most_entries
+      most = max_countable
+      if (present(max_entries)) most = max_entries
       call cliques_of_members(n, clique_start, clique_members, cliques_start, cliques_of)
       allocate (neighbours(n), last_seen(n))
       allocate (matrix%row_start(n + 1))
@@ -76,11 +76,11 @@ contains
       integer, intent(in) :: n
       !> First member of each clique, and one past the last (cliques + 1)
       integer, intent(in) :: clique_start(:)
-      !> Members 1..n, or 0: left out
+      !> Members 1..n of one clique after the other (entries of all cliques); 0: left out
       integer, intent(in) :: clique_members(:)
       !> First clique of each member in `cliques`, and one past the last (n + 1)
       integer, allocatable, intent(out) :: start(:)
-      !> The cliques of each member, one member after the other
+      !> The cliques of each member (entries of all cliques), one member after the other
       integer, allocatable, intent(out) :: cliques(:)
       integer, allocatable :: free(:)
       integer :: clique, k, member
@@ -113,11 +113,11 @@ contains
       integer, intent(in) :: row
       !> First clique of each member in `cliques`, and one past the last (n + 1)
       integer, intent(in) :: cliques_start(:)
-      !> The cliques of each member, one member after the other
+      !> The cliques of each member (entries of all cliques), one member after the other
       integer, intent(in) :: cliques(:)
       !> First member of each clique, and one past the last (cliques + 1)
       integer, intent(in) :: clique_start(:)
-      !> Members 1..n, or 0: left out
+      !> Members 1..n of one clique after the other (entries of all cliques); 0: left out
       integer, intent(in) :: clique_members(:)
       !> (n) the last row for which each unknown was gathered
       integer, intent(inout) :: last_seen(:)
@@ -180,9 +180,9 @@ contains
       type(error_t), allocatable, intent(out) :: error
       character(len=120) :: text
 
-      if (entries <= most_countable) return
+      if (entries <= max_countable) return
       write (text, '(a, i0, a, i0, a, i0)') 'the matrix of ', equations, ' equations has ', entries, &
-         ' entries; at most ', most_countable
+         ' entries; at most ', max_countable
       error = fail(exit_memory, 'linear solver: '//trim(text)// &
          ' can be counted. Take a coarser mesh, or let fewer wires be in contact.')
    end subroutine check_entries

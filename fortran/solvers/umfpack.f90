@@ -58,7 +58,7 @@ module litz_umfpack
          type(c_ptr), intent(out) :: symbolic
          !> Settings of UMFPACK (20)
          real(c_double), intent(in) :: control(*)
-         !> What UMFPACK tells about its work (90)
+         !> Statistics of UMFPACK (90)
          real(c_double), intent(out) :: info(*)
          integer(c_int64_t) :: status
       end function umfpack_dl_symbolic
@@ -76,7 +76,7 @@ module litz_umfpack
          type(c_ptr), intent(out) :: numeric
          !> Settings of UMFPACK (20)
          real(c_double), intent(in) :: control(*)
-         !> What UMFPACK tells about its work (90)
+         !> Statistics of UMFPACK (90)
          real(c_double), intent(out) :: info(*)
          integer(c_int64_t) :: status
       end function umfpack_dl_numeric
@@ -95,7 +95,7 @@ module litz_umfpack
          type(c_ptr), value :: numeric
          !> Settings of UMFPACK (20)
          real(c_double), intent(in) :: control(*)
-         !> What UMFPACK tells about its work (90)
+         !> Statistics of UMFPACK (90)
          real(c_double), intent(out) :: info(*)
          integer(c_int64_t) :: status
       end function umfpack_dl_solve
@@ -190,7 +190,7 @@ contains
       class(umfpack_factor_t), intent(inout) :: self
       !> Right-hand side (n)
       real(dp), intent(in) :: b(:)
-      !> Solution (n); of no use after an error
+      !> Solution (n); meaningless after an error
       real(dp), intent(out) :: x(:)
       type(error_t), allocatable, intent(out) :: error
       real(c_double) :: info(info_length)

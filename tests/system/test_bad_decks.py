@@ -702,7 +702,7 @@ def test_a_keyword_between_two_steps(litz, tmp_path):
 
 def test_two_steps_of_one_name(litz, tmp_path):
     deck = DECK.replace("INC=50", "INC=50, NAME=PRESS") + "*STEP, NAME=Press\n*STATIC\n*END STEP\n"
-    check_one_error(litz, tmp_path, deck, "two steps of the name", line_of("NAME=Press", deck), "Press")
+    check_one_error(litz, tmp_path, deck, "two steps with the name", line_of("NAME=Press", deck), "Press")
 
 
 def test_a_place_that_litz_does_not_use_in_controls(litz, tmp_path):

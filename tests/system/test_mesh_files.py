@@ -95,7 +95,7 @@ def test_mesh_file_and_cards_together(check):
         ({"nodes/id": [3, 5]}, "has 2 rows in nodes/id and 3 in nodes/position; there must be as many"),
         ({"elements/B33/id": [11, 14]}, "has 2 rows in elements/B33/id and 1 in elements/B33/nodes"),
         ({"nodes/id": [3, 5, 2**40]}, "nodes/id has a number above 2147483647"),
-        ({"nodes/id": [0, 5, 7]}, "node of the number 0; numbers must be greater than 0"),
+        ({"nodes/id": [0, 5, 7]}, "node with the number 0; numbers must be greater than 0"),
         ({"nodes/id": [3, 5, 5]}, "node 5 is defined twice"),
         ({"elements/B31/id": [11]}, "element 11 is defined twice"),
         (

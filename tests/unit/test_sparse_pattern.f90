@@ -43,9 +43,9 @@ contains
       type(csr_matrix_t) :: matrix
       integer(int64) :: entries
 
-      call pattern_from_cliques(4, [1, 5], [1, 2, 3, 4], matrix, entries, most_entries=15_int64)
+      call pattern_from_cliques(4, [1, 5], [1, 2, 3, 4], matrix, entries, max_entries=15_int64)
       call check(entries == 16 .and. csr_entries(matrix) == 0, 'more entries are counted, but not made')
-      call pattern_from_cliques(4, [1, 5], [1, 2, 3, 4], matrix, entries, most_entries=16_int64)
+      call pattern_from_cliques(4, [1, 5], [1, 2, 3, 4], matrix, entries, max_entries=16_int64)
       call check(entries == 16 .and. csr_entries(matrix) == 16, 'as many are made')
    end subroutine a_pattern_stops_at_the_most_entries_and_tells_their_number
 

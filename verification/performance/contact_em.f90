@@ -6,12 +6,12 @@ program contact_em_performance
    use litz_laws, only: axis_linear, axis_hermite, normal_linear, normal_hertz, spot_paper, spot_hertz
    use litz_rotations, only: rotation_exp
    use litz_closest_points, only: closest_points
-   use litz_contact_em, only: contact_em, contact_em_t, contact_active
+   use litz_contact_em, only: contact_em, contact_em_t, wire_pair_t, contact_laws_t, contact_active
    implicit none
    integer, parameter :: n_pairs = 512, repetitions = 200, rounds = 7
-   real(dp), parameter :: length(2) = [2.0e-3_dp, 2.2e-3_dp], radius(2) = [1.0e-4_dp, 1.5e-4_dp]
-   real(dp), parameter :: young(2) = [120.0e9_dp, 70.0e9_dp], poisson(2) = [0.34_dp, 0.33_dp]
-   real(dp), parameter :: resistivity(2) = [1.7e-8_dp, 2.7e-8_dp], v(4) = [0.1_dp, 0.09_dp, 0.01_dp, 0.0_dp]
+   real(dp), parameter :: length(2) = [2.0e-3_dp, 2.2e-3_dp], v(4) = [0.1_dp, 0.09_dp, 0.01_dp, 0.0_dp]
+   type(wire_pair_t), parameter :: wires = wire_pair_t(radius=[1.0e-4_dp, 1.5e-4_dp], young=[120.0e9_dp, 70.0e9_dp], &
+      poisson=[0.34_dp, 0.33_dp], resistivity=[1.7e-8_dp, 2.7e-8_dp])
    real(dp) :: x(3, 4, n_pairs), t(3, 4, n_pairs)
 
    call make_pairs()
@@ -40,7 +40,7 @@ contains
          do node = 1, 4
             beam = (node + 1)/2
             x(:, node, pair) = directions(:, beam)*length(beam)/2*(real(2*node - 4*beam + 1, dp) - s(beam))
-            if (beam == 1) x(3, node, pair) = sum(radius) - 0.1_dp*radius(1)*(1 + u(4))
+            if (beam == 1) x(3, node, pair) = sum(wires%radius) - 0.1_dp*wires%radius(1)*(1 + u(4))
             bend = 0.02_dp*(u(5:7) - 0.5_dp)*real(2*node - 4*beam + 1, dp)
             t(:, node, pair) = matmul(rotation_exp(bend), directions(:, beam))
          end do
@@ -50,11 +50,16 @@ contains
    subroutine report_element(title, axis, normal_law, spot_law)
       character(len=*), intent(in) :: title
       integer, intent(in) :: axis, normal_law, spot_law
+      type(contact_laws_t) :: laws
       type(contact_em_t) :: contact
       real(dp) :: k(28, 28), r(28), checksum, best
       real(dp) :: start, finish
       integer :: round, repetition, pair, info, n_active
 
+      laws%axis = axis
+      laws%normal_law = normal_law
+      laws%penalty = 1.0e6_dp
+      laws%spot_law = spot_law
       best = huge(best)
       checksum = 0
       do round = 1, rounds
@@ -62,9 +67,7 @@ contains
          call cpu_time(start)
          do repetition = 1, repetitions
             do pair = 1, n_pairs
-               call contact_em(x(:, :, pair), t(:, :, pair), length, v, radius, young, poisson, resistivity, &
-                  normal_law, 1.0e6_dp, spot_law, 0.0_dp, [1.0_dp], [1.0_dp], axis, 0, [0.0_dp, 0.0_dp], k, r, &
-                  contact, info)
+               call contact_em(x(:, :, pair), t(:, :, pair), length, v, wires, laws, 0, k, r, contact, info)
                checksum = checksum + k(1, 1) + r(28)
                if (info == contact_active) n_active = n_active + 1
             end do
