@@ -63,7 +63,9 @@ def deck(pairs, title, *notes):
         for n, pair in zip(numbers, pairs, strict=True)
     ]
     return join(
-        heading(title, "Model   straight wires, all nodes led and at given potentials; one crossing for each pair", *notes),
+        heading(
+            title, "Model   straight wires, all nodes led and at given potentials; one crossing for each pair", *notes
+        ),
         *(block for n, pair in zip(numbers, pairs, strict=True) for block in pair.blocks(n, (n - 1) * reach)),
         "*BOUNDARY",
         *held,

@@ -13,7 +13,7 @@ from verification.cases.solvers import INPUTS, residual_difference
 from verification.claims import Claim, ClaimError, judge, missed, read_claims
 from verification.deck_text import Rigidity
 from verification.deck_transform import Units, in_units, renumbered, rotated, swapped_contact_pairs
-from verification.kernel_frame import rotation
+from verification.numerics import rotation
 from verification.references import (
     contact_element,
     crossed_wires,
@@ -23,6 +23,7 @@ from verification.references import (
     network,
     pushed_cantilever,
     rod,
+    twisted_rod,
 )
 from verification.report import write_reports
 from verification.run import CaseReport, verify
@@ -198,6 +199,20 @@ def test_deflections_are_reciprocal(support):
     pair = (0.3, 1.1)
     there, back = (crossed_wires.deflection(support, 2.0, *order, ei=3.0, ga=5.0) for order in (pair, pair[::-1]))
     assert there == pytest.approx(back, rel=1e-12)
+
+
+def test_wires_that_are_bent_little_have_the_force_of_clamped_beams_and_those_bent_far_a_larger_one():
+    wire = {"ei": 3.0, "ea": 1e9}
+    stiffness = 192 * 3.0 / 2.0**3
+    little, far = (crossed_wires.force_of_large_deflection(push, 2.0, 0.0, **wire) for push in (1e-3, 0.4))
+    assert little == pytest.approx(1e-3 * stiffness / 2, rel=1e-5)
+    assert 1.02 < far / (0.4 * stiffness / 2) < 1.10
+
+
+def test_a_twisted_rod_bends_as_a_supported_beam_without_torque_and_without_bound_at_that_of_greenhill():
+    assert twisted_rod.deflection(1e-3).real == pytest.approx(1 / 48, rel=1e-6)
+    near, nearer = (twisted_rod.deflection(2 * np.pi * (1 - distance)).real for distance in (1e-3, 1e-4))
+    assert nearer / near == pytest.approx(10.0, rel=1e-2)
 
 
 def test_a_grid_of_one_crossing_is_a_crossing_and_open_ones_carry_nothing():

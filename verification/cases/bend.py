@@ -13,7 +13,7 @@ import numpy as np
 from verification import figures
 from verification.claims import read_claims
 from verification.deck_text import arc, chain, heading, join, step
-from verification.kernel_frame import extrapolate
+from verification.numerics import extrapolate
 
 LOADS = (300, 600)
 MESHES = (8, 16, 32, 64)
@@ -58,7 +58,9 @@ def measure(workspace):
                 continue
             limit = extrapolate(found[32], found[64], order=2)
             values[f"{case}.limit"] = limit.ravel().tolist()
-            figure[f"{element} {name}"] = [float(np.abs(found[n].ravel() - exact[f"{case}.limit"]).max()) for n in MESHES]
+            figure[f"{element} {name}"] = [
+                float(np.abs(found[n].ravel() - exact[f"{case}.limit"]).max()) for n in MESHES
+            ]
             values[f"{case}.six_steps"] = six_steps(workspace, element, name).ravel().tolist()
             if name == "polar":
                 values[f"bend.{element}.published"] = found[8][1].tolist()

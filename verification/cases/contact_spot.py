@@ -61,7 +61,9 @@ def groups():
         "copper": [under(force, degrees) for force, degrees in ((1.0, 90), (1.0, 60), (1.0, 30), (100.0, 90))],
         "weak_film": [under(force, 90, law=LAWS["film"]) for force in (1e-9, 1e-8)],
     }
-    found |= {name: [LedPair(*pair, degrees, METAL_APPROACH) for degrees in METAL_ANGLES] for name, pair in METALS.items()}
+    found |= {
+        name: [LedPair(*pair, degrees, METAL_APPROACH) for degrees in METAL_ANGLES] for name, pair in METALS.items()
+    }
     return found | {law: [under(force, 90, law=text) for force in FORCES] for law, text in LAWS.items()}
 
 
