@@ -122,6 +122,13 @@ def test_the_reports_say_how_many_claims_were_not_asked_for_and_how_close_the_ot
         assert text.count("a.inp, b.inp") == 1
 
 
+def test_the_reports_tell_what_is_compared_with_litz_itself_from_what_is_verified(tmp_path):
+    claims = [Claim(**CLAIM), Claim(**CLAIM | {"id": "elastica.itself", "provenance": "CONSISTENCY"})]
+    write_reports([CaseReport("elastica", "A title", [judge(claim, 2.0) for claim in claims], None, 1.0)], tmp_path)
+    text = (tmp_path / "report.md").read_text(encoding="utf-8")
+    assert "1 compare litz with other sources, 1 with itself (CONSISTENCY)." in text
+
+
 def test_the_reports_show_misses(tmp_path, claim):
     report = CaseReport("elastica", "A title\n\nSource: ...", [judge(claim, 2.0), missed(claim, "it broke")], None, 1.0)
     write_reports([report], tmp_path)
@@ -346,6 +353,9 @@ def test_iterations_that_differ_are_seen():
     assert residual_difference(first, first) == 0.0
     assert residual_difference(first, first | {"force": np.array([1.01, 1e-9])}) == pytest.approx(0.01)
     assert residual_difference(first, first | {"force": np.array([1.0, 2e-9])}) == 0.0
+    # above what is allowed, but round-off of the largest one
+    tiny = {name: np.array([1.0, 1e-11]) for name in names} | {f"{name}_allowed": np.full(2, 1e-14) for name in names}
+    assert residual_difference(first | tiny, first | tiny | {"force": np.array([1.0, 2e-11])}) == 0.0
     assert residual_difference(first, first | {"iteration": np.array([0, 2])}) == np.inf
 
 
