@@ -107,7 +107,7 @@ def deck(name, element, n, levels):
 
 
 def critical(workspace, name, element, n, exact):
-    """The level at which negative pivots are first reported."""
+    """The level at which negative pivots are first reported; not a number when that is not within the bounds."""
     low, high = BOUNDS[0] * exact, BOUNDS[1] * exact
     while high - low > PROBLEMS[name].resolution * exact:
         levels = np.linspace(low, high, LEVELS)
@@ -115,7 +115,7 @@ def critical(workspace, name, element, n, exact):
         last = [np.flatnonzero(status["step"] == number)[-1] for number in np.unique(status["step"])[-2 * LEVELS :]]
         unstable = np.flatnonzero(status["negative_pivots"][last[1::2]] > 0)
         if len(unstable) == 0 or unstable[0] == 0:
-            raise ArithmeticError(f"{name}, {n} {element}: the critical load is not between {low:g} and {high:g}")
+            return np.nan
         low, high = levels[unstable[0] - 1 : unstable[0] + 1]
     return (low + high) / 2
 
