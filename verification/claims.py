@@ -18,6 +18,7 @@ PROVENANCE = {
     "READ": "read in the cited source",
     "COMPUTED": "computed independently of any finite-element code",
     "DERIVED": "closed form derived from the cited source",
+    "CONSISTENCY": "two runs that must agree, as the source says, are compared with each other; no value is verified",
 }
 COMPARISONS = ("relative", "absolute", "at_most")
 
@@ -64,6 +65,11 @@ class Claim:
             raise self._error("a reference of zero needs an absolute tolerance")
         if not (FOLDER / "cases" / f"{self.script}.py").is_file():
             raise self._error(f"there is no cases/{self.script}.py")
+
+    @property
+    def verifies(self):
+        """Whether litz is compared with something else than litz."""
+        return self.provenance != "CONSISTENCY"
 
     def _error(self, what):
         return ClaimError(f"claim {self.id!r}: {what}")

@@ -49,9 +49,11 @@ def _head(reports):
     rest = f" The other {all_claims - len(verdicts)} of {all_claims} claims were not asked for."
     program = subprocess.run([litz.program_path(), "--version"], capture_output=True, text=True, check=False)
     missed = sum(not verdict.passed for verdict in verdicts)
+    with_itself = sum(not verdict.claim.verifies for verdict in verdicts)
     return [
         f"{len(verdicts)} claims in {len(reports)} cases: {len(verdicts) - missed} hold, {missed} missed."
         + (rest if len(verdicts) < all_claims else ""),
+        f"{len(verdicts) - with_itself} compare litz with other sources, {with_itself} with itself (CONSISTENCY).",
         f"{datetime.now(timezone.utc):%Y-%m-%d %H:%M} UTC, {platform.platform()}, Python {platform.python_version()}.",
         " ".join(program.stdout.split()),
         "Provenance of the reference values: "

@@ -71,12 +71,14 @@ def interaction(*pairs, penalty=None, spot="", axis="HERMITE", options=""):
 def held(support, first, last, along, *, moving=False):
     """Data lines of *BOUNDARY for a wire along axis `along` (1 or 2) and the nodes that carry its height.
 
-    support: "clamped" (one end may slide along the wire), "supported" (likewise) or "cantilever" (clamped at `first`).
+    support: "clamped" (one end may slide along the wire), "supported" (likewise), "sliding" (clamped, both ends may slide)
+    or "cantilever" (clamped at `first`).
     The height of a moving wire is left out: it belongs to the step.
     """
     dofs = {
         "clamped": (set(range(1, 7)), set(range(1, 7)) - {along}),
         "supported": ({1, 2, 3, 3 + along}, {1, 2, 3} - {along}),
+        "sliding": (set(range(1, 7)) - {along}, set(range(1, 7)) - {along}),
         "cantilever": (set(range(1, 7)), set()),
     }[support]
     ends = [(node, sorted(held_dofs)) for node, held_dofs in zip((first, last), dofs, strict=True) if held_dofs]

@@ -48,6 +48,7 @@ def claims_table():
             lines += ["", f"### {case}", "", f"Source: {plain(claim.source)}.", ""]
             lines += ["| quantity | reference | tolerance | why this tolerance |", "|---|---|---|---|"]
         what = f"{plain(claim.title)}: {plain(claim.quantity)}" + (f" [{claim.unit}]" if claim.unit.strip("-") else "")
+        what += "" if claim.verifies else " (two runs are compared with each other)"
         lines.append(
             f"| {what} | {reference(claim)} | {claim.tolerance:g} ({claim.comparison}) | {plain(claim.reason)} |"
         )

@@ -13,7 +13,7 @@ from verification.cases.solvers import INPUTS, residual_difference
 from verification.claims import Claim, ClaimError, judge, missed, read_claims
 from verification.deck_text import Rigidity
 from verification.deck_transform import Units, in_units, renumbered, rotated, swapped_contact_pairs
-from verification.kernel_frame import rotation
+from verification.numerics import rotation
 from verification.references import (
     contact_element,
     crossed_wires,
@@ -23,6 +23,7 @@ from verification.references import (
     network,
     pushed_cantilever,
     rod,
+    twisted_rod,
 )
 from verification.report import write_reports
 from verification.run import CaseReport, verify
@@ -121,6 +122,13 @@ def test_the_reports_say_how_many_claims_were_not_asked_for_and_how_close_the_ot
         assert text.count("a.inp, b.inp") == 1
 
 
+def test_the_reports_tell_what_is_compared_with_litz_itself_from_what_is_verified(tmp_path):
+    claims = [Claim(**CLAIM), Claim(**CLAIM | {"id": "elastica.itself", "provenance": "CONSISTENCY"})]
+    write_reports([CaseReport("elastica", "A title", [judge(claim, 2.0) for claim in claims], None, 1.0)], tmp_path)
+    text = (tmp_path / "report.md").read_text(encoding="utf-8")
+    assert "1 compare litz with other sources, 1 with itself (CONSISTENCY)." in text
+
+
 def test_the_reports_show_misses(tmp_path, claim):
     report = CaseReport("elastica", "A title\n\nSource: ...", [judge(claim, 2.0), missed(claim, "it broke")], None, 1.0)
     write_reports([report], tmp_path)
@@ -198,6 +206,20 @@ def test_deflections_are_reciprocal(support):
     pair = (0.3, 1.1)
     there, back = (crossed_wires.deflection(support, 2.0, *order, ei=3.0, ga=5.0) for order in (pair, pair[::-1]))
     assert there == pytest.approx(back, rel=1e-12)
+
+
+def test_wires_that_are_bent_little_have_the_force_of_clamped_beams_and_those_bent_far_a_larger_one():
+    wire = {"ei": 3.0, "ea": 1e9}
+    stiffness = 192 * 3.0 / 2.0**3
+    little, far = (crossed_wires.force_of_large_deflection(push, 2.0, 0.0, **wire) for push in (1e-3, 0.4))
+    assert little == pytest.approx(1e-3 * stiffness / 2, rel=1e-5)
+    assert 1.02 < far / (0.4 * stiffness / 2) < 1.10
+
+
+def test_a_twisted_rod_bends_as_a_supported_beam_without_torque_and_without_bound_at_that_of_greenhill():
+    assert twisted_rod.deflection(1e-3).real == pytest.approx(1 / 48, rel=1e-6)
+    near, nearer = (twisted_rod.deflection(2 * np.pi * (1 - distance)).real for distance in (1e-3, 1e-4))
+    assert nearer / near == pytest.approx(10.0, rel=1e-2)
 
 
 def test_a_grid_of_one_crossing_is_a_crossing_and_open_ones_carry_nothing():
@@ -331,6 +353,9 @@ def test_iterations_that_differ_are_seen():
     assert residual_difference(first, first) == 0.0
     assert residual_difference(first, first | {"force": np.array([1.01, 1e-9])}) == pytest.approx(0.01)
     assert residual_difference(first, first | {"force": np.array([1.0, 2e-9])}) == 0.0
+    # above what is allowed, but round-off of the largest one
+    tiny = {name: np.array([1.0, 1e-11]) for name in names} | {f"{name}_allowed": np.full(2, 1e-14) for name in names}
+    assert residual_difference(first | tiny, first | tiny | {"force": np.array([1.0, 2e-11])}) == 0.0
     assert residual_difference(first, first | {"iteration": np.array([0, 2])}) == np.inf
 
 

@@ -1,4 +1,4 @@
-"""Spot and resistance of two crossed wires: over the crossing angle, and over the force for each law.
+"""Spot and resistance of two crossed wires: over the crossing angle, of several metals, and over the force for each law.
 
 Source: H. Hertz (1882) in K. L. Johnson, Contact Mechanics (1985), section 4.2; R. Holm, Electric Contacts, 4th ed.
 (1967): R_c = (rho1 + rho2) K(m)/(2 pi a) of an elliptic spot, rho/(2 a) of a circle, F = pi a^2 H of a plastic one;
@@ -6,40 +6,76 @@ values with 30 digits from references/hertz.py. The law of the paper (D. P. Boso
 Wriggers, Electric-mechanical beam-to-beam contact) takes the mean radius r rb/(r + rb), which is that of two spheres.
 Two equal cylinders at right angles have twice that radius, r: the paper's spot is smaller by 2^(-1/3) and its
 resistance larger by 2^(1/3), which is 26 %, whatever the force. At other angles the spot is an ellipse and the
-paper's is a circle: at 20 degrees the resistance is 2.09 times too large.
+paper's is a circle: at 20 degrees the resistance is 2.09 times too large. Deck: pairs of wires whose nodes are all led
+and have a given potential, so that overlap and voltage of each contact are known; R_c is the voltage over the current.
 """
 
 import math
 
 import numpy as np
 
-from litz import kernels
-from verification import figures
+from verification import figures, led_wires
+from verification.led_wires import LedPair
 from verification.references import hertz
-from verification.wire_decks import COPPER
+from verification.wire_decks import COPPER, Wire
 
 ANGLES = (90, 60, 45, 30, 20)
-#: Radii, E* and resistivities of 1
-UNIT = {"radius": 1.0, "young": 2.0, "poisson": 0.0, "resistivity": 1.0}
-WIRES = {"radius": COPPER.radius, "young": COPPER.young, "poisson": COPPER.poisson, "resistivity": COPPER.resistivity}
-#: Forces and angles of the copper wires
-COPPER_STATES = ((1.0, 90), (1.0, 60), (1.0, 30), (100.0, 90))
+#: Radius, E* of two wires and resistivity of 1
+UNIT = Wire(radius=1.0, young=2.0, poisson=0.0, resistivity=1.0)
+#: Approach under which the forces of these are measured, and force under which spots and resistances are
+UNIT_APPROACH, UNIT_FORCE = 1e-4, 1e-6
+#: Approaches of copper wires under 1 N at 90, 60 and 30 degrees and under 100 N at 90 degrees [m]
+COPPER_APPROACHES = ((4.9625607e-7, 90), (4.6528594e-7, 60), (3.6043551e-7, 30), (1.0691513e-5, 90))
+METALS = {
+    "copper_and_aluminium": (COPPER, Wire(radius=1.5e-3, young=70e9, poisson=0.33, resistivity=2.8e-8)),
+    "gold_and_tungsten": (
+        Wire(radius=0.2e-3, young=78e9, poisson=0.44, resistivity=2.2e-8),
+        Wire(radius=2e-3, young=411e9, poisson=0.28, resistivity=5.3e-8),
+    ),
+}
+METAL_ANGLES, METAL_APPROACH = (90, 60, 45, 30, 20, 12), 1e-7
 FORCES = np.geomspace(1e-4, 1e2, 25)
+#: Overlap of wires under a given force [m]
+OVERLAP = 1e-6
 HARDNESS, FILM = 1e9, 1e-12
 LAWS = {
-    "hertz": {"law": "hertz"},
-    "paper": {"law": "paper"},
-    "plastic": {"law": "plastic", "hardness": HARDNESS},
-    "film": {"law": "film", "film_resistivity": FILM},
+    "hertz": "HERTZ",
+    "paper": "PAPER",
+    "plastic": f"PLASTIC\n {HARDNESS:.16g}",
+    "film": f"FILM\n {FILM:.16g}",
 }
 
 
-def spot(force, degrees, wires=UNIT, **law):
-    return kernels.contact_spot(force, **wires, angle=math.radians(degrees), **law)
+def under(force, degrees, wire=COPPER, law="HERTZ", overlap=OVERLAP):
+    """Two equal wires under a given force."""
+    return LedPair(wire, wire, degrees, overlap, law, penalty=force / overlap)
 
 
-def resistances(law, forces=FORCES):
-    return np.array([1 / spot(force, 90, WIRES, **LAWS[law]).conductance for force in forces])
+def groups():
+    """Pairs of wires of one deck, by what is measured with them."""
+    found = {
+        "unit_force": [LedPair(UNIT, UNIT, degrees, UNIT_APPROACH) for degrees in ANGLES],
+        "unit": [under(UNIT_FORCE, degrees, UNIT, overlap=UNIT_APPROACH) for degrees in ANGLES],
+        "unit_paper": [under(UNIT_FORCE, degrees, UNIT, "PAPER", UNIT_APPROACH) for degrees in ANGLES],
+        "copper_force": [LedPair(COPPER, COPPER, degrees, approach) for approach, degrees in COPPER_APPROACHES],
+        "copper": [under(force, degrees) for force, degrees in ((1.0, 90), (1.0, 60), (1.0, 30), (100.0, 90))],
+        "weak_film": [under(force, 90, law=LAWS["film"]) for force in (1e-9, 1e-8)],
+    }
+    found |= {
+        name: [LedPair(*pair, degrees, METAL_APPROACH) for degrees in METAL_ANGLES] for name, pair in METALS.items()
+    }
+    return found | {law: [under(force, 90, law=text) for force in FORCES] for law, text in LAWS.items()}
+
+
+def ledgers(workspace):
+    """Columns of the ledger for each group of pairs."""
+    pairs = groups()
+    every = [pair for group in pairs.values() for pair in group]
+    note = "Source  Johnson, Contact Mechanics, section 4.2; Holm, Electric Contacts"
+    found = led_wires.contacts(workspace.run("led_wires", led_wires.deck(every, "Spots of crossed wires", note)), every)
+    ends = np.cumsum([len(group) for group in pairs.values()])[:-1]
+    columns = {name: np.split(column, ends) for name, column in found.items()}
+    return {group: {name: column[i] for name, column in columns.items()} for i, group in enumerate(pairs)}
 
 
 def slope(forces, values):
@@ -48,29 +84,29 @@ def slope(forces, values):
 
 
 def measure(workspace):
-    unit = [spot(1.0, degrees) for degrees in ANGLES]
-    copper = [spot(force, degrees, WIRES) for force, degrees in COPPER_STATES]
+    found = ledgers(workspace)
+    unit, copper = found["unit"], found["copper"]
+    # axes grow with the cube root of the force, the resistance falls with it
+    root = UNIT_FORCE ** (1 / 3)
     values = {
-        "contact_spot.semi_major": [s.semi_major for s in unit],
-        "contact_spot.semi_minor": [s.semi_minor for s in unit],
-        "contact_spot.approach": [s.approach for s in unit],
-        "contact_spot.resistance": [1 / s.conductance for s in unit],
-        "contact_spot.shape_factor": [2 * math.sqrt(s.semi_major * s.semi_minor) / s.conductance for s in unit],
-        "contact_spot.copper.resistance": [1 / s.conductance for s in copper],
-        "contact_spot.copper.approach": [s.approach for s in copper],
+        "contact_spot.force": found["unit_force"]["force"].tolist(),
+        "contact_spot.semi_major": (unit["semi_major"] / root).tolist(),
+        "contact_spot.semi_minor": (unit["semi_minor"] / root).tolist(),
+        "contact_spot.resistance": (unit["resistance"] * root).tolist(),
+        "contact_spot.copper.force": found["copper_force"]["force"].tolist(),
+        "contact_spot.copper.resistance": copper["resistance"].tolist(),
     }
-    found = {law: resistances(law) for law in LAWS}
-    exact, paper = spot(1.0, 90, WIRES), spot(1.0, 90, WIRES, law="paper")
-    values["contact_spot.paper.radius"] = paper.semi_major / exact.semi_major
-    values["contact_spot.paper.resistance"] = [float(ratio) for ratio in (found["paper"] / found["hertz"])[[0, 12, 24]]]
-    values["contact_spot.paper.angle"] = [
-        spot(1.0, d).conductance / spot(1.0, d, law="paper").conductance for d in ANGLES
-    ]
-    values["contact_spot.plastic"] = float(1 / spot(1.0, 90, WIRES, **LAWS["plastic"]).conductance)
-    values["contact_spot.slopes"] = [slope(FORCES, found[law]) for law in ("hertz", "paper", "plastic")]
-    weak = np.array([1e-9, 1e-8])
-    values["contact_spot.film_slope"] = slope(weak, resistances("film", weak))
-    return values | {"figure": found}
+    for name in METALS:
+        for column in ("force", "semi_major", "semi_minor", "resistance"):
+            values[f"contact_spot.{name}.{column}"] = found[name][column].tolist()
+    values["contact_spot.paper.radius"] = found["paper"]["semi_major"][[0, 12, 24]].tolist()
+    values["contact_spot.paper.resistance"] = found["paper"]["resistance"][[0, 12, 24]].tolist()
+    values["contact_spot.paper.angle"] = (found["unit_paper"]["resistance"] * root).tolist()
+    values["contact_spot.plastic"] = found["plastic"]["resistance"][[0, 12, 24]].tolist()
+    values["contact_spot.film"] = found["film"]["resistance"][[0, 12, 24]].tolist()
+    values["contact_spot.slopes"] = [slope(FORCES, found[law]["resistance"]) for law in ("hertz", "paper", "plastic")]
+    values["contact_spot.film_slope"] = slope((1e-9, 1e-8), found["weak_film"]["resistance"])
+    return values | {"figure": {law: found[law]["resistance"] for law in LAWS}}
 
 
 def draw(values, path):
@@ -79,9 +115,7 @@ def draw(values, path):
         exact = [hertz.crossed_wires(1, math.radians(d), radius=(1, 1), modulus=1, resistivity=(1, 1)) for d in degrees]
         angle.plot(degrees, [s.resistance for s in exact], label="Hertz and Holm, 30 digits", **figures.REFERENCE)
         angle.plot(ANGLES, values["contact_spot.resistance"], "s", color="#c4451c", label="litz, LAW=HERTZ")
-        paper = [
-            r * p for r, p in zip(values["contact_spot.resistance"], values["contact_spot.paper.angle"], strict=True)
-        ]
+        paper = values["contact_spot.paper.angle"]
         angle.plot(ANGLES, paper, "o--", color="#0b62a4", label="litz, LAW=PAPER")
         angle.annotate("", (90, paper[0]), (90, values["contact_spot.resistance"][0]), arrowprops={"arrowstyle": "<->"})
         angle.annotate("26 %", (80, 0.63))

@@ -7,9 +7,11 @@ derivatives by automatic differentiation), with plain Newton and with section an
 variables.
 
 Where the grids are lowered at their supports, the crossings near these carry all and the middle rises; under a load on
-every node of the upper layer nearly all of the crossings close. Not within 16 iterations: thin wires clamped at both
-ends (length 400 radii) that a load bends by three radii, so that they stretch while 100 crossings close; one cut-back
-then helps.
+every node of the upper layer nearly all of the crossings close. The hardest grid: thin wires clamped at both ends (length
+400 radii) that a load bends by three radii, so that they stretch while 100 crossings close.
+
+Missed: threads bent by ten diameters need 11 (linear penalty) and 18 iterations (Hertz), a hundred crossings of B31 11
+(Hertz).
 """
 
 import math
@@ -112,8 +114,14 @@ class Grid:
         along = np.array([[np.linalg.solve(np.column_stack([t, -u]), q - p) for q in upper] for p in lower])
         return along[..., 0], along[..., 1]
 
+    def unseen(self, properties, places):
+        """Deflection of a wire at `places` by a unit force there that its mesh misses, between the nodes."""
+        h = self.length / self.elements
+        xi = 2 * np.modf(np.asarray(places) / h + 1e-9)[0] - 1
+        return h**3 * np.maximum(1 - xi**2, 0.0) ** 3 / (192 * properties.ei)
+
     def exact(self):
-        """Contact forces (lower wire, upper wire) for small deflections."""
+        """Contact forces (lower wire, upper wire) for small deflections, as meshes of cubic elements see them."""
         on_lower, on_upper = self.crossings()
         n = self.n
         flexibility = np.zeros((n, n, n, n))
@@ -127,8 +135,11 @@ class Grid:
         nodes = np.linspace(0.0, self.length, self.elements + 1)
         clearance = np.tile(self.heights() - self.push, (n, 1))
         for i in range(n):
-            flexibility[i, :, i, :] += wire(self.lower, on_lower[i], on_lower[i])
-            flexibility[:, i, :, i] += wire(self.upper, on_upper[:, i], on_upper[:, i])
+            for properties, places, block in (
+                (self.lower, on_lower[i], np.s_[i, :, i, :]),
+                (self.upper, on_upper[:, i], np.s_[:, i, :, i]),
+            ):
+                flexibility[block] += wire(properties, places, places) - np.diag(self.unseen(properties, places))
             if self.load:
                 clearance[:, i] -= self.load * np.sum(wire(self.upper, on_upper[:, i], nodes), 1)
         if self.penalty is not None:
@@ -178,7 +189,8 @@ def new(law):
         "25, at 40 degrees, two metals": Grid(5, law, 2e-4, lower=STEEL, upper=ALUMINIUM, pitch=0.006, angle=40),
         "100, uneven": Grid(10, law, 2e-4, unevenness=3e-4),
         "36, thread": Grid(6, law, 1e-4, lower=THREAD, upper=THREAD, length=0.08, pitch=0.01),
-        "36, thread, tenfold": Grid(6, law, 1e-3, lower=THREAD, upper=THREAD, length=0.08, pitch=0.01),
+        # twice the penalty, for an overlap of less than 5 % of the radius
+        "36, thread, tenfold": Grid(6, law and 2 * law, 1e-3, lower=THREAD, upper=THREAD, length=0.08, pitch=0.01),
         "100, loaded": Grid(10, law, load=0.2, clearance=1e-6),
         "100, loaded, tenfold": Grid(10, law, load=2.0, clearance=1e-6),
         "64, oblique, loaded": Grid(8, law, load=0.2, clearance=1e-6, pitch=0.005, angle=50),
@@ -197,11 +209,19 @@ def contact_forces(grid, results):
 
 
 def small(law):
-    """Grids whose nodes lie at the crossings and whose deflections are small."""
+    """Grids whose deflections are small, against the radii as well, so that the wires do not stretch."""
     return [
         Grid(4, law, 1e-5, elements=50),
         Grid(10, law, 1e-5, elements=50),
         Grid(10, law, load=0.02, clearance=1e-6, elements=50),
+        Grid(8, law, 2e-6, lower=STEEL, upper=STEEL, length=0.05, pitch=0.005),
+        Grid(6, law, 5e-6, upper=ALUMINIUM),
+        Grid(6, law, 1e-5, angle=60),
+        Grid(5, law, 4e-6, lower=STEEL, upper=ALUMINIUM, pitch=0.006, angle=40),
+        Grid(10, law, 1e-5, unevenness=1.5e-5),
+        Grid(6, law, 5e-7, lower=THREAD, upper=THREAD, length=0.08, pitch=0.01),
+        Grid(8, law, load=0.02, clearance=1e-6, pitch=0.005, angle=50),
+        Grid(20, law, 1e-5, pitch=0.004, elements=50),
     ]
 
 
@@ -223,19 +243,15 @@ def measure(workspace):
     if workspace.quick:
         return values | {"figure": figure}
     for name, law in LAWS.items():
-        grids = new(law)
-        runs = [count(workspace, f"new_{name}_{i}", grid) for i, grid in enumerate(grids.values())]
-        values[f"crossings.new.{name}"] = [run[0] for run in runs]
-        values[f"crossings.path.{name}"] = 0.0
-        for i, (grid, (_, results)) in enumerate(zip(grids.values(), runs, strict=True)):
-            ten = contact_forces(grid, workspace.run(f"new_{name}_{i}_ten", grid.deck(10)))
-            difference = np.abs(contact_forces(grid, results) - ten).max() / ten.max()
-            values[f"crossings.path.{name}"] = max(values[f"crossings.path.{name}"], float(difference))
+        values[f"crossings.new.{name}"] = [
+            count(workspace, f"new_{name}_{i}", grid)[0] for i, grid in enumerate(new(law).values())
+        ]
         values[f"crossings.forces.{name}"] = []
         for i, grid in enumerate(small(law)):
             forces, exact = contact_forces(grid, count(workspace, f"small_{name}_{i}", grid)[1]), grid.exact()
             values[f"crossings.forces.{name}"].append(float(np.abs(forces - exact).max() / exact.max()))
-            figure[name] = forces, exact
+            if i == 2:
+                figure[name] = forces, exact
         loose = Grid(10, law, load=0.05, lower=STEEL, upper=STEEL, clearance=1e-6)
         values[f"crossings.stretching.{name}"] = count(workspace, f"stretching_{name}", loose)[0]
     return values | {"figure": figure}

@@ -9,7 +9,7 @@ import numpy as np
 
 from verification import figures
 from verification.deck_text import Rigidity, chain, heading, join, step, straight
-from verification.kernel_frame import extrapolate
+from verification.numerics import extrapolate
 from verification.references import elastica
 
 LOADS = (0.2, 0.4, 0.5, 0.8, 1, 2, 4, 5, 6, 9, 10)

@@ -14,7 +14,7 @@ import numpy as np
 
 from litz import kernels
 from verification import figures
-from verification.kernel_frame import rotation
+from verification.numerics import rotation
 from verification.references import contact_element
 from verification.references.contact_element import Pair, derivative, evaluate
 

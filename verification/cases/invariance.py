@@ -13,7 +13,7 @@ import numpy as np
 from verification import figures
 from verification.deck_text import chain, heading, join
 from verification.deck_transform import Units, in_units, renumbered, rotated, swapped_contact_pairs
-from verification.kernel_frame import rotation
+from verification.numerics import rotation
 
 INPUTS = Path(__file__).parents[2] / "inputs"
 DECKS = ("02_oblique_crossing", "04_wire_grid")

@@ -7,9 +7,9 @@ the cases on which the constants of the iteration were chosen; frame, half circl
 not. That the right state is found is claimed too: tips from shooting with a geometrically exact rod
 (references/rod.py) and from elliptic integrals (references/elastica.py).
 
-Missed: the helix of B31 under the threefold force, whose elements turn by 18 degrees each, wanders and is cut back once.
-It arrives at the right state. A cap of 0.4 rad on the rotations of an iteration lets it converge in 9, but then the
-roll-up to a circle does not reach its end in 16 iterations.
+Missed: the circle of B33 needs 16. The helix of B31 under the threefold force, whose elements turn by 18 degrees each,
+wanders and is cut back. It arrives at the right state. A cap of 0.4 rad on the rotations of an iteration lets it converge
+in 9, but then the roll-up to a circle does not reach its end in 16 iterations.
 """
 
 from itertools import product

@@ -3,15 +3,17 @@
 Source: G. S. Ohm (1827), G. Kirchhoff, Ann. Phys. 64 (1845) 497: the potentials of a network of resistors, solved by
 themselves in references/network.py. Balance of a bridge: C. Wheatstone, Phil. Trans. R. Soc. 133 (1843) 303: no
 current through the contact, whatever its resistance, where the crossing points of both wires have the same potential
-without it. Wires are pressed together so little (1e-8 m) that the crossing moves by no more than 1e-10 m. The
-resistances of the sixteen contacts of inputs/04_wire_grid are taken from its ledger.
+without it. Wires are pressed together so little (1e-8 m) that the crossing moves by no more than 1e-10 m. The sixteen
+contacts of inputs/04_wire_grid lie at the crossings of straight wires; their resistances are given, or those of Holm
+for the forces from the deflections of clamped beams (Roark's table 8.1, references/crossed_wires.py) and Hertz.
 """
 
 import numpy as np
 
 from verification import figures
+from verification.cases.crossings import Grid
 from verification.deck_text import chain, heading, join, step
-from verification.references import network
+from verification.references import hertz, network
 from verification.wire_decks import COPPER, INPUTS, Crossing, interaction, section
 
 LENGTH, APPROACH, PENALTY = 0.1, 1e-8, 1e5
@@ -22,6 +24,8 @@ ENDS = (1e-3, 2e-4, 0.0, 5e-4)
 #: Without a contact both crossing points have 0.7 mV
 BALANCED = (1e-3, 0.0, 1e-4, 1.1e-3)
 RESISTANCES = (1e-6, 1e-4, 1e-2)
+#: Crossings of the grid along its wires [m], and the resistance of its contacts where that is given [ohm]
+GRID_PLACES, GIVEN = (0.035, 0.045, 0.055, 0.065), 1e-4
 
 
 def crossing(workspace, name, ends, resistance):
@@ -70,31 +74,47 @@ def stretched(workspace, option):
     return [float(value) for value in resistance[1:]]
 
 
-def grid(workspace):
-    """Currents of the contacts of a grid: of litz, and of Kirchhoff for the places and resistances of its ledger."""
-    results = workspace.run("04_wire_grid", (INPUTS / "04_wire_grid.inp").read_text())
+def grid_currents(results):
+    """Currents of the sixteen contacts, lower wires from front to back, on each the upper ones from left to right."""
     contacts = results.contacts_at(-1)
-    n = len(contacts["id"])
-    resistors = [(i, n + i, r) for i, r in enumerate(contacts["resistance"])]
-    held = {}
-    # contact i is node i on its lower and node n + i on its upper wire; electrodes come after these
-    for group, axis, ending, voltage, first in (("LOWER", 0, "_bar", 1e-3, 0), ("UPPER", 1, "", 0.0, n)):
-        ends = results.nodes[results.elements, axis]
-        rows = {number: row for row, number in enumerate(results.element_ids)}
-        row = np.array([rows[number] for number in contacts[f"element{ending}"]])
-        xi = np.asarray(contacts[f"xi{ending}"])
-        place = ((1 - xi) * ends[row, 0] + (1 + xi) * ends[row, 1]) / 2
-        for wire in range(1, 5):
-            elements = results.element_sets[f"{group}{wire}"]
-            touching = np.flatnonzero(np.isin(row, elements))
-            electrode = 2 * n + len(held)
-            held[electrode] = voltage
-            here, before = ends[elements].min(), electrode
-            for i in touching[np.argsort(place[touching])]:
-                resistors.append((before, first + i, COPPER.resistance(place[i] - here)))
-                here, before = place[i], first + i
-    v = network.potentials(2 * n + len(held), resistors, held)
-    return np.asarray(contacts["current"]), (v[:n] - v[n : 2 * n]) / np.asarray(contacts["resistance"])
+    return np.asarray(contacts["current"])[np.lexsort((contacts["point_x"].round(3), contacts["point_y"].round(3)))]
+
+
+def given_grid(workspace):
+    """Currents of the grid with contacts of a given resistance, pressed together by no more than 10 nm."""
+    text = (INPUTS / "04_wire_grid.inp").read_text()
+    for card, other in {
+        "LAW=HERTZ\n": f"LAW=CONSTANT\n {GIVEN:.16g}\n",
+        " MOVING, 3, 3, -0.1e-3\n": f" MOVING, 3, 3, {-APPROACH}\n",
+    }.items():
+        if text.count(card) != 1:
+            raise ValueError(f"inputs/04_wire_grid.inp no longer has {card!r} once")
+        text = text.replace(card, other)
+    return grid_currents(workspace.run("given_grid", text))
+
+
+def exact_grid(resistances):
+    """Currents of all contacts (lower wire, upper wire), by Kirchhoff's laws, for their resistances.
+
+    Contact (i, j) is node 4 i + j on its lower and 16 + 4 i + j on its upper wire; electrodes come after these.
+    """
+    resistors = [(k, 16 + k, r) for k, r in enumerate(np.ravel(resistances))]
+    arms = [COPPER.resistance(length) for length in np.diff([0.0, *GRID_PLACES])]
+    for wire in range(4):
+        lower = [32 + wire, *(4 * wire + j for j in range(4))]
+        upper = [36 + wire, *(16 + 4 * i + wire for i in range(4))]
+        for nodes in (lower, upper):
+            resistors += list(zip(nodes, nodes[1:], arms, strict=False))
+    v = network.potentials(40, resistors, {32 + w: 1e-3 for w in range(4)} | {36 + w: 0.0 for w in range(4)})
+    return (v[:16] - v[16:32]) / np.ravel(resistances)
+
+
+def exact_pressed_grid():
+    """Currents of the grid of the deck: forces from the bending of all wires and Hertz, resistances from the forces."""
+    modulus = hertz.effective_modulus((COPPER.young,) * 2, (COPPER.poisson,) * 2)
+    pair = {"radius": (COPPER.radius,) * 2, "resistivity": (COPPER.resistivity,) * 2, "modulus": modulus}
+    forces = Grid(4, None, push=1e-4, pitch=0.01).exact().ravel()
+    return exact_grid([hertz.crossed_wires(force, np.pi / 2, **pair).resistance for force in forces])
 
 
 def measure(workspace):
@@ -110,14 +130,16 @@ def measure(workspace):
         balanced.append(measured_crossing(found)[2])
     wire_current = (BALANCED[0] - BALANCED[1]) / COPPER.resistance(LENGTH)
     values["networks.balance"] = [abs(current) / wire_current for current in balanced]
-    currents, exact = grid(workspace)
-    values["networks.grid.total"] = float(currents.sum() / exact.sum() - 1)
-    values["networks.grid.contacts"] = float(np.abs(currents - exact).max() / exact.max())
-    return values | {"figure": (balanced, currents, exact)}
+    values["networks.grid.given"] = given_grid(workspace).tolist()
+    results = workspace.run("04_wire_grid", (INPUTS / "04_wire_grid.inp").read_text())
+    values["networks.grid.total"] = float(results.history["current PLUS to MINUS"][-1])
+    values["networks.grid.contacts"] = grid_currents(results).tolist()
+    return values | {"figure": balanced}
 
 
 def draw(values, path):
-    balanced, currents, exact = values["figure"]
+    balanced, exact = values["figure"], exact_pressed_grid()
+    currents = np.array(values["networks.grid.contacts"])
     with figures.panels(path) as (bridge, contacts):
         resistances = np.geomspace(1e-7, 1e-1, 60)
         unbalanced = [values[f"networks.crossing.{r:g}"][2] for r in RESISTANCES]
@@ -131,7 +153,7 @@ def draw(values, path):
         bridge.set(xlabel="contact resistance [ohm]", ylabel="contact current [A]")
         bridge.legend()
         order = np.argsort(exact)[::-1]
-        contacts.bar(range(16), exact[order], color="#bbbbbb", label="Kirchhoff")
+        contacts.bar(range(16), exact[order], color="#bbbbbb", label="beams, Hertz, Kirchhoff")
         contacts.plot(range(16), currents[order], "s", color="#c4451c", label="litz")
         contacts.set(xlabel="contacts of a grid of 4 x 4 wires", ylabel="contact current [A]", xticks=[])
         contacts.legend()

@@ -12,7 +12,7 @@ import numpy as np
 from verification import figures
 from verification.cases.iterations import CORNER
 from verification.deck_text import Rigidity, chain, heading, join, step
-from verification.kernel_frame import rotation
+from verification.numerics import rotation
 from verification.references.rod import Piece, free_shape
 
 RIGIDITY = Rigidity(ea=1e6, ga=1e6, gj=0.8, ei2=1.0, ei3=1.0)

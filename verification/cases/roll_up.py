@@ -9,7 +9,7 @@ import numpy as np
 
 from verification import figures
 from verification.deck_text import Rigidity, chain, heading, join, step, straight
-from verification.kernel_frame import extrapolate
+from verification.numerics import extrapolate
 
 MESHES = (10, 20, 40, 80)
 ORDER = {"B31": 2, "B33": 4}

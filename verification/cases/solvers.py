@@ -30,13 +30,14 @@ def with_solver(text, solver):
 def residual_difference(first, second):
     """Largest relative difference of the residuals of all iterations that are 1e2 times what is allowed, or more.
 
-    Smaller ones are differences of large numbers; inf when the iterations are not the same.
+    Smaller ones are differences of large numbers, and so are those below 1e-10 of the largest one; inf when the iterations
+    are not the same.
     """
     if [tuple(row) for row in keys(first)] != [tuple(row) for row in keys(second)]:
         return np.inf
     worst = 0.0
     for name, allowed in (("force", "force_allowed"), ("moment", "moment_allowed"), ("current", "current_allowed")):
-        large = first[name] > 1e2 * first[allowed]
+        large = (first[name] > 1e2 * first[allowed]) & (first[name] > 1e-10 * first[name].max())
         if np.any(large):
             worst = max(worst, float(np.abs(second[name][large] / first[name][large] - 1.0).max()))
     return worst

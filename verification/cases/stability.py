@@ -1,140 +1,176 @@
-"""Critical loads of rods: Euler, Prandtl, Greenhill, Michell, from the exact tangents of the kernels.
+"""Critical loads of rods: Euler, Prandtl, Greenhill, Michell.
 
 Sources: Euler's column with E A and G A finite, E. Reissner's strains linearised about the compressed straight rod:
 P (1 - P/EA + P/GA) = E I (pi/L_k)^2. Lateral buckling of a narrow cantilever under a load at the centroid of its tip:
 L. Prandtl, Kipperscheinungen (1899), A. G. M. Michell, Phil. Mag. 48 (1899) 298-309: P = 4.0126 sqrt(E I GJ)/L^2.
 Twisted rod: A. G. Greenhill, Proc. Inst. Mech. Eng. 34 (1883) 182-225, M = 2 pi E I/L with hinged ends and an axial
 torque; with clamped ends tan(u) = u, u = M L/(2 E I) = 4.4934. Twisted ring: A. G. M. Michell (1889), E. E. Zajac, J.
-Appl. Mech. 29 (1962) 136-142: twist 2 pi sqrt(3) E I/GJ. Meshes of 16, 32 and 64 elements; critical is where an
-eigenvalue of the tangent passes zero.
+Appl. Mech. 29 (1962) 136-142: twist 2 pi sqrt(3) E I/GJ.
+
+Critical is where a run first reports negative pivots: levels of the load are narrowed down around the exact one. The
+tangent of the hinged rod under a torque is not symmetric and has no pivots to count; its deflection by a small force
+grows as in references/twisted_rod.py. The ring is a straight rod that is rolled up until its ends meet; the first end
+then turns about its own axis. As the sections of a straight rod prefer no direction the ring could swing about its clamp
+at no cost, were the node opposite not held in the plane. Meshes of 16, 32 and 64 elements.
 """
+
+from dataclasses import dataclass
 
 import numpy as np
 
 from verification import figures
 from verification.claims import read_claims
-from verification.deck_text import Rigidity, straight
-from verification.kernel_frame import KernelFrame, critical, extrapolate, rotation
+from verification.deck_text import Rigidity, chain, heading, join, step, straight
+from verification.numerics import extrapolate
+from verification.references import twisted_rod
 
 MESHES = (16, 32, 64)
 ELEMENTS = ("B31", "B33")
-HELD, FREE = [True] * 6, [False] * 6
-
-#: Held unknowns ux uy uz phix phiy phiz at both ends; the second end may slide along the rod
-ENDS = {
-    "free": (HELD, FREE),
-    "hinged": ([True] * 4 + [False] * 2, [False, True, True, False, False, False]),
-    "clamped": (HELD, [False] + [True] * 5),
-}
-BUCKLING_LENGTH = {"free": 2.0, "hinged": 1.0, "clamped": 0.5}
+#: Bounds of the critical load, in parts of the exact one of infinitely many elements
+BOUNDS = (0.97, 1.05)
+#: Levels of the load in one run
+LEVELS = 12
+#: Torques of the hinged rod over the critical one, and the force in its middle
+TORQUES, FORCE = (0.5, 0.8, 0.9), 1e-5
+GJ = 0.7
 
 
-def rod(element, rigidity, n, ends):
-    """A straight rod of length 1 along x."""
-    chain = np.column_stack([np.arange(n), np.arange(1, n + 1)])
-    fixed = np.zeros((n + 1, 6), dtype=bool)
-    fixed[0], fixed[-1] = ends
-    return KernelFrame(element, rigidity, straight(1.0, n), chain, np.tile(np.eye(3), (n, 2, 1, 1)), fixed)
+@dataclass(frozen=True)
+class Problem:
+    """A rod of length 1 and E I = 1 along x under a load that grows."""
+
+    rigidity: Rigidity
+    #: Data lines of *BOUNDARY, and the card of the load; {tip} and {middle} are node numbers
+    supports: tuple
+    card: str
+    #: Load of the deck over the number that the source gives
+    unit: float = 1.0
+    #: The matrix whose pivots are counted is that of the state before an increment: each level of the load is followed
+    #: by another increment, which is larger by this
+    nudge: float = 1e-5
+    #: To how many parts of it the critical load is narrowed down
+    resolution: float = 1e-6
+    #: The rod is rolled up to a ring first
+    rolled: bool = False
 
 
-def euler_load(element, n, ends):
-    """Critical compression of a rod that shortens and shears, P/(E I/L^2)."""
-    rigidity = Rigidity(ea=1e4, ga=4e3, gj=1.0, ei2=1.0, ei3=1.0)
-
-    def is_stable(load):
-        frame = rod(element, rigidity, n, ENDS[ends])
-        frame.x[:, 0] *= 1.0 - load / rigidity.ea
-        return frame.eigenvalues("hessian")[0] > 0.0
-
-    first = (np.pi / BUCKLING_LENGTH[ends]) ** 2
-    return critical(is_stable, 0.5 * first, 1.5 * first)
-
-
-def prandtl_load(element, n):
-    """Critical tip load of a cantilever that is 1e5 times stiffer in the plane of the load, P L^2/sqrt(E I GJ)."""
-    rigidity = Rigidity(ea=1e7, ga=1e7, gj=0.5, ei2=1.0, ei3=1e5)
-
-    def is_stable(load):
-        frame = rod(element, rigidity, n, ENDS["free"])
-        loads = np.zeros((n + 1, 6))
-        loads[-1, 1] = load * np.sqrt(rigidity.gj)
-        frame.equilibrium(loads)
-        return frame.eigenvalues("hessian")[0] > 0.0
-
-    return critical(is_stable, 3.0, 5.0)
-
-
-def greenhill_torque(element, n, ends):
-    """Critical torque of a straight rod, M L/(E I); the torque keeps its axis."""
-    rigidity = Rigidity(ea=1e6, ga=1e6, gj=0.7, ei2=1.0, ei3=1.0)
-    first, second = ENDS[ends]
-    # the second end turns about x with the torque
-    second = [*second[:3], ends == "clamped", *second[4:]]
-
-    def is_stable(torque):
-        frame = rod(element, rigidity, n, (first, second))
-        frame.rotations = np.array([rotation([torque / rigidity.gj * s, 0.0, 0.0]) for s in frame.x[:, 0]])
-        return frame.eigenvalues()[0] > 0.0
-
-    return critical(is_stable, 4.5, 12.0)
-
-
-def ring_twist(element, n):
-    """Critical twist of a straight rod that is twisted and closed to a ring, twist GJ/(2 pi E I)."""
-    rigidity = Rigidity(ea=1e6, ga=1e6, gj=0.8, ei2=1.0, ei3=1.0)
-    length = 1.0 / n
-    angle = 2.0 * np.pi * np.arange(n) / n
-    points = length / (2.0 * np.sin(np.pi / n)) * np.column_stack([np.sin(angle), -np.cos(angle), 0.0 * angle])
-    chain = np.column_stack([np.arange(n), (np.arange(n) + 1) % n])
-    axes = np.array([rotation([0.0, 0.0, a]) for a in angle])
-    triads = axes[chain]
-    free_points = np.tile([[0.0, 0.0, 0.0], [length, 0.0, 0.0]], (n, 1, 1))
-
-    def is_stable(twist):
-        free_triads = np.tile(np.eye(3), (n, 2, 1, 1))
-        free_triads[:, 1] = rotation([-twist * 2.0 * np.pi / rigidity.gj / n, 0.0, 0.0])
-        frame = KernelFrame(
-            element, rigidity, points, chain, triads, np.zeros((n, 6), dtype=bool), (free_points, free_triads)
-        )
-        frame.equilibrium(np.zeros((n, 6)))
-        # six rigid motions and the rolling of the sections cost no energy
-        return frame.eigenvalues("hessian")[0] > -1e-5
-
-    return critical(is_stable, 1.4, 2.2, digits=7)
-
-
+COLUMN = Rigidity(ea=1e4, ga=4e3, gj=1.0, ei2=1.0, ei3=1.0)
+TWISTED = Rigidity(ea=1e6, ga=1e6, gj=GJ, ei2=1.0, ei3=1.0)
+#: 1e5 times stiffer in the plane of the load
+NARROW = Rigidity(ea=1e7, ga=1e7, gj=GJ, ei2=1.0, ei3=1e5)
+PRESS = "*CLOAD\n {tip}, 1, -{load}"
 PROBLEMS = {
-    **{f"euler.{ends}": lambda element, n, ends=ends: euler_load(element, n, ends) for ends in ENDS},
-    "prandtl": prandtl_load,
-    **{
-        f"greenhill.{ends}": lambda element, n, ends=ends: greenhill_torque(element, n, ends)
-        for ends in ("hinged", "clamped")
-    },
-    "ring": ring_twist,
+    "euler.free": Problem(COLUMN, (" 1, ENCASTRE",), PRESS),
+    "euler.hinged": Problem(COLUMN, (" 1, 1, 4", " {tip}, 2, 3"), PRESS),
+    "euler.clamped": Problem(COLUMN, (" 1, ENCASTRE", " {tip}, 2, 6"), PRESS),
+    # a residual of less than 1e-4 of the load is round-off of the stiff direction
+    "prandtl": Problem(NARROW, (" 1, ENCASTRE",), "*CLOAD\n {tip}, 2, {load}", GJ**0.5, nudge=1e-4, resolution=1e-5),
+    "greenhill.clamped": Problem(
+        TWISTED, (" 1, ENCASTRE", " {tip}, 2, 3", " {tip}, 5, 6"), "*BOUNDARY\n {tip}, 4, 4, {load}", 1 / GJ
+    ),
+    "ring": Problem(
+        TWISTED,
+        (" 1, ENCASTRE", " {middle}, 3", " {tip}, 3, 5"),
+        "*BOUNDARY\n 1, 4, 4, {load}",
+        2 * np.pi / GJ,
+        resolution=1e-5,
+        rolled=True,
+    ),
 }
+
+
+def roll_up(first):
+    """Steps that make a ring of a straight rod, and turn its first end to just below the first level."""
+    close = step(f"*BOUNDARY\n {{tip}}, 6, 6, {2 * np.pi:.16g}", increments=20, direct=False)
+    turn = f"*BOUNDARY\n {{tip}}, 1, 1, -1.\n {{tip}}, 2, 2, 0.\n 1, 4, 4, {0.9 * first:.16g}"
+    return [close, step(turn, increments=25, direct=False)]
+
+
+def deck(name, element, n, levels):
+    """All levels of the load, each in two steps."""
+    problem = PROBLEMS[name]
+    loads = problem.unit * np.asarray(levels)
+    steps = roll_up(loads[0]) if problem.rolled else []
+    for load in loads:
+        for factor in (1, 1 + problem.nudge):
+            steps.append(step(problem.card.replace("{load}", f"{load * factor:.16g}"), direct=False))
+    blocks = [
+        heading(
+            f"Critical load: {name}", f"Model   length 1, E I = 1; {n} {element}", "Source  see cases/stability.py"
+        ),
+        chain(straight(1.0, n), element, "ROD"),
+        problem.rigidity.block("ROD", first_axis=(0.0, 1.0, 0.0)),
+        "\n".join(["*BOUNDARY", *problem.supports]),
+        *steps,
+    ]
+    return join(*blocks).replace("{tip}", str(n + 1)).replace("{middle}", str(n // 2 + 1))
+
+
+def critical(workspace, name, element, n, exact):
+    """The level at which negative pivots are first reported; not a number when that is not within the bounds."""
+    low, high = BOUNDS[0] * exact, BOUNDS[1] * exact
+    while high - low > PROBLEMS[name].resolution * exact:
+        levels = np.linspace(low, high, LEVELS)
+        status = workspace.run(f"{name}_{element}_{n}", deck(name, element, n, levels)).status
+        last = [np.flatnonzero(status["step"] == number)[-1] for number in np.unique(status["step"])[-2 * LEVELS :]]
+        unstable = np.flatnonzero(status["negative_pivots"][last[1::2]] > 0)
+        if len(unstable) == 0 or unstable[0] == 0:
+            return np.nan
+        low, high = levels[unstable[0] - 1 : unstable[0] + 1]
+    return (low + high) / 2
+
+
+def hinged(workspace, element, n):
+    """Deflection of the middle of a hinged rod by a small force, over that force, at each torque."""
+    rigidity = Rigidity(ea=1e8, ga=1e8, gj=GJ, ei2=1.0, ei3=1.0)
+    text = join(
+        heading(
+            "Small force on a twisted rod", f"Model   length 1, E I = 1; {n} {element}", "Source  Greenhill (1883)"
+        ),
+        chain(straight(1.0, n), element, "ROD"),
+        rigidity.block("ROD"),
+        f"*BOUNDARY\n 1, 1, 4\n {n + 1}, 2, 3",
+        step(f"*CLOAD\n {n // 2 + 1}, 2, {FORCE}"),
+        *(step(f"*CLOAD\n {n + 1}, 4, {2 * np.pi * torque:.16g}", increments=4) for torque in TORQUES),
+    )
+    results = workspace.run(f"hinged_{element}_{n}", text)
+    last = [np.flatnonzero(results.steps == number + 2)[-1] for number in range(len(TORQUES))]
+    return np.array([results.field("displacement", int(i))[n // 2, 1] for i in last]) / FORCE
 
 
 def measure(workspace):
     values, loads = {}, {}
+    exact = {claim.id: claim.reference for claim in read_claims() if claim.script == "stability"}
     for element in ELEMENTS:
-        for name, problem in PROBLEMS.items():
-            found = [float(problem(element, n)) for n in MESHES]
+        for name in PROBLEMS:
+            claim = f"stability.{element}.{name}"
+            found = [float(critical(workspace, name, element, n, exact[claim])) for n in MESHES]
             loads[f"{element}.{name}"] = found
-            values[f"stability.{element}.{name}"] = extrapolate(found[-2], found[-1], order=2)
+            values[claim] = float(extrapolate(found[-2], found[-1], order=2))
+        coarse, fine = (hinged(workspace, element, n) for n in MESHES[-2:])
+        values[f"stability.{element}.greenhill.hinged"] = extrapolate(coarse, fine, order=2).tolist()
     return values | {"figure": loads}
 
 
 def draw(values, path):
     exact = {claim.id: claim.reference for claim in read_claims()}
-    with figures.panels(path, height=3.4) as axes:
-        for panel, element in zip(axes, ELEMENTS, strict=True):
+    with figures.panels(path, columns=3, height=3.4) as axes:
+        for panel, element in zip(axes, ELEMENTS, strict=False):
             for name in PROBLEMS:
                 limit = exact[f"stability.{element}.{name}"]
                 error = [abs(load / limit - 1.0) for load in values["figure"][f"{element}.{name}"]]
                 panel.loglog(MESHES, error, "o-", label=name.replace(".", ", "))
             figures.order_line(panel, MESHES, 2, 0.1)
             panel.set(xlabel="elements", ylabel="critical load / exact - 1", title=element)
-        panel.legend(fontsize=7, loc="center left", bbox_to_anchor=(1.0, 0.5))
+        axes[1].legend(fontsize=7)
+        torques = np.linspace(0.02, 0.95, 60)
+        force = [twisted_rod.deflection(2 * np.pi * torque).real for torque in torques]
+        axes[2].plot(torques, force, label="closed form", **figures.REFERENCE)
+        for element in ELEMENTS:
+            found = values[f"stability.{element}.greenhill.hinged"]
+            axes[2].plot(TORQUES, found, linestyle="none", fillstyle="none", label=element, **figures.STYLES[element])
+        axes[2].set(xlabel=r"$ML/(2\pi EI)$", ylabel="deflection by a unit force", title="hinged rod")
+        axes[2].legend(fontsize=7)
 
 
 if __name__ == "__main__":

@@ -8,6 +8,9 @@ shear.
 import numpy as np
 from scipy.optimize import brentq
 
+from verification.deck_text import Rigidity
+from verification.references import rod
+
 
 def deflection(support, length, at, load_at, *, ei, ga=np.inf):
     """Deflection at `at` by a unit force at `load_at`; "clamped", "supported" or "cantilever" (clamped at 0)."""
@@ -41,6 +44,22 @@ def _cantilever(x, a, ei, ga):
 def force(approach, compliance, contact):
     """Force of one crossing: approach = F compliance + contact(F), with the overlap `contact` that a force needs."""
     return brentq(lambda f: f * compliance + contact(f) - approach, 0.0, approach / compliance, xtol=1e-300, rtol=1e-14)
+
+
+def force_of_large_deflection(approach, length, unit_approach, *, ei, ea):
+    """Force of two equal wires that cross at their middles, clamped at ends that may slide, far bent.
+
+    Half a wire has a point of inflection in its middle: each quarter is a cantilever, clamped at the support or at the
+    crossing, under half of the force; references/rod.py. `unit_approach`: Hertz's approach of the axes under 1 N.
+    """
+    rigidity = Rigidity(ea=ea, ga=1e12 * ea, gj=ei, ei2=ei, ei3=ei)
+
+    def excess(f):
+        quarter = rod.tip([rod.Piece(length / 4)], rigidity, (0.0, 0.0, f / 2), steps=3)[2]
+        return 4 * quarter + unit_approach * f ** (2 / 3) - approach
+
+    stiffness = 192 * ei / length**3
+    return brentq(excess, 0.1 * approach * stiffness / 2, 2 * approach * stiffness / 2, rtol=1e-11)
 
 
 def grid_forces(clearance, flexibility, contact_force, contact_stiffness):
