@@ -15,7 +15,7 @@
 from importlib import import_module
 from typing import Any
 
-from .run import (
+from .errors import (
     FileError,
     InputError,
     InternalError,
@@ -24,10 +24,8 @@ from .run import (
     OutOfMemoryError,
     RunWarning,
     SolverError,
-    check,
-    program_path,
-    run,
 )
+from .run import check, program_path, run
 
 # Loaded when first asked for, so that starting the program does not wait for HDF5, VTK and numpy.
 _LAZY_MODULES = ("build", "closed_forms", "kernels", "model", "plots", "results")

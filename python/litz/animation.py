@@ -11,10 +11,10 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image
 
+from .errors import FileError
 from .notebook import Picture
 from .plots import STYLE, Look, box_pixels, new_figure, place_wires, show_dollars, title, with_increments
 from .results import Results
-from .run import FileError
 from .scene import aim
 from .wire_picture import render
 

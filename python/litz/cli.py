@@ -32,7 +32,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Entry point of the console script. Returns the exit code."""
     import warnings
 
-    from .run import LitzError
+    from .errors import LitzError
 
     warnings.showwarning = _show_warning
 
@@ -118,9 +118,9 @@ def _new(arguments: list[str]) -> int:
 
 
 def _convert(arguments: list[str]) -> int:
+    from .errors import FileError
     from .meshes import read_mesh
     from .model import COPPER, Material, Model
-    from .run import FileError
 
     parser = command_parser(
         "convert", "Write the wires and sets of a mesh as a deck, to which supports and steps are added."

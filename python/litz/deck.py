@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
+from .errors import FileError
 from .keyword_table import squeezed
-from .run import FileError
 
 #: What a data value may be; None stands for a place that is left empty
 Value = int | float | str | None

@@ -10,8 +10,8 @@ from xml.sax.saxutils import quoteattr
 import numpy as np
 from numpy.typing import NDArray
 
+from .errors import FileError
 from .results import Results
-from .run import FileError
 from .tables import optional, unknown_name
 
 #: Fields that do not change, and are columns or cells of their own

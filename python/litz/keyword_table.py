@@ -12,7 +12,8 @@ from functools import cache
 from numbers import Integral, Real
 from typing import Any
 
-from .run import InternalError, program_path
+from .errors import InternalError
+from .run import program_path
 from .tables import nearest_name
 
 

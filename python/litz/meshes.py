@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .deck import Card, Deck
+from .errors import FileError
 from .model import Circular, Material
 from .model.materials import Section
-from .run import FileError
 from .tables import optional
 
 #: Elements of Abaqus that litz has, by the type that stands for them; the number of nodes along the beam

@@ -11,9 +11,9 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 
 from . import charts, friction_charts, network_chart
+from .errors import FileError
 from .notebook import Picture
 from .results import Results
-from .run import FileError
 from .scene import VIEWS, Camera, Scene, SceneMaker, aim
 from .tables import unknown_name
 from .wire_picture import WITHOUT_OPENGL, draw_frame, draw_wires, render

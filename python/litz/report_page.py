@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import Any
 
 from . import report_tables as tables
+from .errors import FileError
 from .friction_charts import has_friction
 from .plots import plot
 from .results import Results
-from .run import FileError
 from .scalars import default_scalar
 from .web_data import WebData
 from .web_page import evenly_chosen, page, viewer, viewer_style

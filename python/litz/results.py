@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 import h5py
 import numpy as np
 
-from .run import FileError
-from .run_warnings import WarningEntry, read_warnings
+from .errors import FileError, WarningEntry
+from .run_warnings import read_warnings
 from .tables import Table, read_aligned, read_csv, unknown_name
 
 if TYPE_CHECKING:

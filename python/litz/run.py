@@ -12,75 +12,23 @@ from importlib.resources import files
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from .errors import (
+    FileError,
+    InputError,
+    InternalError,
+    LitzError,
+    NotConvergedError,
+    OutOfMemoryError,
+    RunWarning,
+    SolverError,
+    WarningEntry,
+)
+
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from .progress import Progress
     from .results import Results
-    from .run_warnings import WarningEntry
-
-
-class RunWarning(RuntimeWarning):
-    """What a run has warned of; `litz.Results.warnings` has it as data.
-
-    `warnings.filterwarnings("ignore", category=litz.RunWarning)` keeps quiet about all of them, "error" makes each one an
-    exception. `entry` is the `WarningEntry`, or None where there is no result file to have it.
-    """
-
-    def __init__(self, message: str, entry: "WarningEntry | None" = None):
-        super().__init__(message)
-        self.entry = entry
-
-
-class LitzError(Exception):
-    """The program ended with an error; `str(error)` is the program's own message.
-
-    `exit_code` is the program's exit code, `results_path` the result file as far as it was written (or None), and
-    `warnings` what the run has warned of before, a list like `Results.warnings`.
-    """
-
-    exit_code = 5
-
-    def __init__(self, message: str, results_path: Path | None = None):
-        super().__init__(message)
-        self.results_path = results_path
-        self.warnings: list[WarningEntry] = []
-
-
-class InputError(LitzError):
-    """Something in the deck or in the arguments is wrong."""
-
-    exit_code = 1
-
-
-class NotConvergedError(LitzError):
-    """The Newton iteration gave up; the increments before it are in the result file."""
-
-    exit_code = 2
-
-
-class SolverError(LitzError):
-    """The linear equations have no solution."""
-
-    exit_code = 3
-
-
-class FileError(LitzError):
-    """A file could not be read or written."""
-
-    exit_code = 4
-
-
-class InternalError(LitzError):
-    """A defect of the program."""
-
-    exit_code = 5
-
-
-class OutOfMemoryError(LitzError):
-    """The model does not fit into the memory of this machine, or into what the process may take of it."""
-
-    exit_code = 6
 
 
 #: How long a program that is to end may take [s]
@@ -256,8 +204,6 @@ def _warn(found: "Iterable[WarningEntry]") -> None:
 
 def _warnings_in(messages: str) -> "list[WarningEntry]":
     """The warnings among the messages of a program that has left no results."""
-    from .run_warnings import WarningEntry
-
     return [WarningEntry("", message) for message in re.findall(r"^warning: (.*)$", messages, re.MULTILINE)]
 
 

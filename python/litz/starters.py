@@ -8,8 +8,8 @@ from typing import Any
 
 from . import build
 from .deck import Card, Deck
+from .errors import FileError
 from .model import COPPER, Hertz, HertzSpot, Model
-from .run import FileError
 from .tables import unknown_name
 
 #: What a card is for, before the first of its kind; "STEP ..." for those in a step

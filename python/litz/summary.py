@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
+    from .errors import WarningEntry
     from .results import Results
-    from .run_warnings import WarningEntry
 
 _MOST_ROWS = 30
 

@@ -18,9 +18,10 @@ import numpy as np
 
 from . import notebook
 from .deck import Deck, to_text
+from .errors import FileError, LitzError
 from .model import Model
 from .results import Results
-from .run import FileError, LitzError, run_silently
+from .run import run_silently
 from .tables import Table, nearest_name
 
 #: A function of the parameters, or a deck with places such as {radius}

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .run import FileError
+from .errors import FileError
 
 if TYPE_CHECKING:
     import pandas as pd

@@ -13,9 +13,9 @@ from pathlib import Path
 from typing import Any
 
 from . import notebook
+from .errors import FileError, LitzError
 from .plots import with_increments
 from .results import Results
-from .run import FileError, LitzError
 from .web_data import WebData
 from .web_page import page, viewer, viewer_style
 
