@@ -13,7 +13,7 @@
 """
 
 from importlib import import_module
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from .errors import (
     FileError,
@@ -25,7 +25,13 @@ from .errors import (
     RunWarning,
     SolverError,
 )
-from .run import check, program_path, run
+from .moved import accept_old_names
+
+if TYPE_CHECKING:
+    from .base.program import program_path
+    from .runs import check, run
+
+accept_old_names()
 
 # Loaded when first asked for, so that starting the program does not wait for HDF5, VTK and numpy.
 _LAZY_MODULES = ("build", "closed_forms", "kernels", "model", "plots", "results")
@@ -53,15 +59,18 @@ _LAZY_NAMES = {
     "Card": "deck",
     "Deck": "deck",
     "Results": "results",
-    "animate": "animation",
-    "export": "exports",
-    "keywords": "keyword_table",
-    "new": "starters",
-    "plot": "plots",
-    "read_mesh": "meshes",
-    "report": "report_page",
+    "animate": "pictures.animation",
+    "check": "runs",
+    "export": "results.exports",
+    "keywords": "deck.keyword_table",
+    "new": "build.starters",
+    "plot": "pictures.plots",
+    "program_path": "base.program",
+    "read_mesh": "model.read_mesh",
+    "report": "reports.report",
+    "run": "runs",
     "sweep": "sweeps",
-    "view": "view_server",
+    "view": "viewer.server",
     **dict.fromkeys(_MODEL_NAMES, "model"),
 }
 

@@ -10,11 +10,12 @@ from matplotlib.image import imread
 from PIL import Image
 
 import litz
-from litz import animation, charts, report_tables
 from litz.cli import main
-from litz.friction_charts import friction_loops
-from litz.scene import SceneMaker, aim
-from litz.wire_picture import discs
+from litz.pictures import animation, charts
+from litz.pictures.friction_charts import friction_loops
+from litz.pictures.scene import SceneMaker, aim
+from litz.pictures.wire_picture import discs
+from litz.reports import report_tables
 
 pytestmark = pytest.mark.filterwarnings("ignore:.*drawn by matplotlib alone")
 

@@ -3,7 +3,7 @@
 import pytest
 
 import litz
-from litz.starters import STARTERS
+from litz.build.starters import STARTERS
 from test_cli import command
 
 

@@ -9,9 +9,9 @@ import pytest
 
 import litz
 from decks import crossed
-from litz import notebook
-from litz import progress as progress_module
-from litz.progress import Progress, total_time
+from litz.base import notebook
+from litz.runs import progress as progress_module
+from litz.runs.progress import Progress, total_time
 
 REQUEST = "*NODE PRINT, NSET=UPPER_ENDS, TOTALS=ONLY\n RF"
 

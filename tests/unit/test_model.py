@@ -8,7 +8,7 @@ import pytest
 
 import litz
 from litz import model as parts
-from litz.keyword_table import check_card
+from litz.deck.keyword_table import check_card
 
 COPPER = litz.COPPER
 WIRE = {"radius": 1e-3, "material": COPPER}

@@ -19,7 +19,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOHDF import vtkHDFReader
 
 import litz
-from litz.tables import read_aligned
+from litz.results.text_tables import read_aligned
 
 N_NODES, N_ELEMENTS, N_INCREMENTS = 6, 4, 3
 ENDINGS = (".vtkhdf", "_contacts.vtkhdf", "_contacts.csv", "_history.csv", ".sta", ".cvg")

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 import litz
-from litz.scalars import colours_and_limits, find_scalar, scalar_values, scalars
-from litz.scene import SceneMaker
+from litz.pictures.scene import SceneMaker
+from litz.results.scalars import colours_and_limits, find_scalar, scalar_values, scalars
 
 
 @pytest.fixture

@@ -10,13 +10,7 @@ from numpy.typing import NDArray
 
 from ..model import COPPER, HERTZ_AND_HOLM, Interaction, Material, Model, straight
 from .frame import add_plate, evenly, hold_in_frame, parallel_bars, unit
-from .geometry import (
-    clip_line,
-    crossing_angle,
-    end_distance,
-    rounded,
-    segment_distance,
-)
+from .geometry import clip_line, crossing_angle, end_distance, rounded, segment_distance
 
 #: Random fibres tried for each one that is placed, before the mat counts as full
 _TRIES = 400

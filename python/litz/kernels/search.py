@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from litz import _core
+from .. import _core
 
 #: More pairs than this are refused; the core counts them in integers of 32 bits
 MOST_PAIRS = 2**29

@@ -4,8 +4,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from numbers import Integral
 
-from ..deck import CardSpec
-from ..keyword_table import check_card, check_name
+from ..deck.keyword_table import check_card, check_name
+from ..deck.lines import CardSpec
 
 #: A node number or the name of a node set
 Target = int | str

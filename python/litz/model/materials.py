@@ -5,8 +5,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from ..deck import CardSpec
-from ..keyword_table import check_card, check_name
+from ..deck.keyword_table import check_card, check_name
+from ..deck.lines import CardSpec
 
 
 @dataclass(frozen=True)

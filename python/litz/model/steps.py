@@ -2,19 +2,14 @@
 
 import math
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from ..deck import CardSpec
-from ..keyword_table import check_card, keyword, squeezed
-from ..tables import nearest_name
+from ..base.names import nearest_name
+from ..deck.keyword_table import check_card, keyword, squeezed
+from ..deck.lines import CardSpec
 from .loading import POTENTIAL, Amplitude, Direction, Load, Prescribed, degree_of_freedom, grouped, ranges_of
-
-if TYPE_CHECKING:
-    from .model import Model
-    from .wires import Nodes, WireGroup
-
-    #: A node, some nodes, the nodes of a wire, or the name of a node set
-    AnyNodes = int | str | Nodes | WireGroup
+from .names import AnyNodes, Names
+from .wires import WireGroup
 
 #: Room for increments that are cut back, where the most increments of a step are not given
 _ROOM = 10
@@ -43,7 +38,7 @@ class Step:
 
     def __init__(
         self,
-        model: "Model",
+        model: Names,
         name: str,
         *,
         total: float = 1.0,
@@ -103,7 +98,7 @@ class Step:
 
     def boundary(
         self,
-        nodes: "AnyNodes",
+        nodes: AnyNodes,
         first: Direction,
         last: Direction | None = None,
         value: float = 0.0,
@@ -131,7 +126,7 @@ class Step:
         self.prescribed.append(item)
 
     def move(
-        self, nodes: "AnyNodes", direction: Direction, value: float, amplitude: Amplitude | str | None = None
+        self, nodes: AnyNodes, direction: Direction, value: float, amplitude: Amplitude | str | None = None
     ) -> None:
         """Prescribe a displacement [m] or rotation [rad], counted from the start of the first step.
 
@@ -148,36 +143,36 @@ class Step:
         """
         self.boundary(nodes, degree_of_freedom(direction, range(1, 7)), None, value, amplitude)
 
-    def hold(self, nodes: "AnyNodes", *directions: Direction) -> None:
+    def hold(self, nodes: AnyNodes, *directions: Direction) -> None:
         """Prescribe zeros, as `Model.fix` does from the start: all of 1-6 without directions."""
         for first, last in ranges_of(directions):
             self.boundary(nodes, first, last)
 
-    def potential(self, nodes: "AnyNodes", value: float, amplitude: Amplitude | str | None = None) -> None:
+    def potential(self, nodes: AnyNodes, value: float, amplitude: Amplitude | str | None = None) -> None:
         """Prescribe a potential [V]."""
         self.boundary(nodes, POTENTIAL, None, value, amplitude)
 
     # Loads
 
-    def cload(self, nodes: "AnyNodes", dof: Direction, value: float, amplitude: Amplitude | str | None = None) -> None:
+    def cload(self, nodes: AnyNodes, dof: Direction, value: float, amplitude: Amplitude | str | None = None) -> None:
         """A force [N] or moment [N m] of fixed direction at each of the nodes; `dof` as the direction of `move`."""
         dof = degree_of_freedom(dof, range(1, 7))
         self._load("CLOAD", Load(self._model.target(nodes), dof, value, self._amplitude(amplitude)))
 
     def force(
-        self, nodes: "AnyNodes", direction: Direction, value: float, amplitude: Amplitude | str | None = None
+        self, nodes: AnyNodes, direction: Direction, value: float, amplitude: Amplitude | str | None = None
     ) -> None:
         """A force [N] along "x", "y" or "z" at each of the nodes."""
         self.cload(nodes, degree_of_freedom(direction, range(1, 4)), value, amplitude)
 
     def moment(
-        self, nodes: "AnyNodes", direction: Direction, value: float, amplitude: Amplitude | str | None = None
+        self, nodes: AnyNodes, direction: Direction, value: float, amplitude: Amplitude | str | None = None
     ) -> None:
         """A moment [N m] about "x", "y" or "z" at each of the nodes."""
         about = f"r{direction}" if direction in ("x", "y", "z") else direction
         self.cload(nodes, degree_of_freedom(about, range(4, 7)), value, amplitude)
 
-    def current(self, nodes: "AnyNodes", value: float, amplitude: Amplitude | str | None = None) -> None:
+    def current(self, nodes: AnyNodes, value: float, amplitude: Amplitude | str | None = None) -> None:
         """A current [A] into the body at each of the nodes."""
         self._load("CECURRENT", Load(self._model.target(nodes), POTENTIAL, value, self._amplitude(amplitude)))
 
@@ -198,7 +193,7 @@ class Step:
 
     # Requests
 
-    def node_print(self, nodes: "AnyNodes", *quantities: str, totals: str = "NO") -> None:
+    def node_print(self, nodes: AnyNodes, *quantities: str, totals: str = "NO") -> None:
         """Ask for quantities of nodes in the history.
 
         Parameters
@@ -215,14 +210,14 @@ class Step:
             parameters["TOTALS"] = totals
         self.card("NODE PRINT", parameters, [list(quantities)] if quantities else [])
 
-    def el_print(self, elements: "str | WireGroup", *quantities: str, totals: str = "NO") -> None:
+    def el_print(self, elements: str | WireGroup, *quantities: str, totals: str = "NO") -> None:
         """Ask for quantities of elements in the history: SF, EPG, JOULE; arguments as those of `node_print`."""
         parameters = {"ELSET": self._model.element_set_of(elements)}
         if totals != "NO":
             parameters["TOTALS"] = totals
         self.card("EL PRINT", parameters, [list(quantities)] if quantities else [])
 
-    def electrode_print(self, plus: "AnyNodes", minus: "AnyNodes") -> None:
+    def electrode_print(self, plus: AnyNodes, minus: AnyNodes) -> None:
         """Ask for voltage, current and resistance between two electrodes in the history."""
         self.card("ELECTRODE PRINT", {}, [[self._model.node_set_of(plus), self._model.node_set_of(minus)]])
 
