@@ -10,7 +10,6 @@ from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter, StrMethodF
 from ..base.quantities import engineering, label
 from ..base.table import Table
 from ..results import Results
-from ..wires.chains import find_wires
 
 _ONE_COLOUR = "#2a6f97"
 # More lines than this share one colour, or are drawn as a band
@@ -344,7 +343,7 @@ def displacement_over_time(axes: Axes, results: Results, increment: int) -> None
 
 def current_per_wire(axes: Axes, results: Results, increment: int) -> None:
     """Mean current of each wire as a bar; a line shows its range along the wire."""
-    wires = find_wires(results.elements)
+    wires = results.wires
     current = results.field("element_current", increment)
     factor, unit = engineering(current, results.unit_labels["A"])
     along = [factor * wire.signs * current[wire.elements] for wire in wires]
@@ -362,7 +361,7 @@ def current_per_wire(axes: Axes, results: Results, increment: int) -> None:
 
 def current_along_wires(axes: Axes, results: Results, increment: int) -> None:
     """Current over the arc length of each wire; it jumps where current crosses a contact."""
-    wires = find_wires(results.elements)
+    wires = results.wires
     current = results.field("element_current", increment)
     factor, unit = engineering(current, results.unit_labels["A"])
     length_factor, length_unit = engineering(np.ptp(results.nodes, axis=0), results.unit_labels["m"])

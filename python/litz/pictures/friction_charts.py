@@ -8,7 +8,6 @@ from matplotlib.figure import Figure
 
 from ..base.quantities import engineering, label
 from ..results import Results
-from ..wires.chains import find_wires
 from ..wires.curves import arc_lengths, element_curves, hermite_slope
 from .charts import colour_of, nothing_to_draw, time_label
 from .scene import row_of_element
@@ -111,7 +110,7 @@ def friction_loops(results: Results, ids: list[int]) -> list[Loop]:
     The point of contact moves along both axes; the wires slide on each other by the difference of these two paths,
     `ds_bar t_bar - ds t` with arc lengths before deformation and current unit tangents.
     """
-    wires = find_wires(results.elements)
+    wires = results.wires
     arc_start, lengths, sign = arc_lengths(results.nodes, results.elements, wires)
     row = row_of_element(results)
     ledgers = {contact: results.contact(contact) for contact in ids}

@@ -8,7 +8,7 @@ from ..base.quantities import engineering, label
 from ..base.table import Table
 from ..results import Results
 from ..results.scalars import colours_and_limits, default_scalar, end_values, find_scalar, scalar_values
-from ..wires.chains import Wire, find_wires
+from ..wires.chains import Wire
 from ..wires.curves import element_curves, hermite
 
 _MOST_POINTS = 150_000
@@ -103,7 +103,7 @@ class SceneMaker:
             self._factor * lowest, self._factor * highest, self._scalar.is_length
         )
         self._spot_scale = _SpotScale(results, increments, spots)
-        self._wires = find_wires(results.elements)
+        self._wires = results.wires
         self._rest = self._curves(np.zeros_like(results.nodes), np.zeros_like(results.nodes))
 
     def _curves(self, displacement: np.ndarray, rotation: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

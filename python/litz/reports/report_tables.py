@@ -8,7 +8,6 @@ import numpy as np
 from ..base.quantities import engineering
 from ..base.table import Table
 from ..results import Results
-from ..wires.chains import find_wires
 from ..wires.curves import arc_lengths
 
 _MOST_CONTACTS = 8
@@ -56,7 +55,7 @@ def verdict(results: Results) -> str:
 def model(results: Results) -> str:
     """Sizes of the model."""
     nodes, elements = results.nodes, results.elements
-    wires = find_wires(elements)
+    wires = results.wires
     _, lengths, _ = arc_lengths(nodes, elements, wires)
     radii = np.unique(results.radius)
     unit = results.unit_labels["m"]

@@ -11,7 +11,6 @@ import numpy as np
 
 from ..base.packages import optional
 from ..base.table import Table
-from ..wires.chains import find_wires
 from ..wires.curves import arc_lengths
 from .result_file import ResultFile
 
@@ -186,7 +185,7 @@ class ContactNetwork:
 
 def contact_network(results: ResultFile, increment: int) -> ContactNetwork:
     """The network of a run at an increment."""
-    wires = find_wires(results.elements)
+    wires = results.wires
     arc_start, lengths, sign = arc_lengths(results.nodes, results.elements, wires)
     wire_of_element = np.zeros(len(results.elements))
     for number, wire in enumerate(wires):
@@ -220,7 +219,7 @@ def _wires_at(results: ResultFile, wires: list) -> dict[str, np.ndarray]:
 def wire_currents(results: ResultFile, increment: int) -> np.ndarray:
     """Largest current along each wire, between any two of its contacts, with its sign, (n_wires) [A]."""
     current = _largest_in_elements(results, increment)
-    along = [wire.signs * current[wire.elements] for wire in find_wires(results.elements)]
+    along = [wire.signs * current[wire.elements] for wire in results.wires]
     return np.array([values[np.argmax(np.abs(values))] for values in along])
 
 

@@ -13,6 +13,7 @@ import numpy as np
 from ..base.names import unknown_name
 from ..base.table import Table
 from ..errors import FileError, WarningEntry
+from ..wires import Wire, find_wires, numbered_wires
 from .run_warnings import read_warnings
 from .text_tables import read_aligned, read_csv
 
@@ -158,6 +159,17 @@ class ResultFile:
     def radius(self) -> np.ndarray:
         """Radius of the wire at each element, (n_elements) [m]."""
         return self._static("VTKHDF/CellData/radius")
+
+    @cached_property
+    def wires(self) -> list[Wire]:
+        """The wires: elements one after another between free ends and branches, in the order of their first elements."""
+        names = ("wire", "place_in_wire", "direction_in_wire")
+        with self._open() as file:
+            cells = file["VTKHDF/CellData"]
+            if "wire" not in cells:
+                # files of litz 0.1
+                return find_wires(self.elements)
+            return numbered_wires(self.elements, *(cells[name][()] for name in names))
 
     @cached_property
     def node_sets(self) -> dict[str, np.ndarray]:

@@ -54,7 +54,7 @@ class Results(ResultFile):
         return network.conductance(self, plus, minus, increment)
 
     def wire_currents(self, increment: int = -1) -> np.ndarray:
-        """Largest current along each wire, with its sign, in the order of `litz.wires.find_wires`, (n_wires) [A]."""
+        """Largest current along each wire, with its sign, in the order of `wires`, (n_wires) [A]."""
         return network.wire_currents(self, increment)
 
     def contact_network(self, increment: int = -1) -> network.ContactNetwork:

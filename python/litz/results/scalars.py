@@ -8,7 +8,15 @@ from ..base.names import unknown_name
 from .result_file import ResultFile
 
 # Fields that number or place things; they are not what a run has computed
-_BOOKKEEPING = ("node_id", "element_id", "section", "reference_position")
+_BOOKKEEPING = (
+    "node_id",
+    "element_id",
+    "section",
+    "wire",
+    "place_in_wire",
+    "direction_in_wire",
+    "reference_position",
+)
 _AXES = "xyz"
 _SEQUENTIAL = "viridis"
 _DIVERGING = "coolwarm"

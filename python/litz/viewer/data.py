@@ -11,7 +11,6 @@ import numpy as np
 from ..pictures.scene import aim, spot_places
 from ..results import Results
 from ..results.scalars import Scalar, colours_and_limits, default_scalar, scalars
-from ..wires.chains import find_wires
 from ..wires.curves import element_curves
 
 _TEXT_COLUMNS = ("friction", "status")
@@ -33,7 +32,7 @@ class WebData:
     def __init__(self, results: Results, increments: list[int] | None = None):
         self._results = results
         self.increments = list(range(len(results.times))) if increments is None else increments
-        self._wires = find_wires(results.elements)
+        self._wires = results.wires
         self._centre = (results.nodes.min(axis=0) + results.nodes.max(axis=0)) / 2
         still = np.zeros_like(results.nodes)
         self._rest = element_curves(results.nodes, still, still, self._wires, len(results.elements))

@@ -1,6 +1,6 @@
 """Wires as chains of elements, and their smooth axes."""
 
-from .chains import Wire, find_wires
+from .chains import Wire, find_wires, numbered_wires
 from .curves import arc_lengths, element_curves, end_tangents, hermite, hermite_slope, rotate
 
 __all__ = [
@@ -11,5 +11,6 @@ __all__ = [
     "find_wires",
     "hermite",
     "hermite_slope",
+    "numbered_wires",
     "rotate",
 ]

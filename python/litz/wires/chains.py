@@ -48,6 +48,23 @@ def find_wires(elements: np.ndarray) -> list[Wire]:
     return sorted(wires, key=lambda wire: wire.elements.min())
 
 
+def numbered_wires(elements: np.ndarray, wire: np.ndarray, place: np.ndarray, direction: np.ndarray) -> list[Wire]:
+    """The wires that the numbers of their elements tell.
+
+    Parameters
+    ----------
+    elements : ndarray
+        Rows of the two nodes of each element, (n_elements, 2).
+    wire, place, direction : ndarray
+        Number of the wire of each element, place along it, and +1 where the element points along it, -1 where against it,
+        (n_elements).
+    """
+    order = np.lexsort((place, wire))
+    begins, ends = (np.where(direction > 0, elements[:, i], elements[:, 1 - i]) for i in (0, 1))
+    chains = np.split(order, np.flatnonzero(np.diff(wire[order])) + 1) if len(order) else []
+    return [Wire(np.append(begins[chain], ends[chain[-1]]), chain, direction[chain]) for chain in chains]
+
+
 def _follow(node: int, element: int | None, elements: np.ndarray, at_node: dict, left: dict) -> Wire:
     """The wire that leaves a node through an element; its elements are taken out of `left`."""
     nodes, chain, signs = [node], [], []
