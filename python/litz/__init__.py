@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 accept_old_names()
 
-# Loaded when first asked for, so that starting the program does not wait for HDF5, VTK and numpy.
+# Loaded on first use, so that starting the program does not wait for HDF5, VTK and numpy.
 _LAZY_MODULES = ("build", "closed_forms", "kernels", "model", "plots", "results")
 _MODEL_NAMES = (
     "COPPER",

@@ -6,34 +6,34 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class WarningEntry:
-    """A warning of a run, and how often it came.
+    """A warning of a run, and how often it occurred.
 
     `str(entry)` is the message with the counts.
 
     Attributes
     ----------
     kind : str
-        Code word, such as "shallow_angle"; the README has a list.
+        Identifier, such as "shallow_angle"; the README has a list.
     message : str
-        What is to be known, as of the first increment that has it.
+        The message, as of the first increment with this warning.
     elements : tuple of int
-        Numbers in the deck of the elements that it is about: none, one or two.
+        Numbers in the deck of the elements concerned: none, one or two.
     step, increment : int
-        First increment that has it; 0, 0 is the start of the run.
+        First increment with this warning; 0, 0 is the start of the run.
     time : float
         Total time of it [s].
     last_step, last_increment : int
-        Last increment that has it.
+        Last increment with this warning.
     last_time : float
         Total time of it [s].
     count : int
-        Number of increments that have it.
+        Number of increments with this warning.
     worst : float or None
         Worst value over these increments, in `unit`; None where the warning has no value.
     unit : str
         Such as "degrees"; empty where the warning has no value.
     is_rest : bool
-        It stands for all elements beyond the first hundred with this kind of warning.
+        It summarizes all elements beyond the first hundred with this kind of warning.
     """
 
     kind: str
@@ -51,7 +51,7 @@ class WarningEntry:
     is_rest: bool = False
 
     def __str__(self) -> str:
-        """The message; where it came again, with the increments and the worst value."""
+        """The message; if repeated, with the increments and the worst value."""
         if self.count == 1:
             return self.message
         worst = f", worst {self.worst:.6g} {self.unit}" if self.worst is not None else ""
@@ -69,10 +69,10 @@ class WarningEntry:
 
 
 class RunWarning(RuntimeWarning):
-    """What a run has warned of; `litz.Results.warnings` has it as data.
+    """A warning of a run; `litz.Results.warnings` has it as data.
 
-    `warnings.filterwarnings("ignore", category=litz.RunWarning)` keeps quiet about all of them, "error" makes each one an
-    exception. `entry` is the `WarningEntry`, or None where there is no result file to have it.
+    `warnings.filterwarnings("ignore", category=litz.RunWarning)` suppresses all of them, "error" turns them into
+    exceptions. `entry` is the `WarningEntry`, or None without a result file.
     """
 
     def __init__(self, message: str, entry: WarningEntry | None = None):
@@ -83,8 +83,8 @@ class RunWarning(RuntimeWarning):
 class LitzError(Exception):
     """The program ended with an error; `str(error)` is the program's own message.
 
-    `exit_code` is the program's exit code, `results_path` the result file as far as it was written (or None), and
-    `warnings` what the run has warned of before, a list like `Results.warnings`.
+    `exit_code` is the program's exit code, `results_path` the result file up to that point (or None), and
+    `warnings` the earlier warnings of the run, a list like `Results.warnings`.
     """
 
     exit_code = 5
@@ -96,7 +96,7 @@ class LitzError(Exception):
 
 
 class InputError(LitzError):
-    """Something in the deck or in the arguments is wrong."""
+    """The deck or the arguments are invalid."""
 
     exit_code = 1
 
@@ -108,7 +108,7 @@ class NotConvergedError(LitzError):
 
 
 class SolverError(LitzError):
-    """The linear equations have no solution."""
+    """The linear system could not be solved."""
 
     exit_code = 3
 
@@ -120,12 +120,12 @@ class FileError(LitzError):
 
 
 class InternalError(LitzError):
-    """A defect of the program."""
+    """An internal error of the program."""
 
     exit_code = 5
 
 
 class OutOfMemoryError(LitzError):
-    """The model does not fit into the memory of this machine, or into what the process may take of it."""
+    """The model does not fit into the memory of this machine, or exceeds the memory limit of the process."""
 
     exit_code = 6

@@ -88,6 +88,9 @@ class TestWhatVtkReads:
         np.testing.assert_array_equal(array(cells, "joule_heat"), 4 * increment * ELEMENT)
         np.testing.assert_array_equal(array(cells, "element_id"), 100 + ELEMENT)
         np.testing.assert_array_equal(array(cells, "section"), [1, 1, 2, 2])
+        np.testing.assert_array_equal(array(cells, "wire"), [1, 1, 2, 2])
+        np.testing.assert_array_equal(array(cells, "place_in_wire"), [1, 2, 1, 2])
+        np.testing.assert_array_equal(array(cells, "direction_in_wire"), [1, 1, 1, 1])
 
     def test_points_are_the_current_positions(self, written):
         for step in range(N_INCREMENTS):

@@ -1,11 +1,11 @@
-"""Hints for names that are not there."""
+"""Suggestions for unknown names."""
 
 import difflib
 from collections.abc import Iterable
 
 
 def nearest_name(name: str, known: Iterable[str]) -> str:
-    """The question whether a name like it was meant, or nothing where there is none like it."""
+    """Suggestion of the most similar known name; empty if none is similar."""
     spelt = {str(one).upper(): one for one in known}
     nearest = difflib.get_close_matches(str(name).upper(), spelt, n=1)
     if not nearest:
@@ -16,7 +16,7 @@ def nearest_name(name: str, known: Iterable[str]) -> str:
 
 
 def unknown_name(what: str, name: str, known: Iterable[str]) -> str:
-    """Message for a name that is not there: the nearest one, and all there are."""
+    """Error message for an unknown name, with a suggestion and the known names."""
     known = list(known)
     hint = nearest_name(name, known)
     listed = ", ".join(known[:40]) + (", ..." if len(known) > 40 else "")

@@ -1,4 +1,4 @@
-"""What a Jupyter notebook shows in place of text and paths: bars and pictures."""
+"""Output in Jupyter notebooks: progress bars and pictures instead of text and paths."""
 
 import base64
 import html
@@ -6,15 +6,15 @@ import sys
 from pathlib import PosixPath
 from typing import Any
 
-#: What a notebook shows of a picture file
+#: MIME types of the picture formats that notebooks display
 _KINDS = {".png": "image/png", ".gif": "image/gif", ".jpg": "image/jpeg", ".jpeg": "image/jpeg"}
 
 
 class Picture(PosixPath):
-    """The path of a picture, which a notebook shows as the picture itself."""
+    """The path of a picture; a notebook displays the picture itself."""
 
     def _repr_mimebundle_(self, **_: object) -> dict[str, str]:
-        """The picture as it is now; the path alone where there is none that a notebook can show."""
+        """The current picture, or only its path if a notebook cannot display it."""
         shown = {"text/plain": repr(self)}
         if not self.is_file():
             return shown
@@ -26,7 +26,7 @@ class Picture(PosixPath):
 
 
 class Html:
-    """What a notebook shows as HTML, and as text where it cannot."""
+    """Output shown as HTML where possible, otherwise as text."""
 
     def __init__(self, content: str, text: str):
         self._html, self._text = content, text
@@ -40,7 +40,7 @@ class Html:
 
 
 def in_notebook() -> bool:
-    """Whether a notebook runs this."""
+    """Whether this runs in a notebook."""
     if "IPython" not in sys.modules:
         return False
     from IPython import get_ipython
@@ -49,7 +49,7 @@ def in_notebook() -> bool:
 
 
 def place() -> Any:
-    """A place in the notebook that runs this, which can be written over by `update`; None elsewhere."""
+    """An output area of the notebook that `update` overwrites; None outside notebooks."""
     if not in_notebook():
         return None
     from IPython.display import display
@@ -67,6 +67,6 @@ def show_page(url: str, text: str, *, framed: bool) -> None:
 
 
 def bar(share: float, text: str) -> Html:
-    """A bar that is full at a share of 1, with text beside it."""
+    """A progress bar with text beside it; a share of 1 is complete."""
     drawn = f'<progress value="{share:.3f}" max="1" style="width: 16em"></progress>'
     return Html(f"<div>{drawn} {html.escape(text)}</div>", text)

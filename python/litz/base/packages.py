@@ -1,4 +1,4 @@
-"""Packages that litz does not depend on."""
+"""Optional dependencies."""
 
 from importlib import import_module
 from types import ModuleType
@@ -7,7 +7,7 @@ from ..errors import FileError
 
 
 def optional(package: str) -> ModuleType:
-    """A package that litz does not depend on."""
+    """Import an optional dependency."""
     try:
         return import_module(package)
     except ImportError:

@@ -1,4 +1,4 @@
-"""Where the Fortran program is, and what it runs in."""
+"""The Fortran program and its environment."""
 
 import os
 from importlib.resources import files
@@ -8,7 +8,7 @@ from ..errors import FileError
 
 
 def program_path() -> Path:
-    """The Fortran program: the one the environment variable LITZ_PROGRAM names, or the one in this package."""
+    """Path of the Fortran program: that in the environment variable LITZ_PROGRAM, or the one in this package."""
     named = os.environ.get("LITZ_PROGRAM")
     program = Path(named) if named else Path(str(files("litz") / "_bin" / "litz"))
     if not os.access(program, os.X_OK):
@@ -18,9 +18,9 @@ def program_path() -> Path:
 
 
 def program_environment() -> dict[str, str]:
-    """What the program runs in: threads that wait sleep, unless `OMP_WAIT_POLICY` says otherwise.
+    """Environment of the program: waiting threads sleep unless `OMP_WAIT_POLICY` is set.
 
-    Threads that spin while they wait are worth nothing here, and on a machine with other work they slow a small model
-    down several times over. The program would see to that by itself, but has to start a second time for it.
+    Spinning threads gain nothing here, and on a busy machine they make small models several times slower. The program
+    would set this itself, but would have to restart to do so.
     """
     return {"OMP_WAIT_POLICY": "passive", **os.environ}

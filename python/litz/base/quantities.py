@@ -10,9 +10,9 @@ _SYMBOLS = {"ohm": "Ω", "A/m^2": "A/m²", "N m": "N·m", "Nm": "N·m", "1": ""}
 
 
 def engineering(values: np.ndarray, unit: str) -> tuple[float, str]:
-    """Factor and unit that bring the largest of the values between 1 and 1000, such as (1000, "mV").
+    """Factor and prefixed unit that bring the largest value between 1 and 1000, such as (1000, "mV").
 
-    Dimensionless values, times, and units that a deck has given a label of its own (`*UNITS`) stay as they are.
+    Dimensionless values, times, and units labelled by the deck (`*UNITS`) are unchanged.
 
     Examples
     --------

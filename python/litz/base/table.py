@@ -12,10 +12,10 @@ from .packages import optional
 if TYPE_CHECKING:
     import pandas as pd
 
-#: A printed table: most rows, rows at each end of a longer one, most letters of a cell, and of a line
-_MOST_ROWS = 20
+#: Printed tables: maximum number of rows, rows shown at each end of longer tables, maximum width of cells and of lines
+_MAX_ROWS = 20
 _ROWS_AT_END = 5
-_MOST_LETTERS = 48
+_MAX_CELL_WIDTH = 48
 _WIDTH = 120
 
 
@@ -35,7 +35,7 @@ class Table(Mapping):
         self.n_rows = len(next(iter(self._columns.values()), ()))
 
     def __getitem__(self, name: str) -> np.ndarray:
-        """Values of a column (n_rows); a `KeyError` names columns that are spelt alike."""
+        """Values of a column (n_rows); a `KeyError` suggests similar names."""
         try:
             return self._columns[name]
         except KeyError:
@@ -50,7 +50,7 @@ class Table(Mapping):
         return len(self._columns)
 
     def __repr__(self) -> str:
-        """The table as far as it fits on a page, and the names of columns that do not."""
+        """The part of the table that fits on a page, and the names of the other columns."""
         columns = list(zip(*self._page(), strict=True))
         widths = [max(map(len, column)) for column in columns]
         used = np.cumsum([width + 2 for width in widths])
@@ -63,7 +63,7 @@ class Table(Mapping):
         return "\n".join(lines)
 
     def _repr_html_(self) -> str:
-        """The table for a notebook."""
+        """The table as HTML for notebooks."""
         rows = [[html.escape(cell) for cell in row] for row in self._page()]
         heads = ["<tr>" + "".join(f"<th>{cell}</th>" for cell in row) + "</tr>" for row in rows[:2]]
         body = ["<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows[2:]]
@@ -76,9 +76,9 @@ class Table(Mapping):
         return f"{self.n_rows} rows, {len(self)} columns"
 
     def _page(self) -> list[list[str]]:
-        """Names, units, and the rows: of a long table the first and the last ones, with dots between."""
+        """Names, units and rows; long tables are abbreviated to their first and last rows."""
         picked: list[int | None] = list(range(self.n_rows))
-        if self.n_rows > _MOST_ROWS:
+        if self.n_rows > _MAX_ROWS:
             picked = [*range(_ROWS_AT_END), None, *range(self.n_rows - _ROWS_AT_END, self.n_rows)]
         units = [f"[{self.units[name]}]" if self.units.get(name) else "" for name in self]
         return [
@@ -107,8 +107,8 @@ class Table(Mapping):
 
 
 def _cell(value: object) -> str:
-    """A value in few letters."""
+    """A value as a short text."""
     if isinstance(value, float | np.floating):
         return f"{value:.6g}"
     text = " ".join(str(value).split())
-    return text if len(text) <= _MOST_LETTERS else text[: _MOST_LETTERS - 4] + " ..."
+    return text if len(text) <= _MAX_CELL_WIDTH else text[: _MAX_CELL_WIDTH - 4] + " ..."

@@ -25,7 +25,7 @@ _NOTES = {
     "SURFACE INTERACTION": "the laws of a contact: force, friction, resistance of the spot",
     "CONTACT PAIR": "what may touch what; one set alone: contact among its wires",
     "BOUNDARY": "held from the start: nodes, first and last degree of freedom; 1-3 displacements, 4-6 rotations, 9 potential",
-    "STEP": "a load step, with the most increments that it may take",
+    "STEP": "a load step, with the maximum number of increments",
     "STATIC": "first increment, time of the step, smallest and largest increment [s]",
     "STEP BOUNDARY": "value at the end of the step [m, rad, V], reached in proportion to time",
     "STEP NODE PRINT": "goes into the history file (.csv) at every increment",
@@ -164,7 +164,7 @@ def new(task: str, path: str | os.PathLike | None = None) -> Path:
         with path.open("x", encoding="utf-8") as file:
             file.write(text)
     except FileExistsError:
-        raise FileError(f"{path} is there already and is not replaced; give another name") from None
+        raise FileError(f"{path} exists already and is not overwritten; choose another name") from None
     except OSError as error:
         raise FileError(f"cannot write {path}: {error.strerror}") from None
     return path
@@ -173,12 +173,12 @@ def new(task: str, path: str | os.PathLike | None = None) -> Path:
 def _commented(model: Model) -> Deck:
     """The deck of a model with a note before the first card of each kind."""
     deck = Deck.parse(model.to_deck())
-    told = set()
+    noted = set()
     place = ""
     for card in deck:
         key = f"{place}{card.name}" if card.name != "STATIC" else "STATIC"
-        if key in _NOTES and key not in told:
-            told.add(key)
+        if key in _NOTES and key not in noted:
+            noted.add(key)
             card.comments = [*_without_empty(card), f"** {_NOTES[key]}\n"]
         if card.is_a("STEP"):
             place = "STEP "

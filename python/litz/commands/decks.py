@@ -51,10 +51,10 @@ def convert_command(arguments: list[str]) -> int:
     )
     options = parser.parse_args(arguments)
     if Path(options.deck).exists():
-        raise FileError(f"{options.deck} is there already and is not replaced; give another name")
+        raise FileError(f"{options.deck} exists already and is not overwritten; choose another name")
     try:
         mesh = read_mesh(options.mesh)
-        notes = ["Supports, contacts and loads are to be added: outlines stand below, litz keywords explains them."]
+        notes = ["Supports, contacts and loads must be added: outlines are below, `litz keywords` explains them."]
         model = Model(f"Wires of {mesh.path.name}", notes)
         material = Material("WIRE", options.young, options.poisson, options.conductivity)
         model.mesh(
@@ -72,9 +72,9 @@ def convert_command(arguments: list[str]) -> int:
 
 
 def _write_with_outline(model: Model, path: Path) -> None:
-    """Write the deck, with what it still lacks as comments: keywords with the names of its sets."""
+    """Write the deck, with outlines of the missing cards as comments."""
     groups = model.groups
-    # sets of all nodes of the wires are no places to hold them
+    # wires are not held at all their nodes
     whole = {len(group.nodes) for group in groups.values()}
     sets = [name for name, nodes in model.node_sets.items() if len(nodes) not in whole]
     conducts = any(group.material.conductivity is not None for group in groups.values())

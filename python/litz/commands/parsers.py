@@ -13,7 +13,7 @@ def results_parser(command: str, description: str, epilog: str | None = None) ->
 
 
 def command_parser(command: str, description: str, epilog: str | None = None) -> argparse.ArgumentParser:
-    """A parser of arguments that ends as the program does: with exit code 1 when they are wrong."""
+    """An argument parser with the exit code of the program for invalid arguments, 1."""
 
     class Parser(argparse.ArgumentParser):
         def error(self, message: str) -> NoReturn:

@@ -25,7 +25,7 @@ from .lines import (
 
 @dataclass(eq=False)
 class Card:
-    r"""A keyword line with its data lines, and the comments that stand before it.
+    r"""A keyword line with its data lines and the preceding comments.
 
     `card["INC"]` is a parameter (True for a flag), `card[0, 1]` the second value of the first data line; both can be set,
     and `del card["INC"]` removes a parameter. Only what is set changes its text.
@@ -65,7 +65,7 @@ class Card:
         """The one card that a text has."""
         cards = parse_cards(text)[0]
         if len(cards) != 1:
-            raise ValueError(f"one card is wanted, the text has {len(cards)}")
+            raise ValueError(f"one card is expected, the text has {len(cards)}")
         return cards[0]
 
     @property
@@ -74,14 +74,14 @@ class Card:
         return "".join([*self.comments, *self.head, *self.body])
 
     def __repr__(self) -> str:
-        """One line."""
+        """Short description."""
         head = " ".join(line.strip() for line in self.head)
         n_rows = len(self._data_lines())
         return f"<Card {head}: {n_rows} data line{'s' * (n_rows != 1)}>"
 
     @property
     def name(self) -> str:
-        """The keyword in capitals, such as "BEAM SECTION"."""
+        """The keyword in upper case, such as "BEAM SECTION"."""
         return " ".join(self._fields()[0].lstrip(BYTE_ORDER_MARK + " \t")[1:].split()).upper()
 
     def is_a(self, name: str) -> bool:
@@ -92,18 +92,18 @@ class Card:
 
     @property
     def parameters(self) -> dict[str, Any]:
-        """Texts or numbers of the parameters by their names in capitals; True for a flag."""
+        """Parameters by name in upper case: text or number, True for a flag."""
         return dict(self._parameters())
 
     def get(self, name: str, default: Any = None) -> Any:
-        """A parameter, or the default where it does not stand."""
+        """A parameter, or the default if the card does not have it."""
         for known, value in self.parameters.items():
             if squeezed(known) == squeezed(name):
                 return value
         return default
 
     def __contains__(self, name: str) -> bool:
-        """Whether a parameter stands on the card."""
+        """Whether the card has a parameter."""
         return self.get(name) is not None
 
     def __getitem__(self, key: str | tuple[int, int]) -> Any:
@@ -183,7 +183,7 @@ class Card:
     def _set_value(self, row: int, column: int, value: Value) -> None:
         places = [i for i, line in enumerate(self.body) if not is_comment(line)]
         if not -len(places) <= row < len(places):
-            raise IndexError(f"*{self.name} has {len(places)} data lines, none of the index {row}")
+            raise IndexError(f"*{self.name} has {len(places)} data lines, no index {row}")
         line = self.body[places[row]]
         end = line[len(line.rstrip()) :]
         fields = split_fields(line.rstrip())
@@ -199,7 +199,7 @@ class Card:
 
 
 def parse_cards(text: str) -> tuple[list[Card], list[str]]:
-    """The cards of a text, and the comment and blank lines after the last one."""
+    """Parse a text: its cards, and the comment and blank lines after the last card."""
     cards: list[Card] = []
     waiting: list[str] = []
     goes_on = False

@@ -13,10 +13,10 @@ from .lines import to_text
 
 
 class Deck:
-    r"""A deck of any program that writes them as Abaqus does, as a list of cards.
+    r"""A deck of any program with the syntax of Abaqus, as a list of cards.
 
-    Keywords, comments, blanks and order stay as they were; what is not changed is written byte by byte as it was read.
-    Included files stay apart: `*INCLUDE` is a card like others, and `included` reads what it names.
+    Keywords, comments, blanks and order are preserved; what is not changed is written byte by byte as it was read.
+    Included files stay separate: `*INCLUDE` is a card like others, and `included` reads what it names.
 
     Attributes
     ----------
@@ -52,7 +52,7 @@ class Deck:
         if path.exists() and not path.is_file():
             raise FileError(f"cannot read the deck {path}: it is not a regular file")
         try:
-            # bytes that are no UTF-8 come back as they were when they are written
+            # bytes that are not UTF-8 are preserved on writing
             text = path.read_bytes().decode("utf-8", errors="surrogateescape")
         except OSError as error:
             raise FileError(f"cannot read the deck {path}: {error.strerror}") from None
@@ -71,7 +71,7 @@ class Deck:
         return "".join([card.text for card in self.cards] + self.tail)
 
     def __repr__(self) -> str:
-        """One line."""
+        """Short description."""
         n_steps = sum(card.is_a("STEP") for card in self.cards)
         return f"<Deck {self.path or 'not in a file'}: {len(self.cards)} cards, {n_steps} step{'s' * (n_steps != 1)}>"
 
@@ -142,11 +142,11 @@ class Deck:
     def included(self, card: Card) -> "Deck":
         """The deck that an `*INCLUDE` card of this one names."""
         if not card.is_a("INCLUDE"):
-            raise ValueError(f"{card!r} is no *INCLUDE")
+            raise ValueError(f"{card!r} is not an *INCLUDE card")
         return Deck.read((self.path.parent if self.path else Path()) / str(card["INPUT"]))
 
     def write(self, path: str | os.PathLike) -> Path:
-        """Write the deck; what it includes stays where it is, and is still found when the deck goes elsewhere."""
+        """Write the deck; paths of included files are adapted to the new directory."""
         path = Path(path)
         text = "".join([self._written(card, path.parent) for card in self.cards] + self.tail)
         try:
@@ -156,7 +156,7 @@ class Deck:
         return path
 
     def _written(self, card: Card, directory: Path) -> str:
-        """A card as it goes into a directory: relative paths of other files are from there."""
+        """A card as written into a directory: relative paths start there."""
         if self.path is None or not (card.is_a("INCLUDE") or card.is_a("MESH")) or "INPUT" not in card:
             return card.text
         home = self.path.parent.resolve()

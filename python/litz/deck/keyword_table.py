@@ -35,12 +35,12 @@ def keywords() -> dict[str, dict[str, Any]]:
 
 
 def squeezed(name: str) -> str:
-    """A name as the reader of decks compares it: without blanks, in capitals."""
+    """A name as the deck reader compares it: without blanks, in upper case."""
     return re.sub(r"\s+", "", name).upper()
 
 
 def keyword(name: str) -> dict[str, Any]:
-    """The description of a keyword, however it is written."""
+    """The description of a keyword, in any spelling that the reader accepts."""
     wanted = squeezed(name.removeprefix("*"))
     for known, description in keywords().items():
         if squeezed(known) == wanted:
@@ -49,7 +49,7 @@ def keyword(name: str) -> dict[str, Any]:
 
 
 def check_card(name: str, parameters: Mapping[str, Any], rows: Sequence[Sequence[Any]] = ()) -> None:
-    """Refuse a card that the table does not allow.
+    """Raise an error for a card that the keyword table does not allow.
 
     Parameters
     ----------
@@ -120,14 +120,14 @@ def _check_row(name: str, form: dict[str, Any], row: Sequence[Any]) -> None:
         if "unused" in description:
             raise ValueError(f"litz does not use {description['name']} of *{name}; leave it out")
         _check_value(f"{description['name']} of *{name}", description, value)
-    # the first group of a line must be whole as far as it is required
+    # the first group of values on a line must have all that are required
     for description in values[len(row) :] if len(row) < len(values) else ():
         if description["required"] and form["repeats"] is not None and description["kind"] != "text":
             raise ValueError(f"*{name} needs the values {names} on a line; {description['name']} is missing")
 
 
 def _holds(when: str | None, description: dict[str, Any], parameters: Mapping[str, Any]) -> bool:
-    """Whether a form of data lines holds for the parameters given."""
+    """Whether a form of the data lines applies to the given parameters."""
     if when is None:
         return True
     name, wanted = when.split("=")
@@ -173,7 +173,7 @@ def _either(choices: Sequence[str]) -> str:
 
 
 def check_name(name: str, what: str = "a name") -> str:
-    """The name, if a deck can hold it."""
+    """Return a name that is valid in a deck; raise an error for others."""
     if not isinstance(name, str):
         raise ValueError(f"{what} must be a text, not {name!r}")
     if not re.fullmatch(r"[^\s,=\"*][^,=\"\n\r]*", name) or name != name.strip():

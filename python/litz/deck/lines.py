@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 
-#: What a data value may be; None stands for a place that is left empty
+#: A value on a data line; None for an empty field
 Value = int | float | str | None
 #: Keyword, parameters, data lines
 CardSpec = tuple[str, dict[str, Any], Sequence[Sequence[Value]]]
-#: What an editor may put before the first line
+#: Some editors put it before the first line
 BYTE_ORDER_MARK = "\ufeff"
 
 
@@ -31,14 +31,14 @@ def number(value: float) -> str:
 
 
 def to_text(value: Value) -> str:
-    """A value as it stands on a data line."""
+    """A value as written on a data line."""
     if value is None:
         return ""
     return number(value) if isinstance(value, Real) and not isinstance(value, bool) else str(value)
 
 
 def from_text(text: str) -> Value:
-    """What stands on a data line: a number where it is one, None where nothing stands."""
+    """The value of a field: a number if possible, None for an empty field."""
     text = text.strip()
     if not text:
         return None
@@ -58,7 +58,7 @@ def card_lines(name: str, parameters: dict[str, Any], rows: Iterable[Sequence[Va
 
 
 def data_line(row: Sequence[Value]) -> str:
-    """A data line; places at its end that are empty are left out."""
+    """A data line; empty fields at its end are omitted."""
     texts = [to_text(value) for value in row]
     while len(texts) > 1 and not texts[-1]:
         texts.pop()
@@ -76,7 +76,7 @@ def head_line(name: str, parameters: dict[str, Any]) -> str:
 
 
 def is_comment(line: str) -> bool:
-    """Whether a line says nothing: blank, or a comment."""
+    """Whether a line is blank or a comment."""
     text = line.lstrip(BYTE_ORDER_MARK).strip()
     return not text or text.startswith("**")
 
@@ -92,7 +92,7 @@ def split_fields(text: str) -> list[str]:
 
 
 def parameter_value(text: str) -> Value:
-    """What stands after the equals sign; a text in quotes is one, whatever it looks like."""
+    """The value after the equals sign; a quoted value is always a text."""
     text = text.strip()
     return text[1:-1] if len(text) > 1 and text[0] == text[-1] == '"' else from_text(text)
 
@@ -103,5 +103,5 @@ def quoted(text: str) -> str:
 
 
 def line_end(lines: list[str]) -> str:
-    """How the lines end: as in Windows where one of them does."""
+    """The line ending: CRLF if any of the lines has it."""
     return "\r\n" if any(line.endswith("\r\n") for line in lines) else "\n"

@@ -150,7 +150,7 @@ def contact_em(
     Raises
     ------
     ValueError
-        Bad input, in words; wires that overlap where they are parallel, or whose closest points are not unique.
+        Invalid input; wires that overlap where they are parallel, or whose closest points are not unique.
 
     Notes
     -----

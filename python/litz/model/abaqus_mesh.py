@@ -63,7 +63,7 @@ class _DeckReader:
         self._turn: tuple[int, Card] | None = None
 
     def read(self, card: Card) -> None:
-        """Take what a card has; cards of other kinds are none of the mesh."""
+        """Read a card; cards that do not concern the mesh are ignored."""
         if card.is_a("END PART"):
             self._part = None
         elif card.is_a("PART"):
@@ -91,11 +91,11 @@ class _DeckReader:
             self.sections.append((self._prefix, card))
 
     def mesh(self) -> Mesh:
-        """What has been collected."""
+        """The mesh that has been read."""
         self._take_or_leave_trusses()
         if self.left_out:
-            words = ", ".join(f"{count} of type {kind or 'none'}" for kind, count in self.left_out.items())
-            warnings.warn(f"{self.path}: elements that are no beams are left out: {words}", stacklevel=5)
+            types = ", ".join(f"{count} of type {kind or 'none'}" for kind, count in self.left_out.items())
+            warnings.warn(f"{self.path}: elements that are not beams are ignored: {types}", stacklevel=5)
         if self.parts and not self.places:
             raise FileError(f"{self.path} has parts, but no *INSTANCE of them")
         try:
@@ -243,7 +243,7 @@ def _sections_of(cards: list[tuple[str, Card]], materials: dict[str, list[float]
         values = materials.get(_spelt(name, materials), [])
         if shape != "CIRC" or len(values) not in (2, 3):
             warnings.warn(
-                f"{path}: the section of {card.get('ELSET')} is left out: litz reads SECTION=CIRC with an elastic material",
+                f"{path}: the section of {card.get('ELSET')} is ignored: litz reads SECTION=CIRC with an elastic material",
                 stacklevel=6,
             )
             continue

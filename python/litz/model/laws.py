@@ -310,7 +310,7 @@ class ContactPair:
     first, second : str
         Names of groups or element sets; `second` is None for contact within the first.
     interference_fit : bool
-        Wires that overlap at the start are meant to.
+        Initial overlaps of the wires are intended.
     """
 
     interaction: Interaction

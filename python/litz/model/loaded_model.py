@@ -15,8 +15,8 @@ from .steps import Step
 from .wire_model import WireModel
 from .wires import WireGroup
 
-#: Most groups and steps that the text of a model lists
-_MOST_LISTED = 12
+#: Maximum number of groups and steps in the description of a model
+_MAX_LISTED = 12
 
 
 class LoadedModel(WireModel):
@@ -35,10 +35,10 @@ class LoadedModel(WireModel):
         self.units = _unit_labels(units)
 
     def __repr__(self) -> str:
-        """One line."""
+        """Short description."""
         lines = [f"<Model {self.title!r}: {len(self._points)} nodes, {self._n_elements} elements"]
         lines += _shortened([repr(group) for group in self.groups.values()])
-        for pair in self.contacts[:_MOST_LISTED]:
+        for pair in self.contacts[:_MAX_LISTED]:
             among = f"contact {pair.first} with {pair.second}" if pair.second else f"contact among {pair.first}"
             lines.append(f"{among}: {pair.interaction.name}")
         lines += _shortened([repr(step) for step in self.steps])
@@ -76,7 +76,7 @@ class LoadedModel(WireModel):
         interaction : Interaction, optional
             All the laws at once, in place of the arguments above.
         interference_fit : bool
-            Wires that overlap at the start are meant to.
+            Initial overlaps of the wires are intended.
         """
         laws = {"behaviour": behaviour, "conductance": conductance, "friction": friction}
         given = [law for law, value in laws.items() if value is not None]
@@ -95,18 +95,18 @@ class LoadedModel(WireModel):
         return pair
 
     def _named(self, laws: Interaction, name: str | None) -> Interaction:
-        """The laws under a name that no other laws have; equal laws share one."""
+        """The laws under a unique name; equal laws share it."""
         known = {one.name: one for one in self.interactions}
 
-        def of_name(word: str) -> Interaction:
-            return Interaction(word, laws.behaviour, laws.conductance, laws.friction, laws.axis)
+        def of_name(name: str) -> Interaction:
+            return Interaction(name, laws.behaviour, laws.conductance, laws.friction, laws.axis)
 
         if name is not None:
             if known.get(name, of_name(name)) != of_name(name):
                 raise ValueError(f"there is another interaction of the name {name}")
             return of_name(name)
-        words = ["TOUCH", *(f"TOUCH{number}" for number in range(2, len(known) + 3))]
-        return next(of_name(word) for word in words if known.get(word, of_name(word)) == of_name(word))
+        names = ["TOUCH", *(f"TOUCH{number}" for number in range(2, len(known) + 3))]
+        return next(of_name(one) for one in names if known.get(one, of_name(one)) == of_name(one))
 
     def _joined(self, elements: WireGroup | str | Sequence[WireGroup | str]) -> str:
         """One element set for groups and sets."""
@@ -157,7 +157,7 @@ class LoadedModel(WireModel):
         first, smallest, largest : float
             The increments one by one [s], in place of `increment` where they are given.
         inc : int
-            Most increments; 100, or ten times as many as the largest increment needs.
+            Maximum number of increments; default: ten times as many as the largest increment needs, at least 100.
         direct : bool
             Increments of the fixed size `first`.
         boundary_op, cload_op, cecurrent_op : {"MOD", "NEW"}
@@ -169,8 +169,8 @@ class LoadedModel(WireModel):
         allowed = list(Step.__init__.__kwdefaults__ or ())
         unknown = set(options) - set(allowed)
         if unknown:
-            word = sorted(unknown)[0]
-            raise ValueError(f"a step has no {word}{nearest_name(word, allowed)}; there are: {', '.join(allowed)}")
+            option = sorted(unknown)[0]
+            raise ValueError(f"a step has no {option}{nearest_name(option, allowed)}; there are: {', '.join(allowed)}")
         step = Step(self, name, **options)
         self.steps.append(step)
         return step
@@ -181,7 +181,7 @@ class LoadedModel(WireModel):
         Parameters
         ----------
         displacement : float
-            How far the nodes of share 1 are below their first place at the end of the step [m]; at most `height`.
+            Displacement at the end of the step of the nodes with factor 1 [m]; at most `height`.
         voltage : float, optional
             Between the node sets PLUS and MINUS, with MINUS at 0 V [V]; None: the step prescribes no potential.
         name : str
@@ -212,7 +212,7 @@ class LoadedModel(WireModel):
         return step
 
     def card(self, name: str, parameters: dict[str, Any] | None = None, rows: list | None = None) -> None:
-        """Add any card that the table of keywords has in the model part; it stands before the first step."""
+        """Add any card of the model part that the keyword table has; it is written before the first step."""
         spec = (name.removeprefix("*").upper(), parameters or {}, rows or [])
         if keyword(name)["place"] in ("step", "begins step"):
             raise ValueError(f"*{spec[0]} stands in a step: Step.card adds it")
@@ -237,6 +237,6 @@ def _unit_labels(units: str | Mapping[str, str]) -> dict[str, str]:
 
 
 def _shortened(lines: list[str]) -> list[str]:
-    if len(lines) <= _MOST_LISTED:
+    if len(lines) <= _MAX_LISTED:
         return lines
-    return [*lines[:_MOST_LISTED], f"... {len(lines) - _MOST_LISTED} more"]
+    return [*lines[:_MAX_LISTED], f"... {len(lines) - _MAX_LISTED} more"]

@@ -52,7 +52,7 @@ class Material:
 
 
 def predefined(kind: type, **values: Any) -> Any:
-    """A constant of this package: a test checks it, so that an import does not have to ask the program for its table."""
+    """A constant of this package, created without the checks that need the keyword table of the program; a test checks it."""
     constant: Any = object.__new__(kind)
     constant.__dict__.update(values)
     return constant

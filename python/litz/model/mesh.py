@@ -50,7 +50,7 @@ def unique_rows(rows: Iterable[int]) -> NDArray[np.int64]:
 
 
 def without_spare_nodes(mesh: Mesh) -> Mesh:
-    """Nodes of no element, such as Abaqus's for orientation, are left out."""
+    """Nodes of no element, such as Abaqus's for orientation, are removed."""
     used = np.unique(mesh.connectivity)
     new = np.full(len(mesh.x), -1, dtype=np.int64)
     new[used] = np.arange(len(used))

@@ -39,7 +39,7 @@ def read_by_meshio(path: Path) -> Mesh:
         rows_of_block.append(n_elements + np.arange(len(chain) * per_cell).reshape(len(chain), per_cell))
         n_elements += len(chain) * per_cell
     if n_others and n_elements:
-        warnings.warn(f"{path}: {n_others} elements that are no lines are left out", stacklevel=4)
+        warnings.warn(f"{path}: {n_others} elements that are not lines are ignored", stacklevel=4)
     connectivity = np.concatenate(pairs) if pairs else np.empty((0, 2))
     mesh = Mesh(points, connectivity.astype(np.int64), np.full(n_elements, ""), path=path)
     for name, members in read.point_sets.items():

@@ -14,8 +14,8 @@ from .write_mesh import write_mesh_file
 class Model(LoadedModel):
     """Everything a deck says: wires, materials, contacts, supports and steps.
 
-    Nodes and elements are numbered from 1 in the order in which they are added. Mistakes are told at once, as ValueError
-    with what is allowed; the checks are those of the keyword table (`litz keywords`).
+    Nodes and elements are numbered from 1 in the order in which they are added. Errors are raised
+    immediately, as ValueError with the allowed values; the checks are those of the keyword table (`litz keywords`).
 
     Parameters
     ----------
@@ -42,10 +42,10 @@ class Model(LoadedModel):
     supports : list of Prescribed
         Degrees of freedom that are zero from the start.
     guides : dict
-        Share of the displacement of a pressing that each node or node set follows: 0 stays, 1 goes along (`press`).
+        Factor on the displacement of a pressing for each node or node set: 0 is at rest, 1 follows fully (`press`).
     height : float, optional
-        Displacement of a pressing that brings top and bottom to one level [m], which is more than any pressing can be
-        meant to be; None where a model has no such limit.
+        Displacement of a pressing that brings top and bottom to one level [m], the upper limit of
+        any pressing; None without such a limit.
     steps : list of Step
         The loading.
 
@@ -78,12 +78,12 @@ class Model(LoadedModel):
         return deck_text(self)
 
     def write(self, path: str | PathLike, *, mesh_file: bool = False) -> Path:
-        """Write the deck; numbers are the shortest decimals that read back exactly.
+        """Write the deck; numbers are written as the shortest decimals that are read back exactly.
 
         Parameters
         ----------
         path : path
-            Where to; files that are there are replaced, directories that are missing are made.
+            The deck; existing files are overwritten, missing directories are created.
         mesh_file : bool
             Nodes, elements and sets go into an HDF5 file of the same name with the ending `.h5` beside the deck, which
             litz reads faster than text.
@@ -103,7 +103,7 @@ class Model(LoadedModel):
         Parameters
         ----------
         output_directory : path
-            Where the deck and the results go; made when it is not there.
+            Directory of the deck and the results; created if necessary.
         **options
             As those of `litz.run`: `solver`, `threads`, `restart`, `quiet`, `progress`.
         """

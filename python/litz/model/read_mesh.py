@@ -25,7 +25,7 @@ def read_mesh(path: str | os.PathLike[str]) -> Mesh:
     Returns
     -------
     Mesh
-        Nodes that no element has are left out, and so are elements that are no lines.
+        Nodes without elements, and elements that are not lines, are ignored.
     """
     path = Path(path)
     if not path.is_file():

@@ -53,7 +53,7 @@ class Nodes(tuple):
         return nodes
 
     def __repr__(self) -> str:
-        """One line."""
+        """Short description."""
         listed = ", ".join(map(str, self[:8])) + (", ..." if len(self) > 8 else "")
         return f"<Nodes {self.name}: {listed}>"
 
@@ -108,7 +108,7 @@ class WireGroup:
     _points: Points = field(repr=False)
 
     def __repr__(self) -> str:
-        """One line."""
+        """Short description."""
         n_wires = len(self.wires)
         what = "wire" if n_wires == 1 else f"{n_wires} wires"
         size = f"radius {self.radius:g}, " if self.radius else ""

@@ -1,5 +1,6 @@
-"""Moving pictures of the wires over the increments of a run."""
+"""Animations of the wires over the increments of a run."""
 
+import warnings
 from collections.abc import Iterator
 from importlib import import_module
 from pathlib import Path
@@ -21,7 +22,7 @@ from .wire_picture import render
 _INCHES = (9.0, 6.3)
 _PIXELS = (900, 630)
 _BOX = (0.01, 0.15, 0.98, 0.72)
-# Increments that are drawn together, so that VTK starts seldom and memory stays small
+# Increments rendered together: few starts of VTK, little memory
 _BATCH = 20
 _HOLD_LAST = 1.5
 
@@ -37,9 +38,10 @@ def animate(
     view: tuple[float, float, float] | str | None = None,
     size: tuple[int, int] | None = None,
     frames_per_second: float = 10.0,
-    most_frames: int = 100,
+    max_frames: int = 100,
+    most_frames: int | None = None,
 ) -> Picture:
-    """Draw the wires at one increment after the other into a file that moves.
+    """Animate the wires over the increments of a run.
 
     The camera, the range of the colours and the size of the spots are the same for all increments.
 
@@ -55,8 +57,10 @@ def animate(
         Width and height in pixels; default 900 x 630.
     frames_per_second : float
         Increments that are shown in a second [1/s]; the last one stays for 1.5 s.
-    most_frames : int
-        Of more increments than this, only so many are shown, evenly spread.
+    max_frames : int
+        Maximum number of increments that are shown; of more increments, an evenly spaced selection.
+    most_frames : int, optional
+        Former name of `max_frames`.
 
     Returns
     -------
@@ -64,14 +68,18 @@ def animate(
         The file; a notebook shows a `.gif`.
     """
     look = Look(field, scale, spots, reference, view)
-    if not frames_per_second > 0 or most_frames < 1:
+    if most_frames is not None:
+        message = "most_frames is called max_frames now; the old name will be removed in the next version"
+        warnings.warn(message, DeprecationWarning, stacklevel=2)
+        max_frames = most_frames
+    if not frames_per_second > 0 or max_frames < 1:
         raise ValueError("frames per second must be above 0, and the number of frames at least 1")
     results = with_increments(results)
     path = Picture(filename or results.path.with_name(f"{results.path.stem}_wires.gif"))
     if path.suffix not in _WRITERS:
         raise ValueError(f"an animation is a .gif or .mp4 file, not {path.name!r}")
     n = len(results.times)
-    increments = np.unique(np.linspace(0, n - 1, min(n, most_frames)).round().astype(int)).tolist()
+    increments = np.unique(np.linspace(0, n - 1, min(n, max_frames)).round().astype(int)).tolist()
     pixels = size or _PIXELS
     with mpl.rc_context(STYLE):
         _WRITERS[path.suffix](path, _frames(results, increments, look, pixels), frames_per_second)

@@ -12,8 +12,8 @@ from ..base.table import Table
 from ..results import Results
 
 _ONE_COLOUR = "#2a6f97"
-# More lines than this share one colour, or are drawn as a band
-_MOST_LINES = 12
+# More lines than this have one colour or become a band
+_MAX_LINES = 12
 _FIELD_COLUMNS = {"force": "force", "moment": "moment", "current": "current"}
 
 
@@ -67,7 +67,7 @@ def history(figure: Figure, results: Results, increment: int) -> None:
 
 
 def _quantity(column: str) -> str:
-    """What a column of the history is one of: its letters, or a name for those that belong together."""
+    """Quantity of a column of the history: its identifier, or a common name of related ones."""
     symbol = column.split(maxsplit=1)[0].rstrip("123")
     if symbol.startswith("ALL") or symbol == "ETOTAL":
         return "energy"
@@ -79,12 +79,12 @@ def _quantity(column: str) -> str:
 def _history_of_one_quantity(axes: Axes, table: Table, names: list[str], quantity: str, unit: str) -> None:
     factor, symbol = engineering(np.concatenate([table[name] for name in names]), unit)
     for i, name in enumerate(names):
-        legend = name if i < _MOST_LINES else None
+        legend = name if i < _MAX_LINES else None
         axes.plot(
             table["time"], factor * table[name], **_marker(table.n_rows), color=colour_of(i, len(names)), label=legend
         )
-    if len(names) > _MOST_LINES:
-        axes.plot([], [], " ", label=f"and {len(names) - _MOST_LINES} more")
+    if len(names) > _MAX_LINES:
+        axes.plot([], [], " ", label=f"and {len(names) - _MAX_LINES} more")
     axes.set_ylabel(label(quantity, symbol))
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
 
@@ -101,7 +101,7 @@ def resistance_over_force(axes: Axes, results: Results, increment: int) -> None:
     factor, unit = engineering(shown["resistance"], results.unit_labels["ohm"])
     force, ohms = force_factor * shown["force"], factor * shown["resistance"]
     ids = np.unique(shown["id"])
-    if len(ids) <= _MOST_LINES:
+    if len(ids) <= _MAX_LINES:
         for i, contact in enumerate(ids):
             one = shown["id"] == contact
             order = np.argsort(force[one])
@@ -207,7 +207,7 @@ def residual_lines(axes: Axes, table: Table, name: str) -> None:
     distinct = np.unique(tries, axis=0)
     colours = _gradient()(np.linspace(0.0, 1.0, len(distinct)))
     last_attempt = {(step, increment): attempt for step, increment, attempt in distinct}
-    few = len(distinct) <= _MOST_LINES
+    few = len(distinct) <= _MAX_LINES
     for one, colour in zip(distinct, colours, strict=True):
         rows = table.where(np.all(tries == one, axis=1))
         size = np.where(rows[name] > 0, rows[name], np.nan)
@@ -282,7 +282,7 @@ def forces_over_time(axes: Axes, results: Results, increment: int) -> None:
     factor, unit = engineering(ledger["force"], results.unit_labels["N"])
     axes.set_ylabel(label("force", unit))
     ids = np.unique(ledger["id"])
-    if len(ids) <= _MOST_LINES:
+    if len(ids) <= _MAX_LINES:
         for i, contact in enumerate(ids):
             # an open contact is not in the ledger: its force is zero
             times, force = _per_increment(results, np.where(ledger["id"] == contact, ledger["force"], 0.0))
@@ -365,7 +365,7 @@ def current_along_wires(axes: Axes, results: Results, increment: int) -> None:
     current = results.field("element_current", increment)
     factor, unit = engineering(current, results.unit_labels["A"])
     length_factor, length_unit = engineering(np.ptp(results.nodes, axis=0), results.unit_labels["m"])
-    few = len(wires) <= _MOST_LINES
+    few = len(wires) <= _MAX_LINES
     for i, wire in enumerate(wires):
         length = np.linalg.norm(np.diff(results.nodes[wire.nodes], axis=0), axis=1)
         edges = length_factor * np.concatenate(([0.0], np.cumsum(length)))
@@ -390,13 +390,13 @@ def _per_increment(results: Results, values: np.ndarray) -> tuple[np.ndarray, np
 
 
 def colour_of(i: int, n: int) -> str | tuple[float, float, float, float]:
-    """Colours that the colour-blind can tell apart for a few, a gradient for many."""
+    """Colour-blind safe colours for few lines, a gradient for many."""
     few = ["#2a6f97", "#e8502a", "#5b8e3e", "#8e5ba6", "#c99700", "#4d4d4d"]
     return few[i] if n <= len(few) else _gradient()(i / max(1, n - 1))
 
 
 def _marker(n: int) -> dict:
-    """Points are shown while they do not run into each other."""
+    """Marker of a line: none if the points are too dense."""
     return {"marker": "o", "markersize": 4} if n <= 40 else {}
 
 
@@ -406,7 +406,7 @@ def time_label(results: Results) -> str:
 
 
 def nothing_to_draw(axes: Axes, text: str) -> None:
-    """Say in words why a chart is empty."""
+    """State in an empty chart why it is empty."""
     axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color="#666666")
     axes.set_xticks([])
     axes.set_yticks([])

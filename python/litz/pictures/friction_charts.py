@@ -12,7 +12,7 @@ from ..wires.curves import arc_lengths, element_curves, hermite_slope
 from .charts import colour_of, nothing_to_draw, time_label
 from .scene import row_of_element
 
-_MOST_LOOPS = 6
+_MAX_LOOPS = 6
 
 
 @dataclass(frozen=True)
@@ -48,7 +48,7 @@ def friction(figure: Figure, results: Results, increment: int) -> None:
 
 
 def force_over_sliding(axes: Axes, results: Results, increment: int) -> None:
-    """The loops of those contacts whose friction has made most heat."""
+    """The loops of the contacts with the most frictional heat."""
     axes.set_title("Friction over sliding")
     if not has_friction(results):
         nothing_to_draw(axes, "No friction has acted")
@@ -56,7 +56,7 @@ def force_over_sliding(axes: Axes, results: Results, increment: int) -> None:
     ids, counts = np.unique(results.contacts["id"], return_counts=True)
     heat = [results.contact(contact)["dissipation"].max() for contact in ids]
     picked = [contact for _, n, contact in sorted(zip(heat, counts, ids, strict=True), reverse=True) if n > 1]
-    drawn = friction_loops(results, sorted(picked[:_MOST_LOOPS]))
+    drawn = friction_loops(results, sorted(picked[:_MAX_LOOPS]))
     if not drawn:
         nothing_to_draw(axes, "No contact with friction has lasted two increments")
         return
@@ -76,7 +76,7 @@ def force_over_sliding(axes: Axes, results: Results, increment: int) -> None:
 
 
 def heat_over_time(axes: Axes, results: Results) -> None:
-    """Work that friction has turned to heat, all contacts together."""
+    """Frictional dissipation of all contacts."""
     axes.set_title("Heat of friction")
     if not has_friction(results):
         nothing_to_draw(axes, "No friction has acted")

@@ -13,7 +13,7 @@ from ..results.network import ContactNetwork, contact_network
 _WIDEST_LINE = 7.0
 _WIDEST_OF_MANY = 4.0
 _THINNEST_LINE = 0.3
-_MOST_NAMES = 60
+_MAX_NAMES = 60
 _ROUNDS = 200
 
 
@@ -108,7 +108,7 @@ def _draw_lines(axes: Axes, places: np.ndarray, pairs: np.ndarray, size: np.ndar
     order = np.argsort(size)
     part = size[order] / max(size.max(), np.finfo(float).tiny)
     grey = 0.80 - 0.55 * part
-    widest = _WIDEST_LINE if len(pairs) <= _MOST_NAMES else _WIDEST_OF_MANY
+    widest = _WIDEST_LINE if len(pairs) <= _MAX_NAMES else _WIDEST_OF_MANY
     axes.add_collection(
         LineCollection(
             places[pairs[order]], linewidths=_THINNEST_LINE + (widest - _THINNEST_LINE) * part,
@@ -120,7 +120,7 @@ def _draw_lines(axes: Axes, places: np.ndarray, pairs: np.ndarray, size: np.ndar
 def _draw_wires(figure: Figure, axes: Axes, places: np.ndarray, graph: ContactNetwork, unit_of_voltage: str) -> None:
     n = len(places)
     touching = np.bincount(graph.wires.ravel(), minlength=n)
-    largest = 420 if n <= _MOST_NAMES else 160
+    largest = 420 if n <= _MAX_NAMES else 160
     area = largest * (0.35 + 0.65 * touching / max(touching.max(), 1))
     has_voltage = np.ptp(graph.wire_potential) > 0
     factor, unit = engineering(graph.wire_potential, unit_of_voltage)
@@ -133,7 +133,7 @@ def _draw_wires(figure: Figure, axes: Axes, places: np.ndarray, graph: ContactNe
         bar = figure.colorbar(dots, ax=axes, shrink=0.7, pad=0.02, aspect=30)
         bar.set_label(label("mean potential of the wire", unit))
         bar.outline.set_visible(False)
-    if n <= _MOST_NAMES:
+    if n <= _MAX_NAMES:
         for wire, (x, y) in enumerate(places):
             bright = has_voltage and mpl.colors.Normalize(value.min(), value.max())(value[wire]) > 0.6
             axes.annotate(str(wire + 1), (x, y), ha="center", va="center", fontsize="small", zorder=3,

@@ -36,7 +36,7 @@ STYLE = {
     "savefig.facecolor": "white",
 }
 _DPI = 150
-_LEAST_PIXELS = 200
+_MIN_PIXELS = 200
 
 
 @dataclass(frozen=True)
@@ -50,7 +50,7 @@ class Look:
     view: tuple[float, float, float] | str | None = None
 
     def __post_init__(self) -> None:
-        """Check the words among the arguments."""
+        """Check the arguments."""
         if self.spots not in (None, "current", "force", "none"):
             raise ValueError(f'spots may be "current", "force" or "none", not {self.spots!r}')
         if isinstance(self.view, str) and self.view not in VIEWS:
@@ -100,7 +100,7 @@ def plot(
     increment : int
         Index of the increment that is shown, -1 the last.
     field : str, optional
-        What colours the wires, one of `litz.scalars.scalars(results)`: any field of the file, a vector by its length
+        What colours the wires, one of `litz.results.scalars.scalars(results)`: any field of the file, a vector by its length
         or as `displacement.x`, and `bending_moment` for both moments together; default: the potential, or else the
         displacement.
     scale : float
@@ -135,7 +135,7 @@ def plot(
 
 
 def with_increments(results: Results | str | Path) -> Results:
-    """The results, of which there must be some."""
+    """The results; an error if they have no increment."""
     results = results if isinstance(results, Results) else Results(results)
     if not len(results.times):
         raise FileError(f"{results.path} has no increment yet: there is nothing to draw")
@@ -147,8 +147,8 @@ def new_figure(inches: tuple[float, float], pixels: tuple[int, int] | None) -> F
     if pixels is None:
         return Figure(figsize=inches, dpi=_DPI)
     width, height = pixels
-    if width < _LEAST_PIXELS or height < _LEAST_PIXELS:
-        raise ValueError(f"a picture of {width} x {height} pixels is too small: at least {_LEAST_PIXELS} each way")
+    if width < _MIN_PIXELS or height < _MIN_PIXELS:
+        raise ValueError(f"a picture of {width} x {height} pixels is too small: at least {_MIN_PIXELS} each way")
     return Figure(figsize=(inches[0], inches[0] * height / width), dpi=width / inches[0])
 
 

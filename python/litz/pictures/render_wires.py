@@ -1,6 +1,6 @@
 """Draws tubes with VTK into pictures, as a program of its own.
 
-`litz.wire_picture` starts it by `python render_wires.py FOLDER`, which makes FOLDER/0.png of FOLDER/0.npz, and so on:
+`litz.pictures.wire_picture` starts it by `python render_wires.py FOLDER`, which makes FOLDER/0.png of FOLDER/0.npz, and so on:
 where no OpenGL is installed, VTK ends the whole process, which must not be the user's.
 """
 

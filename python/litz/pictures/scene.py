@@ -11,7 +11,7 @@ from ..results.scalars import colours_and_limits, default_scalar, end_values, fi
 from ..wires.chains import Wire
 from ..wires.curves import element_curves, hermite
 
-_MOST_POINTS = 150_000
+_MAX_POINTS = 150_000
 #: Directions to the viewer that have a name
 VIEWS = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1), "-x": (-1, 0, 0), "-y": (0, -1, 0), "-z": (0, 0, -1),
          "iso": (1, -1, 0.8)}  # fmt: skip
@@ -112,7 +112,7 @@ class SceneMaker:
     def scene(self, increment: int) -> Scene:
         """What is seen of one of the increments."""
         results, wires = self._results, self._wires
-        n = int(np.clip(_MOST_POINTS // len(results.elements), 2, 24))
+        n = int(np.clip(_MAX_POINTS // len(results.elements), 2, 24))
         displacement = results.field("displacement", increment)
         now = self._curves(displacement, results.field("rotation", increment))
         positions, slopes = (

@@ -18,16 +18,16 @@ from ..base.quantities import engineering
 from .scene import Camera, Scene
 
 SPOT_COLOUR = "#e8502a"
-_LONGEST_RENDERING = 300.0
-# Radii that are still seen, as parts of half the width of the picture: of a wire, and of the largest contact spot
-_LEAST_RADIUS = 0.0015
-_LEAST_SPOT = 0.007
+_MAX_RENDERING_TIME = 300.0
+# Smallest visible radii, relative to half the width of the picture: of a wire, and of the largest contact spot
+_MIN_RADIUS = 0.0015
+_MIN_SPOT = 0.007
 # Layers of a stroke, from rim to core: width, brightness, and how far it reaches into the next stroke (part of its length),
 # the brighter ones farther, so that no seams are seen
 _LAYERS = ((1.0, 0.55, 0.02), (0.8, 0.8, 0.06), (0.55, 1.0, 0.10), (0.25, 1.25, 0.14))
 # Thickness over diameter of a spot that is seen from its edge
-_LEAST_THICKNESS = 0.18
-#: What a picture says of itself when there was no OpenGL
+_MIN_THICKNESS = 0.18
+#: Note on pictures that were drawn without OpenGL
 WITHOUT_OPENGL = "drawn without OpenGL: depth is approximate"
 
 
@@ -76,7 +76,7 @@ def _render(scenes: list[Scene], camera: Camera, pixels: np.ndarray) -> list[np.
             np.savez(
                 Path(folder, f"{number}.npz"),
                 points=scene.points, starts=scene.starts, value=scene.value,
-                radius=np.maximum(scene.radius, _LEAST_RADIUS * camera.half_width),
+                radius=np.maximum(scene.radius, _MIN_RADIUS * camera.half_width),
                 reference=scene.reference, reference_starts=scene.reference_starts,
                 colours=scene.colours, limits=scene.limits, size=np.round(pixels),
                 sides=24 if len(scene.points) < 50_000 else 12, centre=camera.centre, toward=camera.toward,
@@ -88,7 +88,7 @@ def _render(scenes: list[Scene], camera: Camera, pixels: np.ndarray) -> list[np.
 
 def _run_vtk(folder: str, n_pictures: int) -> None:
     command = [sys.executable, str(Path(__file__).with_name("render_wires.py")), folder]
-    longest = _LONGEST_RENDERING + 10 * n_pictures
+    longest = _MAX_RENDERING_TIME + 10 * n_pictures
     # where there are no X11 libraries VTK may crash instead of taking OSMesa by itself
     for environment in (None, {**os.environ, "VTK_DEFAULT_OPENGL_WINDOW": "vtkOSOpenGLRenderWindow"}):
         try:
@@ -116,7 +116,7 @@ def _draw_flat(axes: Axes, scene: Scene, camera: Camera, points_per_metre: float
     depth = (flat[first, 2] + flat[first + 1, 2]) / 2
     norm = mpl.colors.Normalize(*scene.limits)
     colour = mpl.colormaps[scene.colours](norm((scene.value[first] + scene.value[first + 1]) / 2))[:, :3]
-    width = 2 * np.maximum(scene.radius[first], _LEAST_RADIUS * camera.half_width) * points_per_metre
+    width = 2 * np.maximum(scene.radius[first], _MIN_RADIUS * camera.half_width) * points_per_metre
 
     order = np.repeat(np.argsort(depth), len(_LAYERS))
     thickness, shade, reach = np.tile(np.array(_LAYERS), (len(depth), 1)).T
@@ -164,9 +164,9 @@ def discs(scene: Scene, camera: Camera) -> tuple[np.ndarray, np.ndarray, np.ndar
 
     Very small discs are drawn larger, all by the same factor, and those seen from their edge keep some thickness.
     """
-    diameter = 2 * max(1.0, _LEAST_SPOT * camera.half_width / scene.spot_radius.max()) * scene.spot_radius
+    diameter = 2 * max(1.0, _MIN_SPOT * camera.half_width / scene.spot_radius.max()) * scene.spot_radius
     normal = camera.turn(scene.spot_normal)
-    thickness = np.clip(np.abs(normal[:, 2]), _LEAST_THICKNESS, 1.0)
+    thickness = np.clip(np.abs(normal[:, 2]), _MIN_THICKNESS, 1.0)
     return diameter, diameter * thickness, np.degrees(np.arctan2(normal[:, 1], normal[:, 0])) + 90
 
 

@@ -1,4 +1,4 @@
-"""`litz report`: one HTML page about a run, with pictures and the model to turn inside."""
+"""`litz report`: one HTML page about a run, with pictures and the interactive model."""
 
 import base64
 import html
@@ -17,10 +17,10 @@ from ..viewer.data import WebData
 from ..viewer.page import evenly_chosen, page, viewer, viewer_style
 from . import report_tables as tables
 
-# What the data of the three-dimensional view may take of the page, as text before compression [bytes]
-_MOST_DATA = 30e6
-_LONGEST_DECK = 200_000
-_MOST_WIRES = 300
+# Maximum size of the data of the three-dimensional view, as text before compression [bytes]
+_MAX_DATA = 30e6
+_MAX_DECK_LENGTH = 200_000
+_MAX_WIRES = 300
 
 _STYLE = """
 body { font: 15px/1.5 system-ui, sans-serif; color: #1b1b1b; margin: 0 auto; max-width: 78rem; padding: 1.5rem; }
@@ -48,10 +48,10 @@ summary { cursor: pointer; }
 
 
 def report(results: Results | str | Path, filename: str | Path | None = None) -> Path:
-    """Write a page about a run: model, convergence, balances, worst contacts, pictures, and the model to turn.
+    """Write a page about a run: model, convergence, balances, worst contacts, pictures, and the interactive model.
 
-    The page needs nothing beside it and no network. A run that did not converge gets one too: it says what failed and where,
-    and shows the iterate that was given up.
+    The page is self-contained and needs no network. For a run that did not converge it reports what failed and where,
+    and shows the last iterate.
 
     Parameters
     ----------
@@ -133,7 +133,7 @@ def _pictures(results: Results) -> list[str]:
     if field("element_current"):
         wanted.append(("currents", "Currents in the wires.", {}))
     network = results.contact_network()
-    if len(network.id) > 0 and len(network.wire_length) <= _MOST_WIRES:
+    if len(network.id) > 0 and len(network.wire_length) <= _MAX_WIRES:
         wanted.append(("network", "Which wires touch, and how much current passes between them.", {}))
     if has_friction(results):
         wanted.append(("friction", "Friction.", {}))
@@ -152,10 +152,10 @@ def _figure(results: Results, kind: str, folder: Path, text: str, **options: Any
 
 
 def _stage(results: Results) -> list[str]:
-    """The model to turn, with as many increments as the page can carry."""
+    """The interactive model, with as many increments as the page can hold."""
     n = len(results.times)
     size = len(WebData(results, [n - 1]).increment(0))
-    picked = evenly_chosen(n, max(1, int(_MOST_DATA / size)))
+    picked = evenly_chosen(n, max(1, int(_MAX_DATA / size)))
     note = (
         f"{len(picked)} of {n} increments are in this page; <code>litz view {html.escape(results.path.name)}</code> shows all."
         if len(picked) < n
@@ -172,8 +172,8 @@ def _deck(results: Results) -> str:
     try:
         deck = results.deck
     except (KeyError, OSError) as error:
-        raise FileError(f"{results.path} does not hold its deck: {error}") from None
-    if len(deck) > _LONGEST_DECK:
+        raise FileError(f"{results.path} does not contain its deck: {error}") from None
+    if len(deck) > _MAX_DECK_LENGTH:
         return f'<p class="note">The deck has {len(deck) / 1e6:.1f} MB: it is in {html.escape(results.path.name)}.</p>'
     n_lines = deck.count("\n") + 1
     return f"<details><summary>{n_lines} lines</summary><pre>{html.escape(deck)}</pre></details>"

@@ -10,9 +10,9 @@ from ..base.table import Table
 from ..results import Results
 from ..wires.curves import arc_lengths
 
-_MOST_CONTACTS = 8
-_MOST_REMARKS = 12
-_MOST_SETS = 20
+_MAX_CONTACTS = 8
+_MAX_REMARKS = 12
+_MAX_SETS = 20
 
 
 def table(heads: Iterable[object], rows: Iterable[Iterable[object]], text: Iterable[int] = ()) -> str:
@@ -80,8 +80,8 @@ def _range(values: np.ndarray, unit: str) -> str:
 
 
 def _sets(sets: dict[str, np.ndarray]) -> str:
-    shown = [f"{name} ({len(members)})" for name, members in list(sets.items())[:_MOST_SETS]]
-    more = [f"and {len(sets) - _MOST_SETS} more"] if len(sets) > _MOST_SETS else []
+    shown = [f"{name} ({len(members)})" for name, members in list(sets.items())[:_MAX_SETS]]
+    more = [f"and {len(sets) - _MAX_SETS} more"] if len(sets) > _MAX_SETS else []
     return ", ".join(shown + more) or "none"
 
 
@@ -153,7 +153,7 @@ def convergence(results: Results) -> str:
     text = table(("steps of the solution", ""), rows)
     noted = [k for k, remark in enumerate(status["remark"]) if remark]
     if noted:
-        columns = (status[name][noted[-_MOST_REMARKS:]] for name in ("step", "increment", "attempts", "time", "remark"))
+        columns = (status[name][noted[-_MAX_REMARKS:]] for name in ("step", "increment", "attempts", "time", "remark"))
         lines = [
             (f"{step}:{increment}", attempt, f"{time:g}", remark)
             for step, increment, attempt, time, remark in zip(*columns, strict=True)
@@ -164,7 +164,7 @@ def convergence(results: Results) -> str:
 
 
 def run_warnings(results: Results) -> list[str]:
-    """What the run has warned of; empty where there is nothing."""
+    """The warnings of the run; empty if there are none."""
     found = results.warnings
     if not found:
         return []
@@ -194,12 +194,12 @@ def failure(results: Results) -> list[str]:
     last = last.where((last["step"] == step) & (last["increment"] == increment) & (last["attempt"] == tries))
     span = amount(status["time_increment"][-1], status.units["time_increment"])
     reason = status["remark"][-1].removeprefix("cut: ")
-    words = html.escape(
+    reason = html.escape(
         f"Step {step}, increment {increment} was given up after {tries} {'try' if tries == 1 else 'tries'}, "
         f"the last with a time increment of {span}: {reason}."
     )
     if not last.n_rows:
-        return ["<h2>What failed</h2>", f"<p>{words}</p>"]
+        return ["<h2>What failed</h2>", f"<p>{reason}</p>"]
     fields = (
         ("force", "displacement", "node_u"),
         ("moment", "rotation", "node_phi"),
@@ -207,7 +207,7 @@ def failure(results: Results) -> list[str]:
     )
     rows = [_last_residual(last, *names) for names in fields if last[names[0]].any()]
     heads = ("last iteration", "residual", "allowed", "met", "largest correction", "at node")
-    return ["<h2>What failed</h2>", f"<p>{words}</p>", table(heads, rows)]
+    return ["<h2>What failed</h2>", f"<p>{reason}</p>", table(heads, rows)]
 
 
 def _last_residual(iterations: Table, residual: str, unknown: str, node: str) -> tuple:
@@ -224,7 +224,7 @@ def contacts_of_iterate(last: Results) -> str:
     ledger = last.contacts
     if not ledger.n_rows:
         return "<p>No wires touch in it.</p>"
-    return _contact_table("deepest contacts", ledger, np.argsort(ledger["gap"])[:_MOST_CONTACTS], with_time=False)
+    return _contact_table("deepest contacts", ledger, np.argsort(ledger["gap"])[:_MAX_CONTACTS], with_time=False)
 
 
 def worst_contacts(results: Results) -> str:
@@ -237,7 +237,7 @@ def worst_contacts(results: Results) -> str:
     if density.any():
         measures.append(("largest current density in the spot", density))
     return "".join(
-        _contact_table(name, ledger, _worst_of_each(ledger["id"], values)[:_MOST_CONTACTS]) for name, values in measures
+        _contact_table(name, ledger, _worst_of_each(ledger["id"], values)[:_MAX_CONTACTS]) for name, values in measures
     )
 
 

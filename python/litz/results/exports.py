@@ -35,7 +35,7 @@ def export(
         the heads. "vtu": STEM.pvd and STEM_contacts.pvd, which name a file for each increment. "xdmf": STEM.xdmf with
         STEM.h5; needs meshio. "vtkhdf": the result files as they are.
     directory : path, optional
-        Where to; beside the results when left out.
+        Output directory; default: that of the results.
 
     Returns
     -------
@@ -147,11 +147,11 @@ def _write_pvd(path: Path, times: NDArray, files: list[Path]) -> None:
 def _to_xdmf(results: ResultFile, base: Path) -> Path:
     meshio = optional("meshio")
     path = _beside(base, ".xdmf").resolve()
-    # fields are read when they are written, from a file that may be named relative to the directory before
+    # fields are read lazily, and the path of the results may be relative to the former directory
     results = ResultFile(results.path.resolve())
     data = path.with_suffix(".h5")
     if data.exists() and not path.exists():
-        raise FileError(f"{data} is there already, and is no data of {path.name}: export into another directory")
+        raise FileError(f"{data} exists already and does not belong to {path.name}: export into another directory")
     before = Path.cwd()
     # meshio puts the data into the current directory
     os.chdir(path.parent)

@@ -4,21 +4,21 @@ import numpy as np
 
 from .result_file import ResultFile
 
-_MOST_COLUMNS = 6
-_MOST_ROWS = 40
+_MAX_COLUMNS = 6
+_MAX_ROWS = 40
 
 
 def history_table(results: ResultFile) -> str:
-    """Contacts, contact force and the history of a run, a line per increment; long ones are thinned out."""
+    """Contacts, contact force and the history of a run, a line per increment; long tables are thinned out."""
     history = results.history
     names = [name for name in history if name not in ("step", "increment", "time")]
-    shown = names[:_MOST_COLUMNS]
+    shown = names[:_MAX_COLUMNS]
     number, force = _contacts(results)
     columns = [history["time"], number, force, *(history[name] for name in shown)]
     heads = ["time", "contacts", "contact force", *shown]
     units = [results.unit_labels["s"], "", results.unit_labels["N"], *(history.units[name] for name in shown)]
 
-    rows = np.unique(np.linspace(0, history.n_rows - 1, min(history.n_rows, _MOST_ROWS)).round().astype(int))
+    rows = np.unique(np.linspace(0, history.n_rows - 1, min(history.n_rows, _MAX_ROWS)).round().astype(int))
     cells = [heads, [f"[{unit}]" if unit else "" for unit in units]]
     cells += [[f"{column[row]:.7g}" for column in columns] for row in rows]
     widths = [max(len(line[i]) for line in cells) for i in range(len(heads))]

@@ -250,7 +250,7 @@ def conductance(results: ResultFile, plus: str, minus: str, increment: int) -> f
     rows = [results.node_sets[name] for name in (plus, minus)]
     voltage = potential[rows[0]].mean() - potential[rows[1]].mean()
     if voltage == 0:
-        raise ValueError(f"there is no voltage between {plus} and {minus}, so that no conductance can be told")
+        raise ValueError(f"there is no voltage between {plus} and {minus}, so there is no conductance")
     return float(entering[rows[0]].sum() / voltage)
 
 

@@ -67,7 +67,7 @@ class ResultFile:
 
     @property
     def finished(self) -> bool:
-        """The run came to its end."""
+        """Whether the run was completed."""
         with self._open() as file:
             return bool(file["litz"].attrs["finished"])
 
@@ -79,7 +79,7 @@ class ResultFile:
 
     @cached_property
     def version(self) -> str:
-        """The version of litz that has run."""
+        """The version of litz that wrote the results."""
         with self._open() as file:
             return _text(file["litz"].attrs["version"])
 
@@ -111,7 +111,7 @@ class ResultFile:
     def audit(self) -> dict[str, np.ndarray]:
         """Worst figures of the audit of each increment, (n_increments) [-].
 
-        What is left of sums that should vanish, over the largest force, moment, current or power in them:
+        Residuals of sums that should vanish, relative to the largest force, moment, current or power in them:
         `force_balance`, `moment_balance`, `current_balance`, `power_balance`; and `penetration_ratio`, the deepest
         overlap over the smaller radius.
         """
@@ -119,7 +119,7 @@ class ResultFile:
 
     @property
     def warnings(self) -> list[WarningEntry]:
-        """What the run has warned of, in the order in which it came up; of one that goes on, so far."""
+        """The warnings of the run so far, in the order of their occurrence."""
         return read_warnings(self.path)
 
     def _increment_table(self, name: str) -> np.ndarray:
@@ -335,11 +335,11 @@ class ResultFile:
         """The .cvg table: a row per iteration."""
         return self._table(".cvg", read_aligned)
 
-    # A run writes the fields of an increment first, then the tables, and last its line of the .sta table: what has no
-    # line there is not yet, or after a kill will never be, whole in all files.
+    # A run writes the fields of an increment first, then the tables, and finally its line of the .sta table. An increment
+    # without a line there is not (or, after a kill, will never be) complete in all files.
 
     def _last_whole(self, file: h5py.File) -> tuple[int, int] | None:
-        """Step and increment of the last increment that is whole in all files; None: all there are."""
+        """Step and increment of the last increment that is complete in all files; None: all of them."""
         if file["litz"].attrs["finished"] or not self.path.with_suffix(".sta").exists():
             return None
         status = self.status
@@ -349,14 +349,14 @@ class ResultFile:
         return _numbers_of(file, 0) if _n_steps(file) else None
 
     def _n_whole(self, file: h5py.File) -> int:
-        """Number of increments in the result file that are whole in all files."""
+        """Number of increments in the result file that are complete in all files."""
         n, last = _n_steps(file), self._last_whole(file)
         while last is not None and n > 1 and _numbers_of(file, n - 1) > last:
             n -= 1
         return n
 
     def _whole(self, table: Table) -> Table:
-        """The rows of a table up to the last increment that is whole in all files."""
+        """The rows of a table up to the last increment that is complete in all files."""
         with self._open() as file:
             last = self._last_whole(file)
         if last is None or not table.n_rows:
@@ -365,7 +365,7 @@ class ResultFile:
         return table.where(~later) if later.any() else table
 
     def _table(self, ending: str, read: Callable[[Path], Table]) -> Table:
-        """A table beside the result file; read again when it has grown, as that of a run that goes on."""
+        """A table beside the result file; read again when it has grown, as during a run."""
         path = self.path.with_name(self.path.stem + ending)
         try:
             size = path.stat().st_size
@@ -384,7 +384,7 @@ class ResultFile:
 
 
 def _find(path: Path) -> Path:
-    """The result file of the wires that a path stands for."""
+    """Find the result file of the wires for a path."""
     if path.is_dir():
         found = sorted(file for file in path.glob("*.vtkhdf") if not file.stem.endswith(("_contacts", "_unconverged")))
         if len(found) == 1:

@@ -10,12 +10,12 @@ from .result_file import ResultFile
 
 
 class Results(ResultFile):
-    """What a run has written; every array is read when it is asked for.
+    """The results of a run; every array is read on demand.
 
     Parameters
     ----------
     path : path
-        The result file `STEM.vtkhdf`, the same without ending, the deck `STEM.inp` (the results beside it or in the
+        The result file `STEM.vtkhdf`, the same without suffix, the deck `STEM.inp` (the results beside it or in the
         current directory), or a directory with the results of one run.
 
     Notes

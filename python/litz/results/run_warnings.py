@@ -9,7 +9,7 @@ from ..errors import WarningEntry
 
 
 def read_warnings(path: Path) -> list[WarningEntry]:
-    """The warnings in a result file, in the order in which they came; none in that of a litz before 0.2."""
+    """The warnings in a result file, in the order of their occurrence; files written before version 0.2 have none."""
     with h5py.File(path, "r", locking=False) as file:
         group = file.get("litz/warnings")
         if group is None:

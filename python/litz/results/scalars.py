@@ -1,4 +1,4 @@
-"""The scalars of a result file: what wires can be coloured by, found by name, whatever fields the file has."""
+"""The scalars of a result file: quantities that can colour the wires, by name, for any fields."""
 
 from dataclasses import dataclass
 
@@ -7,7 +7,7 @@ import numpy as np
 from ..base.names import unknown_name
 from .result_file import ResultFile
 
-# Fields that number or place things; they are not what a run has computed
+# Fields with numbers and positions, which are not results
 _BOOKKEEPING = (
     "node_id",
     "element_id",
@@ -20,8 +20,8 @@ _BOOKKEEPING = (
 _AXES = "xyz"
 _SEQUENTIAL = "viridis"
 _DIVERGING = "coolwarm"
-# A range below this part of the values is round-off
-_LEAST_RANGE = 1e-6
+# A smaller range relative to the values is round-off
+_MIN_RANGE = 1e-6
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ class Scalar:
 
     @property
     def is_length(self) -> bool:
-        """It is the length of a vector, and never negative."""
+        """Whether it is the length of a vector, which is never negative."""
         return self.text.endswith(", magnitude")
 
     def of(self, values: list[np.ndarray]) -> np.ndarray:
@@ -98,7 +98,7 @@ def scalars(results: ResultFile) -> dict[str, Scalar]:
 
 
 def find_scalar(results: ResultFile, name: str) -> Scalar:
-    """The scalar of a name; a `KeyError` tells the nearest name and all there are."""
+    """The scalar of a name; a `KeyError` suggests similar names and lists all."""
     known = scalars(results)
     if name not in known:
         raise KeyError(unknown_name("field", name, [one for one in known if "." not in one]))
@@ -124,10 +124,10 @@ def end_values(results: ResultFile, scalar: Scalar, increment: int) -> np.ndarra
 def colours_and_limits(low: float, high: float, one_sided: bool) -> tuple[str, tuple[float, float]]:
     """Name of the colour map, and the range of the colour bar.
 
-    Values of both signs take a map whose middle is zero, so that the colour tells the sign; all others one that runs
-    from dark to bright. A constant gets a range around it, so that the bar can be drawn.
+    Values of both signs take a map whose middle is zero, so that the colour shows the sign; all others one from
+    dark to bright. A constant gets a range around it, so that the bar can be drawn.
     """
-    if not high - low > _LEAST_RANGE * max(abs(low), abs(high)):
+    if not high - low > _MIN_RANGE * max(abs(low), abs(high)):
         margin = 0.5 * abs(low) or 0.5
         return _SEQUENTIAL, (low - margin, high + margin)
     if low < 0 < high and not one_sided and -low > 0.05 * high and high > -0.05 * low:

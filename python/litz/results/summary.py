@@ -7,7 +7,7 @@ import numpy as np
 from ..errors import WarningEntry
 from .result_file import ResultFile
 
-_MOST_ROWS = 30
+_MAX_ROWS = 30
 
 
 def summary(results: ResultFile) -> str:
@@ -41,8 +41,8 @@ def _increments(results: ResultFile) -> str:
     titles = tuple("residual" if head == "force" else head for head in heads)
     rows = [titles, tuple(f"[{status.units[head]}]" if status.units[head] else "" for head in heads)]
     picked: Sequence[int | None] = range(status.n_rows)
-    if status.n_rows > _MOST_ROWS:
-        half = _MOST_ROWS // 2
+    if status.n_rows > _MAX_ROWS:
+        half = _MAX_ROWS // 2
         picked = [*range(half), None, *range(status.n_rows - half, status.n_rows)]
     rows += [("...",) * len(heads) if i is None else tuple(_cell(status[head][i]) for head in heads) for i in picked]
     return _aligned(rows)

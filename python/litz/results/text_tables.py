@@ -29,7 +29,7 @@ _INTEGER_COLUMNS = frozenset(
         "contacts",
     ]
 )
-#: The last columns of a table may hold words
+#: The last columns of a table may contain text
 _TEXT_COLUMNS = frozenset(["friction", "status", "remark"])
 
 
@@ -39,7 +39,7 @@ def read_csv(path: Path) -> Table:
 
 
 def read_aligned(path: Path) -> Table:
-    """A table with blanks between the columns; a remark in the last column may hold blanks itself.
+    """A table with blanks between the columns; a remark in the last column may contain blanks.
 
     Lines that begin with # are comments.
     """
@@ -51,7 +51,7 @@ def _read(path: Path, separator: str | None) -> Table:
         text = path.read_text(encoding="utf-8", errors="replace")
     except OSError as error:
         raise FileError(f"cannot read {path}: {error.strerror}") from None
-    # what follows the last line end is a line that a running or killed program has not completed
+    # text after the last line end is a line that a running or killed program has not completed
     lines = [line for line in text[: text.rfind("\n") + 1].splitlines() if not line.startswith("#")]
     if not lines:
         raise FileError(f"{path} is empty: the run that wrote it ended before its first line")

@@ -1,4 +1,4 @@
-"""How far a run is: a line on a terminal, a bar in a notebook, some lines in a log."""
+"""Progress of a run: a line on a terminal, a bar in a notebook, a few lines in a log."""
 
 import re
 import shutil
@@ -15,9 +15,9 @@ _STATIC = re.compile(
     r"^[ \t]*\*[ \t]*static\b[^\n]*\n(?:[ \t]*(?:\*\*[^\n]*)?\n)*([^*\n]*)", re.IGNORECASE | re.MULTILINE
 )
 _INCLUDE = re.compile(r"^[ \t]*\*[ \t]*include\b[^\n]*?input[ \t]*=[ \t]*\"?([^\n\",]+)", re.IGNORECASE | re.MULTILINE)
-_DEEPEST_INCLUDE = 20
-#: Least time between two versions of the line [s], and its most columns
-_PAUSE = 0.1
+_MAX_INCLUDE_DEPTH = 20
+#: Minimum time between two updates of the line [s], and its maximum width
+_MIN_INTERVAL = 0.1
 _WIDTH = 100
 _BAR = 20
 #: Lines of a log for a whole run
@@ -25,7 +25,7 @@ _LOG_LINES = 10
 
 
 def total_time(deck: Path, depth: int = 0) -> float:
-    """Time of all steps of a deck and what it includes; 0 where it cannot be read, which a run tells in words [s]."""
+    """Time of all steps of a deck and what it includes; 0 if it cannot be read, which the run reports [s]."""
     if not deck.is_file():
         return 0.0
     try:
@@ -39,13 +39,13 @@ def total_time(deck: Path, depth: int = 0) -> float:
             total += float(values[1].upper().replace("D", "E")) if len(values) > 1 and values[1].strip() else 1.0
         except ValueError:
             continue
-    if depth < _DEEPEST_INCLUDE:
+    if depth < _MAX_INCLUDE_DEPTH:
         total += sum(total_time(deck.parent / name.strip(), depth + 1) for name in _INCLUDE.findall(text))
     return total
 
 
 class Progress:
-    """Shows how far a run is, from the lines that the program prints.
+    """Shows the progress of a run, based on the lines that the program prints.
 
     Parameters
     ----------
@@ -65,15 +65,15 @@ class Progress:
         self._last = 0.0
         self._done = 0.0
         self._began: float | None = None
-        self._told = 0
+        self._n_logged = 0
         self._text = ""
-        # a line of all columns would wrap
+        # a line of the full width would wrap
         self._width = min(_WIDTH, shutil.get_terminal_size().columns - 1)
         self._handle = notebook.place() if stream is None else None
         self._on_terminal = self._handle is None and self._stream.isatty()
 
     def feed(self, line: str) -> None:
-        """Take note of a line of the program."""
+        """Process a line of the program."""
         match = _INCREMENT.fullmatch(line.rstrip("\n"))
         if match is None or "cut:" in match[5]:
             return
@@ -108,12 +108,12 @@ class Progress:
         now = time.monotonic()
         share = self._share()
         if self._handle is None and not self._on_terminal:
-            if int(share * _LOG_LINES) > self._told and share < 1:
-                self._told = int(share * _LOG_LINES)
+            if int(share * _LOG_LINES) > self._n_logged and share < 1:
+                self._n_logged = int(share * _LOG_LINES)
                 self._stream.write(f"{self._title}: {share:4.0%}, {self._text}\n")
                 self._stream.flush()
             return
-        if now - self._last < _PAUSE:
+        if now - self._last < _MIN_INTERVAL:
             return
         self._last = now
         text = f"{share:4.0%} {self._text}, {_clock(now - self._start)}{self._left(now)}"
@@ -125,7 +125,7 @@ class Progress:
         self._stream.flush()
 
     def _left(self, now: float) -> str:
-        """Time that is left, if the rest goes as fast as what is done."""
+        """Remaining time at the present rate."""
         if self._began is None or self._done <= self._began or self._total <= 0:
             return ""
         rate = (now - self._start) / (self._done - self._began)

@@ -27,15 +27,15 @@ from ..results import Results
 from ..results.run_warnings import read_warnings
 from .progress import Progress, total_time
 
-#: How long a program that is to end may take [s]
-_PATIENCE = 5.0
+#: Time for the program to terminate [s]
+_TERMINATION_TIMEOUT = 5.0
 
 _ERRORS: dict[int, type[LitzError]] = {
     error.exit_code: error
     for error in (InputError, NotConvergedError, SolverError, FileError, InternalError, OutOfMemoryError)
 }
 
-#: What messages advise in words of decks, and how that is said in Python
+#: Advice in messages that refers to decks, and its counterpart in Python
 _IN_PYTHON = {
     "increments of INC=": "inc=... of Model.step and Model.press",
     "I_C of *CONTROLS": "Step.controls('TIME INCREMENTATION', i_c=...)",
@@ -62,17 +62,17 @@ def run(
     deck : path
         The .inp file.
     output_directory : path
-        Where the result files go; made when it is not there.
+        Directory of the result files; created if necessary.
     solver : {"block", "umfpack", "skyline"}, optional
-        In place of what the deck says.
+        Replaces the choice of the deck.
     threads : int, optional
         Number of threads.
     restart : path or str, optional
-        Restart file to go on from, or ``FILE:STEP:INCREMENT``; what ``*RESTART, WRITE`` has kept.
+        Restart file to continue from, or ``FILE:STEP:INCREMENT``, written by ``*RESTART, WRITE``.
     quiet : bool
-        False: print what the program prints, as it comes.
+        False: show the output of the program as it runs.
     progress : bool
-        Show how far the run is: a line on a terminal, a bar in a notebook, a few lines in a log.
+        Show the progress of the run: a line on a terminal, a bar in a notebook, a few lines in a log.
 
     Returns
     -------
@@ -86,13 +86,13 @@ def run(
     Warns
     -----
     RunWarning
-        For each warning of the run, also of one that ends with an error; `Results.warnings` has them as data.
+        For each warning of the run, even if it ends with an error; `Results.warnings` has them as data.
     """
     options = (deck, output_directory, solver, threads, restart, quiet, progress)
     try:
         results = run_silently(*options)
     except LitzError as error:
-        # where warnings are made exceptions, the error still comes first
+        # if warnings are exceptions, the error takes precedence
         with contextlib.suppress(RunWarning):
             _warn(error.warnings)
         raise
@@ -127,7 +127,7 @@ def run_silently(
         error = _error_of(exit_code, message or printed, results_path if results_path.exists() else None)
         has_results = _changed(results_path) != before
         error.warnings = _read_warnings(results_path) if has_results else _warnings_in(message)
-        _note(error, has_results)
+        _add_notes(error, has_results)
         raise error
 
     return Results(results_path)
@@ -144,7 +144,7 @@ def check(deck: str | os.PathLike[str]) -> str:
     Returns
     -------
     str
-        The model as the program understands it, and the crossings within reach.
+        The model as the program reads it, and the crossings within the search distance.
 
     Raises
     ------
@@ -169,7 +169,7 @@ def check(deck: str | os.PathLike[str]) -> str:
 
 
 def _warn(found: Iterable[WarningEntry]) -> None:
-    """Each warning of a run as one of Python, at the line outside this package that has called it."""
+    """Issue the warnings of a run as Python warnings, at the calling line outside this package."""
     level, frame = 1, inspect.currentframe()
     while frame is not None and frame.f_globals.get("__name__", "").startswith("litz."):
         level, frame = level + 1, frame.f_back
@@ -178,12 +178,12 @@ def _warn(found: Iterable[WarningEntry]) -> None:
 
 
 def _warnings_in(messages: str) -> list[WarningEntry]:
-    """The warnings among the messages of a program that has left no results."""
+    """The warnings among the messages of a run without results."""
     return [WarningEntry("", message) for message in re.findall(r"^warning: (.*)$", messages, re.MULTILINE)]
 
 
 def _read_warnings(path: Path) -> list[WarningEntry]:
-    """Those in the result file of a run that has failed, if it can be read."""
+    """The warnings in the result file of a failed run, if it can be read."""
     try:
         return read_warnings(path)
     except OSError:
@@ -192,7 +192,7 @@ def _read_warnings(path: Path) -> list[WarningEntry]:
 
 def _error_of(exit_code: int, message: str, results_path: Path | None = None) -> LitzError:
     """The exception of an exit code, with the program's own message."""
-    # what the program has warned of before is no part of the error
+    # earlier warnings of the program are not part of the error
     found = re.search(r"^error\b", message, re.MULTILINE)
     if found:
         message = message[found.start() :]
@@ -202,12 +202,12 @@ def _error_of(exit_code: int, message: str, results_path: Path | None = None) ->
 
 
 def _changed(path: Path) -> int | None:
-    """When a file was changed, if it is there [ns]."""
+    """Modification time of a file, if it exists [ns]."""
     return path.stat().st_mtime_ns if path.exists() else None
 
 
-def _note(error: LitzError, has_results: bool) -> None:
-    """Say below the message where the results are, and the advice in words of Python; before Python 3.11 say nothing."""
+def _add_notes(error: LitzError, has_results: bool) -> None:
+    """Add the path of the results and the advice for Python to the message (from Python 3.11 on)."""
     if not (isinstance(error, NotConvergedError) and hasattr(error, "add_note")):
         return
     advice = [python for word, python in _IN_PYTHON.items() if word in str(error)]
@@ -222,16 +222,16 @@ def _progress_of(deck: Path) -> Progress:
 
 
 def _end(process: subprocess.Popen) -> None:
-    """End a program that may still run; it then takes its lock away."""
+    """Terminate a program that may still run, so that it removes its lock."""
     process.terminate()
     try:
-        process.wait(timeout=_PATIENCE)
+        process.wait(timeout=_TERMINATION_TIMEOUT)
     except subprocess.TimeoutExpired:
         process.kill()
 
 
 def _call(command: list[str | Path], quiet: bool, progress: Progress | None = None) -> tuple[int, str, str]:
-    """Exit code, standard output and standard error of a command; the output is passed on line by line if wanted."""
+    """Exit code, standard output and standard error of a command; the output is shown line by line if requested."""
     printed = []
     with tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace") as messages:
         process = subprocess.Popen(
@@ -241,7 +241,7 @@ def _call(command: list[str | Path], quiet: bool, progress: Progress | None = No
             stderr=messages,
             encoding="utf-8",
             errors="replace",
-            # lines come as they are written, not when a buffer is full
+            # lines are not buffered
             env={"GFORTRAN_UNBUFFERED_PRECONNECTED": "y", **program_environment()},
         )
         with process:

@@ -30,7 +30,7 @@ from ..runs.run import run_silently
 Case = Callable[..., Any] | str | os.PathLike
 _OUTCOME = "outcome.json"
 _PLACE = re.compile(r"\{(\w+)\}")
-_LONGEST_NAME = 60
+_MAX_NAME_LENGTH = 60
 #: Columns of the table besides parameters and values
 _STATUS, _WARNINGS, _MESSAGE, _DIRECTORY = "status", "warnings", "message", "directory"
 
@@ -48,8 +48,8 @@ def sweep(
 ) -> Table:
     """Run a model for many values of its parameters, several at a time.
 
-    Runs that are in the directory already are not repeated, as long as their decks are the same; a sweep that was
-    interrupted goes on where it was. Runs that fail are told by a warning and stay in the table.
+    Existing runs in the directory are not repeated if their decks are unchanged; an interrupted sweep continues where it
+    stopped. Failed runs are reported by a warning and remain in the table.
 
     Parameters
     ----------
@@ -62,13 +62,13 @@ def sweep(
         What goes into the table: a function of the `Results` that returns numbers by name. Left out: the last row of
         the history.
     directory : path
-        Where decks and results go, a directory for each run.
+        Directory of decks and results, with a subdirectory for each run.
     processes : int, optional
         Runs at a time; the number of processors when left out.
     again : bool or "failed"
         True: repeat all runs; "failed": those that failed.
     progress : bool
-        Show how many runs are over: a line on a terminal, a bar in a notebook, a line at the end in a log.
+        Show the number of finished runs: a line on a terminal, a bar in a notebook, a line at the end in a log.
     **options
         As those of `litz.run`; `threads` is 1 when left out.
 
@@ -108,7 +108,7 @@ def sweep(
         pool.shutdown(cancel_futures=True)
         if count is not None:
             count.close()
-    _tell_failures(runs)
+    _warn_of_failures(runs)
     return _table(runs)
 
 
@@ -138,7 +138,7 @@ def _combinations(parameters: Mapping[str, Iterable[Any]] | Sequence[Mapping[str
 
 
 def _plain(value: Any) -> Any:
-    """A number of numpy as one of Python."""
+    """A numpy number as a Python number."""
     return value.item() if isinstance(value, np.generic) else value
 
 
@@ -183,8 +183,8 @@ class _Run:
     ):
         self._make, self._collect, self._options, self._again = make, collect, options, again
         self.parameters = parameters
-        words = "_".join(f"{name}={to_text(value)}" for name, value in parameters.items())
-        name = re.sub(r"[^\w.=+-]", "", words)[:_LONGEST_NAME]
+        label = "_".join(f"{name}={to_text(value)}" for name, value in parameters.items())
+        name = re.sub(r"[^\w.=+-]", "", label)[:_MAX_NAME_LENGTH]
         digest = hashlib.sha256(_key(parameters).encode()).hexdigest()[:8]
         self.directory = None if home is None else home / f"{name}-{digest}"
         self.status, self.message = "failed", ""
@@ -193,7 +193,7 @@ class _Run:
         self.units: dict[str, str] = {}
 
     def __call__(self) -> "_Run":
-        """Run it, or take what an earlier sweep has left."""
+        """Run it, or reuse the results of an earlier sweep."""
         try:
             made = self._make(**self.parameters)
             if isinstance(made, Mapping | float | int | np.number):
@@ -202,7 +202,7 @@ class _Run:
                 return self
             self._run_deck(made)
         except Exception as error:
-            # a mistake in the user's function is one of this run; the others go on
+            # an error in the user's function concerns this run only; the others continue
             self.message = str(error) if isinstance(error, LitzError) else f"{type(error).__name__}: {error}"
             self._keep(None)
         return self
@@ -231,7 +231,7 @@ class _Run:
             results = run_silently(deck, output_directory=self.directory, **self._options)
         except LitzError as error:
             self.message, self.n_warnings = str(error), len(error.warnings)
-            # a full disk, or another run in the same place: nothing that a next sweep should take over
+            # a full disk, or another run in the same directory: a later sweep should try again
             self._keep(None if isinstance(error, FileError) else identity)
             return
         self.n_warnings = len(results.warnings)
@@ -247,7 +247,7 @@ class _Run:
         return {name: history[name][-1] for name in history if name not in ("step", "increment", "time")}
 
     def _taken_over(self, directory: Path, identity: str) -> bool:
-        """Whether an earlier sweep has this run; its values are those of `collect`, which may be another one."""
+        """Reuse the run of an earlier sweep, if there is one; its values are collected anew."""
         try:
             outcome = json.loads((directory / _OUTCOME).read_text(encoding="utf-8"))
         except (OSError, ValueError):
@@ -286,7 +286,7 @@ def _numbers(values: Mapping[str, Any]) -> dict[str, float]:
     return numbers
 
 
-def _tell_failures(runs: list[_Run]) -> None:
+def _warn_of_failures(runs: list[_Run]) -> None:
     failed = [one for one in runs if one.status == "failed"]
     if failed:
         first = ", ".join(f"{name}={value}" for name, value in failed[0].parameters.items())
@@ -313,7 +313,7 @@ def _table(runs: list[_Run]) -> Table:
 
 
 class _Count:
-    """A line on a terminal, or a bar in a notebook, that says how many runs are over."""
+    """A line on a terminal, or a bar in a notebook, with the number of finished runs."""
 
     def __init__(self, total: int):
         self._total, self._done, self._failed = total, 0, 0

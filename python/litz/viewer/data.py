@@ -139,7 +139,7 @@ def _column(name: str, values: np.ndarray) -> list:
 
 
 def _number(value: float) -> float | str | None:
-    """JSON has no word for infinity: the viewer shows words as they are, and a dash for None."""
+    """JSON has no infinity: the viewer shows text unchanged, and a dash for None."""
     if math.isinf(value):
         return "∞" if value > 0 else "-∞"
     return None if math.isnan(value) else float(f"{value:.{_DIGITS}g}")

@@ -1,4 +1,4 @@
-"""The HTML pages of the viewer and the report: everything that they need is inside."""
+"""The HTML pages of the viewer and the report: self-contained."""
 
 import base64
 import gzip
@@ -50,9 +50,9 @@ def viewer_style() -> str:
     return _text("viewer.css")
 
 
-def evenly_chosen(n: int, most: int) -> list[int]:
-    """At most so many of the numbers from 0 to n - 1, evenly spread, with the first and the last."""
-    return np.unique(np.linspace(0, n - 1, max(1, min(n, most)))[::-1].round().astype(int)).tolist()
+def evenly_chosen(n: int, max_count: int) -> list[int]:
+    """At most `max_count` of the numbers from 0 to n - 1, evenly spaced, with the first and the last."""
+    return np.unique(np.linspace(0, n - 1, max(1, min(n, max_count)))[::-1].round().astype(int)).tolist()
 
 
 def _embedded(data: WebData) -> str:

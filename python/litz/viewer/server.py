@@ -27,7 +27,7 @@ _IN_NOTEBOOK: dict[Path, "ViewServer"] = {}
 
 
 class ViewServer(ThreadingHTTPServer):
-    """Serves the viewer of one result file to this machine alone.
+    """Serves the viewer of one result file, to this machine only.
 
     Parameters
     ----------
@@ -68,12 +68,12 @@ class ViewServer(ThreadingHTTPServer):
         return self._data.increment(place).encode()
 
     def handle_error(self, request: Any, client_address: Any) -> None:
-        """Tell of an error, but not of a browser that has gone away."""
+        """Report an error, unless the browser has closed the connection."""
         if not isinstance(sys.exc_info()[1], ConnectionError):
             super().handle_error(request, client_address)
 
     def page(self) -> bytes:
-        """The page."""
+        """The viewer as a page."""
         title = (self.results.heading.strip() or self.results.path.stem).splitlines()[0]
         return page(f"{title} - litz", viewer(), _STYLE + viewer_style()).encode()
 
@@ -84,7 +84,7 @@ class _Handler(BaseHTTPRequestHandler):
 
     def do_GET(self) -> None:
         """Answer a request of the browser."""
-        # another site could have given its name the address of this machine
+        # a DNS name of another site could resolve to the address of this machine
         if self.headers.get("Host", "").split(":")[0] not in (_ADDRESS, "localhost"):
             self._answer(HTTPStatus.FORBIDDEN, b"this server is for this machine only", "text/plain")
         elif self.path == "/":
@@ -117,7 +117,7 @@ class _Handler(BaseHTTPRequestHandler):
         self.wfile.write(content)
 
     def log_message(self, *_: object) -> None:
-        """Say nothing of each request."""
+        """Do not log requests."""
 
 
 def view(results: Results | str | Path, *, port: int = 0, open_browser: bool = True) -> None:
@@ -137,7 +137,7 @@ def view(results: Results | str | Path, *, port: int = 0, open_browser: bool = T
 
     Notes
     -----
-    Only the machine that runs litz can reach the address: in a notebook of another machine take `litz.report`.
+    Only the machine that runs litz can reach the address: in a notebook on another machine use `litz.report`.
     """
     if notebook.in_notebook():
         _view_in_notebook(results, port, open_browser)
@@ -153,7 +153,7 @@ def view(results: Results | str | Path, *, port: int = 0, open_browser: bool = T
 
 
 def _view_in_notebook(results: Results | str | Path, port: int, shown: bool) -> None:
-    """Serve the viewer beside what the notebook runs, and show it; the one of the same file before ends."""
+    """Serve the viewer in a background thread and show it; an earlier server of the same file ends."""
     results = with_increments(results)
     path = results.path.resolve()
     if path in _IN_NOTEBOOK:

@@ -1,4 +1,4 @@
-"""The wires behind the elements: which elements follow each other."""
+"""Wires as chains of elements."""
 
 from dataclasses import dataclass
 
@@ -49,7 +49,7 @@ def find_wires(elements: np.ndarray) -> list[Wire]:
 
 
 def numbered_wires(elements: np.ndarray, wire: np.ndarray, place: np.ndarray, direction: np.ndarray) -> list[Wire]:
-    """The wires that the numbers of their elements tell.
+    """The wires with given numbers of their elements.
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ def numbered_wires(elements: np.ndarray, wire: np.ndarray, place: np.ndarray, di
 
 
 def _follow(node: int, element: int | None, elements: np.ndarray, at_node: dict, left: dict) -> Wire:
-    """The wire that leaves a node through an element; its elements are taken out of `left`."""
+    """The wire that leaves a node through an element; its elements are removed from `left`."""
     nodes, chain, signs = [node], [], []
     while element is not None:
         del left[element]

@@ -4,8 +4,8 @@ import numpy as np
 
 from .chains import Wire
 
-# Two elements that meet at a sharper angle than this are joined by a kink, not by a smooth curve: the rule of the program.
-_SHARPEST_BEND = np.radians(20.0)
+# Two elements that meet at a sharper angle than this are joined by a kink, not by a smooth curve, as in the program.
+_MAX_BEND = np.radians(20.0)
 
 
 def arc_lengths(
@@ -40,7 +40,7 @@ def end_tangents(nodes: np.ndarray, wire: Wire) -> np.ndarray:
     closed = len(chords) > 2 and wire.nodes[0] == wire.nodes[-1]
     for before in range(len(chords) - (not closed)):
         after = (before + 1) % len(chords)
-        if chords[before] @ chords[after] > np.cos(_SHARPEST_BEND):
+        if chords[before] @ chords[after] > np.cos(_MAX_BEND):
             mean = chords[before] + chords[after]
             tangents[before, 1] = tangents[after, 0] = mean / np.linalg.norm(mean)
     if not closed:
