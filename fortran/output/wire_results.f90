@@ -13,6 +13,7 @@ module litz_wire_results
    use litz_hdf5_rows, only: hdf5_rows_t, hdf5_real, hdf5_integer
    use litz_run_warnings, only: run_warnings_t
    use litz_warning_rows, only: warning_rows_t
+   use litz_wire_chains, only: wire_chains_t, find_wire_chains
    use litz_vtkhdf_writer, only: vtkhdf_file_t, on_points, on_cells, vtk_line
    implicit none
    private
@@ -130,12 +131,20 @@ contains
          is_integer=.true.)
       call file%add_field(on_cells, 'section', 1, '1', 'number of the *BEAM SECTION in the deck, from 1', n, error, &
          is_integer=.true.)
+      call file%add_field(on_cells, 'wire', 1, '1', &
+         'number of the wire, from 1: elements one after another between free ends and branches', n, error, &
+         is_integer=.true.)
+      call file%add_field(on_cells, 'place_in_wire', 1, '1', 'place of the element along its wire, from 1', n, error, &
+         is_integer=.true.)
+      call file%add_field(on_cells, 'direction_in_wire', 1, '1', &
+         '1: the element runs along its wire, -1: against it', n, error, is_integer=.true.)
    end subroutine add_cell_fields
 
    subroutine write_static_fields(file, model, error)
       type(vtkhdf_file_t), intent(inout) :: file
       type(model_t), intent(in) :: model
       type(error_t), allocatable, intent(inout) :: error
+      type(wire_chains_t) :: chains
       integer :: i
 
       call file%write_field('reference_position', model%x, error)
@@ -144,6 +153,10 @@ contains
          [(drawn_radius(model%sections(model%element_section(i))), i=1, model%n_elements)], error)
       call file%write_field('element_id', model%element_id, error)
       call file%write_field('section', model%element_section, error)
+      call find_wire_chains(model%connectivity, model%n_nodes, chains)
+      call file%write_field('wire', chains%wire, error)
+      call file%write_field('place_in_wire', chains%place, error)
+      call file%write_field('direction_in_wire', chains%direction, error)
    end subroutine write_static_fields
 
    pure real(dp) function drawn_radius(section)

@@ -13,9 +13,9 @@
 """
 
 from importlib import import_module
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from .run import (
+from .errors import (
     FileError,
     InputError,
     InternalError,
@@ -24,12 +24,16 @@ from .run import (
     OutOfMemoryError,
     RunWarning,
     SolverError,
-    check,
-    program_path,
-    run,
 )
+from .moved import accept_old_names
 
-# Loaded when first asked for, so that starting the program does not wait for HDF5, VTK and numpy.
+if TYPE_CHECKING:
+    from .base.program import program_path
+    from .runs import check, run
+
+accept_old_names()
+
+# Loaded on first use, so that starting the program does not wait for HDF5, VTK and numpy.
 _LAZY_MODULES = ("build", "closed_forms", "kernels", "model", "plots", "results")
 _MODEL_NAMES = (
     "COPPER",
@@ -55,15 +59,18 @@ _LAZY_NAMES = {
     "Card": "deck",
     "Deck": "deck",
     "Results": "results",
-    "animate": "animation",
-    "export": "exports",
-    "keywords": "keyword_table",
-    "new": "starters",
-    "plot": "plots",
-    "read_mesh": "meshes",
-    "report": "report_page",
+    "animate": "pictures.animation",
+    "check": "runs",
+    "export": "results.exports",
+    "keywords": "deck.keyword_table",
+    "new": "build.starters",
+    "plot": "pictures.plots",
+    "program_path": "base.program",
+    "read_mesh": "model.read_mesh",
+    "report": "reports.report",
+    "run": "runs",
     "sweep": "sweeps",
-    "view": "view_server",
+    "view": "viewer.server",
     **dict.fromkeys(_MODEL_NAMES, "model"),
 }
 

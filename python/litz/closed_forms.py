@@ -1,4 +1,4 @@
-"""Exact solutions to compare litz with. None of them uses the kernels of litz; SI units throughout.
+"""Exact solutions to compare litz with. They do not use the kernels of litz; SI units throughout.
 
 Contact of two round wires   `hertz_contact`, `hertz_force`, `paper_contact`
 Wires that press each other  `beam_compliance`, `crossed_beams`, `wire_grid`

@@ -120,7 +120,7 @@ def test_a_converted_mesh_runs_when_it_is_held(litz, tmp_path):
     assert litz("run", deck, "-o", tmp_path).returncode == 0
     again = command("convert", "mesh.inp", "deck.inp", "--radius", "1e-3", cwd=tmp_path)
     assert again.returncode == 4
-    assert "is not replaced" in again.stderr
+    assert "is not overwritten" in again.stderr
     without = command("convert", "mesh.inp", "other.inp", cwd=tmp_path)
     assert without.returncode == 1
     assert "radius" in without.stderr

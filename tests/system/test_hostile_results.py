@@ -14,9 +14,9 @@ import pytest
 
 import litz
 from browser import open_browser
-from litz.view_server import ViewServer
+from litz.viewer.server import ViewServer
 
-WEB = Path(litz.__file__).parent / "web"
+WEB = Path(litz.__file__).parent / "viewer" / "web"
 #: Would run in an element, in an attribute, in a script, in SVG; and a formula that matplotlib cannot set
 HOSTILE = (
     "</title></script></style></textarea><img src=x onerror=window.hacked=1>"

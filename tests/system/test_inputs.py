@@ -10,7 +10,7 @@ import pytest
 
 from litz import Results
 from litz import closed_forms as cf
-from litz.wires import find_wires
+from litz.wires.chains import find_wires
 
 COPPER = {"radius": 1e-3, "young": 120e9, "poisson": 0.34, "resistivity": 1.7e-8}
 COPPER_WIRE = cf.Wire(radius=1e-3, length=0.1, young=120e9, poisson=0.34, resistivity=1.7e-8)

@@ -13,9 +13,9 @@ import pytest
 
 import litz
 from decks import crossed
-from litz.plots import plot
-from litz.report_tables import worst_contacts
-from litz.web_data import WebData
+from litz.pictures.plots import plot
+from litz.reports.report_tables import worst_contacts
+from litz.viewer.data import WebData
 
 STATIC = "0.5, 1, 1e-3, 0.5"
 #: The conductors touch, but nothing lets a current cross

@@ -14,7 +14,7 @@ CELLS = [
     "litz.view(results)",
     "litz.view(results, open_browser=False)",
     """
-from litz.view_server import _IN_NOTEBOOK
+from litz.viewer.server import _IN_NOTEBOOK
 from urllib.request import urlopen
 [server] = _IN_NOTEBOOK.values()
 print(server.url, b"<html" in urlopen(server.url).read())

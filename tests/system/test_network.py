@@ -125,3 +125,29 @@ def test_a_graph_needs_networkx(results, monkeypatch):
     monkeypatch.setitem(sys.modules, "networkx", None)
     with pytest.raises(litz.FileError, match="pip install networkx"):
         results.contact_network().to_networkx()
+
+
+@pytest.mark.parametrize("along", [1, -1])
+@pytest.mark.parametrize("inlet", [1, -1])
+@pytest.mark.parametrize("first", [1, -1])
+def test_current_between_two_contacts_of_one_element(tmp_path, along, inlet, first):
+    """A wire of one element, along x or against it, takes current from one wire and hands it to another."""
+    model = litz.Model("a bridge")
+    wire = {"radius": 1e-3, "material": litz.COPPER, "elements": 2}
+    bridge = model.wire("BRIDGE", (-0.02 * along, 0, 0), (0.02 * along, 0, 0), **{**wire, "elements": 1})
+    x = [0.006 * first, -0.007 * first]
+    across = [model.wire(f"ACROSS{i}", (x[i], -0.02, 1.999e-3), (x[i], 0.03, 1.999e-3), **wire) for i in range(2)]
+    model.contact(bridge, across, conductance=litz.HertzSpot())
+    for group in (bridge, *across):
+        model.fix(group.ends)
+    step = model.step()
+    plus = x.index(max(x, key=lambda place: place * inlet))
+    step.potential(across[plus].start, 1e-3)
+    step.potential(across[1 - plus].start, 0.0)
+    step.electrode_print(across[plus].start, across[1 - plus].start)
+    results = model.run(tmp_path)
+    (total,) = (values[-1] for name, values in results.history.items() if name.startswith("current "))
+    assert total > 0.1
+    # from the inlet to the outlet, which is along x where the inlet is at the smaller x
+    assert results.wire_currents()[0] == pytest.approx(-inlet * along * total, rel=1e-6)
+    assert results.contact_network().wire_current[0] == results.wire_currents()[0]

@@ -10,11 +10,12 @@ from matplotlib.image import imread
 from PIL import Image
 
 import litz
-from litz import animation, charts, report_tables
 from litz.cli import main
-from litz.friction_charts import friction_loops
-from litz.scene import SceneMaker, aim
-from litz.wire_picture import discs
+from litz.pictures import animation, charts
+from litz.pictures.friction_charts import friction_loops
+from litz.pictures.scene import SceneMaker, aim
+from litz.pictures.wire_picture import discs
+from litz.reports import report_tables
 
 pytestmark = pytest.mark.filterwarnings("ignore:.*drawn by matplotlib alone")
 
@@ -108,7 +109,13 @@ class TestAnimation:
         assert not np.array_equal(frames[0], frames[-1])
 
     def test_of_many_increments_an_even_choice_is_shown(self, grid, tmp_path):
-        path = animation.animate(grid, tmp_path / "grid.gif", size=(300, 210), most_frames=2)
+        path = animation.animate(grid, tmp_path / "grid.gif", size=(300, 210), max_frames=2)
+        with Image.open(path) as moving:
+            assert moving.n_frames == 2
+
+    def test_the_former_name_of_the_number_of_frames_warns(self, grid, tmp_path):
+        with pytest.warns(DeprecationWarning, match="most_frames is called max_frames now"):
+            path = animation.animate(grid, tmp_path / "grid.gif", size=(300, 210), most_frames=2)
         with Image.open(path) as moving:
             assert moving.n_frames == 2
 
@@ -127,13 +134,13 @@ class TestAnimation:
                 given.append((yield))
 
         monkeypatch.setitem(sys.modules, "imageio_ffmpeg", SimpleNamespace(write_frames=write_frames))
-        animation.animate(grid, tmp_path / "grid.mp4", size=(301, 211), most_frames=2, frames_per_second=2)
+        animation.animate(grid, tmp_path / "grid.mp4", size=(301, 211), max_frames=2, frames_per_second=2)
         assert len(given) == 2 + 3  # the last one is held for 1.5 s
         assert all(frame.shape == (210, 300, 3) for frame in given)
 
     def test_mp4_of_the_real_package(self, grid, tmp_path):
         pytest.importorskip("imageio_ffmpeg", reason="imageio-ffmpeg is not installed: pip install imageio-ffmpeg")
-        path = animation.animate(grid, tmp_path / "grid.mp4", size=(300, 210), most_frames=2)
+        path = animation.animate(grid, tmp_path / "grid.mp4", size=(300, 210), max_frames=2)
         assert path.read_bytes()[4:8] == b"ftyp"
 
 

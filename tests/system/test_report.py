@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import litz
-from litz import report_tables
+from litz.base.table import Table
 from litz.cli import main
-from litz.tables import Table
+from litz.reports import report_tables
 
 pytestmark = pytest.mark.filterwarnings("ignore:.*drawn by matplotlib alone")
 

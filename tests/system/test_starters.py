@@ -3,7 +3,7 @@
 import pytest
 
 import litz
-from litz.starters import STARTERS
+from litz.build.starters import STARTERS
 from test_cli import command
 
 
@@ -39,7 +39,7 @@ def test_a_file_is_never_replaced(tmp_path):
     (tmp_path / "grid.inp").write_text("mine")
     done = command("new", "grid", cwd=tmp_path)
     assert done.returncode == 4
-    assert "is there already and is not replaced" in done.stderr
+    assert "exists already and is not overwritten" in done.stderr
     assert (tmp_path / "grid.inp").read_text() == "mine"
 
 

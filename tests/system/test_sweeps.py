@@ -9,9 +9,9 @@ import pytest
 
 import litz
 from decks import crossed
-from litz import notebook
-from litz import progress as progress_module
-from litz.progress import Progress, total_time
+from litz.base import notebook
+from litz.runs import progress as progress_module
+from litz.runs.progress import Progress, total_time
 
 REQUEST = "*NODE PRINT, NSET=UPPER_ENDS, TOTALS=ONLY\n RF"
 
@@ -181,7 +181,7 @@ LINES = [
 
 
 def test_a_terminal_has_one_line_that_is_written_over(monkeypatch):
-    monkeypatch.setattr(progress_module, "_PAUSE", 0.0)
+    monkeypatch.setattr(progress_module, "_MIN_INTERVAL", 0.0)
     stream = Terminal()
     shown = Progress(1.0, "wires", stream)
     for line in LINES:
@@ -213,7 +213,7 @@ def test_a_notebook_gets_a_bar(monkeypatch):
             shown.append(thing)
 
     monkeypatch.setattr(notebook, "place", Handle)
-    monkeypatch.setattr(progress_module, "_PAUSE", 0.0)
+    monkeypatch.setattr(progress_module, "_MIN_INTERVAL", 0.0)
     bar = Progress(1.0, "<wires>")
     for line in LINES:
         bar.feed(line)

@@ -5,7 +5,7 @@ import pytest
 
 import litz
 from decks import crossed
-from litz.quantities import engineering
+from litz.base.quantities import engineering
 
 REQUESTS = (
     "*ELECTRODE PRINT\n LOWER_ENDS, UPPER_ENDS\n*ENERGY PRINT\n*NODE PRINT, NSET=UPPER_ENDS\n U, RM\n*CONTACT PRINT"

@@ -14,9 +14,9 @@ from matplotlib.image import imread
 
 import litz
 from browser import open_browser
-from litz.quantities import engineering
-from litz.view_server import ViewServer
-from litz.web_data import WebData
+from litz.base.quantities import engineering
+from litz.viewer.data import WebData
+from litz.viewer.server import ViewServer
 from test_cli import ENTRY
 
 LONGEST_WAIT = 60
@@ -285,7 +285,7 @@ def test_the_library_of_the_viewer_is_the_release_that_its_recipe_names():
 
     root = Path(__file__).parents[2]
     recipe = json.loads((root / "web" / "package.json").read_text())
-    bundle = Path(litz.__file__).parent / "web" / "three.min.js"
+    bundle = Path(litz.__file__).parent / "viewer" / "web" / "three.min.js"
     head = bundle.read_text(encoding="utf-8")[:200]
     assert f"three.js {recipe['devDependencies']['three']}," in head
     assert bundle.with_name("three.LICENSE").read_text().startswith("The MIT License")

@@ -11,8 +11,8 @@ import pytest
 
 import litz
 from decks import crossed
-from litz.run_warnings import read_warnings
-from litz.summary import summary
+from litz.results.run_warnings import read_warnings
+from litz.results.summary import summary
 
 TENTHS = "0.1, 1, 1e-3, 0.1"
 SHALLOW = "contact 1 (elements 3 and 13) crosses at 8 degrees, below 10, where spots are long and point contact is less accurate"

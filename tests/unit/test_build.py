@@ -8,7 +8,8 @@ import pytest
 
 from litz import build
 from litz.build.geometry import end_distance, segment_distance
-from litz.wires import element_curves, find_wires, hermite
+from litz.wires.chains import find_wires
+from litz.wires.curves import element_curves, hermite
 
 MODELS = {
     "layered mat": lambda seed=3: build.fibre_mat((10e-3, 8e-3), 5, radius=0.1e-3, seed=seed, n_layers=3),

@@ -138,8 +138,8 @@ def test_more_pairs_than_can_be_counted_are_refused_in_words(monkeypatch):
     """Five parallel elements side by side are ten pairs."""
     x = [[i, 0.01 * j, 0] for i in range(2) for j in range(5)]
     connectivity = [[j, 5 + j] for j in range(5)]
-    monkeypatch.setattr(kernels.search, "MOST_PAIRS", 10)
+    monkeypatch.setattr(kernels.search, "MAX_PAIRS", 10)
     assert len(kernels.contact_search(x, connectivity, [0.1] * 5)) == 10
-    monkeypatch.setattr(kernels.search, "MOST_PAIRS", 9)
+    monkeypatch.setattr(kernels.search, "MAX_PAIRS", 9)
     with pytest.raises(ValueError, match="more than 9 pairs of elements"):
         kernels.contact_search(x, connectivity, [0.1] * 5)

@@ -6,7 +6,8 @@ import pytest
 
 from derivatives import derivative
 from litz import _core
-from litz.kernels import contact, contact_spot
+from litz.kernels import contact_spot
+from litz.kernels.spot import _LAW_VALUES, _SPOT_LAWS
 
 DEGREE = np.pi / 180
 COPPER = dict(radius=1e-3, young=120e9, poisson=0.34, resistivity=1.7e-8)
@@ -23,8 +24,8 @@ LAWS = [
 ]
 # laws that are new are tested unasked
 LAWS += [
-    dict(law=name, **({"law_value": 1e-6} if name in contact._LAW_VALUES else {}))
-    for name in contact._SPOT_LAWS
+    dict(law=name, **({"law_value": 1e-6} if name in _LAW_VALUES else {}))
+    for name in _SPOT_LAWS
     if name not in {"none", *(law["law"] for law in LAWS)}
 ]
 ANGLES = [90, 89.9, 75, 60, 45, 30, 20, 10, 5, 2, 1, 150]

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import litz
-from litz.keyword_table import check_card
+from litz.deck.keyword_table import check_card
 
 INPUTS = sorted((Path(__file__).parents[2] / "inputs").glob("*.inp"))
 

@@ -151,7 +151,7 @@ def test_ranges_sets_of_sets_and_includes_are_followed(file):
 def test_what_is_left_out_is_told(file):
     with pytest.warns(UserWarning, match="1 of type S4R"):
         litz.read_mesh(file(BEAMME + "*Element, type=S4R\n 10, 1, 2, 3, 4\n", "beams.inp"))
-    with pytest.warns(UserWarning, match="section of first is left out"):
+    with pytest.warns(UserWarning, match="section of first is ignored"):
         litz.read_mesh(file(BEAMME + SECTIONS.replace("section=CIRC\n 1e-3", "section=RECT\n 1e-3, 2e-3"), "rect.inp"))
 
 
@@ -332,7 +332,7 @@ def test_files_that_meshio_cannot_read_are_told_without_a_traceback(file, name):
 
 def test_physical_groups_of_gmsh_are_sets(file):
     pytest.importorskip("meshio")
-    with pytest.warns(UserWarning, match="1 elements that are no lines are left out"):
+    with pytest.warns(UserWarning, match="1 elements that are not lines are ignored"):
         mesh = litz.read_mesh(file(GMSH_2, "mesh.msh"))
     assert mesh.connectivity.tolist() == [[0, 1], [1, 2], [2, 3]]
     assert len(mesh.x) == 4

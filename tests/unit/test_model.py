@@ -8,7 +8,7 @@ import pytest
 
 import litz
 from litz import model as parts
-from litz.keyword_table import check_card
+from litz.deck.keyword_table import check_card
 
 COPPER = litz.COPPER
 WIRE = {"radius": 1e-3, "material": COPPER}
@@ -324,7 +324,7 @@ def built():
         ("litz.Material('', young=1, poisson=0)", "may not be empty"),
     ],
 )
-def test_a_mistake_is_told_at_once(built, mistake, message):
+def test_errors_are_raised_immediately(built, mistake, message):
     with pytest.raises(ValueError, match=message):
         eval(mistake, built)
 

@@ -6,8 +6,8 @@ import numpy as np
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
-from litz import network_chart
-from litz.network_chart import between_wires, layout, turned
+from litz.pictures import network_chart
+from litz.pictures.network_chart import between_wires, layout, turned
 
 
 def test_currents_of_the_contacts_of_two_wires_add_up_with_their_direction():

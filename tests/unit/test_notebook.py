@@ -6,8 +6,9 @@ import re
 import numpy as np
 import pytest
 
-from litz.notebook import Picture, in_notebook
-from litz.tables import Table, unknown_name
+from litz.base.names import unknown_name
+from litz.base.notebook import Picture, in_notebook
+from litz.base.table import Table
 
 PNG = b"\x89PNG\r\n\x1a\n"
 

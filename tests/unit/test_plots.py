@@ -11,10 +11,10 @@ from matplotlib.figure import Figure
 from matplotlib.image import imread
 
 import litz
-from litz import charts, plots, wire_picture
-from litz.quantities import engineering, label
-from litz.scene import SceneMaker, aim
-from litz.tables import Table
+from litz.base.quantities import engineering, label
+from litz.base.table import Table
+from litz.pictures import charts, plots, wire_picture
+from litz.pictures.scene import SceneMaker, aim
 
 KINDS = ("overview", "wires", "resistance", "residuals", "contacts", "currents", "network", "friction", "history")
 

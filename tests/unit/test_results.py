@@ -19,7 +19,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOHDF import vtkHDFReader
 
 import litz
-from litz.tables import read_aligned
+from litz.results.text_tables import read_aligned
 
 N_NODES, N_ELEMENTS, N_INCREMENTS = 6, 4, 3
 ENDINGS = (".vtkhdf", "_contacts.vtkhdf", "_contacts.csv", "_history.csv", ".sta", ".cvg")
@@ -88,6 +88,9 @@ class TestWhatVtkReads:
         np.testing.assert_array_equal(array(cells, "joule_heat"), 4 * increment * ELEMENT)
         np.testing.assert_array_equal(array(cells, "element_id"), 100 + ELEMENT)
         np.testing.assert_array_equal(array(cells, "section"), [1, 1, 2, 2])
+        np.testing.assert_array_equal(array(cells, "wire"), [1, 1, 2, 2])
+        np.testing.assert_array_equal(array(cells, "place_in_wire"), [1, 2, 1, 2])
+        np.testing.assert_array_equal(array(cells, "direction_in_wire"), [1, 1, 1, 1])
 
     def test_points_are_the_current_positions(self, written):
         for step in range(N_INCREMENTS):

@@ -7,8 +7,10 @@ import numpy as np
 import pytest
 
 import litz
-from litz.scalars import colours_and_limits, find_scalar, scalar_values, scalars
-from litz.scene import SceneMaker
+from litz.pictures.scene import SceneMaker
+from litz.results.scalars import colours_and_limits, find_scalar, scalar_values, scalars
+
+OF_WIRES = ("wire", "place_in_wire", "direction_in_wire")
 
 
 @pytest.fixture
@@ -36,7 +38,7 @@ def test_a_field_that_is_new_in_the_file_colours_the_wires(with_temperature):
 
 def test_every_field_but_names_and_places_can_be_chosen(results):
     known = scalars(results)
-    assert set(results.fields) - set(known) == {"node_id", "element_id", "section", "reference_position"}
+    assert set(results.fields) - set(known) == {"node_id", "reference_position", "element_id", "section", *OF_WIRES}
     for name, scalar in known.items():
         expected = len(results.nodes if scalar.at_nodes else results.elements)
         assert scalar_values(results, scalar, -1).shape == (expected,), name

@@ -2,7 +2,8 @@
 
 import sys
 
-from litz import plot, wire_picture
+from litz import plot
+from litz.pictures import wire_picture
 
 
 def test_vtk_is_asked_to_take_osmesa_after_a_crash(results, tmp_path, monkeypatch, recwarn):

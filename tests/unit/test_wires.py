@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from litz.wires import element_curves, end_tangents, find_wires, hermite, rotate
+from litz.wires.chains import find_wires
+from litz.wires.curves import element_curves, end_tangents, hermite, rotate
 
 
 def as_lists(wire):

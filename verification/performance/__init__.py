@@ -2,7 +2,7 @@
 
 import os
 
-from litz.run import program_environment
+from litz.base.program import program_environment
 
 # before any library that has threads is loaded
 os.environ.update(program_environment())

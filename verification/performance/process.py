@@ -10,7 +10,7 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-from litz.run import program_environment, program_path
+from litz.base.program import program_environment, program_path
 
 #: Cores that every program may use
 CORES = int(os.environ.get("OMP_NUM_THREADS", os.cpu_count()))

@@ -20,7 +20,7 @@ from pathlib import Path
 
 import matplotlib
 
-from litz.run import program_path
+from litz.base.program import program_path
 
 from .page import write_page
 from .process import machine

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 from ..model import COPPER, HERTZ_AND_HOLM, Interaction, Material, Model
 from .geometry import rounded, smallest_gap
 
-#: Straight pieces of each element when overlaps are looked for
+#: Straight pieces per element in the search for overlaps
 _PARTS = 4
-#: Times that a cable which overlaps is laid anew with more room
+#: Maximum number of attempts to lay a cable without overlaps, each with larger gaps
 _TRIES = 20
 
 
@@ -66,12 +66,12 @@ def cable(
     """Cable of several stages along z: wires are laid to strands, strands to ropes, and so on.
 
     The first stage lays wires, every later one lays bundles of the stage before. The radius of each layer is the smallest
-    at which its members keep the clearance from each other and from the layer inside; should wires overlap after all,
-    where curved bundles bend towards each other, the cable is laid again with more room.
+    at which its members keep the clearance from each other and from the layer inside; if wires still overlap,
+    because curved bundles bend towards each other, the cable is laid again with larger gaps.
 
     Neighbouring wires of a layer are nearly parallel and touch along lines. litz models contacts of crossing wires as
-    points and has no line contact: the geometry is right, but a run says how many pairs
-    lie so, and ends where they touch.
+    points and has no line contact: the geometry is correct, but a run reports the number of such
+    pairs and ends when they touch.
 
     Parameters
     ----------
@@ -94,13 +94,13 @@ def cable(
     Returns
     -------
     Model
-        Group WIRES; node sets MINUS (z = 0, clamped) and PLUS (z = length, held but along z, and guided:
+        Group WIRES; node sets MINUS (z = 0, clamped) and PLUS (z = length, free along z only, and guided:
         `model.press(-d)` pulls by d).
 
     Raises
     ------
     ValueError
-        For arguments out of range, and when the lay is too short for the wires to have room.
+        For arguments out of range, or a lay that is too short for the wires to fit.
     """
     if len(stages) != len(lay_lengths) or not stages:
         raise ValueError(f"a lay length is needed for each of the {len(stages)} stages, not {len(lay_lengths)}")
@@ -125,7 +125,7 @@ def cable(
             break
         room += clearance - gap
     else:
-        raise ValueError("the wires overlap however much room is between them: the lay is too short")
+        raise ValueError("the wires overlap however large the gaps are: the lay is too short")
     _hold_ends(model)
     model.contact("WIRES", interaction=interaction)
     return model
@@ -172,7 +172,7 @@ def _wind(axis: NDArray, z: NDArray, at: float, lay: float, phase: float) -> NDA
     tangent = np.gradient(axis, z, axis=0, edge_order=2)
     arc = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(axis, axis=0), axis=1))])
     tangent /= np.linalg.norm(tangent, axis=1, keepdims=True)
-    # the frame that turns least about a curve close to z: x, made normal to the tangent
+    # the frame with minimum rotation about a curve close to z: x, made normal to the tangent
     first = np.array([1.0, 0.0, 0.0]) - tangent[:, :1] * tangent
     first /= np.linalg.norm(first, axis=1, keepdims=True)
     second = np.cross(tangent, first)
@@ -205,7 +205,7 @@ def _layer_radius(count: int, member: float, lay: float, inner: float, room: flo
 
 
 def _hold_ends(model: Model) -> None:
-    """The lower ends clamped, the upper ones held but along z."""
+    """Clamp the lower ends; leave the upper ends free along z only."""
     wires = model.groups["WIRES"].wires
     model.node_set("MINUS", [wire.nodes[0] for wire in wires])
     model.node_set("PLUS", [wire.nodes[-1] for wire in wires])

@@ -11,9 +11,9 @@ from ..model import COPPER, HERTZ_AND_HOLM, Interaction, Material, Model, straig
 from .frame import add_plate
 from .geometry import rounded, smooth_axis
 
-#: Largest crimp over pitch at which yarns that wrap each other stay apart beside the crossing: 1/(pi sqrt(2)), and a margin
-_LARGEST_CRIMP = 0.22
-#: Angles between elements: from here on a wire has a kink, and what a fabric has by itself [rad]
+#: Largest ratio of crimp to pitch at which yarns touch at crossings only: 1/(pi sqrt(2)), with a margin
+_MAX_CRIMP = 0.22
+#: Angles between elements: smallest angle of a kink, and largest angle of a fabric by default [rad]
 _KINK, _TURN_OF_DEFAULT = math.radians(20), math.radians(15)
 
 
@@ -139,8 +139,8 @@ def woven_fabric(
     if not radius > 0 or not clearance >= 0:
         raise ValueError("a fabric needs a positive radius, and a clearance of 0 or more")
     crimp = radius + clearance / 2
-    if crimp > _LARGEST_CRIMP * pitch:
-        raise ValueError(f"pitch must be at least {crimp / _LARGEST_CRIMP:g} m, so that yarns touch at crossings only")
+    if crimp > _MAX_CRIMP * pitch:
+        raise ValueError(f"pitch must be at least {crimp / _MAX_CRIMP:g} m, so that yarns touch at crossings only")
     if elements_per_pitch is None:
         fine = (n for n in itertools.count(4, 2) if _largest_turn(crimp, pitch, n) < _TURN_OF_DEFAULT)
         elements_per_pitch = next(fine)
@@ -148,7 +148,7 @@ def woven_fabric(
         raise ValueError(
             f"with {elements_per_pitch} elements_per_pitch the yarns have kinks of "
             f"{math.degrees(_largest_turn(crimp, pitch, elements_per_pitch)):.1f} degrees, where contact is not modelled: "
-            "less than 20 degrees are needed, by more elements"
+            "use more elements, so that they are below 20 degrees"
         )
     amplitude = _amplitude(crimp, pitch, elements_per_pitch)
     model = Model(f"Plain weave of {n_warp} x {n_weft} yarns")

@@ -10,15 +10,9 @@ from numpy.typing import NDArray
 
 from ..model import COPPER, HERTZ_AND_HOLM, Interaction, Material, Model, straight
 from .frame import add_plate, evenly, hold_in_frame, parallel_bars, unit
-from .geometry import (
-    clip_line,
-    crossing_angle,
-    end_distance,
-    rounded,
-    segment_distance,
-)
+from .geometry import clip_line, crossing_angle, end_distance, rounded, segment_distance
 
-#: Random fibres tried for each one that is placed, before the mat counts as full
+#: Random fibres tried per placed fibre before the mat counts as full
 _TRIES = 400
 #: Length of the elements of a plate over the radius of its bars
 _BAR_ELEMENT = 5.0
@@ -50,7 +44,7 @@ def fibre_mat(
     of one potential.
     The ends of the fibres are held in a frame that follows the pressing according to their height: without friction,
     fibres with free ends would slide off each other. Fibres may touch those of the layers above and below; those of one
-    layer do not touch at the start and are taken not to later, nor are those of every second layer.
+    layer do not touch at the start and are assumed not to touch later, as are those of layers that are not neighbours.
 
     Isotropic: lines of all directions in space, cut off by the walls of the box. The ends at the bottom and at the top
     are the electrodes. All ends follow the pressing according to their height and are held in the plane (they do not slide

@@ -10,7 +10,7 @@ from .geometry import end_distance, rounded, segment_distance
 
 #: Random places tried for each wire before the film counts as full
 _TRIES = 400
-#: Least distance of the end of a wire from any other wire, seen from above [radii]
+#: Minimum distance of the end of a wire from any other wire, seen from above [radii]
 _MARGIN = 4.0
 
 

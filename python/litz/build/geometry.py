@@ -7,9 +7,10 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from litz.kernels import contact_search
-from litz.model import Model
-from litz.wires import element_curves, find_wires, hermite
+from ..kernels import contact_search
+from ..model import Model
+from ..wires.chains import find_wires
+from ..wires.curves import element_curves, hermite
 
 #: Significant digits of a coordinate, counted from the size of the model
 _DIGITS = 7

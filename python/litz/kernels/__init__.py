@@ -10,7 +10,8 @@ paper), `closest_points`, `contact_spot` (force to conductance), `contact_search
 The wires: `beam_b31`, `beam_b33` and their strains, `conductor`, `potential_rise`.
 """
 
-from litz.kernels.beams import (
+from .axes import ClosestPoints, closest_points
+from .beams import (
     Beam,
     BeamStrains,
     Conductor,
@@ -21,17 +22,9 @@ from litz.kernels.beams import (
     conductor,
     potential_rise,
 )
-from litz.kernels.contact import (
-    ClosestPoints,
-    ContactCoupling,
-    ContactEM,
-    ContactSpot,
-    closest_points,
-    contact_coupling,
-    contact_em,
-    contact_spot,
-)
-from litz.kernels.search import contact_search
+from .contact import ContactCoupling, ContactEM, contact_coupling, contact_em
+from .search import contact_search
+from .spot import ContactSpot, contact_spot
 
 __all__ = [
     "Beam",

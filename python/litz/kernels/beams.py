@@ -8,8 +8,8 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from litz import _core
-from litz.kernels import checks
+from .. import _core
+from . import checks
 
 Form = Literal["spin", "hessian"]
 

@@ -1,4 +1,4 @@
-"""Checks of what a caller hands to a kernel. Each returns the value as the kernel needs it, or raises in words."""
+"""Checks of what a caller hands to a kernel. Each returns the value as the kernel needs it, or raises a ValueError."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray

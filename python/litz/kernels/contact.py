@@ -1,4 +1,4 @@
-"""The electric-mechanical contact of two wires: closest points, contact spot, and the contact element."""
+"""The electric-mechanical contact element of two wires."""
 
 from __future__ import annotations
 
@@ -7,23 +7,16 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from litz import _core
-from litz.kernels import checks
+from .. import _core
+from . import checks
+from .axes import AXES, Axis
+from .spot import SpotLaw, spot_law_data
+from .wire_pair import Numbers, geometry, properties
 
-Axis = Literal["linear", "hermite"]
 NormalLaw = Literal["linear", "hertz"]
-#: "none", or the name of a law of `*GAP ELECTRICAL CONDUCTANCE` in lower case
-SpotLaw = str
-Status = Literal["inside", "beyond", "parallel", "not_unique", "not_converged"]
 
 # The constants of fortran/base/laws.f90 and of the kernels
-_AXES = {"linear": 1, "hermite": 2}
 _NORMAL_LAWS = {"linear": 1, "hertz": 2}
-_SPOT_NAMES, _SPOT_VALUES = (
-    [name.decode().strip().lower() for name in names] for names in _core.f2py_contact.spot_law_names()
-)
-_SPOT_LAWS = {"none": 0} | {name: number for number, name in enumerate(_SPOT_NAMES, start=1) if name}
-_STATUS: dict[int, Status] = {0: "inside", 1: "beyond", -1: "parallel", -2: "not_unique", -3: "not_converged"}
 _CONTACT_ACTIVE, _CONTACT_OPEN, _CONTACT_BEYOND = 0, 1, 2
 _FAILURES = {
     -1: "the wires overlap where their axes are parallel (crossing angle below 0.06 degrees); "
@@ -31,43 +24,6 @@ _FAILURES = {
     -2: "the wires overlap, but their closest points are not unique",
     -3: "the closest points were not found; do two nodes of an element coincide?",
 }
-#: The one number of each spot law that has one: an argument of its own, or `law_value`
-_LAW_VALUES = {
-    **{name: "law_value" for name, value in zip(_SPOT_NAMES, _SPOT_VALUES, strict=True) if value},
-    "plastic": "hardness",
-    "film": "film_resistivity",
-    "constant": "resistance",
-}
-
-Numbers = float | ArrayLike
-
-
-class ContactSpot(NamedTuple):
-    """Contact spot under a given force."""
-
-    #: Larger half axis of the spot [m]; 0 for laws without a spot (constant, table)
-    semi_major: float
-    #: Smaller half axis [m]
-    semi_minor: float
-    #: Elastic approach of the two axes [m]; 0 for laws without one (plastic, constant, table)
-    approach: float
-    #: Conductance of the spot [S]
-    conductance: float
-    #: Derivative of the conductance by the force at fixed angle [S/N]
-    dconductance_dforce: float
-    #: Derivative of the conductance by the angle at fixed force [S/rad]
-    dconductance_dangle: float
-
-
-class ClosestPoints(NamedTuple):
-    """Closest points of two element axes."""
-
-    #: Place in the barred element, which is [-1, 1]
-    xi_bar: float
-    #: Place in the unbarred element
-    xi: float
-    #: "inside", "beyond" an end, "parallel", "not_unique" or "not_converged"
-    status: Status
 
 
 class ContactEM(NamedTuple):
@@ -121,146 +77,6 @@ class ContactCoupling(NamedTuple):
     K_me4: NDArray[np.float64]
     #: The series resistances change along the wires (not in the paper; 0 without them)
     K_me5: NDArray[np.float64]
-
-
-def contact_spot(
-    force: float,
-    *,
-    radius: Numbers,
-    young: Numbers,
-    poisson: Numbers,
-    resistivity: Numbers,
-    angle: float,
-    law: SpotLaw = "hertz",
-    hardness: float | None = None,
-    film_resistivity: float | None = None,
-    resistance: float | None = None,
-    law_value: float | None = None,
-    table: ArrayLike | None = None,
-) -> ContactSpot:
-    """Spot and conductance of two round wires pressed together.
-
-    Parameters
-    ----------
-    force : float
-        Contact force [N]. Without a positive force there is no spot: all results are 0, although the slope of the
-        conductance over the force is infinite there for most laws.
-    radius, young, poisson, resistivity : float or array_like, shape (2,)
-        Radii [m], Young's moduli [Pa], Poisson's ratios [-] and resistivities [ohm m] of the barred and the unbarred
-        wire; one number serves both.
-    angle : float
-        Angle between the axes [rad], in (0, pi).
-    law : {"hertz", "paper", "plastic", "film", "constant", "table", "none"}
-        - "hertz": exact ellipse with Holm's constriction resistance ``(rho1 + rho2) K(m)/(2 pi a)``;
-        - "paper": circle of Hertz's contact of two spheres, ``r* = r rb/(r + rb)``. At 90 degrees the spot of equal
-          wires is 21 % too small and the resistance 26 % too large;
-        - "plastic": circle with ``F = pi a^2 hardness``;
-        - "film": as "hertz", with ``film_resistivity/(pi a b)`` in series;
-        - "constant": `resistance` under any positive force;
-        - "table": through the pairs of `table`.
-    hardness : float, optional
-        For "plastic" [Pa].
-    film_resistivity : float, optional
-        For "film" [ohm m^2].
-    resistance : float, optional
-        For "constant" [ohm].
-    law_value : float, optional
-        The number of a law that has one without a name among these arguments.
-    table : array_like, shape (2, n), optional
-        For "table": forces [N], ascending, and resistances [ohm]. Interpolated smoothly and monotonically in
-        logarithms; beyond its ends the power law of the end slope continues; a single pair is a constant.
-
-    Returns
-    -------
-    ContactSpot
-        `semi_major`, `semi_minor`, `approach`, `conductance`, `dconductance_dforce`, `dconductance_dangle`.
-
-    Raises
-    ------
-    ValueError
-        A value that is missing, not finite or out of its range; an unknown law.
-
-    Notes
-    -----
-    K. L. Johnson, Contact Mechanics, ch. 4; R. Holm, Electric Contacts. The elastic contact and the conductance obey
-    Barber's identity ``G = 2/(E* (rho1 + rho2)) dF/dapproach`` (Proc. R. Soc. A 459 (2003) 53-66). The formulas are in
-    ``fortran/kernels/hertz.f90`` and ``contact_spot.f90``.
-
-    Examples
-    --------
-    >>> from math import pi
-    >>> wires = dict(radius=1e-3, young=120e9, poisson=0.34, resistivity=1.7e-8)
-    >>> spot = contact_spot(1.0, angle=pi / 2, **wires)
-    >>> print(f"{spot.semi_major:.4g} m, {1 / spot.conductance:.4g} ohm")
-    2.228e-05 m, 0.0003816 ohm
-    """
-    properties = _properties(radius, young, poisson, resistivity)
-    law_number, law_value, force_table, resistance_table = _spot_law(
-        "law",
-        law,
-        hardness=hardness,
-        film_resistivity=film_resistivity,
-        resistance=resistance,
-        law_value=law_value,
-        table=table,
-    )
-    angle = checks.number("angle", angle)
-    if not 0 < angle < np.pi:
-        raise ValueError(f"angle must be between 0 and pi, not {angle:g} rad; parallel wires have no point contact")
-    values, info = _core.f2py_contact.contact_spot(
-        law_number, checks.number("force", force), *properties, angle, law_value, force_table, resistance_table
-    )
-    if info != 0:
-        raise ValueError(f"angle is so close to parallel that the spot is infinitely long: {angle:g} rad")
-    return ContactSpot(*map(float, values))
-
-
-def closest_points(
-    x: ArrayLike, t: ArrayLike, length: ArrayLike, *, axis: Axis = "hermite", start: ArrayLike | None = None
-) -> ClosestPoints:
-    """Closest points of the axes of two elements.
-
-    Parameters
-    ----------
-    x : array_like, shape (4, 3)
-        Nodal positions in the order barred 1, barred 2, 1, 2 [m].
-    t : array_like, shape (4, 3)
-        Unit tangents at the nodes, pointing from node 1 to node 2 of their element; "linear" does not look at them.
-    length : array_like, shape (2,)
-        Reference lengths of the barred and the unbarred element [m].
-    axis : {"hermite", "linear"}
-        Cubic or straight axes between the nodes.
-    start : array_like, shape (2,), optional
-        Places (xi_bar, xi) to start from; the minimum of the distance next to it is found. Otherwise the closest pair
-        of points within the elements is found.
-
-    Returns
-    -------
-    ClosestPoints
-        `xi_bar`, `xi` and `status`:
-
-        - "inside": both points lie in their element, -1 <= xi <= 1 (to 1e-10);
-        - "beyond": an axis continued beyond an end, up to abs(xi) = 1.5, comes closer than its own points do;
-        - "parallel": the tangents there enclose less than 0.06 degrees; the points are at the least distance;
-        - "not_unique": other points are as close; the points are one choice;
-        - "not_converged": an axis has no tangent, for example where its nodes coincide.
-
-    Raises
-    ------
-    ValueError
-        Wrong shape, a number that is not finite, tangents that are not of unit length, a length that is not positive.
-
-    Notes
-    -----
-    The conditions are ``w . x' = 0`` and ``w . xb' = 0`` with ``w = xb - x``. The method is described in
-    ``fortran/kernels/closest_points.f90``.
-    """
-    geometry = _geometry(x, t, length)
-    begin = np.zeros(2) if start is None else checks.array("start", start, (2,))
-    xi_bar, xi, status = _core.f2py_contact.closest_points(
-        *geometry, checks.choice("axis", axis, _AXES), start is not None, begin
-    )
-    return ClosestPoints(xi_bar, xi, _STATUS[status])
 
 
 def contact_em(
@@ -334,7 +150,7 @@ def contact_em(
     Raises
     ------
     ValueError
-        Bad input, in words; wires that overlap where they are parallel, or whose closest points are not unique.
+        Invalid input; wires that overlap where they are parallel, or whose closest points are not unique.
 
     Notes
     -----
@@ -452,9 +268,9 @@ def _contact_em(
     series_resistance: ArrayLike,
 ) -> tuple[Any, ...]:
     """Check the input, call the kernel, raise what it could not do."""
-    geometry = _geometry(x, t, length)
+    places = geometry(x, t, length)
     voltages = checks.array("v", v, (4,))
-    properties = _properties(radius, young, poisson, resistivity)
+    of_wires = properties(radius, young, poisson, resistivity)
     normal_number = checks.choice("normal_law", normal_law, _NORMAL_LAWS)
     if normal_law == "linear":
         if eps_n is None:
@@ -462,7 +278,7 @@ def _contact_em(
         eps_n = checks.positive("eps_n", eps_n)
     elif eps_n is not None:
         raise ValueError('eps_n belongs to normal_law="linear"; the Hertz law has no penalty')
-    spot_number, law_value, force_table, resistance_table = _spot_law(
+    spot_number, law_value, force_table, resistance_table = spot_law_data(
         "spot_law",
         spot_law,
         hardness=hardness,
@@ -481,70 +297,9 @@ def _contact_em(
         np.zeros((4, 3)) if rotation_vectors is None else checks.array("rotation_vectors", rotation_vectors, (4, 3))
     )
     result = _core.f2py_contact.contact_em(
-        *geometry, voltages, *properties, normal_number, eps_n or 0.0, spot_number, law_value, force_table,
-        resistance_table, checks.choice("axis", axis, _AXES), side, series, has_vectors, vectors.T,
+        *places, voltages, *of_wires, normal_number, eps_n or 0.0, spot_number, law_value, force_table,
+        resistance_table, checks.choice("axis", axis, AXES), side, series, has_vectors, vectors.T,
     )  # fmt: skip
     if result[-1] < 0:
         raise ValueError(_FAILURES[result[-1]])
     return result
-
-
-def _geometry(x: ArrayLike, t: ArrayLike, length: ArrayLike) -> tuple[NDArray[np.float64], ...]:
-    """Positions and tangents as columns, and lengths, after checking them."""
-    positions = checks.array("x", x, (4, 3))
-    tangents = checks.unit_vectors("t", t, (4, 3))
-    return positions.T, tangents.T, checks.positive_pair("length", checks.array("length", length, (2,)))
-
-
-def _properties(
-    radius: Numbers, young: Numbers, poisson: Numbers, resistivity: Numbers
-) -> tuple[NDArray[np.float64], ...]:
-    """Pairs of properties, after checking them."""
-    nu = checks.pair("poisson", poisson)
-    if not ((nu > -1) & (nu < 0.5)).all():
-        bad = nu[(nu <= -1) | (nu >= 0.5)][0]
-        raise ValueError(f"poisson must be between -1 and 0.5, both excluded, but holds {bad:g}")
-    return (
-        checks.positive_pair("radius", radius),
-        checks.positive_pair("young", young),
-        nu,
-        checks.positive_pair("resistivity", resistivity),
-    )
-
-
-def _spot_law(
-    parameter: str, law: SpotLaw, *, table: ArrayLike | None, **values: float | None
-) -> tuple[int, float, NDArray[np.float64], NDArray[np.float64]]:
-    """Number of a spot law, its value and its table; refuses data that belong to another law."""
-    number = checks.choice(parameter, law, _SPOT_LAWS)
-    wanted = _LAW_VALUES.get(law)
-    for name, value in values.items():
-        if value is not None and name != wanted:
-            owners = [f'"{key}"' for key, needed in _LAW_VALUES.items() if needed == name]
-            owner = f"the spot law {owners[0]}" if owners else "other laws"
-            raise ValueError(f'{name} belongs to {owner}, not to "{law}"')
-    if table is not None and law != "table":
-        raise ValueError(f'table belongs to the spot law "table", not to "{law}"')
-    law_value = 0.0
-    if wanted is not None:
-        value = values[wanted]
-        if value is None:
-            raise ValueError(f'the spot law "{law}" needs {wanted}')
-        law_value = checks.positive(wanted, value)
-    forces, resistances = _table(table) if law == "table" else (np.ones(1), np.ones(1))
-    return number, law_value, forces, resistances
-
-
-def _table(table: ArrayLike | None) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Forces and resistances of a table, after checking them."""
-    if table is None:
-        raise ValueError('the spot law "table" needs table: forces [N] and resistances [ohm], shape (2, n)')
-    shape = np.shape(table)
-    if len(shape) != 2 or shape[0] != 2 or shape[1] < 1:
-        raise ValueError(f"table must have shape (2, n), forces and resistances, not {shape}")
-    forces, resistances = checks.array("table", table, shape)
-    if not ((forces > 0).all() and (resistances > 0).all()):
-        raise ValueError("table must hold positive forces and resistances only")
-    if (np.diff(forces) <= 0).any():
-        raise ValueError("the forces of table must ascend")
-    return forces, resistances

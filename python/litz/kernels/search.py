@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from litz import _core
+from .. import _core
 
 #: More pairs than this are refused; the core counts them in integers of 32 bits
-MOST_PAIRS = 2**29
+MAX_PAIRS = 2**29
 
 
 def contact_search(
@@ -72,10 +72,10 @@ def contact_search(
     if len(connectivity) < 2:
         return np.empty((0, 2), dtype=np.int64)
     first, last = x[connectivity[:, 0]], x[connectivity[:, 1]]
-    count = _core.f2py_search.find_near_segments(first.T, last.T, radius + skin / 2, MOST_PAIRS)
+    count = _core.f2py_search.find_near_segments(first.T, last.T, radius + skin / 2, MAX_PAIRS)
     if count < 0:
         raise ValueError(
-            f"more than {MOST_PAIRS} pairs of elements come within {skin} of each other; choose a smaller skin"
+            f"more than {MAX_PAIRS} pairs of elements come within {skin} of each other; choose a smaller skin"
         )
     pairs = _core.f2py_search.take_near_segments(count).T.astype(np.int64) - 1
     first, second = connectivity[pairs[:, 0]], connectivity[pairs[:, 1]]

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 _CHORDS = 64
 
 
-def check_points(points: ArrayLike, least: int = 2) -> NDArray[np.float64]:
+def check_points(points: ArrayLike, min_count: int = 2) -> NDArray[np.float64]:
     """Points as an array (n, 3) [m]; those of a plane get z = 0."""
     try:
         array = np.array(points, dtype=float)
@@ -20,8 +20,8 @@ def check_points(points: ArrayLike, least: int = 2) -> NDArray[np.float64]:
         raise ValueError("points must be numbers, an array of shape (n, 3)") from None
     if array.ndim == 2 and array.shape[1] == 2:
         array = np.column_stack([array, np.zeros(len(array))])
-    if array.ndim != 2 or array.shape[1] != 3 or len(array) < least:
-        raise ValueError(f"points must be an array of shape (n, 3) with n of {least} or more, not {array.shape}")
+    if array.ndim != 2 or array.shape[1] != 3 or len(array) < min_count:
+        raise ValueError(f"points must be an array of shape (n, 3) with n of {min_count} or more, not {array.shape}")
     if not np.isfinite(array).all():
         raise ValueError("points must be finite numbers")
     if not np.linalg.norm(np.diff(array, axis=0), axis=1).all():

@@ -3,8 +3,8 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
-from ..deck import CardSpec
-from ..keyword_table import check_card, check_name
+from ..deck.keyword_table import check_card, check_name
+from ..deck.lines import CardSpec
 from .materials import predefined
 
 
@@ -310,7 +310,7 @@ class ContactPair:
     first, second : str
         Names of groups or element sets; `second` is None for contact within the first.
     interference_fit : bool
-        Wires that overlap at the start are meant to.
+        Initial overlaps of the wires are intended.
     """
 
     interaction: Interaction

@@ -1,20 +1,20 @@
-"""What acts on a model: degrees of freedom and their words, prescribed values, loads, amplitudes."""
+"""What acts on a model: degrees of freedom and their names, prescribed values, loads, amplitudes."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from numbers import Integral
 
-from ..deck import CardSpec
-from ..keyword_table import check_card, check_name
+from ..deck.keyword_table import check_card, check_name
+from ..deck.lines import CardSpec
 
 #: A node number or the name of a node set
 Target = int | str
-#: Degree of freedom: its number, as in Abaqus, or a word
+#: Degree of freedom: its number, as in Abaqus, or its name
 Direction = int | str
 
-_WORDS = {"x": 1, "y": 2, "z": 3, "rx": 4, "ry": 5, "rz": 6, "potential": 9}
+_DIRECTIONS = {"x": 1, "y": 2, "z": 3, "rx": 4, "ry": 5, "rz": 6, "potential": 9}
 _GROUPS = {"encastre": range(1, 7), "pinned": range(1, 4), "rotations": range(4, 7)}
-POTENTIAL = _WORDS["potential"]
+POTENTIAL = _DIRECTIONS["potential"]
 
 
 def degree_of_freedom(direction: Direction, allowed: Iterable[int] = (1, 2, 3, 4, 5, 6, 9)) -> int:
@@ -25,11 +25,11 @@ def degree_of_freedom(direction: Direction, allowed: Iterable[int] = (1, 2, 3, 4
     >>> degree_of_freedom("z"), degree_of_freedom("rx"), degree_of_freedom(9)
     (3, 4, 9)
     """
-    number = _WORDS.get(direction.lower()) if isinstance(direction, str) else direction
+    number = _DIRECTIONS.get(direction.lower()) if isinstance(direction, str) else direction
     allowed = list(allowed)
     if not isinstance(number, Integral) or number not in allowed:
-        words = ", ".join(f'"{word}" ({number})' for word, number in _WORDS.items() if number in allowed)
-        raise ValueError(f"a direction must be one of {words}, not {direction!r}")
+        names = ", ".join(f'"{name}" ({number})' for name, number in _DIRECTIONS.items() if number in allowed)
+        raise ValueError(f"a direction must be one of {names}, not {direction!r}")
     return int(number)
 
 
@@ -67,7 +67,7 @@ class Amplitude:
     a : tuple of float
         Factor at each [-].
     time : {"STEP TIME", "TOTAL TIME"}
-        What the times are counted from.
+        Origin of the times.
     """
 
     name: str

@@ -5,8 +5,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from ..deck import CardSpec
-from ..keyword_table import check_card, check_name
+from ..deck.keyword_table import check_card, check_name
+from ..deck.lines import CardSpec
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,7 @@ class Material:
 
 
 def predefined(kind: type, **values: Any) -> Any:
-    """A constant of this package: a test checks it, so that an import does not have to ask the program for its table."""
+    """A constant of this package, created without the checks that need the keyword table of the program; a test checks it."""
     constant: Any = object.__new__(kind)
     constant.__dict__.update(values)
     return constant

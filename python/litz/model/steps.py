@@ -1,33 +1,28 @@
-"""Load steps: what is prescribed and loaded, what is asked for, how it is solved."""
+"""Load steps: prescribed values, loads, output requests, solution controls."""
 
 import math
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from ..deck import CardSpec
-from ..keyword_table import check_card, keyword, squeezed
-from ..tables import nearest_name
+from ..base.names import nearest_name
+from ..deck.keyword_table import check_card, keyword, squeezed
+from ..deck.lines import CardSpec
 from .loading import POTENTIAL, Amplitude, Direction, Load, Prescribed, degree_of_freedom, grouped, ranges_of
+from .names import AnyNodes, Names
+from .wires import WireGroup
 
-if TYPE_CHECKING:
-    from .model import Model
-    from .wires import Nodes, WireGroup
-
-    #: A node, some nodes, the nodes of a wire, or the name of a node set
-    AnyNodes = int | str | Nodes | WireGroup
-
-#: Room for increments that are cut back, where the most increments of a step are not given
-_ROOM = 10
-_LEAST_INCREMENTS = 100
-#: Smallest increment where none is given, as a part of the step
-_SMALLEST = 1e-5
+#: Default of INC: its ratio to the number of increments without cut-backs, and its minimum
+_INC_RATIO = 10
+_MIN_INC = 100
+#: Default of the smallest increment as a fraction of the step
+_SMALLEST_FRACTION = 1e-5
 
 
 class Step:
     """A load step, made by `Model.step`.
 
-    What it prescribes goes linearly from its value at the start of the step to the one given, or follows an amplitude.
-    A step keeps what earlier steps have prescribed, loaded and set and it does not change.
+    Prescribed values change linearly from those at the start of the step to the given ones, or follow an amplitude.
+    Values, loads and controls of earlier steps remain in force unless they are changed.
 
     Attributes
     ----------
@@ -43,7 +38,7 @@ class Step:
 
     def __init__(
         self,
-        model: "Model",
+        model: Names,
         name: str,
         *,
         total: float = 1.0,
@@ -71,7 +66,7 @@ class Step:
             largest = first
             times[2:] = []
         else:
-            smallest = min(_SMALLEST * total, first) if smallest is None else smallest
+            smallest = min(_SMALLEST_FRACTION * total, first) if smallest is None else smallest
             times[2:] = [smallest, largest]
             if not smallest <= first <= largest:
                 raise ValueError(
@@ -81,7 +76,7 @@ class Step:
             raise ValueError(f"the first increment, {first:g} s, is larger than the step, {total:g} s")
         needed = math.ceil(total / largest * (1 - 1e-9))
         if inc is None:
-            inc = max(_LEAST_INCREMENTS, _ROOM * needed)
+            inc = max(_MIN_INC, _INC_RATIO * needed)
         self._step: CardSpec = ("STEP", {"NAME": name, "INC": inc}, [])
         check_card(*self._step)
         if needed > inc:
@@ -91,7 +86,7 @@ class Step:
             check_card("BOUNDARY", {"OP": op}, [[1, 1]])
 
     def __repr__(self) -> str:
-        """One line."""
+        """Short description."""
         first, total = self._static[2][0][:2]
         parts = [f"{total:g} s, first increment {first:g} s"]
         parts += [f"{len(self.prescribed)} prescribed"] if self.prescribed else []
@@ -99,11 +94,11 @@ class Step:
         parts += [", ".join(dict.fromkeys(card[0] for card in self.cards))] if self.cards else []
         return f"<Step {self.name}: {'; '.join(parts)}>"
 
-    # What is prescribed
+    # Prescribed values
 
     def boundary(
         self,
-        nodes: "AnyNodes",
+        nodes: AnyNodes,
         first: Direction,
         last: Direction | None = None,
         value: float = 0.0,
@@ -131,7 +126,7 @@ class Step:
         self.prescribed.append(item)
 
     def move(
-        self, nodes: "AnyNodes", direction: Direction, value: float, amplitude: Amplitude | str | None = None
+        self, nodes: AnyNodes, direction: Direction, value: float, amplitude: Amplitude | str | None = None
     ) -> None:
         """Prescribe a displacement [m] or rotation [rad], counted from the start of the first step.
 
@@ -148,36 +143,36 @@ class Step:
         """
         self.boundary(nodes, degree_of_freedom(direction, range(1, 7)), None, value, amplitude)
 
-    def hold(self, nodes: "AnyNodes", *directions: Direction) -> None:
+    def hold(self, nodes: AnyNodes, *directions: Direction) -> None:
         """Prescribe zeros, as `Model.fix` does from the start: all of 1-6 without directions."""
         for first, last in ranges_of(directions):
             self.boundary(nodes, first, last)
 
-    def potential(self, nodes: "AnyNodes", value: float, amplitude: Amplitude | str | None = None) -> None:
+    def potential(self, nodes: AnyNodes, value: float, amplitude: Amplitude | str | None = None) -> None:
         """Prescribe a potential [V]."""
         self.boundary(nodes, POTENTIAL, None, value, amplitude)
 
     # Loads
 
-    def cload(self, nodes: "AnyNodes", dof: Direction, value: float, amplitude: Amplitude | str | None = None) -> None:
+    def cload(self, nodes: AnyNodes, dof: Direction, value: float, amplitude: Amplitude | str | None = None) -> None:
         """A force [N] or moment [N m] of fixed direction at each of the nodes; `dof` as the direction of `move`."""
         dof = degree_of_freedom(dof, range(1, 7))
         self._load("CLOAD", Load(self._model.target(nodes), dof, value, self._amplitude(amplitude)))
 
     def force(
-        self, nodes: "AnyNodes", direction: Direction, value: float, amplitude: Amplitude | str | None = None
+        self, nodes: AnyNodes, direction: Direction, value: float, amplitude: Amplitude | str | None = None
     ) -> None:
         """A force [N] along "x", "y" or "z" at each of the nodes."""
         self.cload(nodes, degree_of_freedom(direction, range(1, 4)), value, amplitude)
 
     def moment(
-        self, nodes: "AnyNodes", direction: Direction, value: float, amplitude: Amplitude | str | None = None
+        self, nodes: AnyNodes, direction: Direction, value: float, amplitude: Amplitude | str | None = None
     ) -> None:
         """A moment [N m] about "x", "y" or "z" at each of the nodes."""
         about = f"r{direction}" if direction in ("x", "y", "z") else direction
         self.cload(nodes, degree_of_freedom(about, range(4, 7)), value, amplitude)
 
-    def current(self, nodes: "AnyNodes", value: float, amplitude: Amplitude | str | None = None) -> None:
+    def current(self, nodes: AnyNodes, value: float, amplitude: Amplitude | str | None = None) -> None:
         """A current [A] into the body at each of the nodes."""
         self._load("CECURRENT", Load(self._model.target(nodes), POTENTIAL, value, self._amplitude(amplitude)))
 
@@ -198,8 +193,8 @@ class Step:
 
     # Requests
 
-    def node_print(self, nodes: "AnyNodes", *quantities: str, totals: str = "NO") -> None:
-        """Ask for quantities of nodes in the history.
+    def node_print(self, nodes: AnyNodes, *quantities: str, totals: str = "NO") -> None:
+        """Request quantities of nodes in the history.
 
         Parameters
         ----------
@@ -215,23 +210,23 @@ class Step:
             parameters["TOTALS"] = totals
         self.card("NODE PRINT", parameters, [list(quantities)] if quantities else [])
 
-    def el_print(self, elements: "str | WireGroup", *quantities: str, totals: str = "NO") -> None:
-        """Ask for quantities of elements in the history: SF, EPG, JOULE; arguments as those of `node_print`."""
+    def el_print(self, elements: str | WireGroup, *quantities: str, totals: str = "NO") -> None:
+        """Request quantities of elements in the history: SF, EPG, JOULE; arguments as those of `node_print`."""
         parameters = {"ELSET": self._model.element_set_of(elements)}
         if totals != "NO":
             parameters["TOTALS"] = totals
         self.card("EL PRINT", parameters, [list(quantities)] if quantities else [])
 
-    def electrode_print(self, plus: "AnyNodes", minus: "AnyNodes") -> None:
-        """Ask for voltage, current and resistance between two electrodes in the history."""
+    def electrode_print(self, plus: AnyNodes, minus: AnyNodes) -> None:
+        """Request voltage, current and resistance between two electrodes in the history."""
         self.card("ELECTRODE PRINT", {}, [[self._model.node_set_of(plus), self._model.node_set_of(minus)]])
 
     def energy_print(self) -> None:
-        """Ask for energies in the history."""
+        """Request energies in the history."""
         self.card("ENERGY PRINT")
 
     def contact_print(self) -> None:
-        """Ask for a line about each contact at every increment in the terminal."""
+        """Request a line about each contact at every increment in the terminal."""
         self.card("CONTACT PRINT")
 
     def node_file(self, frequency: int = 1) -> None:
@@ -282,7 +277,7 @@ class Step:
         self.card("SOLUTION TECHNIQUE", parameters)
 
     def card(self, name: str, parameters: dict[str, Any] | None = None, rows: list | None = None) -> None:
-        """Add any card that the table of keywords has in a step."""
+        """Add any card of a step that the keyword table has."""
         spec = (name.removeprefix("*").upper(), parameters or {}, rows or [])
         if keyword(name)["place"] == "model":
             raise ValueError(f"*{spec[0]} stands in the model part, not in a step: Model.card adds it")

@@ -3,16 +3,36 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..wires import find_wires
+from ..wires.chains import find_wires
 from .materials import Material, Section
 
-if TYPE_CHECKING:
-    from .model import Model
+
+class Points:
+    """Positions of nodes, which are numbered from 1 in the order in which they are added."""
+
+    def __init__(self) -> None:
+        self._blocks: list[NDArray[np.float64]] = []
+        self._n = 0
+
+    def __len__(self) -> int:
+        """Number of nodes."""
+        return self._n
+
+    def add(self, block: NDArray[np.float64]) -> None:
+        """Add nodes at positions, (n, 3) [m]."""
+        self._blocks.append(block)
+        self._n += len(block)
+
+    @property
+    def positions(self) -> NDArray[np.float64]:
+        """Positions of all nodes, (n, 3) [m]; node i is in row i - 1."""
+        if len(self._blocks) > 1:
+            self._blocks = [np.concatenate(self._blocks)]
+        return self._blocks[0] if self._blocks else np.empty((0, 3))
 
 
 class Nodes(tuple):
@@ -33,7 +53,7 @@ class Nodes(tuple):
         return nodes
 
     def __repr__(self) -> str:
-        """One line."""
+        """Short description."""
         listed = ", ".join(map(str, self[:8])) + (", ..." if len(self) > 8 else "")
         return f"<Nodes {self.name}: {listed}>"
 
@@ -85,10 +105,10 @@ class WireGroup:
     element: str
     first_element: int
     connectivity: NDArray[np.int64]
-    _model: "Model" = field(repr=False)
+    _points: Points = field(repr=False)
 
     def __repr__(self) -> str:
-        """One line."""
+        """Short description."""
         n_wires = len(self.wires)
         what = "wire" if n_wires == 1 else f"{n_wires} wires"
         size = f"radius {self.radius:g}, " if self.radius else ""
@@ -142,6 +162,6 @@ class WireGroup:
         if place.shape != (3,):
             raise ValueError(f"a point must have the coordinates x, y and z, not {point!r}")
         numbers = np.array(self.nodes)
-        distances = np.linalg.norm(self._model.x[numbers - 1] - place, axis=1)
+        distances = np.linalg.norm(self._points.positions[numbers - 1] - place, axis=1)
         number = int(numbers[np.argmin(distances)])
         return Nodes(f"{self.name}_NODE{number}", [number])

@@ -1,0 +1,192 @@
+"""Decks to begin with: small, commented, and running as they stand."""
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from ..base.names import unknown_name
+from ..deck import Card, Deck
+from ..errors import FileError
+from ..model import COPPER, Hertz, HertzSpot, Model
+from .cables import strand
+from .fabrics import wire_grid
+from .fibre_mats import fibre_mat
+
+#: What a card is for, before the first of its kind; "STEP ..." for those in a step
+_NOTES = {
+    "NODE": "nodes: number, x, y, z [m]; NSET collects them in a node set",
+    "ELEMENT": "beam elements between two nodes; ELSET collects them in an element set",
+    "ELSET": "element sets of other sets",
+    "NSET": "node sets, by which wires are held, moved and connected",
+    "MATERIAL": "what the wires are made of: Young's modulus [Pa], Poisson's ratio; conductivity [S/m]",
+    "BEAM SECTION": "round wires: the radius [m]",
+    "SURFACE INTERACTION": "the laws of a contact: force, friction, resistance of the spot",
+    "CONTACT PAIR": "what may touch what; one set alone: contact among its wires",
+    "BOUNDARY": "held from the start: nodes, first and last degree of freedom; 1-3 displacements, 4-6 rotations, 9 potential",
+    "STEP": "a load step, with the maximum number of increments",
+    "STATIC": "first increment, time of the step, smallest and largest increment [s]",
+    "STEP BOUNDARY": "value at the end of the step [m, rad, V], reached in proportion to time",
+    "STEP NODE PRINT": "goes into the history file (.csv) at every increment",
+    "STEP ELECTRODE PRINT": "voltage, current and resistance between two node sets, also in the history file",
+    "STEP ENERGY PRINT": "energies: what supports have done is in the wires and contacts, or has become heat of friction",
+}
+
+
+@dataclass(frozen=True)
+class Starter:
+    """A deck to begin with.
+
+    Attributes
+    ----------
+    what : str
+        One line about it.
+    make : callable
+        Returns the model.
+    """
+
+    what: str
+    make: Callable[[], Model]
+
+
+def _crossing(friction: float | None = None) -> Model:
+    """Two copper wires, one across the other."""
+    model = Model("Two crossed copper wires")
+    wire: dict[str, Any] = {"radius": 1e-3, "material": COPPER, "elements": 9}
+    lower = model.wire("LOWER", (-0.05, 0, 0), (0.05, 0, 0), **wire)
+    upper = model.wire("UPPER", (0, -0.05, 2e-3), (0, 0.05, 2e-3), **wire)
+    model.contact(lower, upper, behaviour=Hertz(), conductance=HertzSpot(), friction=friction)
+    model.fix(lower.ends)
+    model.fix(upper.ends, "rotations")
+    return model
+
+
+def _crossed_wires() -> Model:
+    model = _crossing()
+    model.title = "Two crossed copper wires pressed together, 1 mV between them"
+    lower, upper = model.groups.values()
+    step = model.step("PRESS", increment=0.1)
+    step.hold(upper.ends, "x", "y")
+    step.move(upper.ends, "z", -1e-4)
+    step.potential(lower.start, 1e-3)
+    step.potential(upper.start, 0.0)
+    step.node_print(upper.ends, "RF", totals="ONLY")
+    step.electrode_print(lower.start, upper.start)
+    return model
+
+
+def _friction() -> Model:
+    model = _crossing(friction=0.3)
+    model.title = "A copper wire pressed on another one and dragged along it: stick and slip"
+    lower, upper = model.groups.values()
+    press = model.step("PRESS", increment=0.2)
+    press.hold(upper.ends, "x", "y")
+    press.move(upper.ends, "z", -1e-4)
+    press.potential(lower.start, 1e-3)
+    press.potential(upper.start, 0.0)
+    press.node_print(upper.ends, "U", totals="ONLY")
+    press.node_print(upper.ends, "RF", totals="ONLY")
+    press.electrode_print(lower.start, upper.start)
+    press.energy_print()
+    for name, place in (("DRAG", 2e-4), ("BACK", 0.0)):
+        step = model.step(name, increment=0.05)
+        step.move(upper.ends, "x", place)
+    return model
+
+
+def _grid() -> Model:
+    model = wire_grid(4, 4, pitch=10e-3, radius=0.5e-3, elements_per_pitch=3)
+    model.title = "Four wires on four wires, pressed together, 1 mV between the two layers"
+    model.press(0.1e-3, voltage=1e-3).node_print("UPPER_ENDS", "RF", totals="ONLY")
+    return model
+
+
+def _fibre_mat() -> Model:
+    model = fibre_mat((10e-3, 10e-3), 5, radius=0.1e-3, seed=1, n_layers=3, clearance=5e-6)
+    model.title = "A random mat of 15 fibres pressed between two electrodes, 1 mV between them"
+    model.press(40e-6, voltage=1e-3).node_print("PLUS", "RF", totals="ONLY")
+    return model
+
+
+def _strand() -> Model:
+    model = strand([6, 12], radius=0.1e-3, lay_length=[6e-3, -6e-3], length=6e-3)
+    model.title = "A strand of two layers laid against each other, pulled by 0.3 %, 1 mV between its ends"
+    model.comments = [
+        "The layers cross and touch in points. Neighbours of one layer would touch along lines, which litz does not",
+        "model: pulled further than by 0.4 % they touch so, and the run ends.",
+    ]
+    model.press(-18e-6, voltage=1e-3, name="PULL").node_print("PLUS", "RF", totals="ONLY")
+    return model
+
+
+STARTERS = {
+    "crossed-wires": Starter("two wires pressed together: force and resistance of one contact", _crossed_wires),
+    "friction": Starter("a wire dragged along another one: stick and slip, energies", _friction),
+    "grid": Starter("four wires across four others: current through a network of contacts", _grid),
+    "fibre-mat": Starter("random fibres pressed between two electrodes", _fibre_mat),
+    "strand": Starter("two layers of helices laid against each other, pulled", _strand),
+}
+
+
+def starter_list() -> str:
+    """The starters, a line each."""
+    width = max(map(len, STARTERS))
+    return "".join(f"{name:{width}}  {starter.what}\n" for name, starter in STARTERS.items())
+
+
+def new(task: str, path: str | os.PathLike | None = None) -> Path:
+    """Write a deck to begin with.
+
+    Parameters
+    ----------
+    task : str
+        "crossed-wires", "friction", "grid", "fibre-mat" or "strand".
+    path : path, optional
+        Where to; `TASK.inp` in the current directory when left out. A file that is there is not replaced.
+
+    Returns
+    -------
+    Path
+        The deck.
+    """
+    name = task.lower().replace("_", "-")
+    if name not in STARTERS:
+        raise ValueError(unknown_name("starter", task, STARTERS))
+    path = Path(f"{name}.inp") if path is None else Path(path)
+    model = STARTERS[name].make()
+    model.comments.append(
+        f"Run it: litz run {path.name} -o {path.stem}; look at it: litz summary {path.stem}, litz plot {path.stem}"
+    )
+    text = _commented(model).text
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with path.open("x", encoding="utf-8") as file:
+            file.write(text)
+    except FileExistsError:
+        raise FileError(f"{path} exists already and is not overwritten; choose another name") from None
+    except OSError as error:
+        raise FileError(f"cannot write {path}: {error.strerror}") from None
+    return path
+
+
+def _commented(model: Model) -> Deck:
+    """The deck of a model with a note before the first card of each kind."""
+    deck = Deck.parse(model.to_deck())
+    noted = set()
+    place = ""
+    for card in deck:
+        key = f"{place}{card.name}" if card.name != "STATIC" else "STATIC"
+        if key in _NOTES and key not in noted:
+            noted.add(key)
+            card.comments = [*_without_empty(card), f"** {_NOTES[key]}\n"]
+        if card.is_a("STEP"):
+            place = "STEP "
+        elif card.is_a("END STEP"):
+            place = ""
+    return deck
+
+
+def _without_empty(card: Card) -> list[str]:
+    """The comments that say something."""
+    return [line for line in card.comments if line.strip("* \n")]

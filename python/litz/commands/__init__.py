@@ -1,0 +1,1 @@
+"""The commands of `litz` that need Python."""

@@ -1,0 +1,93 @@
+"""The commands that write decks."""
+
+from pathlib import Path
+
+from ..build.starters import new, starter_list
+from ..errors import FileError
+from ..model import COPPER, Material, Model
+from ..model.read_mesh import read_mesh
+from .parsers import command_parser
+
+
+def new_command(arguments: list[str]) -> int:
+    """`litz new`: a deck to begin with."""
+    parser = command_parser("new", "Write a commented deck to begin with, which runs as it stands.", starter_list())
+    parser.add_argument("task", metavar="TASK", nargs="?", help="one of those below")
+    parser.add_argument("deck", metavar="DECK", nargs="?", help="default: TASK.inp; a file that is there is kept")
+    parser.add_argument("--list", action="store_true", help="list the tasks")
+    options = parser.parse_args(arguments)
+    if options.list:
+        print(starter_list(), end="")
+        return 0
+    if options.task is None:
+        parser.error("which task? litz new --list shows them")
+    try:
+        deck = new(options.task, options.deck)
+    except ValueError as error:
+        parser.error(str(error))
+    print(f"wrote {deck}\nrun it: litz run {deck} -o {deck.with_suffix('')}")
+    return 0
+
+
+def convert_command(arguments: list[str]) -> int:
+    """`litz convert`: a deck from a mesh."""
+    parser = command_parser(
+        "convert", "Write the wires and sets of a mesh as a deck, to which supports and steps are added."
+    )
+    parser.add_argument("mesh", metavar="MESH", help="Abaqus, gmsh or BeamMe (.inp), gmsh (.msh), or what meshio reads")
+    parser.add_argument("deck", metavar="DECK", help="the deck to write; a file that is there is kept")
+    parser.add_argument(
+        "--radius",
+        type=float,
+        help="radius of the wires, in the unit of length of the mesh; not needed where the mesh has sections",
+    )
+    parser.add_argument(
+        "--young", type=float, default=COPPER.young, help="Young's modulus; default: copper in SI units"
+    )
+    parser.add_argument("--poisson", type=float, default=COPPER.poisson, help="Poisson's ratio; default: copper")
+    parser.add_argument("--conductivity", type=float, help="electrical conductivity; without it an insulator")
+    parser.add_argument(
+        "--element", choices=("B31", "B33"), default="B33", help="where the mesh does not say; default B33"
+    )
+    options = parser.parse_args(arguments)
+    if Path(options.deck).exists():
+        raise FileError(f"{options.deck} exists already and is not overwritten; choose another name")
+    try:
+        mesh = read_mesh(options.mesh)
+        notes = ["Supports, contacts and loads must be added: outlines are below, `litz keywords` explains them."]
+        model = Model(f"Wires of {mesh.path.name}", notes)
+        material = Material("WIRE", options.young, options.poisson, options.conductivity)
+        model.mesh(
+            mesh, radius=options.radius, material=None if options.radius is None else material, element=options.element
+        )
+        model.step()
+        _write_with_outline(model, Path(options.deck))
+    except ValueError as error:
+        parser.error(str(error))
+    print(f"wrote {options.deck}: {len(mesh.x)} nodes, {len(mesh.connectivity)} elements")
+    for what, sets in (("element sets", model.element_sets | model.groups), ("node sets", model.node_sets)):
+        if sets:
+            print(f"{what}: {', '.join(sets)}")
+    return 0
+
+
+def _write_with_outline(model: Model, path: Path) -> None:
+    """Write the deck, with outlines of the missing cards as comments."""
+    groups = model.groups
+    # wires are not held at all their nodes
+    whole = {len(group.nodes) for group in groups.values()}
+    sets = [name for name, nodes in model.node_sets.items() if len(nodes) not in whole]
+    conducts = any(group.material.conductivity is not None for group in groups.values())
+    outline = ["*SURFACE INTERACTION, NAME=TOUCH", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ"]
+    outline += ["*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ"] * conducts
+    outline += ["*CONTACT PAIR, INTERACTION=TOUCH", f" {', '.join([*groups][:2])}"]
+    loads = []
+    if sets:
+        outline += ["*BOUNDARY", *(f" {name}, ENCASTRE" for name in sets), *[f" {sets[0]}, 9"] * conducts]
+        loads = ["*BOUNDARY", f" {sets[-1]}, 3, 3, {-next(iter(groups.values())).radius:g}"]
+    text = model.to_deck()
+    for before, lines in (("*STEP", outline), ("*END STEP", loads)):
+        head, keyword, rest = text.rpartition(f"\n{before}")
+        comments = "".join(f"\n** {line}" for line in lines)
+        text = f"{head}{comments}{keyword}{rest}"
+    path.write_text(text, encoding="utf-8")

@@ -1,0 +1,28 @@
+"""Parsers of the arguments of commands."""
+
+import argparse
+import sys
+from typing import NoReturn
+
+
+def results_parser(command: str, description: str, epilog: str | None = None) -> argparse.ArgumentParser:
+    """A parser for a command about the results of a run."""
+    parser = command_parser(command, description, epilog)
+    parser.add_argument("results", metavar="RESULTS", help="result file, deck that was run, or directory with results")
+    return parser
+
+
+def command_parser(command: str, description: str, epilog: str | None = None) -> argparse.ArgumentParser:
+    """An argument parser with the exit code of the program for invalid arguments, 1."""
+
+    class Parser(argparse.ArgumentParser):
+        def error(self, message: str) -> NoReturn:
+            self.print_usage(sys.stderr)
+            self.exit(1, f"error: {message}\n")
+
+    return Parser(
+        prog=f"litz {command}",
+        description=description,
+        epilog=epilog,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )

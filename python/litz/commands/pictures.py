@@ -1,0 +1,122 @@
+"""The commands `litz plot`, `litz report` and `litz view`."""
+
+import argparse
+import re
+from pathlib import Path
+
+from ..pictures.animation import animate
+from ..pictures.plots import KINDS, plot, with_increments
+from ..pictures.scene import VIEWS
+from ..reports.report import report
+from ..results import Results
+from ..results.scalars import scalars
+from ..viewer.server import view
+from .parsers import results_parser
+
+_PLOT_EXAMPLES = """
+examples:
+  litz plot deck.vtkhdf                                       the overview of the last increment
+  litz plot deck.vtkhdf wires --field joule_heat --view iso   wires coloured by the heat in them
+  litz plot deck.vtkhdf wires --field displacement.z --increment 2:15 --size 1600x1000
+  litz plot deck.vtkhdf --animate -o deck.mp4                 the wires at one increment after the other
+"""
+
+
+def plot_command(arguments: list[str]) -> int:
+    """`litz plot`: a picture, or an animation."""
+    parser = results_parser("plot", "Draw results into a picture file, or an animation.", _PLOT_EXAMPLES)
+    parser.add_argument("kind", nargs="?", metavar="KIND", help=f"{', '.join(KINDS)}; default: overview")
+    parser.add_argument("-o", "--output", metavar="PICTURE", help="default: STEM_KIND.png beside the results")
+    parser.add_argument("--increment", default="-1", metavar="N",
+                        help="STEP:INCREMENT, or counted from 0, or from the end; default: -1, the last")  # fmt: skip
+    parser.add_argument("--field", help="what colours the wires: a field of the file, the length of a vector, or "
+                        "VECTOR.x, .y, .z; default: the potential, or else the displacement")  # fmt: skip
+    parser.add_argument("--list-fields", action="store_true", help="list what can colour the wires, and draw nothing")
+    parser.add_argument("--scale", type=float, default=1.0, help="factor on the displacements; default: 1")
+    parser.add_argument("--spots", choices=("current", "force", "none"), help="what sizes the contact spots")
+    parser.add_argument("--view", type=_view, metavar="DIRECTION",
+                        help=f"from the wires to the viewer: X,Y,Z or one of {', '.join(VIEWS)} (--view=-z)")  # fmt: skip
+    parser.add_argument("--size", type=_size, metavar="WIDTHxHEIGHT", help="in pixels")
+    parser.add_argument("--no-reference", action="store_true", help="without the axes before the deformation")
+    parser.add_argument("--animate", action="store_true", help="the wires over all increments, as .gif or .mp4")
+    parser.add_argument("--frames-per-second", type=float, default=10.0, metavar="N", help="default: 10")
+    options = parser.parse_args(arguments)
+    look = {name: getattr(options, name) for name in ("field", "scale", "spots", "view", "size")}
+    look["reference"] = not options.no_reference
+    try:
+        results = Results(options.results)
+        if options.list_fields:
+            print(_fields(results), end="")
+            return 0
+        if options.animate or Path(options.output or "").suffix in (".gif", ".mp4"):
+            if options.kind not in (None, "wires"):
+                raise ValueError(f"only the wires can be animated, not {options.kind!r}")
+            picture = animate(results, options.output, frames_per_second=options.frames_per_second, **look)
+        else:
+            increment = _increment(results, options.increment)
+            picture = plot(results, options.kind or "overview", options.output, increment=increment, **look)
+    except (ValueError, LookupError) as error:
+        parser.error(error.args[0])
+    print(f"picture: {picture}")
+    return 0
+
+
+def _fields(results: Results) -> str:
+    """A line for each scalar: name, unit and meaning."""
+    rows = [
+        (name, scalar.unit, results.fields.get(scalar.fields[0], "") if len(scalar.fields) == 1 else scalar.text)
+        for name, scalar in scalars(with_increments(results)).items()
+        if scalar.component is None
+    ]
+    width = max(len(name) for name, _, _ in rows)
+    lines = [f"{name:<{width}}  {'[' + unit + ']':<8}  {text}\n" for name, unit, text in rows]
+    return "".join(lines) + "A vector stands for its length; NAME.x, NAME.y and NAME.z are its components.\n"
+
+
+def _increment(results: Results, text: str) -> int:
+    if step := re.fullmatch(r"(\d+):(\d+)", text):
+        return results.index(int(step[1]), int(step[2]))
+    if not re.fullmatch(r"[+-]?\d+", text):
+        raise ValueError(f"an increment is STEP:INCREMENT or a whole number, not {text!r}")
+    return int(text)
+
+
+def _view(text: str) -> str | tuple[float, ...]:
+    """A direction as `litz.plot` takes it."""
+    if "," not in text:
+        return text
+    try:
+        direction = tuple(float(number) for number in text.split(","))
+    except ValueError:
+        direction = ()
+    if len(direction) != 3:
+        raise argparse.ArgumentTypeError(f"a direction has three numbers, as 1,-1,0.8, not {text!r}")
+    return direction
+
+
+def _size(text: str) -> tuple[int, int]:
+    found = re.fullmatch(r"(\d+)x(\d+)", text)
+    if not found:
+        raise argparse.ArgumentTypeError(f"a size is WIDTHxHEIGHT in pixels, as 1600x1000, not {text!r}")
+    return int(found[1]), int(found[2])
+
+
+def view_command(arguments: list[str]) -> int:
+    """`litz view`: results in the browser."""
+    parser = results_parser("view", "Show results in the browser, from a small server on this machine.")
+    parser.add_argument("--port", type=int, default=0, help="of the server; default: any that is free")
+    parser.add_argument("--no-browser", action="store_true", help="only print the address")
+    options = parser.parse_args(arguments)
+    if not 0 <= options.port <= 65535:
+        parser.error(f"a port is a number from 0 to 65535, not {options.port}")
+    view(options.results, port=options.port, open_browser=not options.no_browser)
+    return 0
+
+
+def report_command(arguments: list[str]) -> int:
+    """`litz report`: a page about a run."""
+    parser = results_parser("report", "Write one HTML page about a run, which needs nothing beside it.")
+    parser.add_argument("-o", "--output", metavar="PAGE", help="default: STEM_report.html beside the results")
+    options = parser.parse_args(arguments)
+    print(f"report: {report(options.results, options.output)}")
+    return 0

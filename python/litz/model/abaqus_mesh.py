@@ -1,0 +1,250 @@
+"""Meshes in decks of Abaqus."""
+
+import itertools
+import warnings
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..deck import Card, Deck
+from ..errors import FileError
+from .materials import Circular, Material
+from .mesh import Mesh, unique_rows
+
+#: Elements of Abaqus that litz has, by the type that stands for them; the number of nodes along the beam
+_BEAMS = {
+    "B31": ("B31", 2),
+    "B31H": ("B31", 2),
+    "B33": ("B33", 2),
+    "B33H": ("B33", 2),
+    "B32": ("B31", 3),
+    "B32H": ("B31", 3),
+}
+#: Trusses, as which gmsh writes its lines: wires in a deck that has no beams
+_TRUSSES = {"T3D2": 2, "T3D3": 3}
+#: Number of a node or element in a deck, behind the name of the instance of a part that has it, in capitals
+_Key = tuple[str, int]
+
+
+def _cards(deck: Deck) -> Iterator[Card]:
+    """The cards of a deck and of those that it includes."""
+    for card in deck:
+        if card.is_a("INCLUDE"):
+            yield from _cards(deck.included(card))
+        else:
+            yield card
+
+
+class _DeckReader:
+    """Collects the mesh of a deck, card by card."""
+
+    def __init__(self, path: Path):
+        self.path = path
+        self.row_of: dict[_Key, int] = {}
+        self.places: list[list[float]] = []
+        #: Nodes of the elements of litz, and their types; None: a truss
+        self.pairs: list[tuple[_Key, _Key]] = []
+        self.kinds: list[str | None] = []
+        #: Rows of the elements of litz that each element of the deck became
+        self.elements: dict[_Key, list[int]] = {}
+        self.node_sets: dict[str, list[_Key]] = {}
+        self.element_sets: dict[str, list[_Key]] = {}
+        self.materials: dict[str, list[float]] = {}
+        self.sections: list[tuple[str, Card]] = []
+        self.left_out: dict[str, int] = {}
+        #: Cards of the parts
+        self.parts: dict[str, list[Card]] = {}
+        self._material = ""
+        #: The instance that is read, and what its names begin with
+        self._instance, self._prefix = "", ""
+        self._part: list[Card] | None = None
+        self._turn: tuple[int, Card] | None = None
+
+    def read(self, card: Card) -> None:
+        """Read a card; cards that do not concern the mesh are ignored."""
+        if card.is_a("END PART"):
+            self._part = None
+        elif card.is_a("PART"):
+            self._part = self.parts.setdefault(str(card["NAME"]).upper(), [])
+        elif self._part is not None:
+            self._part.append(card)
+        elif card.is_a("INSTANCE"):
+            self._begin_instance(card)
+        elif card.is_a("END INSTANCE"):
+            self._end_instance()
+        elif card.is_a("NODE"):
+            self._nodes(card)
+        elif card.is_a("ELEMENT"):
+            self._elements(card)
+        elif card.is_a("NSET"):
+            self._collect(self.node_sets, str(card["NSET"]), card)
+        elif card.is_a("ELSET"):
+            self._collect(self.element_sets, str(card["ELSET"]), card)
+        elif card.is_a("MATERIAL"):
+            self._material = str(card["NAME"])
+        elif card.is_a("ELASTIC") or card.is_a("ELECTRICAL CONDUCTIVITY"):
+            values = [float(value) for value in card.data[0] if isinstance(value, int | float)] if card.data else []
+            self.materials.setdefault(self._material, []).extend(values)
+        elif card.is_a("BEAM SECTION"):
+            self.sections.append((self._prefix, card))
+
+    def mesh(self) -> Mesh:
+        """The mesh that has been read."""
+        self._take_or_leave_trusses()
+        if self.left_out:
+            types = ", ".join(f"{count} of type {kind or 'none'}" for kind, count in self.left_out.items())
+            warnings.warn(f"{self.path}: elements that are not beams are ignored: {types}", stacklevel=5)
+        if self.parts and not self.places:
+            raise FileError(f"{self.path} has parts, but no *INSTANCE of them")
+        try:
+            rows = [(self.row_of[a], self.row_of[b]) for a, b in self.pairs]
+        except KeyError as error:
+            raise FileError(f"{self.path}: an element has the node {error.args[0][1]}, which is not there") from None
+        connectivity = np.array(rows, dtype=np.int64).reshape(-1, 2)
+        mesh = Mesh(np.array(self.places).reshape(-1, 3), connectivity, np.array(self.kinds, dtype=str), path=self.path)
+        for name, nodes in self.node_sets.items():
+            mesh.node_sets[name] = unique_rows(self.row_of[node] for node in nodes if node in self.row_of)
+        for name, elements in self.element_sets.items():
+            mesh.element_sets[name] = unique_rows(row for element in elements for row in self.elements.get(element, ()))
+        sections = list(_sections_of(self.sections, self.materials, self.path))
+        mesh.sections = [(_spelt(name, mesh.element_sets), *properties) for name, *properties in sections]
+        return mesh
+
+    def _begin_instance(self, card: Card) -> None:
+        """Read the part, once more for each instance of it."""
+        part = str(card.get("PART", "")).upper()
+        if part not in self.parts:
+            raise FileError(f"{self.path}: there is no part {card.get('PART')}, of which *INSTANCE makes one")
+        self._instance, self._prefix = str(card["NAME"]).upper(), f"{card['NAME']}."
+        self._turn = len(self.places), card
+        for one in self.parts[part]:
+            self.read(one)
+
+    def _end_instance(self) -> None:
+        """Move the instance to its place, by the data lines of its card: a shift, then a rotation about an axis."""
+        if self._turn is not None:
+            first, card = self._turn
+            lines = [[float(value or 0) for value in row if not isinstance(value, str)] for row in card.data]
+            shift = np.array([*lines[0], 0, 0, 0][:3]) if lines else np.zeros(3)
+            places = np.array(self.places[first:]).reshape(-1, 3) + shift
+            if len(lines) > 1:
+                if len(lines[1]) != 7:
+                    raise FileError(f"{self.path}: the second line of *INSTANCE {card['NAME']} needs seven numbers")
+                places = _rotated(places, np.array(lines[1][:3]), np.array(lines[1][3:6]), lines[1][6])
+            self.places[first:] = places.tolist()
+        self._instance, self._prefix, self._turn = "", "", None
+
+    def _take_or_leave_trusses(self) -> None:
+        """Trusses are wires where there are no beams."""
+        if None not in self.kinds:
+            return
+        if all(kind is None for kind in self.kinds):
+            self.kinds = [""] * len(self.kinds)
+            return
+        beams = [row for row, kind in enumerate(self.kinds) if kind is not None]
+        new = {row: i for i, row in enumerate(beams)}
+        for number, rows in list(self.elements.items()):
+            self.elements[number] = [new[row] for row in rows if row in new]
+            if not self.elements[number]:
+                self.left_out["T3D2 or T3D3"] = self.left_out.get("T3D2 or T3D3", 0) + 1
+        self.pairs = [self.pairs[row] for row in beams]
+        self.kinds = [self.kinds[row] for row in beams]
+
+    def _nodes(self, card: Card) -> None:
+        rows = [(self._key(number, card), place) for number, *place in card.data]
+        for key, place in rows:
+            self.row_of[key] = len(self.places)
+            self.places.append([float(value or 0) for value in [*place, 0, 0, 0][:3]])
+        if "NSET" in card:
+            self._set(self.node_sets, str(card["NSET"])).extend(key for key, _ in rows)
+
+    def _elements(self, card: Card) -> None:
+        kind = str(card.get("TYPE", "")).upper()
+        if kind not in _BEAMS and kind not in _TRUSSES:
+            self.left_out[kind] = self.left_out.get(kind, 0) + len(card.data)
+            return
+        ours, n_nodes = _BEAMS.get(kind) or (None, _TRUSSES[kind])
+        numbers = []
+        for row in card.data:
+            number, *nodes = (self._key(value, card) for value in row)
+            # what follows the nodes along the beam is Abaqus's node for the orientation of the section
+            first = len(self.pairs)
+            self.pairs += itertools.pairwise(nodes[:n_nodes])
+            self.kinds += [ours] * (len(self.pairs) - first)
+            self.elements[number] = list(range(first, len(self.pairs)))
+            numbers.append(number)
+        if "ELSET" in card:
+            self._set(self.element_sets, str(card["ELSET"])).extend(numbers)
+
+    def _collect(self, sets: dict[str, list[_Key]], name: str, card: Card) -> None:
+        """Members of a set: numbers, names of sets, ranges."""
+        members = self._set(sets, name)
+        for row in card.data:
+            if "GENERATE" in card:
+                first, last, *step = (self._key(value, card)[1] for value in row if value is not None)
+                members += [self._key(number, card) for number in range(first, last + 1, *step)]
+                continue
+            for value in row:
+                if isinstance(value, int):
+                    members.append(self._key(value, card))
+                elif value is not None:
+                    members += self._set_named(sets, str(value))
+
+    def _set(self, sets: dict[str, list[_Key]], name: str) -> list[_Key]:
+        """The set of this name, made where there is none; capitals do not matter."""
+        return sets.setdefault(_spelt(self._prefix + name, sets), [])
+
+    def _set_named(self, sets: dict[str, list[_Key]], name: str) -> list[_Key]:
+        """A set of this instance, or else of the whole deck; capitals do not matter."""
+        for wanted in (_spelt(self._prefix + name, sets), _spelt(name, sets)):
+            if wanted in sets:
+                return list(sets[wanted])
+        raise FileError(f"{self.path}: there is no set {name}, which another set has as a member")
+
+    def _key(self, value: object, card: Card) -> _Key:
+        if not isinstance(value, int):
+            raise FileError(f"{self.path}: a line of *{card.name} needs a whole number, not {value!r}")
+        return str(card.get("INSTANCE", self._instance)).upper(), value
+
+
+def _spelt(name: str, names: Iterable[str]) -> str:
+    """The name as the first of the others spells it: capitals do not matter in a deck."""
+    return next((known for known in names if known.upper() == name.upper()), name)
+
+
+def _rotated(places: NDArray, a: NDArray, b: NDArray, degrees: float) -> NDArray:
+    """Turned about the axis from a to b."""
+    length = float(np.linalg.norm(b - a))
+    if not length > 0:
+        raise FileError("the axis of the rotation of an *INSTANCE has no length")
+    axis, angle = (b - a) / length, np.deg2rad(degrees)
+    arms = places - a
+    # Rodrigues' rotation formula
+    along = np.outer(arms @ axis, axis)
+    return a + np.cos(angle) * (arms - along) + np.sin(angle) * np.cross(axis, arms) + along
+
+
+def read_deck(path: Path) -> Mesh:
+    """The beams, sets and sections of a deck."""
+    reader = _DeckReader(path)
+    for card in _cards(Deck.read(path)):
+        if card.is_a("STEP"):
+            break
+        reader.read(card)
+    return reader.mesh()
+
+
+def _sections_of(cards: list[tuple[str, Card]], materials: dict[str, list[float]], path: Path) -> Iterator[tuple]:
+    """Round sections whose material is there."""
+    for prefix, card in cards:
+        shape, name = str(card.get("SECTION", "")).upper(), str(card.get("MATERIAL", ""))
+        values = materials.get(_spelt(name, materials), [])
+        if shape != "CIRC" or len(values) not in (2, 3):
+            warnings.warn(
+                f"{path}: the section of {card.get('ELSET')} is ignored: litz reads SECTION=CIRC with an elastic material",
+                stacklevel=6,
+            )
+            continue
+        yield f"{prefix}{card['ELSET']}", Circular(float(card[0, 0])), Material(name, *values)

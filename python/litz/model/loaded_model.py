@@ -1,0 +1,242 @@
+"""What a deck says: wires, contacts, supports and steps."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+from ..base.names import nearest_name
+from ..deck.keyword_table import check_card, keyword, squeezed
+from ..deck.lines import CardSpec
+from .laws import ContactPair, Friction, Hertz, Interaction, Linear, _Spot
+from .loading import Amplitude, Direction, Prescribed, Target, ranges_of
+from .names import AnyNodes
+from .steps import Step
+from .wire_model import WireModel
+from .wires import WireGroup
+
+#: Maximum number of groups and steps in the description of a model
+_MAX_LISTED = 12
+
+
+class LoadedModel(WireModel):
+    """Wires with their contacts, supports and steps; `Model` writes and runs them."""
+
+    def __init__(self, title: str, comments: Iterable[str] = (), *, units: str | Mapping[str, str] = "SI"):
+        super().__init__()
+        self.title = title
+        self.comments = list(comments)
+        self.contacts: list[ContactPair] = []
+        self.supports: list[Prescribed] = []
+        self.guides: dict[Target, float] = {}
+        self.height: float | None = None
+        self.steps: list[Step] = []
+        self.cards: list[CardSpec] = []
+        self.units = _unit_labels(units)
+
+    def __repr__(self) -> str:
+        """Short description."""
+        lines = [f"<Model {self.title!r}: {len(self._points)} nodes, {self._n_elements} elements"]
+        lines += _shortened([repr(group) for group in self.groups.values()])
+        for pair in self.contacts[:_MAX_LISTED]:
+            among = f"contact {pair.first} with {pair.second}" if pair.second else f"contact among {pair.first}"
+            lines.append(f"{among}: {pair.interaction.name}")
+        lines += _shortened([repr(step) for step in self.steps])
+        return "\n  ".join(lines) + ">"
+
+    def contact(
+        self,
+        first: WireGroup | str | Sequence[WireGroup | str],
+        second: WireGroup | str | Sequence[WireGroup | str] | None = None,
+        *,
+        behaviour: Hertz | Linear | None = None,
+        conductance: _Spot | None = None,
+        friction: Friction | float | None = None,
+        axis: str = "HERMITE",
+        name: str | None = None,
+        interaction: Interaction | None = None,
+        interference_fit: bool = False,
+    ) -> ContactPair:
+        """Let wires touch: those of `first` and those of `second`, or those of `first` among each other.
+
+        Parameters
+        ----------
+        first, second : WireGroup, str, or sequence of them
+            Groups or element sets; of several an element set is made.
+        behaviour : Hertz or Linear, optional
+            Contact force over penetration; Hertz when left out.
+        conductance : HertzSpot, PaperSpot, PlasticSpot, FilmSpot, ConstantSpot or TableSpot, optional
+            Resistance of the spots; without it no current crosses.
+        friction : Friction or float, optional
+            Friction, or its coefficient [-]; without it the wires slide freely.
+        axis : {"HERMITE", "LINEAR"}
+            Interpolation of the axes that touch.
+        name : str, optional
+            Name of the interaction.
+        interaction : Interaction, optional
+            All the laws at once, in place of the arguments above.
+        interference_fit : bool
+            Initial overlaps of the wires are intended.
+        """
+        laws = {"behaviour": behaviour, "conductance": conductance, "friction": friction}
+        given = [law for law, value in laws.items() if value is not None]
+        if interaction is not None and (given or name is not None):
+            raise ValueError(f"contact takes interaction, or {' and '.join(given or ['name'])}, not both")
+        if interaction is None:
+            behaviour = Hertz() if behaviour is None else behaviour
+            interaction = self._named(Interaction("TOUCH", behaviour, conductance, friction, axis), name)
+        elif any(known.name == interaction.name and known != interaction for known in self.interactions):
+            raise ValueError(f"there is another interaction of the name {interaction.name}")
+        sets = [self._joined(elements) for elements in (first, second) if elements is not None]
+        if any({known.first, known.second or known.first} == set(sets) for known in self.contacts):
+            raise ValueError(f"there is a contact of {' with '.join(sets)} already")
+        pair = ContactPair(interaction, sets[0], sets[1] if len(sets) > 1 else None, interference_fit)
+        self.contacts.append(pair)
+        return pair
+
+    def _named(self, laws: Interaction, name: str | None) -> Interaction:
+        """The laws under a unique name; equal laws share it."""
+        known = {one.name: one for one in self.interactions}
+
+        def of_name(name: str) -> Interaction:
+            return Interaction(name, laws.behaviour, laws.conductance, laws.friction, laws.axis)
+
+        if name is not None:
+            if known.get(name, of_name(name)) != of_name(name):
+                raise ValueError(f"there is another interaction of the name {name}")
+            return of_name(name)
+        names = ["TOUCH", *(f"TOUCH{number}" for number in range(2, len(known) + 3))]
+        return next(of_name(one) for one in names if known.get(one, of_name(one)) == of_name(one))
+
+    def _joined(self, elements: WireGroup | str | Sequence[WireGroup | str]) -> str:
+        """One element set for groups and sets."""
+        if isinstance(elements, str | WireGroup):
+            return self.element_set_of(elements)
+        names = [self.element_set_of(one) for one in elements]
+        if len(names) == 1:
+            return names[0]
+        for known, members in self.element_sets.items():
+            if members == names:
+                return known
+        name = "_".join(names) if len(names) <= 3 else f"{names[0]}_TO_{names[-1]}"
+        return self.element_set(name, names)
+
+    def fix(self, nodes: AnyNodes, *directions: Direction) -> None:
+        """Hold degrees of freedom at zero from the start, before the first step.
+
+        Parameters
+        ----------
+        nodes : int, str, Nodes, WireGroup or sequence
+            Where.
+        *directions : str or int
+            "x", "y", "z", "rx", "ry", "rz", "potential" or their numbers 1-6, 9; "pinned" (1-3), "rotations" (4-6),
+            "encastre" (1-6), which is meant without any.
+        """
+        target = self.target(nodes)
+        self.supports += [Prescribed(target, first, last) for first, last in ranges_of(directions)]
+
+    def amplitude(self, name: str, t: Sequence[float], a: Sequence[float], time: str = "STEP TIME") -> Amplitude:
+        """Define a factor `a` [-] over the times `t` [s] of the step, or with `time="TOTAL TIME"` of all steps."""
+        if name in self.amplitudes:
+            raise ValueError(f"there is an amplitude {name} already")
+        amplitude = Amplitude(name, tuple(t), tuple(a), time)
+        self.amplitudes[name] = amplitude
+        return amplitude
+
+    def step(self, name: str | None = None, **options: Any) -> Step:
+        """Add a step.
+
+        Parameters
+        ----------
+        name : str, optional
+            Name of the step.
+        total : float
+            Time of the step [s]; 1 when left out.
+        increment : float
+            First and largest increment [s]; the whole step when left out.
+        first, smallest, largest : float
+            The increments one by one [s], in place of `increment` where they are given.
+        inc : int
+            Maximum number of increments; default: ten times as many as the largest increment needs, at least 100.
+        direct : bool
+            Increments of the fixed size `first`.
+        boundary_op, cload_op, cecurrent_op : {"MOD", "NEW"}
+            NEW removes what earlier steps have prescribed or loaded.
+        """
+        name = f"STEP{len(self.steps) + 1}" if name is None else name
+        if any(squeezed(step.name) == squeezed(name) for step in self.steps):
+            raise ValueError(f"there is a step {name} already")
+        allowed = list(Step.__init__.__kwdefaults__ or ())
+        unknown = set(options) - set(allowed)
+        if unknown:
+            option = sorted(unknown)[0]
+            raise ValueError(f"a step has no {option}{nearest_name(option, allowed)}; there are: {', '.join(allowed)}")
+        step = Step(self, name, **options)
+        self.steps.append(step)
+        return step
+
+    def press(self, displacement: float, *, voltage: float | None = None, name: str = "PRESS", **options: Any) -> Step:
+        """Add a step that moves the guided nodes of a generated model down, along -z.
+
+        Parameters
+        ----------
+        displacement : float
+            Displacement at the end of the step of the nodes with factor 1 [m]; at most `height`.
+        voltage : float, optional
+            Between the node sets PLUS and MINUS, with MINUS at 0 V [V]; None: the step prescribes no potential.
+        name : str
+            Name of the step.
+        **options
+            As those of `step`; `increment` is a tenth of the step when left out.
+
+        Notes
+        -----
+        Where wires rub or snap, damping helps a run to its end: `model.press(...).controls("STABILIZE")`; the summary of
+        the run says how much energy that took.
+        """
+        if not self.guides:
+            raise ValueError("this model has no guides that a pressing could move; give them by model.guides")
+        if self.height is not None and 0 < self.height < displacement:
+            raise ValueError(
+                f"pressed by {displacement:g} m, this model of {self.height:g} m height would be turned upside down: "
+                "press by less than its height"
+            )
+        options.setdefault("increment", 0.1 * options.get("total", 1.0))
+        step = self.step(name, **options)
+        for target, share in self.guides.items():
+            step.move(target, "z", -displacement * share)
+        if voltage is not None:
+            step.potential("PLUS", voltage)
+            step.potential("MINUS", 0.0)
+            step.electrode_print("PLUS", "MINUS")
+        return step
+
+    def card(self, name: str, parameters: dict[str, Any] | None = None, rows: list | None = None) -> None:
+        """Add any card of the model part that the keyword table has; it is written before the first step."""
+        spec = (name.removeprefix("*").upper(), parameters or {}, rows or [])
+        if keyword(name)["place"] in ("step", "begins step"):
+            raise ValueError(f"*{spec[0]} stands in a step: Step.card adds it")
+        check_card(*spec)
+        self.cards.append(spec)
+
+    @property
+    def interactions(self) -> list[Interaction]:
+        """The interactions in the order of their first use."""
+        return list(dict.fromkeys(pair.interaction for pair in self.contacts))
+
+
+def _unit_labels(units: str | Mapping[str, str]) -> dict[str, str]:
+    """Parameters of *UNITS; none for SI."""
+    if isinstance(units, str):
+        if units.upper() != "SI":
+            raise ValueError(f'units must be "SI" or labels such as {{"length": "mm", "force": "mN"}}, not {units!r}')
+        return {}
+    labels = {name.upper(): label for name, label in units.items()}
+    check_card("UNITS", labels)
+    return labels
+
+
+def _shortened(lines: list[str]) -> list[str]:
+    if len(lines) <= _MAX_LISTED:
+        return lines
+    return [*lines[:_MAX_LISTED], f"... {len(lines) - _MAX_LISTED} more"]

@@ -1,0 +1,413 @@
+"""The charts of results, each drawn into matplotlib axes or a figure that the caller has made."""
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.axis import Axis
+from matplotlib.figure import Figure
+from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter, StrMethodFormatter
+
+from ..base.quantities import engineering, label
+from ..base.table import Table
+from ..results import Results
+
+_ONE_COLOUR = "#2a6f97"
+# More lines than this have one colour or become a band
+_MAX_LINES = 12
+_FIELD_COLUMNS = {"force": "force", "moment": "moment", "current": "current"}
+
+
+def resistance(figure: Figure, results: Results, increment: int) -> None:
+    """Contact resistance over contact force."""
+    resistance_over_force(figure.add_subplot(), results, increment)
+
+
+def residuals(figure: Figure, results: Results, increment: int) -> None:
+    """A chart for each field of the equilibrium that has a residual."""
+    table = results.convergence
+    names = [name for name in _FIELD_COLUMNS if table[name].any()] or ["force"]
+    all_axes = figure.subplots(len(names), 1, sharex=True, squeeze=False)[:, 0]
+    for axes, name in zip(all_axes, names, strict=True):
+        residual_lines(axes, table, name)
+    all_axes[-1].set_xlabel("iteration")
+    _name_increments(figure, all_axes, table)
+
+
+def contacts(figure: Figure, results: Results, increment: int) -> None:
+    """Number, forces, spots and heat of the contacts over time."""
+    ((number, forces), (spots, heat)) = figure.subplots(2, 2)
+    contact_number(number, results)
+    forces_over_time(forces, results, increment)
+    spot_sizes(spots, results, increment)
+    contact_heat(heat, results)
+
+
+def currents(figure: Figure, results: Results, increment: int) -> None:
+    """Current of each wire, and along the wires."""
+    upper, lower = figure.subplots(2, 1)
+    current_per_wire(upper, results, increment)
+    current_along_wires(lower, results, increment)
+
+
+def history(figure: Figure, results: Results, increment: int) -> None:
+    """The columns that the deck asked for, a chart for each quantity."""
+    table = results.history
+    names = [name for name in table if name not in ("step", "increment", "time")]
+    if not names:
+        nothing_to_draw(figure.add_subplot(), "The deck asks for no history (*NODE PRINT, *EL PRINT, *ELECTRODE PRINT)")
+        return
+    groups: dict[tuple[str, str], list[str]] = {}
+    for name in names:
+        groups.setdefault((_quantity(name), table.units[name]), []).append(name)
+    figure.set_figheight(1.0 + 1.8 * len(groups))
+    all_axes = figure.subplots(len(groups), 1, sharex=True, squeeze=False)[:, 0]
+    for axes, ((quantity, unit), members) in zip(all_axes, groups.items(), strict=True):
+        _history_of_one_quantity(axes, table, members, quantity, unit)
+    all_axes[-1].set_xlabel(time_label(results))
+
+
+def _quantity(column: str) -> str:
+    """Quantity of a column of the history: its identifier, or a common name of related ones."""
+    symbol = column.split(maxsplit=1)[0].rstrip("123")
+    if symbol.startswith("ALL") or symbol == "ETOTAL":
+        return "energy"
+    return {"N": "section force", "Q": "section force", "T": "section moment", "M": "section moment"}.get(
+        symbol, symbol
+    )
+
+
+def _history_of_one_quantity(axes: Axes, table: Table, names: list[str], quantity: str, unit: str) -> None:
+    factor, symbol = engineering(np.concatenate([table[name] for name in names]), unit)
+    for i, name in enumerate(names):
+        legend = name if i < _MAX_LINES else None
+        axes.plot(
+            table["time"], factor * table[name], **_marker(table.n_rows), color=colour_of(i, len(names)), label=legend
+        )
+    if len(names) > _MAX_LINES:
+        axes.plot([], [], " ", label=f"and {len(names) - _MAX_LINES} more")
+    axes.set_ylabel(label(quantity, symbol))
+    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+
+
+def resistance_over_force(axes: Axes, results: Results, increment: int) -> None:
+    """All contacts at all increments; straight lines show the powers that exact laws have."""
+    ledger = results.contacts
+    axes.set_title("Contact resistance")
+    shown = ledger.where((ledger["resistance"] < np.inf) & (ledger["force"] > 0))
+    if not shown.n_rows:
+        nothing_to_draw(axes, "No current can pass a contact")
+        return
+    force_factor, force_unit = engineering(shown["force"], results.unit_labels["N"])
+    factor, unit = engineering(shown["resistance"], results.unit_labels["ohm"])
+    force, ohms = force_factor * shown["force"], factor * shown["resistance"]
+    ids = np.unique(shown["id"])
+    if len(ids) <= _MAX_LINES:
+        for i, contact in enumerate(ids):
+            one = shown["id"] == contact
+            order = np.argsort(force[one])
+            axes.plot(
+                force[one][order],
+                ohms[one][order],
+                "o-",
+                markersize=4,
+                color=colour_of(i, len(ids)),
+                label=f"contact {contact}",
+            )
+        if len(ids) > 1:
+            axes.legend(loc="upper right")
+    else:
+        angle = np.degrees(shown["angle"])
+        if np.ptp(angle) > 1:
+            dots = axes.scatter(force, ohms, c=angle, s=10, cmap="viridis", edgecolors="none")
+            axes.figure.colorbar(dots, ax=axes, label="crossing angle [°]", pad=0.02)
+        else:
+            axes.scatter(force, ohms, s=10, color=_ONE_COLOUR, edgecolors="none")
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.margins(0.08)
+    for axis in (axes.xaxis, axes.yaxis):
+        _number_log_axis(axis)
+    _power_lines(axes, force, ohms)
+    axes.set_xlabel(label("contact force", force_unit))
+    axes.set_ylabel(label("resistance", unit))
+
+
+def _number_log_axis(axis: Axis) -> None:
+    """Plain numbers, several in each decade, where there are few decades; else powers of ten."""
+    low, high = axis.get_view_interval()
+    if high / low < 200:
+        axis.set_major_locator(LogLocator(subs=(1, 2, 5) if high / low > 10 else (1, 1.5, 2, 3, 4, 5, 6, 8)))
+        axis.set_major_formatter(StrMethodFormatter("{x:g}"))
+        axis.set_minor_formatter(NullFormatter())
+
+
+def _power_lines(axes: Axes, force: np.ndarray, ohms: np.ndarray) -> None:
+    """R ~ F^(-1/3), elastic spots, and F^(-1/2), plastic ones, through the middle of the data."""
+    if force.max() < 1.5 * force.min():
+        return
+    middle, there = np.exp(np.log(force).mean()), np.exp(np.log(ohms).mean())
+    ends = np.array([force.min(), force.max()])
+    limits = axes.get_ylim()
+    for power, text, style in ((-1 / 3, "−1/3 (Hertz)", "--"), (-1 / 2, "−1/2 (plastic)", ":")):
+        axes.plot(
+            ends,
+            there * (ends / middle) ** power,
+            style,
+            color="#888888",
+            linewidth=1.0,
+            zorder=1,
+            label=f"slope {text}",
+        )
+    axes.set_ylim(limits)
+    axes.legend(loc="best")
+
+
+def residual_of_last_increment(axes: Axes, results: Results, increment: int) -> None:
+    """All fields over their allowed values, for the increment that is shown."""
+    table = results.convergence
+    one = table.where(
+        (table["step"] == results.steps[increment]) & (table["increment"] == results.increments[increment])
+    )
+    axes.set_title("Convergence of this increment")
+    if not one.n_rows:
+        nothing_to_draw(axes, "No iterations are recorded")
+        return
+    one = one.where(one["attempt"] == one["attempt"].max())
+    for i, name in enumerate(_FIELD_COLUMNS):
+        allowed = one[f"{name}_allowed"]
+        ratio = np.divide(one[name], allowed, out=np.zeros(one.n_rows), where=allowed > 0)
+        if ratio.any():
+            axes.semilogy(
+                one["iteration"],
+                np.where(ratio > 0, ratio, np.nan),
+                "o-",
+                markersize=4,
+                color=colour_of(i, 3),
+                label=name,
+            )
+    axes.axhline(1.0, color="#888888", linestyle="--", linewidth=1.0)
+    axes.annotate(
+        "allowed",
+        (1.0, 1.0),
+        xycoords=("axes fraction", "data"),
+        ha="right",
+        va="bottom",
+        color="#666666",
+        fontsize="small",
+    )
+    axes.xaxis.set_major_locator(MaxNLocator(integer=True))
+    axes.set_xlabel("iteration")
+    axes.set_ylabel("residual / allowed")
+    axes.legend(loc="best")
+
+
+def residual_lines(axes: Axes, table: Table, name: str) -> None:
+    """Residual norm of one field: a line for each try of each increment, its allowed value dashed in its colour."""
+    tries = np.stack([table["step"], table["increment"], table["attempt"]], axis=1)
+    distinct = np.unique(tries, axis=0)
+    colours = _gradient()(np.linspace(0.0, 1.0, len(distinct)))
+    last_attempt = {(step, increment): attempt for step, increment, attempt in distinct}
+    few = len(distinct) <= _MAX_LINES
+    for one, colour in zip(distinct, colours, strict=True):
+        rows = table.where(np.all(tries == one, axis=1))
+        size = np.where(rows[name] > 0, rows[name], np.nan)
+        step, increment, attempt = one
+        failed = attempt < last_attempt[step, increment]
+        text = f"{step}.{increment}" + (f", try {attempt}" if last_attempt[step, increment] > 1 else "")
+        style = {"linestyle": ":", "marker": "x"} if failed else {"linestyle": "-", "marker": "o"}
+        axes.semilogy(
+            rows["iteration"], size, markersize=4, linewidth=1.3, color=colour, label=text if few else None, **style
+        )
+        axes.semilogy(rows["iteration"], rows[f"{name}_allowed"], "--", color=colour, linewidth=0.9, alpha=0.8)
+    axes.set_title(f"{name.capitalize()} residual, dashed: allowed")
+    axes.set_ylabel(f"norm [{engineering(np.zeros(1), table.units[name])[1]}]")
+    axes.xaxis.set_major_locator(MaxNLocator(integer=True))
+
+
+def _name_increments(figure: Figure, all_axes: np.ndarray, table: Table) -> None:
+    """One legend for all charts of residuals, or a colour bar where the lines are many."""
+    handles, _ = all_axes[0].get_legend_handles_labels()
+    if handles:
+        all_axes[0].legend(title="step.increment", loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        return
+    n = len(np.unique(np.stack([table["step"], table["increment"], table["attempt"]], axis=1), axis=0))
+    bar = figure.colorbar(
+        mpl.cm.ScalarMappable(mpl.colors.Normalize(1, n), _gradient()), ax=list(all_axes), pad=0.02, aspect=40
+    )
+    bar.locator = MaxNLocator(integer=True)
+    bar.set_label("tries of increments, in the order of the run")
+
+
+def _gradient() -> mpl.colors.Colormap:
+    """Viridis without its palest part, which is hard to see on white."""
+    return mpl.colors.ListedColormap(mpl.colormaps["viridis"](np.linspace(0.0, 0.88, 256)))
+
+
+def contact_number(axes: Axes, results: Results) -> None:
+    """Number of contacts over time."""
+    axes.set_title("Number of contacts")
+    times, counts = _per_increment(results, np.ones(results.contacts.n_rows))
+    axes.plot(
+        times, counts, drawstyle="steps-post" if len(times) > 1 else "default", **_marker(len(times)), color=_ONE_COLOUR
+    )
+    axes.yaxis.set_major_locator(MaxNLocator(integer=True))
+    axes.set_ylim(bottom=0)
+    axes.set_xlabel(time_label(results))
+
+
+def contact_heat(axes: Axes, results: Results) -> None:
+    """Heat of all contacts, and that of the wires, over time."""
+    axes.set_title("Joule heat")
+    times, spots = _per_increment(results, results.contacts["joule_heat"])
+    wires = results.field("joule_heat", None).sum(axis=1)
+    if not (spots.any() or wires.any()):
+        nothing_to_draw(axes, "No current flows")
+        return
+    factor, unit = engineering(np.concatenate([spots, wires]), results.unit_labels["W"])
+    axes.plot(times, factor * spots, **_marker(len(times)), color=colour_of(1, 3), label="contacts")
+    axes.plot(results.times, factor * wires, **_marker(len(times)), color=colour_of(0, 3), label="wires")
+    axes.set_xlabel(time_label(results))
+    axes.set_ylabel(label("heat", unit))
+    axes.legend(loc="best")
+
+
+def forces_over_time(axes: Axes, results: Results, increment: int) -> None:
+    """Force of each contact over time, or of many the range and the median."""
+    ledger = results.contacts
+    axes.set_title("Contact forces")
+    axes.set_xlabel(time_label(results))
+    if not ledger.n_rows:
+        nothing_to_draw(axes, "There are no contacts")
+        return
+    factor, unit = engineering(ledger["force"], results.unit_labels["N"])
+    axes.set_ylabel(label("force", unit))
+    ids = np.unique(ledger["id"])
+    if len(ids) <= _MAX_LINES:
+        for i, contact in enumerate(ids):
+            # an open contact is not in the ledger: its force is zero
+            times, force = _per_increment(results, np.where(ledger["id"] == contact, ledger["force"], 0.0))
+            axes.plot(
+                times,
+                factor * force,
+                **_marker(len(times)),
+                color=colour_of(i, len(ids)),
+                label=f"contact {contact}",
+            )
+        if len(ids) > 1:
+            axes.legend(loc="best", ncols=2 if len(ids) > 6 else 1)
+    else:
+        times = np.unique(ledger["time"])
+        spread = np.array(
+            [np.percentile(factor * ledger["force"][ledger["time"] == t], (0, 25, 50, 75, 100)) for t in times]
+        )
+        axes.fill_between(times, spread[:, 0], spread[:, 4], color=_ONE_COLOUR, alpha=0.15, linewidth=0, label="all")
+        axes.fill_between(
+            times, spread[:, 1], spread[:, 3], color=_ONE_COLOUR, alpha=0.35, linewidth=0, label="half of them"
+        )
+        axes.plot(times, spread[:, 2], **_marker(len(times)), color=_ONE_COLOUR, label="median")
+        axes.legend(loc="best")
+    axes.set_ylim(bottom=0)
+
+
+def spot_sizes(axes: Axes, results: Results, increment: int) -> None:
+    """Semi-axes of the spots over force, at the increment that is shown."""
+    now = results.contacts_at(increment)
+    axes.set_title(f"Spots at time {results.times[increment]:g} {results.unit_labels['s']}")
+    if not now.n_rows or not now["semi_major"].any():
+        nothing_to_draw(axes, "There are no spots")
+        return
+    force_factor, force_unit = engineering(now["force"], results.unit_labels["N"])
+    factor, unit = engineering(now["semi_major"], results.unit_labels["m"])
+    force = force_factor * now["force"]
+    # rings around dots: both are seen where the spot is a circle
+    axes.plot(
+        force, factor * now["semi_major"], "o", markersize=8, fillstyle="none", color=colour_of(0, 3), label="longer"
+    )
+    axes.plot(force, factor * now["semi_minor"], "o", markersize=4, color=colour_of(1, 3), label="shorter")
+    axes.margins(0.08)
+    axes.set_ylim(bottom=0)
+    axes.set_xlabel(label("force", force_unit))
+    axes.set_ylabel(label("semi-axis", unit))
+    axes.legend(loc="best")
+
+
+def displacement_over_time(axes: Axes, results: Results, increment: int) -> None:
+    """Largest displacement over time."""
+    size = np.linalg.norm(results.field("displacement", None), axis=2).max(axis=1)
+    factor, unit = engineering(size, results.unit_labels["m"])
+    axes.plot(results.times, factor * size, **_marker(len(size)), color=_ONE_COLOUR)
+    axes.set_title("Largest displacement")
+    axes.set_xlabel(time_label(results))
+    axes.set_ylabel(label("displacement", unit))
+
+
+def current_per_wire(axes: Axes, results: Results, increment: int) -> None:
+    """Mean current of each wire as a bar; a line shows its range along the wire."""
+    wires = results.wires
+    current = results.field("element_current", increment)
+    factor, unit = engineering(current, results.unit_labels["A"])
+    along = [factor * wire.signs * current[wire.elements] for wire in wires]
+    mean, low, high = (np.array([f(one) for one in along]) for f in (np.mean, np.min, np.max))
+    place = np.arange(1, len(wires) + 1)
+    axes.bar(place, mean, width=0.75 if len(wires) <= 60 else 1.0, color=_ONE_COLOUR)
+    axes.vlines(place, low, high, color="#1b1b1b", linewidth=1.2 if len(wires) <= 60 else 0.5)
+    axes.axhline(0, color="#888888", linewidth=0.8)
+    axes.set_title("Current per wire: mean, and range along it")
+    axes.xaxis.set_major_locator(MaxNLocator(integer=True))
+    axes.grid(visible=False, axis="x")
+    axes.set_xlabel("wire")
+    axes.set_ylabel(label("current", unit))
+
+
+def current_along_wires(axes: Axes, results: Results, increment: int) -> None:
+    """Current over the arc length of each wire; it jumps where current crosses a contact."""
+    wires = results.wires
+    current = results.field("element_current", increment)
+    factor, unit = engineering(current, results.unit_labels["A"])
+    length_factor, length_unit = engineering(np.ptp(results.nodes, axis=0), results.unit_labels["m"])
+    few = len(wires) <= _MAX_LINES
+    for i, wire in enumerate(wires):
+        length = np.linalg.norm(np.diff(results.nodes[wire.nodes], axis=0), axis=1)
+        edges = length_factor * np.concatenate(([0.0], np.cumsum(length)))
+        values = factor * wire.signs * current[wire.elements]
+        axes.stairs(values, edges, baseline=None, color=colour_of(i, len(wires)), alpha=1.0 if few else 0.5,
+                    linewidth=1.6 if few else 0.8, label=f"wire {i + 1}" if few else None)  # fmt: skip
+    axes.set_title("Current along the wires")
+    axes.set_xlabel(label("reference arc length", length_unit))
+    axes.set_ylabel(label("current", unit))
+    if few and len(wires) > 1:
+        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+
+
+def _per_increment(results: Results, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Times of the increments, and the sum of a quantity over the contacts at each."""
+    ledger, times = results.contacts, results.times
+    sums = [
+        values[(ledger["step"] == s) & (ledger["increment"] == i)].sum()
+        for s, i in zip(results.steps, results.increments, strict=True)
+    ]
+    return times, np.array(sums)
+
+
+def colour_of(i: int, n: int) -> str | tuple[float, float, float, float]:
+    """Colour-blind safe colours for few lines, a gradient for many."""
+    few = ["#2a6f97", "#e8502a", "#5b8e3e", "#8e5ba6", "#c99700", "#4d4d4d"]
+    return few[i] if n <= len(few) else _gradient()(i / max(1, n - 1))
+
+
+def _marker(n: int) -> dict:
+    """Marker of a line: none if the points are too dense."""
+    return {"marker": "o", "markersize": 4} if n <= 40 else {}
+
+
+def time_label(results: Results) -> str:
+    """Label of an axis of time."""
+    return label("time", results.unit_labels["s"])
+
+
+def nothing_to_draw(axes: Axes, text: str) -> None:
+    """State in an empty chart why it is empty."""
+    axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color="#666666")
+    axes.set_xticks([])
+    axes.set_yticks([])
+    axes.grid(visible=False)

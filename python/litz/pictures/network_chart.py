@@ -1,0 +1,141 @@
+"""The contact network as a graph: wires are dots, the contacts between them are lines."""
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
+from matplotlib.figure import Figure
+
+from ..base.quantities import engineering, label
+from ..results import Results
+from ..results.network import ContactNetwork, contact_network
+
+_WIDEST_LINE = 7.0
+_WIDEST_OF_MANY = 4.0
+_THINNEST_LINE = 0.3
+_MAX_NAMES = 60
+_ROUNDS = 200
+
+
+def network(figure: Figure, results: Results, increment: int) -> None:
+    """Wires as dots, coloured by their voltage; lines as thick as the current, or else the force, between two wires."""
+    graph = contact_network(results, increment)
+    n_wires = len(graph.wire_length)
+    by = "current" if graph.current.any() else "force"
+    pairs, size = between_wires(graph, by)
+    places = turned(layout(n_wires, pairs), graph.wire_potential)
+    axes = figure.add_subplot()
+    axes.set_axis_off()
+    _draw_lines(axes, places, pairs, size)
+    _draw_wires(figure, axes, places, graph, results.unit_labels["V"])
+    factor, unit = engineering(size, results.unit_labels[{"current": "A", "force": "N"}[by]])
+    largest = f"; the thickest line is {size.max() * factor:.3g} {unit}" if len(size) else ""
+    figure.suptitle(
+        f"Contact network at time {results.times[increment]:g} {results.unit_labels['s']}: {n_wires} wires, {_counted(graph)}",
+        x=0.005, ha="left", fontsize="large", fontweight="bold",
+    )  # fmt: skip
+    axes.set_title(f"lines: {by} between two wires{largest}\ndots: wires, the larger the more contacts",
+                   fontsize="small", fontweight="normal", color="#404040")  # fmt: skip
+
+
+def _counted(graph: ContactNetwork) -> str:
+    return f"{len(graph.id)} contact" + "s" * (len(graph.id) != 1)
+
+
+def between_wires(graph: ContactNetwork, by: str) -> tuple[np.ndarray, np.ndarray]:
+    """Pairs of wires (m, 2) that touch, and the sum of current [A] or force [N] over the contacts of each, (m).
+
+    A current counts from the first wire of a pair to the second, so that what flows to and fro cancels.
+    """
+    if not len(graph.id):
+        return np.zeros((0, 2), dtype=int), np.zeros(0)
+    ordered = np.sort(graph.wires, axis=1)
+    sign = np.where(graph.wires[:, 0] == ordered[:, 0], 1.0, -1.0) if by == "current" else 1.0
+    pairs, place = np.unique(ordered, axis=0, return_inverse=True)
+    return pairs, np.abs(np.bincount(place.ravel(), weights=sign * getattr(graph, by), minlength=len(pairs)))
+
+
+def layout(n: int, pairs: np.ndarray) -> np.ndarray:
+    """Places of n dots in the plane, (n, 2): lines pull their ends together, dots push each other apart.
+
+    The method of T. Fruchterman and E. Reingold (Software: Practice and Experience 21, 1991), from dots on a spiral, so
+    that the same network has the same picture. Dots without a line stand in a row below.
+    """
+    tied = np.unique(pairs)
+    loose = np.setdiff1d(np.arange(n), tied)
+    number = np.full(n, -1)
+    number[tied] = np.arange(len(tied))
+    places = np.zeros((n, 2))
+    if len(tied):
+        places[tied] = _spread(len(tied), number[pairs])
+    if len(loose):
+        places[loose] = np.stack([np.linspace(-1, 1, len(loose) + 2)[1:-1], np.full(len(loose), -1.2)], axis=1)
+    return places
+
+
+def turned(places: np.ndarray, potential: np.ndarray) -> np.ndarray:
+    """Places (n, 2) with the longest extent across, and the higher potential (n) [V] on the left."""
+    centred = places - places.mean(axis=0)
+    axes = np.linalg.svd(centred, full_matrices=False)[2]
+    flat = centred @ axes.T
+    if flat[:, 0] @ (potential - potential.mean()) > 0:
+        flat = -flat
+    return flat
+
+
+def _spread(n: int, pairs: np.ndarray) -> np.ndarray:
+    angle = 2.4 * np.arange(n)
+    places = np.sqrt((np.arange(n) + 0.5) / n)[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    spacing = np.sqrt(np.pi / n)
+    for step in np.linspace(0.2, 0.002, _ROUNDS):
+        apart = places[:, None] - places[None]
+        square = np.maximum(np.sum(apart**2, axis=2), 1e-6)
+        push = spacing**2 * np.sum(apart / square[:, :, None], axis=1)
+        along = places[pairs[:, 1]] - places[pairs[:, 0]]
+        pull = along * np.linalg.norm(along, axis=1, keepdims=True) / spacing
+        for end, sign in ((0, 1.0), (1, -1.0)):
+            for axis in range(2):
+                push[:, axis] += sign * np.bincount(pairs[:, end], weights=pull[:, axis], minlength=n)
+        length = np.maximum(np.linalg.norm(push, axis=1, keepdims=True), 1e-12)
+        places += push / length * np.minimum(length, step)
+    places -= places.mean(axis=0)
+    return places / np.abs(places).max()
+
+
+def _draw_lines(axes: Axes, places: np.ndarray, pairs: np.ndarray, size: np.ndarray) -> None:
+    if not len(pairs):
+        return
+    order = np.argsort(size)
+    part = size[order] / max(size.max(), np.finfo(float).tiny)
+    grey = 0.80 - 0.55 * part
+    widest = _WIDEST_LINE if len(pairs) <= _MAX_NAMES else _WIDEST_OF_MANY
+    axes.add_collection(
+        LineCollection(
+            places[pairs[order]], linewidths=_THINNEST_LINE + (widest - _THINNEST_LINE) * part,
+            colors=np.stack([grey] * 3, axis=1), capstyle="round", zorder=1,
+        )
+    )  # fmt: skip
+
+
+def _draw_wires(figure: Figure, axes: Axes, places: np.ndarray, graph: ContactNetwork, unit_of_voltage: str) -> None:
+    n = len(places)
+    touching = np.bincount(graph.wires.ravel(), minlength=n)
+    largest = 420 if n <= _MAX_NAMES else 160
+    area = largest * (0.35 + 0.65 * touching / max(touching.max(), 1))
+    has_voltage = np.ptp(graph.wire_potential) > 0
+    factor, unit = engineering(graph.wire_potential, unit_of_voltage)
+    value = factor * graph.wire_potential
+    dots = axes.scatter(
+        *places.T, s=area, c=value if has_voltage else "#2a6f97", cmap="viridis" if has_voltage else None,
+        edgecolors="white", linewidths=1.0, zorder=2,
+    )  # fmt: skip
+    if has_voltage:
+        bar = figure.colorbar(dots, ax=axes, shrink=0.7, pad=0.02, aspect=30)
+        bar.set_label(label("mean potential of the wire", unit))
+        bar.outline.set_visible(False)
+    if n <= _MAX_NAMES:
+        for wire, (x, y) in enumerate(places):
+            bright = has_voltage and mpl.colors.Normalize(value.min(), value.max())(value[wire]) > 0.6
+            axes.annotate(str(wire + 1), (x, y), ha="center", va="center", fontsize="small", zorder=3,
+                          color="#1b1b1b" if bright else "white")  # fmt: skip
+    axes.margins(0.08)

@@ -1,0 +1,264 @@
+"""Pictures of results: `plot(results)` for an overview, `plot(results, "residuals")` and the like for one thing."""
+
+import textwrap
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.text import Text
+
+from ..base.names import unknown_name
+from ..base.notebook import Picture
+from ..errors import FileError
+from ..results import Results
+from . import charts, friction_charts, network_chart
+from .scene import VIEWS, Camera, Scene, SceneMaker, aim
+from .wire_picture import WITHOUT_OPENGL, draw_frame, draw_wires, render
+
+STYLE = {
+    "font.size": 10,
+    "font.family": "sans-serif",
+    "axes.titlesize": 11,
+    "axes.titleweight": "bold",
+    "axes.titlelocation": "left",
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "grid.color": "#e4e4e4",
+    "grid.linewidth": 0.7,
+    "legend.frameon": False,
+    "legend.fontsize": "small",
+    "lines.linewidth": 1.6,
+    "savefig.facecolor": "white",
+}
+_DPI = 150
+_MIN_PIXELS = 200
+
+
+@dataclass(frozen=True)
+class Look:
+    """How the wires are shown; the attributes are those arguments of `plot`."""
+
+    field: str | None = None
+    scale: float = 1.0
+    spots: str | None = None
+    reference: bool = True
+    view: tuple[float, float, float] | str | None = None
+
+    def __post_init__(self) -> None:
+        """Check the arguments."""
+        if self.spots not in (None, "current", "force", "none"):
+            raise ValueError(f'spots may be "current", "force" or "none", not {self.spots!r}')
+        if isinstance(self.view, str) and self.view not in VIEWS:
+            raise ValueError(unknown_name("view", self.view, VIEWS))
+
+    @property
+    def direction(self) -> tuple[float, float, float] | None:
+        """Direction to the viewer; None: one that shows the model well."""
+        return VIEWS[self.view] if isinstance(self.view, str) else self.view
+
+    def scenes(self, results: Results, increments: list[int]) -> SceneMaker:
+        """What is seen at increments."""
+        return SceneMaker(results, increments, self.field, self.scale, self.spots, self.reference)
+
+
+def plot(
+    results: Results | str | Path,
+    kind: str = "overview",
+    filename: str | Path | None = None,
+    *,
+    increment: int = -1,
+    field: str | None = None,
+    scale: float = 1.0,
+    spots: str | None = None,
+    reference: bool = True,
+    view: tuple[float, float, float] | str | None = None,
+    size: tuple[int, int] | None = None,
+) -> Picture:
+    """Draw results into a picture file.
+
+    Parameters
+    ----------
+    results : Results or path
+        What `Results` takes.
+    kind : str
+        - "overview": the wires and the main charts together
+        - "wires": deformed wires as tubes coloured by a field, with the contact spots
+        - "resistance": contact resistance over contact force, both logarithmic
+        - "residuals": residual norms over the iterations of each increment, with the allowed values
+        - "contacts": number, forces, spots and heat of the contacts over time
+        - "currents": current of each wire, and along each wire
+        - "network": wires as dots, the contacts between them as lines, as thick as their current
+        - "friction": friction force over sliding, and the heat of friction over time
+        - "history": the columns that the deck asked for, over time
+    filename : path, optional
+        The picture; its ending chooses the format. Default: `STEM_KIND.png` beside the results.
+    increment : int
+        Index of the increment that is shown, -1 the last.
+    field : str, optional
+        What colours the wires, one of `litz.results.scalars.scalars(results)`: any field of the file, a vector by its length
+        or as `displacement.x`, and `bending_moment` for both moments together; default: the potential, or else the
+        displacement.
+    scale : float
+        Factor on the displacements of the drawn wires [-].
+    spots : str, optional
+        "current" or "force": what the drawn size of the contact spots means; "none": no spots.
+    reference : bool
+        Show the axes before the deformation as thin lines.
+    view : tuple of 3 float or str, optional
+        Direction from the wires to the viewer, or "x", "y", "z", "-x", "-y", "-z", "iso"; default: one that shows
+        the model well.
+    size : tuple of 2 int, optional
+        Width and height of the picture in pixels; text grows with the width.
+
+    Returns
+    -------
+    Path
+        The picture, which a notebook shows.
+    """
+    if kind not in _KINDS:
+        raise ValueError(unknown_name("kind of plot", kind, _KINDS))
+    look = Look(field, scale, spots, reference, view)
+    results = with_increments(results)
+    path = Picture(filename or results.path.with_name(f"{results.path.stem}_{kind}.png"))
+    draw, default_size = _KINDS[kind]
+    with mpl.rc_context(STYLE):
+        figure = new_figure(default_size, size)
+        draw(figure, results, increment, look)
+        show_dollars(figure)
+        figure.savefig(path, dpi="figure")
+    return path
+
+
+def with_increments(results: Results | str | Path) -> Results:
+    """The results; an error if they have no increment."""
+    results = results if isinstance(results, Results) else Results(results)
+    if not len(results.times):
+        raise FileError(f"{results.path} has no increment yet: there is nothing to draw")
+    return results
+
+
+def new_figure(inches: tuple[float, float], pixels: tuple[int, int] | None) -> Figure:
+    """A figure as wide as usual in inches, with the number of pixels that is wanted."""
+    if pixels is None:
+        return Figure(figsize=inches, dpi=_DPI)
+    width, height = pixels
+    if width < _MIN_PIXELS or height < _MIN_PIXELS:
+        raise ValueError(f"a picture of {width} x {height} pixels is too small: at least {_MIN_PIXELS} each way")
+    return Figure(figsize=(inches[0], inches[0] * height / width), dpi=width / inches[0])
+
+
+def show_dollars(figure: Figure) -> None:
+    """Show headings, names and units as they are: matplotlib takes what is between dollar signs for formulas.
+
+    Only the numbers at the axes, which litz sets itself, are formulas.
+    """
+    axes = [axis for axes in figure.axes for axis in (axes.xaxis, axes.yaxis)]
+    ticks = [tick for axis in axes for tick in (*axis.get_major_ticks(), *axis.get_minor_ticks())]
+    numbers = {id(text) for tick in ticks for text in (tick.label1, tick.label2)} | {
+        id(axis.offsetText) for axis in axes
+    }
+    for text in figure.findobj(Text):
+        if id(text) not in numbers:
+            text.set_parse_math(False)
+
+
+def title(results: Results, increment: int) -> str:
+    """Two lines above a picture: what it is of, and which increment."""
+    heading = textwrap.shorten((results.heading.strip() or results.path.stem).splitlines()[0], 75, placeholder=" ...")
+    return (
+        f"{heading}\nstep {results.steps[increment]}, increment {results.increments[increment]}, "
+        f"time {results.times[increment]:g} {results.unit_labels['s']}"
+    )
+
+
+def _wires(figure: Figure, results: Results, increment: int, look: Look) -> None:
+    _still(figure, results, increment, look, (0.01, 0.13, 0.98, 0.76))
+    figure.text(0.03, 0.975, title(results, increment), va="top", fontsize="large", linespacing=1.4)
+
+
+def _still(figure: Figure, results: Results, increment: int, look: Look, box: tuple) -> None:
+    """The wires at one increment in a box (left, bottom, width, height) of a figure."""
+    scene = look.scenes(results, [increment]).scene(increment)
+    pixels = box_pixels(figure, box)
+    shown = np.concatenate([scene.points, scene.reference])
+    camera = aim(shown, scene.radius.max(), pixels[0] / pixels[1], look.direction)
+    place_wires(figure, box, scene, camera, render([scene], camera, pixels)[0], look.scale)
+
+
+def box_pixels(figure: Figure, box: tuple[float, float, float, float]) -> np.ndarray:
+    """Width and height of a box (left, bottom, width, height) of a figure, in pixels."""
+    return figure.dpi * figure.get_size_inches() * np.array(box[2:])
+
+
+def place_wires(
+    figure: Figure, box: tuple, scene: Scene, camera: Camera, tubes: np.ndarray | None, scale: float
+) -> None:
+    """The scene in a box of a figure, colour bar, notes, directions and scale below it."""
+    left, bottom, width, _ = box
+    draw_wires(figure.add_axes(box), scene, camera, tubes)
+    inch = 1.0 / figure.get_figheight()
+    draw_frame(figure.add_axes((left, bottom - 0.75 * inch, width, 0.75 * inch)), camera, scene.length_unit)
+    bar_axes = figure.add_axes((left + 0.04 * width, bottom - 0.30 * inch, 0.40 * width, 0.13 * inch))
+    colours = mpl.cm.ScalarMappable(mpl.colors.Normalize(*scene.limits), scene.colours)
+    bar = figure.colorbar(colours, cax=bar_axes, orientation="horizontal")
+    bar.locator = mpl.ticker.MaxNLocator(6)
+    bar.formatter.set_powerlimits((-3, 4))
+    bar.set_label(scene.title)
+    bar.outline.set_visible(False)
+    notes = [scene.spot_text] if scene.spot_text else []
+    if len(scene.reference):
+        notes.append("grey: axes before the deformation")
+    if scale != 1.0:
+        notes.append(f"displacements times {scale:g}")
+    if tubes is None:
+        notes.append(WITHOUT_OPENGL)
+    figure.text(
+        left + 0.48 * width, bottom - 0.17 * inch, "\n".join(notes), va="top", fontsize="small", linespacing=1.4
+    )
+
+
+def _chart(draw: Callable, size: tuple[float, float]) -> tuple[Callable, tuple[float, float]]:
+    def make(figure: Figure, results: Results, increment: int, look: Look) -> None:
+        figure.set_layout_engine("constrained")
+        draw(figure, results, increment)
+
+    return make, size
+
+
+def _overview(figure: Figure, results: Results, increment: int, look: Look) -> None:
+    _still(figure, results, increment, look, (0.01, 0.115, 0.61, 0.79))
+    figure.text(0.03, 0.98, title(results, increment), va="top", fontsize="x-large", linespacing=1.4)
+    boxes = [(0.70, bottom, 0.28, 0.225) for bottom in (0.73, 0.40, 0.07)]
+    drawers = [charts.residual_of_last_increment]
+    contacts = results.contacts
+    drawers.append(charts.forces_over_time if contacts.n_rows else charts.displacement_over_time)
+    has_resistances = contacts.n_rows > 0 and np.isfinite(contacts["resistance"]).any()
+    has_currents = results.field("element_current", increment).any()
+    if friction_charts.has_friction(results):
+        drawers.append(friction_charts.force_over_sliding)
+    elif has_resistances:
+        drawers.append(charts.resistance_over_force)
+    elif has_currents:
+        drawers.append(charts.current_per_wire)
+    for box, draw in zip(boxes, drawers, strict=False):
+        draw(figure.add_axes(box), results, increment)
+
+
+_KINDS: dict[str, tuple[Callable[[Figure, Results, int, Look], None], tuple[float, float]]] = {
+    "overview": (_overview, (15.0, 8.5)),
+    "wires": (_wires, (10.0, 7.0)),
+    "resistance": _chart(charts.resistance, (7.5, 5.5)),
+    "residuals": _chart(charts.residuals, (8.0, 7.5)),
+    "contacts": _chart(charts.contacts, (10.0, 7.0)),
+    "currents": _chart(charts.currents, (10.0, 7.0)),
+    "network": _chart(network_chart.network, (9.0, 7.0)),
+    "friction": _chart(friction_charts.friction, (8.0, 7.0)),
+    "history": _chart(charts.history, (8.0, 4.0)),
+}
+#: Kinds of pictures
+KINDS = tuple(_KINDS)

@@ -1,0 +1,256 @@
+"""What a picture of the wires shows, in metres, and the camera that looks at it."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..base.quantities import engineering, label
+from ..base.table import Table
+from ..results import Results
+from ..results.scalars import colours_and_limits, default_scalar, end_values, find_scalar, scalar_values
+from ..wires.chains import Wire
+from ..wires.curves import element_curves, hermite
+
+_MAX_POINTS = 150_000
+#: Directions to the viewer that have a name
+VIEWS = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1), "-x": (-1, 0, 0), "-y": (0, -1, 0), "-z": (0, 0, -1),
+         "iso": (1, -1, 0.8)}  # fmt: skip
+
+
+@dataclass
+class Scene:
+    """Everything that is seen, in metres, before the camera comes in.
+
+    Attributes
+    ----------
+    points, radius, value : ndarray
+        Along all wires: positions (n, 3), radius (n), colour value (n).
+    starts : ndarray
+        First point of each wire, and n at the end.
+    reference, reference_starts : ndarray
+        The axes before any deformation; empty when they are not wanted.
+    spots, spot_normal, spot_radius : ndarray
+        Centres (m, 3), normals (m, 3) and drawn radii (m) [m] of the discs that stand for the contact spots.
+    title, spot_text : str
+        What the colours and the spots mean, with units.
+    limits : tuple of float
+        Range of the colours.
+    colours : str
+        Name of the colour map.
+    length_unit : str
+        Unit of all places and radii.
+    """
+
+    points: np.ndarray
+    radius: np.ndarray
+    value: np.ndarray
+    starts: np.ndarray
+    reference: np.ndarray
+    reference_starts: np.ndarray
+    spots: np.ndarray
+    spot_normal: np.ndarray
+    spot_radius: np.ndarray
+    title: str
+    spot_text: str
+    limits: tuple[float, float]
+    colours: str
+    length_unit: str
+
+
+@dataclass
+class Camera:
+    """A parallel projection: unit vectors of the picture, its centre, and half its width and height [m]."""
+
+    right: np.ndarray
+    up: np.ndarray
+    toward: np.ndarray
+    centre: np.ndarray
+    half_width: float
+    half_height: float
+
+    def project(self, points: np.ndarray) -> np.ndarray:
+        """Picture coordinates and depth, (n, 3), zero at the centre."""
+        return self.turn(points - self.centre)
+
+    def turn(self, vectors: np.ndarray) -> np.ndarray:
+        """Components of vectors (n, 3) to the right, upwards and toward the viewer."""
+        return vectors @ np.stack([self.right, self.up, self.toward], axis=1)
+
+
+class SceneMaker:
+    """Scenes of several increments, with one unit, one range of colours and one size of spots for all of them.
+
+    Parameters
+    ----------
+    results : Results
+    increments : list of int
+        The increments that are shown.
+    field, scale, spots, reference
+        As `litz.plot` has them.
+    """
+
+    def __init__(
+        self, results: Results, increments: list[int], field: str | None = None, scale: float = 1.0,
+        spots: str | None = None, reference: bool = True,
+    ):  # fmt: skip
+        self._results, self._scale, self._reference = results, scale, reference
+        self._scalar = find_scalar(results, field or default_scalar(results, increments[-1]))
+        values = [scalar_values(results, self._scalar, increment) for increment in increments]
+        lowest, highest = min(np.nanmin(one) for one in values), max(np.nanmax(one) for one in values)
+        self._factor, unit = engineering(np.array([lowest, highest]), self._scalar.unit)
+        self._title = label(self._scalar.text, unit)
+        self._colours, self._limits = colours_and_limits(
+            self._factor * lowest, self._factor * highest, self._scalar.is_length
+        )
+        self._spot_scale = _SpotScale(results, increments, spots)
+        self._wires = results.wires
+        self._rest = self._curves(np.zeros_like(results.nodes), np.zeros_like(results.nodes))
+
+    def _curves(self, displacement: np.ndarray, rotation: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        return element_curves(self._results.nodes, displacement, rotation, self._wires, len(self._results.elements))
+
+    def scene(self, increment: int) -> Scene:
+        """What is seen of one of the increments."""
+        results, wires = self._results, self._wires
+        n = int(np.clip(_MAX_POINTS // len(results.elements), 2, 24))
+        displacement = results.field("displacement", increment)
+        now = self._curves(displacement, results.field("rotation", increment))
+        positions, slopes = (
+            before + self._scale * (after - before) for before, after in zip(self._rest, now, strict=True)
+        )
+        points, starts = _sample(positions, slopes, wires, n)
+        has_reference = self._reference and np.abs(self._scale * displacement).max() > 0.2 * results.radius.min()
+        centres, normals, sizes, spot_text = _spots(results, increment, self._spot_scale, (positions, slopes))
+        return Scene(
+            points=points,
+            starts=starts,
+            radius=_along(np.repeat(results.radius[:, None], 2, axis=1), wires, n),
+            value=_along(self._factor * end_values(results, self._scalar, increment), wires, n),
+            reference=_sample(*self._rest, wires, n)[0] if has_reference else np.zeros((0, 3)),
+            reference_starts=starts if has_reference else np.zeros(0, dtype=int),
+            spots=centres,
+            spot_normal=normals,
+            spot_radius=sizes,
+            title=self._title,
+            spot_text=spot_text,
+            limits=self._limits,
+            colours=self._colours,
+            length_unit=results.unit_labels["m"],
+        )
+
+
+def _sample(positions: np.ndarray, slopes: np.ndarray, wires: list[Wire], n: int) -> tuple[np.ndarray, np.ndarray]:
+    """Points along all wires, n per element and one at the end, and the first of each wire."""
+    xi = np.linspace(-1, 1, n + 1)
+    points, starts = [], [0]
+    for wire in wires:
+        inner = hermite(
+            np.repeat(positions[wire.elements], n, axis=0),
+            np.repeat(slopes[wire.elements], n, axis=0),
+            (wire.signs[:, None] * xi[:-1]).ravel(),
+        )
+        last = wire.elements[-1:]
+        points += [inner, hermite(positions[last], slopes[last], wire.signs[-1:] * xi[-1:])]
+        starts.append(starts[-1] + n * len(wire.elements) + 1)
+    return np.concatenate(points), np.array(starts)
+
+
+def _along(ends: np.ndarray, wires: list[Wire], n: int) -> np.ndarray:
+    """Values at the points of `_sample`, linear between the two ends (n_elements, 2) of each element."""
+    fraction = np.arange(n) / n
+    values = []
+    for wire in wires:
+        pairs = np.where(wire.signs[:, None] < 0, ends[wire.elements][:, ::-1], ends[wire.elements])
+        values += [(pairs[:, :1] * (1 - fraction) + pairs[:, 1:] * fraction).ravel(), pairs[-1:, 1]]
+    return np.concatenate(values)
+
+
+class _SpotScale:
+    """By what the discs are sized, and the largest size at the increments that are shown."""
+
+    def __init__(self, results: Results, increments: list[int], by: str | None):
+        ledgers = [] if by == "none" else [results.contacts_at(increment) for increment in increments]
+        self.by = by or ("current" if any(ledger["current"].any() for ledger in ledgers) else "force")
+        self.ledgers = dict(zip(increments, ledgers, strict=False))
+        self.largest = max((np.abs(one[self.by]).max() for one in ledgers if one.n_rows), default=0.0)
+
+
+def _spots(
+    results: Results, increment: int, scale: _SpotScale, curves: tuple[np.ndarray, np.ndarray]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, str]:
+    """Centres, normals, drawn radii and legend of the contact spots; the area of a disc goes by current or force."""
+    contacts = scale.ledgers.get(increment)
+    if contacts is None or not contacts.n_rows:
+        return np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0), ""
+    centres, normals, thinner = spot_places(results, contacts, curves)
+    size = np.abs(contacts[scale.by])
+    largest = max(scale.largest, np.finfo(float).tiny)
+    drawn = thinner * np.clip(0.85 * np.sqrt(size / largest), 0.15, None)
+    factor, unit = engineering(np.array([scale.largest]), contacts.units[scale.by])
+    plural = "s" if contacts.n_rows > 1 else ""
+    text = (
+        f"{contacts.n_rows} contact{plural}: area of a disc by its {scale.by},\nlargest {largest * factor:.3g} {unit}"
+    )
+    return centres, normals, drawn, text
+
+
+def spot_places(
+    results: Results, contacts: Table, curves: tuple[np.ndarray, np.ndarray]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Where contacts touch: places (m, 3) [m], normals (m, 3), and the smaller radius of the two wires (m) [m].
+
+    Parameters
+    ----------
+    results : Results
+    contacts : Table
+        Rows of the ledger, (m).
+    curves : tuple of ndarray
+        What `element_curves` gives.
+    """
+    rows = row_of_element(results)
+    barred, unbarred = (np.array([rows[i] for i in contacts[name]], dtype=int) for name in ("element_bar", "element"))
+    positions, slopes = curves
+    point_bar = hermite(positions[barred], slopes[barred], contacts["xi_bar"])
+    point = hermite(positions[unbarred], slopes[unbarred], contacts["xi"])
+    normals = np.stack([contacts[f"normal_{axis}"] for axis in "xyz"], axis=1)
+    radius_bar, radius = results.radius[barred], results.radius[unbarred]
+    share = (radius_bar / (radius_bar + radius))[:, None]
+    return point_bar + share * (point - point_bar), normals, np.minimum(radius_bar, radius)
+
+
+def row_of_element(results: Results) -> dict[int, int]:
+    """Row of each element in the arrays of the results, by its number in the deck."""
+    return {int(element): row for row, element in enumerate(results.element_ids)}
+
+
+def aim(shown: np.ndarray, margin: float, aspect: float, view: tuple[float, float, float] | None = None) -> Camera:
+    """A camera that fills a picture of the given width over height with points (n, 3) and a margin around them [m].
+
+    Without a `view` (the direction towards the viewer) the longest axis of the model lies across, the shortest points
+    to the viewer, and the picture is tilted a little.
+    """
+    if view is None:
+        extent = np.ptp(shown, axis=0)
+        order = np.argsort(-extent, kind="stable")
+        if extent[order[0]] < 1.5 * extent[order[1]]:
+            order[:2] = np.sort(order[:2])
+        across, along, _ = np.eye(3)[order]
+        towards = np.cross(across, along)
+        toward = towards - 0.55 * along + 0.3 * across
+        up = along
+    else:
+        toward = np.asarray(view, dtype=float)
+        if not np.linalg.norm(toward) > 0:
+            raise ValueError("the view is the direction to the viewer: three numbers that are not all zero")
+        steep = np.hypot(*toward[:2]) <= 1e-3 * np.linalg.norm(toward)
+        up = np.array([0.0, 1.0, 0.0] if steep else [0.0, 0.0, 1.0])
+    toward = toward / np.linalg.norm(toward)
+    right = np.cross(up, toward)
+    right /= np.linalg.norm(right)
+    up = np.cross(toward, right)
+    flat = shown @ np.stack([right, up, toward], axis=1)
+    low, high = flat.min(axis=0) - margin, flat.max(axis=0) + margin
+    half_width, half_height = 1.04 * (high - low)[:2] / 2
+    half_height = max(half_height, half_width / aspect)
+    centre = (low + high) / 2 @ np.stack([right, up, toward])
+    return Camera(right, up, toward, centre, half_height * aspect, half_height)

@@ -1,0 +1,179 @@
+"""`litz report`: one HTML page about a run, with pictures and the interactive model."""
+
+import base64
+import html
+import math
+import tempfile
+import warnings
+from pathlib import Path
+from typing import Any
+
+from ..errors import FileError
+from ..pictures.friction_charts import has_friction
+from ..pictures.plots import plot
+from ..results import Results
+from ..results.scalars import default_scalar
+from ..viewer.data import WebData
+from ..viewer.page import evenly_chosen, page, viewer, viewer_style
+from . import report_tables as tables
+
+# Maximum size of the data of the three-dimensional view, as text before compression [bytes]
+_MAX_DATA = 30e6
+_MAX_DECK_LENGTH = 200_000
+_MAX_WIRES = 300
+
+_STYLE = """
+body { font: 15px/1.5 system-ui, sans-serif; color: #1b1b1b; margin: 0 auto; max-width: 78rem; padding: 1.5rem; }
+h1 { font-size: 1.5rem; margin: 0 0 .3rem; } h2 { font-size: 1.2rem; margin: 2.2rem 0 .6rem; }
+h1 + p { color: #444; margin-top: 0; }
+.verdict { padding: .7rem 1rem; border-left: 5px solid #3b7d3a; background: #eef5ee; }
+.verdict.bad { border-color: #b00020; background: #fbeef0; }
+.columns { display: grid; grid-template-columns: repeat(auto-fit, minmax(22rem, 1fr)); gap: 0 2.5rem; align-items: start; }
+table.data { border-collapse: collapse; font-size: 13.5px; margin: .4rem 0 1rem; }
+table.data th, table.data td { border-bottom: 1px solid #ddd; padding: .25rem .7rem; text-align: right; vertical-align: top; }
+table.data th { background: #f3f3f3; font-weight: 600; }
+table.data th:first-child, table.data td:first-child, table.data .text { text-align: left; }
+table.data td { font-variant-numeric: tabular-nums; white-space: nowrap; }
+table.data td:first-child, table.data .text { white-space: normal; }
+.wide { overflow-x: auto; }
+figure { margin: 0 0 1.4rem; } figure img { max-width: 100%; height: auto; } figcaption { color: #444; font-size: 13.5px; }
+.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(30rem, 1fr)); gap: 1rem 2rem; }
+.note { color: #444; font-size: 13.5px; }
+.stage { height: 42rem; border: 1px solid #ccc; }
+pre { font: 12.5px/1.4 ui-monospace, monospace; background: #f6f6f6; padding: 1rem; overflow: auto; max-height: 40rem; }
+summary { cursor: pointer; }
+@media (max-width: 800px) { .stage { height: auto; } .pictures { grid-template-columns: 1fr; } }
+@media print { .stage, details { display: none; } }
+"""
+
+
+def report(results: Results | str | Path, filename: str | Path | None = None) -> Path:
+    """Write a page about a run: model, convergence, balances, worst contacts, pictures, and the interactive model.
+
+    The page is self-contained and needs no network. For a run that did not converge it reports what failed and where,
+    and shows the last iterate.
+
+    Parameters
+    ----------
+    results : Results or path
+        What `Results` takes.
+    filename : path, optional
+        The page. Default: `STEM_report.html` beside the results.
+
+    Returns
+    -------
+    Path
+        The page.
+    """
+    results = results if isinstance(results, Results) else Results(results)
+    if results.path.stem.endswith("_unconverged"):
+        results = Results(results.path.with_name(results.path.name.replace("_unconverged", "")))
+    path = Path(filename) if filename else results.path.with_name(f"{results.path.stem}_report.html")
+    title = (results.heading.strip() or results.path.stem).splitlines()[0]
+    sections = [
+        f"<h1>{html.escape(title)}</h1>\n<p>{html.escape(results.path.name)}, made by litz {html.escape(results.version)}</p>",
+        tables.verdict(results),
+        _later_run(results),
+        *_failure(results),
+        *tables.run_warnings(results),
+        '<div class="columns"><div><h2>Model</h2>',
+        tables.model(results),
+        "</div><div><h2>Balance</h2>",
+        tables.balance(results),
+        "</div></div>",
+        "<h2>Convergence</h2>",
+        tables.convergence(results),
+    ]
+    if len(results.times):
+        sections += [*_stage(results), "<h2>Worst contacts</h2>", tables.worst_contacts(results), *_pictures(results)]
+    sections += ["<h2>Deck</h2>", _deck(results)]
+    path.write_text(page(f"{title} - litz", "\n".join(sections), _STYLE + viewer_style()), encoding="utf-8")
+    return path
+
+
+def _later_run(results: Results) -> str:
+    """What there is of a later run that ended before its first increment."""
+    later = results.path.with_name(f"{results.path.stem}_unconverged.sta")
+    if not later.is_file():
+        return ""
+    text = f"A later run ended before its first increment: {later.name}. This page is about the run before it."
+    return f'<p class="verdict bad">{html.escape(text)}</p>'
+
+
+def _failure(results: Results) -> list[str]:
+    """What is known of the increment that was given up."""
+    found = tables.failure(results)
+    iterate = results.path.with_name(f"{results.path.stem}_unconverged.vtkhdf")
+    if not found or not iterate.is_file():
+        return found
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", message=".*did not finish")
+        last = Results(iterate)
+    found += ["<h3>The iterate that was given up</h3>", tables.contacts_of_iterate(last)]
+    with tempfile.TemporaryDirectory() as folder:
+        found.append(_figure(last, "wires", Path(folder), "The iterate that was given up: this is no equilibrium.",
+                             field="displacement", spots="force", size=(1400, 900)))  # fmt: skip
+    return found
+
+
+def _pictures(results: Results) -> list[str]:
+    """The pictures that this run has something for."""
+    wanted: list[tuple[str, str, dict[str, Any]]] = [
+        ("wires", f"The wires at the last increment, coloured by {default_scalar(results, -1)}.", {})
+    ]
+    contacts, field = results.contacts, lambda name: results.field(name).any()
+    if field("joule_heat"):
+        wanted.append(("wires", "Joule heat in each element.", {"field": "joule_heat"}))
+    wanted.append(("wires", "Bending moment.", {"field": "bending_moment"}))
+    wanted.append(("residuals", "Residuals over the iterations.", {}))
+    if contacts.n_rows:
+        wanted.append(("contacts", "The contacts over time, and their spots at the last increment.", {}))
+    if contacts.n_rows and (contacts["resistance"] < math.inf).any():
+        wanted.append(("resistance", "Contact resistance over contact force.", {}))
+    if field("element_current"):
+        wanted.append(("currents", "Currents in the wires.", {}))
+    network = results.contact_network()
+    if len(network.id) > 0 and len(network.wire_length) <= _MAX_WIRES:
+        wanted.append(("network", "Which wires touch, and how much current passes between them.", {}))
+    if has_friction(results):
+        wanted.append(("friction", "Friction.", {}))
+    if len(results.history) > 3:
+        wanted.append(("history", "What the deck has asked for.", {}))
+    with tempfile.TemporaryDirectory() as folder:
+        figures = [_figure(results, kind, Path(folder), text, **options) for kind, text, options in wanted]
+    return ["<h2>Pictures</h2>", '<div class="pictures">', *figures, "</div>"]
+
+
+def _figure(results: Results, kind: str, folder: Path, text: str, **options: Any) -> str:
+    picture = plot(results, kind, folder / "picture.png", **options)
+    content = base64.b64encode(picture.read_bytes()).decode()
+    escaped = html.escape(text)
+    return f'<figure><img alt="{escaped}" src="data:image/png;base64,{content}"><figcaption>{escaped}</figcaption></figure>'
+
+
+def _stage(results: Results) -> list[str]:
+    """The interactive model, with as many increments as the page can hold."""
+    n = len(results.times)
+    size = len(WebData(results, [n - 1]).increment(0))
+    picked = evenly_chosen(n, max(1, int(_MAX_DATA / size)))
+    note = (
+        f"{len(picked)} of {n} increments are in this page; <code>litz view {html.escape(results.path.name)}</code> shows all."
+        if len(picked) < n
+        else "Drag to turn, wheel to enlarge, right button to move; click a spot for its row of the contact ledger."
+    )
+    return [
+        f'<h2>To turn and look at</h2>\n<p class="note">{note}</p>\n<div class="stage">',
+        viewer(WebData(results, picked)),
+        "</div>",
+    ]
+
+
+def _deck(results: Results) -> str:
+    try:
+        deck = results.deck
+    except (KeyError, OSError) as error:
+        raise FileError(f"{results.path} does not contain its deck: {error}") from None
+    if len(deck) > _MAX_DECK_LENGTH:
+        return f'<p class="note">The deck has {len(deck) / 1e6:.1f} MB: it is in {html.escape(results.path.name)}.</p>'
+    n_lines = deck.count("\n") + 1
+    return f"<details><summary>{n_lines} lines</summary><pre>{html.escape(deck)}</pre></details>"

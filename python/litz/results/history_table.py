@@ -1,0 +1,41 @@
+"""The history of a run as a table to read."""
+
+import numpy as np
+
+from .result_file import ResultFile
+
+_MAX_COLUMNS = 6
+_MAX_ROWS = 40
+
+
+def history_table(results: ResultFile) -> str:
+    """Contacts, contact force and the history of a run, a line per increment; long tables are thinned out."""
+    history = results.history
+    names = [name for name in history if name not in ("step", "increment", "time")]
+    shown = names[:_MAX_COLUMNS]
+    number, force = _contacts(results)
+    columns = [history["time"], number, force, *(history[name] for name in shown)]
+    heads = ["time", "contacts", "contact force", *shown]
+    units = [results.unit_labels["s"], "", results.unit_labels["N"], *(history.units[name] for name in shown)]
+
+    rows = np.unique(np.linspace(0, history.n_rows - 1, min(history.n_rows, _MAX_ROWS)).round().astype(int))
+    cells = [heads, [f"[{unit}]" if unit else "" for unit in units]]
+    cells += [[f"{column[row]:.7g}" for column in columns] for row in rows]
+    widths = [max(len(line[i]) for line in cells) for i in range(len(heads))]
+    lines = ["  ".join(cell.rjust(width) for cell, width in zip(line, widths, strict=True)) for line in cells]
+    if len(rows) < history.n_rows:
+        lines.append(f"{len(rows)} of {history.n_rows} increments")
+    if len(shown) < len(names):
+        lines.append(f"{len(names) - len(shown)} more columns are in {results.path.stem}_history.csv")
+    return "\n".join(lines) + "\n"
+
+
+def _contacts(results: ResultFile) -> tuple[np.ndarray, np.ndarray]:
+    """Number of contacts and sum of their forces at each increment of the history."""
+    history, ledger = results.history, results.contacts
+    number, force = np.zeros(history.n_rows, dtype=int), np.zeros(history.n_rows)
+    row_of = {key: row for row, key in enumerate(zip(history["step"], history["increment"], strict=True))}
+    rows = [row_of[key] for key in zip(ledger["step"], ledger["increment"], strict=True)]
+    np.add.at(number, rows, 1)
+    np.add.at(force, rows, ledger["force"])
+    return number, force

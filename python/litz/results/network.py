@@ -1,0 +1,266 @@
+"""The contact network of a run: wires as nodes, contacts as edges, for numpy and for network tools."""
+
+import csv
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING
+from xml.etree import ElementTree
+
+import numpy as np
+
+from ..base.packages import optional
+from ..base.table import Table
+from ..wires.curves import arc_lengths
+from .result_file import ResultFile
+
+if TYPE_CHECKING:
+    import networkx as nx
+    import pandas as pd
+
+
+#: Columns of the ledger that an edge carries, and the unit of each
+_OF_CONTACT = {
+    "force": "N",
+    "gap": "m",
+    "angle": "rad",
+    "resistance": "ohm",
+    "current": "A",
+    "voltage_gap": "V",
+    "joule_heat": "W",
+}
+
+
+@dataclass(frozen=True, repr=False)
+class ContactNetwork:
+    """Wires and the closed contacts between them at one increment.
+
+    Attributes
+    ----------
+    first_element : (n,) array of int
+        Number in the deck of the first element of each wire, which names it.
+    wire_length : (n,) array
+        Length of each wire before deformation [m].
+    wire_potential : (n,) array
+        Mean potential of the nodes of each wire [V].
+    wire_current : (n,) array
+        Largest current along each wire [A], positive from its first to its last node.
+    wires : (k, 2) array of int
+        The wires that each contact joins, counted from 0: the barred one first.
+    id : (k,) array of int
+        Number of each contact in the ledger.
+    arc : (k, 2) array
+        Where it is along the two wires, before deformation [m].
+    point : (k, 3) array
+        Its place, halfway between the axes [m].
+    force, gap, angle, resistance, current, voltage_gap, joule_heat : (k,) arrays
+        As in the contact ledger [N, m, rad, ohm, A, V, W]; the resistance is infinite where no current can pass.
+    wires_at : dict of (m,) array of int
+        The wires that have a node in each node set: `wires_at["PLUS"]` are those at this electrode.
+
+    Notes
+    -----
+    `np.bincount(network.wires.ravel(), minlength=len(network.wire_length))` is the number of contacts of each wire.
+    """
+
+    first_element: np.ndarray
+    wire_length: np.ndarray
+    wire_potential: np.ndarray
+    wire_current: np.ndarray
+    wires: np.ndarray
+    id: np.ndarray
+    arc: np.ndarray
+    point: np.ndarray
+    force: np.ndarray
+    gap: np.ndarray
+    angle: np.ndarray
+    resistance: np.ndarray
+    current: np.ndarray
+    voltage_gap: np.ndarray
+    joule_heat: np.ndarray
+    wires_at: dict[str, np.ndarray]
+
+    def __repr__(self) -> str:
+        """Sizes."""
+        return f"<ContactNetwork: {len(self.wire_length)} wires, {len(self.id)} contacts>"
+
+    def table(self) -> Table:
+        """The contacts as a table, a row for each; wires are counted from 0, as in `wires`."""
+        places = {"arc_1": self.arc[:, 0], "arc_2": self.arc[:, 1]}
+        places |= {axis: self.point[:, i] for i, axis in enumerate("xyz")}
+        columns = {"id": self.id, "wire_1": self.wires[:, 0], "wire_2": self.wires[:, 1], **places}
+        columns |= {name: getattr(self, name) for name in _OF_CONTACT}
+        units = {"id": "", "wire_1": "", "wire_2": "", **dict.fromkeys(places, "m"), **_OF_CONTACT}
+        return Table(columns, units)
+
+    def to_pandas(self) -> "pd.DataFrame":
+        """The contacts as a data frame of pandas, a row for each; `table` without pandas."""
+        return self.table().to_pandas()
+
+    def to_networkx(self) -> "nx.MultiGraph":
+        """The network as a graph of NetworkX, which it needs.
+
+        Wires are nodes, by their numbers from 0, with `first_element`, `length`, `potential`, `current` and `node_sets`,
+        the names of the node sets they reach; contacts are edges, with their ids as keys and their columns in `table`.
+
+        Examples
+        --------
+        Whether the wires lead from one electrode to the other:
+
+        >>> import networkx as nx                                                       # doctest: +SKIP
+        >>> graph = network.to_networkx()                                               # doctest: +SKIP
+        >>> plus, minus = set(network.wires_at["PLUS"]), set(network.wires_at["MINUS"])     # doctest: +SKIP
+        >>> any(plus & part and minus & part for part in nx.connected_components(graph))    # doctest: +SKIP
+        True
+        """
+        graph = optional("networkx").MultiGraph()
+        sets_of: list[list[str]] = [[] for _ in self.wire_length]
+        for name, wires in self.wires_at.items():
+            for wire in wires:
+                sets_of[wire].append(name)
+        of_wire = zip(self.first_element, self.wire_length, self.wire_potential, self.wire_current, strict=True)
+        for wire, (element, *values) in enumerate(of_wire):
+            length, potential, current = map(float, values)
+            graph.add_node(
+                wire,
+                first_element=int(element),
+                length=length,
+                potential=potential,
+                current=current,
+                node_sets=sets_of[wire],
+            )
+        columns = self.table()
+        for row, (contact, (first, second)) in enumerate(zip(self.id, self.wires, strict=True)):
+            of_contact = {name: float(columns[name][row]) for name in list(columns)[3:]}
+            graph.add_edge(int(first), int(second), key=int(contact), **of_contact)
+        return graph
+
+    def to_csv(self, path: str | PathLike) -> Path:
+        """Write the contacts as a table, a row for each: an edge list with the wires counted from 1."""
+        path = Path(path)
+        with path.open("w", newline="", encoding="utf-8") as file:
+            table = csv.writer(file)
+            names = [f"{name} [{unit}]" for name, unit in _OF_CONTACT.items()]
+            table.writerow(["id", "wire_1", "wire_2", "arc_1 [m]", "arc_2 [m]", "x [m]", "y [m]", "z [m]", *names])
+            numbers = np.column_stack([self.arc, self.point, *(getattr(self, name) for name in _OF_CONTACT)])
+            for contact, pair, row in zip(self.id, self.wires + 1, numbers, strict=True):
+                table.writerow([contact, *pair, *(repr(float(value)) for value in row)])
+        return path
+
+    def to_graphml(self, path: str | PathLike) -> Path:
+        """Write a GraphML file, which NetworkX, igraph, Gephi and others read; names hold the units.
+
+        Several contacts of the same two wires are parallel edges.
+        """
+        of_wire = {
+            "first_element": (self.first_element, "long"),
+            "length_m": (self.wire_length, "double"),
+            "potential_V": (self.wire_potential, "double"),
+            "current_A": (self.wire_current, "double"),
+        }
+        of_contact = {
+            "arc_1_m": (self.arc[:, 0], "double"),
+            "arc_2_m": (self.arc[:, 1], "double"),
+            **{f"{axis}_m": (self.point[:, i], "double") for i, axis in enumerate("xyz")},
+            **{f"{name}_{unit}": (getattr(self, name), "double") for name, unit in _OF_CONTACT.items()},
+        }
+        root = ElementTree.Element("graphml", xmlns="http://graphml.graphdrawing.org/xmlns")
+        for what, columns in (("node", of_wire), ("edge", of_contact)):
+            for name, (_, kind) in columns.items():
+                key = {"id": f"{what}_{name}", "for": what, "attr.name": name, "attr.type": kind}
+                ElementTree.SubElement(root, "key", key)
+        graph = ElementTree.SubElement(root, "graph", id="contacts", edgedefault="undirected")
+        for wire in range(len(self.wire_length)):
+            node = ElementTree.SubElement(graph, "node", id=f"wire{wire + 1}")
+            _add_data(node, "node", of_wire, wire)
+        for row, (contact, pair) in enumerate(zip(self.id, self.wires + 1, strict=True)):
+            source, target = (f"wire{wire}" for wire in pair)
+            edge = ElementTree.SubElement(graph, "edge", id=f"contact{contact}", source=source, target=target)
+            _add_data(edge, "edge", of_contact, row)
+        path = Path(path)
+        ElementTree.indent(root)
+        ElementTree.ElementTree(root).write(path, encoding="utf-8", xml_declaration=True)
+        return path
+
+
+def contact_network(results: ResultFile, increment: int) -> ContactNetwork:
+    """The network of a run at an increment."""
+    wires = results.wires
+    arc_start, lengths, sign = arc_lengths(results.nodes, results.elements, wires)
+    wire_of_element = np.zeros(len(results.elements))
+    for number, wire in enumerate(wires):
+        wire_of_element[wire.elements] = number
+    ledger = results.contacts_at(increment)
+    ledger = ledger.where(ledger["force"] > 0)
+    rows = np.stack([_rows_of(results.element_ids, ledger[name]) for name in ("element_bar", "element")], axis=1)
+    xi = np.stack([ledger["xi_bar"], ledger["xi"]], axis=1)
+    potential = results.field("potential", increment)
+    return ContactNetwork(
+        first_element=np.array([results.element_ids[wire.elements[0]] for wire in wires]),
+        wire_length=np.array([lengths[wire.elements].sum() for wire in wires]),
+        wire_potential=np.array([potential[wire.nodes].mean() for wire in wires]),
+        wire_current=wire_currents(results, increment),
+        wires=wire_of_element[rows].astype(int),
+        id=ledger["id"],
+        arc=arc_start[rows] + (1 + sign[rows] * xi) / 2 * lengths[rows],
+        point=np.stack([(ledger[f"point_bar_{axis}"] + ledger[f"point_{axis}"]) / 2 for axis in "xyz"], axis=1),
+        **{name: ledger[name] for name in _OF_CONTACT},
+        wires_at=_wires_at(results, wires),
+    )
+
+
+def _wires_at(results: ResultFile, wires: list) -> dict[str, np.ndarray]:
+    """The wires that have a node in each node set."""
+    node = np.concatenate([wire.nodes for wire in wires])
+    wire_of = np.repeat(np.arange(len(wires)), [len(wire.nodes) for wire in wires])
+    return {name: np.unique(wire_of[np.isin(node, members)]) for name, members in results.node_sets.items()}
+
+
+def wire_currents(results: ResultFile, increment: int) -> np.ndarray:
+    """Largest current along each wire, between any two of its contacts, with its sign, (n_wires) [A]."""
+    current = _largest_in_elements(results, increment)
+    along = [wire.signs * current[wire.elements] for wire in results.wires]
+    return np.array([values[np.argmax(np.abs(values))] for values in along])
+
+
+def _largest_in_elements(results: ResultFile, increment: int) -> np.ndarray:
+    """Largest current in each element from its first to its second node, (n_elements) [A].
+
+    The field `element_current` is the mean over the element; each contact makes a step in the current.
+    """
+    largest = results.field("element_current", increment).copy()
+    ledger = results.contacts_at(increment)
+    ledger = ledger.where(ledger["current"] != 0)
+    row = np.concatenate([_rows_of(results.element_ids, ledger[name]) for name in ("element_bar", "element")])
+    xi = np.concatenate([ledger["xi_bar"], ledger["xi"]])
+    entering = np.concatenate([-ledger["current"], ledger["current"]])
+    order = np.lexsort((xi, row))
+    for ends in np.split(order, np.flatnonzero(np.diff(row[order])) + 1) if order.size else ():
+        element = row[ends[0]]
+        first = largest[element] - (entering[ends] * (1 - xi[ends])).sum() / 2
+        between = first + np.concatenate([[0.0], np.cumsum(entering[ends])])
+        largest[element] = between[np.argmax(np.abs(between))]
+    return largest
+
+
+def conductance(results: ResultFile, plus: str, minus: str, increment: int) -> float:
+    """Current over voltage between two node sets [S]."""
+    entering = results.field("reaction_current", increment) + results.field("applied_current", increment)
+    potential = results.field("potential", increment)
+    rows = [results.node_sets[name] for name in (plus, minus)]
+    voltage = potential[rows[0]].mean() - potential[rows[1]].mean()
+    if voltage == 0:
+        raise ValueError(f"there is no voltage between {plus} and {minus}, so there is no conductance")
+    return float(entering[rows[0]].sum() / voltage)
+
+
+def _rows_of(ids: np.ndarray, wanted: np.ndarray) -> np.ndarray:
+    order = np.argsort(ids)
+    return order[np.searchsorted(ids, wanted, sorter=order)]
+
+
+def _add_data(parent: ElementTree.Element, what: str, columns: dict, row: int) -> None:
+    for name, (values, _) in columns.items():
+        # as Java, Python and C read it
+        text = repr(values[row].item()).replace("inf", "Infinity")
+        ElementTree.SubElement(parent, "data", key=f"{what}_{name}").text = text

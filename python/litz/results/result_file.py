@@ -1,0 +1,419 @@
+"""The files of a run, read when they are asked for."""
+
+import warnings
+from collections.abc import Callable, Mapping
+from functools import cached_property
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import h5py
+import numpy as np
+
+from ..base.names import unknown_name
+from ..base.table import Table
+from ..errors import FileError, WarningEntry
+from ..wires import Wire, find_wires, numbered_wires
+from .run_warnings import read_warnings
+from .text_tables import read_aligned, read_csv
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+
+_FORMAT_VERSION = 1
+_AUDIT = ("force_balance", "moment_balance", "current_balance", "power_balance", "penetration_ratio")
+_GROUPS = ("PointData", "CellData")
+
+
+class ResultFile:
+    """The files of a run; `Results` adds what follows from them.
+
+    Attributes
+    ----------
+    path : Path
+        The result file of the wires.
+    """
+
+    def __init__(self, path: str | PathLike[str]):
+        self.path = _find(Path(path))
+        self._tables: dict[str, tuple[int, Table]] = {}
+        with self._open() as file:
+            version = int(file["litz"].attrs["format_version"])
+            if version > _FORMAT_VERSION:
+                raise FileError(
+                    f"{self.path} was written by a newer litz: "
+                    f"it has format {version}, this litz reads up to {_FORMAT_VERSION}"
+                )
+        if not self.finished:
+            end = f"ends at time {self.times[-1]:g}" if len(self.times) else "has no increment"
+            restart = self.path.with_suffix(".restart.h5")
+            more = f"; litz run DECK --restart {restart} -o DIR goes on" if restart.exists() else ""
+            warnings.warn(f"{self.path}: the run did not finish (or still runs); it {end}{more}", stacklevel=2)
+
+    def __repr__(self) -> str:
+        """File, sizes and whether the run finished."""
+        state = "finished" if self.finished else "not finished"
+        sizes = f"{len(self.nodes)} nodes, {len(self.elements)} elements, {len(self.times)} increments"
+        return f"<Results {self.path}: {sizes}, {state}>"
+
+    def _open(self) -> h5py.File:
+        try:
+            return h5py.File(self.path, "r", locking=False)
+        except OSError as error:
+            raise FileError(f"cannot read {self.path}: {error}") from None
+
+    # Where the results come from
+
+    @property
+    def finished(self) -> bool:
+        """Whether the run was completed."""
+        with self._open() as file:
+            return bool(file["litz"].attrs["finished"])
+
+    @cached_property
+    def heading(self) -> str:
+        """The ``*HEADING`` of the deck."""
+        with self._open() as file:
+            return _text(file["litz"].attrs["heading"])
+
+    @cached_property
+    def version(self) -> str:
+        """The version of litz that wrote the results."""
+        with self._open() as file:
+            return _text(file["litz"].attrs["version"])
+
+    @cached_property
+    def deck(self) -> str:
+        """The text of the deck, with its included files."""
+        with self._open() as file:
+            return _text(file["litz/deck"][()])
+
+    # Time
+
+    @property
+    def times(self) -> np.ndarray:
+        """Total time of each increment, (n_increments) [s]."""
+        with self._open() as file:
+            return file["VTKHDF/Steps/Values"][: self._n_whole(file)]
+
+    @property
+    def steps(self) -> np.ndarray:
+        """Number of the step of each increment, (n_increments)."""
+        return self._increment_table("step")
+
+    @property
+    def increments(self) -> np.ndarray:
+        """Number of each increment in its step, (n_increments)."""
+        return self._increment_table("increment")
+
+    @property
+    def audit(self) -> dict[str, np.ndarray]:
+        """Worst figures of the audit of each increment, (n_increments) [-].
+
+        Residuals of sums that should vanish, relative to the largest force, moment, current or power in them:
+        `force_balance`, `moment_balance`, `current_balance`, `power_balance`; and `penetration_ratio`, the deepest
+        overlap over the smaller radius.
+        """
+        return {name: self._increment_table(name) for name in _AUDIT}
+
+    @property
+    def warnings(self) -> list[WarningEntry]:
+        """The warnings of the run so far, in the order of their occurrence."""
+        return read_warnings(self.path)
+
+    def _increment_table(self, name: str) -> np.ndarray:
+        with self._open() as file:
+            return file[f"litz/increments/{name}"][: self._n_whole(file)]
+
+    def index(self, step: int, increment: int) -> int:
+        """Index of an increment, given the numbers of its step and of itself in the step."""
+        found = np.flatnonzero((self.steps == step) & (self.increments == increment))
+        if not len(found):
+            raise KeyError(f"increment {increment} of step {step} is not in {self.path}")
+        return int(found[0])
+
+    # Mesh
+
+    @cached_property
+    def nodes(self) -> np.ndarray:
+        """Reference positions of the nodes, (n_nodes, 3) [m]."""
+        return self._static("VTKHDF/PointData/reference_position")
+
+    @cached_property
+    def node_ids(self) -> np.ndarray:
+        """Numbers of the nodes in the deck, (n_nodes)."""
+        return self._static("VTKHDF/PointData/node_id")
+
+    @cached_property
+    def elements(self) -> np.ndarray:
+        """Rows of `nodes` that each element joins, (n_elements, 2)."""
+        return self._static("VTKHDF/Connectivity").reshape(-1, 2)
+
+    @cached_property
+    def element_ids(self) -> np.ndarray:
+        """Numbers of the elements in the deck, (n_elements)."""
+        return self._static("VTKHDF/CellData/element_id")
+
+    @cached_property
+    def radius(self) -> np.ndarray:
+        """Radius of the wire at each element, (n_elements) [m]."""
+        return self._static("VTKHDF/CellData/radius")
+
+    @cached_property
+    def wires(self) -> list[Wire]:
+        """The wires: elements one after another between free ends and branches, in the order of their first elements."""
+        names = ("wire", "place_in_wire", "direction_in_wire")
+        with self._open() as file:
+            cells = file["VTKHDF/CellData"]
+            if "wire" not in cells:
+                # files of litz 0.1
+                return find_wires(self.elements)
+            return numbered_wires(self.elements, *(cells[name][()] for name in names))
+
+    @cached_property
+    def node_sets(self) -> dict[str, np.ndarray]:
+        """Rows of `nodes` in each node set."""
+        return self._sets("litz/node_sets", self.node_ids)
+
+    @cached_property
+    def element_sets(self) -> dict[str, np.ndarray]:
+        """Rows of `elements` in each element set."""
+        return self._sets("litz/element_sets", self.element_ids)
+
+    def _static(self, name: str) -> np.ndarray:
+        with self._open() as file:
+            return file[name][()]
+
+    def _sets(self, name: str, ids: np.ndarray) -> dict[str, np.ndarray]:
+        order = np.argsort(ids)
+        with self._open() as file:
+            return {
+                key.replace("|", "/"): order[np.searchsorted(ids, members[()], sorter=order)]
+                for key, members in file[name].items()
+            }
+
+    # Fields
+
+    @cached_property
+    def fields(self) -> dict[str, str]:
+        """Description of each field by its name."""
+        return {name: attributes.get("description", "") for name, attributes in self._attributes.items()}
+
+    @cached_property
+    def units(self) -> Mapping[str, str]:
+        """Unit of each field by its name; of the columns of tables: `history.units` and the like."""
+        return {name: attributes.get("unit", "") for name, attributes in self._attributes.items()}
+
+    @cached_property
+    def unit_labels(self) -> dict[str, str]:
+        """What the units of the deck are called (`*UNITS`), by their SI symbols: m, N, s, A, V, N m, W, ohm, J."""
+        fields, ledger = self.units, self.contacts.units
+        return {
+            "m": fields["displacement"],
+            "N": fields["reaction_force"],
+            "s": ledger["time"],
+            "A": fields["reaction_current"],
+            "V": fields["potential"],
+            "N m": fields["reaction_moment"],
+            "W": fields["joule_heat"],
+            "ohm": ledger["resistance"],
+            "J": ledger["dissipation"],
+        }
+
+    def unit(self, name: str) -> str:
+        """Unit of a field, or of a column of the contacts or the history; "1" where it has none.
+
+        Examples
+        --------
+        >>> results.unit("displacement"), results.unit("resistance")    # doctest: +SKIP
+        ('m', 'ohm')
+        """
+        for units in (self.units, self.contacts.units, self.history.units):
+            if name in units:
+                return units[name] or "1"
+        known = [*self.units, *self.contacts.units, *self.history.units]
+        raise KeyError(unknown_name("field or column", name, known))
+
+    @cached_property
+    def point_fields(self) -> frozenset[str]:
+        """Names of the fields over nodes; the others are over elements."""
+        with self._open() as file:
+            return frozenset(file["VTKHDF/PointData"])
+
+    @cached_property
+    def vector_fields(self) -> frozenset[str]:
+        """Names of the fields that are vectors; the others are scalars."""
+        with self._open() as file:
+            return frozenset(
+                name for group in _GROUPS for name, data in file["VTKHDF"][group].items() if data.ndim == 2
+            )
+
+    @cached_property
+    def _attributes(self) -> dict[str, dict[str, str]]:
+        with self._open() as file:
+            return {
+                name: {key: _text(value) for key, value in dataset.attrs.items()}
+                for group in _GROUPS
+                for name, dataset in file["VTKHDF"][group].items()
+            }
+
+    def field(self, name: str, increment: int | None = -1) -> np.ndarray:
+        """A field over nodes or elements.
+
+        Parameters
+        ----------
+        name : str
+            One of `fields`.
+        increment : int, optional
+            Index of the increment; None: all of them, stacked along a new first axis.
+
+        Returns
+        -------
+        ndarray
+            (n_nodes or n_elements) for a scalar, (..., 3) for a vector, in the unit that `units` has for it.
+        """
+        if name not in self._attributes:
+            raise KeyError(unknown_name("field", name, self._attributes))
+        with self._open() as file:
+            group, n_rows = (
+                ("PointData", len(self.nodes)) if name in self.point_fields else ("CellData", len(self.elements))
+            )
+            data = file["VTKHDF"][group][name]
+            starts = file[f"VTKHDF/Steps/{group}Offsets/{name}"]
+            if increment is not None:
+                start = starts[self._checked(increment, file)]
+                return data[start : start + n_rows]
+            return np.array([data[start : start + n_rows] for start in starts[: self._n_whole(file)]])
+
+    def positions(self, increment: int = -1) -> np.ndarray:
+        """Current positions of the nodes, (n_nodes, 3) [m]."""
+        return self.nodes + self.field("displacement", increment)
+
+    def _checked(self, increment: int, file: h5py.File) -> int:
+        n = self._n_whole(file)
+        if not -n <= increment < n:
+            raise IndexError(f"increment {increment} is not in {self.path}, which has {n} increments")
+        return increment % n
+
+    # Tables
+
+    @property
+    def history(self) -> Table:
+        """The columns that the deck asked for, over all increments."""
+        return self._whole(self._table("_history.csv", read_csv))
+
+    @property
+    def contacts(self) -> Table:
+        """The contact ledger: a row for each contact at each increment."""
+        return self._whole(self._table("_contacts.csv", read_csv))
+
+    def contacts_at(self, increment: int = -1) -> Table:
+        """The contacts at one increment."""
+        ledger = self.contacts
+        with self._open() as file:
+            increment = self._checked(increment, file)
+        return ledger.where(
+            (ledger["step"] == self.steps[increment]) & (ledger["increment"] == self.increments[increment])
+        )
+
+    def contact(self, contact_id: int) -> Table:
+        """One contact over its life."""
+        ledger = self.contacts
+        rows = ledger.where(ledger["id"] == contact_id)
+        if not rows.n_rows:
+            raise KeyError(f"there is no contact {contact_id}; there are {np.unique(ledger['id'])}")
+        return rows
+
+    @property
+    def status(self) -> Table:
+        """The .sta table: a row per increment, also of those that were cut back."""
+        return self._table(".sta", read_aligned)
+
+    @property
+    def convergence(self) -> Table:
+        """The .cvg table: a row per iteration."""
+        return self._table(".cvg", read_aligned)
+
+    # A run writes the fields of an increment first, then the tables, and finally its line of the .sta table. An increment
+    # without a line there is not (or, after a kill, will never be) complete in all files.
+
+    def _last_whole(self, file: h5py.File) -> tuple[int, int] | None:
+        """Step and increment of the last increment that is complete in all files; None: all of them."""
+        if file["litz"].attrs["finished"] or not self.path.with_suffix(".sta").exists():
+            return None
+        status = self.status
+        done = [k for k in range(status.n_rows) if not status["remark"][k].startswith("cut")]
+        if done:
+            return int(status["step"][done[-1]]), int(status["increment"][done[-1]])
+        return _numbers_of(file, 0) if _n_steps(file) else None
+
+    def _n_whole(self, file: h5py.File) -> int:
+        """Number of increments in the result file that are complete in all files."""
+        n, last = _n_steps(file), self._last_whole(file)
+        while last is not None and n > 1 and _numbers_of(file, n - 1) > last:
+            n -= 1
+        return n
+
+    def _whole(self, table: Table) -> Table:
+        """The rows of a table up to the last increment that is complete in all files."""
+        with self._open() as file:
+            last = self._last_whole(file)
+        if last is None or not table.n_rows:
+            return table
+        later = (table["step"] > last[0]) | ((table["step"] == last[0]) & (table["increment"] > last[1]))
+        return table.where(~later) if later.any() else table
+
+    def _table(self, ending: str, read: Callable[[Path], Table]) -> Table:
+        """A table beside the result file; read again when it has grown, as during a run."""
+        path = self.path.with_name(self.path.stem + ending)
+        try:
+            size = path.stat().st_size
+        except OSError as error:
+            raise FileError(f"cannot read {path}: {error.strerror}") from None
+        if self._tables.get(ending, (None, None))[0] != size:
+            self._tables[ending] = (size, read(path))
+        return self._tables[ending][1]
+
+    def to_pandas(self, table: str = "history") -> "pd.DataFrame":
+        """A table as a data frame of pandas: "history", "contacts", "status" or "convergence"; needs pandas."""
+        tables = ("history", "contacts", "status", "convergence")
+        if table not in tables:
+            raise ValueError(unknown_name("table", table, tables))
+        return getattr(self, table).to_pandas()
+
+
+def _find(path: Path) -> Path:
+    """Find the result file of the wires for a path."""
+    if path.is_dir():
+        found = sorted(file for file in path.glob("*.vtkhdf") if not file.stem.endswith(("_contacts", "_unconverged")))
+        if len(found) == 1:
+            return found[0]
+        what = "several: " + ", ".join(file.name for file in found) if found else "none"
+        raise FileError(f"the directory {path} should have one result file (.vtkhdf); there are {what}")
+    if path.suffix == ".vtkhdf":
+        candidates = [path]
+    elif path.suffix == ".inp":
+        candidates = [path.with_suffix(".vtkhdf"), Path(path.stem + ".vtkhdf")]
+    else:
+        candidates = [path.with_name(path.name + ".vtkhdf")]
+    for candidate in candidates:
+        if candidate.is_file():
+            return candidate
+    raise FileError(
+        f"there is no result file {' or '.join(dict.fromkeys(map(str, candidates)))}: has the deck been run?"
+    )
+
+
+def _n_steps(file: h5py.File) -> int:
+    return int(file["VTKHDF/Steps"].attrs["NSteps"])
+
+
+def _numbers_of(file: h5py.File, index: int) -> tuple[int, int]:
+    """Numbers of the step and of the increment in it."""
+    return int(file["litz/increments/step"][index]), int(file["litz/increments/increment"][index])
+
+
+def _text(value: bytes | str) -> str:
+    text = value.decode("utf-8", errors="replace") if isinstance(value, bytes) else str(value)
+    return text.rstrip("\0")

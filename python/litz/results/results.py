@@ -1,0 +1,70 @@
+"""The results of a run as numpy arrays."""
+
+from pathlib import Path
+
+import numpy as np
+
+from ..base.names import unknown_name
+from . import exports, network, summary
+from .result_file import ResultFile
+
+
+class Results(ResultFile):
+    """The results of a run; every array is read on demand.
+
+    Parameters
+    ----------
+    path : path
+        The result file `STEM.vtkhdf`, the same without suffix, the deck `STEM.inp` (the results beside it or in the
+        current directory), or a directory with the results of one run.
+
+    Notes
+    -----
+    An argument `increment` counts the increments in the file from 0, or from the end with -1, -2, ... as Python does;
+    `index(step, increment)` finds the one of a given number.
+
+    Examples
+    --------
+    After ``litz run inputs/01_crossed_wires.inp``:
+
+    >>> import litz
+    >>> results = litz.Results("01_crossed_wires.vtkhdf")
+    >>> results.field("potential").shape                                # (n_nodes,) at the last increment
+    (24,)
+    >>> print(f"{results.field('potential').max():g} V")
+    0.001 V
+    >>> resistance = results.history["resistance PLUS to MINUS"]        # over time
+    >>> print(f"{1e3 * resistance[-1]:.3f} mohm, {results.contacts_at(-1)['force'][0]:.2f} N")
+    0.936 mohm, 0.90 N
+    """
+
+    def conductance(self, plus: str, minus: str, increment: int = -1) -> float:
+        """Conductance between two electrodes: current over voltage [S].
+
+        Parameters
+        ----------
+        plus, minus : str
+            Node sets with prescribed potential, or with currents applied.
+        increment : int
+            Index of the increment.
+        """
+        for name in (plus, minus):
+            if name not in self.node_sets:
+                raise KeyError(unknown_name("node set", name, self.node_sets))
+        return network.conductance(self, plus, minus, increment)
+
+    def wire_currents(self, increment: int = -1) -> np.ndarray:
+        """Largest current along each wire, with its sign, in the order of `wires`, (n_wires) [A]."""
+        return network.wire_currents(self, increment)
+
+    def contact_network(self, increment: int = -1) -> network.ContactNetwork:
+        """Wires and the closed contacts between them, as arrays; `to_csv` and `to_graphml` write them."""
+        return network.contact_network(self, increment)
+
+    def export(self, to: str, directory: str | Path | None = None) -> Path:
+        """Write the results for another program: "csv", "vtu", "xdmf" or "vtkhdf"; see `litz.export`."""
+        return exports.export(self, to, directory)
+
+    def summary(self) -> str:
+        """A page of text about the run: what was run, how it went, and the last increment in numbers."""
+        return summary.summary(self)

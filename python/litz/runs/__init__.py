@@ -1,0 +1,5 @@
+"""Runs of the program."""
+
+from .run import check, run
+
+__all__ = ["check", "run"]

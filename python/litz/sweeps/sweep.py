@@ -1,0 +1,345 @@
+"""Many runs over a grid of parameters."""
+
+import hashlib
+import itertools
+import json
+import os
+import re
+import sys
+import threading
+import time
+import warnings
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+
+from ..base import notebook
+from ..base.names import nearest_name
+from ..base.table import Table
+from ..deck import Deck
+from ..deck.lines import to_text
+from ..errors import FileError, LitzError
+from ..model import Model
+from ..results import Results
+from ..runs.run import run_silently
+
+#: A function of the parameters, or a deck with places such as {radius}
+Case = Callable[..., Any] | str | os.PathLike
+_OUTCOME = "outcome.json"
+_PLACE = re.compile(r"\{(\w+)\}")
+_MAX_NAME_LENGTH = 60
+#: Columns of the table besides parameters and values
+_STATUS, _WARNINGS, _MESSAGE, _DIRECTORY = "status", "warnings", "message", "directory"
+
+
+def sweep(
+    case: Case,
+    parameters: Mapping[str, Iterable[Any]] | Sequence[Mapping[str, Any]],
+    *,
+    collect: Callable[[Results], Mapping[str, float]] | None = None,
+    directory: str | os.PathLike = "results/sweep",
+    processes: int | None = None,
+    again: bool | Literal["failed"] = False,
+    progress: bool = True,
+    **options: Any,
+) -> Table:
+    """Run a model for many values of its parameters, several at a time.
+
+    Existing runs in the directory are not repeated if their decks are unchanged; an interrupted sweep continues where it
+    stopped. Failed runs are reported by a warning and remain in the table.
+
+    Parameters
+    ----------
+    case : callable or path
+        A function of the parameters by name that returns a `Model`, a `Deck`, the text or the path of a deck, or the values
+        themselves; or a deck in which `{name}` stands for each parameter.
+    parameters : mapping or sequence of mappings
+        Values of each parameter, of which all combinations are run; or the combinations one by one.
+    collect : callable, optional
+        What goes into the table: a function of the `Results` that returns numbers by name. Left out: the last row of
+        the history.
+    directory : path
+        Directory of decks and results, with a subdirectory for each run.
+    processes : int, optional
+        Runs at a time; the number of processors when left out.
+    again : bool or "failed"
+        True: repeat all runs; "failed": those that failed.
+    progress : bool
+        Show the number of finished runs: a line on a terminal, a bar in a notebook, a line at the end in a log.
+    **options
+        As those of `litz.run`; `threads` is 1 when left out.
+
+    Returns
+    -------
+    Table
+        A row for each run, in the order of the parameters: the parameters, `status` ("finished" or "failed"), the values
+        (nan where a run failed), `warnings` (their number), `message` and `directory`; `to_pandas()` makes a data frame
+        of it.
+
+    Examples
+    --------
+    >>> def square(side):
+    ...     return {"area": side**2}
+    >>> table = sweep(square, {"side": [1.0, 2.0]}, directory=None, progress=False)
+    >>> table["area"].tolist()
+    [1.0, 4.0]
+
+    With a deck: `litz.sweep("wires.inp", {"push": [1e-4, 2e-4]})`, where wires.inp has `UPPER, 3, 3, {push}`.
+    """
+    combinations = _combinations(parameters)
+    if processes is not None and (isinstance(processes, bool) or processes < 1):
+        raise ValueError(f"processes must be 1 or more, not {processes}")
+    if again not in (True, False, "failed"):
+        raise ValueError(f'again must be True, False or "failed", not {again!r}')
+    make = case if callable(case) else _Template(Path(case), combinations[0])
+    options = {"threads": 1, **options}
+    home = None if directory is None else Path(directory)
+    runs = [_Run(make, combination, collect, home, options, again) for combination in combinations]
+    count = _Count(len(runs)) if progress else None
+    pool = ThreadPoolExecutor(processes or os.cpu_count() or 1)
+    try:
+        for done in as_completed([pool.submit(one) for one in runs]):
+            if count is not None:
+                count.add(done.result())
+    finally:
+        pool.shutdown(cancel_futures=True)
+        if count is not None:
+            count.close()
+    _warn_of_failures(runs)
+    return _table(runs)
+
+
+def _combinations(parameters: Mapping[str, Iterable[Any]] | Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
+    """The parameters of each run."""
+    if isinstance(parameters, Mapping):
+        values = {}
+        for name, given in parameters.items():
+            if isinstance(given, str) or not isinstance(given, Iterable):
+                raise ValueError(f"the parameter {name} needs a sequence of values, not {given!r}")
+            values[name] = [_plain(value) for value in given]
+            if not values[name]:
+                raise ValueError(f"the parameter {name} has no values")
+        combinations = [dict(zip(values, one, strict=True)) for one in itertools.product(*values.values())]
+    else:
+        combinations = [{name: _plain(value) for name, value in one.items()} for one in parameters]
+        if any(set(one) != set(combinations[0]) for one in combinations):
+            raise ValueError("all combinations need the same parameters")
+    if not combinations or not combinations[0]:
+        raise ValueError("a sweep needs one parameter with one value or more")
+    taken = {_STATUS, _WARNINGS, _MESSAGE, _DIRECTORY} & set(combinations[0])
+    if taken:
+        raise ValueError(f"a parameter may not be called {taken.pop()}: the table has a column of this name")
+    if len({_key(one) for one in combinations}) < len(combinations):
+        raise ValueError("two runs have the same parameters")
+    return combinations
+
+
+def _plain(value: Any) -> Any:
+    """A numpy number as a Python number."""
+    return value.item() if isinstance(value, np.generic) else value
+
+
+def _key(combination: Mapping[str, Any]) -> str:
+    return json.dumps(combination, sort_keys=True, default=str)
+
+
+class _Template:
+    """A deck with places for parameters."""
+
+    def __init__(self, path: Path, combination: Mapping[str, Any]):
+        self._path = path
+        try:
+            self._text = path.read_text(encoding="utf-8")
+        except OSError as error:
+            raise FileError(f"cannot read the deck {path}: {error.strerror}") from None
+        places = set(_PLACE.findall(self._text))
+        for name in sorted(set(combination) - places):
+            there = ", ".join(f"{{{place}}}" for place in sorted(places)) or "none"
+            raise ValueError(f"{path} has no place {{{name}}}{nearest_name(name, places)}; there are: {there}")
+        for name in sorted(places - set(combination)):
+            raise ValueError(f"{path} has the place {{{name}}}, for which there is no parameter")
+
+    def __call__(self, **parameters: Any) -> Deck:
+        """The deck for some parameters."""
+        deck = Deck.parse(_PLACE.sub(lambda place: to_text(parameters[place[1]]), self._text))
+        deck.path = self._path
+        return deck
+
+
+class _Run:
+    """One run of a sweep."""
+
+    def __init__(
+        self,
+        make: Callable[..., Any],
+        parameters: dict[str, Any],
+        collect: Callable[[Results], Mapping[str, float]] | None,
+        home: Path | None,
+        options: dict[str, Any],
+        again: bool | str,
+    ):
+        self._make, self._collect, self._options, self._again = make, collect, options, again
+        self.parameters = parameters
+        label = "_".join(f"{name}={to_text(value)}" for name, value in parameters.items())
+        name = re.sub(r"[^\w.=+-]", "", label)[:_MAX_NAME_LENGTH]
+        digest = hashlib.sha256(_key(parameters).encode()).hexdigest()[:8]
+        self.directory = None if home is None else home / f"{name}-{digest}"
+        self.status, self.message = "failed", ""
+        self.n_warnings = 0
+        self.values: dict[str, float] = {}
+        self.units: dict[str, str] = {}
+
+    def __call__(self) -> "_Run":
+        """Run it, or reuse the results of an earlier sweep."""
+        try:
+            made = self._make(**self.parameters)
+            if isinstance(made, Mapping | float | int | np.number):
+                self.values = _numbers(made if isinstance(made, Mapping) else {"value": made})
+                self.status = "finished"
+                return self
+            self._run_deck(made)
+        except Exception as error:
+            # an error in the user's function concerns this run only; the others continue
+            self.message = str(error) if isinstance(error, LitzError) else f"{type(error).__name__}: {error}"
+            self._keep(None)
+        return self
+
+    def _run_deck(self, made: Any) -> None:
+        if self.directory is None:
+            raise ValueError("a sweep that runs decks needs a directory")
+        self.directory.mkdir(parents=True, exist_ok=True)
+        deck = self.directory / "deck.inp"
+        fresh = self.directory / "fresh.inp"
+        if isinstance(made, Model | Deck):
+            made.write(fresh)
+        elif isinstance(made, str) and "\n" in made:
+            fresh.write_text(made, encoding="utf-8")
+        elif isinstance(made, str | os.PathLike):
+            Deck.read(made).write(fresh)
+        else:
+            raise TypeError(f"the case must return a Model, a Deck, a deck or numbers by name, not {made!r}")
+        identity = hashlib.sha256(fresh.read_bytes() + repr(sorted(self._options.items())).encode()).hexdigest()
+        if self._taken_over(self.directory, identity):
+            fresh.unlink()
+            return
+        fresh.replace(deck)
+        (self.directory / _OUTCOME).unlink(missing_ok=True)
+        try:
+            results = run_silently(deck, output_directory=self.directory, **self._options)
+        except LitzError as error:
+            self.message, self.n_warnings = str(error), len(error.warnings)
+            # a full disk, or another run in the same directory: a later sweep should try again
+            self._keep(None if isinstance(error, FileError) else identity)
+            return
+        self.n_warnings = len(results.warnings)
+        self.values = _numbers(self._collected(results))
+        self.status = "finished"
+        self._keep(identity)
+
+    def _collected(self, results: Results) -> Mapping[str, float]:
+        if self._collect is not None:
+            return self._collect(results)
+        history = results.history
+        self.units = history.units
+        return {name: history[name][-1] for name in history if name not in ("step", "increment", "time")}
+
+    def _taken_over(self, directory: Path, identity: str) -> bool:
+        """Reuse the run of an earlier sweep, if there is one; its values are collected anew."""
+        try:
+            outcome = json.loads((directory / _OUTCOME).read_text(encoding="utf-8"))
+        except (OSError, ValueError):
+            return False
+        if outcome.get("identity") != identity or self._again is True:
+            return False
+        if outcome[_STATUS] == "failed":
+            self.message, self.n_warnings = outcome[_MESSAGE], outcome.get(_WARNINGS, 0)
+            return self._again != "failed"
+        results = Results(directory / "deck.vtkhdf")
+        self.n_warnings = len(results.warnings)
+        self.values = _numbers(self._collected(results))
+        self.status = "finished"
+        return True
+
+    def _keep(self, identity: str | None) -> None:
+        if self.directory is None or identity is None:
+            return
+        outcome = {
+            "identity": identity,
+            "parameters": self.parameters,
+            _STATUS: self.status,
+            _WARNINGS: self.n_warnings,
+            _MESSAGE: self.message,
+        }
+        (self.directory / _OUTCOME).write_text(json.dumps(outcome, default=str, indent=1), encoding="utf-8")
+
+
+def _numbers(values: Mapping[str, Any]) -> dict[str, float]:
+    """Values of a run, each a number."""
+    numbers = {}
+    for name, value in values.items():
+        if np.ndim(value) != 0:
+            raise ValueError(f"the value {name} must be one number, not an array of shape {np.shape(value)}")
+        numbers[name] = float(value)
+    return numbers
+
+
+def _warn_of_failures(runs: list[_Run]) -> None:
+    failed = [one for one in runs if one.status == "failed"]
+    if failed:
+        first = ", ".join(f"{name}={value}" for name, value in failed[0].parameters.items())
+        warnings.warn(
+            f"{len(failed)} of {len(runs)} runs failed; the first, {first}: {failed[0].message}",
+            stacklevel=3,
+        )
+
+
+def _table(runs: list[_Run]) -> Table:
+    columns: dict[str, np.ndarray] = {
+        name: np.array([one.parameters[name] for one in runs]) for name in runs[0].parameters
+    }
+    columns[_STATUS] = np.array([one.status for one in runs])
+    units = {name: unit for one in runs for name, unit in one.units.items()}
+    for name in dict.fromkeys(name for one in runs for name in one.values):
+        if name in (*columns, _WARNINGS, _MESSAGE, _DIRECTORY):
+            raise ValueError(f"the values may not hold {name}: the table has a column of this name")
+        columns[name] = np.array([one.values.get(name, np.nan) for one in runs])
+    columns[_WARNINGS] = np.array([one.n_warnings for one in runs])
+    columns[_MESSAGE] = np.array([one.message for one in runs])
+    columns[_DIRECTORY] = np.array([str(one.directory or "") for one in runs])
+    return Table(columns, {name: units.get(name, "") for name in columns})
+
+
+class _Count:
+    """A line on a terminal, or a bar in a notebook, with the number of finished runs."""
+
+    def __init__(self, total: int):
+        self._total, self._done, self._failed = total, 0, 0
+        self._start = time.monotonic()
+        self._lock = threading.Lock()
+        self._handle = notebook.place()
+        self._on_terminal = self._handle is None and sys.stderr.isatty()
+
+    def add(self, one: _Run) -> None:
+        """Count a run."""
+        with self._lock:
+            self._done += 1
+            self._failed += one.status == "failed"
+            if self._handle is not None:
+                self._handle.update(notebook.bar(self._done / self._total, self._text()))
+            elif self._on_terminal:
+                sys.stderr.write(f"\r{self._text():79}")
+                sys.stderr.flush()
+
+    def close(self) -> None:
+        """End the line."""
+        if self._handle is not None:
+            return
+        sys.stderr.write(("\r" if self._on_terminal else "") + f"{self._text():79}".rstrip() + "\n")
+        sys.stderr.flush()
+
+    def _text(self) -> str:
+        failed = f", {self._failed} failed" if self._failed else ""
+        return f"{self._done} of {self._total} runs{failed}, {time.monotonic() - self._start:.0f} s"

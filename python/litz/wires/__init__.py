@@ -1,0 +1,16 @@
+"""Wires as chains of elements, and their smooth axes."""
+
+from .chains import Wire, find_wires, numbered_wires
+from .curves import arc_lengths, element_curves, end_tangents, hermite, hermite_slope, rotate
+
+__all__ = [
+    "Wire",
+    "arc_lengths",
+    "element_curves",
+    "end_tangents",
+    "find_wires",
+    "hermite",
+    "hermite_slope",
+    "numbered_wires",
+    "rotate",
+]

@@ -1,0 +1,82 @@
+"""Wires as chains of elements."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Wire:
+    """Elements that follow each other without a branch.
+
+    Attributes
+    ----------
+    nodes : ndarray
+        Rows of the nodes along the wire, (n + 1); in a closed wire the last is the first.
+    elements : ndarray
+        Rows of the elements, (n).
+    signs : ndarray
+        +1 where the element points along the wire, -1 where against it, (n).
+    """
+
+    nodes: np.ndarray
+    elements: np.ndarray
+    signs: np.ndarray
+
+
+def find_wires(elements: np.ndarray) -> list[Wire]:
+    """Chains of elements between free ends and branches, and closed rings, in the order of their first elements.
+
+    Parameters
+    ----------
+    elements : ndarray
+        Rows of the two nodes of each element, (n_elements, 2).
+    """
+    at_node: dict[int, list[int]] = {}
+    for element, ends in enumerate(elements):
+        for node in ends:
+            at_node.setdefault(int(node), []).append(element)
+    left = dict.fromkeys(range(len(elements)))
+    starts = [int(node) for pair in elements for node in pair if len(at_node[int(node)]) != 2]
+
+    wires = []
+    for node in starts:
+        wires += [_follow(node, element, elements, at_node, left) for element in at_node[node] if element in left]
+    while left:
+        element = next(iter(left))
+        wires.append(_follow(int(elements[element, 0]), element, elements, at_node, left))
+    return sorted(wires, key=lambda wire: wire.elements.min())
+
+
+def numbered_wires(elements: np.ndarray, wire: np.ndarray, place: np.ndarray, direction: np.ndarray) -> list[Wire]:
+    """The wires with given numbers of their elements.
+
+    Parameters
+    ----------
+    elements : ndarray
+        Rows of the two nodes of each element, (n_elements, 2).
+    wire, place, direction : ndarray
+        Number of the wire of each element, place along it, and +1 where the element points along it, -1 where against it,
+        (n_elements).
+    """
+    order = np.lexsort((place, wire))
+    begins, ends = (np.where(direction > 0, elements[:, i], elements[:, 1 - i]) for i in (0, 1))
+    chains = np.split(order, np.flatnonzero(np.diff(wire[order])) + 1) if len(order) else []
+    return [Wire(np.append(begins[chain], ends[chain[-1]]), chain, direction[chain]) for chain in chains]
+
+
+def _follow(node: int, element: int | None, elements: np.ndarray, at_node: dict, left: dict) -> Wire:
+    """The wire that leaves a node through an element; its elements are removed from `left`."""
+    nodes, chain, signs = [node], [], []
+    while element is not None:
+        del left[element]
+        first, second = (int(end) for end in elements[element])
+        signs.append(1 if first == node else -1)
+        node = second if first == node else first
+        chain.append(element)
+        nodes.append(node)
+        onward = [other for other in at_node[node] if other in left] if len(at_node[node]) == 2 else []
+        element = onward[0] if onward else None
+    if signs[chain.index(min(chain))] < 0:
+        nodes, chain, signs = nodes[::-1], chain[::-1], [-sign for sign in signs[::-1]]
+    return Wire(np.array(nodes), np.array(chain), np.array(signs))
