@@ -41,7 +41,7 @@ module litz_newton
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: outcome_t, solve_increment
+   public :: outcome_t, solve_increment, start_iterate, move, evaluate
    public :: cause_iterations, cause_not_finite, cause_singular, cause_lost_contact
 
    !> Why an increment is given up

@@ -22,7 +22,7 @@ module litz_steps
    use litz_timing, only: phase_update, phase_output
    implicit none
    private
-   public :: run_step
+   public :: run_step, begin_step
 
 contains
 

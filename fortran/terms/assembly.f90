@@ -164,8 +164,8 @@ contains
 
          associate (node => model%connectivity(:, e))
             call conductor(iterate%x(:, node), iterate%value(potential_slots(1), node), elements%length(e), &
-               elements%area(e), elements%resistivity(e), model%sections(model%element_section(e))%current_length, ke, re, k_mu, &
-               iterate%element_current(e), iterate%joule_heat(e))
+               elements%area(e), elements%resistivity(e), model%sections(model%element_section(e))%current_length, &
+               ke, re, k_mu, iterate%element_current(e), iterate%joule_heat(e))
          end associate
          k_me_e = 0
          k_me_e(:, 1:3) = k_mu(:, 1:3)

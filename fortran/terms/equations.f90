@@ -1,7 +1,7 @@
 !> Numbers of the free unknowns, and the sparse matrices of their equations.
 !>
-!> The free unknowns of a node are numbered one after the other within their group of fields, and all rows of a node have
-!> the same columns. So a pair of nodes is found by one offset within its rows, and a cell scatters whole blocks.
+!> The free unknowns of a node are numbered one after the other within their group of fields, and all rows of a node
+!> have the same columns. So a pair of nodes is found by one offset within its rows, and a cell scatters whole blocks.
 module litz_equations
    use litz_kinds, only: dp, int64
    use litz_errors, only: error_t

@@ -51,10 +51,10 @@ contains
          loading%fixed(slot_of_dof(step%boundary(i)%dof), step%boundary(i)%node) = .true.
       end do
       associate (first => first_slot(field_rotation), last => last_slot(field_rotation))
-      do i = 1, n
-         ! a rotation vector and single angles are different things
-         if (all(kept(first:last, i)) .neqv. all(loading%fixed(first:last, i))) kept(first:last, i) = .false.
-      end do
+         do i = 1, n
+            ! a rotation vector and single angles are different things
+            if (all(kept(first:last, i)) .neqv. all(loading%fixed(first:last, i))) kept(first:last, i) = .false.
+         end do
       end associate
       kept = kept .and. loading%fixed
       where (kept) loading%start_value = loading%converged_value
@@ -69,12 +69,13 @@ contains
       real(dp), intent(in) :: step_time, total_time
       type(loading_t), intent(inout) :: loading
       real(dp) :: ramp
-      integer :: i
+      integer :: i, slot
 
       ramp = step_time/step%total
       do i = 1, size(step%boundary)
          associate (item => step%boundary(i))
-            loading%value(slot_of_dof(item%dof), item%node) = value_at(item, loading%start_value(slot_of_dof(item%dof), item%node))
+            slot = slot_of_dof(item%dof)
+            loading%value(slot, item%node) = value_at(item, loading%start_value(slot, item%node))
          end associate
       end do
       loading%load = (1 - ramp)*loading%start_load
@@ -103,7 +104,8 @@ contains
       subroutine set_load(item)
          type(nodal_value_t), intent(in) :: item
 
-         loading%load(slot_of_dof(item%dof), item%node) = value_at(item, loading%start_load(slot_of_dof(item%dof), item%node))
+         slot = slot_of_dof(item%dof)
+         loading%load(slot, item%node) = value_at(item, loading%start_load(slot, item%node))
       end subroutine set_load
 
    end subroutine load_targets

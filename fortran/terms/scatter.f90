@@ -27,8 +27,9 @@ module litz_scatter
       real(dp), allocatable :: prescribed(:, :)
       !> Largest nodal force, moment and current of any cell: the reference of convergence
       real(dp) :: reference(n_fields) = 0
-      !> How large the unknowns are (n_slots, n_nodes) [m, -, V]: the node's position, 1 for the entries of its rotation,
-      !> and the largest potential of any node, because no node's own zero of potential is more than a convention
+      !> How large the unknowns are (n_slots, n_nodes) [m, -, V]: the node's position, 1 for the entries of its
+      !> rotation, and the largest potential of any node, because no node's own zero of potential is more than a
+      !> convention
       real(dp), allocatable :: magnitude(:, :)
       !> What a relative change of these in every part of the model makes at most of the forces (n_slots, n_nodes): the
       !> sum of `|K| |q|` over the cells at the node. Times epsilon it is the round-off of the residual there
@@ -75,7 +76,7 @@ contains
       end do
    end subroutine clear_forces
 
-   !> Add cells: `k` times what is prescribed, how far round-off reaches, and the tangent; with `r` their forces as well.
+   !> Add cells: `k` times what is prescribed, how far round-off reaches, and the tangent; with `r` their forces, too.
    subroutine scatter(equations, nodes, rows, columns, k, increment, matrix, forces, r)
       type(equations_t), intent(in) :: equations
       !> (nodes of a cell, cells)

@@ -321,8 +321,8 @@ contains
       call make_system(positive_definite, 14, 9, matrix)
       do row = 1, matrix%block(2, 2)%n_rows
          k = csr_position(matrix%block(2, 2), row, row)
-         associate (values => matrix%block(2, 2)%value(matrix%block(2, 2)%row_start(row):matrix%block(2, 2)%row_start(row + 1) - 1))
-            matrix%block(2, 2)%value(k) = matrix%block(2, 2)%value(k) - sum(values)
+         associate (block => matrix%block(2, 2))
+            block%value(k) = block%value(k) - sum(block%value(block%row_start(row):block%row_start(row + 1) - 1))
          end associate
       end do
       call must_fail(kind, matrix, 0, 'a conductor without a prescribed potential')
@@ -334,7 +334,7 @@ contains
       type(error_t), allocatable :: error
 
       call make_system(positive_definite, 14, 0, matrix)
-      factor%block(2, 1)mory_limit = 1000
+      factor%memory_limit = 1000
       call factor%analyse(matrix%block(1, 1), error)
       call check(allocated(error), 'skyline refuses more memory than there is')
       if (allocated(error)) then
@@ -342,7 +342,7 @@ contains
          call check(index(error%message, '0.001 MB') > 0, 'skyline says how much there is')
          call check(index(error%message, 'NAME=BLOCK') > 0, 'skyline says which solver to take')
       end if
-      factor%block(2, 1)mory_limit = 10_int64**6
+      factor%memory_limit = 10_int64**6
       call factor%analyse(matrix%block(1, 1), error)
       call check(.not. allocated(error), 'skyline takes what fits')
    end subroutine skyline_refuses_a_profile_beyond_memory
@@ -414,7 +414,7 @@ contains
       failed = solver%failed_equation + merge(matrix%block(1, 1)%n_rows, 0, solver%failed_group == 2)
       if (expected > 0) call check(failed == expected, name_of(kind)//': '//what//', which equation')
       write (number, '(i0)') failed
-      call check(index(error%message, 'equation '//trim(number)//' ') > 0, name_of(solver%kind)//': '//what//', in words')
+      call check(index(error%message, 'equation '//trim(number)//' ') > 0, name_of(kind)//': '//what//', in words')
    end subroutine must_fail
 
    subroutine must_pass(kind, matrix, what)
@@ -598,7 +598,8 @@ contains
 
    function dense_system(matrix) result(a)
       type(system_t), intent(in) :: matrix
-      real(dp) :: a(matrix%block(1, 1)%n_rows + matrix%block(2, 2)%n_rows, matrix%block(1, 1)%n_rows + matrix%block(2, 2)%n_rows)
+      real(dp), dimension(matrix%block(1, 1)%n_rows + matrix%block(2, 2)%n_rows, &
+         matrix%block(1, 1)%n_rows + matrix%block(2, 2)%n_rows) :: a
       integer :: n_m
 
       n_m = matrix%block(1, 1)%n_rows

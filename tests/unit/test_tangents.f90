@@ -1,0 +1,340 @@
+!> Someone who is told of a run and does nothing about it.
+module silent_observer
+   use litz_errors, only: error_t
+   use litz_observer, only: observer_t
+   use litz_problem, only: problem_t
+   use litz_reports, only: iteration_report_t, increment_report_t
+   use litz_step_control, only: course_t
+   implicit none
+   private
+   public :: silent_t
+
+   type, extends(observer_t) :: silent_t
+   contains
+      procedure :: iteration_done => ignore_iteration
+      procedure :: increment_accepted => ignore_problem
+      procedure :: warnings_added => ignore_problem
+      procedure :: attempt_done => ignore_attempt
+      procedure :: offer_restart => ignore_course
+      procedure :: begin_giving_up => ignore_problem
+      procedure :: given_up => ignore_iterate
+   end type silent_t
+
+contains
+
+   subroutine ignore_iteration(self, problem, report, error)
+      class(silent_t), intent(inout) :: self
+      type(problem_t), intent(in) :: problem
+      type(iteration_report_t), intent(in) :: report
+      type(error_t), allocatable, intent(inout) :: error
+   end subroutine ignore_iteration
+
+   subroutine ignore_problem(self, problem, error)
+      class(silent_t), intent(inout) :: self
+      type(problem_t), intent(inout) :: problem
+      type(error_t), allocatable, intent(inout) :: error
+   end subroutine ignore_problem
+
+   subroutine ignore_attempt(self, problem, report, error)
+      class(silent_t), intent(inout) :: self
+      type(problem_t), intent(in) :: problem
+      type(increment_report_t), intent(in) :: report
+      type(error_t), allocatable, intent(inout) :: error
+   end subroutine ignore_attempt
+
+   subroutine ignore_course(self, problem, course, taken, error)
+      class(silent_t), intent(inout) :: self
+      type(problem_t), intent(inout) :: problem
+      type(course_t), intent(inout) :: course
+      logical, intent(out) :: taken
+      type(error_t), allocatable, intent(inout) :: error
+
+      taken = .false.
+   end subroutine ignore_course
+
+   subroutine ignore_iterate(self, problem, place, error)
+      class(silent_t), intent(inout) :: self
+      type(problem_t), intent(in) :: problem
+      character(len=:), allocatable, intent(out) :: place
+      type(error_t), allocatable, intent(inout) :: error
+
+      place = ''
+   end subroutine ignore_iterate
+
+end module silent_observer
+
+!> The tangent that a run composes, against differences of the forces that it composes.
+!>
+!> Decks with every term that adds to the equations: beams of both types, conductors (current lengths too), contacts
+!> with every normal law, spots, friction, several contacts on one element, damping, fixed moments. Each is brought to a
+!> converged state; from there all unknowns are moved at random, the section forces and the contact forces are those of
+!> the moved state, and random directions are followed by differences of the sixth order.
+!>
+!> The forces are those of spins, the tangent is the Hessian for incremental rotation vectors: between them is half the
+!> skew matrix of the moment that is left over (theory section 3).
+program test_tangents
+   use litz_kinds, only: dp
+   use litz_deck_reader, only: read_deck
+   use litz_errors, only: error_t, error_list_t
+   use litz_fields, only: n_slots, n_groups, depends_on, field_rotation, field_potential, first_slot, last_slot, fields
+   use litz_initial_contacts, only: find_initial_overlap
+   use litz_loading, only: load_targets
+   use litz_model, only: model_t
+   use litz_newton, only: start_iterate, move, evaluate
+   use litz_problem, only: problem_t, prepare_problem
+   use litz_rotations, only: cross
+   use litz_sparse_pattern, only: csr_multiply
+   use litz_stabilization, only: damping_stiffness
+   use litz_step_control, only: course_t
+   use litz_steps, only: run_step, begin_step
+   use silent_observer, only: silent_t
+   implicit none
+
+   character(len=*), parameter :: nl = new_line('a')
+   character(len=*), parameter :: penalty = '*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR'//nl//'1e7'//nl
+   character(len=*), parameter :: hertz = '*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ'//nl
+   character(len=*), parameter :: spot = '*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ'//nl
+   !> Differences are right to this part of the largest force that changes
+   real(dp), parameter :: exact = 2.0e-7_dp
+   !> A run leaves out how the angle changes Hertz's force: of the order of the overlap over the radius
+   real(dp), parameter :: without_angle = 2.0e-3_dp
+   integer :: failures = 0
+
+   call start_random_numbers()
+   call check_terms('B33 and B31', 'B33', 'B31', penalty, '', '', exact)
+   call check_terms('conductors and spots of a penalty', 'B33', 'B33', penalty//spot, '', '', exact)
+   call check_terms('paper spot', 'B33', 'B31', penalty//'*GAP ELECTRICAL CONDUCTANCE, LAW=PAPER'//nl, '', '', exact)
+   call check_terms('plastic spot', 'B33', 'B33', penalty//'*GAP ELECTRICAL CONDUCTANCE, LAW=PLASTIC'//nl//'1e9'//nl, &
+      '', '', exact)
+   call check_terms('film', 'B33', 'B33', penalty//'*GAP ELECTRICAL CONDUCTANCE, LAW=FILM'//nl//'1e-12'//nl, '', '', &
+      exact)
+   call check_terms('constant spot', 'B33', 'B33', penalty//'*GAP ELECTRICAL CONDUCTANCE, LAW=CONSTANT'//nl//'1e-3' &
+      //nl, '', '', exact)
+   call check_terms('table of spots', 'B33', 'B33', penalty//'*GAP ELECTRICAL CONDUCTANCE, LAW=TABLE'//nl// &
+      '0.01, 1e-2'//nl//'1000, 1e-4'//nl, '', '', exact)
+   call check_terms('linear axes', 'B33', 'B33', penalty//spot, ', AXIS=LINEAR', '', exact)
+   call check_terms('Hertz', 'B33', 'B31', hertz//spot, '', '', without_angle)
+   ! it would slip if it were moved as far as the others; what the motion since the increment began changes in the rows
+   ! of the slip is left out: of the order of that motion over the radius
+   call check_terms('friction that sticks', 'B33', 'B33', penalty//'*FRICTION'//nl//'0.8'//nl, '', '', 1.0e-4_dp, &
+      0.01_dp)
+   call check_terms('friction that slips', 'B33', 'B33', penalty//'*FRICTION'//nl//'1e-4'//nl, '', '', exact)
+   call check_terms('fixed moments and forces', 'B31', 'B33', penalty, '', &
+      '*CLOAD'//nl//'3, 4, 0.02'//nl//'3, 6, -0.03'//nl//'13, 5, 0.01'//nl//'4, 2, 0.3'//nl, exact)
+   call check_terms('damping', 'B33', 'B33', penalty, '', '*CONTROLS, PARAMETERS=STABILIZE'//nl//'1e-3'//nl, exact)
+   if (failures > 0) error stop 1
+
+contains
+
+   !> Two wires pressed together, each clamped or led at its ends, with a current from one to the other.
+   function deck_of(type_1, type_2, laws, options, loads) result(deck)
+      character(len=*), intent(in) :: type_1, type_2, laws, options, loads
+      character(len=:), allocatable :: deck
+
+      deck = '*NODE'//nl//'1, -0.03, 0, 0'//nl//'2, -0.012, 0, 0'//nl//'3, 0.009, 0.001, 0'//nl//'4, 0.03, 0, 0'//nl// &
+         '11, 0.003, -0.03, 0.002'//nl//'12, 0, -0.008, 0.0019'//nl//'13, 0, 0.011, 0.002'//nl// &
+         '14, -0.001, 0.03, 0.002'//nl//'*ELEMENT, TYPE='//type_1//', ELSET=A'//nl//'1, 1, 2'//nl//'2, 2, 3'//nl//'3, 3, 4'//nl// &
+         '*ELEMENT, TYPE='//type_2//', ELSET=B'//nl//'11, 11, 12'//nl//'12, 12, 13'//nl//'13, 13, 14'//nl// &
+         '*MATERIAL, NAME=M'//nl//'*ELASTIC'//nl//'1.1e11, 0.3'//nl//'*ELECTRICAL CONDUCTIVITY'//nl//'5e7'//nl// &
+         '*BEAM SECTION, ELSET=A, MATERIAL=M, SECTION=CIRC'//nl//'1e-3'//nl// &
+         '*BEAM SECTION, ELSET=B, MATERIAL=M, SECTION=CIRC'//nl//'0.8e-3'//nl// &
+         '*SURFACE INTERACTION, NAME=T'//options//nl//laws//'*CONTACT PAIR, INTERACTION=T'//nl//'A, B'//nl// &
+         '*BOUNDARY'//nl//'1, 1, 6'//nl//'4, 1, 6'//nl
+      deck = deck//step_of(-4.0e-4_dp, '')//step_of(-5.0e-4_dp, loads)
+   end function deck_of
+
+   function step_of(push, loads) result(step)
+      real(dp), intent(in) :: push
+      character(len=*), intent(in) :: loads
+      character(len=:), allocatable :: step
+      character(len=24) :: number
+
+      write (number, '(es12.4)') push
+      step = '*STEP, INC=200'//nl//'*STATIC'//nl//'0.25, 1.'//nl//loads//'*BOUNDARY'//nl//'11, 1, 2'//nl// &
+         '11, 4, 6'//nl//'14, 1, 2'//nl//'14, 4, 6'//nl//'11, 3, 3, '//number//nl//'14, 3, 3, '//number//nl//'1, 9, 9, 0.001'//nl// &
+         '11, 9, 9, 0'//nl//'*END STEP'//nl
+   end function step_of
+
+   subroutine check_terms(name, type_1, type_2, laws, options, loads, tolerance, part)
+      character(len=*), intent(in) :: name, type_1, type_2, laws, options, loads
+      real(dp), intent(in) :: tolerance
+      !> Of the usual random motion
+      real(dp), intent(in), optional :: part
+      type(problem_t) :: problem
+      real(dp) :: motion
+      integer :: trial
+
+      motion = 1
+      if (present(part)) motion = part
+      call solve_first_step(deck_of(type_1, type_2, laws, options, loads), problem)
+      do trial = 1, 3
+         call compare(name, problem, tolerance, motion)
+      end do
+   end subroutine check_terms
+
+   !> The state in the middle of the second step is what the comparison starts from.
+   subroutine solve_first_step(deck, problem)
+      character(len=*), intent(in) :: deck
+      type(problem_t), intent(out) :: problem
+      type(model_t) :: model
+      type(error_list_t) :: errors, warnings
+      type(error_t), allocatable :: error
+      type(course_t) :: course
+      type(silent_t) :: silent
+      real(dp), allocatable :: overlap(:)
+      integer :: unit
+
+      open (newunit=unit, file='tangents.inp', action='write', status='replace')
+      write (unit, '(a)') deck
+      close (unit)
+      call read_deck('tangents.inp', model, errors, warnings)
+      if (errors%count > 0) then
+         print '(a)', errors%text()
+         error stop 1
+      end if
+      call prepare_problem(model, problem)
+      call find_initial_overlap(problem, overlap, error)
+      call stop_on(error)
+      problem%contact%clearance = overlap
+      problem%contact%converged_clearance = overlap
+      call run_step(problem, 1, 0, overlap, .false., course, silent, error)
+      call stop_on(error)
+      call begin_step(problem, model%steps(2), 0, error)
+      call stop_on(error)
+      call load_targets(model, model%steps(2), 0.5_dp, 1.5_dp, problem%loading)
+      problem%damping = damping_stiffness(model, problem%elements%length, model%steps(2)%controls%stabilize, 0.5_dp)
+   end subroutine solve_first_step
+
+   !> A random state near the converged one; then `K v` against the change of the forces along `v`.
+   subroutine compare(name, problem, tolerance, motion)
+      character(len=*), intent(in) :: name
+      type(problem_t), intent(inout) :: problem
+      real(dp), intent(in) :: tolerance, motion
+      real(dp), dimension(n_slots, problem%model%n_nodes) :: there, v, product, differences, force
+      real(dp), parameter :: weight(3) = [45.0_dp, -9.0_dp, 1.0_dp]/60
+      real(dp), parameter :: h = 1.0e-3_dp
+      real(dp) :: scale(n_slots)
+      integer :: k, field
+
+      scale = 1.0e-5_dp
+      scale(first_slot(field_rotation):last_slot(field_rotation)) = 1.0e-3_dp
+      scale(first_slot(field_potential)) = 1.0e-4_dp
+      scale = motion*scale
+      there = random_values(problem, scale)
+      v = random_values(problem, scale)
+      call forces_at(problem, there, v, 0.0_dp, force)
+      product = tangent_times(problem, v, force)
+      differences = 0
+      do k = 1, 3
+         call forces_at(problem, there, v, k*h, force)
+         differences = differences + weight(k)*force/h
+         call forces_at(problem, there, v, -k*h, force)
+         differences = differences - weight(k)*force/h
+      end do
+      where (problem%equations%number == 0) differences = 0
+      do field = 1, size(fields)
+         associate (a => product(first_slot(field):last_slot(field), :), &
+            b => differences(first_slot(field):last_slot(field), :))
+            call check(maxval(abs(a - b)) <= tolerance*maxval(abs(b)), name//': '//trim(fields(field)%flux), &
+               maxval(abs(a - b))/max(maxval(abs(b)), tiny(1.0_dp)))
+         end associate
+      end do
+   end subroutine compare
+
+   !> Between -scale and scale at the free unknowns, 0 at others.
+   function random_values(problem, scale) result(values)
+      type(problem_t), intent(in) :: problem
+      real(dp), intent(in) :: scale(n_slots)
+      real(dp) :: values(n_slots, problem%model%n_nodes)
+
+      call random_number(values)
+      values = merge((2*values - 1)*spread(scale, 2, size(values, 2)), 0.0_dp, problem%equations%number > 0)
+   end function random_values
+
+   !> Forces at `there`, and from there on by `t v`; the tangent is left in the problem.
+   subroutine forces_at(problem, there, v, t, force)
+      type(problem_t), intent(inout) :: problem
+      real(dp), intent(in) :: there(:, :), v(:, :), t
+      real(dp), intent(out) :: force(:, :)
+      real(dp) :: x_start(3, size(there, 2)), nothing(n_slots, size(there, 2))
+      type(error_t), allocatable :: error
+
+      call start_iterate(problem)
+      x_start = problem%iterate%x
+      nothing = 0
+      call move(problem, there, 1)
+      call move(problem, t*v, 1)
+      call evaluate(problem, x_start, nothing, error)
+      call stop_on(error)
+      ! again, about the forces of this very state
+      problem%iterate%sigma_from_strain = .true.
+      problem%contact%points%mixed_force = problem%contact%points%force
+      problem%contact%points%predicted = .false.
+      call evaluate(problem, x_start, nothing, error)
+      call stop_on(error)
+      force = problem%forces%internal
+   end subroutine forces_at
+
+   !> `K v` of the free unknowns, turned from the Hessian to the derivative of forces of spins.
+   function tangent_times(problem, v, force) result(product)
+      type(problem_t), intent(in) :: problem
+      real(dp), intent(in) :: v(:, :), force(:, :)
+      real(dp) :: product(n_slots, size(v, 2))
+      real(dp), allocatable :: part(:)
+      integer :: i, j, node
+
+      product = 0
+      do i = 1, n_groups
+         part = 0*problem%equations%gather(i, v)
+         do j = 1, n_groups
+            if (depends_on(i, j)) part = part + times(problem, i, j, v)
+         end do
+         call problem%equations%spread_to_nodes(i, part, product)
+      end do
+      associate (first => first_slot(field_rotation), last => last_slot(field_rotation), &
+         load => problem%loading%load)
+         do node = 1, size(v, 2)
+            if (any(problem%equations%number(first:last, node) == 0)) cycle
+            product(first:last, node) = product(first:last, node) - cross(force(first:last, node) &
+               - load(first:last, node), v(first:last, node))/2
+         end do
+      end associate
+   end function tangent_times
+
+   !> One block of the tangent times `v`.
+   function times(problem, row_group, column_group, v) result(y)
+      type(problem_t), intent(in) :: problem
+      integer, intent(in) :: row_group, column_group
+      real(dp), intent(in) :: v(:, :)
+      real(dp) :: y(problem%equations%count(row_group))
+
+      call csr_multiply(problem%matrix%block(row_group, column_group), problem%equations%gather(column_group, v), y)
+   end function times
+
+   subroutine check(condition, what, found)
+      logical, intent(in) :: condition
+      character(len=*), intent(in) :: what
+      real(dp), intent(in) :: found
+
+      if (condition) return
+      failures = failures + 1
+      print '(2a, es9.2)', 'failed: ', what, found
+   end subroutine check
+
+   subroutine stop_on(error)
+      type(error_t), allocatable, intent(in) :: error
+
+      if (.not. allocated(error)) return
+      print '(a)', error%text()
+      error stop 1
+   end subroutine stop_on
+
+   !> The same numbers in every run.
+   subroutine start_random_numbers()
+      integer :: length, k
+
+      call random_seed(size=length)
+      call random_seed(put=[(1000 + 17*k, k=1, length)])
+   end subroutine start_random_numbers
+
+end program test_tangents
