@@ -133,7 +133,8 @@ contains
 
       deck = '*NODE'//nl//'1, -0.03, 0, 0'//nl//'2, -0.012, 0, 0'//nl//'3, 0.009, 0.001, 0'//nl//'4, 0.03, 0, 0'//nl// &
          '11, 0.003, -0.03, 0.002'//nl//'12, 0, -0.008, 0.0019'//nl//'13, 0, 0.011, 0.002'//nl// &
-         '14, -0.001, 0.03, 0.002'//nl//'*ELEMENT, TYPE='//type_1//', ELSET=A'//nl//'1, 1, 2'//nl//'2, 2, 3'//nl//'3, 3, 4'//nl// &
+         '14, -0.001, 0.03, 0.002'//nl//'*ELEMENT, TYPE='//type_1//', ELSET=A'//nl//'1, 1, 2'//nl//'2, 2, 3'// &
+         nl//'3, 3, 4'//nl// &
          '*ELEMENT, TYPE='//type_2//', ELSET=B'//nl//'11, 11, 12'//nl//'12, 12, 13'//nl//'13, 13, 14'//nl// &
          '*MATERIAL, NAME=M'//nl//'*ELASTIC'//nl//'1.1e11, 0.3'//nl//'*ELECTRICAL CONDUCTIVITY'//nl//'5e7'//nl// &
          '*BEAM SECTION, ELSET=A, MATERIAL=M, SECTION=CIRC'//nl//'1e-3'//nl// &
@@ -151,7 +152,8 @@ contains
 
       write (number, '(es12.4)') push
       step = '*STEP, INC=200'//nl//'*STATIC'//nl//'0.25, 1.'//nl//loads//'*BOUNDARY'//nl//'11, 1, 2'//nl// &
-         '11, 4, 6'//nl//'14, 1, 2'//nl//'14, 4, 6'//nl//'11, 3, 3, '//number//nl//'14, 3, 3, '//number//nl//'1, 9, 9, 0.001'//nl// &
+         '11, 4, 6'//nl//'14, 1, 2'//nl//'14, 4, 6'//nl//'11, 3, 3, '//number//nl//'14, 3, 3, '//number//nl// &
+         '1, 9, 9, 0.001'//nl// &
          '11, 9, 9, 0'//nl//'*END STEP'//nl
    end function step_of
 
