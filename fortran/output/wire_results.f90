@@ -6,6 +6,8 @@ module litz_wire_results
    use litz_kinds, only: dp, pi
    use litz_errors, only: error_t
    use litz_model, only: model_t, section_t, named_set_t
+   use litz_quantities, only: quantity_t, on_points, on_cells
+   use litz_result_quantities, only: wire_quantity_t, list_wire_quantities
    use litz_state, only: state_t
    use litz_version, only: version
    use litz_hdf5_files, only: hid_t, hdf5_create_group, hdf5_flush
@@ -14,7 +16,7 @@ module litz_wire_results
    use litz_run_warnings, only: run_warnings_t
    use litz_warning_rows, only: warning_rows_t
    use litz_wire_chains, only: wire_chains_t, find_wire_chains
-   use litz_vtkhdf_writer, only: vtkhdf_file_t, on_points, on_cells, vtk_line
+   use litz_vtkhdf_writer, only: vtkhdf_file_t, vtk_line
    implicit none
    private
    public :: wire_results_t, format_version, most_written_increments
@@ -27,12 +29,6 @@ module litz_wire_results
 
    character(len=*), parameter :: unit_system = &
       'SI (m, N, s, V, A, W, rad), or the consistent set the deck is written in'
-   character(len=*), parameter :: section_force_names(6) = [character(len=16) :: 'axial_force', 'shear_force_2', &
-      'shear_force_3', 'torsion_moment', 'bending_moment_2', 'bending_moment_3']
-   character(len=*), parameter :: section_force_texts(6) = [character(len=48) :: 'axial force N, tension positive', &
-      'shear force Q2 along the first section axis', 'shear force Q3 along the second section axis', &
-      'torsion moment T', 'bending moment M2 about the first section axis', &
-      'bending moment M3 about the second section axis']
    character(len=*), parameter :: table_names(11) = [character(len=17) :: 'step', 'increment', 'iterations', 'time', &
       'step_time', 'time_increment', 'force_balance', 'moment_balance', 'current_balance', 'power_balance', &
       'penetration_ratio']
@@ -63,8 +59,7 @@ contains
       call self%file%create(path, model%n_nodes, model%n_elements, most_written_increments(model), error)
       call self%file%write_cells(vtk_line, model%connectivity, model%n_nodes, error)
       self%file%units = model%units
-      call add_point_fields(self%file, model%n_nodes, error)
-      call add_cell_fields(self%file, model%n_elements, error)
+      call add_fields(self%file, model, error)
       call write_static_fields(self%file, model, error)
       call write_origin(self, model, error)
       call write_sets(self%litz_group, 'node_sets', model%node_sets, model%node_id, error)
@@ -87,59 +82,21 @@ contains
       n = min(n, most_increments)
    end function most_written_increments
 
-   subroutine add_point_fields(file, n, error)
+   subroutine add_fields(file, model, error)
       type(vtkhdf_file_t), intent(inout) :: file
-      !> Number of nodes
-      integer, intent(in) :: n
+      type(model_t), intent(in) :: model
       type(error_t), allocatable, intent(inout) :: error
-
-      call file%add_field(on_points, 'displacement', 3, 'm', 'displacement from the reference position', n, error)
-      call file%add_field(on_points, 'rotation', 3, 'rad', 'rotation vector from the reference', n, error)
-      call file%add_field(on_points, 'potential', 1, 'V', 'electric potential', n, error)
-      call file%add_field(on_points, 'reaction_force', 3, 'N', &
-         'force of the supports on the structure, applied loads not included', n, error)
-      call file%add_field(on_points, 'reaction_moment', 3, 'N m', &
-         'moment of the supports on the structure, applied loads not included', n, error)
-      call file%add_field(on_points, 'applied_force', 3, 'N', 'applied load', n, error)
-      call file%add_field(on_points, 'applied_moment', 3, 'N m', 'applied moment', n, error)
-      call file%add_field(on_points, 'reaction_current', 1, 'A', &
-         'current that enters where the potential is prescribed', n, error)
-      call file%add_field(on_points, 'applied_current', 1, 'A', 'applied current, positive into the body', n, error)
-      call file%add_field(on_points, 'reference_position', 3, 'm', 'position before any deformation', n, error)
-      call file%add_field(on_points, 'node_id', 1, '1', 'number of the node in the deck', n, error, &
-         is_integer=.true.)
-   end subroutine add_point_fields
-
-   subroutine add_cell_fields(file, n, error)
-      type(vtkhdf_file_t), intent(inout) :: file
-      !> Number of elements
-      integer, intent(in) :: n
-      type(error_t), allocatable, intent(inout) :: error
+      type(state_t) :: nothing
+      type(wire_quantity_t), allocatable :: list(:)
       integer :: i
 
-      do i = 1, 6
-         call file%add_field(on_cells, trim(section_force_names(i)), 1, trim(merge('N  ', 'N m', i <= 3)), &
-            trim(section_force_texts(i)), n, error)
+      call list_wire_quantities(nothing, list)
+      do i = 1, size(list)
+         call file%add_field(list(i), merge(model%n_nodes, model%n_elements, list(i)%place == on_points), error)
       end do
-      call file%add_field(on_cells, 'element_current', 1, 'A', 'current from the first to the second node', n, error)
-      call file%add_field(on_cells, 'current_density', 1, 'A/m^2', &
-         'current per area of the cross-section, from the first to the second node', n, error)
-      call file%add_field(on_cells, 'joule_heat', 1, 'W', 'heat from the current in the element', n, error)
-      call file%add_field(on_cells, 'radius', 1, 'm', &
-         'radius that touches other wires; without one, that of a circle with the area of the section', n, error)
-      call file%add_field(on_cells, 'element_id', 1, '1', 'number of the element in the deck', n, error, &
-         is_integer=.true.)
-      call file%add_field(on_cells, 'section', 1, '1', 'number of the *BEAM SECTION in the deck, from 1', n, error, &
-         is_integer=.true.)
-      call file%add_field(on_cells, 'wire', 1, '1', &
-         'number of the wire, from 1: elements one after another between free ends and branches', n, error, &
-         is_integer=.true.)
-      call file%add_field(on_cells, 'place_in_wire', 1, '1', 'place of the element along its wire, from 1', n, error, &
-         is_integer=.true.)
-      call file%add_field(on_cells, 'direction_in_wire', 1, '1', &
-         '1: the element runs along its wire, -1: against it', n, error, is_integer=.true.)
-   end subroutine add_cell_fields
+   end subroutine add_fields
 
+   !> What does not change over time.
    subroutine write_static_fields(file, model, error)
       type(vtkhdf_file_t), intent(inout) :: file
       type(model_t), intent(in) :: model
@@ -147,16 +104,35 @@ contains
       type(wire_chains_t) :: chains
       integer :: i
 
+      call file%add_field(quantity_t('reference_position', 'm', 'position before any deformation', on_points, 3), &
+         model%n_nodes, error)
       call file%write_field('reference_position', model%x, error)
-      call file%write_field('node_id', model%node_id, error)
-      call file%write_field('radius', &
-         [(drawn_radius(model%sections(model%element_section(i))), i=1, model%n_elements)], error)
-      call file%write_field('element_id', model%element_id, error)
-      call file%write_field('section', model%element_section, error)
+      call file%add_field(quantity_t('radius', 'm', &
+         'radius that touches other wires; without one, that of a circle with the area of the section', on_cells), &
+         model%n_elements, error)
+      call file%write_field('radius', reshape([(drawn_radius(model%sections(model%element_section(i))), &
+         i=1, model%n_elements)], [1, model%n_elements]), error)
+      call add_numbers('node_id', 'number of the node in the deck', on_points, model%node_id)
+      call add_numbers('element_id', 'number of the element in the deck', on_cells, model%element_id)
+      call add_numbers('section', 'number of the *BEAM SECTION in the deck, from 1', on_cells, model%element_section)
       call find_wire_chains(model%connectivity, model%n_nodes, chains)
-      call file%write_field('wire', chains%wire, error)
-      call file%write_field('place_in_wire', chains%place, error)
-      call file%write_field('direction_in_wire', chains%direction, error)
+      call add_numbers('wire', 'number of the wire, from 1: elements one after another between free ends and branches', &
+         on_cells, chains%wire)
+      call add_numbers('place_in_wire', 'place of the element along its wire, from 1', on_cells, chains%place)
+      call add_numbers('direction_in_wire', '1: the element runs along its wire, -1: against it', on_cells, &
+         chains%direction)
+
+   contains
+
+      subroutine add_numbers(name, text, place, numbers)
+         character(len=*), intent(in) :: name, text
+         !> `on_points` or `on_cells`, and a number for each of them
+         integer, intent(in) :: place, numbers(:)
+
+         call file%add_field(quantity_t(name, '1', text, place, is_integer=.true.), size(numbers), error)
+         call file%write_field(name, numbers, error)
+      end subroutine add_numbers
+
    end subroutine write_static_fields
 
    pure real(dp) function drawn_radius(section)
@@ -237,12 +213,16 @@ contains
    subroutine wire_results_write(self, model, state, error)
       class(wire_results_t), intent(inout) :: self
       type(model_t), intent(in) :: model
-      type(state_t), intent(in) :: state
+      type(state_t), intent(in), target :: state
       type(error_t), allocatable, intent(inout) :: error
+      type(wire_quantity_t), allocatable :: list(:)
+      integer :: i
 
       call self%file%write_points(model%x + state%value(1:3, :), error)
-      call write_point_fields(self%file, state, error)
-      call write_cell_fields(self%file, model, state, error)
+      call list_wire_quantities(state, list)
+      do i = 1, size(list)
+         call self%file%write_field(list(i)%name, list(i)%values, error)
+      end do
       call write_tables(self, state, error)
       call self%file%end_step(state%time, error)
    end subroutine wire_results_write
@@ -255,39 +235,6 @@ contains
 
       call self%warnings%write(warnings, error)
    end subroutine wire_results_write_warnings
-
-   subroutine write_point_fields(file, state, error)
-      type(vtkhdf_file_t), intent(inout) :: file
-      type(state_t), intent(in) :: state
-      type(error_t), allocatable, intent(inout) :: error
-
-      call file%write_field('displacement', state%value(1:3, :), error)
-      call file%write_field('rotation', state%value(4:6, :), error)
-      call file%write_field('potential', state%value(7, :), error)
-      call file%write_field('reaction_force', state%reaction(1:3, :), error)
-      call file%write_field('reaction_moment', state%reaction(4:6, :), error)
-      call file%write_field('applied_force', state%load(1:3, :), error)
-      call file%write_field('applied_moment', state%load(4:6, :), error)
-      call file%write_field('reaction_current', state%reaction(7, :), error)
-      call file%write_field('applied_current', state%load(7, :), error)
-   end subroutine write_point_fields
-
-   subroutine write_cell_fields(file, model, state, error)
-      type(vtkhdf_file_t), intent(inout) :: file
-      type(model_t), intent(in) :: model
-      type(state_t), intent(in) :: state
-      type(error_t), allocatable, intent(inout) :: error
-      real(dp) :: area(model%n_elements)
-      integer :: i
-
-      area = model%sections(model%element_section)%area
-      do i = 1, 6
-         call file%write_field(trim(section_force_names(i)), state%section_forces(i, :), error)
-      end do
-      call file%write_field('element_current', state%element_current, error)
-      call file%write_field('current_density', state%element_current/area, error)
-      call file%write_field('joule_heat', state%joule_heat, error)
-   end subroutine write_cell_fields
 
    subroutine write_tables(self, state, error)
       class(wire_results_t), intent(inout) :: self

@@ -85,10 +85,10 @@ program test_audit
 
    wrong = right
    wrong%value(7, 4) = ieee_value(1.0_dp, ieee_quiet_nan)
-   call expect_finding(wrong, 'a value at node 14 is not a number')
+   call expect_finding(wrong, 'potential at node 14 is not a number')
    wrong = right
    wrong%section_forces(6, 2) = ieee_value(1.0_dp, ieee_quiet_nan)
-   call expect_finding(wrong, 'a value in element 102 is not a number')
+   call expect_finding(wrong, 'bending_moment_3 in element 102 is not a number')
    wrong = right
    wrong%contacts(1)%resistance = ieee_value(1.0_dp, ieee_quiet_nan)
    call expect_finding(wrong, 'a value of contact 7 (elements 101 and 102) is not a number')
