@@ -17,7 +17,7 @@ module litz_contact_points
    public :: contact_point_t, contact_set_t
    public :: pair_geometry, chain_by_wire, clearance_of
 
-   !> A crossing of two wires, open or closed: the contact that results show, and what the iteration needs of it besides.
+   !> A crossing of two wires, open or closed: the contact that results show, and what the iteration needs besides.
    type, extends(contact_t) :: contact_point_t
       !> Its place among the candidates
       integer :: candidate = 0

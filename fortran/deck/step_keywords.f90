@@ -100,7 +100,7 @@ contains
       call k%add(choice('TOTALS', 'YES|NO|ONLY', &
          'sums over the set (means of '//means(on_points)//'): besides the nodes, not at all, or alone', &
          default='NO'))
-      call k%add_data([choice_field('quantity', requested_names(on_points, .false.), described_requests(on_points))], &
+      call k%add_data([choice_field('quantity', requested_names(on_points), described_requests(on_points))], &
          last=0, repeats=0)
       call finish(table, k)
 
@@ -109,7 +109,7 @@ contains
       call k%add(choice('TOTALS', 'YES|NO|ONLY', &
          'sums over the set (means of '//means(on_cells)//'): besides the elements, not at all, or alone', &
          default='NO'))
-      call k%add_data([choice_field('quantity', requested_names(on_cells, .false.), described_requests(on_cells))], &
+      call k%add_data([choice_field('quantity', requested_names(on_cells), described_requests(on_cells))], &
          last=0, repeats=0)
       call finish(table, k)
 
@@ -135,7 +135,7 @@ contains
 
       call begin(k, 'NODE FILE', place_step, 'Fields are always written to the result file; this sets how often.')
       call k%add(count_of('FREQUENCY', 'every n-th increment, and the last of the step', '1'))
-      call k%add_data([choice_field('quantity', requested_names(on_points, .false.), 'all are written, whichever are named')], &
+      call k%add_data([choice_field('quantity', requested_names(on_points), 'all are written, whichever are named')], &
          required=.false., last=0, repeats=0)
       call finish(table, k)
 
@@ -148,7 +148,7 @@ contains
 
       call begin(k, 'EL FILE', place_step, 'As *NODE FILE.')
       call k%add(count_of('FREQUENCY', 'every n-th increment, and the last of the step', '1'))
-      call k%add_data([choice_field('quantity', requested_names(on_cells, .false.), 'all are written, whichever are named')], &
+      call k%add_data([choice_field('quantity', requested_names(on_cells), 'all are written, whichever are named')], &
          required=.false., last=0, repeats=0)
       call finish(table, k)
    end subroutine add_output
@@ -159,7 +159,7 @@ contains
       integer, intent(in) :: place
       character(len=:), allocatable :: text
 
-      text = join_words(words_of(requested_names(place, .true.)), 'and')
+      text = join_words(words_of(requested_names(place, means_only=.true.)), 'and')
    end function means
 
    pure subroutine add_solution(table)

@@ -13,7 +13,8 @@ module litz_result_quantities
    public :: contact_table, contacts_of_table
 
    !> The rows of nodal arrays
-   integer, parameter :: u = first_slot(field_displacement), phi = first_slot(field_rotation), v = first_slot(field_potential)
+   integer, parameter :: u = first_slot(field_displacement), phi = first_slot(field_rotation), &
+      v = first_slot(field_potential)
 
    !> A quantity of nodes or elements.
    type, extends(quantity_t) :: wire_quantity_t
@@ -40,13 +41,15 @@ contains
       type(wire_quantity_t), allocatable, intent(out) :: list(:)
 
       allocate (list(0))
-      call add(list, on_points, 'displacement', 'm', 'displacement from the reference position', state%value, &
-         u, 3, 'U')
+      call add(list, on_points, 'displacement', 'm', 'displacement from the reference position', &
+         state%value, u, 3, 'U')
       call add(list, on_points, 'rotation', 'rad', 'rotation vector from the reference', state%value, phi, 3, 'UR')
       call add(list, on_points, 'reaction_force', 'N', &
-         'force of the supports on the structure, applied loads not included', state%reaction, u, 3, 'RF', is_sum=.true.)
+         'force of the supports on the structure, applied loads not included', state%reaction, u, 3, 'RF', &
+         is_sum=.true.)
       call add(list, on_points, 'reaction_moment', 'N m', &
-         'moment of the supports on the structure, applied loads not included', state%reaction, phi, 3, 'RM', is_sum=.true.)
+         'moment of the supports on the structure, applied loads not included', state%reaction, phi, 3, 'RM', &
+         is_sum=.true.)
       call add(list, on_points, 'applied_force', 'N', 'applied load', state%load, u, 3, 'CF', is_sum=.true.)
       call add(list, on_points, 'applied_moment', 'N m', 'applied moment', state%load, phi, 3, 'CM', is_sum=.true.)
       call add(list, on_points, 'potential', 'V', 'electric potential', state%value, v, 1, 'EPOT')
@@ -54,7 +57,8 @@ contains
          state%reaction, v, 1, 'RCURR', is_sum=.true.)
       call add(list, on_points, 'applied_current', 'A', 'applied current, positive into the body', &
          state%load, v, 1, 'CECUR', is_sum=.true.)
-      call add(list, on_cells, 'axial_force', 'N', 'axial force N, tension positive', state%section_forces, 1, 1, 'SF', 'N')
+      call add(list, on_cells, 'axial_force', 'N', 'axial force N, tension positive', &
+         state%section_forces, 1, 1, 'SF', 'N')
       call add(list, on_cells, 'shear_force_2', 'N', 'shear force Q2 along the first section axis', &
          state%section_forces, 2, 1, 'SF', 'Q2')
       call add(list, on_cells, 'shear_force_3', 'N', 'shear force Q3 along the second section axis', &
@@ -137,17 +141,20 @@ contains
       !> `on_points` or `on_cells`
       integer, intent(in) :: place
       !> Leave out those whose totals are sums
-      logical, intent(in) :: means_only
+      logical, intent(in), optional :: means_only
       character(len=:), allocatable :: names
       type(state_t) :: nothing
       type(wire_quantity_t), allocatable :: list(:)
+      logical :: sums_too
       integer :: i
 
+      sums_too = .true.
+      if (present(means_only)) sums_too = .not. means_only
       call list_wire_quantities(nothing, list)
       names = ''
       do i = 1, size(list)
-         if (list(i)%place /= place .or. list(i)%request == '' .or. (means_only .and. list(i)%is_sum)) cycle
-         if (index('|'//names//'|', '|'//trim(list(i)%request)//'|') == 0) names = names//'|'//trim(list(i)%request)
+         if (list(i)%place /= place .or. list(i)%request == '' .or. (list(i)%is_sum .and. .not. sums_too)) cycle
+         if (index(names//'|', '|'//trim(list(i)%request)//'|') == 0) names = names//'|'//trim(list(i)%request)
       end do
       names = names(2:)
    end function requested_names
