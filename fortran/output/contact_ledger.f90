@@ -4,14 +4,11 @@ module litz_contact_ledger
    use litz_errors, only: error_t
    use litz_model, only: model_t
    use litz_state, only: state_t, contact_t
-   use litz_version, only: version
    use litz_output_files, only: text_file_t
-   use litz_hdf5_files, only: hid_t, hdf5_create_group
-   use litz_hdf5_attributes, only: hdf5_write_attribute
    use litz_quantities, only: quantity_t, quantity_table_t
    use litz_result_quantities, only: contact_table
    use litz_vtkhdf_writer, only: vtkhdf_file_t, vtk_vertex
-   use litz_wire_results, only: format_version, most_written_increments
+   use litz_wire_results, only: most_written_increments
    implicit none
    private
    public :: contact_ledger_t
@@ -22,7 +19,6 @@ module litz_contact_ledger
    type :: contact_ledger_t
       type(text_file_t), private :: table
       type(vtkhdf_file_t), private :: file
-      integer(hid_t), private :: litz_group = -1
       !> Elements (barred, unbarred) of the contacts of the last increment, by the contact's id; 0 0: not there
       integer, allocatable, private :: last_elements(:, :)
    contains
@@ -54,10 +50,6 @@ contains
       call self%table%write_line(model%units%in_header(header(columns%quantities)), error)
       call self%table%flush(error)
       call self%file%create(points_path, 1, 1, most_written_increments(model), error)
-      call hdf5_create_group(self%file%file, 'litz', self%litz_group, error)
-      call hdf5_write_attribute(self%litz_group, 'format_version', format_version, error)
-      call hdf5_write_attribute(self%litz_group, 'version', version, error)
-      call hdf5_write_attribute(self%litz_group, 'finished', 0, error)
       self%file%units = model%units
       do i = 1, size(columns%quantities)
          if (columns%quantities(i)%is_result()) call self%file%add_field(columns%quantities(i), 1, error)
@@ -215,9 +207,7 @@ contains
       type(error_t), allocatable, intent(inout) :: error
 
       call self%table%close(error)
-      if (self%file%file < 0) return
-      if (finished) call hdf5_write_attribute(self%litz_group, 'finished', 1, error)
-      call self%file%close(error)
+      call self%file%close(finished, error)
    end subroutine ledger_close
 
 end module litz_contact_ledger

@@ -11,6 +11,7 @@ module litz_vtkhdf_writer
    use litz_errors, only: error_t, fail, exit_internal
    use litz_quantities, only: quantity_t, name_length, on_points, on_cells
    use litz_unit_labels, only: unit_labels_t
+   use litz_version, only: version
    use litz_hdf5_files, only: hid_t, hdf5_start, hdf5_create_file, hdf5_create_group, hdf5_flush, &
       hdf5_publish_file, hdf5_close_file, hdf5_discard_file
    use litz_hdf5_attributes, only: hdf5_write_attribute
@@ -19,6 +20,9 @@ module litz_vtkhdf_writer
    private
    public :: vtkhdf_file_t
    public :: vtk_vertex, vtk_line
+
+   !> Of what stands in /litz; the layout of /VTKHDF has its own number
+   integer, parameter :: format_version = 1
 
    !> VTK's numbers of the cell types
    integer, parameter :: vtk_vertex = 1, vtk_line = 3
@@ -35,6 +39,8 @@ module litz_vtkhdf_writer
       !> What the units of the fields are called
       type(unit_labels_t) :: units
       integer(hid_t) :: file = -1
+      !> What is no part of VTKHDF: where the file comes from, and whether the run came to its end
+      integer(hid_t) :: litz_group = -1
       integer :: n_steps = 0
       !> The file is in its place, or comes there with its first step
       logical, private :: is_public = .false.
@@ -91,6 +97,10 @@ contains
       call self%part_cells%create(self%root, 'NumberOfCells', 1, hdf5_integer, 1, error)
       call self%part_connectivity%create(self%root, 'NumberOfConnectivityIds', 1, hdf5_integer, 1, error)
       call create_steps(self, error)
+      call hdf5_create_group(self%file, 'litz', self%litz_group, error)
+      call hdf5_write_attribute(self%litz_group, 'format_version', format_version, error)
+      call hdf5_write_attribute(self%litz_group, 'version', version, error)
+      call hdf5_write_attribute(self%litz_group, 'finished', 0, error)
    end subroutine vtkhdf_create
 
    subroutine create_steps(self, error)
@@ -235,11 +245,14 @@ contains
       self%is_public = .not. allocated(error)
    end subroutine vtkhdf_publish
 
-   !> Closes the file; one that was not published is removed.
-   subroutine vtkhdf_close(self, error)
+   !> Closes the file, and notes whether the run came to its end; one that was not published is removed.
+   subroutine vtkhdf_close(self, finished, error)
       class(vtkhdf_file_t), intent(inout) :: self
+      logical, intent(in) :: finished
       type(error_t), allocatable, intent(inout) :: error
 
+      if (self%file < 0) return
+      if (finished) call hdf5_write_attribute(self%litz_group, 'finished', 1, error)
       if (.not. self%is_public .or. self%n_steps == 0) call hdf5_discard_file(self%file)
       call hdf5_close_file(self%file, error)
    end subroutine vtkhdf_close

@@ -9,7 +9,6 @@ module litz_wire_results
    use litz_quantities, only: quantity_t, on_points, on_cells
    use litz_result_quantities, only: wire_quantity_t, list_wire_quantities
    use litz_state, only: state_t
-   use litz_version, only: version
    use litz_hdf5_files, only: hid_t, hdf5_create_group, hdf5_flush
    use litz_hdf5_attributes, only: hdf5_write_attribute, hdf5_write_text
    use litz_hdf5_rows, only: hdf5_rows_t, hdf5_real, hdf5_integer
@@ -19,10 +18,7 @@ module litz_wire_results
    use litz_vtkhdf_writer, only: vtkhdf_file_t, vtk_line
    implicit none
    private
-   public :: wire_results_t, format_version, most_written_increments
-
-   !> Of what stands in /litz; the layout of /VTKHDF has its own number
-   integer, parameter :: format_version = 1
+   public :: wire_results_t, most_written_increments
 
    !> More steps than this make no difference to the layout of the file
    integer, parameter :: most_increments = 10000
@@ -33,9 +29,7 @@ module litz_wire_results
       'step_time', 'time_increment', 'force_balance', 'moment_balance', 'current_balance', 'power_balance', &
       'penetration_ratio']
 
-   type :: wire_results_t
-      type(vtkhdf_file_t), private :: file
-      integer(hid_t), private :: litz_group = -1
+   type, extends(vtkhdf_file_t) :: wire_results_t
       !> A row per written increment, in the order of `table_names`
       type(hdf5_rows_t), private :: tables(size(table_names))
       type(warning_rows_t), private :: warnings
@@ -43,8 +37,6 @@ module litz_wire_results
       procedure :: open => wire_results_open
       procedure :: write => wire_results_write
       procedure :: write_warnings => wire_results_write_warnings
-      procedure :: publish => wire_results_publish
-      procedure :: close => wire_results_close
    end type wire_results_t
 
 contains
@@ -56,15 +48,15 @@ contains
       character(len=*), intent(in) :: path
       type(error_t), allocatable, intent(inout) :: error
 
-      call self%file%create(path, model%n_nodes, model%n_elements, most_written_increments(model), error)
-      call self%file%write_cells(vtk_line, model%connectivity, model%n_nodes, error)
-      self%file%units = model%units
-      call add_fields(self%file, model, error)
-      call write_static_fields(self%file, model, error)
+      call self%create(path, model%n_nodes, model%n_elements, most_written_increments(model), error)
+      call self%write_cells(vtk_line, model%connectivity, model%n_nodes, error)
+      self%units = model%units
+      call add_fields(self, model, error)
+      call write_static_fields(self, model, error)
       call write_origin(self, model, error)
       call write_sets(self%litz_group, 'node_sets', model%node_sets, model%node_id, error)
       call write_sets(self%litz_group, 'element_sets', model%element_sets, model%element_id, error)
-      call hdf5_flush(self%file%file, error)
+      call hdf5_flush(self%file, error)
    end subroutine wire_results_open
 
    !> The start, and the increments of all steps as often as they are written.
@@ -83,7 +75,7 @@ contains
    end function most_written_increments
 
    subroutine add_fields(file, model, error)
-      type(vtkhdf_file_t), intent(inout) :: file
+      class(vtkhdf_file_t), intent(inout) :: file
       type(model_t), intent(in) :: model
       type(error_t), allocatable, intent(inout) :: error
       type(state_t) :: nothing
@@ -98,7 +90,7 @@ contains
 
    !> What does not change over time.
    subroutine write_static_fields(file, model, error)
-      type(vtkhdf_file_t), intent(inout) :: file
+      class(vtkhdf_file_t), intent(inout) :: file
       type(model_t), intent(in) :: model
       type(error_t), allocatable, intent(inout) :: error
       type(wire_chains_t) :: chains
@@ -150,16 +142,12 @@ contains
       integer(hid_t) :: increments
       integer :: i
 
-      call hdf5_create_group(self%file%file, 'litz', self%litz_group, error)
       associate (group => self%litz_group)
-         call hdf5_write_attribute(group, 'format_version', format_version, error)
-         call hdf5_write_attribute(group, 'version', version, error)
          call hdf5_write_attribute(group, 'unit_system', unit_system, error)
          call hdf5_write_attribute(group, 'heading', text_or_nothing(model%heading), error)
-         call hdf5_write_attribute(group, 'finished', 0, error)
          call hdf5_write_text(group, 'deck', text_or_nothing(model%deck_text), error)
          call hdf5_create_group(group, 'increments', increments, error)
-         call self%warnings%create(self%file%file, group, error)
+         call self%warnings%create(self%file, group, error)
       end associate
       do i = 1, size(table_names)
          call self%tables(i)%create(increments, trim(table_names(i)), 1, &
@@ -218,13 +206,13 @@ contains
       type(wire_quantity_t), allocatable :: list(:)
       integer :: i
 
-      call self%file%write_points(model%x + state%value(1:3, :), error)
+      call self%write_points(model%x + state%value(1:3, :), error)
       call list_wire_quantities(state, list)
       do i = 1, size(list)
-         call self%file%write_field(list(i)%name, list(i)%values, error)
+         call self%write_field(list(i)%name, list(i)%values, error)
       end do
       call write_tables(self, state, error)
-      call self%file%end_step(state%time, error)
+      call self%end_step(state%time, error)
    end subroutine wire_results_write
 
    !> Brings the list of warnings up to date.
@@ -252,24 +240,5 @@ contains
          call self%tables(size(counts) + i)%append(reshape(reals(i:i), [1, 1]), error)
       end do
    end subroutine write_tables
-
-   !> Puts the file in the place of an older one.
-   subroutine wire_results_publish(self, error)
-      class(wire_results_t), intent(inout) :: self
-      type(error_t), allocatable, intent(inout) :: error
-
-      call self%file%publish(error)
-   end subroutine wire_results_publish
-
-   !> Closes the file, and notes whether the run came to its end.
-   subroutine wire_results_close(self, finished, error)
-      class(wire_results_t), intent(inout) :: self
-      logical, intent(in) :: finished
-      type(error_t), allocatable, intent(inout) :: error
-
-      if (self%file%file < 0) return
-      if (finished) call hdf5_write_attribute(self%litz_group, 'finished', 1, error)
-      call self%file%close(error)
-   end subroutine wire_results_close
 
 end module litz_wire_results
