@@ -99,8 +99,8 @@ program test_audit
    call expect_finding(wrong, 'current and voltage of contact 7 disagree')
    wrong%contacts%current = 0
    wrong%contacts%joule_heat = 0
-   wrong%reaction_current = 0
-   wrong%applied_current = 0
+   wrong%reaction(7, :) = 0
+   wrong%load(7, :) = 0
    wrong%element_current = 0
    wrong%joule_heat = 0
    audit = audit_increment(model, wrong, at_rest, scales)
@@ -128,7 +128,7 @@ program test_audit
    wrong%reaction = 0
    wrong%reaction(3, 1) = 1.0e-14_dp
    wrong%contacts = wrong%contacts(:0)
-   wrong%reaction_current = 0
+   wrong%reaction(7, :) = 0
    wrong%element_current = 0
    wrong%joule_heat = 0
    scales%reference = [1.0e-14_dp, 0.0_dp, 0.0_dp]
