@@ -83,6 +83,7 @@ contains
    !> What a table of text has instead of a number.
    pure function word(self, number)
       class(quantity_t), intent(in) :: self
+      !> From 0
       integer, intent(in) :: number
       character(len=:), allocatable :: word
       character(len=word_length), allocatable :: words(:)
@@ -107,6 +108,7 @@ contains
    !> Once all columns are described: makes room for rows that are to be stored.
    pure subroutine begin_storing(self, n_rows)
       class(quantity_table_t), intent(inout) :: self
+      !> Number of rows
       integer, intent(in) :: n_rows
 
       allocate (self%reals(self%n_reals, n_rows), self%integers(self%n_integers, n_rows))
@@ -132,10 +134,13 @@ contains
 
    pure subroutine real_field(self, name, value, unit, text, may_be_infinite)
       class(quantity_table_t), intent(inout) :: self
+      !> Of the quantity
       character(len=*), intent(in) :: name
+      !> Stored, or set from the row
       real(dp), intent(inout) :: value
       !> As in `quantity_t`
       character(len=*), intent(in), optional :: unit, text
+      !> As in `quantity_t`
       logical, intent(in), optional :: may_be_infinite
 
       self%n_reals = self%n_reals + 1
@@ -152,7 +157,9 @@ contains
 
    pure subroutine vector_field(self, name, values, unit, text)
       class(quantity_table_t), intent(inout) :: self
+      !> Of the quantity
       character(len=*), intent(in) :: name
+      !> Stored, or set from the row
       real(dp), intent(inout) :: values(3)
       !> As in `quantity_t`
       character(len=*), intent(in), optional :: unit, text
@@ -172,10 +179,13 @@ contains
 
    pure subroutine integer_field(self, name, value, unit, text, is_element, words)
       class(quantity_table_t), intent(inout) :: self
+      !> Of the quantity
       character(len=*), intent(in) :: name
+      !> Stored, or set from the row
       integer, intent(inout) :: value
       !> As in `quantity_t`
       character(len=*), intent(in), optional :: unit, text, words
+      !> As in `quantity_t`
       logical, intent(in), optional :: is_element
 
       self%n_integers = self%n_integers + 1
@@ -196,7 +206,9 @@ contains
 
    pure subroutine logical_field(self, name, value)
       class(quantity_table_t), intent(inout) :: self
+      !> Of the quantity
       character(len=*), intent(in) :: name
+      !> Stored, or set from the row
       logical, intent(inout) :: value
       integer :: number
 
@@ -207,9 +219,11 @@ contains
 
    pure subroutine describe(self, name, first, components, unit, text)
       class(quantity_table_t), intent(inout) :: self
+      !> Of the quantity
       character(len=*), intent(in) :: name
       !> As in `quantity_t`
       integer, intent(in) :: first, components
+      !> As in `quantity_t`
       character(len=*), intent(in), optional :: unit, text
       type(quantity_t) :: quantity
 

@@ -186,6 +186,7 @@ contains
 
    !> `shear force 2` for `shear_force_2`
    pure function in_words(name) result(words)
+      !> Of a quantity
       character(len=*), intent(in) :: name
       character(len=:), allocatable :: words
       integer :: i
@@ -201,10 +202,13 @@ contains
       type(wire_quantity_t), allocatable, intent(inout) :: list(:)
       !> As in `wire_quantity_t`; `first`: the first of the rows
       integer, intent(in) :: place, first, components
+      !> As in `wire_quantity_t`
       character(len=*), intent(in) :: name, unit, text
       !> (rows, nodes or elements); not there where the state has none
       real(dp), intent(in), optional, target :: values(:, :)
+      !> As in `wire_quantity_t`
       character(len=*), intent(in), optional :: request, column
+      !> As in `wire_quantity_t`
       logical, intent(in), optional :: is_sum
       type(wire_quantity_t) :: item
 
@@ -226,10 +230,13 @@ contains
       type(wire_quantity_t), allocatable, intent(inout) :: list(:)
       !> As in `wire_quantity_t`
       integer, intent(in) :: place
+      !> As in `wire_quantity_t`
       character(len=*), intent(in) :: name, unit, text
       !> (nodes or elements); not there where the state has none
       real(dp), intent(in), optional, target :: values(:)
+      !> As in `wire_quantity_t`
       character(len=*), intent(in), optional :: request, column
+      !> As in `wire_quantity_t`
       logical, intent(in), optional :: is_sum
 
       call add_rows(list, place, name, unit, text, first=1, components=1, request=request, column=column, is_sum=is_sum)

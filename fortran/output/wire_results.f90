@@ -108,8 +108,8 @@ contains
       call add_numbers('element_id', 'number of the element in the deck', on_cells, model%element_id)
       call add_numbers('section', 'number of the *BEAM SECTION in the deck, from 1', on_cells, model%element_section)
       call find_wire_chains(model%connectivity, model%n_nodes, chains)
-      call add_numbers('wire', 'number of the wire, from 1: elements one after another between free ends and branches', &
-         on_cells, chains%wire)
+      call add_numbers('wire', &
+         'number of the wire, from 1: elements one after another between free ends and branches', on_cells, chains%wire)
       call add_numbers('place_in_wire', 'place of the element along its wire, from 1', on_cells, chains%place)
       call add_numbers('direction_in_wire', '1: the element runs along its wire, -1: against it', on_cells, &
          chains%direction)
