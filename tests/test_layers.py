@@ -89,3 +89,15 @@ def test_every_source_is_built(path):
     recipes = folders.get(floor(path), [FORTRAN / path.relative_to(FORTRAN).parts[0]])
     text = "".join((folder / "meson.build").read_text(encoding="utf-8") for folder in recipes)
     assert re.search(rf"\b{path.name}'", text)
+
+
+def test_names_of_results_are_said_once():
+    # files, ledger, history and restart follow the lists of one module
+    home = FORTRAN / "model" / "result_quantities.f90"
+    words = {path: set(re.findall(r"'([a-z_0-9]+)'", path.read_text(encoding="utf-8"))) for path in SOURCES}
+    names = {name for name in words[home] if "_" in name}
+    assert {"current_density", "semi_major", "slip_path"} <= names
+    # the memory of a contact point has values of the same names
+    others = [path for path in SOURCES if floor(path) in {"solution", "output", "restart", "main"}]
+    repeated = {path.name: names & words[path] for path in others if path.name != "restart_points.f90"}
+    assert not any(repeated.values()), repeated

@@ -11,6 +11,7 @@ module litz_growing_text
    contains
       procedure :: append
       procedure :: text
+      procedure :: codes
    end type growing_text_t
 
 contains
@@ -40,5 +41,17 @@ contains
       text = ''
       if (self%length > 0) text = self%buffer(:self%length)
    end function text
+
+   !> The text as numbers of characters (1, characters), for files that hold numbers.
+   pure function codes(self) result(numbers)
+      class(growing_text_t), intent(in) :: self
+      integer, allocatable :: numbers(:, :)
+      integer :: i
+
+      allocate (numbers(1, self%length))
+      do i = 1, self%length
+         numbers(1, i) = iachar(self%buffer(i:i))
+      end do
+   end function codes
 
 end module litz_growing_text

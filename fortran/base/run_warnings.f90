@@ -243,7 +243,6 @@ contains
       !> (1, characters)
       integer, allocatable :: numbers(:, :)
       type(growing_text_t) :: lines
-      character(len=:), allocatable :: text
       character(len=320) :: buffer
       integer :: i
 
@@ -254,11 +253,7 @@ contains
             call lines%append(trim(buffer)//new_line('a')//item%record())
          end associate
       end do
-      text = lines%text()
-      allocate (numbers(1, len(text)))
-      do i = 1, len(text)
-         numbers(1, i) = iachar(text(i:i))
-      end do
+      allocate (numbers, source=lines%codes())
    end function warnings_to_numbers
 
    !> The list of an earlier run; what it has shown is not shown again.

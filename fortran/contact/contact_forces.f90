@@ -302,7 +302,7 @@ contains
 
       if (.not. (point%active .or. point%closed)) call forget_friction(point%friction_iteration)
       point%friction = friction_law_t()
-      point%traction_on_bar = 0
+      point%traction = 0
       point%conductance = 0
       point%current = 0
       point%voltage_gap = 0

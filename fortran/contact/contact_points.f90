@@ -10,18 +10,17 @@ module litz_contact_points
    use litz_hertz, only: hertz_ellipse_t
    use litz_model, only: model_t
    use litz_shared_conductors, only: shared_conductors_t
+   use litz_state, only: contact_t
    use litz_wires, only: wires_t
    implicit none
    private
    public :: contact_point_t, contact_set_t
    public :: pair_geometry, chain_by_wire, clearance_of
 
-   !> A crossing of two wires, open or closed.
-   type :: contact_point_t
-      integer :: id = 0
-      !> Elements (barred first), positions in them, the model's contact pair, and its place among the candidates
-      integer :: element_bar = 0, element = 0, pair = 0, candidate = 0
-      real(dp) :: xi_bar = 0, xi = 0
+   !> A crossing of two wires, open or closed: the contact that results show, and what the iteration needs besides.
+   type, extends(contact_t) :: contact_point_t
+      !> Its place among the candidates
+      integer :: candidate = 0
       !> Arc lengths along the two wires [m]
       real(dp) :: arc_bar = 0, arc = 0
       type(contact_kinematics_t) :: kinematics
@@ -34,24 +33,20 @@ module litz_contact_points
       !> The last iteration predicted the gap and the force of this point [m, N]
       logical :: predicted = .false.
       real(dp) :: predicted_gap = 0, mixed_force = 0
-      !> Overlap of the reference configuration that an interference fit resolves here [m]; 0: this crossing has none
+      !> Overlap of the reference configuration that an interference fit resolves here [m], in the gap as far as it is
+      !> left; 0: this crossing has none
       real(dp) :: fit = 0
-      !> Gap that the law sees: of the geometry, plus what is left of an interference fit [m]
-      real(dp) :: gap = 0
       !> In contact as the iteration takes it (prediction) and as it is
       logical :: active = .false., closed = .false.
-      !> Law at the present gap [N, N/m], and the force that this iteration linearises about
-      real(dp) :: force = 0, stiffness = 0, iteration_force = 0
+      !> The force that this iteration linearises about [N]
+      real(dp) :: iteration_force = 0
       !> Force of the geometric stiffness [N]; zero at first touch, where no force is known yet
       real(dp) :: geometric_force = 0
       !> Memory of the converged state: from when the increment began until it has converged
       type(contact_history_t) :: history
-      !> Traction at the present place; as the barred wire feels it [N]
+      !> Traction at the present place
       type(friction_law_t) :: friction
-      real(dp) :: traction_on_bar(3) = 0
       type(friction_iteration_t) :: friction_iteration
-      !> Spot [m], conductance [S], current [A], voltage across the spot [V]
-      real(dp) :: semi_major = 0, semi_minor = 0, conductance = 0, current = 0, voltage_gap = 0
       !> rho L0/(4 A) of both elements, 0 where the voltage is not corrected [ohm], and heat in them that the linear
       !> voltage misses [W] (theory section 7)
       real(dp) :: series_resistance(2) = 0, heat_inside(2) = 0

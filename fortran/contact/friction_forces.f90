@@ -47,7 +47,7 @@ contains
          call stick(law, young, poisson, point%force, point%ellipse, stiffness, dstiffness_dforce)
          point%friction = friction_law(law%friction, point%force, stiffness, dstiffness_dforce, &
             point%history%traction, slip%slip, force_start=point%history%force)
-         point%traction_on_bar = -matmul(slip%frame, point%friction%traction)
+         point%traction = -matmul(slip%frame, point%friction%traction)
          residual = friction_residual(point%kinematics, slip, point%friction%traction)
          if (.not. point%history%closed) call grow_with_force(dot_product(residual, dq), point%friction)
          r = r + residual

@@ -12,7 +12,7 @@ module litz_keyword_table
 contains
 
    !> All keywords, in the order in which a deck usually has them.
-   pure function keyword_table() result(table)
+   function keyword_table() result(table)
       type(keyword_table_t) :: table
 
       allocate (table%keywords(40))

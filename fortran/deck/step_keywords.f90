@@ -4,12 +4,12 @@ module litz_step_keywords
       limit_positive, limit_not_negative
    use litz_keyword_builders, only: begin, finish, integer_field, real_field, choice_field, name_field, &
       item_field, text_field, unused, flag, choice, name, count_of
+   use litz_quantities, only: on_points, on_cells
+   use litz_result_quantities, only: requested_names, described_requests
+   use litz_text, only: join_words, words_of
    implicit none
    private
    public :: add_step, add_loads, add_output, add_solution
-
-   character(len=*), parameter :: node_quantities = 'U|UR|RF|RM|CF|CM|EPOT|RCURR|CECUR'
-   character(len=*), parameter :: element_quantities = 'SF|EPG|JOULE'
 
    !> Nothing but the removal of what earlier steps prescribed
    character(len=*), parameter :: new_alone = 'OP=NEW'
@@ -91,28 +91,25 @@ contains
       call k%add(name('AMPLITUDE', 'factor over time; without it the value ramps over the step'))
    end subroutine add_op
 
-   pure subroutine add_output(table)
+   subroutine add_output(table)
       type(keyword_table_t), intent(inout) :: table
       type(keyword_t) :: k
 
       call begin(k, 'NODE PRINT', place_step, 'Asks for quantities of nodes in the history file.')
       call k%add(name('NSET', 'the nodes', required=.true.))
       call k%add(choice('TOTALS', 'YES|NO|ONLY', &
-         'sums over the set (means of U, UR, EPOT): besides the nodes, not at all, or alone', &
+         'sums over the set (means of '//means(on_points)//'): besides the nodes, not at all, or alone', &
          default='NO'))
-      call k%add_data([choice_field('quantity', node_quantities, &
-         'displacement U, rotation UR, reaction force RF and'// &
-         ' moment RM, applied force CF and moment CM, potential EPOT, current at supports RCURR, applied CECUR')], &
+      call k%add_data([choice_field('quantity', requested_names(on_points), described_requests(on_points))], &
          last=0, repeats=0)
       call finish(table, k)
 
       call begin(k, 'EL PRINT', place_step, 'Asks for quantities of elements in the history file.')
       call k%add(name('ELSET', 'the elements', required=.true.))
       call k%add(choice('TOTALS', 'YES|NO|ONLY', &
-         'sum of JOULE, means of SF and EPG: besides the elements, not at all, or alone', &
+         'sums over the set (means of '//means(on_cells)//'): besides the elements, not at all, or alone', &
          default='NO'))
-      call k%add_data([choice_field('quantity', element_quantities, &
-         'section forces SF, current EPG, Joule heat JOULE')], &
+      call k%add_data([choice_field('quantity', requested_names(on_cells), described_requests(on_cells))], &
          last=0, repeats=0)
       call finish(table, k)
 
@@ -138,7 +135,7 @@ contains
 
       call begin(k, 'NODE FILE', place_step, 'Fields are always written to the result file; this sets how often.')
       call k%add(count_of('FREQUENCY', 'every n-th increment, and the last of the step', '1'))
-      call k%add_data([choice_field('quantity', node_quantities, 'all are written, whichever are named')], &
+      call k%add_data([choice_field('quantity', requested_names(on_points), 'all are written, whichever are named')], &
          required=.false., last=0, repeats=0)
       call finish(table, k)
 
@@ -151,10 +148,19 @@ contains
 
       call begin(k, 'EL FILE', place_step, 'As *NODE FILE.')
       call k%add(count_of('FREQUENCY', 'every n-th increment, and the last of the step', '1'))
-      call k%add_data([choice_field('quantity', element_quantities, 'all are written, whichever are named')], &
+      call k%add_data([choice_field('quantity', requested_names(on_cells), 'all are written, whichever are named')], &
          required=.false., last=0, repeats=0)
       call finish(table, k)
    end subroutine add_output
+
+   !> Quantities whose totals are means: `U, UR and EPOT`.
+   function means(place) result(text)
+      !> `on_points` or `on_cells`
+      integer, intent(in) :: place
+      character(len=:), allocatable :: text
+
+      text = join_words(words_of(requested_names(place, means_only=.true.)), 'and')
+   end function means
 
    pure subroutine add_solution(table)
       type(keyword_table_t), intent(inout) :: table

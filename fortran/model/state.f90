@@ -6,6 +6,7 @@ module litz_state
    public :: state_t, contact_t, energies_t
 
    !> One point contact. "Barred" is the first of its two elements; the normal points from the unbarred to the barred.
+   !> What results say of it is listed in litz_result_quantities.
    type :: contact_t
       !> Stays the same while the contact lives, also when it slides to another element
       integer :: id = 0
@@ -20,8 +21,8 @@ module litz_state
       real(dp) :: gap = 0
       !> Unit normal, and the axis points of the barred and the unbarred wire [m]
       real(dp) :: normal(3) = 0, point_bar(3) = 0, point(3) = 0
-      !> Contact force [N], pushing the wires apart
-      real(dp) :: force = 0
+      !> Contact force [N], pushing the wires apart, and its derivative by the overlap [N/m]
+      real(dp) :: force = 0, stiffness = 0
       !> `friction_...` of litz_friction_law: none, stick or slip
       integer :: friction_status = 0
       !> What the barred wire feels of friction (3) [N]
@@ -33,6 +34,8 @@ module litz_state
       !> Contact resistance [ohm], infinite where no current can pass; current from barred to unbarred [A],
       !> its voltage [V]
       real(dp) :: resistance = 0, current = 0, voltage_gap = 0
+      !> Reciprocal of the resistance [S]
+      real(dp) :: conductance = 0
       !> Heat in the spot [W]
       real(dp) :: joule_heat = 0
    end type contact_t
@@ -67,6 +70,8 @@ module litz_state
       real(dp), allocatable :: section_forces(:, :)
       !> Current from first to second node (n_elements) [A], heat (n_elements) [W]
       real(dp), allocatable :: element_current(:), joule_heat(:)
+      !> Current per area of the cross-section (n_elements) [A/m^2]
+      real(dp), allocatable :: current_density(:)
       !> Forces of stabilization on the free unknowns (n_slots, n_nodes) [N, N m]: against the motion of the increment
       real(dp), allocatable :: stabilizing_force(:, :)
       !> Worst figures of the audit: balance of forces, of moments, of currents, of power; overlap over radius [-]

@@ -4,32 +4,21 @@ module litz_contact_ledger
    use litz_errors, only: error_t
    use litz_model, only: model_t
    use litz_state, only: state_t, contact_t
-   use litz_version, only: version
    use litz_output_files, only: text_file_t
-   use litz_hdf5_files, only: hid_t, hdf5_create_group
-   use litz_hdf5_attributes, only: hdf5_write_attribute
-   use litz_vtkhdf_writer, only: vtkhdf_file_t, on_points, vtk_vertex
-   use litz_wire_results, only: format_version, most_written_increments
+   use litz_quantities, only: quantity_t, quantity_table_t
+   use litz_result_quantities, only: contact_table
+   use litz_vtkhdf_writer, only: vtkhdf_file_t, vtk_vertex
+   use litz_wire_results, only: most_written_increments
    implicit none
    private
    public :: contact_ledger_t
 
-   character(len=*), parameter :: header = &
-      'step,increment,time [s],id,element_bar,element,xi_bar,xi,angle [rad],gap [m],'// &
-      'force [N],normal_x,normal_y,normal_z,point_bar_x [m],point_bar_y [m],point_bar_z [m],'// &
-      'point_x [m],point_y [m],point_z [m],semi_major [m],semi_minor [m],resistance [ohm],current [A],'// &
-      'voltage_gap [V],joule_heat [W],traction_x [N],traction_y [N],traction_z [N],slip_path [m],'// &
-      'dissipation [J],friction,status'
-
-   !> Values of the column `friction`, by `friction_...` of litz_friction_law
-   character(len=*), parameter :: friction_names(0:2) = [character(len=5) :: 'none', 'stick', 'slip']
    !> Values of the column `status`: not there in the last increment | with the same elements as then | now with others
    character(len=*), parameter :: status_new = 'new', status_active = 'active', status_moved = 'moved'
 
    type :: contact_ledger_t
       type(text_file_t), private :: table
       type(vtkhdf_file_t), private :: file
-      integer(hid_t), private :: litz_group = -1
       !> Elements (barred, unbarred) of the contacts of the last increment, by the contact's id; 0 0: not there
       integer, allocatable, private :: last_elements(:, :)
    contains
@@ -50,49 +39,34 @@ contains
       !> The .csv and the .vtkhdf file
       character(len=*), intent(in) :: table_path, points_path
       type(error_t), allocatable, intent(inout) :: error
+      type(quantity_table_t) :: columns
+      integer :: i
 
       if (allocated(error)) return
       allocate (self%last_elements(2, 0))
       if (allocated(state%contacts)) call remember(state%contacts, self%last_elements)
       call self%table%create(table_path, error)
-      call self%table%write_line(model%units%in_header(header), error)
+      columns = contact_table([contact_t ::])
+      call self%table%write_line(model%units%in_header(header(columns%quantities)), error)
       call self%table%flush(error)
       call self%file%create(points_path, 1, 1, most_written_increments(model), error)
-      call hdf5_create_group(self%file%file, 'litz', self%litz_group, error)
-      call hdf5_write_attribute(self%litz_group, 'format_version', format_version, error)
-      call hdf5_write_attribute(self%litz_group, 'version', version, error)
-      call hdf5_write_attribute(self%litz_group, 'finished', 0, error)
       self%file%units = model%units
-      call add_fields(self%file, error)
+      do i = 1, size(columns%quantities)
+         if (columns%quantities(i)%is_result()) call self%file%add_field(columns%quantities(i), 1, error)
+      end do
    end subroutine ledger_open
 
-   subroutine add_fields(file, error)
-      type(vtkhdf_file_t), intent(inout) :: file
-      type(error_t), allocatable, intent(inout) :: error
+   pure function header(quantities) result(line)
+      type(quantity_t), intent(in) :: quantities(:)
+      character(len=:), allocatable :: line
+      integer :: i
 
-      call file%add_field(on_points, 'id', 1, '1', 'number of the contact, the same while it lives', 1, error, .true.)
-      call file%add_field(on_points, 'element_bar', 1, '1', 'barred element, number in the deck', 1, error, .true.)
-      call file%add_field(on_points, 'element', 1, '1', 'unbarred element, number in the deck', 1, error, .true.)
-      call file%add_field(on_points, 'xi_bar', 1, '1', 'position in the barred element, -1 to 1', 1, error)
-      call file%add_field(on_points, 'xi', 1, '1', 'position in the unbarred element, -1 to 1', 1, error)
-      call file%add_field(on_points, 'angle', 1, 'rad', 'angle between the axes', 1, error)
-      call file%add_field(on_points, 'gap', 1, 'm', 'gap between the surfaces, negative in contact', 1, error)
-      call file%add_field(on_points, 'force', 1, 'N', 'contact force, pushing the wires apart', 1, error)
-      call file%add_field(on_points, 'normal', 3, '1', 'unit normal from the unbarred to the barred wire', 1, error)
-      call file%add_field(on_points, 'point_bar', 3, 'm', 'point of the barred axis', 1, error)
-      call file%add_field(on_points, 'point', 3, 'm', 'point of the unbarred axis', 1, error)
-      call file%add_field(on_points, 'semi_major', 1, 'm', 'longer semi-axis of the spot', 1, error)
-      call file%add_field(on_points, 'semi_minor', 1, 'm', 'shorter semi-axis of the spot', 1, error)
-      call file%add_field(on_points, 'resistance', 1, 'ohm', &
-         'contact resistance, infinite where no current can pass', 1, error)
-      call file%add_field(on_points, 'current', 1, 'A', 'current from the barred to the unbarred wire', 1, error)
-      call file%add_field(on_points, 'voltage_gap', 1, 'V', 'potential of the barred minus the unbarred wire', 1, error)
-      call file%add_field(on_points, 'joule_heat', 1, 'W', 'heat in the spot', 1, error)
-      call file%add_field(on_points, 'friction', 1, '1', '0 none, 1 stick, 2 slip', 1, error, .true.)
-      call file%add_field(on_points, 'traction', 3, 'N', 'what the barred wire feels of friction', 1, error)
-      call file%add_field(on_points, 'slip_path', 1, 'm', 'path of the slip since the contact closed', 1, error)
-      call file%add_field(on_points, 'dissipation', 1, 'J', 'heat of friction since the contact closed', 1, error)
-   end subroutine add_fields
+      line = 'step,increment,time [s]'
+      do i = 1, size(quantities)
+         if (quantities(i)%is_result()) line = line//quantities(i)%columns(',', with_units=.true.)
+      end do
+      line = line//',status'
+   end function header
 
    !> Adds the contacts of an increment to the table.
    subroutine ledger_write_table(self, model, state, error)
@@ -100,23 +74,59 @@ contains
       type(model_t), intent(in) :: model
       type(state_t), intent(in) :: state
       type(error_t), allocatable, intent(inout) :: error
-      character(len=1024) :: line
+      type(quantity_table_t) :: rows
+      character(len=80) :: place
       integer :: i
 
       if (allocated(error) .or. .not. allocated(state%contacts)) return
+      rows = shown_contacts(model, state%contacts)
+      write (place, '(*(g0, :, ","))') state%step, state%increment, state%time
       do i = 1, size(state%contacts)
-         associate (c => state%contacts(i))
-            write (line, '(*(g0, :, ","))') state%step, state%increment, state%time, c%id, &
-               model%element_id(c%element_bar), model%element_id(c%element), c%xi_bar, c%xi, c%angle, c%gap, c%force, &
-               c%normal, c%point_bar, c%point, c%semi_major, c%semi_minor, c%resistance, c%current, c%voltage_gap, &
-               c%joule_heat, c%traction, c%slip_path, c%dissipation, trim(friction_names(c%friction_status)), &
-               trim(contact_status(c, self%last_elements))
-         end associate
-         call self%table%write_line(trim(line), error)
+         call self%table%write_line(trim(place)//row_text(rows, i)//','// &
+            trim(contact_status(state%contacts(i), self%last_elements)), error)
       end do
       call self%table%flush(error)
       call remember(state%contacts, self%last_elements)
    end subroutine ledger_write_table
+
+   !> The contacts with the elements' numbers in the deck.
+   pure function shown_contacts(model, contacts) result(rows)
+      type(model_t), intent(in) :: model
+      type(contact_t), intent(in) :: contacts(:)
+      type(quantity_table_t) :: rows
+      integer :: i
+
+      rows = contact_table(contacts)
+      do i = 1, size(rows%quantities)
+         associate (elements => rows%integers(rows%quantities(i)%first, :))
+            if (rows%quantities(i)%is_element) elements = model%element_id(elements)
+         end associate
+      end do
+   end function shown_contacts
+
+   !> The values of a row, each with a comma before it.
+   pure function row_text(rows, row) result(text)
+      type(quantity_table_t), intent(in) :: rows
+      integer, intent(in) :: row
+      character(len=:), allocatable :: text
+      character(len=1024) :: line
+      integer :: i
+
+      line = ''
+      do i = 1, size(rows%quantities)
+         associate (quantity => rows%quantities(i), next => len_trim(line) + 1)
+            if (.not. quantity%is_result()) cycle
+            if (quantity%words /= '') then
+               line(next:) = ','//quantity%word(rows%integers(quantity%first, row))
+            else if (quantity%is_integer) then
+               write (line(next:), '(",", g0)') rows%integers(quantity%first, row)
+            else
+               write (line(next:), '(*(:, ",", g0))') rows%reals(quantity%first:quantity%last(), row)
+            end if
+         end associate
+      end do
+      text = trim(line)
+   end function row_text
 
    pure function contact_status(contact, last_elements) result(status)
       type(contact_t), intent(in) :: contact
@@ -148,16 +158,24 @@ contains
       type(model_t), intent(in) :: model
       type(state_t), intent(in) :: state
       type(error_t), allocatable, intent(inout) :: error
-      type(contact_t), allocatable :: contacts(:)
+      type(quantity_table_t) :: rows
       integer :: i, n
 
-      allocate (contacts(0))
-      if (allocated(state%contacts)) contacts = state%contacts
-      n = size(contacts)
+      n = 0
+      if (allocated(state%contacts)) n = size(state%contacts)
+      rows = shown_contacts(model, state%contacts(:n))
       call self%file%write_cells(vtk_vertex, reshape([(i, i=1, n)], [1, n]), n, error)
-      call self%file%write_points(reshape([(spot_position(contacts(i), model), i=1, n)], [3, n]), error)
-      call write_integer_fields(self%file, model, contacts, error)
-      call write_real_fields(self%file, contacts, error)
+      call self%file%write_points(reshape([(spot_position(state%contacts(i), model), i=1, n)], [3, n]), error)
+      do i = 1, size(rows%quantities)
+         associate (quantity => rows%quantities(i))
+            if (.not. quantity%is_result()) cycle
+            if (quantity%is_integer) then
+               call self%file%write_field(quantity%name, rows%integers(quantity%first, :), error)
+            else
+               call self%file%write_field(quantity%name, rows%reals(quantity%first:quantity%last(), :), error)
+            end if
+         end associate
+      end do
       call self%file%end_step(state%time, error)
    end subroutine ledger_write_points
 
@@ -172,44 +190,6 @@ contains
       radius = model%sections(model%element_section(contact%element))%contact_radius
       position = (contact%point_bar - radius_bar*contact%normal + contact%point + radius*contact%normal)/2
    end function spot_position
-
-   subroutine write_integer_fields(file, model, contacts, error)
-      type(vtkhdf_file_t), intent(inout) :: file
-      type(model_t), intent(in) :: model
-      type(contact_t), intent(in) :: contacts(:)
-      type(error_t), allocatable, intent(inout) :: error
-
-      call file%write_field('id', contacts%id, error)
-      call file%write_field('element_bar', model%element_id(contacts%element_bar), error)
-      call file%write_field('element', model%element_id(contacts%element), error)
-      call file%write_field('friction', contacts%friction_status, error)
-   end subroutine write_integer_fields
-
-   subroutine write_real_fields(file, contacts, error)
-      type(vtkhdf_file_t), intent(inout) :: file
-      type(contact_t), intent(in) :: contacts(:)
-      type(error_t), allocatable, intent(inout) :: error
-      integer :: i, n
-
-      n = size(contacts)
-      call file%write_field('xi_bar', contacts%xi_bar, error)
-      call file%write_field('xi', contacts%xi, error)
-      call file%write_field('angle', contacts%angle, error)
-      call file%write_field('gap', contacts%gap, error)
-      call file%write_field('force', contacts%force, error)
-      call file%write_field('normal', reshape([(contacts(i)%normal, i=1, n)], [3, n]), error)
-      call file%write_field('point_bar', reshape([(contacts(i)%point_bar, i=1, n)], [3, n]), error)
-      call file%write_field('point', reshape([(contacts(i)%point, i=1, n)], [3, n]), error)
-      call file%write_field('semi_major', contacts%semi_major, error)
-      call file%write_field('semi_minor', contacts%semi_minor, error)
-      call file%write_field('resistance', contacts%resistance, error)
-      call file%write_field('current', contacts%current, error)
-      call file%write_field('voltage_gap', contacts%voltage_gap, error)
-      call file%write_field('joule_heat', contacts%joule_heat, error)
-      call file%write_field('traction', reshape([(contacts(i)%traction, i=1, n)], [3, n]), error)
-      call file%write_field('slip_path', contacts%slip_path, error)
-      call file%write_field('dissipation', contacts%dissipation, error)
-   end subroutine write_real_fields
 
    !> Puts both files in the place of older ones.
    subroutine ledger_publish(self, error)
@@ -227,9 +207,7 @@ contains
       type(error_t), allocatable, intent(inout) :: error
 
       call self%table%close(error)
-      if (self%file%file < 0) return
-      if (finished) call hdf5_write_attribute(self%litz_group, 'finished', 1, error)
-      call self%file%close(error)
+      call self%file%close(finished, error)
    end subroutine ledger_close
 
 end module litz_contact_ledger

@@ -5,40 +5,18 @@ module litz_history
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf, ieee_quiet_nan
    use litz_kinds, only: dp
    use litz_errors, only: error_t, fail, exit_internal
-   use litz_model, only: model_t, output_request_t, request_node, request_element, request_electrode, &
+   use litz_model, only: model_t, named_set_t, output_request_t, request_node, request_element, request_electrode, &
       request_energy
+   use litz_quantities, only: on_points, on_cells
+   use litz_result_quantities, only: wire_quantity_t, list_wire_quantities
    use litz_state, only: state_t, energies_t
+   use litz_text, only: to_text
    implicit none
    private
    public :: history_t
 
-   !> How the members of a column become one number
-   integer, parameter :: the_one = 1, the_sum = 2, the_mean = 3
-
-   !> What a column holds; the order is that of `quantities`, then the three of electrodes
-   integer, parameter :: quantity_u = 1, quantity_ur = 2, quantity_rf = 3, quantity_rm = 4, quantity_cf = 5, &
-      quantity_cm = 6, quantity_epot = 7, quantity_rcurr = 8, quantity_cecur = 9, quantity_sf = 10, quantity_epg = 11, &
-      quantity_joule = 12, electrode_voltage = 13, electrode_current = 14, electrode_resistance = 15, &
-      quantity_energy = 16
-
-   !> A quantity that a deck may ask for.
-   type :: quantity_t
-      character(len=8) :: keyword
-      integer :: kind, components
-      character(len=4) :: unit
-      !> Totals over a set are sums; of the others they are means
-      logical :: is_extensive
-   end type quantity_t
-
-   type(quantity_t), parameter :: quantities(12) = [ &
-      quantity_t('U', request_node, 3, 'm', .false.), quantity_t('UR', request_node, 3, 'rad', .false.), &
-      quantity_t('RF', request_node, 3, 'N', .true.), quantity_t('RM', request_node, 3, 'N m', .true.), &
-      quantity_t('CF', request_node, 3, 'N', .true.), quantity_t('CM', request_node, 3, 'N m', .true.), &
-      quantity_t('EPOT', request_node, 1, 'V', .false.), quantity_t('RCURR', request_node, 1, 'A', .true.), &
-      quantity_t('CECUR', request_node, 1, 'A', .true.), quantity_t('SF', request_element, 6, 'N', .false.), &
-      quantity_t('EPG', request_element, 1, 'A', .false.), quantity_t('JOULE', request_element, 1, 'W', .true.)]
-
-   character(len=*), parameter :: section_force_names(6) = ['N ', 'Q2', 'Q3', 'T ', 'M2', 'M3']
+   !> What a column holds that is no quantity of litz_result_quantities
+   integer, parameter :: electrode_voltage = -1, electrode_current = -2, electrode_resistance = -3, energy = -4
 
    !> Abaqus's names of the energies: external work, in the beams, in the contacts, heat of friction, and what of these
    !> does not balance
@@ -47,13 +25,19 @@ module litz_history
 
    type :: column_t
       character(len=:), allocatable :: name
-      integer :: quantity = 0, component = 1, reduction = the_one
+      !> Place among `list_wire_quantities`, or `electrode_...`, or `energy`
+      integer :: quantity = 0
+      integer :: component = 1
+      !> The mean of its members, and not their sum
+      logical :: is_mean = .false.
       !> Node or element indices; electrodes: nodes of the positive and the negative one
       integer, allocatable :: members(:), members_2(:)
    end type column_t
 
    type :: history_t
       type(column_t), allocatable, private :: columns(:)
+      !> What may be asked for, without values
+      type(wire_quantity_t), allocatable, private :: quantities(:)
       integer, private :: n_columns = 0
       !> Of all elements [S]: round-off makes currents of about its product with the potential
       real(dp), private :: largest_conductance = 0
@@ -71,14 +55,16 @@ contains
       type(model_t), intent(in) :: model
       type(error_t), allocatable, intent(inout) :: error
       !> Columns of single nodes and elements that are there already, by quantity
-      logical :: seen(max(model%n_nodes, model%n_elements), size(quantities))
+      logical, allocatable :: seen(:, :)
+      type(state_t) :: nothing
       integer :: i, j
 
       if (allocated(error)) return
+      call list_wire_quantities(nothing, self%quantities)
       allocate (self%columns(16))
       self%n_columns = 0
       self%largest_conductance = largest_conductance(model)
-      seen = .false.
+      allocate (seen(max(model%n_nodes, model%n_elements), size(self%quantities)), source=.false.)
       if (.not. allocated(model%steps)) return
       do i = 1, size(model%steps)
          if (.not. allocated(model%steps(i)%requests)) cycle
@@ -108,40 +94,43 @@ contains
       type(output_request_t), intent(in) :: request
       logical, intent(inout) :: seen(:, :)
       type(error_t), allocatable, intent(inout) :: error
-      integer :: i, q
+      integer :: i
 
       select case (request%kind)
       case (request_electrode)
          call add_electrodes(self, model, request)
       case (request_energy)
          do i = 1, size(energy_names)
-            call add_column(self, trim(energy_names(i))//' [J]', quantity_energy, i, the_one, [integer ::])
+            call add_column(self, trim(energy_names(i))//' [J]', energy, i, .false., [integer ::])
          end do
       case (request_node, request_element)
          do i = 1, size(request%quantities)
-            q = quantity_index(request%quantities(i), request%kind)
-            if (q == 0) then
-               error = fail(exit_internal, 'the history has no quantity "'//trim(request%quantities(i))//'"')
-               return
-            end if
-            if (request%totals) then
-               call add_totals(self, model, request, q)
-            else
-               call add_members(self, model, request, q, seen(:, q))
-            end if
+            call add_quantity(self, model, request, request%quantities(i), seen, error)
          end do
       end select
    end subroutine add_request
 
-   pure integer function quantity_index(keyword, kind) result(q)
-      character(len=*), intent(in) :: keyword
-      integer, intent(in) :: kind
+   !> All that a word of the deck asks for.
+   subroutine add_quantity(self, model, request, word, seen, error)
+      type(history_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      type(output_request_t), intent(in) :: request
+      character(len=*), intent(in) :: word
+      logical, intent(inout) :: seen(:, :)
+      type(error_t), allocatable, intent(inout) :: error
+      integer, allocatable :: these(:)
+      integer :: q
 
-      do q = 1, size(quantities)
-         if (quantities(q)%keyword == keyword .and. quantities(q)%kind == kind) return
-      end do
-      q = 0
-   end function quantity_index
+      these = pack([(q, q=1, size(self%quantities))], self%quantities%request == word .and. &
+         self%quantities%place == merge(on_points, on_cells, request%kind == request_node))
+      if (size(these) == 0) then
+         error = fail(exit_internal, 'the history has no quantity "'//trim(word)//'"')
+      else if (request%totals) then
+         call add_totals(self, model, request, these)
+      else
+         call add_members(self, model, request, these, seen)
+      end if
+   end subroutine add_quantity
 
    !> Voltage, current and resistance between two electrodes.
    subroutine add_electrodes(self, model, request)
@@ -155,108 +144,101 @@ contains
       associate (plus => model%node_sets(request%set), minus => model%node_sets(request%set_2))
          do i = 1, 3
             call add_column(self, trim(names(i))//' '//plus%name//' to '//minus%name//' ['//trim(units(i))//']', &
-               electrode_voltage + i - 1, 1, the_one, plus%members, minus%members)
+               electrode_voltage - i + 1, 1, .false., plus%members, minus%members)
          end do
       end associate
    end subroutine add_electrodes
 
    !> Sum or mean over a set.
-   subroutine add_totals(self, model, request, q)
+   subroutine add_totals(self, model, request, these)
       type(history_t), intent(inout) :: self
       type(model_t), intent(in) :: model
       type(output_request_t), intent(in) :: request
-      integer, intent(in) :: q
-      character(len=:), allocatable :: set_name
-      integer, allocatable :: members(:)
-      integer :: component, reduction
+      !> Places of the quantities
+      integer, intent(in) :: these(:)
+      type(named_set_t) :: set
+      integer :: i, component
 
-      if (request%kind == request_node) then
-         set_name = model%node_sets(request%set)%name
-         members = model%node_sets(request%set)%members
-      else
-         set_name = model%element_sets(request%set)%name
-         members = model%element_sets(request%set)%members
-      end if
-      reduction = merge(the_sum, the_mean, quantities(q)%is_extensive)
-      do component = 1, quantities(q)%components
-         call add_column(self, component_name(q, component)//trim(merge(' sum  ', ' mean ', &
-            quantities(q)%is_extensive))//' '//set_name//' ['//component_unit(q, component)//']', &
-            q, component, reduction, members)
+      set = set_of(model, request)
+      do i = 1, size(these)
+         associate (quantity => self%quantities(these(i)))
+            do component = 1, quantity%components
+               call add_column(self, column_name(quantity, component, trim(merge('sum ', 'mean', quantity%is_sum))// &
+                  ' '//set%name), these(i), component, .not. quantity%is_sum, set%members)
+            end do
+         end associate
       end do
    end subroutine add_totals
 
    !> Every member of a set by itself.
-   subroutine add_members(self, model, request, q, seen)
+   subroutine add_members(self, model, request, these, seen)
       type(history_t), intent(inout) :: self
       type(model_t), intent(in) :: model
       type(output_request_t), intent(in) :: request
-      integer, intent(in) :: q
-      logical, intent(inout) :: seen(:)
-      integer, allocatable :: members(:)
-      character(len=32) :: who
-      integer :: i, component
+      !> Places of the quantities
+      integer, intent(in) :: these(:)
+      logical, intent(inout) :: seen(:, :)
+      type(named_set_t) :: set
+      character(len=:), allocatable :: who
+      integer :: i, k, component
 
-      if (request%kind == request_node) then
-         members = model%node_sets(request%set)%members
-      else
-         members = model%element_sets(request%set)%members
-      end if
-      do i = 1, size(members)
-         if (seen(members(i))) cycle
-         seen(members(i)) = .true.
-         if (request%kind == request_node) write (who, '(a, i0)') ' node ', model%node_id(members(i))
-         if (request%kind == request_element) write (who, '(a, i0)') ' element ', model%element_id(members(i))
-         do component = 1, quantities(q)%components
-            call append_column(self, component_name(q, component)//trim(who)//' ['//component_unit(q, component)//']', &
-               q, component, the_one, members(i:i))
+      set = set_of(model, request)
+      do i = 1, size(set%members)
+         if (seen(set%members(i), these(1))) cycle
+         seen(set%members(i), these) = .true.
+         if (request%kind == request_node) who = 'node '//to_text(model%node_id(set%members(i)))
+         if (request%kind == request_element) who = 'element '//to_text(model%element_id(set%members(i)))
+         do k = 1, size(these)
+            do component = 1, self%quantities(these(k))%components
+               call append_column(self, column_name(self%quantities(these(k)), component, who), these(k), component, &
+                  .false., set%members(i:i))
+            end do
          end do
       end do
    end subroutine add_members
 
-   pure function component_name(q, component) result(name)
-      integer, intent(in) :: q, component
+   pure type(named_set_t) function set_of(model, request) result(set)
+      type(model_t), intent(in) :: model
+      type(output_request_t), intent(in) :: request
+
+      if (request%kind == request_node) set = model%node_sets(request%set)
+      if (request%kind == request_element) set = model%element_sets(request%set)
+   end function set_of
+
+   !> `U1 node 7 [m]`
+   pure function column_name(quantity, component, of_whom) result(name)
+      type(wire_quantity_t), intent(in) :: quantity
+      integer, intent(in) :: component
+      character(len=*), intent(in) :: of_whom
       character(len=:), allocatable :: name
-      character(len=1) :: number
 
-      if (q == quantity_sf) then
-         name = trim(section_force_names(component))
-      else if (quantities(q)%components == 1) then
-         name = trim(quantities(q)%keyword)
-         if (q == quantity_epg) name = 'current'
-      else
-         write (number, '(i1)') component
-         name = trim(quantities(q)%keyword)//number
-      end if
-   end function component_name
-
-   pure function component_unit(q, component) result(unit)
-      integer, intent(in) :: q, component
-      character(len=:), allocatable :: unit
-
-      unit = trim(quantities(q)%unit)
-      if (q == quantity_sf .and. component > 3) unit = 'N m'
-   end function component_unit
+      name = trim(quantity%column)
+      if (quantity%components > 1) name = name//to_text(component)
+      name = name//' '//of_whom//' ['//trim(quantity%unit)//']'
+   end function column_name
 
    !> Adds a column unless one of that name is there.
-   subroutine add_column(self, name, quantity, component, reduction, members, members_2)
+   subroutine add_column(self, name, quantity, component, is_mean, members, members_2)
       type(history_t), intent(inout) :: self
       character(len=*), intent(in) :: name
       !> As in `column_t`
-      integer, intent(in) :: quantity, component, reduction, members(:)
+      integer, intent(in) :: quantity, component, members(:)
+      logical, intent(in) :: is_mean
       integer, intent(in), optional :: members_2(:)
       integer :: i
 
       do i = 1, self%n_columns
          if (self%columns(i)%name == name) return
       end do
-      call append_column(self, name, quantity, component, reduction, members, members_2)
+      call append_column(self, name, quantity, component, is_mean, members, members_2)
    end subroutine add_column
 
-   subroutine append_column(self, name, quantity, component, reduction, members, members_2)
+   subroutine append_column(self, name, quantity, component, is_mean, members, members_2)
       type(history_t), intent(inout) :: self
       character(len=*), intent(in) :: name
       !> As in `column_t`
-      integer, intent(in) :: quantity, component, reduction, members(:)
+      integer, intent(in) :: quantity, component, members(:)
+      logical, intent(in) :: is_mean
       integer, intent(in), optional :: members_2(:)
       type(column_t), allocatable :: grown(:)
 
@@ -270,7 +252,7 @@ contains
          column%name = name
          column%quantity = quantity
          column%component = component
-         column%reduction = reduction
+         column%is_mean = is_mean
          column%members = members
          if (present(members_2)) column%members_2 = members_2
       end associate
@@ -290,70 +272,35 @@ contains
    !> The row of an increment.
    function history_line(self, state) result(line)
       class(history_t), intent(in) :: self
-      type(state_t), intent(in) :: state
+      type(state_t), intent(in), target :: state
       character(len=:), allocatable :: line
       integer, parameter :: widest_number = 32
       character(len=widest_number*(self%n_columns + 3)) :: buffer
+      type(wire_quantity_t), allocatable :: list(:)
       integer :: i
 
+      call list_wire_quantities(state, list)
       write (buffer, '(*(g0, :, ","))') state%step, state%increment, state%time, &
-         (column_value(self, self%columns(i), state), i=1, self%n_columns)
+         (column_value(self, self%columns(i), list, state), i=1, self%n_columns)
       line = trim(buffer)
    end function history_line
 
-   pure real(dp) function column_value(self, column, state) result(value)
-      class(history_t), intent(in) :: self
+   pure real(dp) function column_value(self, column, list, state) result(value)
+      type(history_t), intent(in) :: self
       type(column_t), intent(in) :: column
+      !> The quantities of the state
+      type(wire_quantity_t), intent(in) :: list(:)
       type(state_t), intent(in) :: state
-      integer :: i
 
-      if (column%quantity == quantity_energy) then
+      if (column%quantity == energy) then
          value = energy_value(state%energies, column%component)
-         return
-      end if
-      if (column%quantity >= electrode_voltage) then
+      else if (column%quantity < 0) then
          value = electrode_value(self, column%quantity, column%members, column%members_2, state)
-         return
+      else
+         value = sum(list(column%quantity)%values(column%component, column%members))
+         if (column%is_mean) value = value/max(1, size(column%members))
       end if
-      value = 0
-      do i = 1, size(column%members)
-         value = value + member_value(column%quantity, column%component, column%members(i), state)
-      end do
-      if (column%reduction == the_mean) value = value/max(1, size(column%members))
    end function column_value
-
-   pure real(dp) function member_value(quantity, component, member, state) result(value)
-      integer, intent(in) :: quantity, component, member
-      type(state_t), intent(in) :: state
-
-      value = 0
-      select case (quantity)
-      case (quantity_u)
-         value = state%value(component, member)
-      case (quantity_ur)
-         value = state%value(3 + component, member)
-      case (quantity_rf)
-         value = state%reaction(component, member)
-      case (quantity_rm)
-         value = state%reaction(3 + component, member)
-      case (quantity_cf)
-         value = state%load(component, member)
-      case (quantity_cm)
-         value = state%load(3 + component, member)
-      case (quantity_epot)
-         value = state%value(7, member)
-      case (quantity_rcurr)
-         value = state%reaction(7, member)
-      case (quantity_cecur)
-         value = state%load(7, member)
-      case (quantity_sf)
-         value = state%section_forces(component, member)
-      case (quantity_epg)
-         value = state%element_current(member)
-      case (quantity_joule)
-         value = state%joule_heat(member)
-      end select
-   end function member_value
 
    pure real(dp) function energy_value(energies, component) result(value)
       type(energies_t), intent(in) :: energies

@@ -9,40 +9,38 @@
 module litz_vtkhdf_writer
    use litz_kinds, only: dp, int64
    use litz_errors, only: error_t, fail, exit_internal
+   use litz_quantities, only: quantity_t, name_length, on_points, on_cells
    use litz_unit_labels, only: unit_labels_t
+   use litz_version, only: version
    use litz_hdf5_files, only: hid_t, hdf5_start, hdf5_create_file, hdf5_create_group, hdf5_flush, &
       hdf5_publish_file, hdf5_close_file, hdf5_discard_file
    use litz_hdf5_attributes, only: hdf5_write_attribute
    use litz_hdf5_rows, only: hdf5_rows_t, hdf5_real, hdf5_integer, hdf5_byte
    implicit none
    private
-   public :: vtkhdf_file_t, vtkhdf_field_t
-   public :: on_points, on_cells
+   public :: vtkhdf_file_t
    public :: vtk_vertex, vtk_line
 
-   integer, parameter :: on_points = 1, on_cells = 2
+   !> Of what stands in /litz; the layout of /VTKHDF has its own number
+   integer, parameter :: format_version = 1
+
    !> VTK's numbers of the cell types
    integer, parameter :: vtk_vertex = 1, vtk_line = 3
 
    !> A field over points or cells.
    type :: vtkhdf_field_t
-      character(len=:), allocatable :: name
-      !> `on_points` or `on_cells`
-      integer :: place = on_points
-      !> 1 or 3 numbers
-      integer :: components = 1
-      character(len=:), allocatable :: unit, description
-      !> Integers instead of reals
-      logical :: is_integer = .false.
-      type(hdf5_rows_t), private :: rows, offsets
+      character(len=name_length) :: name
+      type(hdf5_rows_t) :: rows, offsets
       !> First row of the values that hold at the present step
-      integer(int64), private :: start = 0
+      integer(int64) :: start = 0
    end type vtkhdf_field_t
 
    type :: vtkhdf_file_t
       !> What the units of the fields are called
       type(unit_labels_t) :: units
       integer(hid_t) :: file = -1
+      !> What is no part of VTKHDF: where the file comes from, and whether the run came to its end
+      integer(hid_t) :: litz_group = -1
       integer :: n_steps = 0
       !> The file is in its place, or comes there with its first step
       logical, private :: is_public = .false.
@@ -61,10 +59,8 @@ module litz_vtkhdf_writer
       procedure :: add_field => vtkhdf_add_field
       procedure :: write_cells => vtkhdf_write_cells
       procedure :: write_points => vtkhdf_write_points
-      procedure, private :: write_field_real => vtkhdf_write_field_real
-      procedure, private :: write_field_scalar => vtkhdf_write_field_scalar
-      procedure, private :: write_field_integer => vtkhdf_write_field_integer
-      generic :: write_field => write_field_real, write_field_scalar, write_field_integer
+      procedure, private :: write_reals, write_integers
+      generic :: write_field => write_reals, write_integers
       procedure :: end_step => vtkhdf_end_step
       procedure :: publish => vtkhdf_publish
       procedure :: close => vtkhdf_close
@@ -101,6 +97,10 @@ contains
       call self%part_cells%create(self%root, 'NumberOfCells', 1, hdf5_integer, 1, error)
       call self%part_connectivity%create(self%root, 'NumberOfConnectivityIds', 1, hdf5_integer, 1, error)
       call create_steps(self, error)
+      call hdf5_create_group(self%file, 'litz', self%litz_group, error)
+      call hdf5_write_attribute(self%litz_group, 'format_version', format_version, error)
+      call hdf5_write_attribute(self%litz_group, 'version', version, error)
+      call hdf5_write_attribute(self%litz_group, 'finished', 0, error)
    end subroutine vtkhdf_create
 
    subroutine create_steps(self, error)
@@ -120,46 +120,25 @@ contains
    end subroutine create_steps
 
    !> Declares a field; its unit, description and components become attributes of its dataset.
-   subroutine vtkhdf_add_field(self, place, name, components, unit, description, expected_rows, error, is_integer)
+   subroutine vtkhdf_add_field(self, quantity, expected_rows, error)
       class(vtkhdf_file_t), intent(inout) :: self
-      !> `on_points` or `on_cells`
-      integer, intent(in) :: place
-      character(len=*), intent(in) :: name
-      !> 1 (a scalar) or 3 (a vector)
-      integer, intent(in) :: components
-      character(len=*), intent(in) :: unit, description
+      class(quantity_t), intent(in) :: quantity
       !> Usual number of points or cells in a step
       integer, intent(in) :: expected_rows
       type(error_t), allocatable, intent(inout) :: error
-      logical, intent(in), optional :: is_integer
       type(vtkhdf_field_t) :: field
 
       if (allocated(error)) return
-      field%name = name
-      field%place = place
-      field%components = components
-      field%unit = self%units%label(unit)
-      field%description = description
-      if (present(is_integer)) field%is_integer = is_integer
-      call field%rows%create(self%data_group(place), name, components, &
-         merge(hdf5_integer, hdf5_real, field%is_integer), expected_rows, error)
-      if (.not. allocated(error)) call describe(field, error)
-      call field%offsets%create(self%offset_group(place), name, 1, hdf5_integer, 1, error)
+      field%name = quantity%name
+      call field%rows%create(self%data_group(quantity%place), trim(field%name), quantity%components, &
+         merge(hdf5_integer, hdf5_real, quantity%is_integer), expected_rows, error)
+      call field%offsets%create(self%offset_group(quantity%place), trim(field%name), 1, hdf5_integer, 1, error)
+      call hdf5_write_attribute(field%rows%dataset, 'unit', self%units%label(trim(quantity%unit)), error)
+      call hdf5_write_attribute(field%rows%dataset, 'description', trim(quantity%text), error)
+      call hdf5_write_attribute(field%rows%dataset, 'components', &
+         trim(merge('x, y, z', 'scalar ', quantity%components == 3)), error)
       self%fields = [self%fields, field]
    end subroutine vtkhdf_add_field
-
-   subroutine describe(field, error)
-      type(vtkhdf_field_t), intent(in) :: field
-      type(error_t), allocatable, intent(inout) :: error
-
-      call hdf5_write_attribute(field%rows%dataset, 'unit', field%unit, error)
-      call hdf5_write_attribute(field%rows%dataset, 'description', field%description, error)
-      if (field%components == 3) then
-         call hdf5_write_attribute(field%rows%dataset, 'components', 'x, y, z', error)
-      else
-         call hdf5_write_attribute(field%rows%dataset, 'components', 'scalar', error)
-      end if
-   end subroutine describe
 
    !> The cells from this step on.
    subroutine vtkhdf_write_cells(self, cell_type, connectivity, n_points, error)
@@ -202,8 +181,8 @@ contains
       call self%points%append(points, error)
    end subroutine vtkhdf_write_points
 
-   !> A vector field at this step.
-   subroutine vtkhdf_write_field_real(self, name, values, error)
+   !> A field of reals at this step.
+   subroutine write_reals(self, name, values, error)
       class(vtkhdf_file_t), intent(inout) :: self
       character(len=*), intent(in) :: name
       !> (components, points or cells)
@@ -211,26 +190,14 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       integer :: i
 
-      if (allocated(error)) return
       call find_field(self, name, i, error)
       if (allocated(error)) return
       self%fields(i)%start = self%fields(i)%rows%n_rows
       call self%fields(i)%rows%append(values, error)
-   end subroutine vtkhdf_write_field_real
-
-   !> A scalar field at this step.
-   subroutine vtkhdf_write_field_scalar(self, name, values, error)
-      class(vtkhdf_file_t), intent(inout) :: self
-      character(len=*), intent(in) :: name
-      !> One value per point or cell
-      real(dp), intent(in) :: values(:)
-      type(error_t), allocatable, intent(inout) :: error
-
-      call self%write_field(name, reshape(values, [1, size(values)]), error)
-   end subroutine vtkhdf_write_field_scalar
+   end subroutine write_reals
 
    !> A field of integers at this step.
-   subroutine vtkhdf_write_field_integer(self, name, values, error)
+   subroutine write_integers(self, name, values, error)
       class(vtkhdf_file_t), intent(inout) :: self
       character(len=*), intent(in) :: name
       !> One value per point or cell
@@ -238,12 +205,11 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       integer :: i
 
-      if (allocated(error)) return
       call find_field(self, name, i, error)
       if (allocated(error)) return
       self%fields(i)%start = self%fields(i)%rows%n_rows
       call self%fields(i)%rows%append(reshape(int(values, int64), [1, size(values)]), error)
-   end subroutine vtkhdf_write_field_integer
+   end subroutine write_integers
 
    !> Completes the step: its offsets, then its data to the disk, and only then the number of steps.
    subroutine vtkhdf_end_step(self, time, error)
@@ -279,11 +245,14 @@ contains
       self%is_public = .not. allocated(error)
    end subroutine vtkhdf_publish
 
-   !> Closes the file; one that was not published is removed.
-   subroutine vtkhdf_close(self, error)
+   !> Closes the file, and notes whether the run came to its end; one that was not published is removed.
+   subroutine vtkhdf_close(self, finished, error)
       class(vtkhdf_file_t), intent(inout) :: self
+      logical, intent(in) :: finished
       type(error_t), allocatable, intent(inout) :: error
 
+      if (self%file < 0) return
+      if (finished) call hdf5_write_attribute(self%litz_group, 'finished', 1, error)
       if (.not. self%is_public .or. self%n_steps == 0) call hdf5_discard_file(self%file)
       call hdf5_close_file(self%file, error)
    end subroutine vtkhdf_close
@@ -295,6 +264,8 @@ contains
       integer, intent(out) :: i
       type(error_t), allocatable, intent(inout) :: error
 
+      i = 0
+      if (allocated(error)) return
       do i = 1, size(self%fields)
          if (self%fields(i)%name == name) return
       end do

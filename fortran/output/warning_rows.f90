@@ -84,17 +84,12 @@ contains
       type(run_warnings_t), intent(in) :: warnings
       integer(int64), allocatable :: numbers(:, :)
       type(growing_text_t) :: lines
-      character(len=:), allocatable :: text
       integer :: i
 
       do i = n + 1, warnings%n
          call lines%append(warnings%items(i)%record())
       end do
-      text = lines%text()
-      allocate (numbers(1, len(text)))
-      do i = 1, len(text)
-         numbers(1, i) = iachar(text(i:i))
-      end do
+      allocate (numbers, source=int(lines%codes(), int64))
    end function new_text
 
 end module litz_warning_rows

@@ -6,40 +6,30 @@ module litz_wire_results
    use litz_kinds, only: dp, pi
    use litz_errors, only: error_t
    use litz_model, only: model_t, section_t, named_set_t
+   use litz_quantities, only: quantity_t, on_points, on_cells
+   use litz_result_quantities, only: wire_quantity_t, list_wire_quantities
    use litz_state, only: state_t
-   use litz_version, only: version
    use litz_hdf5_files, only: hid_t, hdf5_create_group, hdf5_flush
    use litz_hdf5_attributes, only: hdf5_write_attribute, hdf5_write_text
    use litz_hdf5_rows, only: hdf5_rows_t, hdf5_real, hdf5_integer
    use litz_run_warnings, only: run_warnings_t
    use litz_warning_rows, only: warning_rows_t
    use litz_wire_chains, only: wire_chains_t, find_wire_chains
-   use litz_vtkhdf_writer, only: vtkhdf_file_t, on_points, on_cells, vtk_line
+   use litz_vtkhdf_writer, only: vtkhdf_file_t, vtk_line
    implicit none
    private
-   public :: wire_results_t, format_version, most_written_increments
-
-   !> Of what stands in /litz; the layout of /VTKHDF has its own number
-   integer, parameter :: format_version = 1
+   public :: wire_results_t, most_written_increments
 
    !> More steps than this make no difference to the layout of the file
    integer, parameter :: most_increments = 10000
 
    character(len=*), parameter :: unit_system = &
       'SI (m, N, s, V, A, W, rad), or the consistent set the deck is written in'
-   character(len=*), parameter :: section_force_names(6) = [character(len=16) :: 'axial_force', 'shear_force_2', &
-      'shear_force_3', 'torsion_moment', 'bending_moment_2', 'bending_moment_3']
-   character(len=*), parameter :: section_force_texts(6) = [character(len=48) :: 'axial force N, tension positive', &
-      'shear force Q2 along the first section axis', 'shear force Q3 along the second section axis', &
-      'torsion moment T', 'bending moment M2 about the first section axis', &
-      'bending moment M3 about the second section axis']
    character(len=*), parameter :: table_names(11) = [character(len=17) :: 'step', 'increment', 'iterations', 'time', &
       'step_time', 'time_increment', 'force_balance', 'moment_balance', 'current_balance', 'power_balance', &
       'penetration_ratio']
 
-   type :: wire_results_t
-      type(vtkhdf_file_t), private :: file
-      integer(hid_t), private :: litz_group = -1
+   type, extends(vtkhdf_file_t) :: wire_results_t
       !> A row per written increment, in the order of `table_names`
       type(hdf5_rows_t), private :: tables(size(table_names))
       type(warning_rows_t), private :: warnings
@@ -47,8 +37,6 @@ module litz_wire_results
       procedure :: open => wire_results_open
       procedure :: write => wire_results_write
       procedure :: write_warnings => wire_results_write_warnings
-      procedure :: publish => wire_results_publish
-      procedure :: close => wire_results_close
    end type wire_results_t
 
 contains
@@ -60,16 +48,15 @@ contains
       character(len=*), intent(in) :: path
       type(error_t), allocatable, intent(inout) :: error
 
-      call self%file%create(path, model%n_nodes, model%n_elements, most_written_increments(model), error)
-      call self%file%write_cells(vtk_line, model%connectivity, model%n_nodes, error)
-      self%file%units = model%units
-      call add_point_fields(self%file, model%n_nodes, error)
-      call add_cell_fields(self%file, model%n_elements, error)
-      call write_static_fields(self%file, model, error)
+      call self%create(path, model%n_nodes, model%n_elements, most_written_increments(model), error)
+      call self%write_cells(vtk_line, model%connectivity, model%n_nodes, error)
+      self%units = model%units
+      call add_fields(self, model, error)
+      call write_static_fields(self, model, error)
       call write_origin(self, model, error)
       call write_sets(self%litz_group, 'node_sets', model%node_sets, model%node_id, error)
       call write_sets(self%litz_group, 'element_sets', model%element_sets, model%element_id, error)
-      call hdf5_flush(self%file%file, error)
+      call hdf5_flush(self%file, error)
    end subroutine wire_results_open
 
    !> The start, and the increments of all steps as often as they are written.
@@ -87,76 +74,57 @@ contains
       n = min(n, most_increments)
    end function most_written_increments
 
-   subroutine add_point_fields(file, n, error)
-      type(vtkhdf_file_t), intent(inout) :: file
-      !> Number of nodes
-      integer, intent(in) :: n
+   subroutine add_fields(file, model, error)
+      class(vtkhdf_file_t), intent(inout) :: file
+      type(model_t), intent(in) :: model
       type(error_t), allocatable, intent(inout) :: error
-
-      call file%add_field(on_points, 'displacement', 3, 'm', 'displacement from the reference position', n, error)
-      call file%add_field(on_points, 'rotation', 3, 'rad', 'rotation vector from the reference', n, error)
-      call file%add_field(on_points, 'potential', 1, 'V', 'electric potential', n, error)
-      call file%add_field(on_points, 'reaction_force', 3, 'N', &
-         'force of the supports on the structure, applied loads not included', n, error)
-      call file%add_field(on_points, 'reaction_moment', 3, 'N m', &
-         'moment of the supports on the structure, applied loads not included', n, error)
-      call file%add_field(on_points, 'applied_force', 3, 'N', 'applied load', n, error)
-      call file%add_field(on_points, 'applied_moment', 3, 'N m', 'applied moment', n, error)
-      call file%add_field(on_points, 'reaction_current', 1, 'A', &
-         'current that enters where the potential is prescribed', n, error)
-      call file%add_field(on_points, 'applied_current', 1, 'A', 'applied current, positive into the body', n, error)
-      call file%add_field(on_points, 'reference_position', 3, 'm', 'position before any deformation', n, error)
-      call file%add_field(on_points, 'node_id', 1, '1', 'number of the node in the deck', n, error, &
-         is_integer=.true.)
-   end subroutine add_point_fields
-
-   subroutine add_cell_fields(file, n, error)
-      type(vtkhdf_file_t), intent(inout) :: file
-      !> Number of elements
-      integer, intent(in) :: n
-      type(error_t), allocatable, intent(inout) :: error
+      type(state_t) :: nothing
+      type(wire_quantity_t), allocatable :: list(:)
       integer :: i
 
-      do i = 1, 6
-         call file%add_field(on_cells, trim(section_force_names(i)), 1, trim(merge('N  ', 'N m', i <= 3)), &
-            trim(section_force_texts(i)), n, error)
+      call list_wire_quantities(nothing, list)
+      do i = 1, size(list)
+         call file%add_field(list(i), merge(model%n_nodes, model%n_elements, list(i)%place == on_points), error)
       end do
-      call file%add_field(on_cells, 'element_current', 1, 'A', 'current from the first to the second node', n, error)
-      call file%add_field(on_cells, 'current_density', 1, 'A/m^2', &
-         'current per area of the cross-section, from the first to the second node', n, error)
-      call file%add_field(on_cells, 'joule_heat', 1, 'W', 'heat from the current in the element', n, error)
-      call file%add_field(on_cells, 'radius', 1, 'm', &
-         'radius that touches other wires; without one, that of a circle with the area of the section', n, error)
-      call file%add_field(on_cells, 'element_id', 1, '1', 'number of the element in the deck', n, error, &
-         is_integer=.true.)
-      call file%add_field(on_cells, 'section', 1, '1', 'number of the *BEAM SECTION in the deck, from 1', n, error, &
-         is_integer=.true.)
-      call file%add_field(on_cells, 'wire', 1, '1', &
-         'number of the wire, from 1: elements one after another between free ends and branches', n, error, &
-         is_integer=.true.)
-      call file%add_field(on_cells, 'place_in_wire', 1, '1', 'place of the element along its wire, from 1', n, error, &
-         is_integer=.true.)
-      call file%add_field(on_cells, 'direction_in_wire', 1, '1', &
-         '1: the element runs along its wire, -1: against it', n, error, is_integer=.true.)
-   end subroutine add_cell_fields
+   end subroutine add_fields
 
+   !> What does not change over time.
    subroutine write_static_fields(file, model, error)
-      type(vtkhdf_file_t), intent(inout) :: file
+      class(vtkhdf_file_t), intent(inout) :: file
       type(model_t), intent(in) :: model
       type(error_t), allocatable, intent(inout) :: error
       type(wire_chains_t) :: chains
       integer :: i
 
+      call file%add_field(quantity_t('reference_position', 'm', 'position before any deformation', on_points, 3), &
+         model%n_nodes, error)
       call file%write_field('reference_position', model%x, error)
-      call file%write_field('node_id', model%node_id, error)
-      call file%write_field('radius', &
-         [(drawn_radius(model%sections(model%element_section(i))), i=1, model%n_elements)], error)
-      call file%write_field('element_id', model%element_id, error)
-      call file%write_field('section', model%element_section, error)
+      call file%add_field(quantity_t('radius', 'm', &
+         'radius that touches other wires; without one, that of a circle with the area of the section', on_cells), &
+         model%n_elements, error)
+      call file%write_field('radius', reshape([(drawn_radius(model%sections(model%element_section(i))), &
+         i=1, model%n_elements)], [1, model%n_elements]), error)
+      call add_numbers('node_id', 'number of the node in the deck', on_points, model%node_id)
+      call add_numbers('element_id', 'number of the element in the deck', on_cells, model%element_id)
+      call add_numbers('section', 'number of the *BEAM SECTION in the deck, from 1', on_cells, model%element_section)
       call find_wire_chains(model%connectivity, model%n_nodes, chains)
-      call file%write_field('wire', chains%wire, error)
-      call file%write_field('place_in_wire', chains%place, error)
-      call file%write_field('direction_in_wire', chains%direction, error)
+      call add_numbers('wire', &
+         'number of the wire, from 1: elements one after another between free ends and branches', on_cells, chains%wire)
+      call add_numbers('place_in_wire', 'place of the element along its wire, from 1', on_cells, chains%place)
+      call add_numbers('direction_in_wire', '1: the element runs along its wire, -1: against it', on_cells, &
+         chains%direction)
+
+   contains
+
+      subroutine add_numbers(name, text, place, numbers)
+         character(len=*), intent(in) :: name, text
+         !> `on_points` or `on_cells`, and a number for each of them
+         integer, intent(in) :: place, numbers(:)
+
+         call file%add_field(quantity_t(name, '1', text, place, is_integer=.true.), size(numbers), error)
+         call file%write_field(name, numbers, error)
+      end subroutine add_numbers
+
    end subroutine write_static_fields
 
    pure real(dp) function drawn_radius(section)
@@ -174,16 +142,12 @@ contains
       integer(hid_t) :: increments
       integer :: i
 
-      call hdf5_create_group(self%file%file, 'litz', self%litz_group, error)
       associate (group => self%litz_group)
-         call hdf5_write_attribute(group, 'format_version', format_version, error)
-         call hdf5_write_attribute(group, 'version', version, error)
          call hdf5_write_attribute(group, 'unit_system', unit_system, error)
          call hdf5_write_attribute(group, 'heading', text_or_nothing(model%heading), error)
-         call hdf5_write_attribute(group, 'finished', 0, error)
          call hdf5_write_text(group, 'deck', text_or_nothing(model%deck_text), error)
          call hdf5_create_group(group, 'increments', increments, error)
-         call self%warnings%create(self%file%file, group, error)
+         call self%warnings%create(self%file, group, error)
       end associate
       do i = 1, size(table_names)
          call self%tables(i)%create(increments, trim(table_names(i)), 1, &
@@ -237,14 +201,18 @@ contains
    subroutine wire_results_write(self, model, state, error)
       class(wire_results_t), intent(inout) :: self
       type(model_t), intent(in) :: model
-      type(state_t), intent(in) :: state
+      type(state_t), intent(in), target :: state
       type(error_t), allocatable, intent(inout) :: error
+      type(wire_quantity_t), allocatable :: list(:)
+      integer :: i
 
-      call self%file%write_points(model%x + state%value(1:3, :), error)
-      call write_point_fields(self%file, state, error)
-      call write_cell_fields(self%file, model, state, error)
+      call self%write_points(model%x + state%value(1:3, :), error)
+      call list_wire_quantities(state, list)
+      do i = 1, size(list)
+         call self%write_field(list(i)%name, list(i)%values, error)
+      end do
       call write_tables(self, state, error)
-      call self%file%end_step(state%time, error)
+      call self%end_step(state%time, error)
    end subroutine wire_results_write
 
    !> Brings the list of warnings up to date.
@@ -255,39 +223,6 @@ contains
 
       call self%warnings%write(warnings, error)
    end subroutine wire_results_write_warnings
-
-   subroutine write_point_fields(file, state, error)
-      type(vtkhdf_file_t), intent(inout) :: file
-      type(state_t), intent(in) :: state
-      type(error_t), allocatable, intent(inout) :: error
-
-      call file%write_field('displacement', state%value(1:3, :), error)
-      call file%write_field('rotation', state%value(4:6, :), error)
-      call file%write_field('potential', state%value(7, :), error)
-      call file%write_field('reaction_force', state%reaction(1:3, :), error)
-      call file%write_field('reaction_moment', state%reaction(4:6, :), error)
-      call file%write_field('applied_force', state%load(1:3, :), error)
-      call file%write_field('applied_moment', state%load(4:6, :), error)
-      call file%write_field('reaction_current', state%reaction(7, :), error)
-      call file%write_field('applied_current', state%load(7, :), error)
-   end subroutine write_point_fields
-
-   subroutine write_cell_fields(file, model, state, error)
-      type(vtkhdf_file_t), intent(inout) :: file
-      type(model_t), intent(in) :: model
-      type(state_t), intent(in) :: state
-      type(error_t), allocatable, intent(inout) :: error
-      real(dp) :: area(model%n_elements)
-      integer :: i
-
-      area = model%sections(model%element_section)%area
-      do i = 1, 6
-         call file%write_field(trim(section_force_names(i)), state%section_forces(i, :), error)
-      end do
-      call file%write_field('element_current', state%element_current, error)
-      call file%write_field('current_density', state%element_current/area, error)
-      call file%write_field('joule_heat', state%joule_heat, error)
-   end subroutine write_cell_fields
 
    subroutine write_tables(self, state, error)
       class(wire_results_t), intent(inout) :: self
@@ -305,24 +240,5 @@ contains
          call self%tables(size(counts) + i)%append(reshape(reals(i:i), [1, 1]), error)
       end do
    end subroutine write_tables
-
-   !> Puts the file in the place of an older one.
-   subroutine wire_results_publish(self, error)
-      class(wire_results_t), intent(inout) :: self
-      type(error_t), allocatable, intent(inout) :: error
-
-      call self%file%publish(error)
-   end subroutine wire_results_publish
-
-   !> Closes the file, and notes whether the run came to its end.
-   subroutine wire_results_close(self, finished, error)
-      class(wire_results_t), intent(inout) :: self
-      logical, intent(in) :: finished
-      type(error_t), allocatable, intent(inout) :: error
-
-      if (self%file%file < 0) return
-      if (finished) call hdf5_write_attribute(self%litz_group, 'finished', 1, error)
-      call self%file%close(error)
-   end subroutine wire_results_close
 
 end module litz_wire_results

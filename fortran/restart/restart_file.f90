@@ -16,10 +16,12 @@ module litz_restart_file
    use litz_hdf5_input, only: hdf5_open_file, hdf5_close_input
    use litz_hdf5_rows_reader, only: read_attribute_integer, read_attribute_text, read_real_rows, read_integer_rows
    use litz_model, only: step_t
+   use litz_quantities, only: quantity_t, quantity_table_t
    use litz_restart_model, only: write_model_record, check_model_record
    use litz_run_warnings, only: run_warnings_t
-   use litz_restart_record, only: record_t, exchange_point, exchange_contact, name_length
-   use litz_state, only: contact_t, energies_t
+   use litz_restart_points, only: point_table, points_of_table
+   use litz_result_quantities, only: wire_quantity_t, list_wire_quantities, contact_table, contacts_of_table
+   use litz_state, only: state_t, contact_t, energies_t
    use litz_step_control, only: course_t
    use litz_problem, only: problem_t
    use litz_text, only: to_text
@@ -28,9 +30,9 @@ module litz_restart_file
    private
    public :: restart_file_t, read_restart, wants_restart
 
-   integer, parameter :: format_version = 3
+   integer, parameter :: format_version = 4
    integer, parameter :: creating = 1, writing = 2, reading = 3
-   integer, parameter :: most_datasets = 40
+   integer, parameter :: most_datasets = 100
 
    type :: restart_file_t
       private
@@ -44,6 +46,8 @@ module litz_restart_file
       !> Of the rows of the increment that is written or read
       integer(int64) :: row_checksum(most_datasets) = 0
       integer :: n_increments = 0
+      !> What was read has as many nodes and elements as the model
+      logical :: fits_mesh = .true.
       !> Rows of the arrays that are not there yet: a guide for the layout
       integer :: usual_rows = 1
    contains
@@ -148,6 +152,8 @@ contains
       end if
       if (.not. allocated(error)) call check_course(problem, error)
       if (.not. allocated(error)) call check_model_record(self%file, problem%model, problem%state%step, error)
+      if (.not. (allocated(error) .or. self%fits_mesh)) error = fail(exit_files, &
+         'it has other numbers of nodes or elements than its own model: the file is damaged')
       call hdf5_close_input(self%file)
       if (allocated(error)) error%message = 'cannot continue from "'//path//'": '//error%message
    end subroutine read_restart
@@ -228,13 +234,8 @@ contains
       self%next = 0
       call exchange_course(self, problem, course, error)
       associate (state => problem%state, loading => problem%loading, contact => problem%contact)
-         call self%array('value', state%value, error)
-         call self%array('rotation', state%rotation, error)
-         call self%array('reaction', state%reaction, error)
-         call self%array('load', state%load, error)
-         call self%array('section_forces', state%section_forces, error)
-         call self%array('element_current', state%element_current, error)
-         call self%array('joule_heat', state%joule_heat, error)
+         call exchange_wires(self, state, error)
+         call self%array('rotation_matrix', state%rotation, error)
          call self%array('loading_fixed', loading%fixed, n_slots, error)
          call self%array('loading_start_value', loading%start_value, error, n_slots)
          call self%array('loading_start_load', loading%start_load, error, n_slots)
@@ -244,11 +245,30 @@ contains
          call self%array('candidates', contact%candidates, 3, error)
          call self%array('positions_at_search', contact%x_collected, error, 3)
          if (.not. (allocated(error) .or. contact%present) .and. self%mode == reading) deallocate (contact%x_collected)
-         call exchange_points(self, contact%converged, error)
-         call exchange_contacts(self, state%contacts, error)
+         call exchange_contacts(self, contact%converged, state%contacts, error)
       end associate
       call exchange_warnings(self, problem%warnings, error)
    end subroutine exchange_all
+
+   !> What results show of nodes and elements.
+   subroutine exchange_wires(self, state, error)
+      type(restart_file_t), intent(inout) :: self
+      type(state_t), intent(inout), target :: state
+      type(error_t), allocatable, intent(inout) :: error
+      type(wire_quantity_t), allocatable :: list(:)
+      real(dp), allocatable :: values(:, :)
+      integer :: i
+
+      call list_wire_quantities(state, list)
+      do i = 1, size(list)
+         values = list(i)%values
+         call self%array(trim(list(i)%name), values, error)
+         if (allocated(error) .or. self%mode /= reading) cycle
+         ! a file of another mesh is refused once its step is known, too
+         self%fits_mesh = self%fits_mesh .and. size(values, 2) == size(list(i)%values, 2)
+         if (self%fits_mesh) list(i)%values = values
+      end do
+   end subroutine exchange_wires
 
    subroutine exchange_course(self, problem, course, error)
       type(restart_file_t), intent(inout) :: self
@@ -303,103 +323,52 @@ contains
       if (.not. ok) error = fail(exit_files, 'its dataset warnings is not what was written: the file is damaged')
    end subroutine exchange_warnings
 
-   subroutine exchange_points(self, points, error)
+   !> What the next increment needs of the crossings, and what results show of the contacts.
+   subroutine exchange_contacts(self, points, contacts, error)
       type(restart_file_t), intent(inout) :: self
       type(contact_point_t), allocatable, intent(inout) :: points(:)
-      type(error_t), allocatable, intent(inout) :: error
-      type(contact_point_t) :: blank
-      type(record_t), allocatable :: records(:)
-      type(record_t) :: layout
-      integer :: i
-
-      call exchange_point(layout, blank)
-      allocate (records(size(points)))
-      if (self%mode == writing) then
-         do i = 1, size(points)
-            call exchange_point(records(i), points(i))
-         end do
-      end if
-      call exchange_records(self, 'points', layout, records, error)
-      if (allocated(error) .or. self%mode /= reading) return
-      deallocate (points)
-      allocate (points(size(records)))
-      do i = 1, size(points)
-         call exchange_point(records(i), points(i))
-      end do
-   end subroutine exchange_points
-
-   subroutine exchange_contacts(self, contacts, error)
-      type(restart_file_t), intent(inout) :: self
       type(contact_t), allocatable, intent(inout) :: contacts(:)
       type(error_t), allocatable, intent(inout) :: error
-      type(contact_t) :: blank
-      type(record_t), allocatable :: records(:)
-      type(record_t) :: layout
-      integer :: i
+      type(quantity_table_t) :: point_rows, contact_rows
 
-      call exchange_contact(layout, blank)
-      allocate (records(size(contacts)))
-      if (self%mode == writing) then
-         do i = 1, size(contacts)
-            call exchange_contact(records(i), contacts(i))
-         end do
-      end if
-      call exchange_records(self, 'contacts', layout, records, error)
+      point_rows = point_table(points)
+      contact_rows = contact_table(contacts)
+      call exchange_table(self, 'points', point_rows, error)
+      call exchange_table(self, 'contacts', contact_rows, error)
       if (allocated(error) .or. self%mode /= reading) return
-      deallocate (contacts)
-      allocate (contacts(size(records)))
-      do i = 1, size(contacts)
-         call exchange_contact(records(i), contacts(i))
-      end do
+      call points_of_table(point_rows, points)
+      call contacts_of_table(contact_rows, contacts)
    end subroutine exchange_contacts
 
-   !> Records as two datasets, whose columns have names.
-   subroutine exchange_records(self, name, layout, records, error)
+   !> A table as two datasets, whose columns have names.
+   subroutine exchange_table(self, name, table, error)
       type(restart_file_t), intent(inout) :: self
       character(len=*), intent(in) :: name
-      !> A record with all fields
-      type(record_t), intent(in) :: layout
-      type(record_t), allocatable, intent(inout) :: records(:)
+      type(quantity_table_t), intent(inout) :: table
       type(error_t), allocatable, intent(inout) :: error
-      real(dp), allocatable :: reals(:, :)
-      integer, allocatable :: integers(:, :)
-      integer :: i, n_reals, n_integers
 
-      n_reals = layout%n_reals
-      n_integers = layout%n_integers
-      allocate (reals(n_reals, size(records)), integers(n_integers, size(records)))
-      do i = 1, size(records)
-         reals(:, i) = records(i)%reals(:n_reals)
-         integers(:, i) = int(records(i)%integers(:n_integers))
-      end do
-      call self%array(name//'_reals', reals, error, n_reals)
-      call exchange_columns(self, name//'_reals', layout%real_names(:n_reals), error)
-      call self%array(name//'_integers', integers, n_integers, error)
-      call exchange_columns(self, name//'_integers', layout%integer_names(:n_integers), error)
-      if (allocated(error) .or. self%mode /= reading) return
-      deallocate (records)
-      allocate (records(size(reals, 2)))
-      do i = 1, size(records)
-         records(i)%restoring = .true.
-         records(i)%reals(:n_reals) = reals(:, i)
-         records(i)%integers(:n_integers) = integers(:, i)
-      end do
-   end subroutine exchange_records
+      call self%array(name//'_reals', table%reals, error)
+      call exchange_columns(self, name//'_reals', table%quantities, .false., error)
+      call self%array(name//'_integers', table%integers, size(table%integers, 1), error)
+      call exchange_columns(self, name//'_integers', table%quantities, .true., error)
+   end subroutine exchange_table
 
    !> Names of the columns of a dataset, as an attribute; other names belong to another version of litz.
-   subroutine exchange_columns(self, name, columns, error)
+   subroutine exchange_columns(self, name, quantities, of_integers, error)
       type(restart_file_t), intent(inout) :: self
       character(len=*), intent(in) :: name
-      character(len=name_length), intent(in) :: columns(:)
+      type(quantity_t), intent(in) :: quantities(:)
+      !> The columns are those of the integers, not of the reals
+      logical, intent(in) :: of_integers
       type(error_t), allocatable, intent(inout) :: error
       character(len=:), allocatable :: text, found
       integer :: i
 
       text = ''
-      do i = 1, size(columns)
-         text = text//trim(columns(i))//' '
+      do i = 1, size(quantities)
+         if (quantities(i)%is_integer .eqv. of_integers) text = text//quantities(i)%columns(' ', with_units=.false.)
       end do
-      text = trim(text)
+      text = trim(adjustl(text))
       if (self%mode == creating) call hdf5_write_attribute(self%rows(self%next)%dataset, 'columns', text, error)
       if (self%mode == reading) then
          call read_attribute_text(self%file, name, 'columns', found, error)

@@ -9,6 +9,8 @@ module litz_audit
    use litz_contact_net, only: allowed_penetration
    use litz_errors, only: error_t, fail, exit_not_converged
    use litz_model, only: model_t, normal_linear
+   use litz_quantities, only: quantity_table_t, on_points
+   use litz_result_quantities, only: wire_quantity_t, list_wire_quantities, contact_table
    use litz_rotations, only: cross
    use litz_state, only: state_t, contact_t
    use litz_text, only: to_text
@@ -47,7 +49,7 @@ module litz_audit
 
 contains
 
-   pure function audit_increment(model, state, residual, scales) result(audit)
+   function audit_increment(model, state, residual, scales) result(audit)
       type(model_t), intent(in) :: model
       type(state_t), intent(in) :: state
       !> Largest force [N], moment [N m] and current [A] that are left over at each node (n_fields, n_nodes)
@@ -137,38 +139,46 @@ contains
          ' *CONTROLS, PARAMETERS=FIELD or smaller increments may help; if they do not, this is a defect of litz')
    end function audit_error
 
-   !> The field that has an entry which is not a finite number, in words; empty: none.
-   pure function not_finite(model, state) result(words)
+   !> The node, element or contact with a result that is not a finite number, in words; empty: none.
+   function not_finite(model, state) result(words)
       type(model_t), intent(in) :: model
-      type(state_t), intent(in) :: state
+      type(state_t), intent(in), target :: state
       character(len=:), allocatable :: words
-      logical :: finite(model%n_nodes)
-      integer :: i
+      type(wire_quantity_t), allocatable :: list(:)
+      integer :: i, place
 
       words = ''
-      do i = 1, model%n_nodes
-         finite(i) = all(ieee_is_finite(state%value(:, i))) .and. all(ieee_is_finite(state%rotation(:, :, i))) &
-            .and. all(ieee_is_finite(state%reaction(:, i)))
-      end do
-      if (.not. all(finite)) then
-         words = 'a value at node '//to_text(model%node_id(findloc(finite, .false., 1)))//' is not a number'
-         return
-      end if
-      do i = 1, model%n_elements
-         if (all(ieee_is_finite(state%section_forces(:, i))) .and. ieee_is_finite(state%element_current(i)) &
-            .and. ieee_is_finite(state%joule_heat(i))) cycle
-         words = 'a value in element '//to_text(model%element_id(i))//' is not a number'
+      call list_wire_quantities(state, list)
+      do i = 1, size(list)
+         if (.not. associated(list(i)%values)) cycle
+         place = findloc(all(ieee_is_finite(list(i)%values), 1), .false., 1)
+         if (place == 0) cycle
+         words = trim(list(i)%name)//' in element '//to_text(model%element_id(min(place, model%n_elements)))
+         if (list(i)%place == on_points) words = trim(list(i)%name)//' at node '//to_text(model%node_id(place))
+         words = words//' is not a number'
          return
       end do
-      do i = 1, size(state%contacts)
-         associate (c => state%contacts(i))
-            if (all(ieee_is_finite([c%gap, c%force, c%current, c%voltage_gap, c%joule_heat, &
-               c%angle])) .and. .not. ieee_is_nan(c%resistance)) cycle
-            words = 'a value of '//contact_words(model, c)//' is not a number'
-            return
-         end associate
-      end do
+      place = contact_not_finite(contact_table(state%contacts))
+      if (place > 0) words = 'a value of '//contact_words(model, state%contacts(place))//' is not a number'
    end function not_finite
+
+   !> The row of the first contact with a value that is not a finite number; 0: none.
+   pure integer function contact_not_finite(table) result(row)
+      type(quantity_table_t), intent(in) :: table
+      integer :: i
+
+      row = 0
+      do i = 1, size(table%quantities)
+         associate (quantity => table%quantities(i))
+            if (quantity%is_integer) cycle
+            associate (values => table%reals(quantity%first:quantity%last(), :))
+               if (quantity%may_be_infinite) row = findloc(any(ieee_is_nan(values), 1), .true., 1)
+               if (.not. quantity%may_be_infinite) row = findloc(all(ieee_is_finite(values), 1), .false., 1)
+            end associate
+         end associate
+         if (row > 0) return
+      end do
+   end function contact_not_finite
 
    !> Sum of what supports and loads do to the model [N].
    pure function force_imbalance(state) result(total)

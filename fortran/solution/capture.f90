@@ -36,6 +36,7 @@ contains
          end do
          state%section_forces = iterate%section_forces
          state%element_current = iterate%element_current
+         state%current_density = iterate%element_current/problem%model%sections(problem%model%element_section)%area
          state%joule_heat = iterate%joule_heat
          state%load = loading%load
          state%reaction = merge(internal - loading%load, 0.0_dp, loading%fixed)
@@ -54,25 +55,21 @@ contains
          allocate (state%contacts(count(contact%points%closed)))
          m = 0
          do i = 1, size(contact%points)
-            if (.not. contact%points(i)%closed) then
-               contact%points(i)%history = contact_history_t()
-               cycle
-            end if
             associate (point => contact%points(i))
+               if (.not. point%closed) then
+                  point%history = contact_history_t()
+                  cycle
+               end if
                point%history = advanced_history(point%history, [point%arc_bar, point%arc], point%force, point%friction)
-            end associate
-            if (contact%points(i)%id == 0) then
-               contact%last_id = contact%last_id + 1
-               contact%points(i)%id = contact%last_id
-            end if
-            m = m + 1
-            state%contacts(m) = contact_of_point(contact%points(i))
-            ! the current enters within the elements: their heat includes what the linear voltage misses
-            associate (point => contact%points(i))
-               state%joule_heat(point%element_bar) = state%joule_heat(point%element_bar) &
-                  + point%heat_inside(1)
-               state%joule_heat(point%element) = state%joule_heat(point%element) &
-                  + point%heat_inside(2)
+               if (point%id == 0) then
+                  contact%last_id = contact%last_id + 1
+                  point%id = contact%last_id
+               end if
+               m = m + 1
+               state%contacts(m) = contact_of_point(point)
+               ! the current enters within the elements: their heat includes what the linear voltage misses
+               state%joule_heat(point%element_bar) = state%joule_heat(point%element_bar) + point%heat_inside(1)
+               state%joule_heat(point%element) = state%joule_heat(point%element) + point%heat_inside(2)
             end associate
          end do
          contact%converged = contact%points
@@ -80,32 +77,21 @@ contains
       end associate
    end subroutine capture_contacts
 
+   !> What results show of a point, with what follows from the iteration.
    pure function contact_of_point(point) result(contact)
       type(contact_point_t), intent(in) :: point
       type(contact_t) :: contact
 
-      contact%id = point%id
-      contact%element_bar = point%element_bar
-      contact%element = point%element
-      contact%xi_bar = point%xi_bar
-      contact%xi = point%xi
-      contact%pair = point%pair
+      contact = point%contact_t
       contact%angle = min(point%kinematics%angle, pi - point%kinematics%angle)
-      contact%gap = point%gap
       contact%normal = point%kinematics%normal
       contact%point_bar = point%kinematics%point_bar
       contact%point = point%kinematics%point
-      contact%force = point%force
       contact%friction_status = point%friction%status
-      contact%traction = point%traction_on_bar
       contact%slip_path = point%history%slip_path
       contact%dissipation = point%history%dissipation
-      contact%semi_major = point%semi_major
-      contact%semi_minor = point%semi_minor
       contact%resistance = ieee_value(contact%resistance, ieee_positive_inf)
       if (point%conductance > 0) contact%resistance = 1/point%conductance
-      contact%current = point%current
-      contact%voltage_gap = point%voltage_gap
       contact%joule_heat = point%current*point%voltage_gap
    end function contact_of_point
 

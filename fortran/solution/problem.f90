@@ -73,7 +73,7 @@ contains
          allocate (state%value(n_slots, n), state%reaction(n_slots, n), state%load(n_slots, n), &
             state%stabilizing_force(n_slots, n), source=0.0_dp)
          allocate (state%section_forces(6, m), source=0.0_dp)
-         allocate (state%element_current(m), state%joule_heat(m), source=0.0_dp)
+         allocate (state%element_current(m), state%current_density(m), state%joule_heat(m), source=0.0_dp)
          allocate (state%contacts(0))
          state%rotation = spread(identity3, 3, n)
          allocate (iterate%sigma(6, m), iterate%strain(6, m), iterate%section_forces(6, m), iterate%b(6, 12, m), &

@@ -85,10 +85,10 @@ program test_audit
 
    wrong = right
    wrong%value(7, 4) = ieee_value(1.0_dp, ieee_quiet_nan)
-   call expect_finding(wrong, 'a value at node 14 is not a number')
+   call expect_finding(wrong, 'potential at node 14 is not a number')
    wrong = right
    wrong%section_forces(6, 2) = ieee_value(1.0_dp, ieee_quiet_nan)
-   call expect_finding(wrong, 'a value in element 102 is not a number')
+   call expect_finding(wrong, 'bending_moment_3 in element 102 is not a number')
    wrong = right
    wrong%contacts(1)%resistance = ieee_value(1.0_dp, ieee_quiet_nan)
    call expect_finding(wrong, 'a value of contact 7 (elements 101 and 102) is not a number')
@@ -99,8 +99,8 @@ program test_audit
    call expect_finding(wrong, 'current and voltage of contact 7 disagree')
    wrong%contacts%current = 0
    wrong%contacts%joule_heat = 0
-   wrong%reaction_current = 0
-   wrong%applied_current = 0
+   wrong%reaction(7, :) = 0
+   wrong%load(7, :) = 0
    wrong%element_current = 0
    wrong%joule_heat = 0
    audit = audit_increment(model, wrong, at_rest, scales)
@@ -128,7 +128,7 @@ program test_audit
    wrong%reaction = 0
    wrong%reaction(3, 1) = 1.0e-14_dp
    wrong%contacts = wrong%contacts(:0)
-   wrong%reaction_current = 0
+   wrong%reaction(7, :) = 0
    wrong%element_current = 0
    wrong%joule_heat = 0
    scales%reference = [1.0e-14_dp, 0.0_dp, 0.0_dp]

@@ -155,6 +155,7 @@ contains
       state%load(7, 5) = -state%reaction(7, 5) + 1.0e-14_dp
       state%section_forces = increment*reshape([((i + 10.0_dp*j, i=1, 6), j=1, 4)], [6, 4])
       state%element_current = [(increment*3.0_dp*j, j=1, 4)]
+      state%current_density = state%element_current/4.0e-4_dp
       state%joule_heat = [(increment*4.0_dp*j, j=1, 4)]
       state%contacts = made_up_contacts(increment)
    end subroutine make_state

@@ -1,0 +1,246 @@
+!> The quantities that results hold, one line each: name, unit, meaning, and where the values are.
+!>
+!> Fields of the result files, columns of the ledger and of the history, the names that decks may ask for, the check for
+!> values that are not numbers, and restart files follow these lists.
+module litz_result_quantities
+   use litz_fields, only: first_slot, field_displacement, field_rotation, field_potential
+   use litz_kinds, only: dp
+   use litz_quantities, only: quantity_t, quantity_table_t, on_points, on_cells
+   use litz_state, only: state_t, contact_t
+   implicit none
+   private
+   public :: wire_quantity_t, list_wire_quantities, requested_names, described_requests
+   public :: contact_table, contacts_of_table
+
+   !> The rows of nodal arrays
+   integer, parameter :: u = first_slot(field_displacement), phi = first_slot(field_rotation), &
+      v = first_slot(field_potential)
+
+   !> A quantity of nodes or elements.
+   type, extends(quantity_t) :: wire_quantity_t
+      !> What decks ask for it by, some together; empty: it is in the result file alone
+      character(len=8) :: request = ''
+      !> Name of its column in the history; the components of a vector are counted
+      character(len=8) :: column = ''
+      !> Its total over a set is the sum; otherwise it is the mean
+      logical :: is_sum = .false.
+      !> (components, nodes or elements); null where the state has no such values yet
+      real(dp), pointer :: values(:, :) => null()
+   end type wire_quantity_t
+
+   interface add
+      module procedure add_rows, add_scalar
+   end interface add
+
+contains
+
+   !> What results hold of nodes and elements, with the values of this state.
+   subroutine list_wire_quantities(state, list)
+      !> The values are its own: setting them sets it
+      type(state_t), intent(in), target :: state
+      type(wire_quantity_t), allocatable, intent(out) :: list(:)
+
+      allocate (list(0))
+      call add(list, on_points, 'displacement', 'm', 'displacement from the reference position', &
+         state%value, u, 3, 'U')
+      call add(list, on_points, 'rotation', 'rad', 'rotation vector from the reference', state%value, phi, 3, 'UR')
+      call add(list, on_points, 'reaction_force', 'N', &
+         'force of the supports on the structure, applied loads not included', state%reaction, u, 3, 'RF', &
+         is_sum=.true.)
+      call add(list, on_points, 'reaction_moment', 'N m', &
+         'moment of the supports on the structure, applied loads not included', state%reaction, phi, 3, 'RM', &
+         is_sum=.true.)
+      call add(list, on_points, 'applied_force', 'N', 'applied load', state%load, u, 3, 'CF', is_sum=.true.)
+      call add(list, on_points, 'applied_moment', 'N m', 'applied moment', state%load, phi, 3, 'CM', is_sum=.true.)
+      call add(list, on_points, 'potential', 'V', 'electric potential', state%value, v, 1, 'EPOT')
+      call add(list, on_points, 'reaction_current', 'A', 'current that enters where the potential is prescribed', &
+         state%reaction, v, 1, 'RCURR', is_sum=.true.)
+      call add(list, on_points, 'applied_current', 'A', 'applied current, positive into the body', &
+         state%load, v, 1, 'CECUR', is_sum=.true.)
+      call add(list, on_cells, 'axial_force', 'N', 'axial force N, tension positive', &
+         state%section_forces, 1, 1, 'SF', 'N')
+      call add(list, on_cells, 'shear_force_2', 'N', 'shear force Q2 along the first section axis', &
+         state%section_forces, 2, 1, 'SF', 'Q2')
+      call add(list, on_cells, 'shear_force_3', 'N', 'shear force Q3 along the second section axis', &
+         state%section_forces, 3, 1, 'SF', 'Q3')
+      call add(list, on_cells, 'torsion_moment', 'N m', 'torsion moment T', state%section_forces, 4, 1, 'SF', 'T')
+      call add(list, on_cells, 'bending_moment_2', 'N m', 'bending moment M2 about the first section axis', &
+         state%section_forces, 5, 1, 'SF', 'M2')
+      call add(list, on_cells, 'bending_moment_3', 'N m', 'bending moment M3 about the second section axis', &
+         state%section_forces, 6, 1, 'SF', 'M3')
+      call add(list, on_cells, 'element_current', 'A', 'current from the first to the second node', &
+         state%element_current, 'EPG', 'current')
+      call add(list, on_cells, 'current_density', 'A/m^2', &
+         'current per area of the cross-section, from the first to the second node', state%current_density)
+      call add(list, on_cells, 'joule_heat', 'W', 'heat from the current in the element', state%joule_heat, 'JOULE', &
+         is_sum=.true.)
+   end subroutine list_wire_quantities
+
+   !> What results and the restart file hold of a contact.
+   pure subroutine list_contact_quantities(table, c)
+      type(quantity_table_t), intent(inout) :: table
+      type(contact_t), intent(inout) :: c
+
+      call table%field('id', c%id, '1', 'number of the contact, the same while it lives')
+      call table%field('element_bar', c%element_bar, '1', 'barred element, number in the deck', is_element=.true.)
+      call table%field('element', c%element, '1', 'unbarred element, number in the deck', is_element=.true.)
+      call table%field('pair', c%pair)
+      call table%field('xi_bar', c%xi_bar, '1', 'position in the barred element, -1 to 1')
+      call table%field('xi', c%xi, '1', 'position in the unbarred element, -1 to 1')
+      call table%field('angle', c%angle, 'rad', 'angle between the axes')
+      call table%field('gap', c%gap, 'm', 'gap between the surfaces, negative in contact')
+      call table%field('force', c%force, 'N', 'contact force, pushing the wires apart')
+      call table%field('normal', c%normal, '1', 'unit normal from the unbarred to the barred wire')
+      call table%field('point_bar', c%point_bar, 'm', 'point of the barred axis')
+      call table%field('point', c%point, 'm', 'point of the unbarred axis')
+      call table%field('semi_major', c%semi_major, 'm', 'longer semi-axis of the spot')
+      call table%field('semi_minor', c%semi_minor, 'm', 'shorter semi-axis of the spot')
+      call table%field('resistance', c%resistance, 'ohm', 'contact resistance, infinite where no current can pass', &
+         may_be_infinite=.true.)
+      call table%field('current', c%current, 'A', 'current from the barred to the unbarred wire')
+      call table%field('voltage_gap', c%voltage_gap, 'V', 'potential of the barred minus the unbarred wire')
+      call table%field('joule_heat', c%joule_heat, 'W', 'heat in the spot')
+      call table%field('traction', c%traction, 'N', 'what the barred wire feels of friction')
+      call table%field('slip_path', c%slip_path, 'm', 'path of the slip since the contact closed')
+      call table%field('dissipation', c%dissipation, 'J', 'heat of friction since the contact closed')
+      call table%field('friction', c%friction_status, '1', '0 none, 1 stick, 2 slip', words='none|stick|slip')
+   end subroutine list_contact_quantities
+
+   !> The contacts as rows of numbers, with the descriptions of the columns.
+   pure function contact_table(contacts) result(table)
+      type(contact_t), intent(in) :: contacts(:)
+      type(quantity_table_t) :: table
+      type(contact_t) :: contact
+      integer :: i
+
+      call list_contact_quantities(table, contact)
+      call table%begin_storing(size(contacts))
+      do i = 1, size(contacts)
+         contact = contacts(i)
+         call table%next_row()
+         call list_contact_quantities(table, contact)
+      end do
+   end function contact_table
+
+   !> The contacts that a table was made of.
+   pure subroutine contacts_of_table(table, contacts)
+      type(quantity_table_t), intent(inout) :: table
+      type(contact_t), allocatable, intent(out) :: contacts(:)
+      integer :: i
+
+      call table%begin_restoring()
+      allocate (contacts(size(table%reals, 2)))
+      do i = 1, size(contacts)
+         call table%next_row()
+         call list_contact_quantities(table, contacts(i))
+      end do
+   end subroutine contacts_of_table
+
+   !> What decks may ask for, with bars between: `U|UR|...`.
+   function requested_names(place, means_only) result(names)
+      !> `on_points` or `on_cells`
+      integer, intent(in) :: place
+      !> Leave out those whose totals are sums
+      logical, intent(in), optional :: means_only
+      character(len=:), allocatable :: names
+      type(state_t) :: nothing
+      type(wire_quantity_t), allocatable :: list(:)
+      logical :: sums_too
+      integer :: i
+
+      sums_too = .true.
+      if (present(means_only)) sums_too = .not. means_only
+      call list_wire_quantities(nothing, list)
+      names = ''
+      do i = 1, size(list)
+         if (list(i)%place /= place .or. list(i)%request == '' .or. (list(i)%is_sum .and. .not. sums_too)) cycle
+         if (index(names//'|', '|'//trim(list(i)%request)//'|') == 0) names = names//'|'//trim(list(i)%request)
+      end do
+      names = names(2:)
+   end function requested_names
+
+   !> What decks may ask for, in words: `U: displacement; UR: rotation; ...`.
+   function described_requests(place) result(text)
+      !> `on_points` or `on_cells`
+      integer, intent(in) :: place
+      character(len=:), allocatable :: text
+      type(state_t) :: nothing
+      type(wire_quantity_t), allocatable :: list(:)
+      character(len=:), allocatable :: last
+      integer :: i
+
+      call list_wire_quantities(nothing, list)
+      text = ''
+      last = ''
+      do i = 1, size(list)
+         if (list(i)%place /= place .or. list(i)%request == '') cycle
+         if (list(i)%request == last) then
+            text = text//', '//in_words(list(i)%name)
+         else
+            text = text//'; '//trim(list(i)%request)//': '//in_words(list(i)%name)
+         end if
+         last = trim(list(i)%request)
+      end do
+      text = text(3:)
+   end function described_requests
+
+   !> `shear force 2` for `shear_force_2`
+   pure function in_words(name) result(words)
+      !> Of a quantity
+      character(len=*), intent(in) :: name
+      character(len=:), allocatable :: words
+      integer :: i
+
+      words = trim(name)
+      do i = 1, len(words)
+         if (words(i:i) == '_') words(i:i) = ' '
+      end do
+   end function in_words
+
+   !> Some rows of an array over nodes or elements.
+   subroutine add_rows(list, place, name, unit, text, values, first, components, request, column, is_sum)
+      type(wire_quantity_t), allocatable, intent(inout) :: list(:)
+      !> As in `wire_quantity_t`; `first`: the first of the rows
+      integer, intent(in) :: place, first, components
+      !> As in `wire_quantity_t`
+      character(len=*), intent(in) :: name, unit, text
+      !> (rows, nodes or elements); not there where the state has none
+      real(dp), intent(in), optional, target :: values(:, :)
+      !> As in `wire_quantity_t`
+      character(len=*), intent(in), optional :: request, column
+      !> As in `wire_quantity_t`
+      logical, intent(in), optional :: is_sum
+      type(wire_quantity_t) :: item
+
+      item%place = place
+      item%name = name
+      item%unit = unit
+      item%text = text
+      item%components = components
+      if (present(request)) item%request = request
+      item%column = item%request
+      if (present(column)) item%column = column
+      if (present(is_sum)) item%is_sum = is_sum
+      if (present(values)) item%values => values(first:first + components - 1, :)
+      list = [list, item]
+   end subroutine add_rows
+
+   !> A value per node or element.
+   subroutine add_scalar(list, place, name, unit, text, values, request, column, is_sum)
+      type(wire_quantity_t), allocatable, intent(inout) :: list(:)
+      !> As in `wire_quantity_t`
+      integer, intent(in) :: place
+      !> As in `wire_quantity_t`
+      character(len=*), intent(in) :: name, unit, text
+      !> (nodes or elements); not there where the state has none
+      real(dp), intent(in), optional, target :: values(:)
+      !> As in `wire_quantity_t`
+      character(len=*), intent(in), optional :: request, column
+      !> As in `wire_quantity_t`
+      logical, intent(in), optional :: is_sum
+
+      call add_rows(list, place, name, unit, text, first=1, components=1, request=request, column=column, is_sum=is_sum)
+      if (present(values)) list(size(list))%values(1:1, 1:size(values)) => values
+   end subroutine add_scalar
+
+end module litz_result_quantities

@@ -1,0 +1,82 @@
+!> The memory of the contact points as rows of numbers that go to a restart file or come back from it.
+module litz_restart_points
+   use litz_contact_history, only: contact_history_t
+   use litz_contact_points, only: contact_point_t
+   use litz_quantities, only: quantity_table_t
+   implicit none
+   private
+   public :: point_table, points_of_table
+
+contains
+
+   !> The points as rows of numbers, with the names of the columns.
+   pure function point_table(points) result(table)
+      type(contact_point_t), intent(in) :: points(:)
+      type(quantity_table_t) :: table
+      type(contact_point_t) :: point
+      integer :: i
+
+      call list_point(table, point)
+      call table%begin_storing(size(points))
+      do i = 1, size(points)
+         point = points(i)
+         call table%next_row()
+         call list_point(table, point)
+      end do
+   end function point_table
+
+   !> The points that a table was made of.
+   pure subroutine points_of_table(table, points)
+      type(quantity_table_t), intent(inout) :: table
+      type(contact_point_t), allocatable, intent(out) :: points(:)
+      integer :: i
+
+      call table%begin_restoring()
+      allocate (points(size(table%reals, 2)))
+      do i = 1, size(points)
+         call table%next_row()
+         call list_point(table, points(i))
+      end do
+   end subroutine points_of_table
+
+   !> What the next increment needs of a crossing: its place, its memory, and how it stood.
+   pure subroutine list_point(table, point)
+      type(quantity_table_t), intent(inout) :: table
+      type(contact_point_t), intent(inout) :: point
+
+      call table%field('id', point%id)
+      call table%field('element_bar', point%element_bar)
+      call table%field('element', point%element)
+      call table%field('pair', point%pair)
+      call table%field('closed', point%closed)
+      call table%field('xi_bar', point%xi_bar)
+      call table%field('xi', point%xi)
+      call table%field('arc_bar', point%arc_bar)
+      call table%field('arc', point%arc)
+      call table%field('gap', point%gap)
+      call table%field('fit', point%fit)
+      call table%field('distance_gap', point%kinematics%gap)
+      call table%field('normal', point%kinematics%normal)
+      call table%field('side', point%kinematics%side)
+      call table%field('angle', point%kinematics%angle)
+      call table%field('force', point%force)
+      call list_history(table, point%history)
+   end subroutine list_point
+
+   pure subroutine list_history(table, history)
+      type(quantity_table_t), intent(inout) :: table
+      type(contact_history_t), intent(inout) :: history
+
+      call table%field('was_closed', history%closed)
+      call table%field('converged_arc_bar', history%arc(1))
+      call table%field('converged_arc', history%arc(2))
+      call table%field('converged_force', history%force)
+      call table%field('traction_1', history%traction(1))
+      call table%field('traction_2', history%traction(2))
+      call table%field('slip_path', history%slip_path)
+      call table%field('dissipation', history%dissipation)
+      call table%field('elastic_energy', history%elastic_energy)
+      call table%field('largest_force', history%largest_force)
+   end subroutine list_history
+
+end module litz_restart_points
