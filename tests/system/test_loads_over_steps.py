@@ -20,9 +20,7 @@ def applied(results, node, component=1):
     return results.field("applied_force", None)[:, node, component]
 
 
-@pytest.mark.parametrize(
-    ("time", "begin"), [("TOTAL TIME", 1.0), ("STEP TIME", 0.0)], ids=["total time", "step time"]
-)
+@pytest.mark.parametrize(("time", "begin"), [("TOTAL TIME", 1.0), ("STEP TIME", 0.0)], ids=["total time", "step time"])
 def test_an_amplitude_follows_the_time_it_names(run, time, begin):
     """In a second step the one goes on from 1 s, the other begins anew."""
     wave = f"*AMPLITUDE, NAME=WAVE, TIME={time}\n 0, 0, 0.75, 1, 1.25, -1, 2, 0.5\n"
