@@ -16,21 +16,30 @@ SPOT = 2e-4
 CURRENT = 3.0
 
 
-def crossing(cards, elements=(5, 3), *, held=1, touching=True, later=""):
+def crossing(cards, elements=(5, 3), *, held=1, touching=True, later="", backwards=((), ())):
     """Wires that cross within elements, all nodes held, and the potential of node `held`.
 
     In the first step they are pressed into each other, or moved apart, in the second `cards` feed them.
     """
     height = sum(RADII)
-    lower = wire("LOWER", straight((0, 0, 0), (LENGTHS[0], 0, 0), elements[0]), 1)
+    lower = wire("LOWER", straight((0, 0, 0), (LENGTHS[0], 0, 0), elements[0]), 1, backwards=backwards[0])
     start = (CROSSING[0], -CROSSING[1], height)
-    upper = wire("UPPER", straight(start, (CROSSING[0], LENGTHS[1] - CROSSING[1], height), elements[1]), 101)
+    upper = wire(
+        "UPPER",
+        straight(start, (CROSSING[0], LENGTHS[1] - CROSSING[1], height), elements[1]),
+        101,
+        backwards=backwards[1],
+    )
     materials = "".join(
         f"*MATERIAL, NAME={name}\n*ELASTIC\n 120e9, 0.34\n*ELECTRICAL CONDUCTIVITY\n {conductivity}\n"
         f"*BEAM SECTION, ELSET={name}, MATERIAL={name}, SECTION=CIRC\n {radius}\n"
         for name, radius, conductivity in zip(("LOWER", "UPPER"), RADII, CONDUCTIVITIES, strict=True)
     )
-    return f"""{lower}{upper}{materials}*SURFACE INTERACTION, NAME=TOUCH
+    return f"""{upper}{lower}{materials}*NSET, NSET=PLUS
+ 1
+*NSET, NSET=MINUS
+ 101
+*SURFACE INTERACTION, NAME=TOUCH
 *SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR
  1e6
 *GAP ELECTRICAL CONDUCTANCE, LAW=CONSTANT
@@ -147,3 +156,20 @@ def test_two_wires_that_conduct_do_not_feed_an_insulator(run):
     assert contact["force"] == pytest.approx(1e6 * 1e-6, rel=1e-6)
     assert np.isposinf(contact["resistance"]).all()
     assert not contact["current"].any()
+
+
+def test_the_network_knows_its_wires_by_whatever_numbers_and_directions_their_elements_have(run):
+    """The upper wire comes first in the deck, so that the numbers of elements fall; some run against their wire."""
+    process, results = run(crossing(THROUGH, held=101, backwards=((1, 3), (1, 2))))
+    assert process.returncode == 0, process.stderr
+    assert list(np.sign(np.diff(results.element_ids))) == [1, 1, -1, 1, 1, 1, 1]
+    network = results.contact_network()
+    assert network.first_element.tolist() == [101, 1]
+    np.testing.assert_allclose(network.wire_length, LENGTHS[::-1], rtol=1e-9)
+    # the barred wire, named first in the contact pair, is the lower one
+    assert network.wires.tolist() == [[1, 0]]
+    np.testing.assert_allclose(network.arc, [CROSSING], rtol=1e-9)
+    # up the lower wire and back to the first node of the upper one
+    np.testing.assert_allclose(network.wire_current, [-CURRENT, CURRENT], rtol=1e-9)
+    voltage = potential_of(results, 1)
+    assert results.conductance("PLUS", "MINUS") == pytest.approx(CURRENT / voltage, rel=1e-9)

@@ -71,3 +71,20 @@ def test_no_crumb_is_left_before_the_end_of_a_step(run):
     process, results = run(times(50, 49, 1, 8, first=0.3))
     assert process.returncode == 0, process.stderr
     assert increments(results) == pytest.approx([0.3, 0.3, 0.2, 0.2], rel=1e-9)
+
+
+def test_a_step_keeps_the_settings_of_the_one_before(run):
+    """Settings are given in the first step alone: in the second, too, every increment is slow."""
+    deck = times(50, 1, 1, 8, first=0.2, smallest=0.08)
+    again = f"*STEP, INC=500\n*STATIC\n 0.2, 1, 0.08, 1\n{LOAD.replace('10', '20')}\n*END STEP\n"
+    process, results = run(deck + again)
+    assert process.returncode == 0, process.stderr
+    second = increments(results)[results.steps[1:] == 2]
+    assert second[:5] == pytest.approx([0.2, 0.15, 0.1125, 0.084375, 0.08], rel=1e-9)
+
+
+def test_more_fixed_increments_than_allowed_are_refused_before_the_run(run):
+    deck = times(50, 49, 48, 8, first=0.001).replace("*STATIC\n", "*STATIC, DIRECT\n")
+    process, _ = run(deck)
+    assert process.returncode == 1
+    assert "the step needs 1000 increments at least, but INC allows 500" in process.stderr

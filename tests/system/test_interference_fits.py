@@ -88,3 +88,15 @@ def test_a_run_that_goes_on_knows_how_much_was_resolved(litz, tmp_path):
         assert done.returncode == 0, done.stderr
         history = Results(tmp_path / f"part_{increment}").history
         assert history["ALLWK"][-1] == pytest.approx(PENALTY * OVERLAP**2 / 2, rel=1e-11)
+
+
+def test_a_run_that_goes_on_in_a_later_step_has_no_interference_left(litz, tmp_path):
+    deck = tmp_path / "deck.inp"
+    deck.write_text(fit(2, extra=ENERGIES + KEEP_ALL) + "*STEP\n*STATIC, DIRECT\n 0.25, 1\n*END STEP\n")
+    assert litz("run", deck, "-o", tmp_path / "whole").returncode == 0
+    place = f"{tmp_path / 'whole' / 'deck.restart.h5'}:2:1"
+    done = litz("run", deck, "-o", tmp_path / "part", "--restart", place)
+    assert done.returncode == 0, done.stderr
+    part = Results(tmp_path / "part")
+    assert part.contacts_at(-1)["force"] == pytest.approx(PENALTY * OVERLAP, rel=1e-11)
+    assert part.history["ALLWK"][-1] == pytest.approx(PENALTY * OVERLAP**2 / 2, rel=1e-11)
