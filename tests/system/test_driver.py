@@ -50,6 +50,21 @@ def test_newton_converges_quadratically(run, element, behavior):
     assert len(residual) <= 12
 
 
+def test_coupled_equations_know_that_a_remembered_spot_does_not_follow_the_force(run):
+    """Released, it conducts as before: the currents are right as soon as the displacements are, in the second iteration."""
+    deck = crossed(
+        static="1, 1",
+        spot="*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ, SPOT=LARGEST FORCE",
+        extra="*SOLVER, NAME=UMFPACK, COUPLING=MONOLITHIC",
+    )
+    process, results = run(deck + "*STEP\n*STATIC\n 1, 1\n*BOUNDARY\n UPPER_ENDS, 3, 3, -5e-5\n*END STEP\n")
+    assert process.returncode == 0, process.stderr
+    released = results.convergence.where(results.convergence["step"] == 2)
+    assert released["force"][2] < 1e-5 * released["force"][1]
+    # the square of what was left of the displacements
+    assert released["current"][2] < 1e-7 * released["current"][1]
+
+
 @pytest.mark.parametrize("push", [1e-5, 5e-5, 5e-4])
 def test_hertz_contacts_of_slender_wires_close_in_one_increment(run, push):
     """At first touch no force is known: none may enter the geometric stiffness. A contact that would pull opens."""

@@ -195,13 +195,17 @@ def test_no_friction_is_a_coefficient_of_zero(run):
 def test_a_spot_that_remembers_keeps_the_resistance_of_the_largest_force_until_it_slips(run):
     spot = "*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ, SPOT=LARGEST FORCE\n"
     pressed, released = -5 * OVERLAP, -OVERLAP
-    _, results = run(rubbing(move(0, z=pressed), move(0, z=released), move(1e-4, z=released), spot=spot))
+    back = move(0.99e-4, z=released, increments=1)
+    _, results = run(rubbing(move(0, z=pressed), move(0, z=released), move(1e-4, z=released), back, spot=spot))
     contacts = results.contacts
-    resistance = {step: contacts["resistance"][contacts["step"] == step] for step in (1, 2, 3, 4)}
+    resistance = {step: contacts["resistance"][contacts["step"] == step] for step in (1, 2, 3, 4, 5)}
     # slightly more force: slightly less resistance, down to a fifth of the force to the power of one third
     assert resistance[2][-1] == pytest.approx(resistance[1][-1] * 5 ** (-1 / 3), rel=1e-7)
     np.testing.assert_allclose(resistance[3], resistance[2][-1], rtol=1e-12)
     np.testing.assert_allclose(resistance[4][-1], resistance[1][-1], rtol=1e-7)
+    # it sticks again, and has forgotten the larger force
+    assert contacts["friction"][-1] == "stick"
+    np.testing.assert_allclose(resistance[5], resistance[1][-1], rtol=1e-7)
 
 
 def test_a_contact_that_an_interference_fit_closes_slips_from_where_it_has_closed(run):
