@@ -173,3 +173,10 @@ def test_the_network_knows_its_wires_by_whatever_numbers_and_directions_their_el
     np.testing.assert_allclose(network.wire_current, [-CURRENT, CURRENT], rtol=1e-9)
     voltage = potential_of(results, 1)
     assert results.conductance("PLUS", "MINUS") == pytest.approx(CURRENT / voltage, rel=1e-9)
+
+
+def test_the_current_of_a_wire_is_negative_where_it_flows_from_its_last_to_its_first_node(run):
+    """Fed in at the other end, through elements of both directions."""
+    process, results = run(crossing(f"*CECURRENT\n 6, , {CURRENT}\n", held=101, backwards=((1, 3), (1, 2))))
+    assert process.returncode == 0, process.stderr
+    np.testing.assert_allclose(results.wire_currents(), [-CURRENT, -CURRENT], rtol=1e-9)

@@ -195,8 +195,8 @@ def test_no_friction_is_a_coefficient_of_zero(run):
 def test_a_spot_that_remembers_keeps_the_resistance_of_the_largest_force_until_it_slips(run):
     spot = "*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ, SPOT=LARGEST FORCE\n"
     pressed, released = -5 * OVERLAP, -OVERLAP
-    back = move(0.99e-4, z=released, increments=1)
-    _, results = run(rubbing(move(0, z=pressed), move(0, z=released), move(1e-4, z=released), back, spot=spot))
+    slip, back = (move(x, z=released, increments=1) for x in (1e-4, 0.99e-4))
+    _, results = run(rubbing(move(0, z=pressed), move(0, z=released), slip, back, spot=spot))
     contacts = results.contacts
     resistance = {step: contacts["resistance"][contacts["step"] == step] for step in (1, 2, 3, 4, 5)}
     # slightly more force: slightly less resistance, down to a fifth of the force to the power of one third
