@@ -154,7 +154,11 @@ def test_a_contact_that_closes_slips_from_where_it_has_closed(run, x):
     assert reaction(results)[-1] == pytest.approx([traction, 0], rel=1e-7, abs=1e-12)
     slipped = abs(slip) - abs(traction) / STICK
     assert contact["slip_path"] == pytest.approx(slipped, rel=1e-6, abs=1e-12)
-    assert contact["dissipation"] == pytest.approx(MU * FORCE / 2 * slipped, rel=1e-6, abs=1e-15)
+    heat = MU * FORCE / 2 * slipped
+    assert contact["dissipation"] == pytest.approx(heat, rel=1e-6, abs=1e-15)
+    # along the wires only after the touch; across them the mean force times the way, as of all supports
+    work = FORCE / 2 * (OPEN + OVERLAP) + traction**2 / (2 * STICK) + heat
+    assert results.history["ALLWK"][-1] == pytest.approx(work, rel=1e-6)
 
 
 @pytest.mark.parametrize("increments", [4, 40])
