@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from decks import MATERIAL, crossed, grid, pair_of_wires, thin_mat, wire
+from decks import MATERIAL, crossed, grid, pair_of_wires, straight, thin_mat, wire
 from litz import Results
 
 SOFT = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR{}\n 1e3"
@@ -193,6 +193,17 @@ def test_wires_that_start_apart_and_pass_each_other_by_far_in_one_increment_are_
     """Afterwards they are as far apart again: only where they came from tells that they have passed."""
     soft = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n 1."
     process, _ = run(crossed(height="30e-3", push="-60e-3", behavior=soft, static="1., 1., 0.5, 1."))
+    assert process.returncode == 2
+    assert "would pass through each other in this increment" in process.stderr
+
+
+def test_a_wire_that_is_taken_through_another_and_off_its_end_is_refused(run):
+    """On the way the axes meet 0.5 mm before the end, then it goes on beyond: afterwards the wires do not cross at all."""
+    first = wire("A", straight((-0.01, 0, 0), (0.01, 0, 0), 3), element="B33")
+    second = wire("B", straight((0.007, -0.01, 5e-3), (0.007, 0.01, 5e-3), 3), 101, element="B33")
+    moves = " B, 1, 1, 5e-3\n B, 3, 3, -10e-3\n"
+    supports = " A, ENCASTRE\n B, 2\n B, 4, 6\n"
+    process, _ = run(pair_of_wires(first, second, supports, moves).replace("*STATIC\n", "*STATIC, DIRECT\n"))
     assert process.returncode == 2
     assert "would pass through each other in this increment" in process.stderr
 
