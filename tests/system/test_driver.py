@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from decks import MATERIAL, crossed, grid, pair_of_wires, straight, thin_mat, wire
+from decks import MATERIAL, cantilever, crossed, grid, pair_of_wires, straight, thin_mat, wire
 from litz import Results
 
 SOFT = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR{}\n 1e3"
@@ -48,6 +48,20 @@ def test_newton_converges_quadratically(run, element, behavior):
         assert after <= max(before * np.sqrt(before / residual.max()), bound)
     assert len(rises) <= 3
     assert len(residual) <= 12
+
+
+def test_coupled_equations_know_how_a_conductor_that_is_stretched_resists(run):
+    """Half of a wire is stretched by e: it has the more of the voltage, to first order in the first iteration already."""
+    solver = "*SOLVER, NAME=UMFPACK, COUPLING=MONOLITHIC\n"
+    deck = cantilever(f"{solver}*BOUNDARY\n 1, 9, 9, 1e-3\n 11, 9", "*CLOAD\n 6, 1, 6000", element="B33")
+    deck = deck.replace(" 200e9, 0.3\n", " 200e9, 0.3\n*ELECTRICAL CONDUCTIVITY\n 5e6\n")
+    process, results = run(deck.replace("SECTION=CIRC", "SECTION=CIRC, CONDUCTION=CURRENT LENGTH"))
+    assert process.returncode == 0, process.stderr
+    stretch = 6000 / (200e9 * np.pi * 1e-3**2)
+    assert results.field("potential")[5] == pytest.approx(1e-3 / (2 + stretch), rel=1e-6)
+    loaded = results.convergence.where(results.convergence["step"] == 2)
+    current = results.field("reaction_current")[0]
+    assert loaded["current"][1] < 2 * current * stretch**2
 
 
 def test_coupled_equations_know_that_a_remembered_spot_does_not_follow_the_force(run):

@@ -185,3 +185,14 @@ def test_corrections_are_small_at_the_end_where_that_is_asked_for(run, c_n, iter
     assert len(corrections) == iterations + 1
     if c_n > 0:
         assert corrections[-1] <= c_n * np.abs(results.field("displacement")).max()
+
+
+def test_no_iteration_turns_a_node_farther_than_allowed(run):
+    """A cap of 0.1 rad: the first iterations turn the tip by just that, until less is left."""
+    cap = "*CONTROLS, PARAMETERS=ROTATION\n 0.1\n*CONTROLS, PARAMETERS=TIME INCREMENTATION\n , , , 40\n"
+    process, results = run(cantilever(f"{cap}*CLOAD\n 11, 2, 20"))
+    assert process.returncode == 0, process.stderr
+    turned = results.convergence["rotation"][1:]
+    assert results.field("rotation")[10, 2] > 0.4
+    assert turned[:4] == pytest.approx(0.1, rel=1e-3)
+    assert turned.max() < 0.1001
