@@ -160,7 +160,8 @@ def test_two_wires_that_conduct_do_not_feed_an_insulator(run):
 
 def test_the_network_knows_its_wires_by_whatever_numbers_and_directions_their_elements_have(run):
     """The upper wire comes first in the deck, so that the numbers of elements fall; some run against their wire."""
-    process, results = run(crossing(THROUGH, held=101, backwards=((1, 3), (1, 2))))
+    printed = "*ELECTRODE PRINT\n PLUS, MINUS\n"
+    process, results = run(crossing(THROUGH + printed, held=101, backwards=((1, 3), (1, 2))))
     assert process.returncode == 0, process.stderr
     assert list(np.sign(np.diff(results.element_ids))) == [1, 1, -1, 1, 1, 1, 1]
     network = results.contact_network()
@@ -173,6 +174,9 @@ def test_the_network_knows_its_wires_by_whatever_numbers_and_directions_their_el
     np.testing.assert_allclose(network.wire_current, [-CURRENT, CURRENT], rtol=1e-9)
     voltage = potential_of(results, 1)
     assert results.conductance("PLUS", "MINUS") == pytest.approx(CURRENT / voltage, rel=1e-9)
+    # the history has the same of the electrodes: the current is fed in there, and no reaction
+    assert results.history["current PLUS to MINUS"][-1] == pytest.approx(CURRENT, rel=1e-9)
+    assert results.history["resistance PLUS to MINUS"][-1] == pytest.approx(voltage / CURRENT, rel=1e-9)
 
 
 def test_the_current_of_a_wire_is_negative_where_it_flows_from_its_last_to_its_first_node(run):
