@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from decks import crossed, grid
-from litz.history_table import history_table
+from litz.results.history_table import history_table
 
 #: Quantity of a node: the field of the result file, and its unit
 OF_NODES = {
