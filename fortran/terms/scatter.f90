@@ -27,9 +27,9 @@ module litz_scatter
       real(dp), allocatable :: prescribed(:, :)
       !> Largest nodal force, moment and current of any cell: the reference of convergence
       real(dp) :: reference(n_fields) = 0
-      !> How large the unknowns are (n_slots, n_nodes) [m, -, V]: the node's position, 1 for the entries of its rotation,
-      !> and the largest potential of any node, because no node's own zero of potential is more than a convention; now or
-      !> when the increment began, of which potentials that vanish keep the round-off
+      !> How large the unknowns are (n_slots, n_nodes) [m, -, V]: the node's position, 1 for the entries of its
+      !> rotation, and the largest potential of any node, because no node's own zero of potential is more than a
+      !> convention; now or when the increment began, of which potentials that vanish keep the round-off
       real(dp), allocatable :: magnitude(:, :)
       !> What a relative change of these in every part of the model makes at most of the forces (n_slots, n_nodes): the
       !> sum of `|K| |q|` over the cells at the node. Times epsilon it is the round-off of the residual there
@@ -44,7 +44,8 @@ contains
 
    !> No cell has added anything yet.
    pure subroutine clear_forces(x, value, change, forces)
-      !> Positions (3, n_nodes) [m], values of all unknowns, and their change since the increment began (n_slots, n_nodes)
+      !> Positions (3, n_nodes) [m], values of all unknowns (n_slots, n_nodes), and their change since the increment
+      !> began
       real(dp), intent(in) :: x(:, :), value(:, :), change(:, :)
       type(forces_t), intent(inout) :: forces
       integer :: field, n_nodes
