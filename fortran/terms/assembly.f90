@@ -58,7 +58,7 @@ contains
          end do
       end do
       matrix%symmetric = .true.
-      call clear_forces(iterate%x, iterate%value, forces)
+      call clear_forces(iterate%x, iterate%value, iterate%change, forces)
    end subroutine clear_system
 
    !> Beams: `R = B^T C e`, `K = B^T C B + G(sigma)`; theory sections 7 and 9.

@@ -29,7 +29,7 @@ module litz_scatter
       real(dp) :: reference(n_fields) = 0
       !> How large the unknowns are (n_slots, n_nodes) [m, -, V]: the node's position, 1 for the entries of its
       !> rotation, and the largest potential of any node, because no node's own zero of potential is more than a
-      !> convention
+      !> convention; now or when the increment began, of which potentials that vanish keep the round-off
       real(dp), allocatable :: magnitude(:, :)
       !> What a relative change of these in every part of the model makes at most of the forces (n_slots, n_nodes): the
       !> sum of `|K| |q|` over the cells at the node. Times epsilon it is the round-off of the residual there
@@ -43,9 +43,10 @@ module litz_scatter
 contains
 
    !> No cell has added anything yet.
-   pure subroutine clear_forces(x, value, forces)
-      !> Positions (3, n_nodes) [m], and values of all unknowns (n_slots, n_nodes)
-      real(dp), intent(in) :: x(:, :), value(:, :)
+   pure subroutine clear_forces(x, value, change, forces)
+      !> Positions (3, n_nodes) [m], values of all unknowns (n_slots, n_nodes), and their change since the increment
+      !> began
+      real(dp), intent(in) :: x(:, :), value(:, :), change(:, :)
       type(forces_t), intent(inout) :: forces
       integer :: field, n_nodes
 
@@ -70,7 +71,10 @@ contains
             else if (fields(field)%is_rotation) then
                magnitude = 1
             else
-               magnitude = maxval(abs(value(first_slot(field):last_slot(field), :)))
+               associate (now => value(first_slot(field):last_slot(field), :), &
+                  since => change(first_slot(field):last_slot(field), :))
+                  magnitude = max(maxval(abs(now)), maxval(abs(now - since)))
+               end associate
             end if
          end associate
       end do

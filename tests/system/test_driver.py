@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from decks import MATERIAL, crossed, grid, pair_of_wires, thin_mat, wire
+from decks import MATERIAL, cantilever, crossed, grid, pair_of_wires, straight, thin_mat, wire
 from litz import Results
 
 SOFT = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR{}\n 1e3"
@@ -48,6 +48,35 @@ def test_newton_converges_quadratically(run, element, behavior):
         assert after <= max(before * np.sqrt(before / residual.max()), bound)
     assert len(rises) <= 3
     assert len(residual) <= 12
+
+
+def test_coupled_equations_know_how_a_conductor_that_is_stretched_resists(run):
+    """Half of a wire is stretched by e: it has the more of the voltage, to first order in the first iteration already."""
+    solver = "*SOLVER, NAME=UMFPACK, COUPLING=MONOLITHIC\n"
+    deck = cantilever(f"{solver}*BOUNDARY\n 1, 9, 9, 1e-3\n 11, 9", "*CLOAD\n 6, 1, 6000", element="B33")
+    deck = deck.replace(" 200e9, 0.3\n", " 200e9, 0.3\n*ELECTRICAL CONDUCTIVITY\n 5e6\n")
+    process, results = run(deck.replace("SECTION=CIRC", "SECTION=CIRC, CONDUCTION=CURRENT LENGTH"))
+    assert process.returncode == 0, process.stderr
+    stretch = 6000 / (200e9 * np.pi * 1e-3**2)
+    assert results.field("potential")[5] == pytest.approx(1e-3 / (2 + stretch), rel=1e-6)
+    loaded = results.convergence.where(results.convergence["step"] == 2)
+    current = results.field("reaction_current")[0]
+    assert loaded["current"][1] < 2 * current * stretch**2
+
+
+def test_coupled_equations_know_that_a_remembered_spot_does_not_follow_the_force(run):
+    """Released, it conducts as before: the currents are right as soon as the displacements are, in the second iteration."""
+    deck = crossed(
+        static="1, 1",
+        spot="*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ, SPOT=LARGEST FORCE",
+        extra="*SOLVER, NAME=UMFPACK, COUPLING=MONOLITHIC",
+    )
+    process, results = run(deck + "*STEP\n*STATIC\n 1, 1\n*BOUNDARY\n UPPER_ENDS, 3, 3, -5e-5\n*END STEP\n")
+    assert process.returncode == 0, process.stderr
+    released = results.convergence.where(results.convergence["step"] == 2)
+    assert released["force"][2] < 1e-5 * released["force"][1]
+    # the square of what was left of the displacements
+    assert released["current"][2] < 1e-7 * released["current"][1]
 
 
 @pytest.mark.parametrize("push", [1e-5, 5e-5, 5e-4])
@@ -178,6 +207,17 @@ def test_wires_that_start_apart_and_pass_each_other_by_far_in_one_increment_are_
     """Afterwards they are as far apart again: only where they came from tells that they have passed."""
     soft = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n 1."
     process, _ = run(crossed(height="30e-3", push="-60e-3", behavior=soft, static="1., 1., 0.5, 1."))
+    assert process.returncode == 2
+    assert "would pass through each other in this increment" in process.stderr
+
+
+def test_a_wire_that_is_taken_through_another_and_off_its_end_is_refused(run):
+    """On the way the axes meet 0.5 mm before the end, then it goes on beyond: afterwards the wires do not cross at all."""
+    first = wire("A", straight((-0.01, 0, 0), (0.01, 0, 0), 3), element="B33")
+    second = wire("B", straight((0.007, -0.01, 5e-3), (0.007, 0.01, 5e-3), 3), 101, element="B33")
+    moves = " B, 1, 1, 5e-3\n B, 3, 3, -10e-3\n"
+    supports = " A, ENCASTRE\n B, 2\n B, 4, 6\n"
+    process, _ = run(pair_of_wires(first, second, supports, moves).replace("*STATIC\n", "*STATIC, DIRECT\n"))
     assert process.returncode == 2
     assert "would pass through each other in this increment" in process.stderr
 

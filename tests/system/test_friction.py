@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from decks import CONDUCTOR, straight, wire
-from litz import build
+from litz import Results, build
+from same_results import assert_same_end, written
 
 MU = 0.3
 PENALTY = 1e7
@@ -153,7 +154,11 @@ def test_a_contact_that_closes_slips_from_where_it_has_closed(run, x):
     assert reaction(results)[-1] == pytest.approx([traction, 0], rel=1e-7, abs=1e-12)
     slipped = abs(slip) - abs(traction) / STICK
     assert contact["slip_path"] == pytest.approx(slipped, rel=1e-6, abs=1e-12)
-    assert contact["dissipation"] == pytest.approx(MU * FORCE / 2 * slipped, rel=1e-6, abs=1e-15)
+    heat = MU * FORCE / 2 * slipped
+    assert contact["dissipation"] == pytest.approx(heat, rel=1e-6, abs=1e-15)
+    # along the wires only after the touch; across them the mean force times the way, as of all supports
+    work = FORCE / 2 * (OPEN + OVERLAP) + traction**2 / (2 * STICK) + heat
+    assert results.history["ALLWK"][-1] == pytest.approx(work, rel=1e-6)
 
 
 @pytest.mark.parametrize("increments", [4, 40])
@@ -194,13 +199,35 @@ def test_no_friction_is_a_coefficient_of_zero(run):
 def test_a_spot_that_remembers_keeps_the_resistance_of_the_largest_force_until_it_slips(run):
     spot = "*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ, SPOT=LARGEST FORCE\n"
     pressed, released = -5 * OVERLAP, -OVERLAP
-    _, results = run(rubbing(move(0, z=pressed), move(0, z=released), move(1e-4, z=released), spot=spot))
+    slip, back = (move(x, z=released, increments=1) for x in (1e-4, 0.99e-4))
+    _, results = run(rubbing(move(0, z=pressed), move(0, z=released), slip, back, spot=spot))
     contacts = results.contacts
-    resistance = {step: contacts["resistance"][contacts["step"] == step] for step in (1, 2, 3, 4)}
+    resistance = {step: contacts["resistance"][contacts["step"] == step] for step in (1, 2, 3, 4, 5)}
     # slightly more force: slightly less resistance, down to a fifth of the force to the power of one third
     assert resistance[2][-1] == pytest.approx(resistance[1][-1] * 5 ** (-1 / 3), rel=1e-7)
     np.testing.assert_allclose(resistance[3], resistance[2][-1], rtol=1e-12)
     np.testing.assert_allclose(resistance[4][-1], resistance[1][-1], rtol=1e-7)
+    # it sticks again, and has forgotten the larger force
+    assert contacts["friction"][-1] == "stick"
+    np.testing.assert_allclose(resistance[5], resistance[1][-1], rtol=1e-7)
+
+
+def test_a_contact_that_an_interference_fit_closes_slips_from_where_it_has_closed(run):
+    """Lifted off first, and lowered while half of the fit is resolved: it touches half-way, and slips the other half."""
+    fit, slip = 4 * OVERLAP, 1e-6
+    lift = "*AMPLITUDE, NAME=LIFT\n 0, 0, 0.25, 1, 0.5, 0\n*AMPLITUDE, NAME=DRAG\n 0, 0, 0.25, 0, 0.5, 1\n"
+    deck = rubbing().replace("*CONTACT PAIR, INTERACTION=TOUCH", "*CONTACT PAIR, INTERACTION=TOUCH, INTERFERENCE FIT")
+    deck = deck.replace("0.002\n", f"{2e-3 - fit:.17g}\n").replace(" 1, 1\n*BOUNDARY", " 0.25, 1\n*BOUNDARY", 1)
+    deck = deck.replace("*STATIC\n", "*STATIC, DIRECT\n").replace(
+        f"*BOUNDARY\n UPPER, 3, 3, {-OVERLAP}\n",
+        f"*BOUNDARY, AMPLITUDE=LIFT\n UPPER, 3, 3, {3 * OVERLAP}\n*BOUNDARY, AMPLITUDE=DRAG\n UPPER, 1, 1, {slip}\n",
+    )
+    process, results = run(lift + deck)
+    assert process.returncode == 0, process.stderr
+    contact = results.contacts.where(results.contacts["increment"] == 2)
+    # gap of the law: 2 overlaps at the start of the second increment, minus 2 at its end
+    assert contact["force"] == pytest.approx([2 * FORCE], rel=1e-9)
+    assert abs(contact["traction_x"]) == pytest.approx([STICK * slip / 2], rel=1e-7)
 
 
 # with wires that bend
@@ -391,6 +418,32 @@ def test_a_restart_remembers_traction_slip_and_energies(run, tmp_path):
         assert continued.contacts_at(-1)[column] == whole.contacts_at(-1)[column]
     for column in ("ALLWK", "ALLSE", "ALLCCE", "ALLFD"):
         assert continued.history[column][-1] == whole.history[column][-1]
+
+
+def test_a_run_goes_on_with_all_that_contacts_remember(litz, tmp_path):
+    """Pressed and released, so that the spot is that of the largest force; stuck, slipping with more and more force, and
+    opened at last, where the energy of the spring becomes heat."""
+    spot = "*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ, SPOT=LARGEST FORCE\n"
+    pressed, released = -5 * OVERLAP, -2 * OVERLAP
+    steps = [
+        move(0, z=pressed, increments=1),
+        move(4e-6, z=released, increments=2),
+        move(1e-4, 5e-5, z=2 * pressed, increments=2),
+        move(1.02e-4, 5e-5, z=released, increments=2),
+        move(1.02e-4, 5e-5, z=OVERLAP, increments=1),
+    ]
+    deck = tmp_path / "deck.inp"
+    deck.write_text(rubbing(*steps, spot=spot).replace("*ENERGY PRINT", "*ENERGY PRINT\n*RESTART, WRITE", 1))
+    assert litz("run", deck, "-o", tmp_path / "whole").returncode == 0
+    whole = Results(tmp_path / "whole")
+    assert {"stick", "slip"} <= set(whole.contacts["friction"])
+    kept = written(tmp_path / "whole" / "deck.restart.h5")
+    for step, increment in kept[:-1]:
+        place = f"{tmp_path / 'whole' / 'deck.restart.h5'}:{step}:{increment}"
+        part = tmp_path / f"part_{step}_{increment}"
+        done = litz("run", deck, "-o", part, "--restart", place)
+        assert done.returncode == 0, done.stderr
+        assert_same_end(whole, Results(part), step, increment)
 
 
 # a closed wire

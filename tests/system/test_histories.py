@@ -5,7 +5,8 @@ import re
 import numpy as np
 import pytest
 
-from decks import crossed
+from decks import crossed, grid
+from litz.results.history_table import history_table
 
 #: Quantity of a node: the field of the result file, and its unit
 OF_NODES = {
@@ -105,3 +106,19 @@ def test_contacts_below_ten_degrees_are_remarked(run):
     assert len(results.contacts_at(-1)["force"]) == 1
     assert np.degrees(results.contacts_at(-1)["angle"][0]) == pytest.approx(8, abs=0.1)
     assert "1 contacts cross at less than 10 degrees" in results.status["remark"][-1]
+
+
+def test_the_contacts_and_their_force_are_those_of_the_increment(run):
+    """Four equal contacts, pressed in a first step and half released in a second one of as many increments."""
+    release = "*STEP\n*STATIC\n 0.5, 1\n*BOUNDARY\n UPPER, 3, 3, -1e-5\n*END STEP\n"
+    process, results = run(grid(2).replace("*STATIC\n 1., 1.", "*STATIC\n 0.5, 1.") + release)
+    assert process.returncode == 0, process.stderr
+    overlap = np.array([0, 1e-5, 2e-5, 1.5e-5, 1e-5])
+    shown = [line.split() for line in history_table(results).splitlines()[2:]]
+    for i in range(5):
+        contacts = results.contacts_at(i)
+        assert len(contacts["id"]) == (0 if i == 0 else 4)
+        # a penalty of 1e5 N/m between wires that hardly bend between their nodes
+        assert contacts["force"] == pytest.approx(1e5 * overlap[i], rel=1e-2)
+        assert float(shown[i][1]) == len(contacts["id"])
+        assert float(shown[i][2]) == pytest.approx(contacts["force"].sum(), rel=1e-6)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from decks import MATERIAL, crossed, grid, wire
+from decks import MATERIAL, cantilever, crossed, grid, wire
 from litz import Results
 
 RISE, SPAN = 0.0012, 0.2
@@ -163,3 +163,36 @@ def test_settings_that_would_help_are_named(run):
     process, _ = run(crossed(push="-4e-3", static="1, 1, 1e-3", extra=HOPELESS.format(4, 1)), name="slow")
     if process.returncode:
         assert "I_C of *CONTROLS" in process.stderr or "smaller increments" in process.stderr
+
+
+def test_a_wire_thrown_onto_another_is_taken_no_deeper_than_half_a_radius(run):
+    """A load on a slender wire: the first linear step alone would take it through the other one."""
+    load = "*CLOAD\n 13, 3, -40\n 14, 3, -40\n"
+    process, results = run(crossed(height="2.2e-3", push="0", static="1, 1", extra=load))
+    assert process.returncode == 0, process.stderr
+    depth = results.convergence["penetration"]
+    assert depth[1] == pytest.approx(0.5e-3, rel=1e-3)
+    assert depth[2:].max() < 0.05e-3
+
+
+@pytest.mark.parametrize(("c_n", "iterations"), [(0, 3), (1e-3, 3), (1e-9, 5)])
+def test_corrections_are_small_at_the_end_where_that_is_asked_for(run, c_n, iterations):
+    """C_n = 0 asks for nothing; quadratic convergence takes corrections of 7, 0.02 and 3e-7 % of the way."""
+    load = f"*CONTROLS, PARAMETERS=FIELD\n 1e-3, {c_n}\n*CLOAD\n 11, 2, 5\n"
+    process, results = run(cantilever(load))
+    assert process.returncode == 0, process.stderr
+    corrections = results.convergence["displacement"]
+    assert len(corrections) == iterations + 1
+    if c_n > 0:
+        assert corrections[-1] <= c_n * np.abs(results.field("displacement")).max()
+
+
+def test_no_iteration_turns_a_node_farther_than_allowed(run):
+    """A cap of 0.1 rad: the first iterations turn the tip by just that, until less is left."""
+    cap = "*CONTROLS, PARAMETERS=ROTATION\n 0.1\n*CONTROLS, PARAMETERS=TIME INCREMENTATION\n , , , 40\n"
+    process, results = run(cantilever(f"{cap}*CLOAD\n 11, 2, 20"))
+    assert process.returncode == 0, process.stderr
+    turned = results.convergence["rotation"][1:]
+    assert results.field("rotation")[10, 2] > 0.4
+    assert turned[:4] == pytest.approx(0.1, rel=1e-3)
+    assert turned.max() < 0.1001

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from decks import crossed
+from decks import MATERIAL, crossed, straight, wire
 from litz import Results
 from same_results import KEEP_ALL
 
@@ -78,6 +78,51 @@ def test_a_later_step_adds_no_work_of_the_fit(run):
     assert results.history["ALLWK"][-2:] == pytest.approx(PENALTY * OVERLAP**2 / 2, rel=1e-11)
 
 
+def test_each_crossing_of_a_pair_has_its_own_fit(run):
+    """Overlaps of 40 and 10 um are resolved down to what is left at the time; a third wire only touches, and is pressed."""
+    overlaps = {"DEEP": 4e-5, "SHALLOW": 1e-5, "NONE": 0.0}
+    press, n = 2e-6, 7
+    wires = wire("LOWER", straight((-0.03, 0, 0), (0.03, 0, 0), 7), 1, element="B33")
+    for i, (name, overlap) in enumerate(overlaps.items()):
+        x, z = 0.015 * (i - 1), 2e-3 - overlap
+        wires += wire(name, straight((x, -0.02, z), (x, 0.02, z), 5), 101 + 100 * i, element="B33")
+    names = ", ".join(overlaps)
+    process, results = run(f"""{wires}{MATERIAL}*ELSET, ELSET=UPPER
+ {names}
+*BEAM SECTION, ELSET=LOWER, MATERIAL=STEEL, SECTION=CIRC
+ 1e-3
+*BEAM SECTION, ELSET=UPPER, MATERIAL=STEEL, SECTION=CIRC
+ 1e-3
+*SURFACE INTERACTION, NAME=TOUCH
+{LINEAR}
+*CONTACT PAIR, INTERACTION=TOUCH, INTERFERENCE FIT
+ LOWER, UPPER
+*BOUNDARY
+ LOWER, ENCASTRE
+ DEEP, ENCASTRE
+ SHALLOW, ENCASTRE
+ NONE, 1, 2
+ NONE, 4, 6
+*STEP
+*STATIC, DIRECT
+ {1 / n}, 1
+*BOUNDARY
+ NONE, 3, 3, {-press}
+*END STEP
+""")
+    assert process.returncode == 0, process.stderr
+    for increment in range(1, n + 1):
+        time = increment / n
+        left = overlaps["DEEP"] * (1 - time)
+        expected = [overlap - min(overlap, left) for overlap in overlaps.values()]
+        expected[2] = press * time
+        contacts = results.contacts_at(increment)
+        # where less is resolved than would close it, a crossing is no contact
+        assert len(contacts["id"]) == np.count_nonzero(expected)
+        force = [contacts["force"][contacts["element"] // 100 == 1 + i].sum() for i in range(3)]
+        np.testing.assert_allclose(force, PENALTY * np.array(expected), rtol=1e-8, atol=1e-8)
+
+
 def test_a_run_that_goes_on_knows_how_much_was_resolved(litz, tmp_path):
     deck = tmp_path / "deck.inp"
     deck.write_text(fit(5, extra=ENERGIES + KEEP_ALL))
@@ -88,3 +133,15 @@ def test_a_run_that_goes_on_knows_how_much_was_resolved(litz, tmp_path):
         assert done.returncode == 0, done.stderr
         history = Results(tmp_path / f"part_{increment}").history
         assert history["ALLWK"][-1] == pytest.approx(PENALTY * OVERLAP**2 / 2, rel=1e-11)
+
+
+def test_a_run_that_goes_on_in_a_later_step_has_no_interference_left(litz, tmp_path):
+    deck = tmp_path / "deck.inp"
+    deck.write_text(fit(2, extra=ENERGIES + KEEP_ALL) + "*STEP\n*STATIC, DIRECT\n 0.25, 1\n*END STEP\n")
+    assert litz("run", deck, "-o", tmp_path / "whole").returncode == 0
+    place = f"{tmp_path / 'whole' / 'deck.restart.h5'}:2:1"
+    done = litz("run", deck, "-o", tmp_path / "part", "--restart", place)
+    assert done.returncode == 0, done.stderr
+    part = Results(tmp_path / "part")
+    assert part.contacts["force"] == pytest.approx([PENALTY * OVERLAP] * 4, rel=1e-11)
+    assert part.history["ALLWK"][-1] == pytest.approx(PENALTY * OVERLAP**2 / 2, rel=1e-11)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from decks import crossed
+from decks import crossed, pair_of_wires, straight, wire
 from test_increments import RISE, arch, snap_load
 
 STABILIZE = "*CONTROLS, PARAMETERS=STABILIZE\n {}\n"
@@ -75,3 +75,20 @@ def test_without_it_nothing_is_taken(run):
     assert process.returncode == 0, process.stderr
     assert (results.history["ALLSD"] == 0).all()
     assert "stabilization" not in results.status["remark"][-1]
+
+
+def test_a_loose_wire_moves_by_its_load_over_the_damping(run):
+    """Pushed along itself alike at all nodes: `F_k/(s n)` in each of n increments, with s of the factor and E A/l."""
+    n, factor, force = 4, 1e-4, 0.5
+    first = wire("A", straight((0, 0, 0), (0.1, 0, 0), 5))
+    far = wire("B", straight((0, -0.01, 1), (0, 0.01, 1), 1), 101)
+    deck = pair_of_wires(first, far, " A, 2, 6\n B, ENCASTRE\n", static=f"{1 / n}, 1, 1e-4, {1 / n}")
+    cards = f"{STABILIZE.format(factor)}{LOOSE}*CLOAD\n A, 1, {force}\n"
+    process, results = run(deck.replace("*END STEP", cards + "*END STEP"))
+    assert process.returncode == 0, process.stderr
+    damping = factor * 200e9 * np.pi * 1e-3**2 / (0.1 / 5) * n
+    forces = force * np.arange(1, n + 1) / n
+    moved = results.field("displacement", None)[1:, :6, 0]
+    np.testing.assert_allclose(moved, np.cumsum(forces / damping)[:, None] * np.ones(6), rtol=1e-6)
+    # at each node force times way, all of it taken by the damping
+    assert results.history["ALLSD"][1:] == pytest.approx(6 * np.cumsum(forces**2 / damping), rel=1e-6)

@@ -8,7 +8,7 @@ import pytest
 
 import litz
 from litz.pictures.scene import SceneMaker
-from litz.results.scalars import colours_and_limits, find_scalar, scalar_values, scalars
+from litz.results.scalars import Scalar, colours_and_limits, find_scalar, scalar_values, scalars
 
 OF_WIRES = ("wire", "place_in_wire", "direction_in_wire")
 
@@ -57,6 +57,11 @@ def test_the_bending_moment_is_that_of_both_axes(results):
     both = scalar_values(results, find_scalar(results, "bending_moment"), -1)
     parts = [results.field(f"bending_moment_{axis}") for axis in (2, 3)]
     np.testing.assert_allclose(both, np.hypot(*parts))
+
+
+def test_the_length_of_two_components_is_that_of_both():
+    moment = Scalar("M", ("M_2", "M_3"), None, "N m", False, "M, magnitude")
+    np.testing.assert_allclose(moment.of([np.array([3.0, 0.0]), np.array([-4.0, 2.0])]), [5, 2])
 
 
 def test_unknown_names_are_answered_with_the_nearest(results):
