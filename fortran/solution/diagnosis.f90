@@ -4,7 +4,8 @@ module litz_diagnosis
    use litz_fields, only: fields, field_of_slot, first_slot
    use litz_errors, only: error_t, fail, exit_not_converged
    use litz_model, only: step_t
-   use litz_newton, only: outcome_t, cause_iterations, cause_not_finite, cause_singular, cause_lost_contact
+   use litz_newton, only: outcome_t, cause_iterations, cause_not_finite, cause_singular, cause_lost_contact, &
+      cause_turned_ends
    use litz_problem, only: problem_t
    use litz_text, only: to_text
    implicit none
@@ -27,7 +28,7 @@ contains
 
       failure = ' did not converge from step time '
       contact = worst_contact(problem)
-      if (outcome%cause == cause_lost_contact) then
+      if (outcome%cause == cause_lost_contact .or. outcome%cause == cause_turned_ends) then
          failure = ' has converged to a wrong state from step time '
          contact = ''
       end if
@@ -68,6 +69,8 @@ contains
       select case (outcome%cause)
       case (cause_lost_contact)
          words = outcome%finding%advice(problem%model)
+      case (cause_turned_ends)
+         words = 'Use shorter elements there, each of which bends and twists less. '
       case (cause_singular)
          words = free_unknown(problem)//'Something can move freely, or a voltage is not determined: add supports'// &
             ' (*BOUNDARY), or damp what only contacts hold (*CONTROLS, PARAMETERS=STABILIZE). '
@@ -139,7 +142,7 @@ contains
 
       if (step%direct) then
          words = 'Increments of *STATIC, DIRECT are not cut: leave DIRECT out.'
-      else if (outcome%cause == cause_lost_contact) then
+      else if (outcome%cause == cause_lost_contact .or. outcome%cause == cause_turned_ends) then
          words = 'Smaller increments did no better.'
       else if (attempts > step%controls%i_a) then
          words = 'All cut-backs are used up (I_A of *CONTROLS, PARAMETERS=TIME INCREMENTATION, now '// &

@@ -38,14 +38,16 @@ module litz_newton
    use litz_state, only: state_t
    use litz_timing, only: timing_t, phase_search, phase_contact, phase_check, phase_assembly, phase_analyse, &
       phase_factor, phase_solve, phase_update, phase_output
+   use litz_turned_ends, only: turned_ends_t, most_turned_ends
    use litz_wires, only: wires_t
    implicit none
    private
    public :: outcome_t, solve_increment, start_iterate, move, evaluate
-   public :: cause_iterations, cause_not_finite, cause_singular, cause_lost_contact
+   public :: cause_iterations, cause_not_finite, cause_singular, cause_lost_contact, cause_turned_ends
 
    !> Why an increment is given up
-   integer, parameter :: cause_iterations = 1, cause_not_finite = 2, cause_singular = 3, cause_lost_contact = 4
+   integer, parameter :: cause_iterations = 1, cause_not_finite = 2, cause_singular = 3, cause_lost_contact = 4, &
+      cause_turned_ends = 5
 
    type :: outcome_t
       logical :: converged = .false.
@@ -167,7 +169,9 @@ contains
             outcome%last)
          increment = 0
       end do
-      call refuse_lost_contacts(problem, x_start, outcome)
+      outcome%converged = .true.
+      call refuse_turned_ends(problem, outcome)
+      if (outcome%converged) call refuse_lost_contacts(problem, x_start, outcome)
       call problem%timing%lap(phase_check)
    end subroutine solve_increment
 
@@ -454,6 +458,16 @@ contains
       largest_norm = norm2(values(:, column))
    end subroutine largest_column
 
+   !> A converged state in which the ends of an element are turned against each other too far is none.
+   subroutine refuse_turned_ends(problem, outcome)
+      type(problem_t), intent(in) :: problem
+      type(outcome_t), intent(inout) :: outcome
+      type(turned_ends_t) :: most
+
+      most = most_turned_ends(problem%model, problem%wires, problem%state%rotation, problem%iterate)
+      if (most%too_far()) call give_up(outcome, cause_turned_ends, most%describe(problem%model))
+   end subroutine refuse_turned_ends
+
    !> A converged state in which wires have passed through each other, or overlap without a contact, is none.
    subroutine refuse_lost_contacts(problem, x_start, outcome)
       type(problem_t), intent(in) :: problem
@@ -461,7 +475,6 @@ contains
       type(outcome_t), intent(inout) :: outcome
       type(contact_path_t) :: path
 
-      outcome%converged = .true.
       if (.not. problem%contact%present) return
       associate (model => problem%model, wires => problem%wires, elements => problem%elements, &
          contact => problem%contact, iterate => problem%iterate)

@@ -10,6 +10,8 @@ module litz_step_control
    !> Increments that are given up because of the same two wires, one after the other: where they pass each other, and
    !> where they touch in a way that is not modelled
    integer, parameter :: max_passages = 12, max_unmodelled = 3
+   !> Increments that are given up because the ends of an element are turned too far, one after the other
+   integer, parameter :: max_turned = 3
 
    type :: step_control_t
       !> Increment wanted next
@@ -20,8 +22,11 @@ module litz_step_control
       integer :: refusals = 0
       real(dp) :: refused_time = 0
       type(finding_t) :: refused
+      !> The same for elements whose ends are turned too far
+      integer :: turned = 0
+      real(dp) :: turned_time = 0
    contains
-      procedure :: refuse
+      procedure :: refuse, refuse_turned
       procedure :: start
       procedure :: propose
       procedure :: accept
@@ -44,6 +49,7 @@ contains
       self%wanted = min(step%first, step%total)
       self%quick = 0
       self%refusals = 0
+      self%turned = 0
    end subroutine start
 
    !> After an increment that has lost a contact; `.false.`: smaller ones have lost the same contact often enough.
@@ -64,6 +70,18 @@ contains
       self%refused = finding
       possible = self%refusals <= merge(max_passages, max_unmodelled, finding%can_be_cut())
    end function refuse
+
+   !> After an increment that has turned the ends of an element too far; `.false.`: smaller ones have done so often
+   !> enough.
+   logical function refuse_turned(self, step_time) result(possible)
+      class(step_control_t), intent(inout) :: self
+      !> Step time at the end of the increment
+      real(dp), intent(in) :: step_time
+
+      if (self%turned == 0) self%turned_time = step_time
+      self%turned = self%turned + 1
+      possible = self%turned <= max_turned
+   end function refuse_turned
 
    !> The increment to try at a step time, not over the next break point, and without leaving a crumb before it.
    pure real(dp) function propose(self, step_time, break_point) result(increment)
@@ -89,6 +107,7 @@ contains
       integer, intent(in) :: iterations
 
       if (step_time >= self%refused_time) self%refusals = 0
+      if (step_time >= self%turned_time) self%turned = 0
       if (step%direct) return
       if (iterations <= step%controls%i_g) then
          self%quick = self%quick + 1

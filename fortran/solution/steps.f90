@@ -12,7 +12,7 @@ module litz_steps
    use litz_kinds, only: dp
    use litz_loading, only: loading_t, start_loading, load_targets, next_break_point
    use litz_model, only: step_t
-   use litz_newton, only: outcome_t, solve_increment, cause_not_finite, cause_lost_contact
+   use litz_newton, only: outcome_t, solve_increment, cause_not_finite, cause_lost_contact, cause_turned_ends
    use litz_observer, only: observer_t
    use litz_parallel_wires, only: shallow_angle
    use litz_problem, only: problem_t
@@ -143,6 +143,9 @@ contains
             possible = control%cut(step, increment, report%attempt)
             if (outcome%cause == cause_lost_contact) then
                if (.not. control%refuse(outcome%finding, problem%wires%wire, target)) possible = .false.
+            end if
+            if (outcome%cause == cause_turned_ends) then
+               if (.not. control%refuse_turned(target)) possible = .false.
             end if
             if (.not. possible) then
                call give_up(problem, step, outcome, increment, observer, error)
