@@ -7,7 +7,7 @@ module litz_contact_findings
    private
    public :: finding_t, worse_of
    public :: finding_none, finding_deep, finding_missed, finding_second, finding_joined, finding_end, finding_kink, &
-      finding_line, finding_departed, finding_passed, finding_turned
+      finding_line, finding_departed, finding_passed, finding_turned, finding_unfollowed
 
    !> From harmless to serious: of two findings the later one is reported
    integer, parameter :: finding_none = 0
@@ -22,6 +22,8 @@ module litz_contact_findings
    integer, parameter :: finding_passed = 8, finding_turned = 9
    !> A contact has left the part of a wire that the contact pair names
    integer, parameter :: finding_departed = 10
+   !> A contact slides so far in the increment that it may be any of several
+   integer, parameter :: finding_unfollowed = 11
 
    type :: finding_t
       integer :: kind = finding_none
@@ -63,7 +65,8 @@ contains
    pure logical function can_be_cut(self)
       class(finding_t), intent(in) :: self
 
-      can_be_cut = any(self%kind == [finding_passed, finding_missed, finding_turned, finding_departed])
+      can_be_cut = any(self%kind == [finding_passed, finding_missed, finding_turned, finding_departed, &
+         finding_unfollowed])
    end function can_be_cut
 
    !> What was found, with the two elements.
@@ -94,6 +97,8 @@ contains
       case (finding_turned)
          text = 'the wire of element '//to_text(model%element_id(self%elements(1)))// &
             ' turns by more than 150 degrees in this increment: what it meets on its way is not known'
+      case (finding_unfollowed)
+         text = 'the contact of '//pair//' slides so far in this increment that it cannot be told from others'
       case (finding_passed)
          text = pair//' would pass through each other in this increment'
       case default
@@ -125,6 +130,8 @@ contains
             ' each node); with AXIS=LINEAR each node of a bent wire is one. '
       case (finding_line)
          text = 'Contact along a line is not modelled: keep such wires apart, or let them cross at larger angles. '
+      case (finding_unfollowed)
+         text = 'Begin with a smaller increment (first value of *STATIC). '
       case default
          text = 'Begin with a smaller increment (first value of *STATIC), or stiffen the contact'// &
             ' (*SURFACE BEHAVIOR). '

@@ -4,11 +4,12 @@
 !> element takes over its memory. On which side of each other the two wires are is a fact of the last converged state
 !> (litz_contact_side): an iterate that has pushed the axes through each other has a gap below minus both radii.
 module litz_contact_pairs
-   use litz_kinds, only: dp, int64
+   use litz_kinds, only: dp
    use litz_axis, only: axis_polynomial, axis_sagitta
    use litz_closest_points, only: closest_points, end_tolerance, search_limit, closest_inside, closest_beyond, &
       closest_not_unique, closest_parallel, closest_not_converged
    use litz_contact_kinematics, only: contact_kinematics, kinematics_ok
+   use litz_contact_matching, only: match_points, slides_of
    use litz_contact_points, only: contact_point_t, contact_set_t, pair_geometry, chain_by_wire, &
       clearance_of
    use litz_contact_search, only: near_segments
@@ -292,7 +293,9 @@ contains
       call move_alloc(contact%points, old)
       call collect
       call match_points(wires, elements, old, contact%points, origin)
-      call match_points(wires, elements, contact%converged, contact%points, converged)
+      call match_points(wires, elements, contact%converged, contact%points, converged, &
+         slides_of(model, wires, elements, contact%converged, x_start, x))
+      contact%points%predecessor = converged
       call chain_by_wire(wires, contact%converged, first_converged, next_converged)
       !$omp parallel do schedule(static) if (size(contact%points) >= worth_threads)
       do c = 1, size(contact%points)
@@ -409,8 +412,8 @@ contains
          arc_at = wires%arc(e) + wires%direction(e)*xi_e*elements%length(e)/2
       end function arc_at
 
-      !> What a point takes over: of the last iterate the predictions, of the last converged state its memory and on
-      !> which side of each other the wires are.
+      !> What a point takes over: of the last iterate the predictions, of the last converged state its identity, its
+      !> memory, and on which side of each other the wires are.
       subroutine inherit(point, from, from_converged)
          type(contact_point_t), intent(inout) :: point
          integer, intent(in) :: from, from_converged
@@ -418,13 +421,13 @@ contains
          integer :: info
 
          if (from > 0) then
-            point%id = old(from)%id
             point%predicted = old(from)%predicted
             point%predicted_gap = old(from)%predicted_gap
             point%mixed_force = old(from)%mixed_force
             point%friction_iteration = old(from)%friction_iteration
          end if
          if (from_converged > 0) then
+            point%id = contact%converged(from_converged)%id
             point%history = contact%converged(from_converged)%history
             point%fit = contact%converged(from_converged)%fit
          end if
@@ -567,73 +570,5 @@ contains
       end function centre_distance
 
    end subroutine locate_points
-
-   !> For each point the one of the last call that it continues; 0: none.
-   !>
-   !> First by the pair of elements; what is left by the nearest place on the same two wires (a hand-over).
-   subroutine match_points(wires, elements, old, points, origin)
-      type(wires_t), intent(in) :: wires
-      type(elements_t), intent(in) :: elements
-      type(contact_point_t), intent(in) :: old(:), points(:)
-      integer, allocatable, intent(out) :: origin(:)
-      logical :: taken(size(old))
-      !> The points that are left of each barred wire, as a chain
-      integer :: first_left(wires%n_wires), next_left(size(old))
-      integer(int64) :: key
-      integer :: i, j
-      real(dp) :: distance, nearest
-
-      allocate (origin(size(points)), source=0)
-      taken = .false.
-      j = 1
-      do i = 1, size(points)
-         key = pair_key(points(i))
-         do while (j <= size(old))
-            if (pair_key(old(j)) >= key) exit
-            j = j + 1
-         end do
-         if (j > size(old)) exit
-         if (pair_key(old(j)) == key) then
-            origin(i) = j
-            taken(j) = .true.
-         end if
-      end do
-      if (all(taken)) return
-      first_left = 0
-      do j = size(old), 1, -1
-         if (taken(j)) cycle
-         associate (first => first_left(wires%wire(old(j)%element_bar)))
-            next_left(j) = first
-            first = j
-         end associate
-      end do
-      do i = 1, size(points)
-         if (origin(i) /= 0) cycle
-         nearest = elements%length(points(i)%element_bar) + elements%length(points(i)%element)
-         j = first_left(wires%wire(points(i)%element_bar))
-         do while (j > 0)
-            if (.not. taken(j) .and. wires%wire(old(j)%element) == wires%wire(points(i)%element)) then
-               distance = sum(abs(arc_from_to([old(j)%arc_bar, old(j)%arc], [points(i)%arc_bar, points(i)%arc], &
-                  wires%circumference(wires%wire([points(i)%element_bar, points(i)%element])))))
-               if (distance < nearest) then
-                  nearest = distance
-                  origin(i) = j
-               end if
-            end if
-            j = next_left(j)
-         end do
-         if (origin(i) > 0) taken(origin(i)) = .true.
-      end do
-
-   contains
-
-      pure integer(int64) function pair_key(point)
-         type(contact_point_t), intent(in) :: point
-
-         pair_key = int(min(point%element_bar, point%element), int64)*size(wires%wire) &
-            + max(point%element_bar, point%element)
-      end function pair_key
-
-   end subroutine match_points
 
 end module litz_contact_pairs

@@ -21,6 +21,8 @@ module litz_contact_points
    type, extends(contact_t) :: contact_point_t
       !> Its place among the candidates
       integer :: candidate = 0
+      !> Point of the last converged state that it continues; 0: none
+      integer :: predecessor = 0
       !> Arc lengths along the two wires [m]
       real(dp) :: arc_bar = 0, arc = 0
       type(contact_kinematics_t) :: kinematics

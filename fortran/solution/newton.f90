@@ -8,6 +8,7 @@ module litz_newton
    use litz_assembly, only: clear_system, assemble_beams, assemble_conductors, assemble_load_stiffness, motion_slots, &
       potential_slots
    use litz_contact_findings, only: finding_t, worse_of, finding_none
+   use litz_contact_matching, only: find_unfollowed
    use litz_contact_net, only: inspect_contacts
    use litz_contact_sweep, only: sweep_contacts
    use litz_departed_contacts, only: find_departed_contacts
@@ -485,6 +486,8 @@ contains
             sweep_contacts(model, wires, elements, contact, path))
          outcome%finding = worse_of(outcome%finding, &
             find_departed_contacts(model, wires, elements, contact, iterate%x, iterate%rotation))
+         outcome%finding = worse_of(outcome%finding, find_unfollowed(model, wires, elements, contact, x_start, &
+            iterate%x))
          if (outcome%finding%kind == finding_none) return
          call give_up(outcome, cause_lost_contact, outcome%finding%describe(model))
       end associate
