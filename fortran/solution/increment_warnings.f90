@@ -68,10 +68,13 @@ contains
 
       if (len(audit%finding) > 0) return
       associate (state => problem%state, warnings => problem%warnings)
+         if (state%increment > 1) then
+            ! the first tangent of an increment is that of the state before
+            call warnings%set_place(state%step, state%increment - 1, state%time - state%time_increment)
+            call add_negative_pivots(outcome%negative_pivots_at_start, warnings)
+         end if
          call warnings%set_place(state%step, state%increment, state%time)
-         if (outcome%negative_pivots > 0) call warnings%add('negative_pivots', &
-            'the tangent has negative pivots: the equilibrium lies beyond a critical load and may not be stable', &
-            value=real(outcome%negative_pivots, dp), unit='negative pivots')
+         if (.not. outcome%only_start_factored) call add_negative_pivots(outcome%negative_pivots, warnings)
          call add_round_off(problem, outcome)
          do i = 1, size(state%contacts)
             call add_contact(problem%model, state%contacts(i), warnings)
@@ -80,6 +83,16 @@ contains
             + state%value(first_slot(field_displacement):last_slot(field_displacement), :))
       end associate
    end subroutine add_increment_warnings
+
+   subroutine add_negative_pivots(n, warnings)
+      !> Of the tangent; -1: not known
+      integer, intent(in) :: n
+      type(run_warnings_t), intent(inout) :: warnings
+
+      if (n > 0) call warnings%add('negative_pivots', &
+         'the tangent has negative pivots: the equilibrium lies beyond a critical load and may not be stable', &
+         value=real(n, dp), unit='negative pivots')
+   end subroutine add_negative_pivots
 
    !> Residuals above the tolerance of their field that were accepted because round-off leaves no less. A field that has
    !> nothing but round-off has no residual to speak of.

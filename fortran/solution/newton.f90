@@ -43,7 +43,7 @@ module litz_newton
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: outcome_t, solve_increment, start_iterate, move, evaluate
+   public :: outcome_t, solve_increment, count_negative_pivots, start_iterate, move, evaluate
    public :: cause_iterations, cause_not_finite, cause_singular, cause_lost_contact, cause_turned_ends
 
    !> Why an increment is given up
@@ -66,6 +66,10 @@ module litz_newton
       logical :: at_round_off = .false.
       !> Negative pivots of the last factorisation; -1: not known, or none was made
       integer :: negative_pivots = -1
+      !> The same of the state in which the increment began; -1 also: its tangent was not factored
+      integer :: negative_pivots_at_start = -1
+      !> The last factorisation was that of the state in which the increment began
+      logical :: only_start_factored = .false.
       !> Some factorisation of this try had negative pivots
       logical :: passed_critical = .false.
    end type outcome_t
@@ -163,8 +167,12 @@ contains
          outcome%iterations = outcome%iterations + 1
          outcome%last%iteration = outcome%iterations
          outcome%last%factor_age = problem%factor_age
-         if (.not. keep) outcome%factorisations = outcome%factorisations + 1
-         if (.not. keep) outcome%negative_pivots = problem%scheme%negative_pivots
+         if (.not. keep) then
+            outcome%factorisations = outcome%factorisations + 1
+            outcome%negative_pivots = problem%scheme%negative_pivots
+            outcome%only_start_factored = outcome%iterations == 1
+            if (outcome%only_start_factored) outcome%negative_pivots_at_start = outcome%negative_pivots
+         end if
          outcome%passed_critical = outcome%passed_critical .or. outcome%negative_pivots > 0
          call update(problem, step, correction, any(abs(increment(motion_slots(1):motion_slots(2), :)) > 0), &
             outcome%last)
@@ -367,10 +375,7 @@ contains
       type(error_t), allocatable, intent(out) :: error
 
       call problem%timing%lap(phase_update)
-      if (.not. keep) then
-         call problem%scheme%factor(problem%matrix, error)
-         problem%has_factor = problem%matrix%symmetric(group_mechanical) .and. .not. allocated(error)
-      end if
+      if (.not. keep) call factor_tangent(problem, error)
       problem%factor_age = merge(problem%factor_age + 1, 0, keep)
       call problem%timing%lap(phase_factor)
       if (allocated(error)) return
@@ -379,6 +384,29 @@ contains
          - problem%forces%iteration - problem%forces%prescribed, correction, error)
       call problem%timing%lap(phase_solve)
    end subroutine solve_step
+
+   subroutine factor_tangent(problem, error)
+      type(problem_t), intent(inout) :: problem
+      type(error_t), allocatable, intent(out) :: error
+
+      call problem%scheme%factor(problem%matrix, error)
+      problem%has_factor = problem%matrix%symmetric(group_mechanical) .and. .not. allocated(error)
+   end subroutine factor_tangent
+
+   !> Factor the tangent of a converged iterate, which no iteration has done, for its negative pivots. A singular one
+   !> tells nothing: nothing is solved with it.
+   subroutine count_negative_pivots(problem, outcome)
+      type(problem_t), intent(inout) :: problem
+      type(outcome_t), intent(inout) :: outcome
+      type(error_t), allocatable :: singular
+
+      call factor_tangent(problem, singular)
+      if (.not. allocated(singular)) then
+         outcome%negative_pivots = problem%scheme%negative_pivots
+         outcome%only_start_factored = .false.
+      end if
+      call problem%timing%lap(phase_factor)
+   end subroutine count_negative_pivots
 
    !> `q <- q + eta dq`, `sigma <- (1 - eta) sigma + eta C (e + B dq)`, contact forces likewise.
    !> Source: theory section 9.

@@ -12,7 +12,8 @@ module litz_steps
    use litz_kinds, only: dp
    use litz_loading, only: loading_t, start_loading, load_targets, next_break_point
    use litz_model, only: step_t
-   use litz_newton, only: outcome_t, solve_increment, cause_not_finite, cause_lost_contact, cause_turned_ends
+   use litz_newton, only: outcome_t, solve_increment, count_negative_pivots, cause_not_finite, &
+      cause_lost_contact, cause_turned_ends
    use litz_observer, only: observer_t
    use litz_parallel_wires, only: shallow_angle
    use litz_problem, only: problem_t
@@ -55,7 +56,7 @@ contains
             state%step_time = 0
             course%start_time = state%time
          end if
-         do while (state%step_time < step%total*(1 - 1.0e-9_dp))
+         do while (.not. ends_step(step, state%step_time))
             if (state%increment >= step%max_increments) then
                write (text, '(a, i0, a, i0, a, es10.3, a, es10.3)') 'step ', number, ': the ', step%max_increments, &
                   ' increments of INC= are used up at step time', state%step_time, ' of', step%total
@@ -71,6 +72,15 @@ contains
          end do
       end associate
    end subroutine run_step
+
+   !> No increment is left after this step time.
+   pure logical function ends_step(step, step_time)
+      type(step_t), intent(in) :: step
+      !> [s]
+      real(dp), intent(in) :: step_time
+
+      ends_step = step_time >= step%total*(1 - 1.0e-9_dp)
+   end function ends_step
 
    !> Supports, solver and equations of the step.
    subroutine begin_step(problem, step, solver, error)
@@ -152,6 +162,8 @@ contains
                return
             end if
          end do
+         ! the tangent of any other increment is the first that the next one factors
+         if (ends_step(step, target)) call count_negative_pivots(problem, outcome)
          call advance(problem, outcome, increment, target, start_time)
          audit = audit_increment(problem%model, problem%state, nodal_residual(problem), measure_scales(problem))
          problem%state%audit = [audit%force, audit%moment, audit%current, audit%power, audit%penetration]

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import litz
-from decks import crossed
+from decks import cantilever, crossed
 from litz.results.run_warnings import read_warnings
 from litz.results.summary import summary
 
@@ -167,6 +167,31 @@ class TestKinds:
         """A rolled-up beam has moments and no forces: the residual of the forces is as large as they are."""
         results = litz.Results(run_of_input("07_roll_up"))
         assert "accepted at the limit of round-off" in results.status["remark"]
+        assert results.warnings == []
+
+    @pytest.mark.parametrize(("increments", "load"), [(1, 20.0), (1, 1.01), (10, 2.1), (10, 1.01)])
+    def test_a_load_beyond_the_critical_one_is_warned_of_from_the_increment_on_that_passes_it(
+        self, run, increments, load
+    ):
+        euler = np.pi**2 * 200e9 * np.pi / 4 * 1e-12 / (4 * 0.1**2)
+        beyond = load * np.arange(1, increments + 1) / increments > 1
+        deck = cantilever(
+            f"*CLOAD\n 11, 1, {-load * euler:.17g}",
+            element="B33",
+            static=f"{1 / increments}, 1, 1e-5, {1 / increments}",
+        )
+        process, results = run(deck, "--quiet")
+        assert process.returncode == 0, process.stderr
+        (entry,) = results.warnings
+        assert entry.kind == "negative_pivots"
+        assert (entry.increment, entry.last_increment) == (np.flatnonzero(beyond)[0] + 1, increments)
+        assert entry.count == beyond.sum()
+
+    @pytest.mark.parametrize("increments", [1, 10])
+    def test_a_load_below_the_critical_one_is_not(self, run, increments):
+        euler = np.pi**2 * 200e9 * np.pi / 4 * 1e-12 / (4 * 0.1**2)
+        deck = cantilever(f"*CLOAD\n 11, 1, {-0.99 * euler:.17g}", element="B33", static=f"{1 / increments}, 1")
+        _, results = run(deck, "--quiet")
         assert results.warnings == []
 
     def test_stabilization_is_a_remark_and_no_warning(self, run):
