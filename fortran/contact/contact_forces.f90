@@ -16,15 +16,15 @@ module litz_contact_forces
    use litz_friction_forces, only: add_friction
    use litz_friction_iteration, only: predict_friction, forget_friction
    use litz_friction_law, only: friction_law_t, friction_slip
-   use litz_hertz, only: hertz_ellipse
+   use litz_hertz, only: hertz_ellipse, hertz_ellipse_t
    use litz_laws, only: normal_hertz, spot_none, spot_law_uses_ellipse
-   use litz_model, only: model_t
+   use litz_model, only: model_t, interaction_t
    use litz_normal_law, only: normal_force_of_ellipse, hertz_approach_of_ellipse
    use litz_parallel, only: worth_threads
    use litz_scatter, only: forces_t, scatter, chunk
    use litz_shared_conductors, only: collect_shared
    use litz_timing, only: timing_t, phase_contact, phase_assembly
-   use litz_wires, only: wires_t
+   use litz_wires, only: wires_t, arc_from_to
    implicit none
    private
    public :: apply_normal_law, assemble_contacts, predict_contacts
@@ -220,8 +220,8 @@ contains
             ! a remembered spot does not follow the force
             dspot_force = 1
             spot_force = point%force
-            if (law%spot_memory .and. point%friction%status /= friction_slip .and. &
-               point%history%largest_force > point%force) then
+            if (law%spot_memory) point%new_spot = leaves_spot(law, wires, radius, young, poisson, resistivity, point)
+            if (law%spot_memory .and. .not. point%new_spot .and. point%history%largest_force > point%force) then
                dspot_force = 0
                spot_force = point%history%largest_force
             end if
@@ -261,6 +261,31 @@ contains
       end subroutine add_iteration_force
 
    end subroutine assemble_contacts
+
+   !> A contact that remembers its spot is no longer at it. With friction it has slipped; without, it has moved along one
+   !> of its wires by more than the spot, which where the law has none is that of Hertz.
+   pure logical function leaves_spot(law, wires, radius, young, poisson, resistivity, point) result(leaves)
+      type(interaction_t), intent(in) :: law
+      type(wires_t), intent(in) :: wires
+      !> As of `materials_of` (2)
+      real(dp), intent(in) :: radius(2), young(2), poisson(2), resistivity(2)
+      type(contact_point_t), intent(in) :: point
+      type(hertz_ellipse_t) :: ellipse
+      type(contact_spot_t) :: spot
+      real(dp) :: moved(2), size_of_spot
+      integer :: info
+
+      leaves = point%friction%status == friction_slip
+      if (law%friction > 0 .or. .not. point%history%largest_force > 0) return
+      moved = abs(arc_from_to(point%history%spot_arc, [point%arc_bar, point%arc], &
+         wires%circumference(wires%wire([point%element_bar, point%element]))))
+      call hertz_ellipse(radius, young, poisson, point%kinematics%angle, ellipse, info)
+      call contact_spot_of_ellipse(law%spot_law, point%history%largest_force, radius, young, poisson, resistivity, &
+         ellipse, law%spot_value, law%table_force, law%table_resistance, spot, info)
+      size_of_spot = spot%semi_major
+      if (.not. size_of_spot > 0) size_of_spot = ellipse%semi_major*point%history%largest_force**(1.0_dp/3)
+      leaves = maxval(moved) > size_of_spot
+   end function leaves_spot
 
    !> Where contacts share elements their currents depend on each other: what that changes (theory section 7).
    subroutine share_currents(model, potential, contact, forces)
@@ -302,6 +327,7 @@ contains
 
       if (.not. (point%active .or. point%closed)) call forget_friction(point%friction_iteration)
       point%friction = friction_law_t()
+      point%new_spot = .false.
       point%traction = 0
       point%conductance = 0
       point%current = 0

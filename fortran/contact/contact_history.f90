@@ -4,7 +4,7 @@
 !> reads it; a contact that opens loses it.
 module litz_contact_history
    use litz_kinds, only: dp
-   use litz_friction_law, only: friction_law_t, friction_slip
+   use litz_friction_law, only: friction_law_t
    implicit none
    private
    public :: contact_history_t, advanced_history
@@ -22,18 +22,21 @@ module litz_contact_history
       real(dp) :: slip_path = 0, dissipation = 0
       !> Energy of the tangential spring [J]
       real(dp) :: elastic_energy = 0
-      !> Largest force since the contact closed or last slipped [N]
+      !> Largest force since the contact closed or last left its spot [N], and the arc lengths where it had it (2) [m]
       real(dp) :: largest_force = 0
+      real(dp) :: spot_arc(2) = 0
    end type contact_history_t
 
 contains
 
    !> The memory of a contact that is closed when an increment has converged.
-   pure function advanced_history(start, arc, force, friction) result(history)
+   pure function advanced_history(start, arc, force, friction, new_spot) result(history)
       type(contact_history_t), intent(in) :: start
       !> Arc lengths (2) [m], normal force [N]
       real(dp), intent(in) :: arc(2), force
       type(friction_law_t), intent(in) :: friction
+      !> The contact has left the spot of its largest force
+      logical, intent(in) :: new_spot
       type(contact_history_t) :: history
 
       history%closed = .true.
@@ -43,7 +46,12 @@ contains
       history%slip_path = start%slip_path + norm2(friction%plastic_slip)
       history%dissipation = start%dissipation + friction%dissipation
       history%elastic_energy = start%elastic_energy + friction%elastic_work
-      history%largest_force = merge(force, max(force, start%largest_force), friction%status == friction_slip)
+      history%largest_force = start%largest_force
+      history%spot_arc = start%spot_arc
+      if (new_spot .or. force >= start%largest_force) then
+         history%largest_force = force
+         history%spot_arc = arc
+      end if
    end function advanced_history
 
 end module litz_contact_history

@@ -46,6 +46,8 @@ module litz_contact_points
       real(dp) :: geometric_force = 0
       !> Memory of the converged state: from when the increment began until it has converged
       type(contact_history_t) :: history
+      !> It has left the spot of its largest force: by slip, or without friction by moving
+      logical :: new_spot = .false.
       !> Traction at the present place
       type(friction_law_t) :: friction
       type(friction_iteration_t) :: friction_iteration

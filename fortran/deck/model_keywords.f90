@@ -193,7 +193,8 @@ contains
          ' element misses', default='CORRECTED'))
       call k%add(choice('SPOT', 'PRESENT FORCE|LARGEST FORCE', &
          'LARGEST FORCE: a spot that has been pressed stays, with the resistance of the largest force since the'// &
-         ' contact closed or last slipped (litz extension)', default='PRESENT FORCE'))
+         ' contact closed or last slipped; without friction, since it moved along one of its wires by more than the'// &
+         ' spot (litz extension)', default='PRESENT FORCE'))
       call add_spot_law_data(k)
       call finish(table, k)
 

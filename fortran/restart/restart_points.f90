@@ -77,6 +77,8 @@ contains
       call table%field('dissipation', history%dissipation)
       call table%field('elastic_energy', history%elastic_energy)
       call table%field('largest_force', history%largest_force)
+      call table%field('spot_arc_bar', history%spot_arc(1))
+      call table%field('spot_arc', history%spot_arc(2))
    end subroutine list_history
 
 end module litz_restart_points

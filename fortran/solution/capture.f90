@@ -60,7 +60,8 @@ contains
                   point%history = contact_history_t()
                   cycle
                end if
-               point%history = advanced_history(point%history, [point%arc_bar, point%arc], point%force, point%friction)
+               point%history = advanced_history(point%history, [point%arc_bar, point%arc], point%force, &
+                  point%friction, point%new_spot)
                if (point%id == 0) then
                   contact%last_id = contact%last_id + 1
                   point%id = contact%last_id

@@ -230,6 +230,22 @@ def test_a_contact_that_an_interference_fit_closes_slips_from_where_it_has_close
     assert abs(contact["traction_x"]) == pytest.approx([STICK * slip / 2], rel=1e-7)
 
 
+def test_a_spot_without_friction_stays_until_the_contact_has_moved_by_more_than_it(run):
+    spot = "*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ, SPOT=LARGEST FORCE\n"
+    pressed, released = -5 * OVERLAP, -OVERLAP
+    # the spot of Hertz under five times the force; 1.34 is 1 - nu squared, over twice E of 120 GPa
+    radius = (3 * 5 * FORCE * 1e-3 * (1 - 0.34**2) / (2 * 120e9)) ** (1 / 3)
+    steps = [move(0, z=pressed)] + [move(x * radius, z=released) for x in (0.0, 0.5, -0.9, 1.5, 2.0)]
+    _, results = run(rubbing(*steps, friction="", spot=spot))
+    contacts = results.contacts
+    first, largest, still, there, back, beyond, on = (
+        contacts["resistance"][contacts["step"] == step][-1] for step in range(1, 8)
+    )
+    np.testing.assert_allclose([still, there, back], largest, rtol=1e-9)
+    # the new spot is that of the force there
+    np.testing.assert_allclose([beyond, on], first, rtol=1e-9)
+
+
 # with wires that bend
 
 
