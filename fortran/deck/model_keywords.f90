@@ -239,7 +239,9 @@ contains
             if (len_trim(law%value_name) > 0) call k%add_data([real_field(trim(law%value_name), trim(law%value_unit), &
                trim(law%value_meaning), limit_positive)], when='LAW='//trim(law%name))
             if (law%has_table) call k%add_data([real_field('F', 'N', 'contact force; ascending', limit_positive), &
-               real_field('R', 'ohm', 'resistance of a contact at that force', limit_positive)], &
+               real_field('R', 'ohm', 'resistance of a contact at that force;'// &
+               ' outside the table the power law of its first, or last, two pairs goes on, with a warning (outside_table)', &
+               limit_positive)], &
                when='LAW='//trim(law%name), last=0)
          end associate
       end do

@@ -129,7 +129,9 @@ contains
 
       call begin(k, 'ELECTRODE PRINT', place_step, &
          'Asks for voltage, current and resistance between two sets of nodes in the'// &
-         ' history file (litz extension).')
+         ' history file (litz extension): the mean potential of the first less that of the second, the current'// &
+         ' that enters at the first, and their quotient. It is the resistance between the two where all of this'// &
+         ' current leaves at the second; a warning (third_electrode) says where it does not.')
       call k%add_data([name_field('NSET_A', 'positive electrode'), name_field('NSET_B', 'negative electrode')], last=0)
       call finish(table, k)
 

@@ -7,7 +7,8 @@ module litz_increment_warnings
    use litz_convergence, only: measure_scales
    use litz_errors, only: error_list_t
    use litz_kinked_wires, only: kink_warning
-   use litz_model, only: model_t
+   use litz_laws, only: spot_table
+   use litz_model, only: model_t, request_electrode
    use litz_newton, only: outcome_t
    use litz_parallel_wires, only: shallow_angle, parallel_warning
    use litz_run_warnings, only: run_warnings_t
@@ -76,6 +77,7 @@ contains
          call warnings%set_place(state%step, state%increment, state%time)
          if (.not. outcome%only_start_factored) call add_negative_pivots(outcome%negative_pivots, warnings)
          call add_round_off(problem, outcome)
+         call add_third_electrodes(problem)
          do i = 1, size(state%contacts)
             call add_contact(problem%model, state%contacts(i), warnings)
          end do
@@ -131,11 +133,84 @@ contains
             ' degrees, below 10, where spots are long and point contact is less accurate', elements, angle, 'degrees', &
             smaller_is_worse=.true.)
       end if
+      call add_table_end(model, contact, elements, warnings)
       if (penetration(model, contact) <= allowed_penetration) return
       call warnings%add('unlimited_penetration', contact_words(model, contact)//' overlaps by '// &
          to_text(100*penetration(model, contact))//' % of the smaller radius, which PENETRATION=UNLIMITED'// &
          ' allows; the laws of contact are for less than '//to_text(100*allowed_penetration)//' %', elements, &
          100*penetration(model, contact), '% of the radius')
    end subroutine add_contact
+
+   !> A contact that conducts with a force for which the table of its law has no resistance.
+   subroutine add_table_end(model, contact, elements, warnings)
+      type(model_t), intent(in) :: model
+      type(contact_t), intent(in) :: contact
+      !> The user's numbers of its elements
+      integer, intent(in) :: elements(2)
+      type(run_warnings_t), intent(inout) :: warnings
+      real(dp) :: first, last, factor
+
+      associate (law => model%interactions(model%contact_pairs(contact%pair)%interaction), force => contact%force)
+         if (law%spot_law /= spot_table .or. contact%resistance > huge(1.0_dp)) return
+         if (size(law%table_force) < 2) return
+         first = law%table_force(1)
+         last = law%table_force(size(law%table_force))
+         factor = force/last
+         ! a remembered spot does not follow a falling force
+         if (.not. law%spot_memory) factor = max(factor, first/force)
+         if (factor <= 1) return
+         call warnings%add('outside_table', contact_words(model, contact)//' has a force of '//to_text(force)//' '// &
+            model%units%label('N')//', outside the table of its resistance (from '//to_text(first)//' to '// &
+            to_text(last)//' '//model%units%label('N')//'), which is continued there as a power law', elements, factor, &
+            'times beyond the table')
+      end associate
+   end subroutine add_table_end
+
+   !> Pairs of electrodes between which a resistance is asked for, although part of the current goes elsewhere.
+   subroutine add_third_electrodes(problem)
+      type(problem_t), intent(inout) :: problem
+      type(scales_t) :: scales
+      real(dp) :: plus, minus, elsewhere
+      integer :: i
+
+      scales = measure_scales(problem)
+      associate (model => problem%model, state => problem%state)
+         do i = 1, size(model%steps(state%step)%requests)
+            associate (request => model%steps(state%step)%requests(i))
+               if (request%kind /= request_electrode) cycle
+               plus = current_into(request%set)
+               minus = current_into(request%set_2)
+               elsewhere = abs(plus + minus)
+               if (elsewhere <= allowed_imbalance*max(abs(plus), abs(minus)) + round_off_at(request%set) &
+                  + round_off_at(request%set_2)) cycle
+               elsewhere = elsewhere/max(abs(plus), abs(minus))
+               call problem%warnings%add('third_electrode', 'of the current of the electrodes '// &
+                  model%node_sets(request%set)%name//' and '//model%node_sets(request%set_2)%name//', '// &
+                  to_text(100*elsewhere)//' % enters or leaves elsewhere: their voltage over the current of '// &
+                  model%node_sets(request%set)%name//' is not the resistance between them', value=100*elsewhere, &
+                  unit='% of the current')
+            end associate
+         end do
+      end associate
+
+   contains
+
+      !> Current that enters the body at the nodes of a set [A].
+      pure real(dp) function current_into(set)
+         integer, intent(in) :: set
+
+         associate (nodes => problem%model%node_sets(set)%members)
+            current_into = sum(problem%state%reaction_current(nodes) + problem%state%applied_current(nodes))
+         end associate
+      end function current_into
+
+      !> Round-off in it [A].
+      pure real(dp) function round_off_at(set)
+         integer, intent(in) :: set
+
+         round_off_at = sum(scales%round_off(3, problem%model%node_sets(set)%members))
+      end function round_off_at
+
+   end subroutine add_third_electrodes
 
 end module litz_increment_warnings

@@ -194,6 +194,38 @@ class TestKinds:
         _, results = run(deck, "--quiet")
         assert results.warnings == []
 
+    @pytest.mark.parametrize(("table", "beyond"), [((1e-3, 1e3), 0), ((1e-3, 0.5), 1), ((1e2, 1e3), -1)])
+    def test_a_contact_whose_force_leaves_its_table_is_named(self, run, table, beyond):
+        rows = "\n".join(f" {force}, {1e-3 * force ** (-1 / 3)}" for force in table)
+        process, results = run(
+            crossed(spot=f"*GAP ELECTRICAL CONDUCTANCE, LAW=TABLE\n{rows}", static=TENTHS), "--quiet"
+        )
+        assert process.returncode == 0, process.stderr
+        contacts = results.contacts
+        # a power law is continued by itself
+        np.testing.assert_allclose(contacts["resistance"], 1e-3 * contacts["force"] ** (-1 / 3), rtol=1e-9)
+        ratio = {0: 0 * contacts["force"], 1: contacts["force"] / table[-1], -1: table[0] / contacts["force"]}[beyond]
+        assert (ratio > 1).any() == (beyond != 0)
+        assert kinds(results.warnings) == ["outside_table"] * (beyond != 0)
+        for entry in results.warnings:
+            assert entry.elements == (3, 13)
+            assert entry.worst == pytest.approx(ratio.max(), rel=1e-9)
+            assert entry.count == (ratio > 1).sum()
+
+    @pytest.mark.parametrize("third", ["", " 16, 9, 9, 5e-4\n", "*CECURRENT\n 6, , -0.1\n"])
+    def test_current_that_goes_elsewhere_than_from_electrode_to_electrode_is_warned_of(self, run, third):
+        electrodes = "*NSET, NSET=PL\n 1\n*NSET, NSET=MI\n 11\n"
+        deck = crossed(extra=f"{third}*NODE PRINT, NSET=MI\n RCURR\n*ELECTRODE PRINT\n PL, MI\n")
+        process, results = run(deck.replace("*NSET, NSET=LOWER_ENDS", electrodes + "*NSET, NSET=LOWER_ENDS"), "--quiet")
+        assert process.returncode == 0, process.stderr
+        into_plus = results.history["current PL to MI"][-1]
+        out_of_minus = -results.history["RCURR node 11"][-1]
+        assert kinds(results.warnings) == ["third_electrode"] * bool(third)
+        for entry in results.warnings:
+            elsewhere = abs(into_plus - out_of_minus) / max(abs(into_plus), abs(out_of_minus))
+            assert entry.worst == pytest.approx(100 * elsewhere, rel=1e-9)
+            assert elsewhere > 0.05
+
     def test_stabilization_is_a_remark_and_no_warning(self, run):
         _, results = run(crossed(extra="*CONTROLS, PARAMETERS=STABILIZE\n 1e-6\n"))
         assert "stabilization has taken" in results.status["remark"][-1]
