@@ -262,8 +262,8 @@ contains
 
    end subroutine assemble_contacts
 
-   !> A contact that remembers its spot is no longer at it. With friction it has slipped; without, it has moved along one
-   !> of its wires by more than the spot, which where the law has none is that of Hertz.
+   !> A contact that remembers its spot is no longer at it. With friction it has slipped; without, it has moved along
+   !> one of its wires by more than the spot, which where the law has none is that of Hertz.
    pure logical function leaves_spot(law, wires, radius, young, poisson, resistivity, point) result(leaves)
       type(interaction_t), intent(in) :: law
       type(wires_t), intent(in) :: wires

@@ -28,6 +28,7 @@ contains
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(contact_point_t), intent(in) :: old(:), points(:)
+      !> (n_points)
       integer, allocatable, intent(out) :: origin(:)
       !> By how much the old points have slid along their barred and unbarred wires since (2, n) [m]
       real(dp), intent(in), optional :: slides(:, :)
@@ -72,7 +73,7 @@ contains
       type(contact_point_t), intent(in) :: old(:), points(:)
       !> (2, n) [m]
       real(dp), intent(in) :: slid(:, :)
-      !> 0: none
+      !> As in `match_points` (n_points)
       integer, allocatable, intent(out) :: origin(:)
       integer(int64) :: key
       integer :: i, j
@@ -152,6 +153,7 @@ contains
 
       !> Unit vector along the wire of an element.
       pure function direction_along(element) result(direction)
+         !> Its index
          integer, intent(in) :: element
          real(dp) :: direction(3)
 

@@ -192,9 +192,8 @@ contains
          'CORRECTED adds the resistance that the linear voltage within an'// &
          ' element misses', default='CORRECTED'))
       call k%add(choice('SPOT', 'PRESENT FORCE|LARGEST FORCE', &
-         'LARGEST FORCE: a spot that has been pressed stays, with the resistance of the largest force since the'// &
-         ' contact closed or last slipped; without friction, since it moved along one of its wires by more than the'// &
-         ' spot (litz extension)', default='PRESENT FORCE'))
+         'LARGEST FORCE: a pressed spot stays, with the resistance of the largest force since the contact closed,'// &
+         ' slipped, or without friction moved by more than the spot (litz extension)', default='PRESENT FORCE'))
       call add_spot_law_data(k)
       call finish(table, k)
 
@@ -240,9 +239,8 @@ contains
                trim(law%value_meaning), limit_positive)], when='LAW='//trim(law%name))
             if (law%has_table) call k%add_data([real_field('F', 'N', 'contact force; ascending', limit_positive), &
                real_field('R', 'ohm', 'resistance of a contact at that force;'// &
-               ' outside the table the power law of its first, or last, two pairs goes on, with a warning (outside_table)', &
-               limit_positive)], &
-               when='LAW='//trim(law%name), last=0)
+               ' outside the table the power law of its first, or last, two pairs goes on, with a warning'// &
+               ' (outside_table)', limit_positive)], when='LAW='//trim(law%name), last=0)
          end associate
       end do
    end subroutine add_spot_law_data

@@ -1,6 +1,6 @@
 !> What is to be warned of at the start of a run, and in an increment that has converged.
 module litz_increment_warnings
-   use litz_fields, only: fields, n_fields, first_slot, last_slot, field_displacement
+   use litz_fields, only: fields, n_fields, first_slot, last_slot, field_displacement, field_potential
    use litz_kinds, only: dp, pi
    use litz_audit, only: audit_t, scales_t, penetration, contact_words, allowed_imbalance
    use litz_contact_net, only: allowed_penetration
@@ -161,8 +161,8 @@ contains
          if (factor <= 1) return
          call warnings%add('outside_table', contact_words(model, contact)//' has a force of '//to_text(force)//' '// &
             model%units%label('N')//', outside the table of its resistance (from '//to_text(first)//' to '// &
-            to_text(last)//' '//model%units%label('N')//'), which is continued there as a power law', elements, factor, &
-            'times beyond the table')
+            to_text(last)//' '//model%units%label('N')//'), which is continued there as a power law', elements, &
+            factor, 'times beyond the table')
       end associate
    end subroutine add_table_end
 
@@ -170,6 +170,7 @@ contains
    subroutine add_third_electrodes(problem)
       type(problem_t), intent(inout) :: problem
       type(scales_t) :: scales
+      integer, parameter :: slot = first_slot(field_potential)
       real(dp) :: plus, minus, elsewhere
       integer :: i
 
@@ -197,18 +198,20 @@ contains
 
       !> Current that enters the body at the nodes of a set [A].
       pure real(dp) function current_into(set)
+         !> Index of the node set
          integer, intent(in) :: set
 
          associate (nodes => problem%model%node_sets(set)%members)
-            current_into = sum(problem%state%reaction_current(nodes) + problem%state%applied_current(nodes))
+            current_into = sum(problem%state%reaction(slot, nodes) + problem%state%load(slot, nodes))
          end associate
       end function current_into
 
       !> Round-off in it [A].
       pure real(dp) function round_off_at(set)
+         !> Index of the node set
          integer, intent(in) :: set
 
-         round_off_at = sum(scales%round_off(3, problem%model%node_sets(set)%members))
+         round_off_at = sum(scales%round_off(field_potential, problem%model%node_sets(set)%members))
       end function round_off_at
 
    end subroutine add_third_electrodes

@@ -7,26 +7,21 @@ module litz_newton
    use litz_kinds, only: dp
    use litz_assembly, only: clear_system, assemble_beams, assemble_conductors, assemble_load_stiffness, motion_slots, &
       potential_slots
-   use litz_contact_findings, only: finding_t, worse_of, finding_none
-   use litz_contact_matching, only: find_unfollowed
-   use litz_contact_net, only: inspect_contacts
-   use litz_contact_sweep, only: sweep_contacts
-   use litz_departed_contacts, only: find_departed_contacts
+   use litz_contact_findings, only: finding_t, finding_none
    use litz_contact_forces, only: apply_normal_law, assemble_contacts, predict_contacts
    use litz_contact_pairs, only: find_candidates, candidates_hold, locate_points
-   use litz_contact_path, only: contact_path_t, find_path
    use litz_contact_points, only: contact_set_t
    use litz_contact_step, only: bearable_fraction
    use litz_contact_tangents, only: follow_centre_line
-   use litz_element_library, only: elements_t
    use litz_equations, only: build_system
-   use litz_errors, only: error_t, exit_solver
+   use litz_errors, only: error_t
    use litz_fields, only: fields, n_fields, n_slots, n_groups, group_mechanical, group_electric, first_slot, &
       last_slot, last_slot_of_group, field_displacement, field_rotation, field_potential
    use litz_friction_iteration, only: friction_iteration_t
    use litz_grounding, only: ground_floating_conductors
    use litz_convergence, only: measure_residual, has_converged, corrections_small, worst_field
    use litz_loading, only: prescribed_increment
+   use litz_lost_contacts, only: find_lost_contacts
    use litz_model, only: step_t
    use litz_parallel, only: worth_threads
    use litz_observer, only: observer_t
@@ -34,13 +29,10 @@ module litz_newton
    use litz_problem, only: problem_t
    use litz_reports, only: iteration_report_t
    use litz_rotations, only: rotation_exp
-   use litz_run_warnings, only: run_warnings_t
    use litz_stabilization, only: assemble_stabilization
-   use litz_state, only: state_t
-   use litz_timing, only: timing_t, phase_search, phase_contact, phase_check, phase_assembly, phase_analyse, &
+   use litz_timing, only: phase_search, phase_contact, phase_check, phase_assembly, phase_analyse, &
       phase_factor, phase_solve, phase_update, phase_output
    use litz_turned_ends, only: turned_ends_t, most_turned_ends
-   use litz_wires, only: wires_t
    implicit none
    private
    public :: outcome_t, solve_increment, count_negative_pivots, start_iterate, move, evaluate
@@ -179,8 +171,7 @@ contains
          increment = 0
       end do
       outcome%converged = .true.
-      call refuse_turned_ends(problem, outcome)
-      if (outcome%converged) call refuse_lost_contacts(problem, x_start, outcome)
+      call refuse_wrong_state(problem, x_start, outcome)
       call problem%timing%lap(phase_check)
    end subroutine solve_increment
 
@@ -487,38 +478,23 @@ contains
       largest_norm = norm2(values(:, column))
    end subroutine largest_column
 
-   !> A converged state in which the ends of an element are turned against each other too far is none.
-   subroutine refuse_turned_ends(problem, outcome)
+   !> A converged state in which the ends of an element are turned against each other too far, or in which wires have
+   !> passed through each other or overlap without a contact, is none.
+   subroutine refuse_wrong_state(problem, x_start, outcome)
       type(problem_t), intent(in) :: problem
+      !> Positions when the increment began (3, n_nodes) [m]
+      real(dp), intent(in) :: x_start(:, :)
       type(outcome_t), intent(inout) :: outcome
       type(turned_ends_t) :: most
 
       most = most_turned_ends(problem%model, problem%wires, problem%state%rotation, problem%iterate)
-      if (most%too_far()) call give_up(outcome, cause_turned_ends, most%describe(problem%model))
-   end subroutine refuse_turned_ends
-
-   !> A converged state in which wires have passed through each other, or overlap without a contact, is none.
-   subroutine refuse_lost_contacts(problem, x_start, outcome)
-      type(problem_t), intent(in) :: problem
-      real(dp), intent(in) :: x_start(:, :)
-      type(outcome_t), intent(inout) :: outcome
-      type(contact_path_t) :: path
-
-      if (.not. problem%contact%present) return
-      associate (model => problem%model, wires => problem%wires, elements => problem%elements, &
-         contact => problem%contact, iterate => problem%iterate)
-         call find_path(model, wires, elements, x_start, problem%state%rotation, iterate%x, iterate%rotation, &
-            iterate%change(first_slot(field_rotation):last_slot(field_rotation), :), &
-            any(contact%in_bar .or. contact%in_set, 2), path)
-         outcome%finding = worse_of(inspect_contacts(model, wires, elements, contact, iterate%x, iterate%rotation), &
-            sweep_contacts(model, wires, elements, contact, path))
-         outcome%finding = worse_of(outcome%finding, &
-            find_departed_contacts(model, wires, elements, contact, iterate%x, iterate%rotation))
-         outcome%finding = worse_of(outcome%finding, find_unfollowed(model, wires, elements, contact, x_start, &
-            iterate%x))
-         if (outcome%finding%kind == finding_none) return
-         call give_up(outcome, cause_lost_contact, outcome%finding%describe(model))
-      end associate
-   end subroutine refuse_lost_contacts
+      if (most%too_far()) then
+         call give_up(outcome, cause_turned_ends, most%describe(problem%model))
+         return
+      end if
+      outcome%finding = find_lost_contacts(problem, x_start)
+      if (outcome%finding%kind /= finding_none) call give_up(outcome, cause_lost_contact, &
+         outcome%finding%describe(problem%model))
+   end subroutine refuse_wrong_state
 
 end module litz_newton

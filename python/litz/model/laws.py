@@ -74,7 +74,7 @@ class _Spot(_Law):
         CORRECTED adds the resistance that the linear voltage within an element misses.
     spot : {"PRESENT FORCE", "LARGEST FORCE"}
         LARGEST FORCE: a spot that has been pressed stays, with the resistance of the largest force since the contact
-        closed or last slipped.
+        closed, slipped, or without friction moved by more than the spot.
     """
 
     voltage: str = "CORRECTED"
@@ -156,7 +156,7 @@ class ConstantSpot(_Spot):
 
 @dataclass(frozen=True)
 class TableSpot(_Spot):
-    """Measured resistance over force.
+    """Measured resistance over force; outside its forces the power law of the first, or last, two values goes on, with a warning.
 
     Attributes
     ----------

@@ -1,0 +1,39 @@
+!> What is wrong with the contacts of a converged iterate, so that it is no solution.
+module litz_lost_contacts
+   use litz_kinds, only: dp
+   use litz_contact_findings, only: finding_t, worse_of
+   use litz_contact_matching, only: find_unfollowed
+   use litz_contact_net, only: inspect_contacts
+   use litz_contact_path, only: contact_path_t, find_path
+   use litz_contact_sweep, only: sweep_contacts
+   use litz_departed_contacts, only: find_departed_contacts
+   use litz_fields, only: first_slot, last_slot, field_rotation
+   use litz_problem, only: problem_t
+   implicit none
+   private
+   public :: find_lost_contacts
+
+contains
+
+   !> The worst of wires that have passed through each other, overlap without a contact, or whose contact is not known
+   !> any more; `finding_none`: there is none.
+   type(finding_t) function find_lost_contacts(problem, x_start) result(worst)
+      type(problem_t), intent(in) :: problem
+      !> Positions when the increment began (3, n_nodes) [m]
+      real(dp), intent(in) :: x_start(:, :)
+      type(contact_path_t) :: path
+
+      if (.not. problem%contact%present) return
+      associate (model => problem%model, wires => problem%wires, elements => problem%elements, &
+         contact => problem%contact, iterate => problem%iterate)
+         call find_path(model, wires, elements, x_start, problem%state%rotation, iterate%x, iterate%rotation, &
+            iterate%change(first_slot(field_rotation):last_slot(field_rotation), :), &
+            any(contact%in_bar .or. contact%in_set, 2), path)
+         worst = worse_of(inspect_contacts(model, wires, elements, contact, iterate%x, iterate%rotation), &
+            sweep_contacts(model, wires, elements, contact, path))
+         worst = worse_of(worst, find_departed_contacts(model, wires, elements, contact, iterate%x, iterate%rotation))
+         worst = worse_of(worst, find_unfollowed(model, wires, elements, contact, x_start, iterate%x))
+      end associate
+   end function find_lost_contacts
+
+end module litz_lost_contacts
