@@ -76,7 +76,7 @@ def deck(pairs, title, *notes):
 def contacts(results, pairs):
     """The ledger at the end, one row for each pair; `resistance` is the voltage of the pair over the contact current."""
     ledger = results.contacts_at(-1)
-    order = np.argsort(np.minimum(ledger["element"], ledger["element_bar"]))
+    order = np.argsort(np.minimum(ledger["element_2"], ledger["element_1"]))
     if len(order) != len(pairs):
         raise ValueError(f"{len(order)} contacts for {len(pairs)} pairs")
     names = ("force", "gap", "semi_major", "semi_minor", "current")

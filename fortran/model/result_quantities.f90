@@ -82,17 +82,19 @@ contains
       type(contact_t), intent(inout) :: c
 
       call table%field('id', c%id, '1', 'number of the contact, the same while it lives')
-      call table%field('element_bar', c%element_bar, '1', 'barred element, number in the deck', is_element=.true.)
-      call table%field('element', c%element, '1', 'unbarred element, number in the deck', is_element=.true.)
+      call table%field('element_1', c%element_bar, '1', 'first element (barred), number in the deck', &
+         is_element=.true.)
+      call table%field('element_2', c%element, '1', 'second element (unbarred), number in the deck', &
+         is_element=.true.)
       call table%field('pair', c%pair)
-      call table%field('xi_bar', c%xi_bar, '1', 'position in the barred element, -1 to 1')
-      call table%field('xi', c%xi, '1', 'position in the unbarred element, -1 to 1')
+      call table%field('xi_1', c%xi_bar, '1', 'position in the first element, -1 to 1')
+      call table%field('xi_2', c%xi, '1', 'position in the second element, -1 to 1')
       call table%field('angle', c%angle, 'rad', 'angle between the axes')
       call table%field('gap', c%gap, 'm', 'gap between the surfaces, negative in contact')
       call table%field('force', c%force, 'N', 'contact force, pushing the wires apart')
       call table%field('normal', c%normal, '1', 'unit normal from the unbarred to the barred wire')
-      call table%field('point_bar', c%point_bar, 'm', 'point of the barred axis')
-      call table%field('point', c%point, 'm', 'point of the unbarred axis')
+      call table%field('point_1', c%point_bar, 'm', 'point of the first axis')
+      call table%field('point_2', c%point, 'm', 'point of the second axis')
       call table%field('semi_major', c%semi_major, 'm', 'longer semi-axis of the spot')
       call table%field('semi_minor', c%semi_minor, 'm', 'shorter semi-axis of the spot')
       call table%field('resistance', c%resistance, 'ohm', 'contact resistance, infinite where no current can pass', &

@@ -800,13 +800,13 @@ def read_ledger(path, labels, place):
             rows = csv.reader(file)
             columns = [re.sub(r" \[.*\]", "", name) for name in next(rows)]
             at = {name: columns.index(name) for name in columns}
-            points = [[at[f"{name}_{c}"] for c in "xyz"] for name in ("point_bar", "point")]
+            points = [[at[f"{name}_{c}"] for c in "xyz"] for name in ("point_1", "point_2")]
             for row in rows:
                 label = f"{int(row[at['step']])}:{int(row[at['increment']])}"
                 if label not in found or float(row[at["force"]]) <= 0:
                     continue
                 found[label][0].append([[float(row[k]) for k in columns] for columns in points])
-                found[label][1].append([place[int(row[at[name]])] for name in ("element_bar", "element")])
+                found[label][1].append([place[int(row[at[name]])] for name in ("element_1", "element_2")])
     return [
         (np.array(points, float).reshape(-1, 2, 3), np.array(elements, int).reshape(-1, 2))
         for points, elements in (found[label] for label in labels)

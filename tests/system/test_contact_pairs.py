@@ -32,4 +32,4 @@ def test_the_set_that_is_named_first_is_the_barred_one(run):
     for name, sets, element in (("forward", "LOWER, UPPER", 3), ("backward", "UPPER, LOWER", 13)):
         process, results = run(held(("SOFT", "WIRES"), ("ALL", sets)), name=name)
         assert process.returncode == 0, process.stderr
-        assert results.contacts_at(-1)["element_bar"].tolist() == [element]
+        assert results.contacts_at(-1)["element_1"].tolist() == [element]

@@ -301,7 +301,7 @@ def test_a_contact_at_nodes_of_curved_wires_is_one_contact(run, deck):
     contacts = results.contacts_at(-1)
     assert len(contacts["force"]) == 1
     # it did not leave the node: this is the case that is meant
-    assert abs(contacts["xi"][0]) == pytest.approx(1, abs=1e-9) or abs(contacts["xi_bar"][0]) == pytest.approx(
+    assert abs(contacts["xi_2"][0]) == pytest.approx(1, abs=1e-9) or abs(contacts["xi_1"][0]) == pytest.approx(
         1, abs=1e-9
     )
     pushed = np.abs(results.field("reaction_force")[results.node_sets["B"]].sum(axis=0)).max()
@@ -386,7 +386,7 @@ def test_a_contact_keeps_its_force_and_identity_over_the_nodes(litz, tmp_path, r
     assert process.returncode == 0, process.stderr
     contacts = Results(tmp_path / "03_large_sliding.vtkhdf").contacts
     drag = contacts.where(contacts["step"] == 2)
-    elements = drag["element_bar"] + drag["element"]
+    elements = drag["element_1"] + drag["element_2"]
     assert len(np.unique(elements)) >= 5
     assert len(np.unique(contacts["id"])) == 1
     assert len(drag["force"]) == len(np.unique(drag["increment"]))

@@ -113,8 +113,8 @@ def test_a_rubbed_wire_keeps_its_traction_over_the_ends_of_elements(run):
     path = np.hypot(1.3e-2, 7e-3)
     contacts = results.contacts
     assert len(set(contacts["id"])) == 1
-    assert len(set(contacts["element"])) > 2
-    assert len(set(contacts["element_bar"])) > 3
+    assert len(set(contacts["element_2"])) > 2
+    assert len(set(contacts["element_1"])) > 3
     slipping = contacts["friction"] == "slip"
     assert slipping[1:].all()
     traction = np.stack([contacts[f"traction_{i}"] for i in "xyz"], axis=-1)[1:]
@@ -510,7 +510,7 @@ def test_a_closed_wire_remembers_where_its_numbering_begins(run):
     over, elsewhere = tables
     assert set(over["id"]) == set(elsewhere["id"]) == {1}
     assert len(over["id"]) == 9
-    assert set(over["element_bar"]) == {1, 24}
+    assert set(over["element_1"]) == {1, 24}
     assert (over["friction"][1:] == "slip").all()
     traction = np.stack([over[f"traction_{i}"] for i in "xyz"], axis=-1)[1:]
     np.testing.assert_allclose(np.linalg.norm(traction, axis=1), MU * over["force"][1:], rtol=1e-9)

@@ -228,7 +228,7 @@ def test_a_grid_of_wires_shares_forces_and_current_as_beam_theory_and_kirchhoff_
     assert header("04_wire_grid") == pytest.approx(force, abs=1e-6)
     ledger = results.contacts_at(-1)
     assert ledger.n_rows == 16
-    x, y = (np.rint(ledger[f"point_{axis}"] * 1e3).astype(int) for axis in "xy")
+    x, y = (np.rint(ledger[f"point_2_{axis}"] * 1e3).astype(int) for axis in "xy")
     found = np.zeros((4, 4))
     found[(y - 35) // 10, (x - 35) // 10] = ledger["force"]
     # slopes of 0.05/35 move the points of contact by 0.0014*2 mm of 35 mm; halved between the two wires

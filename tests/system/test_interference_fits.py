@@ -119,7 +119,7 @@ def test_each_crossing_of_a_pair_has_its_own_fit(run):
         contacts = results.contacts_at(increment)
         # where less is resolved than would close it, a crossing is no contact
         assert len(contacts["id"]) == np.count_nonzero(expected)
-        force = [contacts["force"][contacts["element"] // 100 == 1 + i].sum() for i in range(3)]
+        force = [contacts["force"][contacts["element_2"] // 100 == 1 + i].sum() for i in range(3)]
         np.testing.assert_allclose(force, PENALTY * np.array(expected), rtol=1e-8, atol=1e-8)
 
 

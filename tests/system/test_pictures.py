@@ -48,7 +48,7 @@ class TestSpots:
         """Wires of equal radius: halfway between the points of the ledger, up to the overlap."""
         scene = SceneMaker(grid, [-1]).scene(-1)
         ledger = grid.contacts_at(-1)
-        middle = np.stack([(ledger[f"point_bar_{axis}"] + ledger[f"point_{axis}"]) / 2 for axis in "xyz"], axis=1)
+        middle = np.stack([(ledger[f"point_1_{axis}"] + ledger[f"point_2_{axis}"]) / 2 for axis in "xyz"], axis=1)
         np.testing.assert_allclose(scene.spots, middle, atol=1e-3 * grid.radius.min())
 
     def test_a_disc_is_a_circle_from_above_and_thin_from_the_side(self, grid):

@@ -67,8 +67,8 @@ def test_a_wire_may_have_elements_that_run_against_it(run, element):
     assert process.returncode == 0, process.stderr
     assert np.array_equal(mixed.times, forward.times)
     ours, theirs = mixed.contacts, forward.contacts
-    assert len(set(theirs["element_bar"])) > 2
-    for name in ("id", "element_bar", "element", "friction", "status"):
+    assert len(set(theirs["element_1"])) > 2
+    for name in ("id", "element_1", "element_2", "friction", "status"):
         assert list(ours[name]) == list(theirs[name])
     columns = ("force", "gap", "angle", "resistance", "current", "traction_x", "traction_y", "slip_path", "dissipation")
     for name in columns:

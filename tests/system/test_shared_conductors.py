@@ -98,8 +98,8 @@ def kirchhoff(resistance):
 def by_place(contacts, name):
     """A column of the ledger by rail and rung."""
     values = np.empty((2, len(RUNGS)))
-    rail = np.argmin(np.abs(contacts["point_y"][:, None] - RAILS), axis=1)
-    rung = np.argmin(np.abs(contacts["point_x"][:, None] - RUNGS), axis=1)
+    rail = np.argmin(np.abs(contacts["point_2_y"][:, None] - RAILS), axis=1)
+    rung = np.argmin(np.abs(contacts["point_2_x"][:, None] - RUNGS), axis=1)
     values[rail, rung] = contacts[name]
     assert len(contacts["id"]) == values.size
     return values
@@ -145,7 +145,7 @@ def test_linear_voltages_stay_those_of_the_paper(run):
         return (1 - xi) / 2 * first + (1 + xi) / 2 * second
 
     for row in range(len(contacts["id"])):
-        voltage = at(contacts["element_bar"][row], contacts["xi_bar"][row]) - at(
-            contacts["element"][row], contacts["xi"][row]
+        voltage = at(contacts["element_1"][row], contacts["xi_1"][row]) - at(
+            contacts["element_2"][row], contacts["xi_2"][row]
         )
         assert contacts["current"][row] == pytest.approx(voltage / contacts["resistance"][row], rel=1e-9)

@@ -209,4 +209,4 @@ class TestQuantities:
 
     def test_labels(self):
         assert label("axial_force", "kN") == "axial force [kN]"
-        assert label("xi_bar", "") == "xi bar"
+        assert label("semi_major", "") == "semi major"

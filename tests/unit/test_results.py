@@ -117,7 +117,7 @@ class TestWhatVtkReads:
         points = grid.GetPointData()
         np.testing.assert_array_equal(array(points, "id"), ids)
         np.testing.assert_array_equal(array(points, "force"), [10.0 * (step + 1)] * len(ids))
-        np.testing.assert_array_equal(array(points, "element"), [104 if step == 2 else 103] * len(ids))
+        np.testing.assert_array_equal(array(points, "element_2"), [104 if step == 2 else 103] * len(ids))
         for i in range(len(ids)):
             # midway between the surfaces at z = 0.01 (barred) and 0.02 (unbarred, without a radius)
             np.testing.assert_allclose(grid.GetPoint(i), [0, 0, 0.015])
@@ -245,7 +245,7 @@ class TestResults:
         assert [results.contacts_at(i).n_rows for i in range(N_INCREMENTS)] == [0, 2, 1]
         life = results.contact(2)
         np.testing.assert_array_equal(life["time"], [0.5, 0.75])
-        np.testing.assert_array_equal(life["element"], [103, 104])
+        np.testing.assert_array_equal(life["element_2"], [103, 104])
         np.testing.assert_array_equal(life["force"], [20.0, 30.0])
         np.testing.assert_array_equal(life["gap"], [-1e-6, -1e-6])
         np.testing.assert_array_equal(life["normal_z"], [-1, -1])
@@ -336,6 +336,26 @@ class TestResults:
         assert [results.contacts_at(i).n_rows for i in range(2)] == [2, 1]
         _, grid = read_step(tmp_path / "crossed_contacts.vtkhdf", 1)
         np.testing.assert_array_equal(array(grid.GetPointData(), "id"), [2])
+
+    def test_a_ledger_of_litz_0_1_is_read_with_the_new_names(self, written, tmp_path):
+        for path in written.glob("crossed*"):
+            shutil.copy(path, tmp_path)
+        ledger = tmp_path / "crossed_contacts.csv"
+        new, old = ["element_1", "element_2", "xi_1", "xi_2"], ["element_bar", "element", "xi_bar", "xi"]
+        new += [f"point_{k}_{axis} [m]" for k in (1, 2) for axis in "xyz"]
+        old += [f"point_{bar}{axis} [m]" for bar in ("bar_", "") for axis in "xyz"]
+        was = dict(zip(new, old, strict=True))
+        head, *rows = ledger.read_text().splitlines(keepends=True)
+        assert set(new) < set(head.split(","))
+        ledger.write_text("".join([",".join(was.get(n, n) for n in head.split(",")), *rows]))
+        before, now = (litz.Results(folder / "crossed.vtkhdf").contacts for folder in (written, tmp_path))
+        assert list(now) == list(before)
+        assert now.units == before.units
+        np.testing.assert_array_equal(now["element_2"], before["element_2"])
+
+    def test_columns_of_the_ledger_are_found_by_their_names_in_litz_0_1(self, results):
+        with pytest.warns(DeprecationWarning, match="'point_bar_x' is now 'point_1_x'"):
+            np.testing.assert_array_equal(results.contact(2)["point_bar_x"], results.contact(2)["point_1_x"])
 
 
 class TestWhenThingsGoWrong:

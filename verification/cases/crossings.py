@@ -203,7 +203,7 @@ def contact_forces(grid, results):
     """Forces at the last increment (lower wire, upper wire)."""
     contacts = results.contacts_at(-1)
     forces = np.zeros((grid.n, grid.n))
-    for bar, element, force in zip(contacts["element_bar"], contacts["element"], contacts["force"], strict=True):
+    for bar, element, force in zip(contacts["element_1"], contacts["element_2"], contacts["force"], strict=True):
         forces[bar // 1000, element // 1000 - grid.n] += force
     return forces
 

@@ -64,7 +64,7 @@ def quantities(results, nodes=None, turn=None):
         order = [where[nodes[old]] for old in sorted(nodes)]
     turn = np.eye(3) if turn is None else turn
     contacts = results.contacts_at(-1)
-    places = [(contacts[f"point_{axis}"] + contacts[f"point_bar_{axis}"]) / 2 for axis in "xyz"]
+    places = [(contacts[f"point_2_{axis}"] + contacts[f"point_1_{axis}"]) / 2 for axis in "xyz"]
     found = {name: np.abs(contacts[name]) for name in ("force", "gap", "resistance", "current", "voltage_gap")}
     return found | {
         "place": np.column_stack(places) @ turn,

@@ -77,7 +77,7 @@ def stretched(workspace, option):
 def grid_currents(results):
     """Currents of the sixteen contacts, lower wires from front to back, on each the upper ones from left to right."""
     contacts = results.contacts_at(-1)
-    return np.asarray(contacts["current"])[np.lexsort((contacts["point_x"].round(3), contacts["point_y"].round(3)))]
+    return np.asarray(contacts["current"])[np.lexsort((contacts["point_2_x"].round(3), contacts["point_2_y"].round(3)))]
 
 
 def given_grid(workspace):

@@ -77,7 +77,7 @@ def exact(steps=STEPS, drifting_steps=6):
 def state(results, n_cantilever, k):
     """Force, gap and arc length of the contact from the driven end, after a step."""
     contact = results.contacts_at(results.index(k, 1))
-    arc = (contact["element_bar"][0] - 1000.5 + contact["xi_bar"][0] / 2) * 14.0 / n_cantilever
+    arc = (contact["element_1"][0] - 1000.5 + contact["xi_1"][0] / 2) * 14.0 / n_cantilever
     return [float(contact["force"][0]), float(contact["gap"][0]), float(arc)]
 
 

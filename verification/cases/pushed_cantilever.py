@@ -68,7 +68,7 @@ def state(results, n, level):
     """Tip displacement (2), force, gap and arc length of the contact at a level."""
     index = int(np.flatnonzero(np.isclose(results.times, level))[0])
     contact = results.contacts_at(index)
-    arc = (contact["element_bar"][0] - 0.5 + contact["xi_bar"][0] / 2) / n
+    arc = (contact["element_1"][0] - 0.5 + contact["xi_1"][0] / 2) / n
     tip = results.field("displacement", index)[n, :2]
     return [*tip.tolist(), float(contact["force"][0]), float(contact["gap"][0]), float(arc)]
 

@@ -1,6 +1,7 @@
 """Tables: numpy arrays by column name, with units."""
 
 import html
+import warnings
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
@@ -29,13 +30,19 @@ class Table(Mapping):
     n_rows : int
     """
 
-    def __init__(self, columns: Mapping[str, np.ndarray], units: Mapping[str, str]):
+    def __init__(
+        self, columns: Mapping[str, np.ndarray], units: Mapping[str, str], old_names: Mapping[str, str] | None = None
+    ):
         self._columns = dict(columns)
         self.units = dict(units)
+        self._old_names = dict(old_names or {})
         self.n_rows = len(next(iter(self._columns.values()), ()))
 
     def __getitem__(self, name: str) -> np.ndarray:
         """Values of a column (n_rows); a `KeyError` suggests similar names."""
+        if name in self._old_names and name not in self._columns:
+            warnings.warn(f"the column {name!r} is now {self._old_names[name]!r}", DeprecationWarning, stacklevel=2)
+            name = self._old_names[name]
         try:
             return self._columns[name]
         except KeyError:
@@ -103,7 +110,7 @@ class Table(Mapping):
 
     def where(self, mask: np.ndarray) -> "Table":
         """The rows for which `mask` (n_rows) is true, or those it names by index."""
-        return Table({name: values[mask] for name, values in self._columns.items()}, self.units)
+        return Table({name: values[mask] for name, values in self._columns.items()}, self.units, self._old_names)
 
 
 def _cell(value: object) -> str:

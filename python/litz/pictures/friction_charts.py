@@ -123,8 +123,8 @@ def friction_loops(results: Results, ids: list[int]) -> list[Loop]:
                     displacement, rotation = (results.field(name, index) for name in ("displacement", "rotation"))
                     curves = element_curves(results.nodes, displacement, rotation, wires, len(results.elements))
                 place = []
-                for ending in ("_bar", ""):
-                    element, xi = row[int(ledger["element" + ending][k])], ledger["xi" + ending][k]
+                for which in (1, 2):
+                    element, xi = row[int(ledger[f"element_{which}"][k])], ledger[f"xi_{which}"][k]
                     positions, slopes = (part[[element]] for part in curves)
                     tangent = sign[element] * hermite_slope(positions, slopes, np.array([xi]))[0]
                     arc = arc_start[element] + (1 + sign[element] * xi) / 2 * lengths[element]

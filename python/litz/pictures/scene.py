@@ -208,10 +208,10 @@ def spot_places(
         What `element_curves` gives.
     """
     rows = row_of_element(results)
-    barred, unbarred = (np.array([rows[i] for i in contacts[name]], dtype=int) for name in ("element_bar", "element"))
+    barred, unbarred = (np.array([rows[i] for i in contacts[name]], dtype=int) for name in ("element_1", "element_2"))
     positions, slopes = curves
-    point_bar = hermite(positions[barred], slopes[barred], contacts["xi_bar"])
-    point = hermite(positions[unbarred], slopes[unbarred], contacts["xi"])
+    point_bar = hermite(positions[barred], slopes[barred], contacts["xi_1"])
+    point = hermite(positions[unbarred], slopes[unbarred], contacts["xi_2"])
     normals = np.stack([contacts[f"normal_{axis}"] for axis in "xyz"], axis=1)
     radius_bar, radius = results.radius[barred], results.radius[unbarred]
     share = (radius_bar / (radius_bar + radius))[:, None]

@@ -261,7 +261,7 @@ def _contact_table(name: str, ledger: Table, rows: np.ndarray, *, with_time: boo
     for k in rows:
         line = [
             f"contact {ledger['id'][k]}",
-            f"{ledger['element_bar'][k]}, {ledger['element'][k]}",
+            f"{ledger['element_1'][k]}, {ledger['element_2'][k]}",
             amount(max(0.0, -ledger["gap"][k]), unit["gap"]),
             amount(ledger["force"][k], unit["force"]),
             amount(ledger["current"][k], unit["current"]),

@@ -18,7 +18,7 @@ from .result_file import ResultFile
 #: Fields that do not change, and are columns or cells of their own
 _STATIC = frozenset(["reference_position", "node_id", "element_id"])
 #: Columns of the ledger that are points of the contacts
-_CONTACT_POINT = ("point_bar", "point")
+_CONTACT_POINT = ("point_1", "point_2")
 
 
 def export(

@@ -192,8 +192,8 @@ def contact_network(results: ResultFile, increment: int) -> ContactNetwork:
         wire_of_element[wire.elements] = number
     ledger = results.contacts_at(increment)
     ledger = ledger.where(ledger["force"] > 0)
-    rows = np.stack([_rows_of(results.element_ids, ledger[name]) for name in ("element_bar", "element")], axis=1)
-    xi = np.stack([ledger["xi_bar"], ledger["xi"]], axis=1)
+    rows = np.stack([_rows_of(results.element_ids, ledger[name]) for name in ("element_1", "element_2")], axis=1)
+    xi = np.stack([ledger["xi_1"], ledger["xi_2"]], axis=1)
     potential = results.field("potential", increment)
     return ContactNetwork(
         first_element=np.array([results.element_ids[wire.elements[0]] for wire in wires]),
@@ -203,7 +203,7 @@ def contact_network(results: ResultFile, increment: int) -> ContactNetwork:
         wires=wire_of_element[rows].astype(int),
         id=ledger["id"],
         arc=arc_start[rows] + (1 + sign[rows] * xi) / 2 * lengths[rows],
-        point=np.stack([(ledger[f"point_bar_{axis}"] + ledger[f"point_{axis}"]) / 2 for axis in "xyz"], axis=1),
+        point=np.stack([(ledger[f"point_1_{axis}"] + ledger[f"point_2_{axis}"]) / 2 for axis in "xyz"], axis=1),
         **{name: ledger[name] for name in _OF_CONTACT},
         wires_at=_wires_at(results, wires),
     )
@@ -231,8 +231,8 @@ def _largest_in_elements(results: ResultFile, increment: int) -> np.ndarray:
     largest = results.field("element_current", increment).copy()
     ledger = results.contacts_at(increment)
     ledger = ledger.where(ledger["current"] != 0)
-    row = np.concatenate([_rows_of(results.element_ids, ledger[name]) for name in ("element_bar", "element")])
-    xi = np.concatenate([ledger["xi_bar"], ledger["xi"]])
+    row = np.concatenate([_rows_of(results.element_ids, ledger[name]) for name in ("element_1", "element_2")])
+    xi = np.concatenate([ledger["xi_1"], ledger["xi_2"]])
     entering = np.concatenate([-ledger["current"], ledger["current"]])
     order = np.lexsort((xi, row))
     for ends in np.split(order, np.flatnonzero(np.diff(row[order])) + 1) if order.size else ():

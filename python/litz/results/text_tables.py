@@ -17,8 +17,8 @@ _INTEGER_COLUMNS = frozenset(
         "iteration",
         "iterations",
         "id",
-        "element",
-        "element_bar",
+        "element_1",
+        "element_2",
         "node_u",
         "node_phi",
         "node_V",
@@ -29,6 +29,15 @@ _INTEGER_COLUMNS = frozenset(
         "contacts",
     ]
 )
+#: Columns of contact ledgers in litz 0.1, and their present names
+_OLD_NAMES = {
+    "element_bar": "element_1",
+    "element": "element_2",
+    "xi_bar": "xi_1",
+    "xi": "xi_2",
+    **{f"point_bar_{axis}": f"point_1_{axis}" for axis in "xyz"},
+    **{f"point_{axis}": f"point_2_{axis}" for axis in "xyz"},
+}
 #: The last columns of a table may contain text
 _TEXT_COLUMNS = frozenset(["friction", "status", "remark"])
 
@@ -56,6 +65,8 @@ def _read(path: Path, separator: str | None) -> Table:
     if not lines:
         raise FileError(f"{path} is empty: the run that wrote it ended before its first line")
     heads = [_name_and_unit(head) for head in lines[0].split(separator)]
+    if "element_bar" in dict(heads):
+        heads = [(_OLD_NAMES.get(name, name), unit) for name, unit in heads]
     names = [name for name, _ in heads]
     rows = lines[1:]
 
@@ -72,7 +83,8 @@ def _read(path: Path, separator: str | None) -> Table:
     cells = [row.split(separator, len(names) - 1) for row in rows]
     for i, name in enumerate(names[n_numbers:], start=n_numbers):
         columns[name] = np.array([row[i].strip() if len(row) > i else "" for row in cells], dtype=str)
-    return Table(columns, dict(heads))
+    old_names = {old: new for old, new in _OLD_NAMES.items() if new in columns}
+    return Table(columns, dict(heads), old_names)
 
 
 def _name_and_unit(head: str) -> tuple[str, str]:

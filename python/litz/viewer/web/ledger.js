@@ -26,7 +26,7 @@ export class Ledger {
       this.contacts = {
          ...contacts,
          penetration: contacts.gap.map((gap) => Math.max(0, -gap)),
-         elements: contacts.element_bar.map((first, k) => `${first}, ${contacts.element[k]}`),
+         elements: contacts.element_1.map((first, k) => `${first}, ${contacts.element_2[k]}`),
       };
       this.drawTable();
       this.drawRow();
