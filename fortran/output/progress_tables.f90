@@ -53,7 +53,7 @@ contains
 
    pure function increment_line(report) result(line)
       type(increment_report_t), intent(in) :: report
-      character(len=:), allocatable :: line
+      character(len=:), allocatable :: line, remark
       character(len=512) :: buffer
 
       write (buffer, '(i5, i10, i9, i11, 2es15.7, es19.7, 3es13.3e3, i16, i10, 5es18.2e3)') &
@@ -61,7 +61,13 @@ contains
          report%time, report%step_time, report%time_increment, report%residual, report%negative_pivots, &
          report%contacts, report%audit
       line = trim(buffer)
-      if (allocated(report%remark)) line = trim(line//'  '//report%remark)
+      remark = ''
+      if (allocated(report%remark)) remark = report%remark
+      if (report%at_round_off) then
+         if (len(remark) > 0) remark = remark//'; '
+         remark = remark//'accepted at the limit of round-off'
+      end if
+      line = trim(line//'  '//remark)
    end function increment_line
 
    pure integer function user_id(model, node)

@@ -46,6 +46,8 @@ module litz_restart_file
       !> Of the rows of the increment that is written or read
       integer(int64) :: row_checksum(most_datasets) = 0
       integer :: n_increments = 0
+      !> The file has its name, and a whole increment
+      logical :: is_published = .false.
       !> What was read has as many nodes and elements as the model
       logical :: fits_mesh = .true.
       !> Rows of the arrays that are not there yet: a guide for the layout
@@ -109,17 +111,19 @@ contains
       call self%row_ends%append(reshape(self%rows(:self%n_datasets)%n_rows, [self%n_datasets, 1]), error)
       call self%checksums%append(reshape(self%row_checksum(:self%n_datasets), [self%n_datasets, 1]), error)
       call hdf5_flush(self%file, error)
+      if (allocated(error)) return
       self%n_increments = self%n_increments + 1
       call hdf5_write_attribute(self%file, 'n_increments', self%n_increments, error)
       call hdf5_flush(self%file, error)
       if (self%n_increments == 1) call hdf5_publish_file(self%file, error)
+      self%is_published = self%is_published .or. .not. allocated(error)
    end subroutine restart_write
 
    subroutine restart_close(self, error)
       class(restart_file_t), intent(inout) :: self
       type(error_t), allocatable, intent(inout) :: error
 
-      if (self%n_increments == 0) call hdf5_discard_file(self%file)
+      if (.not. self%is_published) call hdf5_discard_file(self%file)
       call hdf5_close_file(self%file, error)
    end subroutine restart_close
 

@@ -42,6 +42,8 @@ module litz_reports
       real(dp) :: audit(5) = 0
       !> It was accepted; no: cut, or given up
       logical :: converged = .false.
+      !> The tolerance that ended the iteration was that of round-off in one of the fields
+      logical :: at_round_off = .false.
       !> What is worth knowing, such as why the increment was cut
       character(len=:), allocatable :: remark
    end type increment_report_t

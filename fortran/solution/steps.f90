@@ -266,7 +266,7 @@ contains
       if (outcome%converged) then
          report%audit = problem%state%audit
          if (len(audit%finding) > 0) remark = 'audit failed: '//audit%finding
-         if (outcome%at_round_off) remark = remark//'accepted at the limit of round-off'
+         report%at_round_off = outcome%at_round_off
       end if
       report%remark = without_last_semicolon(remark)
    end function report_of

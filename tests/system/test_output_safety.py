@@ -299,7 +299,7 @@ def test_whatever_fits_on_the_disk_can_be_read(litz_program, litz, tmp_path):
     assert litz("run", deck, "-o", tmp_path / "whole").returncode == 0
     whole, output = Results(tmp_path / "whole"), tmp_path / "out"
     reached = set()
-    for kilobytes in range(40, 860, 23):
+    for kilobytes in range(40, 1060, 30):
         shutil.rmtree(output, ignore_errors=True)
         limit = kilobytes * 1024
         done = subprocess.run(
