@@ -67,8 +67,9 @@ contains
    pure real(dp) function path_between(wires, elements, pair, place, between) result(path)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
-      !> Two elements, and places in [-1, 1] (2)
+      !> Two elements
       integer, intent(in) :: pair(2)
+      !> Place in each of them, in [-1, 1] (2)
       real(dp), intent(in) :: place(2)
       !> `end_paths` of the pair (2, 2) [m]
       real(dp), intent(in) :: between(2, 2)
@@ -94,8 +95,9 @@ contains
    pure logical function lead_apart(model, elements, pair, x, sagitta)
       type(model_t), intent(in) :: model
       type(elements_t), intent(in) :: elements
-      !> Two elements, their nodal positions (3, 4) [m], and how far they leave their chords (2) [m]
+      !> Two elements
       integer, intent(in) :: pair(2)
+      !> Their nodal positions (3, 4) [m], and how far their axes leave their chords (2) [m]
       real(dp), intent(in) :: x(3, 4), sagitta(2)
       real(dp) :: chord(3, 2)
       integer :: i, j
@@ -121,8 +123,9 @@ contains
       integer, intent(in) :: from, side
       !> Length of the walk [m]
       real(dp), intent(in) :: arc
-      !> Element of the place, and the place in [-1, 1]; 0: the wire ends before
+      !> Element of the place; 0: the wire ends before
       integer, intent(out) :: element
+      !> The place in [-1, 1]
       real(dp), intent(out) :: place
       real(dp) :: left
       integer :: first, next

@@ -33,7 +33,7 @@ module litz_contact_pairs
    !> Surface distance up to which an element pair is a candidate, in mean radii of the two
    real(dp), parameter :: skin = 1.0_dp
    !> Pairs of elements at most: four nodes of each are counted in default integers, beside two of each element
-   integer, parameter :: most_candidates = 2**29 - 2**24
+   integer, parameter :: max_candidates = 2**29 - 2**24
 contains
 
    subroutine prepare_contact(model, elements, contact)
@@ -100,12 +100,12 @@ contains
             end associate
          end do
          associate (first => model%connectivity(1, member), second => model%connectivity(2, member))
-            call near_segments(x(:, first), x(:, second), reach, most_candidates, pairs, too_many)
+            call near_segments(x(:, first), x(:, second), reach, max_candidates, pairs, too_many)
          end associate
       end associate
       if (too_many) then
          write (text, '(a, i0, a, i0, a)') 'contact search: of ', size(contact%members), ' elements more than ', &
-            most_candidates, ' pairs'
+            max_candidates, ' pairs'
          error = fail(exit_memory, trim(text)//' lie within a radius of each other, which is more than can be'// &
             ' counted; name fewer wires in *CONTACT PAIR, or make the model smaller')
          return

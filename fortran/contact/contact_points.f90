@@ -92,8 +92,11 @@ contains
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
+      !> Barred and unbarred element
       integer, intent(in) :: eb, e
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
       real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      !> Nodal positions [m] and unit tangents of the axes there (3, 4), reference lengths of the elements (2) [m]
       real(dp), intent(out) :: xe(3, 4), t(3, 4), length(2)
       integer :: side
 
@@ -121,6 +124,7 @@ contains
    pure subroutine chain_by_wire(wires, points, first, next)
       type(wires_t), intent(in) :: wires
       type(contact_point_t), intent(in) :: points(:)
+      !> First point of each wire (n_wires), and the next one of each point (n_points); 0: none
       integer, allocatable, intent(out) :: first(:), next(:)
       integer :: k
 

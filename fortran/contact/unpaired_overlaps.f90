@@ -52,6 +52,7 @@ contains
    contains
 
       logical function overlap_unpaired(a, b)
+         !> Two elements
          integer, intent(in) :: a, b
          integer :: roles(2), pair
 

@@ -16,6 +16,7 @@ contains
    !> Its wires, and the crossings at the start.
    subroutine check_model(model, report, warnings, error)
       type(model_t), intent(in) :: model
+      !> Lines that describe the wires and their crossings
       character(len=:), allocatable, intent(out) :: report
       type(run_warnings_t), intent(out) :: warnings
       type(error_t), allocatable, intent(out) :: error

@@ -76,7 +76,9 @@ contains
 
       !> A value that is not a number wins.
       pure real(dp) function largest(entries, mask)
+         !> Magnitudes of the entries (n)
          real(dp), intent(in) :: entries(:)
+         !> The entry counts (n)
          logical, intent(in) :: mask(:)
          integer :: i
 
@@ -92,6 +94,7 @@ contains
 
    !> `residual/allowed`, or the largest number where that is none.
    pure real(dp) function part_of(residual, allowed) result(part)
+      !> Both of the same unit
       real(dp), intent(in) :: residual, allowed
       real(dp) :: divisor
 

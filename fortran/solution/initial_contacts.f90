@@ -20,6 +20,7 @@ contains
    !> any other pair.
    subroutine find_initial_overlap(problem, overlap, error)
       type(problem_t), intent(inout) :: problem
+      !> (n_contact_pairs) [m]; 0: the pair is not an interference fit
       real(dp), allocatable, intent(out) :: overlap(:)
       type(error_t), allocatable, intent(out) :: error
       integer :: i, n_refused, worst

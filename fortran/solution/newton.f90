@@ -46,7 +46,7 @@ module litz_newton
       logical :: converged = .false.
       !> All of them, and those that factored the tangent
       integer :: iterations = 0, factorisations = 0
-      !> Why it was given up, in words
+      !> Why it was given up, for the user
       character(len=:), allocatable :: reason
       !> One of the causes above; 0: it was not
       integer :: cause = 0
@@ -67,7 +67,7 @@ module litz_newton
    end type outcome_t
 
    !> Iterations at most, in multiples of I_C, where contacts open and close as predicted all the way
-   integer, parameter :: most_iterations = 4
+   integer, parameter :: max_iterations = 4
 
    !> A factor of the tangent is kept if the last iteration has left no more than this of the residual. That is about
    !> how much the tangent has changed in it, and what the next iteration with the old one will leave.
@@ -146,7 +146,7 @@ contains
          if ((.not. any(abs(increment) > 0)) .and. all(outcome%last%residual <= outcome%last%allowed)) then
             if (corrections_small(step, problem%iterate%change, outcome%last)) exit
          end if
-         if (counted > step%controls%i_c .or. outcome%iterations >= most_iterations*step%controls%i_c) then
+         if (counted > step%controls%i_c .or. outcome%iterations >= max_iterations*step%controls%i_c) then
             call give_up(outcome, cause_iterations, worst_field(problem%model, problem%scheme%n_coupled, outcome%last))
             return
          end if
@@ -177,7 +177,9 @@ contains
 
    subroutine give_up(outcome, cause, reason)
       type(outcome_t), intent(inout) :: outcome
+      !> One of `cause_...`
       integer, intent(in) :: cause
+      !> Message for the user
       character(len=*), intent(in) :: reason
 
       outcome%converged = .false.
@@ -207,6 +209,8 @@ contains
    !> Contact search, forces and tangent at the present iterate.
    subroutine evaluate(problem, x_start, increment, error)
       type(problem_t), intent(inout) :: problem
+      !> Positions when the increment began (3, n_nodes) [m], and
+      !> prescribed increments of this iteration (n_slots, n_nodes)
       real(dp), intent(in) :: x_start(:, :), increment(:, :)
       type(error_t), allocatable, intent(out) :: error
 
@@ -244,6 +248,7 @@ contains
    !> New candidates when a node has moved too far since they were collected.
    subroutine refresh_candidates(problem, x_start, error)
       type(problem_t), intent(inout) :: problem
+      !> Positions when the increment began (3, n_nodes) [m]
       real(dp), intent(in) :: x_start(:, :)
       type(error_t), allocatable, intent(out) :: error
       logical :: changed
@@ -323,7 +328,7 @@ contains
    !> number that returns is no progress but a cycle.
    pure logical function only_contacts_changed(report, numbers)
       type(iteration_report_t), intent(in) :: report
-      !> Closed contacts of all iterations before
+      !> Closed contacts of each iteration before (n_iterations)
       integer, intent(in) :: numbers(:)
 
       only_contacts_changed = all(report%contacts_active /= numbers) .and. report%contacts_new == 0 .and. &
@@ -333,6 +338,8 @@ contains
    !> Voltages with the conductances of the new displacements: exact in one linear solve.
    subroutine update_potentials(problem, x_start, increment, report, solver_error, error)
       type(problem_t), intent(inout) :: problem
+      !> Positions when the increment began (3, n_nodes) [m], and
+      !> prescribed increments of this iteration (n_slots, n_nodes)
       real(dp), intent(in) :: x_start(:, :), increment(:, :)
       type(iteration_report_t), intent(inout) :: report
       type(error_t), allocatable, intent(out) :: solver_error, error
@@ -359,9 +366,11 @@ contains
    !> Factor and solve for the correction of all unknowns (n_slots, n_nodes), prescribed ones included.
    subroutine solve_step(problem, increment, keep, correction, error)
       type(problem_t), intent(inout) :: problem
+      !> Prescribed increments of this iteration (n_slots, n_nodes)
       real(dp), intent(in) :: increment(:, :)
       !> The factor of an earlier iteration will do
       logical, intent(in) :: keep
+      !> Linear step of all unknowns (n_slots, n_nodes)
       real(dp), intent(out) :: correction(:, :)
       type(error_t), allocatable, intent(out) :: error
 
@@ -404,6 +413,7 @@ contains
    subroutine update(problem, step, correction, prescribed, report)
       type(problem_t), intent(inout) :: problem
       type(step_t), intent(in) :: step
+      !> Linear step of all unknowns (n_slots, n_nodes)
       real(dp), intent(in) :: correction(:, :)
       !> The step carries prescribed motion: it is taken whole, and the section forces are not believed
       logical, intent(in) :: prescribed
@@ -438,8 +448,9 @@ contains
    !> `q <- q + dq`: positions and potentials add up, rotations follow one another.
    subroutine move(problem, dq, first)
       type(problem_t), intent(inout) :: problem
-      !> Corrections (slots, n_nodes), and the slot of the first one, which begins a field
+      !> Corrections (slots, n_nodes)
       real(dp), intent(in) :: dq(:, :)
+      !> Slot of the first correction, which begins a field
       integer, intent(in) :: first
       integer :: field, node
 
@@ -470,8 +481,11 @@ contains
    end subroutine move
 
    pure subroutine largest_column(values, largest_norm, column)
+      !> Vectors (components, n)
       real(dp), intent(in) :: values(:, :)
+      !> Euclidean norm of the largest vector, in the unit of the vectors
       real(dp), intent(out) :: largest_norm
+      !> Number of that vector
       integer, intent(out) :: column
 
       column = maxloc(sum(values**2, 1), 1)

@@ -1,4 +1,4 @@
-!> The steps of a run: increments, cut-backs, and the end in words where these do not help.
+!> The steps of a run: increments, cut-backs, and the message where these do not help.
 module litz_steps
    use litz_assembly, only: motion_slots, potential_slots
    use litz_audit, only: audit_t, audit_increment, audit_error
@@ -32,7 +32,7 @@ contains
       type(problem_t), intent(inout) :: problem
       !> Step, and one of the solver constants of the model; 0: as the step says
       integer, intent(in) :: number, solver
-      !> Interference that this step resolves, one per contact pair [m]
+      !> Interference that this step resolves (n_contact_pairs) [m]
       real(dp), intent(in) :: overlap(:)
       !> The problem stands somewhere in this step, and the course with it
       logical, intent(in) :: continued
@@ -118,7 +118,7 @@ contains
    subroutine run_increment(problem, step, overlap, course, observer, error)
       type(problem_t), intent(inout) :: problem
       type(step_t), intent(in) :: step
-      !> Interference that the step resolves, one per contact pair [m]
+      !> Interference that the step resolves (n_contact_pairs) [m]
       real(dp), intent(in) :: overlap(:)
       type(course_t), intent(inout) :: course
       class(observer_t), intent(inout) :: observer
@@ -210,7 +210,7 @@ contains
       call problem%timing%lap(phase_output)
    end subroutine tell
 
-   !> End the run in words, and tell how far the iteration had come.
+   !> End the run with a message that says how far the iteration had come.
    subroutine give_up(problem, step, outcome, increment, observer, error)
       type(problem_t), intent(inout) :: problem
       type(step_t), intent(in) :: step
@@ -271,7 +271,7 @@ contains
       report%remark = without_last_semicolon(remark)
    end function report_of
 
-   !> What a user should know of an increment, in words; empty when there is nothing.
+   !> What a user should know of an increment; empty: nothing.
    function remark_of(problem, outcome) result(remark)
       type(problem_t), intent(in) :: problem
       type(outcome_t), intent(in) :: outcome
@@ -299,6 +299,7 @@ contains
 
    !> Remarks end in semicolons, because others may follow.
    pure function without_last_semicolon(remark) result(text)
+      !> Remarks, each with a semicolon at its end
       character(len=*), intent(in) :: remark
       character(len=:), allocatable :: text
 
