@@ -9,7 +9,8 @@ module litz_newton
       potential_slots
    use litz_contact_findings, only: finding_t, finding_none
    use litz_contact_forces, only: apply_normal_law, assemble_contacts, predict_contacts
-   use litz_contact_pairs, only: find_candidates, candidates_hold, locate_points
+   use litz_contact_candidates, only: find_candidates, candidates_hold
+   use litz_contact_crossings, only: locate_points
    use litz_contact_points, only: contact_set_t
    use litz_contact_step, only: bearable_fraction
    use litz_contact_tangents, only: follow_centre_line
