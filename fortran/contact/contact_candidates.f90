@@ -15,7 +15,7 @@ module litz_contact_candidates
    private
    public :: prepare_contact, find_candidates, candidates_hold, find_contact_pair, skin
 
-   !> An axis may bend by this part of its length before candidates are collected anew
+   !> An axis may bend by this part of its length before candidates are collected again
    real(dp), parameter :: bending = 0.05_dp
    !> Surface distance up to which an element pair is a candidate, in mean radii of the two
    real(dp), parameter :: skin = 1.0_dp
@@ -95,7 +95,7 @@ contains
    end subroutine find_candidates
 
    !> How far from its chord each element may touch others, and how far its axis may bend until candidates are
-   !> collected anew.
+   !> collected again.
    subroutine set_reach(model, wires, elements, x_start, rotation_start, x, rotation, contact, reach)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires

@@ -45,7 +45,7 @@ contains
       type(elements_t), intent(in) :: elements
       !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes) at the start and at the end of the increment
       real(dp), intent(in) :: x_start(:, :), rotation_start(:, :, :), x_end(:, :), rotation_end(:, :, :)
-      !> Sum of the rotations of each node in the increment (3, n_nodes) [rad]: tells full turns apart
+      !> Sum of the rotations of each node in the increment (3, n_nodes) [rad]: distinguishes full turns
       real(dp), intent(in) :: turn(:, :)
       !> The element may touch others (n_elements)
       logical, intent(in) :: is_swept(:)

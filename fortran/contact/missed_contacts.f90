@@ -27,7 +27,7 @@ module litz_missed_contacts
 
 contains
 
-   !> The worst overlap of two elements that is no contact; `finding_none`: there is none.
+   !> The worst overlap of two elements that is no contact; `finding_none`: none.
    subroutine inspect_pair(model, wires, elements, contact, by_wire, candidate, has_point, is_joined, x, rotation, &
       finding)
       type(model_t), intent(in) :: model

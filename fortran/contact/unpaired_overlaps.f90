@@ -1,4 +1,4 @@
-!> Wires that overlap although no contact pair lets them touch: they are free to, but hardly meant to.
+!> Wires that overlap although no contact pair covers them: allowed, but rarely intended.
 module litz_unpaired_overlaps
    use litz_kinds, only: dp
    use litz_contact_candidates, only: find_contact_pair

@@ -105,7 +105,7 @@ contains
       end associate
    end subroutine exchange_course
 
-   !> The warnings so far, as numbers of the characters of their text.
+   !> The warnings so far, as the character codes of their text.
    subroutine exchange_warnings(arrays, warnings, error)
       type(restart_arrays_t), intent(inout) :: arrays
       type(run_warnings_t), intent(inout) :: warnings

@@ -97,7 +97,7 @@ contains
       if (self%n_increments == 1) call hdf5_publish_file(self%file, error)
    end subroutine restart_write
 
-   !> Close the file, which is none if nothing was written to it.
+   !> Close the file; without any increment it is discarded.
    subroutine restart_close(self, error)
       class(restart_file_t), intent(inout) :: self
       type(error_t), allocatable, intent(inout) :: error

@@ -1,4 +1,4 @@
-!> What can be told of a model without solving anything.
+!> What can be said about a model without solving anything.
 module litz_check
    use litz_errors, only: error_t
    use litz_increment_warnings, only: add_start_warnings

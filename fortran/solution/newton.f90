@@ -63,7 +63,7 @@ module litz_newton
       integer :: negative_pivots_at_start = -1
       !> The last factorisation was that of the state in which the increment began
       logical :: only_start_factored = .false.
-      !> Some factorisation of this try had negative pivots
+      !> Some factorisation of this attempt had negative pivots
       logical :: passed_critical = .false.
    end type outcome_t
 
@@ -308,8 +308,8 @@ contains
       end do
    end subroutine count_contacts
 
-   !> Modified Newton: the factor at hand is good for another iteration. The first one of an increment goes on with that
-   !> of the last increment.
+   !> Modified Newton: the factor at hand is good for another iteration. The first one of an increment continues
+   !> with that of the last increment.
    pure logical function keeps_factor(problem, step, outcome)
       type(problem_t), intent(in) :: problem
       type(step_t), intent(in) :: step
@@ -493,8 +493,8 @@ contains
       largest_norm = norm2(values(:, column))
    end subroutine largest_column
 
-   !> A converged state in which the ends of an element are turned against each other too far, or in which wires have
-   !> passed through each other or overlap without a contact, is none.
+   !> Reject a converged state in which the ends of an element are turned against each other too far, or in which wires
+   !> have passed through each other or overlap without a contact.
    subroutine refuse_wrong_state(problem, x_start, outcome)
       type(problem_t), intent(in) :: problem
       !> Positions when the increment began (3, n_nodes) [m]

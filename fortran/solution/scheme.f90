@@ -71,7 +71,7 @@ contains
       if (self%is_whole) call create_solver(kind, self%whole%solver, error)
    end subroutine scheme_create
 
-   !> Groups in a Newton step; the block solver leaves all but the first one to updates unless it is told otherwise.
+   !> Groups in a Newton step; the block solver leaves all but the first one to updates by default.
    pure integer function coupled_groups(kind, coupling) result(n)
       !> Solver, and coupling of the groups: constants of the model
       integer, intent(in) :: kind, coupling

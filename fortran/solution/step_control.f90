@@ -83,7 +83,7 @@ contains
       possible = self%turned <= max_turned
    end function refuse_turned
 
-   !> The increment to try at a step time, not over the next break point, and without leaving a crumb before it.
+   !> The increment to try at a step time, not beyond the next break point, and without leaving a tiny one before it.
    pure real(dp) function propose(self, step_time, break_point) result(increment)
       class(step_control_t), intent(in) :: self
       !> Time since the step began, and next time in the step that no increment may pass over [s]

@@ -67,7 +67,7 @@ contains
             if (allocated(error)) return
             call observer%offer_restart(problem, course, restart_taken, error)
             if (allocated(error)) return
-            ! a run that goes on from here has none either
+            ! a run that continues from here has none either
             if (restart_taken) problem%has_factor = .false.
          end do
       end associate
@@ -168,8 +168,8 @@ contains
          audit = audit_increment(problem%model, problem%state, nodal_residual(problem), measure_scales(problem))
          problem%state%audit = [audit%force, audit%moment, audit%current, audit%power, audit%penetration]
          call problem%timing%lap(phase_update)
-         call tell(problem, outcome, audit, report_of(problem, outcome, audit, increment, target, start_time), &
-            observer, error)
+         call report_increment(problem, outcome, audit, &
+            report_of(problem, outcome, audit, increment, target, start_time), observer, error)
          if (allocated(error)) return
          call control%accept(step, step_time, outcome%factorisations)
       end associate
@@ -191,8 +191,8 @@ contains
       call capture_state(problem)
    end subroutine advance
 
-   !> Tell of an increment that has converged; one that fails its audit ends the run.
-   subroutine tell(problem, outcome, audit, report, observer, error)
+   !> Report an increment that has converged; one that fails its audit ends the run.
+   subroutine report_increment(problem, outcome, audit, report, observer, error)
       type(problem_t), intent(inout) :: problem
       type(outcome_t), intent(in) :: outcome
       type(audit_t), intent(in) :: audit
@@ -208,7 +208,7 @@ contains
       call observer%attempt_done(problem, report, error)
       if (.not. allocated(error) .and. len(audit%finding) > 0) error = audit_error(problem%state, audit)
       call problem%timing%lap(phase_output)
-   end subroutine tell
+   end subroutine report_increment
 
    !> End the run with a message that says how far the iteration had come.
    subroutine give_up(problem, step, outcome, increment, observer, error)
@@ -240,7 +240,7 @@ contains
       error%message = error%message//' The iterate that was given up, and its contacts, are in '//place//'.'
    end subroutine give_up
 
-   !> What there is to tell of an increment, converged or cut.
+   !> The report of an increment, converged or cut.
    function report_of(problem, outcome, audit, increment, step_time, start_time) result(report)
       type(problem_t), intent(in) :: problem
       type(outcome_t), intent(in) :: outcome

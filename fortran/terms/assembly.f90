@@ -25,7 +25,7 @@ module litz_assembly
    !> The unknowns as they stand in the iteration.
    type :: iterate_t
       !> Values (n_slots, n_nodes); those of rotations are the rotation vector when the increment began and the turns
-      !> since, which tells full turns apart
+      !> since, which distinguishes full turns
       real(dp), allocatable :: value(:, :)
       !> Sum of the corrections since the increment began (n_slots, n_nodes)
       real(dp), allocatable :: change(:, :)

@@ -27,7 +27,7 @@ contains
 
    !> Begin a step: which unknowns are prescribed, and from what value everything ramps.
    !>
-   !> What was prescribed before goes on from its prescribed value: a single rotation, an angle about a fixed axis,
+   !> What was prescribed before continues from its prescribed value: a single rotation, an angle about a fixed axis,
    !> cannot be read from the state, and a value that stays the same must not even change by round-off.
    subroutine start_loading(step, state, loading)
       type(step_t), intent(in) :: step
