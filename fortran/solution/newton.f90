@@ -22,6 +22,7 @@ module litz_newton
    use litz_grounding, only: ground_floating_conductors
    use litz_convergence, only: measure_residual, has_converged, corrections_small, worst_field
    use litz_loading, only: prescribed_increment
+   use litz_iterate_motion, only: move_iterate
    use litz_lost_contacts, only: find_lost_contacts
    use litz_model, only: step_t
    use litz_parallel, only: worth_threads
@@ -29,14 +30,13 @@ module litz_newton
    use litz_potentials, only: solve_potentials
    use litz_problem, only: problem_t
    use litz_reports, only: iteration_report_t
-   use litz_rotations, only: rotation_exp
    use litz_stabilization, only: assemble_stabilization
    use litz_timing, only: phase_search, phase_contact, phase_check, phase_assembly, phase_analyse, &
       phase_factor, phase_solve, phase_update, phase_output
    use litz_turned_ends, only: turned_ends_t, most_turned_ends
    implicit none
    private
-   public :: outcome_t, solve_increment, count_negative_pivots, start_iterate, move, evaluate
+   public :: outcome_t, solve_increment, count_negative_pivots, start_iterate, evaluate
    public :: cause_iterations, cause_not_finite, cause_singular, cause_lost_contact, cause_turned_ends
 
    !> Why an increment is given up
@@ -98,7 +98,7 @@ contains
       call prescribed_increment(problem%loading, problem%state, increment)
       ! groups that are updated after the others take what is prescribed at once
       first_updated = last_slot_of_group(problem%scheme%n_coupled) + 1
-      call move(problem, increment(first_updated:, :), first_updated)
+      call move_iterate(problem, increment(first_updated:, :), first_updated)
       increment(first_updated:, :) = 0
       outcome%last = report
       outcome%last%contacts_active = count(problem%contact%points%closed)
@@ -358,7 +358,7 @@ contains
          if (allocated(solver_error)) return
          correction = 0
          call problem%equations%spread_to_nodes(group_electric, x, correction)
-         call move(problem, correction(potential_slots(1):, :), potential_slots(1))
+         call move_iterate(problem, correction(potential_slots(1):, :), potential_slots(1))
          report%correction(field_potential) = maxval(abs(x))
          call evaluate(problem, x_start, increment, error)
       end if
@@ -439,47 +439,12 @@ contains
          iterate%sigma_from_strain = prescribed
       end associate
       call predict_contacts(problem%model, eta, correction, problem%contact)
-      call move(problem, eta*correction, 1)
+      call move_iterate(problem, eta*correction, 1)
       do field = 1, n_fields
          call largest_column(eta*correction(first_slot(field):last_slot(field), :), report%correction(field), &
             report%correction_node(field))
       end do
    end subroutine update
-
-   !> `q <- q + dq`: positions and potentials add up, rotations follow one another.
-   subroutine move(problem, dq, first)
-      type(problem_t), intent(inout) :: problem
-      !> Corrections (slots, n_nodes)
-      real(dp), intent(in) :: dq(:, :)
-      !> Slot of the first correction, which begins a field
-      integer, intent(in) :: first
-      integer :: field, node
-
-      associate (iterate => problem%iterate, state => problem%state)
-         do field = 1, n_fields
-            associate (a => first_slot(field), b => last_slot(field))
-               if (a < first .or. a > first + size(dq, 1) - 1) cycle
-               associate (dq_f => dq(a - first + 1:b - first + 1, :))
-                  if (fields(field)%is_rotation) then
-                     do node = 1, size(dq, 2)
-                        if (any(abs(dq_f(:, node)) > 0)) iterate%rotation(:, :, node) = &
-                           matmul(rotation_exp(dq_f(:, node)), iterate%rotation(:, :, node))
-                     end do
-                     iterate%change(a:b, :) = iterate%change(a:b, :) + dq_f
-                     iterate%value(a:b, :) = state%value(a:b, :) + iterate%change(a:b, :)
-                     cycle
-                  else if (field == field_displacement) then
-                     iterate%x = iterate%x + dq_f
-                     iterate%value(a:b, :) = iterate%x - problem%model%x
-                  else
-                     iterate%value(a:b, :) = iterate%value(a:b, :) + dq_f
-                  end if
-                  iterate%change(a:b, :) = iterate%value(a:b, :) - state%value(a:b, :)
-               end associate
-            end associate
-         end do
-      end associate
-   end subroutine move
 
    pure subroutine largest_column(values, largest_norm, column)
       !> Vectors (components, n)
