@@ -8,14 +8,75 @@ module litz_contact_joints
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: end_paths, path_between, lead_apart, walk_along, joint_radii
+   public :: are_joined, end_paths, path_between, lead_apart, walk_along, joint_radii, self_contact_distance
 
+   !> Elements of one wire nearer along it than this many contact radii do not touch each other
+   real(dp), parameter :: self_contact_distance = 8.0_dp
    !> Joined wires may overlap up to this many radii along them: a bend has no room for more
    real(dp), parameter :: joint_radii = 4.0_dp
    !> Elements that leave their chords by less than this part of their lengths cannot come round to their neighbours
    real(dp), parameter :: slightly_bent = 0.2_dp
 
 contains
+
+   !> Two elements are near to each other along their wire, or joined by a short path.
+   pure logical function are_joined(model, wires, elements, a, b)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> Two elements
+      integer, intent(in) :: a, b
+      real(dp) :: separation, radius
+
+      are_joined = .true.
+      if (any(model%connectivity(:, a) == model%connectivity(1, b)) .or. &
+         any(model%connectivity(:, a) == model%connectivity(2, b))) return
+      radius = max(elements%radius(a), elements%radius(b))
+      if (wires%wire(a) == wires%wire(b)) then
+         separation = wires%arc_between(wires%wire(a), wires%arc(a), wires%arc(b)) &
+            - (elements%length(a) + elements%length(b))/2
+         if (separation < self_contact_distance*radius) return
+      else if (wires%is_joined(wires%wire(a)) .and. wires%is_joined(wires%wire(b))) then
+         if (joined_within(1) .or. joined_within(2)) return
+      end if
+      are_joined = .false.
+
+   contains
+
+      !> A short path along elements that share nodes leads from this end of the one element to the other element.
+      pure logical function joined_within(side)
+         !> 1, 2: first or second node of the first element
+         integer, intent(in) :: side
+
+         joined_within = leads_to(b, model%connectivity(side, a), a, self_contact_distance*radius, model, wires, &
+            elements)
+      end function joined_within
+
+   end function are_joined
+
+   !> Whether a path from a node, not back into the element it is reached by, leads to an element before its length is
+   !> used up.
+   pure recursive logical function leads_to(goal, node, from, length, model, wires, elements) result(leads)
+      !> Element to be reached, node where the path begins, and element that it came along
+      integer, intent(in) :: goal, node, from
+      !> Length that is left [m]
+      real(dp), intent(in) :: length
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      integer :: i, e
+
+      leads = .false.
+      do i = wires%first_at_node(node), wires%first_at_node(node + 1) - 1
+         e = abs(wires%at_node(i))
+         if (e == from) cycle
+         leads = e == goal
+         if (.not. leads .and. elements%length(e) < length) leads = leads_to(goal, &
+            model%connectivity(merge(2, 1, wires%at_node(i) < 0), e), e, length - elements%length(e), model, wires, &
+            elements)
+         if (leads) return
+      end do
+   end function leads_to
 
    !> Lengths of the shortest ways along elements between the ends of two elements [m]; `huge` beyond a limit.
    pure function end_paths(model, wires, elements, pair, limit) result(between)
@@ -67,8 +128,9 @@ contains
    pure real(dp) function path_between(wires, elements, pair, place, between) result(path)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
-      !> Two elements, and places in [-1, 1] (2)
+      !> Two elements
       integer, intent(in) :: pair(2)
+      !> Place in each of them, in [-1, 1] (2)
       real(dp), intent(in) :: place(2)
       !> `end_paths` of the pair (2, 2) [m]
       real(dp), intent(in) :: between(2, 2)
@@ -94,8 +156,9 @@ contains
    pure logical function lead_apart(model, elements, pair, x, sagitta)
       type(model_t), intent(in) :: model
       type(elements_t), intent(in) :: elements
-      !> Two elements, their nodal positions (3, 4) [m], and how far they leave their chords (2) [m]
+      !> Two elements
       integer, intent(in) :: pair(2)
+      !> Their nodal positions (3, 4) [m], and how far their axes leave their chords (2) [m]
       real(dp), intent(in) :: x(3, 4), sagitta(2)
       real(dp) :: chord(3, 2)
       integer :: i, j
@@ -121,8 +184,9 @@ contains
       integer, intent(in) :: from, side
       !> Length of the walk [m]
       real(dp), intent(in) :: arc
-      !> Element of the place, and the place in [-1, 1]; 0: the wire ends before
+      !> Element of the place; 0: the wire ends before
       integer, intent(out) :: element
+      !> The place in [-1, 1]
       real(dp), intent(out) :: place
       real(dp) :: left
       integer :: first, next

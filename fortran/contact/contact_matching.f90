@@ -6,7 +6,7 @@
 module litz_contact_matching
    use litz_kinds, only: dp, int64
    use litz_contact_findings, only: finding_t, finding_unfollowed
-   use litz_contact_points, only: contact_point_t, contact_set_t, chain_by_wire
+   use litz_contact_points, only: contact_point_t, contact_set_t, points_by_wire_t, chain_by_wire
    use litz_element_library, only: elements_t
    use litz_model, only: model_t
    use litz_wires, only: wires_t, arc_from_to
@@ -34,7 +34,7 @@ contains
       real(dp), intent(in), optional :: slides(:, :)
       logical :: taken(size(old))
       !> The old points of each barred wire, as chains
-      integer, allocatable :: first(:), next(:)
+      type(points_by_wire_t) :: by_wire
       real(dp) :: slid(2, size(old)), distance, nearest
       integer :: i, j
 
@@ -46,11 +46,11 @@ contains
          if (origin(i) > 0) taken(origin(i)) = .true.
       end do
       if (all(taken)) return
-      call chain_by_wire(wires, old, first, next)
+      by_wire = chain_by_wire(wires, old)
       do i = 1, size(points)
          if (origin(i) /= 0) cycle
          nearest = huge(nearest)
-         j = first(wires%wire(points(i)%element_bar))
+         j = by_wire%first(wires%wire(points(i)%element_bar))
          do while (j > 0)
             if (.not. taken(j) .and. wires%wire(old(j)%element) == wires%wire(points(i)%element)) then
                distance = distance_from(wires, old(j), slid(:, j), points(i))
@@ -59,7 +59,7 @@ contains
                   origin(i) = j
                end if
             end if
-            j = next(j)
+            j = by_wire%next(j)
          end do
          if (origin(i) > 0) taken(origin(i)) = .true.
       end do
@@ -201,12 +201,12 @@ contains
       type(contact_set_t), intent(in) :: contact
       !> Positions when the increment began, and now (3, n_nodes) [m]
       real(dp), intent(in) :: x_start(:, :), x(:, :)
-      integer, allocatable :: first(:), next(:)
+      type(points_by_wire_t) :: by_wire
       real(dp) :: slid(2, size(contact%converged))
       integer :: k
 
       slid = slides_of(model, wires, elements, contact%converged, x_start, x)
-      call chain_by_wire(wires, contact%points, first, next)
+      by_wire = chain_by_wire(wires, contact%points)
       do k = 1, size(contact%converged)
          associate (point => contact%converged(k))
             if (.not. point%history%closed) cycle
@@ -230,7 +230,7 @@ contains
          is_in_doubt = .false.
          own = huge(own)
          nearest_other = huge(own)
-         i = first(wires%wire(contact%converged(k)%element_bar))
+         i = by_wire%first(wires%wire(contact%converged(k)%element_bar))
          do while (i > 0)
             associate (point => contact%points(i), before => contact%converged(k))
                if (point%closed .and. wires%wire(point%element) == wires%wire(before%element)) then
@@ -242,7 +242,7 @@ contains
                   end if
                end if
             end associate
-            i = next(i)
+            i = by_wire%next(i)
          end do
          if (own < huge(own)) is_in_doubt = nearest_other < 2*own
       end function is_in_doubt

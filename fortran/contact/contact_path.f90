@@ -45,7 +45,7 @@ contains
       type(elements_t), intent(in) :: elements
       !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes) at the start and at the end of the increment
       real(dp), intent(in) :: x_start(:, :), rotation_start(:, :, :), x_end(:, :), rotation_end(:, :, :)
-      !> Sum of the rotations of each node in the increment (3, n_nodes) [rad]: tells full turns apart
+      !> Sum of the rotations of each node in the increment (3, n_nodes) [rad]: distinguishes full turns
       real(dp), intent(in) :: turn(:, :)
       !> The element may touch others (n_elements)
       logical, intent(in) :: is_swept(:)
@@ -83,6 +83,7 @@ contains
 
    !> Rotation vector of the smallest turn from one direction to another.
    pure function turn_between(a, b) result(turn)
+      !> The two directions (3), of any length
       real(dp), intent(in) :: a(3), b(3)
       real(dp) :: turn(3), axis(3)
 
@@ -96,6 +97,7 @@ contains
       class(contact_path_t), intent(in) :: self
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
+      !> 0: start of the increment, 1: its end
       real(dp), intent(in) :: time
       real(dp) :: x(3, size(self%x_start, 2))
       integer :: w
@@ -112,9 +114,11 @@ contains
       type(contact_path_t), intent(in) :: path
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
+      !> Wire
       integer, intent(in) :: w
+      !> 0: start of the increment, 1: its end
       real(dp), intent(in) :: time
-      !> In: all nodes gone straight; out: those of this wire put together
+      !> Positions (3, n_nodes) [m]; in: all nodes gone straight; out: those of this wire put together
       real(dp), intent(inout) :: x(:, :)
       real(dp) :: along(3, 0:wires%first(w + 1) - wires%first(w)), gap(3)
       integer :: nodes(0:wires%first(w + 1) - wires%first(w)), k, n, anchor
@@ -146,7 +150,9 @@ contains
    pure function chord_at(path, model, e, time) result(chord)
       type(contact_path_t), intent(in) :: path
       type(model_t), intent(in) :: model
+      !> Element
       integer, intent(in) :: e
+      !> 0: start of the increment, 1: its end
       real(dp), intent(in) :: time
       real(dp) :: chord(3), before(3), after(3)
 
@@ -161,6 +167,7 @@ contains
    !> Rotations of all nodes from the reference at a time from 0 to 1 (3, 3, n_nodes).
    pure function rotations(self, time) result(rotation)
       class(contact_path_t), intent(in) :: self
+      !> 0: start of the increment, 1: its end
       real(dp), intent(in) :: time
       real(dp) :: rotation(3, 3, size(self%x_start, 2))
       integer :: node

@@ -3,7 +3,7 @@ module litz_contact_points
    use litz_kinds, only: dp
    use litz_contact_history, only: contact_history_t
    use litz_contact_kinematics, only: contact_kinematics_t
-   use litz_contact_side, only: crossing_t
+   use litz_contact_side, only: crossing_t, crossing_of
    use litz_element_library, only: elements_t
    use litz_friction_iteration, only: friction_iteration_t
    use litz_friction_law, only: friction_law_t
@@ -14,8 +14,8 @@ module litz_contact_points
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: contact_point_t, contact_set_t
-   public :: pair_geometry, chain_by_wire, clearance_of
+   public :: contact_point_t, contact_set_t, points_by_wire_t
+   public :: pair_geometry, axis_of_pair, arc_at, crossing_at, clearance_of, chain_by_wire
 
    !> A crossing of two wires, open or closed: the contact that results show, and what the iteration needs besides.
    type, extends(contact_t) :: contact_point_t
@@ -85,6 +85,12 @@ module litz_contact_points
       real(dp), allocatable :: converged_clearance(:)
    end type contact_set_t
 
+   !> The points of each barred wire, as chains in their order.
+   type :: points_by_wire_t
+      !> First point of each wire (n_wires), and the next one of each point (n_points); 0: none
+      integer, allocatable :: first(:), next(:)
+   end type points_by_wire_t
+
 contains
 
    !> Nodal positions and tangents, barred element first, as the kernels want them.
@@ -92,8 +98,11 @@ contains
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
+      !> Barred and unbarred element
       integer, intent(in) :: eb, e
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
       real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      !> Nodal positions [m] and unit tangents of the axes there (3, 4), reference lengths of the elements (2) [m]
       real(dp), intent(out) :: xe(3, 4), t(3, 4), length(2)
       integer :: side
 
@@ -116,21 +125,49 @@ contains
       clearance_of = min(fit, left)
    end function clearance_of
 
-   !> The points of each barred wire, as chains: the first one of each wire (n_wires) and the next one of each point
-   !> (n_points), in their order; 0: none.
-   pure subroutine chain_by_wire(wires, points, first, next)
+   !> Which axis the law of a contact pair sees: one of the constants of the model.
+   pure integer function axis_of_pair(model, pair) result(axis)
+      type(model_t), intent(in) :: model
+      !> Contact pair
+      integer, intent(in) :: pair
+
+      axis = model%interactions(model%contact_pairs(pair)%interaction)%axis
+   end function axis_of_pair
+
+   !> Arc length along its wire of a place in an element [m].
+   elemental real(dp) function arc_at(wires, elements, e, xi) result(arc)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> Element
+      integer, intent(in) :: e
+      !> Place in [-1, 1]
+      real(dp), intent(in) :: xi
+
+      arc = wires%arc(e) + wires%direction(e)*xi*elements%length(e)/2
+   end function arc_at
+
+   !> The crossing that a point is, as it would be with both elements along their wires.
+   pure type(crossing_t) function crossing_at(wires, point) result(crossing)
+      type(wires_t), intent(in) :: wires
+      type(contact_point_t), intent(in) :: point
+
+      crossing = crossing_of(point%kinematics, wires%direction([point%element_bar, point%element]), &
+         [point%arc_bar, point%arc])
+   end function crossing_at
+
+   !> Put points into chains, one for each barred wire.
+   pure type(points_by_wire_t) function chain_by_wire(wires, points) result(by_wire)
       type(wires_t), intent(in) :: wires
       type(contact_point_t), intent(in) :: points(:)
-      integer, allocatable, intent(out) :: first(:), next(:)
       integer :: k
 
-      allocate (first(wires%n_wires), next(size(points)), source=0)
+      allocate (by_wire%first(wires%n_wires), by_wire%next(size(points)), source=0)
       do k = size(points), 1, -1
-         associate (head => first(wires%wire(points(k)%element_bar)))
-            next(k) = head
+         associate (head => by_wire%first(wires%wire(points(k)%element_bar)))
+            by_wire%next(k) = head
             head = k
          end associate
       end do
-   end subroutine chain_by_wire
+   end function chain_by_wire
 
 end module litz_contact_points

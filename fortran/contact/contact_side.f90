@@ -15,7 +15,7 @@ module litz_contact_side
    !> Cosine of the largest turn of normal and angle that shows a crossing to be the same as before (60 degrees)
    real(dp), parameter :: small_turn = 0.5_dp
 
-   !> What tells a crossing of two wires from its mirror image, and where it is.
+   !> What distinguishes a crossing of two wires from its mirror image, and where it is.
    type :: crossing_t
       logical :: known = .false.
       !> +1, -1: right-handed, left-handed, with both tangents along their wires

@@ -6,7 +6,7 @@
 !>
 !> The angle is that of a state in balance: while the iteration goes there the tangents turn with their nodes, like
 !> those of elements without shear. So the gap depends on the unknowns of two elements only, and its derivatives are
-!> exact. Where the iteration has converged the angle is taken anew, and it goes on until the forces balance with it.
+!> exact. Where the iteration has converged the angle is updated, and it continues until the forces balance with it.
 !>
 !> Source: theory section 3.
 module litz_contact_tangents

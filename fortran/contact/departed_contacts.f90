@@ -7,7 +7,8 @@ module litz_departed_contacts
    use litz_kinds, only: dp
    use litz_axis, only: axis_polynomial, axis_sagitta
    use litz_contact_findings, only: finding_t, worse_of, finding_departed
-   use litz_contact_pairs, only: are_joined, find_contact_pair
+   use litz_contact_candidates, only: find_contact_pair
+   use litz_contact_joints, only: are_joined
    use litz_contact_points, only: contact_set_t, pair_geometry
    use litz_element_library, only: elements_t
    use litz_model, only: model_t, axis_hermite

@@ -34,6 +34,7 @@ contains
 
       !> Two elements meet there, alone, and do not continue one another.
       logical function is_kink(node)
+         !> Node
          integer, intent(in) :: node
          integer :: a, b
 

@@ -18,7 +18,7 @@ module litz_parallel_wires
 
 contains
 
-   !> How many candidates lie side by side in the reference configuration, in words; empty when there are none.
+   !> How many candidates lie side by side in the reference configuration; empty: none.
    function parallel_warning(model, elements, contact) result(text)
       type(model_t), intent(in) :: model
       type(elements_t), intent(in) :: elements
@@ -39,6 +39,7 @@ contains
    pure logical function lie_side_by_side(model, elements, a, b)
       type(model_t), intent(in) :: model
       type(elements_t), intent(in) :: elements
+      !> Two elements
       integer, intent(in) :: a, b
       real(dp) :: distance
 

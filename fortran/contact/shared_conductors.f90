@@ -15,7 +15,7 @@ module litz_shared_conductors
 
    !> The squared error of the conjugate gradients over that of the start; and their steps at most
    real(dp), parameter :: accurate = (1.0e-15_dp)**2
-   integer, parameter :: most_steps = 200
+   integer, parameter :: max_steps = 200
 
    type :: shared_conductors_t
       !> Some element has more than one contact
@@ -88,8 +88,9 @@ contains
    !> Put an end behind those of its element that lie before it.
    pure subroutine insert(shared, first, free, contact, side, xi)
       type(shared_conductors_t), intent(inout) :: shared
-      !> First end of the element, and the first free place
+      !> First end of the element, the first free place, and the contact and side of the end (1: barred)
       integer, intent(in) :: first, free, contact, side
+      !> Place of the end in its element, in [-1, 1]
       real(dp), intent(in) :: xi
       integer :: k
 
@@ -138,7 +139,7 @@ contains
       left = voltage - product
       direction = left/self%diagonal
       error = sum(left**2/self%diagonal)
-      do k = 1, most_steps
+      do k = 1, max_steps
          if (.not. error > error_allowed) exit
          call multiply(self, direction, product, rise)
          step = error/sum(direction*product)
@@ -154,7 +155,9 @@ contains
    !> `(R + A) I`, with the rise of the potential that belongs to it.
    subroutine multiply(self, current, product, rise)
       type(shared_conductors_t), intent(in) :: self
+      !> From the barred to the unbarred wire (n) [A]
       real(dp), intent(in) :: current(:)
+      !> `(R + A) I` (n), and rise of the potential above the linear one in either element (2, n) [V], barred first
       real(dp), intent(out) :: product(:), rise(:, :)
       integer :: k
 
@@ -173,8 +176,9 @@ contains
       type(shared_conductors_t), intent(in) :: self
       !> Number among the elements with contacts
       integer, intent(in) :: k
+      !> From the barred to the unbarred wire (n) [A]
       real(dp), intent(in) :: current(:)
-      !> (2, n); set at the contacts of this element, on its side
+      !> (2, n) [V]; set at the contacts of this element, on its side
       real(dp), intent(inout) :: rise(:, :)
       real(dp), dimension(self%first(k + 1) - self%first(k)) :: entering, above
       integer :: i

@@ -1,7 +1,8 @@
-!> Wires that overlap although no contact pair lets them touch: they are free to, but hardly meant to.
+!> Wires that overlap although no contact pair covers them: allowed, but rarely intended.
 module litz_unpaired_overlaps
    use litz_kinds, only: dp
-   use litz_contact_pairs, only: are_joined, find_contact_pair
+   use litz_contact_candidates, only: find_contact_pair
+   use litz_contact_joints, only: are_joined
    use litz_contact_points, only: contact_set_t
    use litz_contact_search, only: near_segments
    use litz_departed_contacts, only: surely_overlap
@@ -52,6 +53,7 @@ contains
    contains
 
       logical function overlap_unpaired(a, b)
+         !> Two elements
          integer, intent(in) :: a, b
          integer :: roles(2), pair
 

@@ -19,6 +19,7 @@ module litz_restart_model
 contains
 
    subroutine write_model_record(file, model, error)
+      !> Open file
       integer(hid_t), intent(in) :: file
       type(model_t), intent(in) :: model
       type(error_t), allocatable, intent(inout) :: error
@@ -36,6 +37,7 @@ contains
 
    !> An error that names what has changed, if the model is not what it was when the file was written.
    subroutine check_model_record(file, model, step, error)
+      !> Open file
       integer(hid_t), intent(in) :: file
       type(model_t), intent(in) :: model
       !> The step that is continued: later ones may be others
@@ -60,6 +62,7 @@ contains
    end subroutine check_model_record
 
    pure function packed(text) result(numbers)
+      !> Any text
       character(len=*), intent(in) :: text
       !> (1, rows)
       integer(int64), allocatable :: numbers(:, :)

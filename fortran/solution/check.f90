@@ -1,4 +1,4 @@
-!> What can be told of a model without solving anything.
+!> What can be said about a model without solving anything.
 module litz_check
    use litz_errors, only: error_t
    use litz_increment_warnings, only: add_start_warnings
@@ -16,6 +16,7 @@ contains
    !> Its wires, and the crossings at the start.
    subroutine check_model(model, report, warnings, error)
       type(model_t), intent(in) :: model
+      !> Lines that describe the wires and their crossings
       character(len=:), allocatable, intent(out) :: report
       type(run_warnings_t), intent(out) :: warnings
       type(error_t), allocatable, intent(out) :: error

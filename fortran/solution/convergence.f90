@@ -12,8 +12,8 @@ module litz_convergence
    private
    public :: measure_residual, nodal_residual, measure_scales, has_converged, corrections_small, worst_field
 
-   !> A residual that only round-off excuses is told of above this fraction of the reference
-   real(dp), parameter :: worth_telling = 1.0e-6_dp
+   !> Residuals accepted only because of round-off are reported above this fraction of the reference
+   real(dp), parameter :: worth_reporting = 1.0e-6_dp
 
 contains
 
@@ -39,7 +39,7 @@ contains
       do node = 1, size(residual, 2)
          do field = 1, n_fields
             associate (r => residual(field, node), reference => scales%reference(field))
-               if (r > max(step%controls%r_n, worth_telling)*reference) at_round_off = .true.
+               if (r > max(step%controls%r_n, worth_reporting)*reference) at_round_off = .true.
                allowed = max(step%controls%r_n*reference, scales%round_off(field, node))
                part = part_of(r, allowed)
                ! a value that is not a number wins
@@ -76,7 +76,9 @@ contains
 
       !> A value that is not a number wins.
       pure real(dp) function largest(entries, mask)
+         !> Magnitudes of the entries (n)
          real(dp), intent(in) :: entries(:)
+         !> The entry counts (n)
          logical, intent(in) :: mask(:)
          integer :: i
 
@@ -90,8 +92,9 @@ contains
 
    end function nodal_residual
 
-   !> `residual/allowed`, or the largest number where that is none.
+   !> `residual/allowed`, or the largest number where that is not finite.
    pure real(dp) function part_of(residual, allowed) result(part)
+      !> Both of the same unit
       real(dp), intent(in) :: residual, allowed
       real(dp) :: divisor
 

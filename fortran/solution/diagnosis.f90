@@ -1,4 +1,4 @@
-!> Why an increment could not be solved, in words: where the iteration stood, and which setting of the deck helps.
+!> Why an increment could not be solved: where the iteration stood, and which setting of the deck helps.
 module litz_diagnosis
    use litz_kinds, only: dp
    use litz_fields, only: fields, field_of_slot, first_slot
@@ -21,13 +21,13 @@ contains
       type(outcome_t), intent(in) :: outcome
       !> Last converged step time, and the increment from there that failed [s]
       real(dp), intent(in) :: step_time, increment
-      !> Tries of this increment
+      !> Attempts at this increment
       integer, intent(in) :: attempts
       type(error_t) :: error
       character(len=:), allocatable :: failure, contact
 
       failure = ' did not converge from step time '
-      contact = worst_contact(problem)
+      contact = describe_worst_contact(problem)
       if (outcome%cause == cause_lost_contact .or. outcome%cause == cause_turned_ends) then
          failure = ' has converged to a wrong state from step time '
          contact = ''
@@ -35,63 +35,63 @@ contains
       error = fail(exit_not_converged, 'step '//to_text(outcome%last%step)//', increment '// &
          to_text(outcome%last%increment)//failure//to_text(step_time)// &
          ' with an increment of '//to_text(increment)//': '//outcome%reason//'. '//contact// &
-         cause_words(problem, step, outcome, attempts)//limit_words(step, outcome, attempts))
+         describe_cause(problem, step, outcome, attempts)//describe_limit(step, outcome, attempts))
    end function not_converged
 
    !> The contact whose force the iteration was least sure of; empty: there is none.
-   function worst_contact(problem) result(words)
+   function describe_worst_contact(problem) result(text)
       type(problem_t), intent(in) :: problem
-      character(len=:), allocatable :: words
+      character(len=:), allocatable :: text
       integer :: i
 
-      words = ''
+      text = ''
       associate (points => problem%contact%points)
          if (.not. any(points%active .or. points%closed)) return
          i = maxloc(abs(points%iteration_force - points%force), 1, points%active .or. points%closed)
-         words = 'The least settled contact is that of the elements '// &
+         text = 'The least settled contact is that of the elements '// &
             to_text(problem%model%element_id(points(i)%element_bar))//' and '// &
             to_text(problem%model%element_id(points(i)%element))//' (gap '//to_text(points(i)%gap)//' '// &
             problem%model%units%label('m')//', force '//to_text(points(i)%force)//' '// &
             problem%model%units%label('N')//'). '
       end associate
-   end function worst_contact
+   end function describe_worst_contact
 
    !> What the iteration failed of, and what helps.
-   function cause_words(problem, step, outcome, attempts) result(words)
+   function describe_cause(problem, step, outcome, attempts) result(text)
       type(problem_t), intent(in) :: problem
       type(step_t), intent(in) :: step
       type(outcome_t), intent(in) :: outcome
-      !> Tries of this increment
+      !> Attempts at this increment
       integer, intent(in) :: attempts
-      character(len=:), allocatable :: words
+      character(len=:), allocatable :: text
 
-      words = ''
+      text = ''
       select case (outcome%cause)
       case (cause_lost_contact)
-         words = outcome%finding%advice(problem%model)
+         text = outcome%finding%advice(problem%model)
       case (cause_turned_ends)
-         words = 'Use shorter elements there, each of which bends and twists less. '
+         text = 'Use shorter elements there, each of which bends and twists less. '
       case (cause_singular)
-         words = free_unknown(problem)//'Something can move freely, or a voltage is not determined: add supports'// &
-            ' (*BOUNDARY), or damp what only contacts hold (*CONTROLS, PARAMETERS=STABILIZE). '
+         text = describe_free_unknown(problem)//'Something can move freely, or a voltage is not determined: add'// &
+            ' supports (*BOUNDARY), or damp what only contacts hold (*CONTROLS, PARAMETERS=STABILIZE). '
       case (cause_not_finite)
-         words = 'Begin with a smaller increment (first value of *STATIC). '
+         text = 'Begin with a smaller increment (first value of *STATIC). '
       case (cause_iterations)
          if (outcome%passed_critical) then
-            words = 'The stiffness has negative pivots, the model is beyond a critical load: prescribe a'// &
+            text = 'The stiffness has negative pivots, the model is beyond a critical load: prescribe a'// &
                ' displacement (*BOUNDARY) in place of the load, or damp the snap (*CONTROLS, PARAMETERS=STABILIZE). '
          else if (outcome%last%contacts_new + outcome%last%contacts_lost > 0) then
-            words = to_text(outcome%last%contacts_new)//' contacts closed and '// &
+            text = to_text(outcome%last%contacts_new)//' contacts closed and '// &
                to_text(outcome%last%contacts_lost)//' opened in the last iteration: they need smaller increments. '
          else if (attempts > 1) then
-            words = 'Smaller increments did no better: where wires are about to snap or to slip off each other,'// &
+            text = 'Smaller increments did no better: where wires are about to snap or to slip off each other,'// &
                ' damp that (*CONTROLS, PARAMETERS=STABILIZE), or let them rub (*FRICTION). '
          else if (still_converges(outcome)) then
-            words = 'It was still converging: allow more iterations (I_C of *CONTROLS, PARAMETERS=TIME'// &
+            text = 'It was still converging: allow more iterations (I_C of *CONTROLS, PARAMETERS=TIME'// &
                ' INCREMENTATION, now '//to_text(step%controls%i_c)//'). '
          end if
       end select
-   end function cause_words
+   end function describe_cause
 
    !> The worst residual of the last iteration is less than half of what it was before.
    pure logical function still_converges(outcome)
@@ -103,6 +103,7 @@ contains
    contains
 
       pure real(dp) function ratio(residual, allowed)
+         !> Residual and the one that is allowed, of each field (n_fields) [N, N m, A]
          real(dp), intent(in) :: residual(:), allowed(:)
 
          ratio = maxval(residual/max(allowed, tiny(1.0_dp)))
@@ -111,14 +112,14 @@ contains
    end function still_converges
 
    !> The node at which the linear solver gave up; empty: it does not know.
-   function free_unknown(problem) result(words)
+   function describe_free_unknown(problem) result(text)
       type(problem_t), intent(in) :: problem
-      character(len=:), allocatable :: words
+      character(len=:), allocatable :: text
       character(len=*), parameter :: axes(3) = ['x', 'y', 'z']
       character(len=:), allocatable :: unknown
       integer :: at(2)
 
-      words = ''
+      text = ''
       associate (number => problem%equations%number, scheme => problem%scheme)
          if (scheme%failed_group == 0) return
          at = findloc(number, scheme%failed_equation, mask=spread(fields(field_of_slot)%group == scheme%failed_group, &
@@ -130,27 +131,28 @@ contains
          if (field%n_components == 3) unknown = unknown//trim(merge(' about', ' along', field%is_rotation))//' ' &
             //axes(component)
       end associate
-      words = 'The equation is that of the '//unknown//' of node '//to_text(problem%model%node_id(at(2)))//'. '
-   end function free_unknown
+      text = 'The equation is that of the '//unknown//' of node '//to_text(problem%model%node_id(at(2)))//'. '
+   end function describe_free_unknown
 
    !> Why the increment was not cut once more.
-   pure function limit_words(step, outcome, attempts) result(words)
+   pure function describe_limit(step, outcome, attempts) result(text)
       type(step_t), intent(in) :: step
       type(outcome_t), intent(in) :: outcome
+      !> Attempts at this increment
       integer, intent(in) :: attempts
-      character(len=:), allocatable :: words
+      character(len=:), allocatable :: text
 
       if (step%direct) then
-         words = 'Increments of *STATIC, DIRECT are not cut: leave DIRECT out.'
+         text = 'Increments of *STATIC, DIRECT are not cut: leave DIRECT out.'
       else if (outcome%cause == cause_lost_contact .or. outcome%cause == cause_turned_ends) then
-         words = 'Smaller increments did no better.'
+         text = 'Smaller increments did no better.'
       else if (attempts > step%controls%i_a) then
-         words = 'All cut-backs are used up (I_A of *CONTROLS, PARAMETERS=TIME INCREMENTATION, now '// &
+         text = 'All cut-backs are used up (I_A of *CONTROLS, PARAMETERS=TIME INCREMENTATION, now '// &
             to_text(step%controls%i_a)//').'
       else
-         words = 'The next smaller increment is below the smallest allowed (third value of *STATIC, now '// &
+         text = 'The next smaller increment is below the smallest allowed (third value of *STATIC, now '// &
             to_text(step%smallest)//').'
       end if
-   end function limit_words
+   end function describe_limit
 
 end module litz_diagnosis

@@ -23,8 +23,9 @@ contains
       type(elements_t), intent(in) :: elements
       type(contact_set_t), intent(in) :: contact
       type(equations_t), intent(in) :: equations
-      !> Nodes of prescribed potential, and applied currents [A] (n_nodes)
+      !> The potential of the node is prescribed (n_nodes)
       logical, intent(in) :: fixed(:)
+      !> Applied currents (n_nodes) [A]
       real(dp), intent(in) :: current(:)
       type(system_t), intent(inout) :: matrix
       type(error_t), allocatable, intent(out) :: error
@@ -75,7 +76,9 @@ contains
 
    !> Representative of the part that a node belongs to; paths are halved on the way.
    integer function find_root(root, node) result(i)
+      !> For each node one of its part nearer to the representative, which has itself (n_nodes)
       integer, intent(inout) :: root(:)
+      !> Node
       integer, intent(in) :: node
 
       i = node
@@ -86,7 +89,9 @@ contains
    end function find_root
 
    subroutine join(root, a, b)
+      !> As for `find_root` (n_nodes)
       integer, intent(inout) :: root(:)
+      !> Two nodes
       integer, intent(in) :: a, b
       integer :: i, j
 

@@ -38,13 +38,13 @@ contains
    !> Those of the reference configuration, with the candidates of it.
    subroutine add_start_warnings(problem)
       type(problem_t), intent(inout) :: problem
-      character(len=:), allocatable :: words
+      character(len=:), allocatable :: text
 
       call problem%warnings%set_place(0, 0, 0.0_dp)
-      words = parallel_warning(problem%model, problem%elements, problem%contact)
-      if (len(words) > 0) call problem%warnings%add('side_by_side', words)
-      words = kink_warning(problem%model, problem%wires, problem%contact)
-      if (len(words) > 0) call problem%warnings%add('kink', words)
+      text = parallel_warning(problem%model, problem%elements, problem%contact)
+      if (len(text) > 0) call problem%warnings%add('side_by_side', text)
+      text = kink_warning(problem%model, problem%wires, problem%contact)
+      if (len(text) > 0) call problem%warnings%add('kink', text)
       call add_unpaired_overlaps(problem, problem%model%x)
    end subroutine add_start_warnings
 
@@ -53,11 +53,11 @@ contains
       type(problem_t), intent(inout) :: problem
       !> Positions (3, n_nodes) [m]
       real(dp), intent(in) :: x(:, :)
-      character(len=:), allocatable :: words
+      character(len=:), allocatable :: text
 
-      words = describe_unpaired_overlaps(problem%model, problem%wires, problem%elements, problem%contact, x, &
+      text = describe_unpaired_overlaps(problem%model, problem%wires, problem%elements, problem%contact, x, &
          problem%state%rotation)
-      if (len(words) > 0) call problem%warnings%add('unpaired_overlap', words)
+      if (len(text) > 0) call problem%warnings%add('unpaired_overlap', text)
    end subroutine add_unpaired_overlaps
 
    subroutine add_increment_warnings(problem, outcome, audit)

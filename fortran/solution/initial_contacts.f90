@@ -2,7 +2,8 @@
 module litz_initial_contacts
    use litz_contact_findings, only: finding_t, finding_none, finding_deep
    use litz_contact_net, only: inspect_contacts
-   use litz_contact_pairs, only: find_candidates, locate_points
+   use litz_contact_candidates, only: find_candidates
+   use litz_contact_crossings, only: locate_points
    use litz_contact_points, only: contact_point_t
    use litz_errors, only: error_t, fail, exit_input
    use litz_kinds, only: dp
@@ -20,6 +21,7 @@ contains
    !> any other pair.
    subroutine find_initial_overlap(problem, overlap, error)
       type(problem_t), intent(inout) :: problem
+      !> (n_contact_pairs) [m]; 0: the pair is not an interference fit
       real(dp), allocatable, intent(out) :: overlap(:)
       type(error_t), allocatable, intent(out) :: error
       integer :: i, n_refused, worst

@@ -9,7 +9,8 @@ module litz_newton
       potential_slots
    use litz_contact_findings, only: finding_t, finding_none
    use litz_contact_forces, only: apply_normal_law, assemble_contacts, predict_contacts
-   use litz_contact_pairs, only: find_candidates, candidates_hold, locate_points
+   use litz_contact_candidates, only: find_candidates, candidates_hold
+   use litz_contact_crossings, only: locate_points
    use litz_contact_points, only: contact_set_t
    use litz_contact_step, only: bearable_fraction
    use litz_contact_tangents, only: follow_centre_line
@@ -21,6 +22,7 @@ module litz_newton
    use litz_grounding, only: ground_floating_conductors
    use litz_convergence, only: measure_residual, has_converged, corrections_small, worst_field
    use litz_loading, only: prescribed_increment
+   use litz_iterate_motion, only: move_iterate
    use litz_lost_contacts, only: find_lost_contacts
    use litz_model, only: step_t
    use litz_parallel, only: worth_threads
@@ -28,14 +30,13 @@ module litz_newton
    use litz_potentials, only: solve_potentials
    use litz_problem, only: problem_t
    use litz_reports, only: iteration_report_t
-   use litz_rotations, only: rotation_exp
    use litz_stabilization, only: assemble_stabilization
    use litz_timing, only: phase_search, phase_contact, phase_check, phase_assembly, phase_analyse, &
       phase_factor, phase_solve, phase_update, phase_output
    use litz_turned_ends, only: turned_ends_t, most_turned_ends
    implicit none
    private
-   public :: outcome_t, solve_increment, count_negative_pivots, start_iterate, move, evaluate
+   public :: outcome_t, solve_increment, count_negative_pivots, start_iterate, evaluate
    public :: cause_iterations, cause_not_finite, cause_singular, cause_lost_contact, cause_turned_ends
 
    !> Why an increment is given up
@@ -46,7 +47,7 @@ module litz_newton
       logical :: converged = .false.
       !> All of them, and those that factored the tangent
       integer :: iterations = 0, factorisations = 0
-      !> Why it was given up, in words
+      !> Why it was given up, for the user
       character(len=:), allocatable :: reason
       !> One of the causes above; 0: it was not
       integer :: cause = 0
@@ -62,12 +63,12 @@ module litz_newton
       integer :: negative_pivots_at_start = -1
       !> The last factorisation was that of the state in which the increment began
       logical :: only_start_factored = .false.
-      !> Some factorisation of this try had negative pivots
+      !> Some factorisation of this attempt had negative pivots
       logical :: passed_critical = .false.
    end type outcome_t
 
    !> Iterations at most, in multiples of I_C, where contacts open and close as predicted all the way
-   integer, parameter :: most_iterations = 4
+   integer, parameter :: max_iterations = 4
 
    !> A factor of the tangent is kept if the last iteration has left no more than this of the residual. That is about
    !> how much the tangent has changed in it, and what the next iteration with the old one will leave.
@@ -97,7 +98,7 @@ contains
       call prescribed_increment(problem%loading, problem%state, increment)
       ! groups that are updated after the others take what is prescribed at once
       first_updated = last_slot_of_group(problem%scheme%n_coupled) + 1
-      call move(problem, increment(first_updated:, :), first_updated)
+      call move_iterate(problem, increment(first_updated:, :), first_updated)
       increment(first_updated:, :) = 0
       outcome%last = report
       outcome%last%contacts_active = count(problem%contact%points%closed)
@@ -146,7 +147,7 @@ contains
          if ((.not. any(abs(increment) > 0)) .and. all(outcome%last%residual <= outcome%last%allowed)) then
             if (corrections_small(step, problem%iterate%change, outcome%last)) exit
          end if
-         if (counted > step%controls%i_c .or. outcome%iterations >= most_iterations*step%controls%i_c) then
+         if (counted > step%controls%i_c .or. outcome%iterations >= max_iterations*step%controls%i_c) then
             call give_up(outcome, cause_iterations, worst_field(problem%model, problem%scheme%n_coupled, outcome%last))
             return
          end if
@@ -177,7 +178,9 @@ contains
 
    subroutine give_up(outcome, cause, reason)
       type(outcome_t), intent(inout) :: outcome
+      !> One of `cause_...`
       integer, intent(in) :: cause
+      !> Message for the user
       character(len=*), intent(in) :: reason
 
       outcome%converged = .false.
@@ -207,6 +210,8 @@ contains
    !> Contact search, forces and tangent at the present iterate.
    subroutine evaluate(problem, x_start, increment, error)
       type(problem_t), intent(inout) :: problem
+      !> Positions when the increment began (3, n_nodes) [m], and
+      !> prescribed increments of this iteration (n_slots, n_nodes)
       real(dp), intent(in) :: x_start(:, :), increment(:, :)
       type(error_t), allocatable, intent(out) :: error
 
@@ -244,6 +249,7 @@ contains
    !> New candidates when a node has moved too far since they were collected.
    subroutine refresh_candidates(problem, x_start, error)
       type(problem_t), intent(inout) :: problem
+      !> Positions when the increment began (3, n_nodes) [m]
       real(dp), intent(in) :: x_start(:, :)
       type(error_t), allocatable, intent(out) :: error
       logical :: changed
@@ -302,8 +308,8 @@ contains
       end do
    end subroutine count_contacts
 
-   !> Modified Newton: the factor at hand is good for another iteration. The first one of an increment goes on with that
-   !> of the last increment.
+   !> Modified Newton: the factor at hand is good for another iteration. The first one of an increment continues
+   !> with that of the last increment.
    pure logical function keeps_factor(problem, step, outcome)
       type(problem_t), intent(in) :: problem
       type(step_t), intent(in) :: step
@@ -323,7 +329,7 @@ contains
    !> number that returns is no progress but a cycle.
    pure logical function only_contacts_changed(report, numbers)
       type(iteration_report_t), intent(in) :: report
-      !> Closed contacts of all iterations before
+      !> Closed contacts of each iteration before (n_iterations)
       integer, intent(in) :: numbers(:)
 
       only_contacts_changed = all(report%contacts_active /= numbers) .and. report%contacts_new == 0 .and. &
@@ -333,6 +339,8 @@ contains
    !> Voltages with the conductances of the new displacements: exact in one linear solve.
    subroutine update_potentials(problem, x_start, increment, report, solver_error, error)
       type(problem_t), intent(inout) :: problem
+      !> Positions when the increment began (3, n_nodes) [m], and
+      !> prescribed increments of this iteration (n_slots, n_nodes)
       real(dp), intent(in) :: x_start(:, :), increment(:, :)
       type(iteration_report_t), intent(inout) :: report
       type(error_t), allocatable, intent(out) :: solver_error, error
@@ -350,7 +358,7 @@ contains
          if (allocated(solver_error)) return
          correction = 0
          call problem%equations%spread_to_nodes(group_electric, x, correction)
-         call move(problem, correction(potential_slots(1):, :), potential_slots(1))
+         call move_iterate(problem, correction(potential_slots(1):, :), potential_slots(1))
          report%correction(field_potential) = maxval(abs(x))
          call evaluate(problem, x_start, increment, error)
       end if
@@ -359,9 +367,11 @@ contains
    !> Factor and solve for the correction of all unknowns (n_slots, n_nodes), prescribed ones included.
    subroutine solve_step(problem, increment, keep, correction, error)
       type(problem_t), intent(inout) :: problem
+      !> Prescribed increments of this iteration (n_slots, n_nodes)
       real(dp), intent(in) :: increment(:, :)
       !> The factor of an earlier iteration will do
       logical, intent(in) :: keep
+      !> Linear step of all unknowns (n_slots, n_nodes)
       real(dp), intent(out) :: correction(:, :)
       type(error_t), allocatable, intent(out) :: error
 
@@ -404,6 +414,7 @@ contains
    subroutine update(problem, step, correction, prescribed, report)
       type(problem_t), intent(inout) :: problem
       type(step_t), intent(in) :: step
+      !> Linear step of all unknowns (n_slots, n_nodes)
       real(dp), intent(in) :: correction(:, :)
       !> The step carries prescribed motion: it is taken whole, and the section forces are not believed
       logical, intent(in) :: prescribed
@@ -428,58 +439,27 @@ contains
          iterate%sigma_from_strain = prescribed
       end associate
       call predict_contacts(problem%model, eta, correction, problem%contact)
-      call move(problem, eta*correction, 1)
+      call move_iterate(problem, eta*correction, 1)
       do field = 1, n_fields
          call largest_column(eta*correction(first_slot(field):last_slot(field), :), report%correction(field), &
             report%correction_node(field))
       end do
    end subroutine update
 
-   !> `q <- q + dq`: positions and potentials add up, rotations follow one another.
-   subroutine move(problem, dq, first)
-      type(problem_t), intent(inout) :: problem
-      !> Corrections (slots, n_nodes), and the slot of the first one, which begins a field
-      real(dp), intent(in) :: dq(:, :)
-      integer, intent(in) :: first
-      integer :: field, node
-
-      associate (iterate => problem%iterate, state => problem%state)
-         do field = 1, n_fields
-            associate (a => first_slot(field), b => last_slot(field))
-               if (a < first .or. a > first + size(dq, 1) - 1) cycle
-               associate (dq_f => dq(a - first + 1:b - first + 1, :))
-                  if (fields(field)%is_rotation) then
-                     do node = 1, size(dq, 2)
-                        if (any(abs(dq_f(:, node)) > 0)) iterate%rotation(:, :, node) = &
-                           matmul(rotation_exp(dq_f(:, node)), iterate%rotation(:, :, node))
-                     end do
-                     iterate%change(a:b, :) = iterate%change(a:b, :) + dq_f
-                     iterate%value(a:b, :) = state%value(a:b, :) + iterate%change(a:b, :)
-                     cycle
-                  else if (field == field_displacement) then
-                     iterate%x = iterate%x + dq_f
-                     iterate%value(a:b, :) = iterate%x - problem%model%x
-                  else
-                     iterate%value(a:b, :) = iterate%value(a:b, :) + dq_f
-                  end if
-                  iterate%change(a:b, :) = iterate%value(a:b, :) - state%value(a:b, :)
-               end associate
-            end associate
-         end do
-      end associate
-   end subroutine move
-
    pure subroutine largest_column(values, largest_norm, column)
+      !> Vectors (components, n)
       real(dp), intent(in) :: values(:, :)
+      !> Euclidean norm of the largest vector, in the unit of the vectors
       real(dp), intent(out) :: largest_norm
+      !> Number of that vector
       integer, intent(out) :: column
 
       column = maxloc(sum(values**2, 1), 1)
       largest_norm = norm2(values(:, column))
    end subroutine largest_column
 
-   !> A converged state in which the ends of an element are turned against each other too far, or in which wires have
-   !> passed through each other or overlap without a contact, is none.
+   !> Reject a converged state in which the ends of an element are turned against each other too far, or in which wires
+   !> have passed through each other or overlap without a contact.
    subroutine refuse_wrong_state(problem, x_start, outcome)
       type(problem_t), intent(in) :: problem
       !> Positions when the increment began (3, n_nodes) [m]

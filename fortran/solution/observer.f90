@@ -1,4 +1,4 @@
-!> Who is told what a run does: the iteration and the steps write nothing themselves.
+!> Observers of a run: the iteration and the steps report to them and write nothing themselves.
 module litz_observer
    use litz_errors, only: error_t
    use litz_problem, only: problem_t
@@ -33,7 +33,7 @@ module litz_observer
       end subroutine on_iteration
 
       !> `increment_accepted`: the state is a new one, and has passed its audit. `warnings_added`: some may be new;
-      !> those that were told are marked so. `begin_giving_up`: the iterate is about to become the state.
+      !> those that have been reported are marked so. `begin_giving_up`: the iterate is about to become the state.
       subroutine on_problem(self, problem, error)
          import :: observer_t, problem_t, error_t
          implicit none
@@ -42,7 +42,7 @@ module litz_observer
          type(error_t), allocatable, intent(inout) :: error
       end subroutine on_problem
 
-      !> An increment was accepted or cut. Comes last: an increment that was told of here is whole everywhere else.
+      !> An increment was accepted or cut. Comes last, after everything else about it has been written.
       subroutine on_attempt(self, problem, report, error)
          import :: observer_t, problem_t, increment_report_t, error_t
          implicit none

@@ -13,7 +13,7 @@ module litz_potentials
 
    !> The squared error of the conjugate gradients over that of the start; and their steps at most
    real(dp), parameter :: accurate = (1.0e-14_dp)**2
-   integer, parameter :: most_steps = 100
+   integer, parameter :: max_steps = 100
 
 contains
 
@@ -41,7 +41,7 @@ contains
       x = 0
       defect = dot_product(left, direction)
       defect_allowed = accurate*defect
-      do k = 1, most_steps
+      do k = 1, max_steps
          if (.not. defect > defect_allowed) exit
          call multiply(direction, product)
          step = defect/dot_product(direction, product)
@@ -57,7 +57,9 @@ contains
    contains
 
       subroutine multiply(v, y)
+         !> Potentials of the free nodes (n) [V]
          real(dp), intent(in) :: v(:)
+         !> Currents that leave the free nodes (n) [A]
          real(dp), intent(out) :: y(:)
          real(dp), dimension(n_slots, size(equations%number, 2)) :: potential, leaving
 

@@ -1,7 +1,7 @@
 !> A model, the state that its run has reached, and all that an increment works on.
 module litz_problem
    use litz_assembly, only: iterate_t
-   use litz_contact_pairs, only: prepare_contact
+   use litz_contact_candidates, only: prepare_contact
    use litz_contact_points, only: contact_set_t
    use litz_element_library, only: elements_t, prepare_elements
    use litz_equations, only: equations_t, system_t

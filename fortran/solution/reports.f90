@@ -1,4 +1,4 @@
-!> What is told of an iteration and of an increment.
+!> Reports of an iteration and of an increment.
 module litz_reports
    use litz_fields, only: n_fields
    use litz_kinds, only: dp
@@ -9,7 +9,7 @@ module litz_reports
    !> One Newton iteration.
    type :: iteration_report_t
       integer :: step = 0, increment = 0
-      !> 1 for the first try of the increment, one more after each cut-back
+      !> 1 for the first attempt at the increment, one more after each cut-back
       integer :: attempt = 1
       integer :: iteration = 0
       !> Residual norms and their allowed values: force [N], moment [N m], current [A]

@@ -71,8 +71,9 @@ contains
       if (self%is_whole) call create_solver(kind, self%whole%solver, error)
    end subroutine scheme_create
 
-   !> Groups in a Newton step; the block solver leaves all but the first one to updates unless it is told otherwise.
+   !> Groups in a Newton step; the block solver leaves all but the first one to updates by default.
    pure integer function coupled_groups(kind, coupling) result(n)
+      !> Solver, and coupling of the groups: constants of the model
       integer, intent(in) :: kind, coupling
       logical :: is_updated
 
@@ -186,8 +187,9 @@ contains
       class(scheme_t), intent(inout) :: self
       !> As of the last `factor`
       type(system_t), intent(in) :: matrix
-      !> Right-hand side and solution (equations of all coupled groups)
+      !> Right-hand side (equations of all coupled groups)
       real(dp), intent(in) :: b(:)
+      !> Solution (equations of all coupled groups)
       real(dp), intent(out) :: x(:)
       type(error_t), allocatable, intent(out) :: error
       real(dp) :: left(size(b))
@@ -218,8 +220,9 @@ contains
       !> One of the groups of litz_fields, which has been factored
       integer, intent(in) :: group
       type(system_t), intent(in) :: matrix
-      !> Right-hand side and solution (equations of the group)
+      !> Right-hand side (equations of the group)
       real(dp), intent(in) :: b(:)
+      !> Solution (equations of the group)
       real(dp), intent(out) :: x(:)
       type(error_t), allocatable, intent(out) :: error
 

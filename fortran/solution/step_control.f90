@@ -83,9 +83,10 @@ contains
       possible = self%turned <= max_turned
    end function refuse_turned
 
-   !> The increment to try at a step time, not over the next break point, and without leaving a crumb before it.
+   !> The increment to try at a step time, not beyond the next break point, and without leaving a tiny one before it.
    pure real(dp) function propose(self, step_time, break_point) result(increment)
       class(step_control_t), intent(in) :: self
+      !> Time since the step began, and next time in the step that no increment may pass over [s]
       real(dp), intent(in) :: step_time, break_point
       real(dp) :: left
 
@@ -104,6 +105,7 @@ contains
       type(step_t), intent(in) :: step
       !> At the end of the increment
       real(dp), intent(in) :: step_time
+      !> Iterations that the increment took
       integer, intent(in) :: iterations
 
       if (step_time >= self%refused_time) self%refusals = 0
@@ -126,7 +128,9 @@ contains
    logical function cut(self, step, failed_increment, attempts) result(possible)
       class(step_control_t), intent(inout) :: self
       type(step_t), intent(in) :: step
+      !> Size of the increment that failed [s]
       real(dp), intent(in) :: failed_increment
+      !> Attempts at this increment so far
       integer, intent(in) :: attempts
 
       self%quick = 0

@@ -1,4 +1,4 @@
-!> The steps of a run: increments, cut-backs, and the end in words where these do not help.
+!> The steps of a run: increments, cut-backs, and the message where these do not help.
 module litz_steps
    use litz_assembly, only: motion_slots, potential_slots
    use litz_audit, only: audit_t, audit_increment, audit_error
@@ -32,7 +32,7 @@ contains
       type(problem_t), intent(inout) :: problem
       !> Step, and one of the solver constants of the model; 0: as the step says
       integer, intent(in) :: number, solver
-      !> Interference that this step resolves, one per contact pair [m]
+      !> Interference that this step resolves (n_contact_pairs) [m]
       real(dp), intent(in) :: overlap(:)
       !> The problem stands somewhere in this step, and the course with it
       logical, intent(in) :: continued
@@ -67,7 +67,7 @@ contains
             if (allocated(error)) return
             call observer%offer_restart(problem, course, restart_taken, error)
             if (allocated(error)) return
-            ! a run that goes on from here has none either
+            ! a run that continues from here has none either
             if (restart_taken) problem%has_factor = .false.
          end do
       end associate
@@ -118,7 +118,7 @@ contains
    subroutine run_increment(problem, step, overlap, course, observer, error)
       type(problem_t), intent(inout) :: problem
       type(step_t), intent(in) :: step
-      !> Interference that the step resolves, one per contact pair [m]
+      !> Interference that the step resolves (n_contact_pairs) [m]
       real(dp), intent(in) :: overlap(:)
       type(course_t), intent(inout) :: course
       class(observer_t), intent(inout) :: observer
@@ -168,8 +168,8 @@ contains
          audit = audit_increment(problem%model, problem%state, nodal_residual(problem), measure_scales(problem))
          problem%state%audit = [audit%force, audit%moment, audit%current, audit%power, audit%penetration]
          call problem%timing%lap(phase_update)
-         call tell(problem, outcome, audit, report_of(problem, outcome, audit, increment, target, start_time), &
-            observer, error)
+         call report_increment(problem, outcome, audit, &
+            report_of(problem, outcome, audit, increment, target, start_time), observer, error)
          if (allocated(error)) return
          call control%accept(step, step_time, outcome%factorisations)
       end associate
@@ -191,8 +191,8 @@ contains
       call capture_state(problem)
    end subroutine advance
 
-   !> Tell of an increment that has converged; one that fails its audit ends the run.
-   subroutine tell(problem, outcome, audit, report, observer, error)
+   !> Report an increment that has converged; one that fails its audit ends the run.
+   subroutine report_increment(problem, outcome, audit, report, observer, error)
       type(problem_t), intent(inout) :: problem
       type(outcome_t), intent(in) :: outcome
       type(audit_t), intent(in) :: audit
@@ -208,9 +208,9 @@ contains
       call observer%attempt_done(problem, report, error)
       if (.not. allocated(error) .and. len(audit%finding) > 0) error = audit_error(problem%state, audit)
       call problem%timing%lap(phase_output)
-   end subroutine tell
+   end subroutine report_increment
 
-   !> End the run in words, and tell how far the iteration had come.
+   !> End the run with a message that says how far the iteration had come.
    subroutine give_up(problem, step, outcome, increment, observer, error)
       type(problem_t), intent(inout) :: problem
       type(step_t), intent(in) :: step
@@ -240,7 +240,7 @@ contains
       error%message = error%message//' The iterate that was given up, and its contacts, are in '//place//'.'
    end subroutine give_up
 
-   !> What there is to tell of an increment, converged or cut.
+   !> The report of an increment, converged or cut.
    function report_of(problem, outcome, audit, increment, step_time, start_time) result(report)
       type(problem_t), intent(in) :: problem
       type(outcome_t), intent(in) :: outcome
@@ -271,7 +271,7 @@ contains
       report%remark = without_last_semicolon(remark)
    end function report_of
 
-   !> What a user should know of an increment, in words; empty when there is nothing.
+   !> What a user should know of an increment; empty: nothing.
    function remark_of(problem, outcome) result(remark)
       type(problem_t), intent(in) :: problem
       type(outcome_t), intent(in) :: outcome
@@ -299,6 +299,7 @@ contains
 
    !> Remarks end in semicolons, because others may follow.
    pure function without_last_semicolon(remark) result(text)
+      !> Remarks, each with a semicolon at its end
       character(len=*), intent(in) :: remark
       character(len=:), allocatable :: text
 

@@ -25,7 +25,7 @@ module litz_assembly
    !> The unknowns as they stand in the iteration.
    type :: iterate_t
       !> Values (n_slots, n_nodes); those of rotations are the rotation vector when the increment began and the turns
-      !> since, which tells full turns apart
+      !> since, which distinguishes full turns
       real(dp), allocatable :: value(:, :)
       !> Sum of the corrections since the increment began (n_slots, n_nodes)
       real(dp), allocatable :: change(:, :)
@@ -97,7 +97,9 @@ contains
    contains
 
       subroutine evaluate(e, ke, re, energy_e)
+         !> Element
          integer, intent(in) :: e
+         !> Tangent (12, 12), residual (12) [N, N m], and strain energy [J]
          real(dp), intent(out) :: ke(12, 12), re(12), energy_e
          real(dp) :: x(3, 2), triads(3, 3, 2)
          integer :: side
@@ -109,13 +111,11 @@ contains
             end do
          end associate
          if (iterate%sigma_from_strain) then
-            call evaluate_beam(model%element_type(e), x, triads, elements%length(e), elements%strain0(:, e), &
-               elements%stiffness(:, e), k=ke, r=re, energy=energy_e, &
+            call evaluate_beam(model%element_type(e), elements, e, x, triads, k=ke, r=re, energy=energy_e, &
                section_forces=iterate%section_forces(:, e), strain=iterate%strain(:, e), b=iterate%b(:, :, e))
             iterate%sigma(:, e) = iterate%section_forces(:, e)
          else
-            call evaluate_beam(model%element_type(e), x, triads, elements%length(e), elements%strain0(:, e), &
-               elements%stiffness(:, e), iterate%sigma(:, e), ke, re, energy_e, &
+            call evaluate_beam(model%element_type(e), elements, e, x, triads, iterate%sigma(:, e), ke, re, energy_e, &
                iterate%section_forces(:, e), iterate%strain(:, e), iterate%b(:, :, e))
          end if
       end subroutine evaluate
@@ -127,6 +127,7 @@ contains
       type(model_t), intent(in) :: model
       type(elements_t), intent(in) :: elements
       type(equations_t), intent(in) :: equations
+      !> Prescribed increments of this iteration (n_slots, n_nodes)
       real(dp), intent(in) :: increment(:, :)
       type(iterate_t), intent(inout) :: iterate
       type(system_t), intent(inout) :: matrix
@@ -158,7 +159,9 @@ contains
    contains
 
       subroutine evaluate(e, ke, re, k_me_e)
+         !> Element
          integer, intent(in) :: e
+         !> Conductances (2, 2) [S], currents that leave the nodes (2) [A], and their derivatives by the motion (2, 12)
          real(dp), intent(out) :: ke(2, 2), re(2), k_me_e(2, 12)
          real(dp) :: k_mu(2, 6)
 

@@ -64,20 +64,29 @@ contains
    end subroutine prepare_elements
 
    !> Tangent (Hessian form) and residual of one beam; arguments as in the kernels.
-   pure subroutine evaluate_beam(element_type, x, triads, length, strain0, stiffness, sigma, k, r, energy, &
-      section_forces, strain, b)
+   pure subroutine evaluate_beam(element_type, elements, e, x, triads, sigma, k, r, energy, section_forces, strain, b)
+      !> One of the element types of the model
       integer, intent(in) :: element_type
-      real(dp), intent(in) :: x(3, 2), triads(3, 3, 2), length, strain0(6), stiffness(6)
+      type(elements_t), intent(in) :: elements
+      !> Element
+      integer, intent(in) :: e
+      !> Nodal positions (3, 2) [m] and triads of the sections (3, 3, 2)
+      real(dp), intent(in) :: x(3, 2), triads(3, 3, 2)
       !> Section forces of the geometric stiffness (6): the independent ones of the mixed iteration
       real(dp), intent(in), optional :: sigma(6)
-      real(dp), intent(out) :: k(12, 12), r(12), energy, section_forces(6), strain(6), b(6, 12)
+      !> Tangent (12, 12), residual (12) [N, N m], and strain energy [J]
+      real(dp), intent(out) :: k(12, 12), r(12), energy
+      !> Section forces (6) [N, N m], strains (6) [1, 1/m], and their derivatives by the displacements (6, 12)
+      real(dp), intent(out) :: section_forces(6), strain(6), b(6, 12)
 
-      select case (element_type)
-      case (element_b31)
-         call beam_b31(x, triads, length, strain0, stiffness, k, r, energy, section_forces, strain, b, sigma)
-      case (element_b33)
-         call beam_b33(x, triads, length, strain0, stiffness, k, r, energy, section_forces, strain, b, sigma)
-      end select
+      associate (length => elements%length(e), strain0 => elements%strain0(:, e), stiffness => elements%stiffness(:, e))
+         select case (element_type)
+         case (element_b31)
+            call beam_b31(x, triads, length, strain0, stiffness, k, r, energy, section_forces, strain, b, sigma)
+         case (element_b33)
+            call beam_b33(x, triads, length, strain0, stiffness, k, r, energy, section_forces, strain, b, sigma)
+         end select
+      end associate
    end subroutine evaluate_beam
 
 end module litz_element_library

@@ -153,6 +153,7 @@ contains
    !> The pattern of one block of the system.
    pure subroutine expand(equations, row_group, column_group, matrix)
       type(equations_t), intent(in) :: equations
+      !> Groups of the equations and of the unknowns
       integer, intent(in) :: row_group, column_group
       type(csr_matrix_t), intent(inout) :: matrix
       integer :: node, k, row, i, slot, position

@@ -27,7 +27,7 @@ contains
 
    !> Begin a step: which unknowns are prescribed, and from what value everything ramps.
    !>
-   !> What was prescribed before goes on from its prescribed value: a single rotation, an angle about a fixed axis,
+   !> What was prescribed before continues from its prescribed value: a single rotation, an angle about a fixed axis,
    !> cannot be read from the state, and a value that stays the same must not even change by round-off.
    subroutine start_loading(step, state, loading)
       type(step_t), intent(in) :: step
@@ -66,6 +66,7 @@ contains
    subroutine load_targets(model, step, step_time, total_time, loading)
       type(model_t), intent(in) :: model
       type(step_t), intent(in) :: step
+      !> Time since the step began, and since the analysis began [s]
       real(dp), intent(in) :: step_time, total_time
       type(loading_t), intent(inout) :: loading
       real(dp) :: ramp
@@ -90,6 +91,7 @@ contains
 
       pure real(dp) function value_at(item, start) result(value)
          type(nodal_value_t), intent(in) :: item
+         !> Value when the step began
          real(dp), intent(in) :: start
 
          if (item%amplitude == 0) then
@@ -117,6 +119,7 @@ contains
    pure subroutine prescribed_increment(loading, state, increment)
       type(loading_t), intent(in) :: loading
       type(state_t), intent(in) :: state
+      !> (n_slots, n_nodes) [m, rad, V]; zero where nothing is prescribed
       real(dp), intent(out) :: increment(:, :)
       integer :: node, field
 
@@ -148,6 +151,7 @@ contains
    real(dp) function next_break_point(model, step, step_time, total_time) result(next)
       type(model_t), intent(in) :: model
       type(step_t), intent(in) :: step
+      !> Time since the step began, and since the analysis began [s]
       real(dp), intent(in) :: step_time, total_time
       logical :: used(size(model%amplitudes))
       real(dp) :: shift, margin

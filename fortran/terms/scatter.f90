@@ -131,7 +131,7 @@ contains
    !> Add the tangent of one cell and nothing else.
    pure subroutine scatter_tangent(equations, nodes, rows, columns, k, matrix)
       type(equations_t), intent(in) :: equations
-      !> Of the cell
+      !> Nodes of the cell (nodes)
       integer, intent(in) :: nodes(:)
       !> First and last slot of the equations and of the unknowns of each node (2)
       integer, intent(in) :: rows(2), columns(2)
@@ -148,11 +148,11 @@ contains
 
    !> Add `|K| |q|` of some rows of a cell.
    pure subroutine add_sensitivity(nodes, k, magnitude, sensitivity)
-      !> Of the cell
+      !> Nodes of the cell (nodes)
       integer, intent(in) :: nodes(:)
       !> Rows of the tangent (rows, unknowns of a node x nodes), and how large the unknowns of all nodes are
       real(dp), intent(in) :: k(:, :), magnitude(:, :)
-      !> Of these rows
+      !> Sum of these rows (rows)
       real(dp), intent(inout) :: sensitivity(:)
       integer :: b, i, column
 
@@ -168,11 +168,11 @@ contains
    !> Add the rows of node `a` of a cell to the matrix.
    pure subroutine scatter_rows(equations, a, nodes, rows, columns, k, matrix)
       type(equations_t), intent(in) :: equations
-      !> Place of the node in the cell, and the nodes of the cell
+      !> Place of the node in the cell, and the nodes of the cell (nodes)
       integer, intent(in) :: a, nodes(:)
       !> First and last slot of the equations and of the unknowns of each node (2)
       integer, intent(in) :: rows(2), columns(2)
-      !> Tangent of the cell
+      !> Tangent of the cell (slots of rows x nodes, slots of columns x nodes)
       real(dp), intent(in) :: k(:, :)
       type(csr_matrix_t), intent(inout) :: matrix
       integer :: b, i, j, row, position, offset, group, k_row, k_column

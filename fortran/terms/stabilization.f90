@@ -20,7 +20,7 @@ contains
    !> and in bending.
    pure function damping_stiffness(model, length, factor, fraction) result(stiffness)
       type(model_t), intent(in) :: model
-      !> Of the elements [m]
+      !> Reference lengths of the elements (n_elements) [m]
       real(dp), intent(in) :: length(:)
       !> As *CONTROLS has it, and `dt/T`
       real(dp), intent(in) :: factor, fraction

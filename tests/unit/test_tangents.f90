@@ -80,7 +80,8 @@ program test_tangents
    use litz_initial_contacts, only: find_initial_overlap
    use litz_loading, only: load_targets
    use litz_model, only: model_t
-   use litz_newton, only: start_iterate, move, evaluate
+   use litz_iterate_motion, only: move_iterate
+   use litz_newton, only: start_iterate, evaluate
    use litz_problem, only: problem_t, prepare_problem
    use litz_rotations, only: cross
    use litz_sparse_pattern, only: csr_multiply
@@ -264,8 +265,8 @@ contains
       call start_iterate(problem)
       x_start = problem%iterate%x
       nothing = 0
-      call move(problem, there, 1)
-      call move(problem, t*v, 1)
+      call move_iterate(problem, there, 1)
+      call move_iterate(problem, t*v, 1)
       call evaluate(problem, x_start, nothing, error)
       call stop_on(error)
       ! again, about the forces of this very state

@@ -1,0 +1,154 @@
+!> What a restart file holds: everything that the next increment depends on.
+module litz_restart_content
+   use litz_kinds, only: dp
+   use litz_contact_points, only: contact_point_t
+   use litz_errors, only: error_t, fail, exit_files
+   use litz_fields, only: n_slots
+   use litz_problem, only: problem_t
+   use litz_quantities, only: quantity_table_t
+   use litz_restart_arrays, only: restart_arrays_t, reading
+   use litz_restart_points, only: point_table, points_of_table
+   use litz_result_quantities, only: wire_quantity_t, list_wire_quantities, contact_table, contacts_of_table
+   use litz_run_warnings, only: run_warnings_t
+   use litz_state, only: state_t, contact_t, energies_t
+   use litz_step_control, only: course_t
+   implicit none
+   private
+   public :: exchange_all
+
+contains
+
+   !> Everything that the next increment depends on; a line for each array, the same for all that is done with it.
+   subroutine exchange_all(arrays, problem, course, error)
+      type(restart_arrays_t), intent(inout) :: arrays
+      type(problem_t), intent(inout) :: problem
+      type(course_t), intent(inout) :: course
+      type(error_t), allocatable, intent(inout) :: error
+
+      arrays%next = 0
+      call exchange_course(arrays, problem, course, error)
+      associate (state => problem%state, loading => problem%loading, contact => problem%contact)
+         call exchange_wires(arrays, state, error)
+         call arrays%array('rotation_matrix', state%rotation, error)
+         call arrays%array('loading_fixed', loading%fixed, n_slots, error)
+         call arrays%array('loading_start_value', loading%start_value, error, n_slots)
+         call arrays%array('loading_start_load', loading%start_load, error, n_slots)
+         call arrays%array('loading_value', loading%value, error, n_slots)
+         call arrays%array('loading_load', loading%load, error, n_slots)
+         call arrays%array('loading_converged_value', loading%converged_value, error, n_slots)
+         call arrays%array('candidates', contact%candidates, 3, error)
+         call arrays%array('positions_at_search', contact%x_collected, error, 3)
+         if (arrays%mode == reading .and. .not. allocated(error)) then
+            if (.not. contact%present) deallocate (contact%x_collected)
+         end if
+         call exchange_contacts(arrays, contact%converged, state%contacts, error)
+      end associate
+      call exchange_warnings(arrays, problem%warnings, error)
+   end subroutine exchange_all
+
+   !> What results show of nodes and elements.
+   subroutine exchange_wires(arrays, state, error)
+      type(restart_arrays_t), intent(inout) :: arrays
+      type(state_t), intent(inout), target :: state
+      type(error_t), allocatable, intent(inout) :: error
+      type(wire_quantity_t), allocatable :: list(:)
+      real(dp), allocatable :: values(:, :)
+      integer :: i
+
+      call list_wire_quantities(state, list)
+      do i = 1, size(list)
+         values = list(i)%values
+         call arrays%array(trim(list(i)%name), values, error)
+         if (allocated(error) .or. arrays%mode /= reading) cycle
+         ! a file of another mesh is refused once its step is known, too
+         arrays%fits_mesh = arrays%fits_mesh .and. size(values, 2) == size(list(i)%values, 2)
+         if (arrays%fits_mesh) list(i)%values = values
+      end do
+   end subroutine exchange_wires
+
+   !> Where the run stands: numbers of the state and of the control of increments.
+   subroutine exchange_course(arrays, problem, course, error)
+      type(restart_arrays_t), intent(inout) :: arrays
+      type(problem_t), intent(inout) :: problem
+      type(course_t), intent(inout) :: course
+      type(error_t), allocatable, intent(inout) :: error
+      integer, allocatable :: numbers(:, :)
+      real(dp), allocatable :: reals(:), energies(:)
+
+      associate (state => problem%state, contact => problem%contact, control => course%control)
+         numbers = reshape([state%step, state%increment], [2, 1])
+         call arrays%array('increment', numbers, 2, error)
+         if (.not. allocated(error)) then
+            state%step = numbers(1, 1)
+            state%increment = numbers(2, 1)
+         end if
+         numbers = reshape([state%iterations, control%quick, contact%last_id], [3, 1])
+         call arrays%array('counts', numbers, 3, error)
+         reals = [state%time, state%step_time, state%time_increment, course%start_time, control%wanted, state%audit]
+         call arrays%array('times', reals, error)
+         energies = [state%energies%work, state%energies%strain, state%energies%contact, state%energies%friction, &
+            state%energies%stabilization]
+         call arrays%array('energies', energies, error)
+         call arrays%array('clearance', contact%clearance, error)
+         if (allocated(error) .or. arrays%mode /= reading) return
+         state%iterations = numbers(1, 1)
+         control%quick = numbers(2, 1)
+         contact%last_id = numbers(3, 1)
+         state%time = reals(1)
+         state%step_time = reals(2)
+         state%time_increment = reals(3)
+         course%start_time = reals(4)
+         control%wanted = reals(5)
+         state%audit = reals(6:)
+         state%energies = energies_t(energies(1), energies(2), energies(3), energies(4), energies(5))
+         contact%converged_clearance = contact%clearance
+      end associate
+   end subroutine exchange_course
+
+   !> The warnings so far, as the character codes of their text.
+   subroutine exchange_warnings(arrays, warnings, error)
+      type(restart_arrays_t), intent(inout) :: arrays
+      type(run_warnings_t), intent(inout) :: warnings
+      type(error_t), allocatable, intent(inout) :: error
+      integer, allocatable :: numbers(:, :)
+      logical :: ok
+
+      allocate (numbers, source=warnings%to_numbers())
+      call arrays%array('warnings', numbers, 1, error)
+      if (allocated(error) .or. arrays%mode /= reading) return
+      call warnings%from_numbers(numbers, ok)
+      if (.not. ok) error = fail(exit_files, 'its dataset warnings is not what was written: the file is damaged')
+   end subroutine exchange_warnings
+
+   !> What the next increment needs of the crossings, and what results show of the contacts.
+   subroutine exchange_contacts(arrays, points, contacts, error)
+      type(restart_arrays_t), intent(inout) :: arrays
+      type(contact_point_t), allocatable, intent(inout) :: points(:)
+      type(contact_t), allocatable, intent(inout) :: contacts(:)
+      type(error_t), allocatable, intent(inout) :: error
+      type(quantity_table_t) :: point_rows, contact_rows
+
+      point_rows = point_table(points)
+      contact_rows = contact_table(contacts)
+      call exchange_table(arrays, 'points', point_rows, error)
+      call exchange_table(arrays, 'contacts', contact_rows, error)
+      if (allocated(error) .or. arrays%mode /= reading) return
+      call points_of_table(point_rows, points)
+      call contacts_of_table(contact_rows, contacts)
+   end subroutine exchange_contacts
+
+   !> A table as two datasets, whose columns have names.
+   subroutine exchange_table(arrays, name, table, error)
+      type(restart_arrays_t), intent(inout) :: arrays
+      !> Beginning of the names of the datasets
+      character(len=*), intent(in) :: name
+      type(quantity_table_t), intent(inout) :: table
+      type(error_t), allocatable, intent(inout) :: error
+
+      call arrays%array(name//'_reals', table%reals, error)
+      call arrays%columns(name//'_reals', table%quantities, .false., error)
+      call arrays%array(name//'_integers', table%integers, size(table%integers, 1), error)
+      call arrays%columns(name//'_integers', table%quantities, .true., error)
+   end subroutine exchange_table
+
+end module litz_restart_content
