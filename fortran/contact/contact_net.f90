@@ -14,7 +14,8 @@ module litz_contact_net
    use litz_contact_pairs, only: are_joined, self_contact_distance
    use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry, chain_by_wire
    use litz_element_library, only: elements_t
-   use litz_model, only: model_t, axis_hermite, axis_linear, normal_linear
+   use litz_model, only: model_t, axis_hermite, axis_linear
+   use litz_normal_law, only: penalty_that_holds
    use litz_parallel, only: worth_threads
    use litz_rotations, only: cross
    use litz_wires, only: wires_t
@@ -87,7 +88,8 @@ contains
          finding%overlap = -point%gap/radius
          if (finding%overlap > allowed_penetration) finding%kind = finding_deep
          associate (law => model%interactions(model%contact_pairs(point%pair)%interaction))
-            if (law%normal_law == normal_linear) finding%penalty = point%force/(allowed_penetration*radius)
+            finding%penalty = penalty_that_holds(law%normal, point%force, allowed_penetration*radius)
+            finding%law_title = law%normal%title
             if (law%axis == axis_linear .and. has_neighbour(point)) finding%kind = finding_kink
          end associate
          ! the distance is a paraboloid there: `det M` over the squared tangents is sin^2 of the angle of straight wires

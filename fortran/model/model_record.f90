@@ -10,6 +10,7 @@ module litz_model_record
    use litz_kinds, only: dp, int64
    use litz_checksum, only: checksum
    use litz_growing_text, only: growing_text_t
+   use litz_law_words, only: law_words_t
    use litz_lookup, only: name_map_t
    use litz_model, only: model_t, step_t, nodal_value_t
    use litz_text, only: to_text
@@ -156,17 +157,12 @@ contains
          associate (this => model%interactions(pair%interaction))
             call record%value('interaction', this%name)
             call record%begin('interaction '//this%name//' of *CONTACT PAIR '//to_text(i))
-            call record%value('normal law (*SURFACE BEHAVIOR)', this%normal_law)
-            call record%value('penalty', this%penalty)
+            call record_law('normal law (*SURFACE BEHAVIOR)', this%normal)
             call record%value('PENETRATION', trim(merge('UNLIMITED', 'LIMITED  ', this%unlimited_penetration)))
             call record%value('coefficient of friction', this%friction)
             call record%value('stiffness of sticking (*FRICTION)', this%stick_law)
             call record%value('elastic slip or stick stiffness', this%stick_value)
-            call record%value('law of the spot (*GAP ELECTRICAL CONDUCTANCE)', this%spot_law)
-            call record%value('value of the law of the spot', this%spot_value)
-            call record%list('forces in the table of the spot', reshape(this%table_force, [1, size(this%table_force)]))
-            call record%list('resistances in the table of the spot', &
-               reshape(this%table_resistance, [1, size(this%table_resistance)]))
+            call record_law('law of the spot (*GAP ELECTRICAL CONDUCTANCE)', this%spot)
             call record%value('AXIS', this%axis)
             call record%value('VOLTAGE', trim(merge('CORRECTED', 'LINEAR   ', this%voltage_correction)))
             call record%value('SPOT', trim(merge('LARGEST FORCE', 'PRESENT FORCE', this%spot_memory)))
@@ -174,6 +170,21 @@ contains
       end associate
 
    contains
+
+      !> A law and its numbers.
+      subroutine record_law(what, law)
+         !> Kind of law and its keyword
+         character(len=*), intent(in) :: what
+         class(law_words_t), intent(in) :: law
+         integer :: i
+
+         call record%value(what, trim(law%name))
+         if (allocated(law%table)) call record%list('table of the '//what, law%table)
+         if (law%has_table) return
+         do i = 1, law%n_fields()
+            call record%value(trim(law%fields(i)%name)//' of the '//what, law%data(i))
+         end do
+      end subroutine record_law
 
       subroutine record_members(what, members)
          !> Which of the two sets of the pair

@@ -11,7 +11,7 @@ module litz_newton
    use litz_contact_net, only: inspect_contacts
    use litz_contact_sweep, only: sweep_contacts
    use litz_departed_contacts, only: find_departed_contacts
-   use litz_contact_forces, only: apply_normal_law, assemble_contacts, predict_contacts
+   use litz_contact_forces, only: apply_normal_law, assemble_contacts, predict_contacts, refused_contact
    use litz_contact_pairs, only: find_candidates, candidates_hold, locate_points
    use litz_contact_path, only: contact_path_t, find_path
    use litz_contact_points, only: contact_set_t
@@ -45,7 +45,8 @@ module litz_newton
    public :: cause_iterations, cause_not_finite, cause_singular, cause_lost_contact
 
    !> Why an increment is given up
-   integer, parameter :: cause_iterations = 1, cause_not_finite = 2, cause_singular = 3, cause_lost_contact = 4
+   integer, parameter :: cause_iterations = 1, cause_not_finite = 2, cause_singular = 3, cause_lost_contact = 4, &
+      cause_failed_law = 5
 
    type :: outcome_t
       logical :: converged = .false.
@@ -89,6 +90,7 @@ contains
       real(dp) :: increment(n_slots, problem%model%n_nodes), correction(n_slots, problem%model%n_nodes)
       real(dp) :: x_start(3, problem%model%n_nodes)
       type(error_t), allocatable :: solver_error
+      character(len=:), allocatable :: refusal
       integer, allocatable :: numbers(:)
       integer :: counted, first_updated
       logical :: keep
@@ -140,6 +142,11 @@ contains
          call observer%iteration_done(problem, outcome%last, error)
          call problem%timing%lap(phase_output)
          if (allocated(error)) return
+         refusal = refused_contact(problem%model, problem%contact)
+         if (len(refusal) > 0) then
+            call give_up(outcome, cause_failed_law, refusal)
+            return
+         end if
          if (.not. all(ieee_is_finite(outcome%last%residual))) then
             call give_up(outcome, cause_not_finite, 'the iteration left the range of finite numbers')
             return
@@ -226,7 +233,8 @@ contains
          call assemble_conductors(model, elements, problem%equations, increment, iterate, problem%matrix, &
             problem%forces)
          call assemble_contacts(model, wires, elements, problem%equations, increment, iterate, contact, &
-            problem%matrix, problem%forces, timing)
+            problem%matrix, problem%forces, timing, error)
+         if (allocated(error)) return
          call assemble_load_stiffness(problem%equations, problem%loading%load, problem%forces, problem%matrix)
          if (any(problem%damping > 0)) call assemble_stabilization(problem%damping, problem%equations, increment, &
             iterate, problem%matrix, problem%forces)
