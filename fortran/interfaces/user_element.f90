@@ -32,7 +32,8 @@ module litz_user_element
    !> resistivity [ohm m^2], CONSTANT: resistance [ohm]). Pairs of force [N] and resistance [ohm] of TABLE may follow.
    integer, parameter :: n_properties = 10
    !> Options: normal law, spot law and axis by their numbers in litz_normal_laws, litz_spot_laws and litz_axis_choices;
-   !> voltage 0 linear, 1 corrected; rotations 0 spins (the program multiplies rotations), 1 additive (it adds the components of rotation vectors)
+   !> voltage 0 linear, 1 corrected; rotations 0 spins (the program multiplies rotations), 1 additive (it adds the
+   !> components of rotation vectors)
    integer, parameter :: n_options = 5, option_normal_law = 1, option_spot_law = 2, option_axis = 3, &
       option_voltage = 4, option_rotations = 5
 

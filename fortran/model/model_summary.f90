@@ -173,7 +173,7 @@ contains
       do i = 1, law%n_fields()
          associate (field => law%fields(i))
             if (len_trim(law%summary) > 0 .or. i > 1) words = words//' '
-            words = words//trim(field%name)//' '//to_text(law%data(i))//' '//units%label(trim(field%unit))
+            words = words//trim(field%name)//' '//describe_value(law%data(i), field%unit, units)
          end associate
       end do
    end function describe_normal_data
@@ -193,10 +193,21 @@ contains
       do i = 1, law%n_fields()
          associate (field => law%fields(i))
             words = words//trim(merge(' with', ' and ', i == 1))//' '
-            words = words//trim(field%name)//' = '//to_text(law%data(i))//' '//units%label(trim(field%unit))
+            words = words//trim(field%name)//' = '//describe_value(law%data(i), field%unit, units)
          end associate
       end do
    end function describe_spot_data
+
+   pure function describe_value(value, unit, units) result(words)
+      !> A number, and its unit in SI; `-`: none
+      real(dp), intent(in) :: value
+      character(len=*), intent(in) :: unit
+      type(unit_labels_t), intent(in) :: units
+      character(len=:), allocatable :: words
+
+      words = to_text(value)
+      if (unit /= '-') words = words//' '//units%label(trim(unit))
+   end function describe_value
 
    pure function describe_friction(interaction, units) result(words)
       type(interaction_t), intent(in) :: interaction

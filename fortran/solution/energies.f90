@@ -8,7 +8,6 @@ module litz_energies
    use litz_assembly, only: iterate_t, motion_slots
    use litz_contact_points, only: contact_set_t, contact_point_t, clearance_of
    use litz_loading, only: loading_t
-   use litz_model, only: model_t
    use litz_state, only: state_t, energies_t
    implicit none
    private
@@ -17,8 +16,7 @@ module litz_energies
 contains
 
    !> Energies at the end of an increment that has converged; `state` is still that of its start.
-   pure function advanced_energies(model, state, iterate, loading, internal, strain_energy, contact) result(energies)
-      type(model_t), intent(in) :: model
+   pure function advanced_energies(state, iterate, loading, internal, strain_energy, contact) result(energies)
       type(state_t), intent(in) :: state
       type(iterate_t), intent(in) :: iterate
       type(loading_t), intent(in) :: loading

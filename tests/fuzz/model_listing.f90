@@ -93,7 +93,8 @@ contains
          if (allocated(spot%table)) table = show(spot%table(1, :))//show(spot%table(2, :))
          write (unit, '(a)') 'interaction '//interaction%name//show([normal%number, spot%number, &
             interaction%axis, merge(1, 0, interaction%unlimited_penetration), &
-            merge(1, 0, interaction%voltage_correction), interaction%stick_law, merge(1, 0, interaction%spot_memory)])// &
+            merge(1, 0, interaction%voltage_correction), interaction%stick_law, &
+            merge(1, 0, interaction%spot_memory)])// &
             show([normal%data(1), spot%data(1), interaction%friction, interaction%stick_value])//table
       end associate
    end subroutine print_interaction
