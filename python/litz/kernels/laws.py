@@ -43,9 +43,7 @@ def normal_law_data(law: NormalLaw, **values: Numbers | None) -> tuple[int, NDAr
     return number, law_data(f'normal_law="{law}"', wanted, values, NORMAL_FIELDS[law])
 
 
-def law_data(
-    law: str, wanted: str | None, values: dict[str, Numbers | None], fields: list[str]
-) -> NDArray[np.float64]:
+def law_data(law: str, wanted: str | None, values: dict[str, Numbers | None], fields: list[str]) -> NDArray[np.float64]:
     """The numbers of a law, after checking them; a law without any gets one that it does not look at."""
     if wanted is None:
         return np.ones(1)
@@ -53,5 +51,7 @@ def law_data(
     if value is None:
         raise ValueError(f"{law} needs {wanted}")
     if np.size(value) != len(fields):
-        raise ValueError(f"{wanted} of {law} must have {len(fields)} numbers ({', '.join(fields)}), not {np.size(value)}")
+        raise ValueError(
+            f"{wanted} of {law} must have {len(fields)} numbers ({', '.join(fields)}), not {np.size(value)}"
+        )
     return np.array([checks.positive(wanted, number) for number in np.ravel(value)])
