@@ -268,7 +268,7 @@ def built():
         ("model.material('COPPER', young=1.0, poisson=0.3)", "another material of the name COPPER"),
         ("model.material('A', young=1.0, poisson=0.5)", "between -1 and 0.5"),
         ("model.contact('LOWR')", "did you mean 'LOWER'"),
-        ("model.contact(lower, behaviour='hertz')", r"Hertz\(\) or Linear"),
+        ("model.contact(lower, behaviour='hertz')", r"Hertz\(\), Linear"),
         ("model.contact(lower, conductance='HERTZ')", r"HertzSpot\(\), PaperSpot"),
         ("model.contact(lower, friction=-0.1)", "mu of .* 0 or greater"),
         ("model.contact(lower, friction=0.1, interaction=litz.Interaction())", "not both"),
