@@ -21,7 +21,7 @@ MAX_MEDIAN_LINES = 15
 # Folders that do not keep all rules yet, and how many breaches of each rule they have together. The numbers are exact, so
 # that they can only fall; everywhere else none is allowed.
 NOT_YET = ("terms", "contact", "solution", "output", "restart")
-REMAINING = {"undocumented": 88, "long procedure": 1, "many arguments": 0, "long file": 0}
+REMAINING = {"undocumented": 78, "long procedure": 1, "many arguments": 0, "long file": 0}
 
 # Files whose lists of arguments are dictated from outside.
 DICTATED = {

@@ -12,16 +12,17 @@ FORTRAN = Path(__file__).parents[1] / "fortran"
 # What each folder may use besides itself
 MAY_USE = {
     "base": set(),
-    "kernels": {"base"},
-    "model": {"base"},
-    "deck": {"base", "model"},
+    "laws": {"base"},
+    "kernels": {"base", "laws"},
+    "model": {"base", "laws"},
+    "deck": {"base", "laws", "model"},
     "solvers": {"base"},
     "terms": {"base", "kernels", "model", "solvers"},
-    "contact": {"base", "kernels", "model", "solvers", "terms"},
-    "solution": {"base", "kernels", "model", "solvers", "terms", "contact"},
+    "contact": {"base", "laws", "kernels", "model", "solvers", "terms"},
+    "solution": {"base", "laws", "kernels", "model", "solvers", "terms", "contact"},
     "output": {"base", "model", "solvers", "solution"},
-    "restart": {"base", "model", "terms", "contact", "solution"},
-    "interfaces": {"base", "kernels"},
+    "restart": {"base", "laws", "model", "terms", "contact", "solution"},
+    "interfaces": {"base", "laws", "kernels"},
     "main": {"base", "model", "deck", "solvers", "solution", "output", "restart"},
 }
 

@@ -3,7 +3,7 @@ module litz_text
    use litz_kinds, only: dp
    implicit none
    private
-   public :: upper, squeezed, to_text, shown, plural, nearest_word, words_of, join_words, wrapped
+   public :: upper, lower, squeezed, to_text, shown, plural, nearest_word, words_of, join_words, wrapped
 
    !> Longest word that a list of words holds
    integer, parameter, public :: word_length = 32
@@ -31,6 +31,18 @@ contains
          end if
       end do
    end function upper
+
+   pure function lower(text) result(small)
+      !> Letters beyond ASCII stay as they are
+      character(len=*), intent(in) :: text
+      character(len=len(text)) :: small
+      integer :: i
+
+      small = text
+      do i = 1, len(text)
+         if (text(i:i) >= 'A' .and. text(i:i) <= 'Z') small(i:i) = achar(iachar(text(i:i)) + 32)
+      end do
+   end function lower
 
    !> Capitals without any blank: the form in which keywords and choices are compared.
    pure function squeezed(text) result(word)

@@ -31,8 +31,9 @@ module litz_contact_findings
       integer :: elements(2) = 0
       !> Overlap over the smaller radius [-]
       real(dp) :: overlap = 0
-      !> Penalty that would hold a deep contact; 0: it has another law [N/m]
+      !> Penalty that would hold a deep contact [N/m]; 0: it has a law without one, which is called so
       real(dp) :: penalty = 0
+      character(len=40) :: law_title = ''
    contains
       procedure :: is_like
       procedure :: can_be_cut
@@ -114,7 +115,7 @@ contains
 
       select case (self%kind)
       case (finding_deep)
-         text = 'The law of Hertz is for smaller overlaps: the force is too large for these wires. '
+         text = 'The '//trim(self%law_title)//' is for smaller overlaps: the force is too large for these wires. '
          if (self%penalty > 0) text = 'The force that it has there needs a penalty of '//to_text(self%penalty)//' '// &
             model%units%label('N/m')//' at least (*SURFACE BEHAVIOR). '
       case (finding_second)

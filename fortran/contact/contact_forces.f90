@@ -8,50 +8,56 @@ module litz_contact_forces
    use litz_assembly, only: iterate_t, motion_slots, potential_slots
    use litz_contact_electricity, only: contact_electricity_t, contact_electricity, coupling_tangent
    use litz_contact_mechanics, only: contact_mechanics, form_hessian
-   use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry, clearance_of
-   use litz_contact_spot, only: contact_spot_t, contact_spot_of_ellipse
+   use litz_contact_history, only: force_of_spot
+   use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry, clearance_of, law_ok, law_parallel, &
+      law_bad_data
    use litz_element_library, only: elements_t
    use litz_equations, only: equations_t, system_t
+   use litz_errors, only: error_t, fail, exit_input
    use litz_fields, only: group_mechanical, group_electric
    use litz_friction_forces, only: add_friction
    use litz_friction_iteration, only: predict_friction, forget_friction
    use litz_friction_law, only: friction_law_t, friction_slip
-   use litz_hertz, only: hertz_ellipse, hertz_ellipse_t
-   use litz_laws, only: normal_hertz, spot_none, spot_law_uses_ellipse
+   use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
+   use litz_law_input, only: wire_pair_t
    use litz_model, only: model_t, interaction_t
-   use litz_normal_law, only: normal_force_of_ellipse, hertz_approach_of_ellipse
+   use litz_normal_law, only: force_of_gap_t, force_at_gap, linearise
    use litz_parallel, only: worth_threads
    use litz_scatter, only: forces_t, scatter, chunk
    use litz_shared_conductors, only: collect_shared
+   use litz_spot_law, only: contact_spot_t, contact_spot, spot_ok
+   use litz_text, only: to_text
    use litz_timing, only: timing_t, phase_contact, phase_assembly
    use litz_wires, only: wires_t, arc_from_to
    implicit none
    private
-   public :: apply_normal_law, assemble_contacts, predict_contacts
+   public :: apply_normal_law, assemble_contacts, predict_contacts, refused_contact
 
    !> At first touch the Hertz law is linearised about the force of an overlap of at most this fraction of the radius
    real(dp), parameter :: first_overlap = 1.0e-3_dp
 
 contains
 
-   !> Radius, Young's modulus, Poisson's ratio and resistivity of both wires, barred first.
-   pure subroutine materials_of(model, elements, point, radius, young, poisson, resistivity)
+   !> Both wires of a point, barred first.
+   pure type(wire_pair_t) function wires_of(model, elements, point) result(pair)
       type(model_t), intent(in) :: model
       type(elements_t), intent(in) :: elements
       type(contact_point_t), intent(in) :: point
-      real(dp), intent(out) :: radius(2), young(2), poisson(2), resistivity(2)
-      integer :: i, pair(2)
+      integer :: i, both(2)
 
-      pair = [point%element_bar, point%element]
+      both = [point%element_bar, point%element]
       do i = 1, 2
-         associate (material => model%materials(model%sections(model%element_section(pair(i)))%material))
-            young(i) = material%young
-            poisson(i) = material%poisson
+         associate (material => model%materials(model%sections(model%element_section(both(i)))%material))
+            pair%young(i) = material%young
+            pair%poisson(i) = material%poisson
          end associate
       end do
-      radius = elements%radius(pair)
-      resistivity = elements%resistivity(pair)
-   end subroutine materials_of
+      pair%radius = elements%radius(both)
+      pair%resistivity = elements%resistivity(both)
+      if (model%interactions(model%contact_pairs(point%pair)%interaction)%voltage_correction) then
+         pair%series_resistance = pair%resistivity*elements%length(both)/(4*elements%area(both))
+      end if
+   end function wires_of
 
    !> Force of every point at its present gap, and the force and stiffness this iteration linearises about.
    subroutine apply_normal_law(model, elements, contact)
@@ -62,57 +68,93 @@ contains
 
       !$omp parallel do schedule(static) if (size(contact%points) >= worth_threads)
       do i = 1, size(contact%points)
-         call linearise(contact%points(i))
+         call evaluate(contact%points(i))
       end do
       !$omp end parallel do
 
    contains
 
-      subroutine linearise(point)
+      subroutine evaluate(point)
          type(contact_point_t), intent(inout) :: point
-         real(dp) :: radius(2), young(2), poisson(2), resistivity(2), slope, dforce_dangle, delta, ddelta_dforce, limit
-         integer :: info
+         type(wire_pair_t) :: pair
 
          point%closed = point%gap < 0
          point%active = merge(point%predicted_gap < 0, point%closed, point%predicted)
+         point%at_gap = force_of_gap_t()
+         point%law_status = law_ok
          point%force = 0
          point%stiffness = 0
          point%iteration_force = 0
          point%geometric_force = max(point%mixed_force, 0.0_dp)
-         if (.not. (point%active .or. point%closed)) then
-            point%mixed_force = 0
-            return
-         end if
-         call materials_of(model, elements, point, radius, young, poisson, resistivity)
+         if (.not. point%active) point%mixed_force = 0
+         if (.not. (point%active .or. point%closed)) return
+         pair = wires_of(model, elements, point)
          associate (law => model%interactions(model%contact_pairs(point%pair)%interaction))
-            if (law%normal_law == normal_hertz .or. spot_law_uses_ellipse(law%spot_law)) then
-               call hertz_ellipse(radius, young, poisson, point%kinematics%angle, point%ellipse, info)
-            end if
-            call normal_force_of_ellipse(law%normal_law, law%penalty, point%gap, point%ellipse, point%force, slope, &
-               dforce_dangle, info)
-            if (.not. point%active) then
-               point%mixed_force = 0
-            else if (law%normal_law == normal_hertz) then
-               if (point%mixed_force <= 0) then
-                  call normal_force_of_ellipse(law%normal_law, law%penalty, -first_overlap*minval(radius), &
-                     point%ellipse, limit, slope, dforce_dangle, info)
-                  point%mixed_force = limit
-                  if (point%closed) point%mixed_force = min(point%force, limit)
-               end if
-               call hertz_approach_of_ellipse(point%mixed_force, point%ellipse, delta, ddelta_dforce)
-               point%stiffness = 1/ddelta_dforce
-               point%iteration_force = point%mixed_force + point%stiffness*(-point%gap - delta)
-            else
-               point%stiffness = law%penalty
-               point%iteration_force = -law%penalty*point%gap
-            end if
+            if (law%normal%uses_ellipse .or. law%spot%uses_ellipse) call find_ellipse(pair, point)
+            if (point%law_status /= law_ok) return
+            point%at_gap = force_at_gap(law%normal, point%gap, pair, point%ellipse)
+            point%force = point%at_gap%force
+            if (point%active) call linearise(law%normal, point%gap, first_overlap*minval(pair%radius), pair, &
+               point%ellipse, point%mixed_force, point%stiffness, point%iteration_force)
          end associate
-      end subroutine linearise
+      end subroutine evaluate
 
    end subroutine apply_normal_law
 
+   pure subroutine find_ellipse(pair, point)
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(inout) :: point
+      integer :: info
+
+      call hertz_ellipse(pair%radius, pair%young, pair%poisson, point%kinematics%angle, point%ellipse, info)
+      if (info /= hertz_ok) point%law_status = law_parallel
+   end subroutine find_ellipse
+
+   !> Why an iteration cannot go on with these contacts; empty where it can. A smaller increment may not come here.
+   pure function refused_contact(model, contact) result(words)
+      type(model_t), intent(in) :: model
+      type(contact_set_t), intent(in) :: contact
+      character(len=:), allocatable :: words
+      integer :: i
+
+      words = ''
+      do i = 1, size(contact%points)
+         if (contact%points(i)%law_status /= law_parallel) cycle
+         words = 'wires have become parallel where they touch ('//elements_of(model, contact%points(i))// &
+            '): the law of a contact at a point needs wires that cross'
+         return
+      end do
+   end function refused_contact
+
+   !> The first contact whose spot law does not take its data; no increment is small enough for that.
+   subroutine refuse_bad_data(model, contact, error)
+      type(model_t), intent(in) :: model
+      type(contact_set_t), intent(in) :: contact
+      type(error_t), allocatable, intent(out) :: error
+      integer :: i
+
+      do i = 1, size(contact%points)
+         if (contact%points(i)%law_status /= law_bad_data) cycle
+         associate (law => model%interactions(model%contact_pairs(contact%points(i)%pair)%interaction))
+            error = fail(exit_input, 'surface interaction '//law%name//': the data of the spot law '// &
+               trim(law%spot%name)//' are not what it needs ('//elements_of(model, contact%points(i))//')')
+         end associate
+         return
+      end do
+   end subroutine refuse_bad_data
+
+   pure function elements_of(model, point) result(words)
+      type(model_t), intent(in) :: model
+      type(contact_point_t), intent(in) :: point
+      character(len=:), allocatable :: words
+
+      words = 'elements '//to_text(model%element_id(point%element_bar))//' and '// &
+         to_text(model%element_id(point%element))
+   end function elements_of
+
    !> Add all points to the system: mechanics, and where a current can cross, the paper's electric blocks.
-   subroutine assemble_contacts(model, wires, elements, equations, increment, iterate, contact, matrix, forces, timing)
+   subroutine assemble_contacts(model, wires, elements, equations, increment, iterate, contact, matrix, forces, &
+      timing, error)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
@@ -124,6 +166,7 @@ contains
       type(system_t), intent(inout) :: matrix
       type(forces_t), intent(inout) :: forces
       type(timing_t), intent(inout) :: timing
+      type(error_t), allocatable, intent(out) :: error
       real(dp), allocatable :: k(:, :, :), r(:, :), k_ee(:, :, :), r_e(:, :), k_me(:, :, :)
       integer, allocatable :: touching(:), nodes(:, :)
       integer :: first, n, i
@@ -157,6 +200,8 @@ contains
             call timing%lap(phase_assembly)
          end associate
       end do
+      call refuse_bad_data(model, contact, error)
+      if (allocated(error)) return
       call share_currents(model, iterate%value(potential_slots(1), :), contact, forces)
       call timing%lap(phase_contact)
 
@@ -167,28 +212,24 @@ contains
          integer, intent(out) :: nodes_p(4)
          real(dp), intent(out) :: k_p(24, 24), r_p(24), k_ee_p(4, 4), r_e_p(4), k_me_p(4, 24)
          real(dp) :: x(3, 4), t(3, 4), length(2)
-         real(dp) :: radius(2), young(2), poisson(2), resistivity(2), force, dforce_dgap, dforce_dangle
-         integer :: info
+         type(wire_pair_t) :: pair
 
          nodes_p = [model%connectivity(:, point%element_bar), model%connectivity(:, point%element)]
          call pair_geometry(model, wires, elements, point%element_bar, point%element, iterate%x, iterate%rotation, &
             x, t, length)
          call contact_mechanics(point%kinematics, t, point%force, point%stiffness, point%geometric_force, &
             form_hessian, k_p, r_p)
-         call materials_of(model, elements, point, radius, young, poisson, resistivity)
+         pair = wires_of(model, elements, point)
          associate (law => model%interactions(model%contact_pairs(point%pair)%interaction))
-            if (law%friction > 0) call add_friction(law, wires, x, t, length, young, poisson, motion(nodes_p), &
+            if (law%friction > 0) call add_friction(law, wires, x, t, length, pair, motion(nodes_p), &
                clearance_of(point%fit, contact%converged_clearance(point%pair)) &
                - clearance_of(point%fit, contact%clearance(point%pair)), point, k_p, r_p)
-            call normal_force_of_ellipse(law%normal_law, law%penalty, point%gap, point%ellipse, force, dforce_dgap, &
-               dforce_dangle, info)
          end associate
          k_ee_p = 0
          r_e_p = 0
          k_me_p = 0
-         if (point%closed .and. all(elements%resistivity([point%element_bar, point%element]) > 0)) then
-            call evaluate_current(point, nodes_p, radius, young, poisson, resistivity, dforce_dgap, dforce_dangle, &
-               k_ee_p, r_e_p, k_me_p)
+         if (point%closed .and. all(pair%resistivity > 0)) then
+            call evaluate_current(point, nodes_p, pair, k_ee_p, r_e_p, k_me_p)
          end if
       end subroutine evaluate
 
@@ -203,42 +244,33 @@ contains
          end do
       end function motion
 
-      subroutine evaluate_current(point, nodes_p, radius, young, poisson, resistivity, dforce_dgap, dforce_dangle, &
-         k_ee_p, r_e_p, k_me_p)
+      subroutine evaluate_current(point, nodes_p, pair, k_ee_p, r_e_p, k_me_p)
          type(contact_point_t), intent(inout) :: point
          integer, intent(in) :: nodes_p(4)
-         real(dp), intent(in) :: radius(2), young(2), poisson(2), resistivity(2), dforce_dgap, dforce_dangle
+         type(wire_pair_t), intent(in) :: pair
          real(dp), intent(inout) :: k_ee_p(4, 4), r_e_p(4), k_me_p(4, 24)
-         real(dp) :: dg_dforce, series(2), spot_force, dspot_force
+         real(dp) :: dg_dforce, spot_force, dspot_force
          type(contact_spot_t) :: spot
          type(contact_electricity_t) :: electricity
-         integer :: info, pair(2)
+         integer :: info
 
-         pair = [point%element_bar, point%element]
          associate (law => model%interactions(model%contact_pairs(point%pair)%interaction))
-            if (law%spot_law == spot_none) return
-            ! a remembered spot does not follow the force
-            dspot_force = 1
-            spot_force = point%force
-            if (law%spot_memory) point%new_spot = leaves_spot(law, wires, radius, young, poisson, resistivity, point)
-            if (law%spot_memory .and. .not. point%new_spot .and. point%history%largest_force > point%force) then
-               dspot_force = 0
-               spot_force = point%history%largest_force
-            end if
-            call contact_spot_of_ellipse(law%spot_law, spot_force, radius, young, poisson, resistivity, &
-               point%ellipse, law%spot_value, law%table_force, law%table_resistance, spot, info)
-            point%semi_major = spot%semi_major
-            point%semi_minor = spot%semi_minor
-            point%conductance = spot%conductance
-            dg_dforce = spot%dconductance_dforce*dspot_force
-            series = 0
-            if (law%voltage_correction) series = resistivity*elements%length(pair)/(4*elements%area(pair))
+            if (.not. law%spot%exists()) return
+            if (law%spot_memory) point%new_spot = leaves_spot(law, wires, pair, point)
+            call force_of_spot(law%spot_memory, point%history, point%force, point%new_spot, spot_force, dspot_force)
+            call contact_spot(law%spot, spot_force, pair, point%ellipse, spot, info)
          end associate
+         if (info /= spot_ok) point%law_status = law_bad_data
+         point%semi_major = spot%semi_major
+         point%semi_minor = spot%semi_minor
+         point%conductance = spot%conductance
+         dg_dforce = spot%dconductance_dforce*dspot_force
          call contact_electricity(point%kinematics, iterate%value(potential_slots(1), nodes_p), point%conductance, &
-            dg_dforce*dforce_dgap, spot%dconductance_dangle + dg_dforce*dforce_dangle, series, electricity)
+            dg_dforce*point%at_gap%dforce_dgap, spot%dconductance_dangle + dg_dforce*point%at_gap%dforce_dangle, &
+            pair%series_resistance, electricity)
          point%current = electricity%current
-         point%series_resistance = series
-         point%heat_inside = point%current**2*series*(1 - [point%xi_bar, point%xi]**2)
+         point%series_resistance = pair%series_resistance
+         point%heat_inside = point%current**2*pair%series_resistance*(1 - [point%xi_bar, point%xi]**2)
          point%voltage_gap = electricity%voltage_gap
          k_ee_p = electricity%k_ee
          r_e_p = electricity%r_e
@@ -264,13 +296,11 @@ contains
 
    !> A contact that remembers its spot is no longer at it. With friction it has slipped; without, it has moved along
    !> one of its wires by more than the spot, which where the law has none is that of Hertz.
-   pure logical function leaves_spot(law, wires, radius, young, poisson, resistivity, point) result(leaves)
+   pure logical function leaves_spot(law, wires, pair, point) result(leaves)
       type(interaction_t), intent(in) :: law
       type(wires_t), intent(in) :: wires
-      !> As of `materials_of` (2)
-      real(dp), intent(in) :: radius(2), young(2), poisson(2), resistivity(2)
+      type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(in) :: point
-      type(hertz_ellipse_t) :: ellipse
       type(contact_spot_t) :: spot
       real(dp) :: moved(2), size_of_spot
       integer :: info
@@ -279,13 +309,25 @@ contains
       if (law%friction > 0 .or. .not. point%history%largest_force > 0) return
       moved = abs(arc_from_to(point%history%spot_arc, [point%arc_bar, point%arc], &
          wires%circumference(wires%wire([point%element_bar, point%element]))))
-      call hertz_ellipse(radius, young, poisson, point%kinematics%angle, ellipse, info)
-      call contact_spot_of_ellipse(law%spot_law, point%history%largest_force, radius, young, poisson, resistivity, &
-         ellipse, law%spot_value, law%table_force, law%table_resistance, spot, info)
+      call contact_spot(law%spot, point%history%largest_force, pair, point%ellipse, spot, info)
       size_of_spot = spot%semi_major
-      if (.not. size_of_spot > 0) size_of_spot = ellipse%semi_major*point%history%largest_force**(1.0_dp/3)
+      if (info /= spot_ok .or. .not. size_of_spot > 0) size_of_spot = &
+         ellipse_of(pair, point%kinematics%angle)*point%history%largest_force**(1.0_dp/3)
       leaves = maxval(moved) > size_of_spot
    end function leaves_spot
+
+   !> Greater half axis of the Hertz ellipse of 1 N [m].
+   pure real(dp) function ellipse_of(pair, angle) result(semi_major)
+      type(wire_pair_t), intent(in) :: pair
+      !> Between the axes [rad]
+      real(dp), intent(in) :: angle
+      type(hertz_ellipse_t) :: ellipse
+      integer :: info
+
+      semi_major = 0
+      call hertz_ellipse(pair%radius, pair%young, pair%poisson, angle, ellipse, info)
+      if (info == hertz_ok) semi_major = ellipse%semi_major
+   end function ellipse_of
 
    !> Where contacts share elements their currents depend on each other: what that changes (theory section 7).
    subroutine share_currents(model, potential, contact, forces)

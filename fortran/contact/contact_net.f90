@@ -10,7 +10,8 @@ module litz_contact_net
    use litz_contact_points, only: contact_set_t, contact_point_t, points_by_wire_t, chain_by_wire
    use litz_element_library, only: elements_t
    use litz_missed_contacts, only: inspect_pair, is_at
-   use litz_model, only: model_t, axis_linear, normal_linear
+   use litz_model, only: model_t, axis_linear
+   use litz_normal_law, only: penalty_that_holds
    use litz_parallel, only: worth_threads
    use litz_wires, only: wires_t
    implicit none
@@ -82,7 +83,8 @@ contains
          finding%elements = [point%element_bar, point%element]
          finding%overlap = -point%gap/radius
          if (finding%overlap > allowed_penetration) finding%kind = finding_deep
-         if (law%normal_law == normal_linear) finding%penalty = point%force/(allowed_penetration*radius)
+         finding%penalty = penalty_that_holds(law%normal, point%force, allowed_penetration*radius)
+         finding%law_title = law%normal%title
          if (law%axis == axis_linear) then
             if (has_neighbour(wires, elements, points, by_wire, point)) finding%kind = finding_kink
          end if

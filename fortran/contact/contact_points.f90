@@ -9,13 +9,19 @@ module litz_contact_points
    use litz_friction_law, only: friction_law_t
    use litz_hertz, only: hertz_ellipse_t
    use litz_model, only: model_t
+   use litz_normal_law, only: force_of_gap_t
    use litz_shared_conductors, only: shared_conductors_t
    use litz_state, only: contact_t
    use litz_wires, only: wires_t
    implicit none
    private
    public :: contact_point_t, contact_set_t, points_by_wire_t
+   public :: law_ok, law_parallel, law_bad_data
    public :: pair_geometry, axis_of_pair, arc_at, crossing_at, clearance_of, chain_by_wire
+
+   !> What has become of the laws of a contact: nothing; the axes are parallel, so that there is no Hertz ellipse; the
+   !> data of the law are none for it
+   integer, parameter :: law_ok = 0, law_parallel = 1, law_bad_data = 2
 
    !> A crossing of two wires, open or closed: the contact that results show, and what the iteration needs besides.
    type, extends(contact_t) :: contact_point_t
@@ -40,8 +46,11 @@ module litz_contact_points
       real(dp) :: fit = 0
       !> In contact as the iteration takes it (prediction) and as it is
       logical :: active = .false., closed = .false.
-      !> The force that this iteration linearises about [N]
+      !> Law at the present gap, and the force that this iteration linearises about [N]
+      type(force_of_gap_t) :: at_gap
       real(dp) :: iteration_force = 0
+      !> A law or what it builds on has failed here: `law_ok`, `law_parallel` or `law_bad_data`
+      integer :: law_status = law_ok
       !> Force of the geometric stiffness [N]; zero at first touch, where no force is known yet
       real(dp) :: geometric_force = 0
       !> Memory of the converged state: from when the increment began until it has converged

@@ -4,11 +4,12 @@ module litz_friction_forces
    use litz_contact_friction, only: slip_t, slip_kinematics, friction_residual, friction_tangent
    use litz_contact_points, only: contact_point_t
    use litz_friction_iteration, only: place_touch
-   use litz_friction_law, only: friction_law_t, friction_law, mindlin_ratio, friction_none, friction_stick
-   use litz_hertz, only: hertz_ellipse_t
-   use litz_model, only: interaction_t, normal_hertz, stick_elastic_slip, stick_stiffness
-   use litz_normal_law, only: hertz_approach_of_ellipse
+   use litz_friction_law, only: friction_law_t, friction_law, friction_none, friction_stick
+   use litz_law_input, only: wire_pair_t
+   use litz_model, only: interaction_t
+   use litz_normal_law, only: overlap_at_force
    use litz_rotation_forms, only: spin_to_hessian
+   use litz_stick_laws, only: stick_stiffness_at
    use litz_wires, only: wires_t, arc_from_to
    implicit none
    private
@@ -17,13 +18,12 @@ module litz_friction_forces
 contains
 
    !> Add the traction to the residual and the tangent of a contact.
-   pure subroutine add_friction(law, wires, x, t, length, young, poisson, dq, closing, point, k, r)
+   pure subroutine add_friction(law, wires, x, t, length, pair, dq, closing, point, k, r)
       type(interaction_t), intent(in) :: law
       type(wires_t), intent(in) :: wires
       !> Nodal positions [m] and unit tangents (3, 4), reference lengths (2) [m]: barred first
       real(dp), intent(in) :: x(3, 4), t(3, 4), length(2)
-      !> Young's moduli (2) [Pa], Poisson's ratios (2) [-]
-      real(dp), intent(in) :: young(2), poisson(2)
+      type(wire_pair_t), intent(in) :: pair
       !> Displacements and rotations of the four nodes since the increment began (24) [m, rad], and what the clearance
       !> of an interference has closed the gap by [m]
       real(dp), intent(in) :: dq(24), closing
@@ -44,7 +44,7 @@ contains
          arc_from_to(start_of_slip(point), [point%arc_bar, point%arc], wires%circumference(wires%wire(elements))))
       residual = 0
       if (point%closed) then
-         call stick(law, young, poisson, point%force, point%ellipse, stiffness, dstiffness_dforce)
+         call stick(law, pair, point%force, point, stiffness, dstiffness_dforce)
          point%friction = friction_law(law%friction, point%force, stiffness, dstiffness_dforce, &
             point%history%traction, slip%slip, force_start=point%history%force)
          point%traction = -matmul(slip%frame, point%friction%traction)
@@ -62,7 +62,7 @@ contains
          force = max(0.0_dp, point%iteration_force)
          dforce = -point%stiffness*point%kinematics%dgap
          if (.not. force > 0) return
-         call stick(law, young, poisson, force, point%ellipse, stiffness, dstiffness_dforce)
+         call stick(law, pair, force, point, stiffness, dstiffness_dforce)
          supposed = friction_law(law%friction, force, stiffness, dstiffness_dforce, point%history%traction, slip%slip, &
             iteration%status)
          r_friction = friction_residual(point%kinematics, slip, supposed%traction)
@@ -128,33 +128,17 @@ contains
    end subroutine grow_with_force
 
    !> Tangential stiffness of a contact that sticks, and how it changes with the normal force.
-   pure subroutine stick(law, young, poisson, force, ellipse, stiffness, dstiffness_dforce)
+   pure subroutine stick(law, pair, force, point, stiffness, dstiffness_dforce)
       type(interaction_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
       !> Normal force, greater than 0 [N]
-      real(dp), intent(in) :: young(2), poisson(2), force
-      type(hertz_ellipse_t), intent(in) :: ellipse
+      real(dp), intent(in) :: force
+      type(contact_point_t), intent(in) :: point
       !> [N/m], [1/m]
       real(dp), intent(out) :: stiffness, dstiffness_dforce
-      real(dp) :: delta, ddelta_dforce
 
-      select case (law%stick_law)
-      case (stick_elastic_slip)
-         dstiffness_dforce = law%friction/law%stick_value
-         stiffness = dstiffness_dforce*force
-      case (stick_stiffness)
-         stiffness = law%stick_value
-         dstiffness_dforce = 0
-      case default
-         stiffness = law%penalty
-         dstiffness_dforce = 0
-         if (law%normal_law == normal_hertz) then
-            call hertz_approach_of_ellipse(force, ellipse, delta, ddelta_dforce)
-            stiffness = 1/ddelta_dforce
-            dstiffness_dforce = stiffness/(3*force)                                       ! it goes with F^(1/3)
-         end if
-         stiffness = mindlin_ratio(young, poisson)*stiffness
-         dstiffness_dforce = mindlin_ratio(young, poisson)*dstiffness_dforce
-      end select
+      call stick_stiffness_at(law%stick_law, law%stick_value, law%friction, force, &
+         overlap_at_force(law%normal, force, pair, point%ellipse), pair, stiffness, dstiffness_dforce)
    end subroutine stick
 
 end module litz_friction_forces

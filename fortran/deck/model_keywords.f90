@@ -1,10 +1,13 @@
 !> The keywords that describe the model: mesh, materials, sections, amplitudes and contact.
 module litz_model_keywords
-   use litz_laws, only: spot_laws
-   use litz_keywords, only: keyword_t, keyword_table_t, place_model, place_both, limit_positive, &
+   use litz_keywords, only: keyword_t, keyword_table_t, field_spec_t, place_model, place_both, limit_positive, &
       limit_not_negative, limit_poisson, limit_zero
    use litz_keyword_builders, only: begin, finish, integer_field, real_field, name_field, item_field, text_field, &
       flag, choice, name, number, file
+   use litz_law_words, only: law_words_t
+   use litz_normal_laws, only: all_normal_laws
+   use litz_spot_laws, only: all_spot_laws
+   use litz_stick_laws, only: stick_laws
    implicit none
    private
    public :: add_general, add_mesh, add_properties, add_contact
@@ -152,6 +155,7 @@ contains
    pure subroutine add_contact(table)
       type(keyword_table_t), intent(inout) :: table
       type(keyword_t) :: k
+      integer :: i
 
       call begin(k, 'SURFACE INTERACTION', place_model, 'Begins the laws of a contact; *SURFACE BEHAVIOR and *GAP'// &
          ' ELECTRICAL CONDUCTANCE follow it.')
@@ -161,15 +165,13 @@ contains
          default='HERMITE'))
       call finish(table, k)
 
-      call begin(k, 'SURFACE BEHAVIOR', place_model, 'Contact force over penetration. LINEAR: a penalty. HERTZ: the'// &
-         ' elastic approach of two wires, no data; the default when the keyword is left out.', &
-         after='SURFACE INTERACTION')
-      call k%add(choice('PRESSURE-OVERCLOSURE', 'LINEAR|HERTZ', 'the law', required=.true.))
+      call begin(k, 'SURFACE BEHAVIOR', place_model, 'Contact force over penetration.'// &
+         meanings_of(all_normal_laws()), after='SURFACE INTERACTION')
+      call k%add(choice('PRESSURE-OVERCLOSURE', names_of(all_normal_laws()), 'the law', required=.true.))
       call k%add(choice('PENETRATION', 'LIMITED|UNLIMITED', &
          'UNLIMITED: soft penalties are meant, deep penetration is no'// &
          ' error (litz extension)', default='LIMITED'))
-      call k%add_data([real_field('penalty', 'N/m', 'contact force per penetration', limit_positive)], &
-         when='PRESSURE-OVERCLOSURE=LINEAR')
+      call add_law_data(k, 'PRESSURE-OVERCLOSURE', all_normal_laws())
       call finish(table, k)
 
       call begin(k, 'FRICTION', place_model, &
@@ -178,23 +180,23 @@ contains
          ' normal stiffness for equal materials, or by one of the parameters. Without this keyword the wires slide'// &
          ' freely. A contact that closes grips from the place where it has closed within the increment.', &
          after='SURFACE INTERACTION')
-      call k%add(number('ELASTIC SLIP', 'slip at which friction reaches its limit [m], whatever the force', &
-         limit_positive))
-      call k%add(number('STICK STIFFNESS', 'tangential stiffness of a contact [N/m] (litz extension)', &
-         limit_positive))
+      do i = 1, size(stick_laws)
+         if (len_trim(stick_laws(i)%parameter) > 0) call k%add(number(trim(stick_laws(i)%parameter), &
+            trim(stick_laws(i)%meaning), limit_positive))
+      end do
       call k%add_data([real_field('mu', '-', 'coefficient of friction', limit_not_negative)])
       call finish(table, k)
 
       call begin(k, 'GAP ELECTRICAL CONDUCTANCE', place_model, 'Resistance of the contact spot.'// &
-         spot_law_meanings()//' Without this keyword no current crosses.', after='SURFACE INTERACTION')
-      call k%add(choice('LAW', spot_law_names(), 'the law of the spot (litz extension)', required=.true.))
+         meanings_of(all_spot_laws())//' Without this keyword no current crosses.', after='SURFACE INTERACTION')
+      call k%add(choice('LAW', names_of(all_spot_laws()), 'the law of the spot (litz extension)', required=.true.))
       call k%add(choice('VOLTAGE', 'CORRECTED|LINEAR', &
          'CORRECTED adds the resistance that the linear voltage within an'// &
          ' element misses', default='CORRECTED'))
       call k%add(choice('SPOT', 'PRESENT FORCE|LARGEST FORCE', &
          'LARGEST FORCE: a pressed spot stays, with the resistance of the largest force since the contact closed,'// &
          ' slipped, or without friction moved by more than the spot (litz extension)', default='PRESENT FORCE'))
-      call add_spot_law_data(k)
+      call add_law_data(k, 'LAW', all_spot_laws())
       call finish(table, k)
 
       call begin(k, 'CONTACT PAIR', place_model, &
@@ -208,41 +210,49 @@ contains
    end subroutine add_contact
 
    !> `A|B|C`
-   pure function spot_law_names() result(names)
+   pure function names_of(laws) result(names)
+      type(law_words_t), intent(in) :: laws(:)
       character(len=:), allocatable :: names
       integer :: i
 
-      names = trim(spot_laws(1)%name)
-      do i = 2, size(spot_laws)
-         names = names//'|'//trim(spot_laws(i)%name)
+      names = trim(laws(1)%name)
+      do i = 2, size(laws)
+         names = names//'|'//trim(laws(i)%name)
       end do
-   end function spot_law_names
+   end function names_of
 
    !> A sentence for each law.
-   pure function spot_law_meanings() result(text)
+   pure function meanings_of(laws) result(text)
+      type(law_words_t), intent(in) :: laws(:)
       character(len=:), allocatable :: text
       integer :: i
 
       text = ''
-      do i = 1, size(spot_laws)
-         text = text//' '//trim(spot_laws(i)%name)//': '//trim(spot_laws(i)%meaning)//'.'
+      do i = 1, size(laws)
+         text = text//' '//trim(laws(i)%name)//': '//trim(laws(i)%meaning)//'.'
       end do
-   end function spot_law_meanings
+   end function meanings_of
 
-   pure subroutine add_spot_law_data(k)
+   !> The data lines of each law that has some.
+   pure subroutine add_law_data(k, parameter, laws)
       type(keyword_t), intent(inout) :: k
-      integer :: i
+      !> Which parameter chooses the law
+      character(len=*), intent(in) :: parameter
+      type(law_words_t), intent(in) :: laws(:)
+      type(field_spec_t), allocatable :: fields(:)
+      integer :: i, j
 
-      do i = 1, size(spot_laws)
-         associate (law => spot_laws(i))
-            if (len_trim(law%value_name) > 0) call k%add_data([real_field(trim(law%value_name), trim(law%value_unit), &
-               trim(law%value_meaning), limit_positive)], when='LAW='//trim(law%name))
-            if (law%has_table) call k%add_data([real_field('F', 'N', 'contact force; ascending', limit_positive), &
-               real_field('R', 'ohm', 'resistance of a contact at that force;'// &
-               ' outside the table the power law of its first, or last, two pairs goes on, with a warning'// &
-               ' (outside_table)', limit_positive)], when='LAW='//trim(law%name), last=0)
-         end associate
+      do i = 1, size(laws)
+         if (laws(i)%n_fields() == 0) cycle
+         allocate (fields(laws(i)%n_fields()))
+         do j = 1, size(fields)
+            associate (field => laws(i)%fields(j))
+               fields(j) = real_field(trim(field%name), trim(field%unit), trim(field%meaning), limit_positive)
+            end associate
+         end do
+         call k%add_data(fields, when=parameter//'='//trim(laws(i)%name), last=merge(0, 1, laws(i)%has_table))
+         deallocate (fields)
       end do
-   end subroutine add_spot_law_data
+   end subroutine add_law_data
 
 end module litz_model_keywords

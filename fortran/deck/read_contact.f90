@@ -3,11 +3,14 @@ module litz_read_contact
    use litz_kinds, only: dp
    use litz_text, only: to_text
    use litz_deck, only: token_t
-   use litz_laws, only: axis_linear, normal_linear, normal_hertz, stick_elastic_slip, stick_stiffness, &
-      spot_none, spot_laws, spot_law_number
+   use litz_axis_choices, only: axis_linear
+   use litz_law_words, only: law_words_t
    use litz_model, only: model_t, interaction_t, contact_pair_t
+   use litz_normal_laws, only: normal_law, default_normal_law
    use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, real_parameter, has_flag, keyword_of, &
       n_cards_of
+   use litz_spot_laws, only: spot_law
+   use litz_stick_laws, only: stick_laws, stick_mindlin
    use litz_data_lines, only: read_line
    use litz_definitions, only: add_definition, find_definition
    use litz_sets, only: find_set
@@ -39,7 +42,7 @@ contains
                index)
             if (index == 0) cycle
             model%interactions(index)%name = self%interactions%names%name(index)
-            allocate (model%interactions(index)%table_force(0), model%interactions(index)%table_resistance(0))
+            model%interactions(index)%normal = normal_law(default_normal_law)
             if (choice_of(self, card, 'AXIS') == 'LINEAR') model%interactions(index)%axis = axis_linear
          case ('SURFACE BEHAVIOR')
             if (has_behavior) call fail_at(self, self%deck%cards(card)%name, &
@@ -53,7 +56,7 @@ contains
             if (index > 0) call read_friction(self, card, model%interactions(index))
          case ('GAP ELECTRICAL CONDUCTANCE')
             if (index == 0) cycle
-            if (model%interactions(index)%spot_law /= spot_none) call fail_at(self, self%deck%cards(card)%name, &
+            if (model%interactions(index)%spot%exists()) call fail_at(self, self%deck%cards(card)%name, &
                'this surface interaction has two *GAP ELECTRICAL CONDUCTANCE')
             call read_spot_law(self, card, model%interactions(index))
          end select
@@ -66,14 +69,12 @@ contains
       !> Index of the card
       integer, intent(in) :: card
       type(interaction_t), intent(inout) :: interaction
-      logical :: ok
 
-      interaction%normal_law = merge(normal_linear, normal_hertz, choice_of(self, card, &
-         'PRESSURE-OVERCLOSURE') == 'LINEAR')
+      interaction%normal = normal_law(choice_of(self, card, 'PRESSURE-OVERCLOSURE'))
+      ! without a word that the table has, which has been reported
+      if (.not. interaction%normal%exists()) interaction%normal = normal_law(default_normal_law)
       interaction%unlimited_penetration = choice_of(self, card, 'PENETRATION') == 'UNLIMITED'
-      if (interaction%normal_law == normal_hertz .or. .not. has_data(self, card)) return
-      call read_line(self, card, self%deck%cards(card)%first_data, ok)
-      if (ok) interaction%penalty = self%values%real(1)
+      call read_law_data(self, card, interaction%normal)
    end subroutine read_behavior
 
    subroutine read_friction(self, card, interaction)
@@ -82,17 +83,17 @@ contains
       integer, intent(in) :: card
       type(interaction_t), intent(inout) :: interaction
       logical :: ok
+      integer :: i
 
-      if (has_flag(self, card, 'ELASTIC SLIP')) then
-         interaction%stick_law = stick_elastic_slip
-         interaction%stick_value = real_parameter(self, card, 'ELASTIC SLIP', 1.0_dp)
-      end if
-      if (has_flag(self, card, 'STICK STIFFNESS')) then
-         if (interaction%stick_law == stick_elastic_slip) call fail_at(self, self%deck%cards(card)%name, &
-            '*FRICTION takes ELASTIC SLIP or STICK STIFFNESS, not both')
-         interaction%stick_law = stick_stiffness
-         interaction%stick_value = real_parameter(self, card, 'STICK STIFFNESS', 1.0_dp)
-      end if
+      do i = 1, size(stick_laws)
+         if (len_trim(stick_laws(i)%parameter) == 0) cycle
+         if (.not. has_flag(self, card, trim(stick_laws(i)%parameter))) cycle
+         if (interaction%stick_law /= stick_mindlin) call fail_at(self, self%deck%cards(card)%name, &
+            '*FRICTION takes '//trim(stick_laws(interaction%stick_law)%parameter)//' or '// &
+            trim(stick_laws(i)%parameter)//', not both')
+         interaction%stick_law = i
+         interaction%stick_value = real_parameter(self, card, trim(stick_laws(i)%parameter), 1.0_dp)
+      end do
       if (.not. has_data(self, card)) return
       call read_line(self, card, self%deck%cards(card)%first_data, ok)
       if (ok) interaction%friction = self%values%real(1)
@@ -111,51 +112,43 @@ contains
       !> Index of the card
       integer, intent(in) :: card
       type(interaction_t), intent(inout) :: interaction
-      logical :: ok
 
       interaction%voltage_correction = choice_of(self, card, 'VOLTAGE') == 'CORRECTED'
       interaction%spot_memory = choice_of(self, card, 'SPOT') == 'LARGESTFORCE'
-      interaction%spot_law = spot_law_number(choice_of(self, card, 'LAW'))
-      if (interaction%spot_law == spot_none) return
-      if (spot_laws(interaction%spot_law)%has_table) then
-         call read_table(self, card, interaction)
-         return
-      end if
-      if (.not. has_data(self, card)) return
-      call read_line(self, card, self%deck%cards(card)%first_data, ok)
-      if (ok) interaction%spot_value = self%values%real(1)
+      interaction%spot = spot_law(choice_of(self, card, 'LAW'))
+      call read_law_data(self, card, interaction%spot)
    end subroutine read_spot_law
 
-   !> Resistance over force, forces ascending.
-   subroutine read_table(self, card, interaction)
+   !> The data line of a law, or its table.
+   subroutine read_law_data(self, card, law)
       type(reader_t), intent(inout) :: self
       !> Index of the card
       integer, intent(in) :: card
-      type(interaction_t), intent(inout) :: interaction
-      integer :: line, n
+      class(law_words_t), intent(inout) :: law
+      real(dp), allocatable :: rows(:, :)
+      integer :: line, last, n
       logical :: ok
 
+      if (law%n_fields() == 0) return
       associate (this => self%deck%cards(card))
-         n = max(0, this%last_data - this%first_data + 1)
-         interaction%table_force = spread(0.0_dp, 1, n)
-         interaction%table_resistance = interaction%table_force
+         allocate (rows(law%n_fields(), max(0, this%last_data - this%first_data + 1)))
+         last = this%last_data
+         if (.not. law%has_table) last = min(last, this%first_data)
          n = 0
-         do line = this%first_data, this%last_data
+         do line = this%first_data, last
             call read_line(self, card, line, ok)
             if (.not. ok) cycle
             if (n > 0) then
-               if (self%values%real(1) <= interaction%table_force(n)) call fail_at(self, self%values%token(1), &
+               if (self%values%real(1) <= rows(1, n)) call fail_at(self, self%values%token(1), &
                   'the forces of the table must ascend; '//to_text(self%values%real(1))//' follows '// &
-                  to_text(interaction%table_force(n)))
+                  to_text(rows(1, n)))
             end if
             n = n + 1
-            interaction%table_force(n) = self%values%real(1)
-            interaction%table_resistance(n) = self%values%real(2)
+            rows(:, n) = self%values%real(:size(rows, 1))
          end do
       end associate
-      interaction%table_force = interaction%table_force(:n)
-      interaction%table_resistance = interaction%table_resistance(:n)
-   end subroutine read_table
+      if (n > 0 .or. law%has_table) call law%take(reshape(rows(:, :n), [n*size(rows, 1)]))
+   end subroutine read_law_data
 
    subroutine read_contact_pairs(self, model)
       type(reader_t), intent(inout) :: self

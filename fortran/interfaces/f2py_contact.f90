@@ -1,13 +1,17 @@
 ! The contact kernels for Python; the contracts are in fortran/kernels/.
-! Arrays of a table have at least one entry, also where the law does not look at them.
+! The data of a law have at least one entry, also where it does not look at them.
 module f2py_contact
    use iso_c_binding, only: c_double, c_int
    use litz_elliptic, only: elliptic_t, elliptic_integrals, elliptic_integrals_complementary
-   use litz_laws, only: spot_laws
-   use litz_contact_spot, only: core_contact_spot => contact_spot, contact_spot_t
-   use litz_normal_law, only: core_normal_force => normal_force, core_hertz_approach => hertz_approach
+   use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
+   use litz_law_input, only: wire_pair_t
+   use litz_law_words, only: law_words_t
+   use litz_normal_law, only: normal_law_t, force_of_gap_t, overlap_of_force_t, force_at_gap, overlap_at_force
+   use litz_normal_laws, only: find_normal_law => normal_law, all_normal_laws
+   use litz_spot_law, only: spot_law_t, contact_spot_t, core_contact_spot => contact_spot
+   use litz_spot_laws, only: find_spot_law => spot_law, all_spot_laws
    use litz_closest_points, only: core_closest_points => closest_points
-   use litz_contact_em, only: core_contact_em => contact_em, contact_em_t, wire_pair_t, contact_laws_t, &
+   use litz_contact_em, only: core_contact_em => contact_em, contact_em_t, contact_laws_t, &
       contact_active
    use litz_contact_electricity, only: coupling_parts
    use litz_contact_kinematics, only: core_contact_kinematics => contact_kinematics, contact_kinematics_t
@@ -16,18 +20,54 @@ module f2py_contact
       core_mindlin_ratio => mindlin_ratio
    use litz_contact_friction, only: slip_t, slip_kinematics, friction_residual, friction_tangent
    implicit none
+   private :: names_of, ellipse_for
 contains
 
-   ! Names of the spot laws and of their values, at the places of their numbers; blank beyond the last one.
+   pure subroutine names_of(laws, names, values)
+      type(law_words_t), intent(in) :: laws(:)
+      !> Names of the laws (32), empty beyond them
+      character(len=16), intent(out) :: names(32)
+      !> Names of the numbers of each (4, 32)
+      character(len=16), intent(out) :: values(4, 32)
+      integer :: i
+      names = ''
+      values = ''
+      do i = 1, size(laws)
+         names(i) = laws(i)%name
+         values(:, i) = laws(i)%fields%name
+      end do
+   end subroutine names_of
+
+   ! The Hertz ellipse for a law that uses it.
+   pure subroutine ellipse_for(law, radius, young, poisson, angle, ellipse, info)
+      class(law_words_t), intent(in) :: law
+      !> Radii [m], Young's moduli [Pa] and Poisson's ratios (2)
+      real(c_double), intent(in) :: radius(2), young(2), poisson(2)
+      !> Between the axes [rad]
+      real(c_double), intent(in) :: angle
+      type(hertz_ellipse_t), intent(out) :: ellipse
+      !> One of those of litz_hertz
+      integer(c_int), intent(out) :: info
+      info = hertz_ok
+      if (law%uses_ellipse) call hertz_ellipse(radius, young, poisson, angle, ellipse, info)
+   end subroutine ellipse_for
+
+   ! Names of the normal laws and of their numbers, at the places of the laws; blank beyond the last one.
+   subroutine normal_law_names(names, values)
+      !> Names in capitals, blank beyond the last one
+      character(len=16), intent(out) :: names(32)
+      !> Names of the numbers that are their data (place, law), blank where there is none
+      character(len=16), intent(out) :: values(4, 32)
+      call names_of(all_normal_laws(), names, values)
+   end subroutine normal_law_names
+
+   ! The same of the spot laws.
    subroutine spot_law_names(names, values)
       !> Names in capitals, blank beyond the last one
       character(len=16), intent(out) :: names(32)
-      !> Names of the numbers that are their data, blank where there is none
-      character(len=16), intent(out) :: values(32)
-      names = ''
-      values = ''
-      names(:size(spot_laws)) = spot_laws%name
-      values(:size(spot_laws)) = spot_laws%value_name
+      !> Names of the numbers that are their data (place, law), blank where there is none
+      character(len=16), intent(out) :: values(4, 32)
+      call names_of(all_spot_laws(), names, values)
    end subroutine spot_law_names
 
    ! K, E, B, D, C, dK/dm, dE/dm at m, or with complementary /= 0 at 1 - m.
@@ -48,12 +88,13 @@ contains
    end subroutine elliptic
 
    ! values: semi_major, semi_minor, approach, conductance, dconductance_dforce, dconductance_dangle
-   subroutine contact_spot(law, force, radius, young, poisson, resistivity, angle, law_value, n_table, table_force, &
-      table_resistance, values, info)
-      !> One of `spot_...` of litz_laws
+   subroutine contact_spot(law, n_data, data, force, radius, young, poisson, resistivity, angle, values, info)
+      !> Place of the law in litz_spot_laws
       integer(c_int), intent(in) :: law
-      !> Number of pairs of the table, at least 1
-      integer(c_int), intent(in) :: n_table
+      !> Numbers that are the data of the law, at least 1
+      integer(c_int), intent(in) :: n_data
+      !> Data of the law (n_data), line after line
+      real(c_double), intent(in) :: data(n_data)
       !> Contact force [N], positive in contact
       real(c_double), intent(in) :: force
       !> Radii (2) [m]: barred, unbarred
@@ -66,29 +107,30 @@ contains
       real(c_double), intent(in) :: resistivity(2)
       !> Angle between the tangents [rad]
       real(c_double), intent(in) :: angle
-      !> The number that is the data of the spot law
-      real(c_double), intent(in) :: law_value
-      !> Forces (n_table) [N]
-      real(c_double), intent(in) :: table_force(n_table)
-      !> Resistances (n_table) [ohm]
-      real(c_double), intent(in) :: table_resistance(n_table)
       !> Semi-axes, approach [m], G [S], dG/dF [S/N], dG/dangle [S/rad]
       real(c_double), intent(out) :: values(6)
-      !> 0: all is well; else one of the constants of the kernel
+      !> 0: all is well; else one of the constants of the law or of litz_hertz
       integer(c_int), intent(out) :: info
+      type(hertz_ellipse_t) :: ellipse
+      type(spot_law_t) :: spot_law
       type(contact_spot_t) :: spot
-      call core_contact_spot(law, force, radius, young, poisson, resistivity, angle, law_value, table_force, &
-         table_resistance, spot, info)
+      values = 0
+      spot_law = find_spot_law(law, data)
+      call ellipse_for(spot_law, radius, young, poisson, angle, ellipse, info)
+      if (info /= hertz_ok) return
+      call core_contact_spot(spot_law, force, wire_pair_t(radius, young, poisson, resistivity), ellipse, spot, info)
       values = [spot%semi_major, spot%semi_minor, spot%approach, spot%conductance, spot%dconductance_dforce, &
          spot%dconductance_dangle]
    end subroutine contact_spot
 
-   ! values: force, dforce_dgap, dforce_dangle
-   subroutine normal_force(law, penalty, gap, radius, young, poisson, angle, values, info)
-      !> `normal_linear` or `normal_hertz` of litz_laws
+   ! values: force, dforce_dgap, dforce_dangle, energy
+   subroutine normal_force(law, n_data, data, gap, radius, young, poisson, angle, values, info)
+      !> Place of the law in litz_normal_laws
       integer(c_int), intent(in) :: law
-      !> Penalty stiffness [N/m]
-      real(c_double), intent(in) :: penalty
+      !> Numbers that are the data of the law, at least 1
+      integer(c_int), intent(in) :: n_data
+      !> Data of the law (n_data)
+      real(c_double), intent(in) :: data(n_data)
       !> Gap [m], negative in contact
       real(c_double), intent(in) :: gap
       !> Radii (2) [m]: barred, unbarred
@@ -99,14 +141,29 @@ contains
       real(c_double), intent(in) :: poisson(2)
       !> Angle between the tangents [rad]
       real(c_double), intent(in) :: angle
-      !> F [N], dF/dgap [N/m], dF/dangle [N/rad]
-      real(c_double), intent(out) :: values(3)
-      !> 0: all is well; else one of the constants of the kernel
+      !> F [N], dF/dgap [N/m], dF/dangle [N/rad], stored energy [J]
+      real(c_double), intent(out) :: values(4)
+      !> 0: all is well; else one of the constants of litz_hertz
       integer(c_int), intent(out) :: info
-      call core_normal_force(law, penalty, gap, radius, young, poisson, angle, values(1), values(2), values(3), info)
+      type(hertz_ellipse_t) :: ellipse
+      type(normal_law_t) :: normal_law
+      type(force_of_gap_t) :: found
+      values = 0
+      normal_law = find_normal_law(law, data)
+      call ellipse_for(normal_law, radius, young, poisson, angle, ellipse, info)
+      if (info /= hertz_ok) return
+      found = force_at_gap(normal_law, gap, wire_pair_t(radius, young, poisson), ellipse)
+      values = [found%force, found%dforce_dgap, found%dforce_dangle, found%energy]
    end subroutine normal_force
 
-   subroutine hertz_approach(force, radius, young, poisson, angle, delta, ddelta_dforce, info)
+   ! values: overlap, stiffness, dstiffness_dforce
+   subroutine normal_overlap(law, n_data, data, force, radius, young, poisson, angle, values, info)
+      !> Place of the law in litz_normal_laws
+      integer(c_int), intent(in) :: law
+      !> Numbers that are the data of the law, at least 1
+      integer(c_int), intent(in) :: n_data
+      !> Data of the law (n_data)
+      real(c_double), intent(in) :: data(n_data)
       !> Contact force [N], positive in contact
       real(c_double), intent(in) :: force
       !> Radii (2) [m]: barred, unbarred
@@ -117,14 +174,20 @@ contains
       real(c_double), intent(in) :: poisson(2)
       !> Angle between the tangents [rad]
       real(c_double), intent(in) :: angle
-      !> Approach of the axes [m]
-      real(c_double), intent(out) :: delta
-      !> Its derivative [m/N]
-      real(c_double), intent(out) :: ddelta_dforce
-      !> 0: all is well; else one of the constants of the kernel
+      !> delta [m], dF/ddelta [N/m], its derivative with respect to the force [1/m]
+      real(c_double), intent(out) :: values(3)
+      !> 0: all is well; else one of the constants of litz_hertz
       integer(c_int), intent(out) :: info
-      call core_hertz_approach(force, radius, young, poisson, angle, delta, ddelta_dforce, info)
-   end subroutine hertz_approach
+      type(hertz_ellipse_t) :: ellipse
+      type(normal_law_t) :: normal_law
+      type(overlap_of_force_t) :: found
+      values = 0
+      normal_law = find_normal_law(law, data)
+      call ellipse_for(normal_law, radius, young, poisson, angle, ellipse, info)
+      if (info /= hertz_ok) return
+      found = overlap_at_force(normal_law, force, wire_pair_t(radius, young, poisson), ellipse)
+      values = [found%overlap, found%stiffness, found%dstiffness_dforce]
+   end subroutine normal_overlap
 
    ! start is looked at when has_start /= 0.
    subroutine closest_points(x, t, length, axis, has_start, start, xi_bar, xi, status)
@@ -136,7 +199,7 @@ contains
       real(c_double), intent(in) :: length(2)
       !> Places (barred, unbarred) of an earlier solution
       real(c_double), intent(in) :: start(2)
-      !> `axis_linear` or `axis_hermite` of litz_laws
+      !> `axis_linear` or `axis_hermite` of litz_axis_choices
       integer(c_int), intent(in) :: axis
       !> Not 0: `start` counts
       integer(c_int), intent(in) :: has_start
@@ -163,7 +226,7 @@ contains
       real(c_double), intent(in) :: radius(2)
       !> Places in the barred and the unbarred element
       real(c_double), intent(in) :: xi_bar, xi
-      !> `axis_linear` or `axis_hermite` of litz_laws
+      !> `axis_linear` or `axis_hermite` of litz_axis_choices
       integer(c_int), intent(in) :: axis
       !> Remembered orientation +1 or -1; 0: none
       integer(c_int), intent(in) :: side
@@ -200,7 +263,7 @@ contains
       real(c_double), intent(in) :: radius(2)
       !> Places in the barred and the unbarred element
       real(c_double), intent(in) :: xi_bar, xi
-      !> `axis_linear` or `axis_hermite` of litz_laws
+      !> `axis_linear` or `axis_hermite` of litz_axis_choices
       integer(c_int), intent(in) :: axis
       !> Remembered orientation +1 or -1; 0: none
       integer(c_int), intent(in) :: side
@@ -277,7 +340,7 @@ contains
       real(c_double), intent(in) :: radius(2)
       !> Places in the barred and the unbarred element
       real(c_double), intent(in) :: xi_bar, xi
-      !> `axis_linear` or `axis_hermite` of litz_laws
+      !> `axis_linear` or `axis_hermite` of litz_axis_choices
       integer(c_int), intent(in) :: axis
       !> Remembered orientation +1 or -1; 0: none
       integer(c_int), intent(in) :: side
@@ -324,9 +387,9 @@ contains
    ! numbers: xi_bar, xi, gap, angle, force, semi_major, semi_minor, resistance, current, voltage_gap, side
    ! k_me: the five parts of the coupling block
    ! rotation_vectors are looked at when has_rotation_vectors /= 0.
-   subroutine contact_em(x, t, length, v, radius, young, poisson, resistivity, normal_law, eps_n, spot_law, law_value, &
-      n_table, table_force, table_resistance, axis, side, series_resistance, has_rotation_vectors, rotation_vectors, &
-      k, r, numbers, normal, k_me, info)
+   subroutine contact_em(x, t, length, v, radius, young, poisson, resistivity, normal_law, n_normal_data, &
+      normal_data, spot_law, n_spot_data, spot_data, axis, side, series_resistance, has_rotation_vectors, &
+      rotation_vectors, k, r, numbers, normal, k_me, info)
       !> Nodal positions (3, 4) [m]: barred 1, barred 2, 1, 2
       real(c_double), intent(in) :: x(3, 4)
       !> Unit tangents of the nodes (3, 4)
@@ -343,26 +406,24 @@ contains
       real(c_double), intent(in) :: poisson(2)
       !> Resistivities (2) [ohm m]
       real(c_double), intent(in) :: resistivity(2)
-      !> `normal_linear` or `normal_hertz` of litz_laws
+      !> Place of the normal law in litz_normal_laws
       integer(c_int), intent(in) :: normal_law
-      !> One of `spot_...` of litz_laws
+      !> Numbers that are the data of the normal law, at least 1
+      integer(c_int), intent(in) :: n_normal_data
+      !> Data of the normal law (n_normal_data)
+      real(c_double), intent(in) :: normal_data(n_normal_data)
+      !> Place of the spot law in litz_spot_laws; 0: no current
       integer(c_int), intent(in) :: spot_law
-      !> Number of pairs of the table, at least 1
-      integer(c_int), intent(in) :: n_table
-      !> `axis_linear` or `axis_hermite` of litz_laws
+      !> Numbers that are the data of the spot law, at least 1
+      integer(c_int), intent(in) :: n_spot_data
+      !> Data of the spot law (n_spot_data), line after line
+      real(c_double), intent(in) :: spot_data(n_spot_data)
+      !> `axis_linear` or `axis_hermite` of litz_axis_choices
       integer(c_int), intent(in) :: axis
       !> Remembered orientation +1 or -1; 0: none
       integer(c_int), intent(in) :: side
       !> Not 0: `rotation_vectors` count
       integer(c_int), intent(in) :: has_rotation_vectors
-      !> Penalty stiffness [N/m]
-      real(c_double), intent(in) :: eps_n
-      !> The number that is the data of the spot law
-      real(c_double), intent(in) :: law_value
-      !> Forces (n_table) [N]
-      real(c_double), intent(in) :: table_force(n_table)
-      !> Resistances (n_table) [ohm]
-      real(c_double), intent(in) :: table_resistance(n_table)
       !> rho L0/(4 A) (2) [ohm]; 0: the paper's linear voltage
       real(c_double), intent(in) :: series_resistance(2)
       !> Rotation vectors of the nodes (3, 4) [rad]
@@ -385,12 +446,8 @@ contains
       type(contact_laws_t) :: laws
       wires = wire_pair_t(radius, young, poisson, resistivity, series_resistance)
       laws%axis = axis
-      laws%normal_law = normal_law
-      laws%penalty = eps_n
-      laws%spot_law = spot_law
-      laws%spot_value = law_value
-      laws%table_force = table_force
-      laws%table_resistance = table_resistance
+      laws%normal = find_normal_law(normal_law, normal_data)
+      laws%spot = find_spot_law(spot_law, spot_data)
       if (has_rotation_vectors /= 0) then
          call core_contact_em(x, t, length, v, wires, laws, side, k, r, contact, info, rotation_vectors)
       else

@@ -5,10 +5,13 @@
 !> it.
 module litz_user_element
    use litz_kinds, only: dp, pi
-   use litz_contact_em, only: contact_em, contact_em_t, wire_pair_t, contact_laws_t, contact_active, contact_open, &
+   use litz_contact_em, only: contact_em, contact_em_t, contact_laws_t, contact_active, contact_open, &
       contact_beyond, contact_parallel, contact_not_unique, contact_not_converged, contact_unknown_law, &
-      contact_bad_table
+      contact_bad_data
+   use litz_law_input, only: wire_pair_t
+   use litz_normal_laws, only: normal_law
    use litz_rotations, only: rotation_exp
+   use litz_spot_laws, only: spot_law
    implicit none
    private
    public :: user_contact, n_unknowns, n_history, n_properties, n_options
@@ -16,7 +19,7 @@ module litz_user_element
    public :: history_side, history_gap, history_force, history_resistance, history_current, history_energy
    ! what `info` may be
    public :: contact_active, contact_open, contact_beyond, contact_parallel, contact_not_unique, &
-      contact_not_converged, contact_unknown_law, contact_bad_table
+      contact_not_converged, contact_unknown_law, contact_bad_data
 
    integer, parameter :: n_unknowns = 28
    !> Numbers that are kept for each element. The side must be that of the last converged state; the others are
@@ -28,8 +31,9 @@ module litz_user_element
    !> resistivity [ohm m]; then the penalty [N/m] and the number of the spot law (PLASTIC: hardness [Pa], FILM: film
    !> resistivity [ohm m^2], CONSTANT: resistance [ohm]). Pairs of force [N] and resistance [ohm] of TABLE may follow.
    integer, parameter :: n_properties = 10
-   !> Options: normal law, spot law and axis by the numbers of litz_laws; voltage 0 linear, 1 corrected; rotations
-   !> 0 spins (the program multiplies rotations), 1 additive (it adds the components of rotation vectors)
+   !> Options: normal law, spot law and axis by their numbers in litz_normal_laws, litz_spot_laws and litz_axis_choices;
+   !> voltage 0 linear, 1 corrected; rotations 0 spins (the program multiplies rotations), 1 additive (it adds the
+   !> components of rotation vectors)
    integer, parameter :: n_options = 5, option_normal_law = 1, option_spot_law = 2, option_axis = 3, &
       option_voltage = 4, option_rotations = 5
 
@@ -83,7 +87,7 @@ contains
       history(history_force) = contact%force
       history(history_resistance) = contact%resistance
       history(history_current) = contact%current
-      history(history_energy) = stored_energy(options(option_normal_law), contact%force, contact%gap)
+      history(history_energy) = contact%energy
    end subroutine user_contact
 
    !> Positions and unit tangents of the nodes as they are now, and lengths as they were.
@@ -135,26 +139,9 @@ contains
       type(contact_laws_t), intent(out) :: laws
 
       laws%axis = options(option_axis)
-      laws%normal_law = options(option_normal_law)
-      laws%penalty = properties(9)
-      laws%spot_law = options(option_spot_law)
-      laws%spot_value = properties(10)
-      laws%table_force = properties(n_properties + 1::2)
-      laws%table_resistance = properties(n_properties + 2::2)
+      laws%normal = normal_law(options(option_normal_law), properties(9:9))
+      laws%spot = spot_law(options(option_spot_law))
+      call laws%spot%take(properties(merge(n_properties + 1, n_properties, laws%spot%has_table):))
    end subroutine set_laws
-
-   !> Energy of the normal law [J]: F g/2 of the penalty, 2 F delta/5 of Hertz, where F goes with delta^(3/2).
-   pure real(dp) function stored_energy(normal_law, force, gap) result(energy)
-      use litz_laws, only: normal_hertz
-      !> `normal_linear` or `normal_hertz`
-      integer, intent(in) :: normal_law
-      !> Contact force [N], positive in contact
-      real(dp), intent(in) :: force
-      !> Gap [m], negative in contact
-      real(dp), intent(in) :: gap
-
-      energy = -force*gap/2
-      if (normal_law == normal_hertz) energy = -2*force*gap/5
-   end function stored_energy
 
 end module litz_user_element

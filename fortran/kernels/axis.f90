@@ -4,7 +4,7 @@
 !> the nodes stand; a straight axis has `h(2) = h(4) = 0`.
 module litz_axis
    use litz_kinds, only: dp
-   use litz_laws, only: axis_hermite
+   use litz_axis_choices, only: axis_hermite
    use litz_rotations, only: cross
    implicit none
    private
@@ -14,7 +14,7 @@ contains
 
    !> Weights of positions and tangents, and their derivatives with respect to xi.
    pure subroutine axis_shape(axis, length, xi, h, h1, h2)
-      !> `axis_linear` or `axis_hermite` of litz_laws
+      !> `axis_linear` or `axis_hermite` of litz_axis_choices
       integer, intent(in) :: axis
       !> Reference length L0 [m]
       real(dp), intent(in) :: length
@@ -39,7 +39,7 @@ contains
 
    !> Third derivatives of the weights, the same everywhere in the element.
    pure function axis_third_derivative(axis, length) result(h3)
-      !> `axis_linear` or `axis_hermite` of litz_laws
+      !> `axis_linear` or `axis_hermite` of litz_axis_choices
       integer, intent(in) :: axis
       !> Reference length L0 [m]
       real(dp), intent(in) :: length
@@ -74,7 +74,7 @@ contains
 
    !> The same curve in powers of xi: `x(xi) = p0 + p1 xi + p2 xi^2 + p3 xi^3`.
    pure function axis_polynomial(axis, length, x, t) result(p)
-      !> `axis_linear` or `axis_hermite` of litz_laws
+      !> `axis_linear` or `axis_hermite` of litz_axis_choices
       integer, intent(in) :: axis
       !> Reference length L0 [m]
       real(dp), intent(in) :: length

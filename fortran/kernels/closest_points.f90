@@ -65,7 +65,7 @@ contains
       real(dp), intent(in) :: x(3, 4), t(3, 4)
       !> Reference lengths (2) [m]: barred, unbarred
       real(dp), intent(in) :: length(2)
-      !> `axis_linear` or `axis_hermite` of litz_laws
+      !> `axis_linear` or `axis_hermite` of litz_axis_choices
       integer, intent(in) :: axis
       !> Places in the barred and the unbarred element
       real(dp), intent(out) :: xi_bar, xi
@@ -106,7 +106,7 @@ contains
       real(dp), intent(in) :: x(3, 4), t(3, 4)
       !> Reference lengths (2) [m]: barred, unbarred
       real(dp), intent(in) :: length(2)
-      !> `axis_linear` or `axis_hermite` of litz_laws
+      !> `axis_linear` or `axis_hermite` of litz_axis_choices
       integer, intent(in) :: axis
       !> Places (barred, unbarred) in [-1, 1] of the first `n` minima
       real(dp), intent(out) :: places(2, max_minima)

@@ -8,10 +8,11 @@
 !> The steps, each its own kernel: closest points, kinematics, normal force, spot, mechanics, electricity.
 module litz_contact_em
    use litz_kinds, only: dp
-   use litz_laws, only: axis_hermite, normal_hertz, spot_none, spot_law_uses_ellipse
+   use litz_axis_choices, only: axis_hermite
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
-   use litz_normal_law, only: normal_force_of_ellipse, normal_ok
-   use litz_contact_spot, only: contact_spot_t, contact_spot_of_ellipse, spot_ok, spot_bad_table
+   use litz_law_input, only: wire_pair_t
+   use litz_normal_law, only: normal_law_t, force_of_gap_t, force_at_gap
+   use litz_spot_law, only: spot_law_t, contact_spot_t, contact_spot, spot_ok, spot_bad_data
    use litz_axis, only: axis_shape
    use litz_closest_points, only: closest_points, closest_inside, closest_beyond, closest_parallel, closest_not_unique
    use litz_contact_kinematics, only: contact_kinematics_t, contact_kinematics, kinematics_ok, kinematics_parallel
@@ -22,7 +23,7 @@ module litz_contact_em
    private
    public :: contact_em, contact_em_t, wire_pair_t, contact_laws_t
    public :: contact_active, contact_open, contact_beyond, contact_parallel, contact_not_unique, &
-      contact_not_converged, contact_unknown_law, contact_bad_table
+      contact_not_converged, contact_unknown_law, contact_bad_data
 
    !> The wires touch
    integer, parameter :: contact_active = 0
@@ -37,27 +38,16 @@ module litz_contact_em
    !> The closest points were not found: coincident nodes, or numbers that are not finite
    integer, parameter :: contact_not_converged = -3
    integer, parameter :: contact_unknown_law = -4
-   integer, parameter :: contact_bad_table = -5
-
-   !> The two wires: barred, unbarred.
-   type :: wire_pair_t
-      !> Radii [m], Young's moduli [Pa], Poisson's ratios [-], resistivities [ohm m]
-      real(dp) :: radius(2) = 0, young(2) = 0, poisson(2) = 0, resistivity(2) = 0
-      !> rho L0/(4 A) [ohm], see contact_electricity; 0: the paper's linear voltage
-      real(dp) :: series_resistance(2) = 0
-   end type wire_pair_t
+   integer, parameter :: contact_bad_data = -5
 
    !> How the wires act on each other.
    type :: contact_laws_t
       !> `axis_linear` or `axis_hermite`
       integer :: axis = axis_hermite
-      !> `normal_linear` with penalty stiffness `penalty` [N/m], or `normal_hertz`
-      integer :: normal_law = normal_hertz
-      real(dp) :: penalty = 0
-      !> One of `spot_...` with its data, see contact_spot; tables that are not allocated have no pairs
-      integer :: spot_law = spot_none
-      real(dp) :: spot_value = 0
-      real(dp), allocatable :: table_force(:), table_resistance(:)
+      !> See litz_normal_laws
+      type(normal_law_t) :: normal
+      !> See litz_spot_laws; left as it is: no current
+      type(spot_law_t) :: spot
    end type contact_laws_t
 
    !> What is known of the contact besides `k` and `r`; zero where it is not active, except the places and the gap.
@@ -72,8 +62,8 @@ module litz_contact_em
       real(dp) :: angle = 0
       !> +1 or -1: the orientation to be remembered, see contact_kinematics
       integer :: side = 0
-      !> Contact force [N], pushing the wires apart
-      real(dp) :: force = 0
+      !> Contact force [N], pushing the wires apart, and elastic energy of the normal law [J]
+      real(dp) :: force = 0, energy = 0
       !> Semi-axes of the spot [m]
       real(dp) :: semi_major = 0, semi_minor = 0
       !> Resistance of the spot [ohm] (0: no electric contact), current from barred to unbarred [A], voltage across the
@@ -106,7 +96,8 @@ contains
       real(dp), intent(in), optional :: rotation_vectors(3, 4)
       type(hertz_ellipse_t) :: ellipse
       type(contact_spot_t) :: spot
-      real(dp) :: dforce_dgap, dforce_dangle, k_mm(24, 24)
+      type(force_of_gap_t) :: normal
+      real(dp) :: k_mm(24, 24)
       integer :: law_info
 
       k = 0
@@ -115,28 +106,29 @@ contains
       if (info /= contact_active) return
 
       ! the force ...
-      if (laws%normal_law == normal_hertz .or. spot_law_uses_ellipse(laws%spot_law)) then
+      if (laws%normal%uses_ellipse .or. laws%spot%uses_ellipse) then
          call hertz_ellipse(wires%radius, wires%young, wires%poisson, contact%angle, ellipse, law_info)
          info = contact_parallel
          if (law_info /= hertz_ok) return
       end if
       info = contact_unknown_law
-      call normal_force_of_ellipse(laws%normal_law, laws%penalty, contact%gap, ellipse, contact%force, dforce_dgap, &
-         dforce_dangle, law_info)
-      if (law_info /= normal_ok) return
+      if (.not. laws%normal%exists()) return
+      normal = force_at_gap(laws%normal, contact%gap, wires, ellipse)
+      contact%force = normal%force
+      contact%energy = normal%energy
 
       ! ... makes the spot ...
-      call contact_spot_of_ellipse(laws%spot_law, contact%force, wires%radius, wires%young, wires%poisson, &
-         wires%resistivity, ellipse, laws%spot_value, laws%table_force, laws%table_resistance, spot, law_info)
-      if (law_info == spot_bad_table) info = contact_bad_table
+      call contact_spot(laws%spot, contact%force, wires, ellipse, spot, law_info)
+      if (law_info == spot_bad_data) info = contact_bad_data
       if (law_info /= spot_ok) return
       info = contact_active
 
       ! ... and the spot carries the current
-      call contact_mechanics(contact%kinematics, t, contact%force, -dforce_dgap, contact%force, form_spin, k_mm, &
-         r(1:24), dforce_dangle)
-      call contact_electricity(contact%kinematics, v, spot%conductance, spot%dconductance_dforce*dforce_dgap, &
-         spot%dconductance_dangle + spot%dconductance_dforce*dforce_dangle, wires%series_resistance, &
+      call contact_mechanics(contact%kinematics, t, contact%force, -normal%dforce_dgap, contact%force, form_spin, &
+         k_mm, r(1:24), normal%dforce_dangle)
+      call contact_electricity(contact%kinematics, v, spot%conductance, &
+         spot%dconductance_dforce*normal%dforce_dgap, &
+         spot%dconductance_dangle + spot%dconductance_dforce*normal%dforce_dangle, wires%series_resistance, &
          contact%electricity)
       k(1:24, 1:24) = k_mm
       k(25:28, 1:24) = coupling_tangent(contact%electricity, contact%kinematics)

@@ -58,7 +58,7 @@ contains
       real(dp), intent(in) :: x(3, 4), t(3, 4)
       !> Reference lengths (2) [m]: barred, unbarred
       real(dp), intent(in) :: length(2)
-      !> `axis_linear` or `axis_hermite` of litz_laws
+      !> `axis_linear` or `axis_hermite` of litz_axis_choices
       integer, intent(in) :: axis
       !> Radii (2) [m]: barred, unbarred
       real(dp), intent(in) :: radius(2)

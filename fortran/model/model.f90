@@ -4,8 +4,10 @@
 module litz_model
    use litz_kinds, only: dp
    use litz_unit_labels, only: unit_labels_t
-   use litz_laws, only: axis_linear, axis_hermite, normal_linear, normal_hertz, stick_mindlin, stick_elastic_slip, &
-      stick_stiffness, spot_none
+   use litz_axis_choices, only: axis_linear, axis_hermite
+   use litz_normal_law, only: normal_law_t
+   use litz_spot_law, only: spot_law_t
+   use litz_stick_laws, only: stick_mindlin
    use litz_solver_names, only: solver_default, solver_block, solver_umfpack, solver_skyline
    implicit none
    private
@@ -14,9 +16,6 @@ module litz_model
    public :: step_t, nodal_value_t, output_request_t, controls_t
    public :: element_b31, element_b33
    public :: axis_linear, axis_hermite
-   public :: normal_linear, normal_hertz
-   public :: stick_mindlin, stick_elastic_slip, stick_stiffness
-   public :: spot_none
    public :: solver_default, solver_block, solver_umfpack, solver_skyline
    public :: coupling_default, coupling_monolithic, coupling_updated
    public :: request_node, request_element, request_contact, request_electrode, request_energy
@@ -75,20 +74,15 @@ module litz_model
 
    type :: interaction_t
       character(len=:), allocatable :: name
-      integer :: normal_law = normal_hertz
-      !> Penalty stiffness of `normal_linear` [N/m]
-      real(dp) :: penalty = 0
+      type(normal_law_t) :: normal
       !> .true.: penetration beyond the axes is accepted (soft penalties on purpose)
       logical :: unlimited_penetration = .false.
-      !> Coefficient of friction; how stiff a contact sticks, and the number that belongs to it
+      !> Coefficient of friction; how stiff a contact sticks (place in `stick_laws`), and the number that belongs to it
       real(dp) :: friction = 0
       integer :: stick_law = stick_mindlin
       real(dp) :: stick_value = 0
-      integer :: spot_law = spot_none
-      !> Data of the spot law: hardness [Pa] | film resistivity [ohm m^2] | resistance [ohm] | -
-      real(dp) :: spot_value = 0
-      !> `spot_table`: forces [N], ascending, and resistances [ohm]; without entries with the other laws
-      real(dp), allocatable :: table_force(:), table_resistance(:)
+      !> Number 0: no current crosses
+      type(spot_law_t) :: spot
       !> Interpolation of the axis that touches
       integer :: axis = axis_hermite
       !> Add the resistance that the linear voltage inside an element misses, theory section 7

@@ -2,7 +2,6 @@
 !> holds, and conductors without a path to a prescribed potential. The last two would make the equations singular.
 module litz_model_checks
    use litz_kinds, only: dp
-   use litz_laws, only: spot_none
    use litz_model, only: model_t, step_t, dof_potential
    use litz_parts, only: parts_t, find_parts, describe_part, join, find_root
    use litz_rigid_modes, only: add_support, free_modes, describe_modes
@@ -310,7 +309,7 @@ contains
       group = [(part, part=1, parts%n)]
       do i = 1, size(model%contact_pairs)
          associate (pair => model%contact_pairs(i))
-            if (model%interactions(pair%interaction)%spot_law == spot_none) cycle
+            if (.not. model%interactions(pair%interaction)%spot%exists()) cycle
             anchor = 0
             call join_members(model%element_sets(pair%set_bar)%members)
             call join_members(model%element_sets(pair%set)%members)

@@ -2,13 +2,16 @@
 module litz_model_summary
    use litz_growing_text, only: growing_text_t
    use litz_kinds, only: dp
-   use litz_laws, only: axis_hermite, normal_linear, stick_elastic_slip, stick_stiffness, spot_none, spot_laws
+   use litz_axis_choices, only: axis_hermite
+   use litz_normal_law, only: normal_law_t
+   use litz_spot_law, only: spot_law_t
+   use litz_stick_laws, only: stick_laws
    use litz_model, only: model_t, step_t, interaction_t, output_request_t, named_set_t, nodal_value_t, &
       element_b31, coupling_default, coupling_monolithic, request_node, request_element, request_contact, &
       request_energy, dof_potential
    use litz_parts, only: parts_t, find_parts
    use litz_solver_names, only: solver_default, solver_keyword
-   use litz_text, only: to_text, plural
+   use litz_text, only: to_text, plural, lower
    use litz_unit_labels, only: unit_labels_t
    implicit none
    private
@@ -147,26 +150,65 @@ contains
       character(len=:), allocatable :: words
 
       words = interaction%name//', '//trim(merge('Hermite', 'linear ', interaction%axis == axis_hermite))//' axis, '
-      if (interaction%normal_law == normal_linear) then
-         words = words//'penalty '//to_text(interaction%penalty)//' '//units%label('N/m')
-      else
-         words = words//'Hertz force'
-      end if
+      words = words//trim(interaction%normal%summary)//describe_normal_data(interaction%normal, units)
       if (interaction%friction > 0) words = words//describe_friction(interaction, units)
       if (interaction%unlimited_penetration) words = words//', unlimited penetration'
-      if (interaction%spot_law == spot_none) then
+      if (.not. interaction%spot%exists()) then
          words = words//', no current'
          return
       end if
-      associate (law => spot_laws(interaction%spot_law))
-         words = words//', spot '//trim(law%name)
-         if (len_trim(law%value_name) > 0) words = words//' with '//trim(law%value_name)//' = '// &
-            to_text(interaction%spot_value)//' '//units%label(trim(law%value_unit))
-         if (law%has_table) words = words//' of '//plural(size(interaction%table_force), 'point')
-      end associate
+      words = words//', spot '//trim(interaction%spot%name)//describe_spot_data(interaction%spot, units)
       if (interaction%spot_memory) words = words//' of the largest force'
       words = words//', '//trim(merge('corrected', 'linear   ', interaction%voltage_correction))//' voltage'
    end function describe_interaction
+
+   !> `name value unit` of each number of a normal law.
+   pure function describe_normal_data(law, units) result(words)
+      type(normal_law_t), intent(in) :: law
+      type(unit_labels_t), intent(in) :: units
+      character(len=:), allocatable :: words
+      integer :: i
+
+      words = ''
+      do i = 1, law%n_fields()
+         associate (field => law%fields(i))
+            if (len_trim(law%summary) > 0 .or. i > 1) words = words//' '
+            words = words//trim(field%name)//' '//describe_value(law%data(i), field%unit, units)
+         end associate
+      end do
+   end function describe_normal_data
+
+   !> ` with name = value unit` for each number of a spot law, or how many points its table has.
+   pure function describe_spot_data(law, units) result(words)
+      type(spot_law_t), intent(in) :: law
+      type(unit_labels_t), intent(in) :: units
+      character(len=:), allocatable :: words
+      integer :: i
+
+      words = ''
+      if (law%has_table) then
+         words = ' of '//plural(size(law%table, 2), 'point')
+         return
+      end if
+      do i = 1, law%n_fields()
+         associate (field => law%fields(i))
+            words = words//trim(merge(' with', ' and ', i == 1))//' '
+            words = words//trim(field%name)//' = '//describe_value(law%data(i), field%unit, units)
+         end associate
+      end do
+   end function describe_spot_data
+
+   pure function describe_value(value, unit, units) result(words)
+      !> A number in the unit
+      real(dp), intent(in) :: value
+      !> In SI; `-`: none
+      character(len=*), intent(in) :: unit
+      type(unit_labels_t), intent(in) :: units
+      character(len=:), allocatable :: words
+
+      words = to_text(value)
+      if (unit /= '-') words = words//' '//units%label(trim(unit))
+   end function describe_value
 
    pure function describe_friction(interaction, units) result(words)
       type(interaction_t), intent(in) :: interaction
@@ -174,12 +216,10 @@ contains
       character(len=:), allocatable :: words
 
       words = ', friction '//to_text(interaction%friction)
-      select case (interaction%stick_law)
-      case (stick_elastic_slip)
-         words = words//' with elastic slip '//to_text(interaction%stick_value)//' '//units%label('m')
-      case (stick_stiffness)
-         words = words//' with stick stiffness '//to_text(interaction%stick_value)//' '//units%label('N/m')
-      end select
+      associate (law => stick_laws(interaction%stick_law))
+         if (len_trim(law%parameter) > 0) words = words//' with '//lower(trim(law%parameter))//' '// &
+            to_text(interaction%stick_value)//' '//units%label(trim(law%unit))
+      end associate
    end function describe_friction
 
    pure function step_lines(model, s) result(text)

@@ -8,7 +8,8 @@ module litz_restart_model
    use litz_hdf5_rows, only: hdf5_rows_t, hdf5_integer
    use litz_hdf5_rows_reader, only: read_integer_rows
    use litz_model, only: model_t
-   use litz_model_record, only: model_record, record_differences
+   use litz_model_record, only: model_record
+   use litz_record_differences, only: record_differences
    implicit none
    private
    public :: write_model_record, check_model_record

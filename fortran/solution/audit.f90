@@ -8,7 +8,8 @@ module litz_audit
    use litz_kinds, only: dp
    use litz_contact_net, only: allowed_penetration
    use litz_errors, only: error_t, fail, exit_not_converged
-   use litz_model, only: model_t, normal_linear
+   use litz_model, only: model_t
+   use litz_normal_law, only: penalty_that_holds
    use litz_quantities, only: quantity_table_t, on_points
    use litz_result_quantities, only: wire_quantity_t, list_wire_quantities, contact_table
    use litz_rotations, only: cross
@@ -330,13 +331,15 @@ contains
 
       words = contact_words(model, contact)//' overlaps by '//to_text(100*penetration(model, contact))// &
          ' % of the smaller radius (above '//to_text(100*allowed_penetration)//' %)'
-      if (model%interactions(model%contact_pairs(contact%pair)%interaction)%normal_law == normal_linear) then
-         words = words//': a penalty of '// &
-            to_text(contact%force/(allowed_penetration*smaller_radius(model, contact)))// &
-            ' '//model%units%label('N/m')//' at least would hold it'
-      else
-         words = words//': the law of Hertz is for smaller ones'
-      end if
+      associate (law => model%interactions(model%contact_pairs(contact%pair)%interaction)%normal)
+         if (law%has_penalty) then
+            words = words//': a penalty of '// &
+               to_text(penalty_that_holds(law, contact%force, allowed_penetration*smaller_radius(model, contact)))// &
+               ' '//model%units%label('N/m')//' at least would hold it'
+         else
+            words = words//': the '//trim(law%title)//' is for smaller ones'
+         end if
+      end associate
    end function overlap_words
 
 end module litz_audit

@@ -24,7 +24,7 @@ contains
       associate (state => problem%state, iterate => problem%iterate, loading => problem%loading, &
          internal => problem%forces%internal, first => first_slot(field_rotation), last => last_slot(field_rotation))
          stabilization = state%energies%stabilization
-         state%energies = advanced_energies(problem%model, state, iterate, loading, internal, &
+         state%energies = advanced_energies(state, iterate, loading, internal, &
             problem%forces%strain_energy, problem%contact)
          state%energies%stabilization = stabilization + problem%forces%damping_work
          state%stabilizing_force = -problem%forces%damping

@@ -8,7 +8,6 @@ module litz_energies
    use litz_assembly, only: iterate_t, motion_slots
    use litz_contact_points, only: contact_set_t, contact_point_t, clearance_of
    use litz_loading, only: loading_t
-   use litz_model, only: model_t, normal_hertz
    use litz_state, only: state_t, energies_t
    implicit none
    private
@@ -17,8 +16,7 @@ module litz_energies
 contains
 
    !> Energies at the end of an increment that has converged; `state` is still that of its start.
-   pure function advanced_energies(model, state, iterate, loading, internal, strain_energy, contact) result(energies)
-      type(model_t), intent(in) :: model
+   pure function advanced_energies(state, iterate, loading, internal, strain_energy, contact) result(energies)
       type(state_t), intent(in) :: state
       type(iterate_t), intent(in) :: iterate
       type(loading_t), intent(in) :: loading
@@ -38,7 +36,7 @@ contains
          associate (point => contact%points(i))
             if (.not. point%closed) cycle
             energies%work = energies%work + work_of_interference(contact, point) + point%friction%work_beyond_mean
-            energies%contact = energies%contact + energy_of_overlap(model, point) + point%history%elastic_energy &
+            energies%contact = energies%contact + point%at_gap%energy + point%history%elastic_energy &
                + point%friction%elastic_work
             energies%friction = energies%friction + point%friction%dissipation
          end associate
@@ -73,16 +71,6 @@ contains
       work = point%force*(clearance_of(point%fit, contact%converged_clearance(point%pair)) &
          - clearance_of(point%fit, contact%clearance(point%pair)))/2
    end function work_of_interference
-
-   !> Integral of the force over the overlap: `F |g|/2` of a penalty, `2 F |g|/5` of Hertz's `F ~ |g|^(3/2)`.
-   pure real(dp) function energy_of_overlap(model, point) result(energy)
-      type(model_t), intent(in) :: model
-      type(contact_point_t), intent(in) :: point
-
-      associate (law => model%interactions(model%contact_pairs(point%pair)%interaction))
-         energy = merge(0.4_dp, 0.5_dp, law%normal_law == normal_hertz)*point%force*abs(point%gap)
-      end associate
-   end function energy_of_overlap
 
    !> Elastic energy of friction at the start of the increment that no contact carries on.
    pure real(dp) function elastic_energy_lost(contact) result(energy)

@@ -7,7 +7,6 @@ module litz_increment_warnings
    use litz_convergence, only: measure_scales
    use litz_errors, only: error_list_t
    use litz_kinked_wires, only: kink_warning
-   use litz_laws, only: spot_table
    use litz_model, only: model_t, request_electrode
    use litz_newton, only: outcome_t
    use litz_parallel_wires, only: shallow_angle, parallel_warning
@@ -151,10 +150,10 @@ contains
       real(dp) :: first, last, factor
 
       associate (law => model%interactions(model%contact_pairs(contact%pair)%interaction), force => contact%force)
-         if (law%spot_law /= spot_table .or. contact%resistance > huge(1.0_dp)) return
-         if (size(law%table_force) < 2) return
-         first = law%table_force(1)
-         last = law%table_force(size(law%table_force))
+         if (.not. law%spot%has_table .or. contact%resistance > huge(1.0_dp)) return
+         if (size(law%spot%table, 2) < 2) return
+         first = law%spot%table(1, 1)
+         last = law%spot%table(1, size(law%spot%table, 2))
          factor = force/last
          ! a remembered spot does not follow a falling force
          if (.not. law%spot_memory) factor = max(factor, first/force)

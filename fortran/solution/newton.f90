@@ -8,7 +8,7 @@ module litz_newton
    use litz_assembly, only: clear_system, assemble_beams, assemble_conductors, assemble_load_stiffness, motion_slots, &
       potential_slots
    use litz_contact_findings, only: finding_t, finding_none
-   use litz_contact_forces, only: apply_normal_law, assemble_contacts, predict_contacts
+   use litz_contact_forces, only: apply_normal_law, assemble_contacts, predict_contacts, refused_contact
    use litz_contact_candidates, only: find_candidates, candidates_hold
    use litz_contact_crossings, only: locate_points
    use litz_contact_points, only: contact_set_t
@@ -41,7 +41,7 @@ module litz_newton
 
    !> Why an increment is given up
    integer, parameter :: cause_iterations = 1, cause_not_finite = 2, cause_singular = 3, cause_lost_contact = 4, &
-      cause_turned_ends = 5
+      cause_turned_ends = 5, cause_failed_law = 6
 
    type :: outcome_t
       logical :: converged = .false.
@@ -89,6 +89,7 @@ contains
       real(dp) :: increment(n_slots, problem%model%n_nodes), correction(n_slots, problem%model%n_nodes)
       real(dp) :: x_start(3, problem%model%n_nodes)
       type(error_t), allocatable :: solver_error
+      character(len=:), allocatable :: refusal
       integer, allocatable :: numbers(:)
       integer :: counted, first_updated
       logical :: keep
@@ -140,6 +141,11 @@ contains
          call observer%iteration_done(problem, outcome%last, error)
          call problem%timing%lap(phase_output)
          if (allocated(error)) return
+         refusal = refused_contact(problem%model, problem%contact)
+         if (len(refusal) > 0) then
+            call give_up(outcome, cause_failed_law, refusal)
+            return
+         end if
          if (.not. all(ieee_is_finite(outcome%last%residual))) then
             call give_up(outcome, cause_not_finite, 'the iteration left the range of finite numbers')
             return
@@ -157,16 +163,7 @@ contains
             call give_up(outcome, cause_singular, solver_error%message)
             return
          end if
-         outcome%iterations = outcome%iterations + 1
-         outcome%last%iteration = outcome%iterations
-         outcome%last%factor_age = problem%factor_age
-         if (.not. keep) then
-            outcome%factorisations = outcome%factorisations + 1
-            outcome%negative_pivots = problem%scheme%negative_pivots
-            outcome%only_start_factored = outcome%iterations == 1
-            if (outcome%only_start_factored) outcome%negative_pivots_at_start = outcome%negative_pivots
-         end if
-         outcome%passed_critical = outcome%passed_critical .or. outcome%negative_pivots > 0
+         call note_solve(problem, keep, outcome)
          call update(problem, step, correction, any(abs(increment(motion_slots(1):motion_slots(2), :)) > 0), &
             outcome%last)
          increment = 0
@@ -175,6 +172,25 @@ contains
       call refuse_wrong_state(problem, x_start, outcome)
       call problem%timing%lap(phase_check)
    end subroutine solve_increment
+
+   !> What a solve has shown.
+   pure subroutine note_solve(problem, kept, outcome)
+      type(problem_t), intent(in) :: problem
+      !> The factor was that of an earlier iteration
+      logical, intent(in) :: kept
+      type(outcome_t), intent(inout) :: outcome
+
+      outcome%iterations = outcome%iterations + 1
+      outcome%last%iteration = outcome%iterations
+      outcome%last%factor_age = problem%factor_age
+      if (.not. kept) then
+         outcome%factorisations = outcome%factorisations + 1
+         outcome%negative_pivots = problem%scheme%negative_pivots
+         outcome%only_start_factored = outcome%iterations == 1
+         if (outcome%only_start_factored) outcome%negative_pivots_at_start = outcome%negative_pivots
+      end if
+      outcome%passed_critical = outcome%passed_critical .or. outcome%negative_pivots > 0
+   end subroutine note_solve
 
    subroutine give_up(outcome, cause, reason)
       type(outcome_t), intent(inout) :: outcome
@@ -235,7 +251,8 @@ contains
          call assemble_conductors(model, elements, problem%equations, increment, iterate, problem%matrix, &
             problem%forces)
          call assemble_contacts(model, wires, elements, problem%equations, increment, iterate, contact, &
-            problem%matrix, problem%forces, timing)
+            problem%matrix, problem%forces, timing, error)
+         if (allocated(error)) return
          call assemble_load_stiffness(problem%equations, problem%loading%load, problem%forces, problem%matrix)
          if (any(problem%damping > 0)) call assemble_stabilization(problem%damping, problem%equations, increment, &
             iterate, problem%matrix, problem%forces)

@@ -88,12 +88,15 @@ contains
       type(interaction_t), intent(in) :: interaction
       character(len=:), allocatable :: table
 
-      table = ''
-      if (allocated(interaction%table_force)) table = show(interaction%table_force)//show(interaction%table_resistance)
-      write (unit, '(a)') 'interaction '//interaction%name//show([interaction%normal_law, interaction%spot_law, &
-         interaction%axis, merge(1, 0, interaction%unlimited_penetration), &
-         merge(1, 0, interaction%voltage_correction), interaction%stick_law, merge(1, 0, interaction%spot_memory)])// &
-         show([interaction%penalty, interaction%spot_value, interaction%friction, interaction%stick_value])//table
+      associate (normal => interaction%normal, spot => interaction%spot)
+         table = ''
+         if (allocated(spot%table)) table = show(spot%table(1, :))//show(spot%table(2, :))
+         write (unit, '(a)') 'interaction '//interaction%name//show([normal%number, spot%number, &
+            interaction%axis, merge(1, 0, interaction%unlimited_penetration), &
+            merge(1, 0, interaction%voltage_correction), interaction%stick_law, &
+            merge(1, 0, interaction%spot_memory)])// &
+            show([normal%data(1), spot%data(1), interaction%friction, interaction%stick_value])//table
+      end associate
    end subroutine print_interaction
 
    subroutine print_step(unit, model, step)

@@ -8,7 +8,8 @@ program test_audit
    use litz_kinds, only: dp
    use litz_audit, only: audit_t, scales_t, audit_increment, audit_error
    use litz_errors, only: error_t, exit_not_converged
-   use litz_model, only: model_t, normal_linear, normal_hertz
+   use litz_model, only: model_t
+   use litz_normal_laws, only: normal_law
    use litz_state, only: state_t
    implicit none
 
@@ -119,11 +120,11 @@ program test_audit
    ! the force over 5 % of the radius
    call expect_finding(wrong, 'contact 7 (elements 101 and 102) overlaps by 20 % of the smaller radius '// &
       '(above 5 %): a penalty of 160000 N/m at least would hold it')
-   model%interactions(1)%normal_law = normal_hertz
+   model%interactions(1)%normal = normal_law('HERTZ')
    call expect_finding(wrong, 'contact 7 (elements 101 and 102) overlaps by 20 % of the smaller radius '// &
       '(above 5 %): the law of Hertz is for smaller ones')
 
-   model%interactions(1)%normal_law = normal_linear
+   model%interactions(1)%normal = normal_law('LINEAR', [1.0_dp])
    call make_state(wrong)
    wrong%reaction = 0
    wrong%reaction(3, 1) = 1.0e-14_dp
@@ -152,7 +153,7 @@ contains
       model%element_section = [1, 1]
       allocate (model%sections(1), model%interactions(1), model%contact_pairs(1))
       model%sections(1)%contact_radius = radius
-      model%interactions(1)%normal_law = normal_linear
+      model%interactions(1)%normal = normal_law('LINEAR', [1.0_dp])
       model%contact_pairs(1)%interaction = 1
    end subroutine make_model
 

@@ -426,7 +426,7 @@ class TestWiresWithoutAPointContact:
         (dict(resistivity=-1.0), "resistivity must be greater than 0"),
         (dict(eps_n=0.0), "eps_n must be greater than 0"),
         (dict(eps_n=None), "needs eps_n"),
-        (dict(normal_law="hertz"), "the Hertz law has no penalty"),
+        (dict(normal_law="hertz"), 'eps_n belongs to normal_law="linear"'),
         (dict(normal_law="penalty"), 'normal_law must be one of "linear", "hertz"'),
         (dict(axis="cubic"), 'axis must be one of "linear", "hermite"'),
         (dict(spot_law="Paper"), 'spot_law must be one of "none", "paper"'),

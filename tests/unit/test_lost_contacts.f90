@@ -5,7 +5,7 @@ program test_lost_contacts
    use litz_closest_points, only: local_minima, max_minima
    use litz_contact_kinematics, only: contact_kinematics_t, contact_kinematics, kinematics_ok
    use litz_contact_side, only: crossing_t, crossing_of, have_passed, have_kept
-   use litz_laws, only: axis_linear, axis_hermite
+   use litz_axis_choices, only: axis_linear, axis_hermite
    use litz_moving_segments, only: meeting_time, never
    use litz_rotations, only: rotation_exp
    use litz_straight_segments, only: segment_distance

@@ -132,7 +132,9 @@ def test_the_program_accepts_all_that_can_be_said(litz_program, tmp_path):
     model.contact(lower, more, conductance=litz.PaperSpot(voltage="LINEAR"), name="SPOT1")
     model.contact(upper, more, conductance=litz.PlasticSpot(1e9, spot="LARGEST FORCE"))
     model.contact(lower, conductance=litz.FilmSpot(1e-12))
-    model.contact(upper, conductance=litz.NamedSpot("constant", [[1e-3]]))
+    model.contact(
+        upper, behaviour=litz.NamedBehaviour("linear", [[2e5]]), conductance=litz.NamedSpot("constant", [[1e-3]])
+    )
     model.contact(side, conductance=litz.ConstantSpot(1e-3))
     model.contact(more, conductance=litz.TableSpot([1, 2], [3e-3, 1e-3]))
     ramp = model.amplitude("RAMP", np.linspace(0, 1, 7), np.linspace(0, 1, 7) ** 2)
@@ -266,7 +268,7 @@ def built():
         ("model.material('COPPER', young=1.0, poisson=0.3)", "another material of the name COPPER"),
         ("model.material('A', young=1.0, poisson=0.5)", "between -1 and 0.5"),
         ("model.contact('LOWR')", "did you mean 'LOWER'"),
-        ("model.contact(lower, behaviour='hertz')", r"Hertz\(\) or Linear"),
+        ("model.contact(lower, behaviour='hertz')", r"Hertz\(\), Linear"),
         ("model.contact(lower, conductance='HERTZ')", r"HertzSpot\(\), PaperSpot"),
         ("model.contact(lower, friction=-0.1)", "mu of .* 0 or greater"),
         ("model.contact(lower, friction=0.1, interaction=litz.Interaction())", "not both"),
@@ -315,6 +317,7 @@ def built():
         ("litz.Model('A').contact(lower)", "belongs to another model"),
         ("litz.General(1, 1, 1, 1, n1=(1, 0))", "n1z is missing"),
         ("litz.Circular(1e-3, conduction='PRESENT')", "REFERENCE LENGTH or CURRENT LENGTH"),
+        ("litz.NamedBehaviour('GREENWOOD')", "PRESSURE-OVERCLOSURE of .* must be LINEAR or HERTZ"),
         ("litz.NamedSpot('GREENWOOD')", "LAW of .* must be PAPER, HERTZ"),
         ("litz.Linear(0)", "greater than 0"),
         ("litz.TableSpot([1, 1], [2, 3])", "must ascend"),

@@ -4,8 +4,10 @@
 !> names.
 program test_user_elements
    use litz_kinds, only: dp
-   use litz_contact_em, only: contact_em, contact_em_t, wire_pair_t, contact_laws_t, contact_active, contact_bad_table
-   use litz_laws, only: axis_hermite, normal_linear, spot_hertz, spot_table
+   use litz_contact_em, only: contact_em, contact_em_t, wire_pair_t, contact_laws_t, contact_active, contact_bad_data
+   use litz_axis_choices, only: axis_hermite
+   use litz_normal_laws, only: normal_law
+   use litz_spot_laws, only: spot_law
    use litz_rotations, only: rotation_exp
    use litz_user_element, only: n_history, n_properties, n_options, history_side, history_gap, history_force, &
       history_current, history_energy
@@ -23,7 +25,7 @@ program test_user_elements
    coordinates = reshape([-0.5_dp, 0.0_dp, 0.0_dp, 0.5_dp, 0.1_dp, 0.0_dp, -0.1_dp, -0.4_dp, 0.0_dp, 0.1_dp, &
       0.6_dp, 0.0_dp]*length, [3, 4])
    coordinates(3, 1:2) = 2*radius - overlap
-   options = [normal_linear, spot_hertz, axis_hermite, 0, 0]
+   options = [1, 2, axis_hermite, 0, 0]                                          ! LINEAR, HERTZ
    u = 0
    u(4:6, :) = reshape([0.02_dp, -0.03_dp, 0.1_dp, -0.05_dp, 0.01_dp, 0.2_dp, 0.03_dp, 0.02_dp, -0.1_dp, 0.01_dp, &
       -0.02_dp, 0.15_dp], [3, 4])
@@ -46,7 +48,7 @@ contains
       type(contact_em_t) :: contact
       integer :: info, node, other, i, j
 
-      call call_kernel(spot_hertz, k_kernel, r_kernel, contact, info)
+      call call_kernel('HERTZ', k_kernel, r_kernel, contact, info)
       call expect(info == contact_active .and. contact%current > 0, 'the wires touch, and current flows')
 
       svars = 0
@@ -80,12 +82,12 @@ contains
       type(contact_em_t) :: contact
       integer :: info
 
-      call call_kernel(spot_table, k_kernel, r_kernel, contact, info)
-      call expect(info == contact_bad_table, 'no table')
+      call call_kernel('TABLE', k_kernel, r_kernel, contact, info)
+      call expect(info == contact_bad_data, 'no table')
    end subroutine test_the_kernel_refuses_a_table_that_was_never_given
 
-   subroutine call_kernel(spot_law, k_kernel, r_kernel, contact, info)
-      integer, intent(in) :: spot_law
+   subroutine call_kernel(spot_name, k_kernel, r_kernel, contact, info)
+      character(len=*), intent(in) :: spot_name
       real(dp), intent(out) :: k_kernel(28, 28), r_kernel(28)
       type(contact_em_t), intent(out) :: contact
       integer, intent(out) :: info
@@ -100,9 +102,8 @@ contains
          t(:, node) = matmul(rotation_exp(u(4:6, node)), coordinates(:, other) - coordinates(:, other - 1))
          t(:, node) = t(:, node)/norm2(t(:, node))
       end do
-      laws%normal_law = normal_linear
-      laws%penalty = penalty
-      laws%spot_law = spot_law
+      laws%normal = normal_law('LINEAR', [penalty])
+      laws%spot = spot_law(spot_name)
       call contact_em(x, t, lengths, u(7, :), &
          wire_pair_t(properties(1:2), properties(3:4), properties(5:6), properties(7:8)), laws, 0, k_kernel, r_kernel, &
          contact, info)
@@ -247,7 +248,7 @@ end program test_user_elements
 !> FEAP's reader of numbers, here with those of the test.
 logical function tinput(words, n_words, numbers, n_numbers)
    use litz_kinds, only: dp
-   use litz_laws, only: axis_hermite, normal_linear, spot_hertz
+   use litz_axis_choices, only: axis_hermite
    implicit none
    integer, intent(in) :: n_words, n_numbers
    character(len=*), intent(in) :: words(*)
@@ -258,6 +259,6 @@ logical function tinput(words, n_words, numbers, n_numbers)
    if (n_numbers == 10) then
       numbers = [radius, radius, 120.0e9_dp, 100.0e9_dp, 0.34_dp, 0.3_dp, 1.7e-8_dp, 2.0e-8_dp, 1.0e6_dp, 0.0_dp]
    else
-      numbers = [real(normal_linear, dp), real(spot_hertz, dp), real(axis_hermite, dp), 0.0_dp]
+      numbers = [1.0_dp, 2.0_dp, real(axis_hermite, dp), 0.0_dp]                       ! LINEAR, HERTZ
    end if
 end function tinput

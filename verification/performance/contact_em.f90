@@ -3,7 +3,9 @@
 !> Build and run: `ninja -C build verification/contact_em_performance && build/verification/contact_em_performance`.
 program contact_em_performance
    use litz_kinds, only: dp, pi
-   use litz_laws, only: axis_linear, axis_hermite, normal_linear, normal_hertz, spot_paper, spot_hertz
+   use litz_axis_choices, only: axis_linear, axis_hermite
+   use litz_normal_laws, only: normal_law
+   use litz_spot_laws, only: spot_law
    use litz_rotations, only: rotation_exp
    use litz_closest_points, only: closest_points
    use litz_contact_em, only: contact_em, contact_em_t, wire_pair_t, contact_laws_t, contact_active
@@ -17,10 +19,10 @@ program contact_em_performance
    call make_pairs()
    write (*, '(a)') 'Tangent and residual of a contact pair, closest points included; best of several rounds'
    write (*, '(a)') 'axis     normal law  spot law   microseconds   pairs per second'
-   call report_element('hermite  LINEAR      PAPER   ', axis_hermite, normal_linear, spot_paper)
-   call report_element('hermite  HERTZ       HERTZ   ', axis_hermite, normal_hertz, spot_hertz)
-   call report_element('linear   LINEAR      PAPER   ', axis_linear, normal_linear, spot_paper)
-   call report_element('linear   HERTZ       HERTZ   ', axis_linear, normal_hertz, spot_hertz)
+   call report_element('hermite  LINEAR      PAPER   ', axis_hermite, 'LINEAR', 'PAPER')
+   call report_element('hermite  HERTZ       HERTZ   ', axis_hermite, 'HERTZ', 'HERTZ')
+   call report_element('linear   LINEAR      PAPER   ', axis_linear, 'LINEAR', 'PAPER')
+   call report_element('linear   HERTZ       HERTZ   ', axis_linear, 'HERTZ', 'HERTZ')
    call report_closest_points()
 
 contains
@@ -47,9 +49,10 @@ contains
       end do
    end subroutine make_pairs
 
-   subroutine report_element(title, axis, normal_law, spot_law)
+   subroutine report_element(title, axis, normal_name, spot_name)
       character(len=*), intent(in) :: title
-      integer, intent(in) :: axis, normal_law, spot_law
+      integer, intent(in) :: axis
+      character(len=*), intent(in) :: normal_name, spot_name
       type(contact_laws_t) :: laws
       type(contact_em_t) :: contact
       real(dp) :: k(28, 28), r(28), checksum, best
@@ -57,9 +60,8 @@ contains
       integer :: round, repetition, pair, info, n_active
 
       laws%axis = axis
-      laws%normal_law = normal_law
-      laws%penalty = 1.0e6_dp
-      laws%spot_law = spot_law
+      laws%normal = normal_law(normal_name, [1.0e6_dp])
+      laws%spot = spot_law(spot_name)
       best = huge(best)
       checksum = 0
       do round = 1, rounds

@@ -10,13 +10,11 @@ from numpy.typing import ArrayLike, NDArray
 from .. import _core
 from . import checks
 from .axes import AXES, Axis
+from .laws import NormalLaw, normal_law_data
 from .spot import SpotLaw, spot_law_data
 from .wire_pair import Numbers, geometry, properties
 
-NormalLaw = Literal["linear", "hertz"]
-
-# The constants of fortran/base/laws.f90 and of the kernels
-_NORMAL_LAWS = {"linear": 1, "hertz": 2}
+# The constants of the kernel
 _CONTACT_ACTIVE, _CONTACT_OPEN, _CONTACT_BEYOND = 0, 1, 2
 _FAILURES = {
     -1: "the wires overlap where their axes are parallel (crossing angle below 0.06 degrees); "
@@ -97,7 +95,8 @@ def contact_em(
     hardness: float | None = None,
     film_resistivity: float | None = None,
     resistance: float | None = None,
-    law_value: float | None = None,
+    law_value: Numbers | None = None,
+    normal_value: Numbers | None = None,
     table: ArrayLike | None = None,
     side: Literal[-1, 0, 1] = 0,
     series_resistance: ArrayLike = (0.0, 0.0),
@@ -129,6 +128,8 @@ def contact_em(
         ``phi`` [rad], where ``t = exp(phi) t_start``.
     normal_law : {"linear", "hertz"}
         From gap to force: ``F = eps_n |g|``, or the exact Hertz contact, which needs no `eps_n`.
+    normal_value : float or array_like, optional
+        The number, or the numbers, of a normal law that has no argument of its own.
     hardness, film_resistivity, resistance, law_value, table : optional
         Data of the spot law, see `contact_spot`.
     side : {0, 1, -1}
@@ -174,7 +175,7 @@ def contact_em(
     """
     k, r, numbers, normal, _, info = _contact_em(
         x, t, length, v, radius, young, poisson, resistivity, eps_n, axis, spot_law, rotation_vectors, normal_law,
-        hardness, film_resistivity, resistance, law_value, table, side, series_resistance,
+        hardness, film_resistivity, resistance, law_value, normal_value, table, side, series_resistance,
     )  # fmt: skip
     xi_bar, xi, gap, angle, force, semi_major, semi_minor, spot_resistance, current, voltage_gap, now_on = map(
         float, numbers
@@ -216,7 +217,8 @@ def contact_coupling(
     hardness: float | None = None,
     film_resistivity: float | None = None,
     resistance: float | None = None,
-    law_value: float | None = None,
+    law_value: Numbers | None = None,
+    normal_value: Numbers | None = None,
     table: ArrayLike | None = None,
     side: Literal[-1, 0, 1] = 0,
     series_resistance: ArrayLike = (0.0, 0.0),
@@ -240,7 +242,7 @@ def contact_coupling(
     """
     parts = _contact_em(
         x, t, length, v, radius, young, poisson, resistivity, eps_n, axis, spot_law, None, normal_law,
-        hardness, film_resistivity, resistance, law_value, table, side, series_resistance,
+        hardness, film_resistivity, resistance, law_value, normal_value, table, side, series_resistance,
     )[4]  # fmt: skip
     return ContactCoupling(*np.moveaxis(parts, -1, 0))
 
@@ -262,7 +264,8 @@ def _contact_em(
     hardness: float | None,
     film_resistivity: float | None,
     resistance: float | None,
-    law_value: float | None,
+    law_value: Numbers | None,
+    normal_value: Numbers | None,
     table: ArrayLike | None,
     side: int,
     series_resistance: ArrayLike,
@@ -271,14 +274,8 @@ def _contact_em(
     places = geometry(x, t, length)
     voltages = checks.array("v", v, (4,))
     of_wires = properties(radius, young, poisson, resistivity)
-    normal_number = checks.choice("normal_law", normal_law, _NORMAL_LAWS)
-    if normal_law == "linear":
-        if eps_n is None:
-            raise ValueError('normal_law="linear" needs eps_n, the penalty stiffness [N/m]')
-        eps_n = checks.positive("eps_n", eps_n)
-    elif eps_n is not None:
-        raise ValueError('eps_n belongs to normal_law="linear"; the Hertz law has no penalty')
-    spot_number, law_value, force_table, resistance_table = spot_law_data(
+    normal_number, normal_data = normal_law_data(normal_law, eps_n=eps_n, normal_value=normal_value)
+    spot_number, spot_data = spot_law_data(
         "spot_law",
         spot_law,
         hardness=hardness,
@@ -297,8 +294,8 @@ def _contact_em(
         np.zeros((4, 3)) if rotation_vectors is None else checks.array("rotation_vectors", rotation_vectors, (4, 3))
     )
     result = _core.f2py_contact.contact_em(
-        *places, voltages, *of_wires, normal_number, eps_n or 0.0, spot_number, law_value, force_table,
-        resistance_table, checks.choice("axis", axis, AXES), side, series, has_vectors, vectors.T,
+        *places, voltages, *of_wires, normal_number, normal_data, spot_number, spot_data,
+        checks.choice("axis", axis, AXES), side, series, has_vectors, vectors.T,
     )  # fmt: skip
     if result[-1] < 0:
         raise ValueError(_FAILURES[result[-1]])

@@ -9,19 +9,16 @@ from numpy.typing import ArrayLike, NDArray
 
 from .. import _core
 from . import checks
+from .laws import SPOT_FIELDS, SPOT_LAWS, law_data
 from .wire_pair import Numbers, properties
 
 #: "none", or the name of a law of `*GAP ELECTRICAL CONDUCTANCE` in lower case
 SpotLaw = str
 
-#: Name of each law in the order of its number, and of the one value that it has
-_SPOT_NAMES, _SPOT_VALUES = (
-    [name.decode().strip().lower() for name in names] for names in _core.f2py_contact.spot_law_names()
-)
-_SPOT_LAWS = {"none": 0} | {name: number for number, name in enumerate(_SPOT_NAMES, start=1) if name}
-#: The one number of each spot law that has one: an argument of its own, or `law_value`
+_SPOT_LAWS = {"none": 0} | SPOT_LAWS
+#: The argument that has the numbers of each spot law that has some: one of its own, or `law_value`
 _LAW_VALUES = {
-    **{name: "law_value" for name, value in zip(_SPOT_NAMES, _SPOT_VALUES, strict=True) if value},
+    **{law: "law_value" for law, fields in SPOT_FIELDS.items() if fields and law != "table"},
     "plastic": "hardness",
     "film": "film_resistivity",
     "constant": "resistance",
@@ -57,7 +54,7 @@ def contact_spot(
     hardness: float | None = None,
     film_resistivity: float | None = None,
     resistance: float | None = None,
-    law_value: float | None = None,
+    law_value: Numbers | None = None,
     table: ArrayLike | None = None,
 ) -> ContactSpot:
     """Spot and conductance of two round wires pressed together.
@@ -86,8 +83,8 @@ def contact_spot(
         For "film" [ohm m^2].
     resistance : float, optional
         For "constant" [ohm].
-    law_value : float, optional
-        The number of a law that has one without a name among these arguments.
+    law_value : float or array_like, optional
+        The number, or the numbers, of a law that has no argument of its own among these.
     table : array_like, shape (2, n), optional
         For "table": forces [N], ascending, and resistances [ohm]. Interpolated smoothly and monotonically in
         logarithms; beyond its ends the power law of the end slope continues; a single pair is a constant.
@@ -106,7 +103,7 @@ def contact_spot(
     -----
     K. L. Johnson, Contact Mechanics, ch. 4; R. Holm, Electric Contacts. The elastic contact and the conductance obey
     Barber's identity ``G = 2/(E* (rho1 + rho2)) dF/dapproach`` (Proc. R. Soc. A 459 (2003) 53-66). The formulas are in
-    ``fortran/kernels/hertz.f90`` and ``contact_spot.f90``.
+    ``fortran/laws``.
 
     Examples
     --------
@@ -117,7 +114,7 @@ def contact_spot(
     2.228e-05 m, 0.0003816 ohm
     """
     of_wires = properties(radius, young, poisson, resistivity)
-    law_number, law_value, force_table, resistance_table = spot_law_data(
+    law_number, data = spot_law_data(
         "law",
         law,
         hardness=hardness,
@@ -129,18 +126,16 @@ def contact_spot(
     angle = checks.number("angle", angle)
     if not 0 < angle < np.pi:
         raise ValueError(f"angle must be between 0 and pi, not {angle:g} rad; parallel wires have no point contact")
-    values, info = _core.f2py_contact.contact_spot(
-        law_number, checks.number("force", force), *of_wires, angle, law_value, force_table, resistance_table
-    )
+    values, info = _core.f2py_contact.contact_spot(law_number, data, checks.number("force", force), *of_wires, angle)
     if info != 0:
         raise ValueError(f"angle is so close to parallel that the spot is infinitely long: {angle:g} rad")
     return ContactSpot(*map(float, values))
 
 
 def spot_law_data(
-    parameter: str, law: SpotLaw, *, table: ArrayLike | None, **values: float | None
-) -> tuple[int, float, NDArray[np.float64], NDArray[np.float64]]:
-    """Number of a spot law, its value and its table; refuses data that belong to another law."""
+    parameter: str, law: SpotLaw, *, table: ArrayLike | None, **values: Numbers | None
+) -> tuple[int, NDArray[np.float64]]:
+    """Number of a spot law and its data; refuses data that belong to another law."""
     number = checks.choice(parameter, law, _SPOT_LAWS)
     wanted = _LAW_VALUES.get(law)
     for name, value in values.items():
@@ -150,14 +145,9 @@ def spot_law_data(
             raise ValueError(f'{name} belongs to {owner}, not to "{law}"')
     if table is not None and law != "table":
         raise ValueError(f'table belongs to the spot law "table", not to "{law}"')
-    law_value = 0.0
-    if wanted is not None:
-        value = values[wanted]
-        if value is None:
-            raise ValueError(f'the spot law "{law}" needs {wanted}')
-        law_value = checks.positive(wanted, value)
-    forces, resistances = _table(table) if law == "table" else (np.ones(1), np.ones(1))
-    return number, law_value, forces, resistances
+    if law == "table":
+        return number, np.column_stack(_table(table)).ravel()
+    return number, law_data(f'the spot law "{law}"', wanted, values, SPOT_FIELDS.get(law, []))
 
 
 def _table(table: ArrayLike | None) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

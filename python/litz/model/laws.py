@@ -61,6 +61,35 @@ class Linear(_Law):
         return "SURFACE BEHAVIOR", parameters, [[self.penalty]]
 
 
+@dataclass(frozen=True)
+class NamedBehaviour(_Law):
+    """Any other law that the keyword table has.
+
+    Attributes
+    ----------
+    law : str
+        `PRESSURE-OVERCLOSURE` of `*SURFACE BEHAVIOR`.
+    data : sequence of sequences of float
+        Its data lines.
+    penetration : {"LIMITED", "UNLIMITED"}
+        UNLIMITED: deep penetration is no error.
+    """
+
+    law: str
+    data: Sequence[Sequence[float]] = ()
+    penetration: str = "LIMITED"
+
+    def __post_init__(self) -> None:
+        """Checks the values."""
+        object.__setattr__(self, "data", tuple(tuple(float(value) for value in row) for row in self.data))
+        super().__post_init__()
+
+    def card(self) -> CardSpec:
+        """The card of the law."""
+        parameters = {"PRESSURE-OVERCLOSURE": self.law.upper(), **_unless(self, penetration="LIMITED")}
+        return "SURFACE BEHAVIOR", parameters, [list(row) for row in self.data]
+
+
 # Resistance of the spot
 
 
@@ -249,7 +278,7 @@ class Interaction:
     ----------
     name : str
         Name in the deck.
-    behaviour : Hertz or Linear
+    behaviour : Hertz, Linear or NamedBehaviour
         Contact force over penetration.
     conductance : HertzSpot, PaperSpot, PlasticSpot, FilmSpot, ConstantSpot or TableSpot, optional
         Resistance of the spot; None: no current crosses.
@@ -260,7 +289,7 @@ class Interaction:
     """
 
     name: str = "TOUCH"
-    behaviour: Hertz | Linear = field(default_factory=Hertz)
+    behaviour: Hertz | Linear | NamedBehaviour = field(default_factory=Hertz)
     conductance: _Spot | None = None
     friction: Friction | float | None = None
     axis: str = "HERMITE"
@@ -268,8 +297,10 @@ class Interaction:
     def __post_init__(self) -> None:
         """Checks the values."""
         check_name(self.name, "the name of an interaction")
-        if not isinstance(self.behaviour, Hertz | Linear):
-            raise ValueError(f"behaviour must be Hertz() or Linear(penalty), not {self.behaviour!r}")
+        if not isinstance(self.behaviour, Hertz | Linear | NamedBehaviour):
+            raise ValueError(
+                f"behaviour must be Hertz(), Linear(penalty) or NamedBehaviour(law, data), not {self.behaviour!r}"
+            )
         if not (self.conductance is None or isinstance(self.conductance, _Spot)):
             raise ValueError(
                 "conductance must be None, HertzSpot(), PaperSpot(), PlasticSpot(hardness), FilmSpot(film_resistivity), "

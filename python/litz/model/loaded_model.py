@@ -8,7 +8,7 @@ from typing import Any
 from ..base.names import nearest_name
 from ..deck.keyword_table import check_card, keyword, squeezed
 from ..deck.lines import CardSpec
-from .laws import ContactPair, Friction, Hertz, Interaction, Linear, _Spot
+from .laws import ContactPair, Friction, Hertz, Interaction, Linear, NamedBehaviour, _Spot
 from .loading import Amplitude, Direction, Prescribed, Target, ranges_of
 from .names import AnyNodes
 from .steps import Step
@@ -49,7 +49,7 @@ class LoadedModel(WireModel):
         first: WireGroup | str | Sequence[WireGroup | str],
         second: WireGroup | str | Sequence[WireGroup | str] | None = None,
         *,
-        behaviour: Hertz | Linear | None = None,
+        behaviour: Hertz | Linear | NamedBehaviour | None = None,
         conductance: _Spot | None = None,
         friction: Friction | float | None = None,
         axis: str = "HERMITE",
@@ -63,7 +63,7 @@ class LoadedModel(WireModel):
         ----------
         first, second : WireGroup, str, or sequence of them
             Groups or element sets; of several an element set is made.
-        behaviour : Hertz or Linear, optional
+        behaviour : Hertz, Linear or NamedBehaviour, optional
             Contact force over penetration; Hertz when left out.
         conductance : HertzSpot, PaperSpot, PlasticSpot, FilmSpot, ConstantSpot or TableSpot, optional
             Resistance of the spots; without it no current crosses.

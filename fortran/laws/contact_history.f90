@@ -7,7 +7,7 @@ module litz_contact_history
    use litz_friction_law, only: friction_law_t
    implicit none
    private
-   public :: contact_history_t, advanced_history
+   public :: contact_history_t, advanced_history, force_of_spot
 
    type :: contact_history_t
       !> The contact was closed; all else is zero where it was not
@@ -53,5 +53,26 @@ contains
          history%spot_arc = arc
       end if
    end function advanced_history
+
+   !> Force that has made the spot of a contact, and its derivative with respect to the present force.
+   !>
+   !> A spot that is kept stays as large as it has been; where a contact slips, the present force makes a new one.
+   pure subroutine force_of_spot(keeps_spot, history, force, new_spot, spot_force, dspot_force)
+      !> The spot stays as large as the largest force has made it
+      logical, intent(in) :: keeps_spot
+      type(contact_history_t), intent(in) :: history
+      !> Present normal force [N]
+      real(dp), intent(in) :: force
+      !> The contact has slipped or moved off the spot of the largest force
+      logical, intent(in) :: new_spot
+      !> Force that makes the spot [N], and its derivative with respect to the present one [-]
+      real(dp), intent(out) :: spot_force, dspot_force
+
+      spot_force = force
+      dspot_force = 1
+      if (.not. keeps_spot .or. new_spot .or. history%largest_force <= force) return
+      spot_force = history%largest_force
+      dspot_force = 0
+   end subroutine force_of_spot
 
 end module litz_contact_history

@@ -1,0 +1,135 @@
+!> What a normal law is: the contact force from the gap between the surfaces, the gap from the force, and the energy.
+!>
+!> Each law is a file `normal_<name>.f90`; litz_normal_laws is the table of all.
+module litz_normal_law
+   use litz_kinds, only: dp
+   use litz_hertz, only: hertz_ellipse_t
+   use litz_law_input, only: law_input_t, wire_pair_t, tell
+   use litz_law_words, only: law_words_t
+   implicit none
+   private
+   public :: normal_law_t, force_of_gap_t, overlap_of_force_t
+   public :: force_at_gap, overlap_at_force, linearise, penalty_that_holds
+
+   !> The law at a gap; all 0 where that is open.
+   type :: force_of_gap_t
+      !> F [N], pushing the wires apart, dF/dg [N/m] (negative in contact), dF/dangle [N/rad]
+      real(dp) :: force = 0, dforce_dgap = 0, dforce_dangle = 0
+      !> Integral of the force over the overlap [J]
+      real(dp) :: energy = 0
+   end type force_of_gap_t
+
+   !> The law at a force.
+   type :: overlap_of_force_t
+      !> delta = -g [m], dF/ddelta [N/m] and its derivative with respect to the force [1/m]
+      real(dp) :: overlap = 0, stiffness = 0, dstiffness_dforce = 0
+   end type overlap_of_force_t
+
+   type, extends(law_words_t) :: normal_law_t
+      !> The force is a straight line over the gap, which Newton's method follows beyond the touch. Any other law is
+      !> linearised about the force, which is an unknown of the iteration
+      logical :: is_straight = .false.
+      !> Its first number is a stiffness [N/m] that may be raised where wires overlap too much
+      logical :: has_penalty = .false.
+      !> What is said of it before its numbers, as `Hertz force`
+      character(len=40) :: summary = ''
+      !> What a law without a penalty is called where wires overlap too much, as `law of Hertz`
+      character(len=40) :: title = ''
+      procedure(force_of_gap), pointer, nopass :: force_of_gap => null()
+      procedure(overlap_of_force), pointer, nopass :: overlap_of_force => null()
+   end type normal_law_t
+
+   abstract interface
+      !> Asked about a gap that is negative.
+      pure function force_of_gap(given) result(found)
+         import :: law_input_t, force_of_gap_t
+         implicit none
+         type(law_input_t), intent(in) :: given
+         type(force_of_gap_t) :: found
+      end function force_of_gap
+
+      !> Asked about a force that is not negative; without one a law that is not straight has no stiffness.
+      pure function overlap_of_force(given) result(found)
+         import :: law_input_t, overlap_of_force_t
+         implicit none
+         type(law_input_t), intent(in) :: given
+         type(overlap_of_force_t) :: found
+      end function overlap_of_force
+   end interface
+
+contains
+
+   !> Force, its derivatives and the energy at a gap; all 0 when that is open.
+   pure function force_at_gap(law, gap, wires, ellipse) result(found)
+      type(normal_law_t), intent(in) :: law
+      !> Gap between the surfaces [m], negative in contact
+      real(dp), intent(in) :: gap
+      type(wire_pair_t), intent(in) :: wires
+      !> At the present angle; looked at by laws that use it
+      type(hertz_ellipse_t), intent(in) :: ellipse
+      type(force_of_gap_t) :: found
+      type(law_input_t) :: given
+
+      if (gap >= 0) return
+      call tell(law, wires, ellipse, given, gap=gap)
+      found = law%force_of_gap(given)
+   end function force_at_gap
+
+   !> Overlap and stiffness at a force.
+   pure function overlap_at_force(law, force, wires, ellipse) result(found)
+      type(normal_law_t), intent(in) :: law
+      !> Contact force [N]; what is negative counts as 0
+      real(dp), intent(in) :: force
+      type(wire_pair_t), intent(in) :: wires
+      !> At the present angle; looked at by laws that use it
+      type(hertz_ellipse_t), intent(in) :: ellipse
+      type(overlap_of_force_t) :: found
+      type(law_input_t) :: given
+
+      call tell(law, wires, ellipse, given, force=max(force, 0.0_dp))
+      found = law%overlap_of_force(given)
+   end function overlap_at_force
+
+   !> The straight line that an iteration follows: `F = iteration_force - stiffness dg` (theory section 9).
+   !>
+   !> `delta(F)` is close to a straight line where `F(delta)` is steep, so that a law which is not straight is
+   !> linearised about the force that the last iteration predicted.
+   pure subroutine linearise(law, gap, first_overlap, wires, ellipse, mixed_force, stiffness, iteration_force)
+      type(normal_law_t), intent(in) :: law
+      !> Gap [m], and largest overlap about which a contact is linearised that has had no force [m]
+      real(dp), intent(in) :: gap, first_overlap
+      type(wire_pair_t), intent(in) :: wires
+      type(hertz_ellipse_t), intent(in) :: ellipse
+      !> Force that the last iteration predicted [N], not positive: none. What this one is linearised about
+      real(dp), intent(inout) :: mixed_force
+      !> [N/m], [N]
+      real(dp), intent(out) :: stiffness, iteration_force
+      type(overlap_of_force_t) :: found
+      type(force_of_gap_t) :: at_first
+
+      if (law%is_straight) then
+         found = overlap_at_force(law, 0.0_dp, wires, ellipse)
+         stiffness = found%stiffness
+         iteration_force = -stiffness*gap
+         return
+      end if
+      if (mixed_force <= 0) then
+         at_first = force_at_gap(law, merge(max(gap, -first_overlap), -first_overlap, gap < 0), wires, ellipse)
+         mixed_force = at_first%force
+      end if
+      found = overlap_at_force(law, mixed_force, wires, ellipse)
+      stiffness = found%stiffness
+      iteration_force = mixed_force + stiffness*(-gap - found%overlap)
+   end subroutine linearise
+
+   !> Penalty with which a force would leave an overlap [N/m]; 0 for a law that has none.
+   pure real(dp) function penalty_that_holds(law, force, overlap) result(penalty)
+      type(normal_law_t), intent(in) :: law
+      !> [N], [m]
+      real(dp), intent(in) :: force, overlap
+
+      penalty = 0
+      if (law%has_penalty) penalty = force/overlap
+   end function penalty_that_holds
+
+end module litz_normal_law

@@ -1,0 +1,57 @@
+"""The laws of a contact by their names: numbers in the tables of the program, and the data that each takes."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .. import _core
+from . import checks
+from .wire_pair import Numbers
+
+#: The name of a law of `*SURFACE BEHAVIOR` in lower case
+NormalLaw = str
+
+
+def _laws(names: NDArray[Any], values: NDArray[Any]) -> tuple[dict[str, int], dict[str, list[str]]]:
+    """Numbers of the laws of a family, and the names of the numbers that are their data."""
+    laws = [name.decode().strip().lower() for name in names]
+    fields = [[name.decode().strip() for name in column if name.strip()] for column in values.T]
+    numbers = {law: number for number, law in enumerate(laws, start=1) if law}
+    return numbers, {law: fields[number - 1] for law, number in numbers.items()}
+
+
+#: The tables of `fortran/laws`
+NORMAL_LAWS, NORMAL_FIELDS = _laws(*_core.f2py_contact.normal_law_names())
+SPOT_LAWS, SPOT_FIELDS = _laws(*_core.f2py_contact.spot_law_names())
+#: The argument that has the numbers of each normal law that has some
+_NORMAL_VALUES = {**{law: "normal_value" for law, fields in NORMAL_FIELDS.items() if fields}, "linear": "eps_n"}
+
+
+def normal_law_data(law: NormalLaw, **values: Numbers | None) -> tuple[int, NDArray[np.float64]]:
+    """Number of a normal law and its data; refuses data that belong to another law."""
+    number = checks.choice("normal_law", law, NORMAL_LAWS)
+    wanted = _NORMAL_VALUES.get(law)
+    if wanted == "eps_n" and values["eps_n"] is None:
+        raise ValueError('normal_law="linear" needs eps_n, the penalty stiffness [N/m]')
+    if wanted != "eps_n" and values["eps_n"] is not None:
+        raise ValueError(f'eps_n belongs to normal_law="linear"; "{law}" has no penalty')
+    if wanted != "normal_value" and values["normal_value"] is not None:
+        raise ValueError(f'normal_value does not belong to normal_law="{law}"')
+    return number, law_data(f'normal_law="{law}"', wanted, values, NORMAL_FIELDS[law])
+
+
+def law_data(law: str, wanted: str | None, values: dict[str, Numbers | None], fields: list[str]) -> NDArray[np.float64]:
+    """The numbers of a law, after checking them; a law without any gets one that it does not look at."""
+    if wanted is None:
+        return np.ones(1)
+    value = values[wanted]
+    if value is None:
+        raise ValueError(f"{law} needs {wanted}")
+    if np.size(value) != len(fields):
+        raise ValueError(
+            f"{wanted} of {law} must have {len(fields)} numbers ({', '.join(fields)}), not {np.size(value)}"
+        )
+    return np.array([checks.positive(wanted, number) for number in np.ravel(value)])
