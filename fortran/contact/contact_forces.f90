@@ -6,7 +6,7 @@
 module litz_contact_forces
    use litz_kinds, only: dp
    use litz_assembly, only: iterate_t, motion_slots, potential_slots
-   use litz_contact_electricity, only: contact_electricity_t, contact_electricity, coupling_tangent
+   use litz_contact_electricity, only: contact_electricity_t, current_of_spot, coupling_tangent
    use litz_contact_mechanics, only: contact_mechanics, form_hessian
    use litz_contact_history, only: force_of_spot
    use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry, clearance_of, law_ok, law_parallel, &
@@ -249,7 +249,7 @@ contains
          integer, intent(in) :: nodes_p(4)
          type(wire_pair_t), intent(in) :: pair
          real(dp), intent(inout) :: k_ee_p(4, 4), r_e_p(4), k_me_p(4, 24)
-         real(dp) :: dg_dforce, spot_force, dspot_force
+         real(dp) :: spot_force, dspot_force
          type(contact_spot_t) :: spot
          type(contact_electricity_t) :: electricity
          integer :: info
@@ -264,10 +264,8 @@ contains
          point%semi_major = spot%semi_major
          point%semi_minor = spot%semi_minor
          point%conductance = spot%conductance
-         dg_dforce = spot%dconductance_dforce*dspot_force
-         call contact_electricity(point%kinematics, iterate%value(potential_slots(1), nodes_p), point%conductance, &
-            dg_dforce*point%at_gap%dforce_dgap, spot%dconductance_dangle + dg_dforce*point%at_gap%dforce_dangle, &
-            pair%series_resistance, electricity)
+         call current_of_spot(point%kinematics, iterate%value(potential_slots(1), nodes_p), point%at_gap, spot, &
+            dspot_force, pair%series_resistance, electricity)
          point%current = electricity%current
          point%series_resistance = pair%series_resistance
          point%heat_inside = point%current**2*pair%series_resistance*(1 - [point%xi_bar, point%xi]**2)

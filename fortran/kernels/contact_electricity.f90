@@ -10,9 +10,11 @@
 module litz_contact_electricity
    use litz_kinds, only: dp
    use litz_contact_kinematics, only: contact_kinematics_t
+   use litz_normal_law, only: force_of_gap_t
+   use litz_spot_law, only: contact_spot_t
    implicit none
    private
-   public :: contact_electricity_t, contact_electricity, coupling_tangent, coupling_parts
+   public :: contact_electricity_t, contact_electricity, current_of_spot, coupling_tangent, coupling_parts
 
    type :: contact_electricity_t
       !> I [A], from the barred to the unbarred beam
@@ -28,6 +30,25 @@ module litz_contact_electricity
    end type contact_electricity_t
 
 contains
+
+   !> Currents and tangents of a spot that the contact force makes, which follows the gap and the angle.
+   pure subroutine current_of_spot(kinematics, v, normal, spot, follows, series_resistance, electricity)
+      type(contact_kinematics_t), intent(in) :: kinematics
+      !> Nodal voltages (4) [V]: barred 1, barred 2, 1, 2
+      real(dp), intent(in) :: v(4)
+      type(force_of_gap_t), intent(in) :: normal
+      type(contact_spot_t), intent(in) :: spot
+      !> 1: the spot is that of the present force, 0: that of an earlier one
+      real(dp), intent(in) :: follows
+      !> s = rho L0/(4 A) (2) [ohm]: barred, unbarred; 0: no correction
+      real(dp), intent(in) :: series_resistance(2)
+      type(contact_electricity_t), intent(out) :: electricity
+
+      associate (dg_dforce => spot%dconductance_dforce*follows)
+         call contact_electricity(kinematics, v, spot%conductance, dg_dforce*normal%dforce_dgap, &
+            spot%dconductance_dangle + dg_dforce*normal%dforce_dangle, series_resistance, electricity)
+      end associate
+   end subroutine current_of_spot
 
    !> Currents and tangents of a spot of known conductance.
    pure subroutine contact_electricity(kinematics, v, conductance, dconductance_dgap, dconductance_dangle, &

@@ -17,7 +17,7 @@ module litz_contact_em
    use litz_closest_points, only: closest_points, closest_inside, closest_beyond, closest_parallel, closest_not_unique
    use litz_contact_kinematics, only: contact_kinematics_t, contact_kinematics, kinematics_ok, kinematics_parallel
    use litz_contact_mechanics, only: contact_mechanics, form_spin
-   use litz_contact_electricity, only: contact_electricity_t, contact_electricity, coupling_tangent
+   use litz_contact_electricity, only: contact_electricity_t, current_of_spot, coupling_tangent
    use litz_rotation_forms, only: spin_to_rotation_vectors
    implicit none
    private
@@ -126,10 +126,7 @@ contains
       ! ... and the spot carries the current
       call contact_mechanics(contact%kinematics, t, contact%force, -normal%dforce_dgap, contact%force, form_spin, &
          k_mm, r(1:24), normal%dforce_dangle)
-      call contact_electricity(contact%kinematics, v, spot%conductance, &
-         spot%dconductance_dforce*normal%dforce_dgap, &
-         spot%dconductance_dangle + spot%dconductance_dforce*normal%dforce_dangle, wires%series_resistance, &
-         contact%electricity)
+      call current_of_spot(contact%kinematics, v, normal, spot, 1.0_dp, wires%series_resistance, contact%electricity)
       k(1:24, 1:24) = k_mm
       k(25:28, 1:24) = coupling_tangent(contact%electricity, contact%kinematics)
       k(25:28, 25:28) = contact%electricity%k_ee
