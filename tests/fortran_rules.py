@@ -1,13 +1,11 @@
 """The project's own rules for the Fortran sources: documented arguments, short procedures, short lists of arguments, short files.
 
-``python tests/fortran_rules.py`` prints what breaks a rule as ``file:line: ...`` and ends with code 1; ``--all`` prints also
-what is still allowed.
+``python tests/fortran_rules.py`` prints what breaks a rule as ``file:line: ...`` and ends with code 1.
 """
 
 import re
 import statistics
 import sys
-from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -17,11 +15,6 @@ MAX_PROCEDURE_LINES = 100
 MAX_FILE_LINES = 500
 MAX_ARGUMENTS = 12
 MAX_MEDIAN_LINES = 15
-
-# Folders that do not keep all rules yet, and how many breaches of each rule they have together. The numbers are exact, so
-# that they can only fall; everywhere else none is allowed.
-NOT_YET = ("terms", "contact", "solution", "output", "restart")
-REMAINING = {"undocumented": 78, "long procedure": 1, "many arguments": 0, "long file": 0}
 
 # Files whose lists of arguments are dictated from outside.
 DICTATED = {
@@ -174,22 +167,9 @@ def breaches_of(path, lines):
                 yield Breach("undocumented", path, argument.line, message)
 
 
-def is_not_yet(path):
-    """Whether a file is in one of the folders that have breaches left."""
-    return path.parts[0] in NOT_YET
-
-
 def problems(sources):
     """What must be cured, as lines of text; ``sources`` are the lines of each file by its path in the folder of the sources."""
-    breaches = [breach for path, lines in sources.items() for breach in breaches_of(path, lines)]
-    yield from (str(breach) for breach in breaches if not is_not_yet(breach.path))
-    counts = Counter(breach.rule for breach in breaches if is_not_yet(breach.path))
-    for rule, allowed in REMAINING.items():
-        if counts[rule] > allowed:
-            yield from (str(breach) for breach in breaches if is_not_yet(breach.path) and breach.rule == rule)
-            yield f"{counts[rule]} breaches of the rule '{rule}' in {', '.join(NOT_YET)}; {allowed} are allowed"
-        elif counts[rule] < allowed:
-            yield f"only {counts[rule]} breaches of the rule '{rule}' are left, {allowed} are allowed: lower REMAINING"
+    yield from (str(breach) for path, lines in sources.items() for breach in breaches_of(path, lines))
     lengths = [
         procedure.n_lines for lines in sources.values() for procedure in procedures(lines) if not procedure.is_interface
     ]
@@ -197,19 +177,16 @@ def problems(sources):
         yield f"half of the procedures have more than {statistics.median(lengths)} lines; at most {MAX_MEDIAN_LINES}"
 
 
-def main(arguments):
+def main():
     folder = ROOT / "fortran"
     sources = {
         path.relative_to(folder): path.read_text(encoding="utf-8").splitlines()
         for path in sorted(folder.rglob("*.f90"))
     }
-    if arguments == ["--all"]:
-        found = [str(breach) for path, lines in sources.items() for breach in breaches_of(path, lines)]
-    else:
-        found = list(problems(sources))
+    found = list(problems(sources))
     print(*found, sep="\n", end="\n" if found else "")
     return 1 if found else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())

@@ -209,7 +209,10 @@ contains
 
       subroutine evaluate(point, nodes_p, k_p, r_p, k_ee_p, r_e_p, k_me_p)
          type(contact_point_t), intent(inout) :: point
+         !> Nodes of both elements (4)
          integer, intent(out) :: nodes_p(4)
+         !> Tangent and residual of the motions, tangent and currents of the voltages, and tangent of the currents by the
+         !> motions: (24, 24), (24), (4, 4), (4), (4, 24)
          real(dp), intent(out) :: k_p(24, 24), r_p(24), k_ee_p(4, 4), r_e_p(4), k_me_p(4, 24)
          real(dp) :: x(3, 4), t(3, 4), length(2)
          type(wire_pair_t) :: pair
@@ -229,12 +232,14 @@ contains
          r_e_p = 0
          k_me_p = 0
          if (point%closed .and. all(pair%resistivity > 0)) then
-            call evaluate_current(point, nodes_p, pair, k_ee_p, r_e_p, k_me_p)
+            call evaluate_current(model%interactions(model%contact_pairs(point%pair)%interaction), wires, pair, &
+               iterate%value(potential_slots(1), nodes_p), point, k_ee_p, r_e_p, k_me_p)
          end if
       end subroutine evaluate
 
       !> Displacements and rotations of nodes since the increment began.
       pure function motion(nodes_p) result(dq)
+         !> Nodes of both elements (4)
          integer, intent(in) :: nodes_p(4)
          real(dp) :: dq(24)
          integer :: a
@@ -244,53 +249,57 @@ contains
          end do
       end function motion
 
-      subroutine evaluate_current(point, nodes_p, pair, k_ee_p, r_e_p, k_me_p)
-         type(contact_point_t), intent(inout) :: point
-         integer, intent(in) :: nodes_p(4)
-         type(wire_pair_t), intent(in) :: pair
-         real(dp), intent(inout) :: k_ee_p(4, 4), r_e_p(4), k_me_p(4, 24)
-         real(dp) :: spot_force, dspot_force
-         type(contact_spot_t) :: spot
-         type(contact_electricity_t) :: electricity
-         integer :: info
-
-         associate (law => model%interactions(model%contact_pairs(point%pair)%interaction))
-            if (.not. law%spot%exists()) return
-            if (law%spot_memory) point%new_spot = leaves_spot(law, wires, pair, point)
-            call force_of_spot(law%spot_memory, point%history, point%force, point%new_spot, spot_force, dspot_force)
-            call contact_spot(law%spot, spot_force, pair, point%ellipse, spot, info)
-         end associate
-         if (info /= spot_ok) point%law_status = law_bad_data
-         point%semi_major = spot%semi_major
-         point%semi_minor = spot%semi_minor
-         point%conductance = spot%conductance
-         call current_of_spot(point%kinematics, iterate%value(potential_slots(1), nodes_p), point%at_gap, spot, &
-            dspot_force, pair%series_resistance, electricity)
-         point%current = electricity%current
-         point%series_resistance = pair%series_resistance
-         point%heat_inside = point%current**2*pair%series_resistance*(1 - [point%xi_bar, point%xi]**2)
-         point%voltage_gap = electricity%voltage_gap
-         k_ee_p = electricity%k_ee
-         r_e_p = electricity%r_e
-         k_me_p = coupling_tangent(electricity, point%kinematics)
-      end subroutine evaluate_current
-
-      !> The row of the gap is linear in the force: what this iteration linearises about differs from the law's.
-      subroutine add_iteration_force(point, nodes_p, forces)
-         type(contact_point_t), intent(in) :: point
-         integer, intent(in) :: nodes_p(4)
-         type(forces_t), intent(inout) :: forces
-         integer :: a
-
-         do a = 1, 4
-            forces%iteration(motion_slots(1):motion_slots(2), nodes_p(a)) = &
-               forces%iteration(motion_slots(1):motion_slots(2), nodes_p(a)) &
-               - (point%iteration_force - point%force)*point%kinematics%dgap(6*a - 5:6*a) &
-               + point%friction_iteration%difference(6*a - 5:6*a)
-         end do
-      end subroutine add_iteration_force
-
    end subroutine assemble_contacts
+
+   !> Spot and current of a closed contact between conductors.
+   subroutine evaluate_current(law, wires, pair, potential, point, k_ee_p, r_e_p, k_me_p)
+      type(interaction_t), intent(in) :: law
+      type(wires_t), intent(in) :: wires
+      type(wire_pair_t), intent(in) :: pair
+      !> Of the four nodes (4) [V]
+      real(dp), intent(in) :: potential(4)
+      type(contact_point_t), intent(inout) :: point
+      !> As of `evaluate`: (4, 4), (4), (4, 24)
+      real(dp), intent(inout) :: k_ee_p(4, 4), r_e_p(4), k_me_p(4, 24)
+      real(dp) :: spot_force, dspot_force
+      type(contact_spot_t) :: spot
+      type(contact_electricity_t) :: electricity
+      integer :: info
+
+      if (.not. law%spot%exists()) return
+      if (law%spot_memory) point%new_spot = leaves_spot(law, wires, pair, point)
+      call force_of_spot(law%spot_memory, point%history, point%force, point%new_spot, spot_force, dspot_force)
+      call contact_spot(law%spot, spot_force, pair, point%ellipse, spot, info)
+      if (info /= spot_ok) point%law_status = law_bad_data
+      point%semi_major = spot%semi_major
+      point%semi_minor = spot%semi_minor
+      point%conductance = spot%conductance
+      call current_of_spot(point%kinematics, potential, point%at_gap, spot, &
+         dspot_force, pair%series_resistance, electricity)
+      point%current = electricity%current
+      point%series_resistance = pair%series_resistance
+      point%heat_inside = point%current**2*pair%series_resistance*(1 - [point%xi_bar, point%xi]**2)
+      point%voltage_gap = electricity%voltage_gap
+      k_ee_p = electricity%k_ee
+      r_e_p = electricity%r_e
+      k_me_p = coupling_tangent(electricity, point%kinematics)
+   end subroutine evaluate_current
+
+   !> The row of the gap is linear in the force: what this iteration linearises about differs from the law's.
+   subroutine add_iteration_force(point, nodes_p, forces)
+      type(contact_point_t), intent(in) :: point
+      !> Nodes of both elements (4)
+      integer, intent(in) :: nodes_p(4)
+      type(forces_t), intent(inout) :: forces
+      integer :: a
+
+      do a = 1, 4
+         forces%iteration(motion_slots(1):motion_slots(2), nodes_p(a)) = &
+            forces%iteration(motion_slots(1):motion_slots(2), nodes_p(a)) &
+            - (point%iteration_force - point%force)*point%kinematics%dgap(6*a - 5:6*a) &
+            + point%friction_iteration%difference(6*a - 5:6*a)
+      end do
+   end subroutine add_iteration_force
 
    !> A contact that remembers its spot is no longer at it. With friction it has slipped; without, it has moved along
    !> one of its wires by more than the spot, which where the law has none is that of Hertz.
@@ -330,6 +339,7 @@ contains
    !> Where contacts share elements their currents depend on each other: what that changes (theory section 7).
    subroutine share_currents(model, potential, contact, forces)
       type(model_t), intent(in) :: model
+      !> Of the nodes (n_nodes) [V]
       real(dp), intent(in) :: potential(:)
       type(contact_set_t), intent(inout) :: contact
       type(forces_t), intent(inout) :: forces

@@ -65,6 +65,7 @@ contains
 
    !> Status and traction of the next iteration, after a linear step `dq` of the contact's 24 unknowns.
    pure subroutine predict_friction(dq, iteration)
+      !> Motion of the four nodes (24) [m, rad]
       real(dp), intent(in) :: dq(24)
       type(friction_iteration_t), intent(inout) :: iteration
       real(dp) :: trial(2), limit

@@ -107,6 +107,7 @@ contains
    !> The values of a row, each with a comma before it.
    pure function row_text(rows, row) result(text)
       type(quantity_table_t), intent(in) :: rows
+      !> Of the table
       integer, intent(in) :: row
       character(len=:), allocatable :: text
       character(len=1024) :: line
@@ -130,6 +131,7 @@ contains
 
    pure function contact_status(contact, last_elements) result(status)
       type(contact_t), intent(in) :: contact
+      !> Elements of each contact of the increment before, by its number (2, n)
       integer, intent(in) :: last_elements(:, :)
       character(len=6) :: status
 
@@ -142,6 +144,7 @@ contains
 
    pure subroutine remember(contacts, last_elements)
       type(contact_t), intent(in) :: contacts(:)
+      !> Elements of each contact, by its number (2, n)
       integer, allocatable, intent(inout) :: last_elements(:, :)
       integer :: i
 
@@ -203,6 +206,7 @@ contains
    !> Closes both files, and notes whether the run came to its end.
    subroutine ledger_close(self, finished, error)
       class(contact_ledger_t), intent(inout) :: self
+      !> The run came to its end
       logical, intent(in) :: finished
       type(error_t), allocatable, intent(inout) :: error
 

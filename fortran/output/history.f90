@@ -92,6 +92,7 @@ contains
       type(history_t), intent(inout) :: self
       type(model_t), intent(in) :: model
       type(output_request_t), intent(in) :: request
+      !> Quantities that a member has a column of already (n_quantities, n_members)
       logical, intent(inout) :: seen(:, :)
       type(error_t), allocatable, intent(inout) :: error
       integer :: i
@@ -115,7 +116,9 @@ contains
       type(history_t), intent(inout) :: self
       type(model_t), intent(in) :: model
       type(output_request_t), intent(in) :: request
+      !> As the deck writes it, such as `U` or `EPOT`
       character(len=*), intent(in) :: word
+      !> Quantities that a member has a column of already (n_quantities, n_members)
       logical, intent(inout) :: seen(:, :)
       type(error_t), allocatable, intent(inout) :: error
       integer, allocatable :: these(:)
@@ -154,7 +157,7 @@ contains
       type(history_t), intent(inout) :: self
       type(model_t), intent(in) :: model
       type(output_request_t), intent(in) :: request
-      !> Places of the quantities
+      !> Places of the quantities (n)
       integer, intent(in) :: these(:)
       type(named_set_t) :: set
       integer :: i, component
@@ -175,8 +178,9 @@ contains
       type(history_t), intent(inout) :: self
       type(model_t), intent(in) :: model
       type(output_request_t), intent(in) :: request
-      !> Places of the quantities
+      !> Places of the quantities (n)
       integer, intent(in) :: these(:)
+      !> Quantities that a member has a column of already (n_quantities, n_members)
       logical, intent(inout) :: seen(:, :)
       type(named_set_t) :: set
       character(len=:), allocatable :: who
@@ -208,7 +212,9 @@ contains
    !> `U1 node 7 [m]`
    pure function column_name(quantity, component, of_whom) result(name)
       type(wire_quantity_t), intent(in) :: quantity
+      !> Of the quantity, from 1
       integer, intent(in) :: component
+      !> Number or name of the node, element or set
       character(len=*), intent(in) :: of_whom
       character(len=:), allocatable :: name
 
@@ -220,10 +226,13 @@ contains
    !> Adds a column unless one of that name is there.
    subroutine add_column(self, name, quantity, component, is_mean, members, members_2)
       type(history_t), intent(inout) :: self
+      !> Of the column
       character(len=*), intent(in) :: name
-      !> As in `column_t`
+      !> As in `column_t`; nodes or elements (n)
       integer, intent(in) :: quantity, component, members(:)
+      !> Of the members; else their sum
       logical, intent(in) :: is_mean
+      !> Of the second set (n), where two are compared
       integer, intent(in), optional :: members_2(:)
       integer :: i
 
@@ -235,10 +244,13 @@ contains
 
    subroutine append_column(self, name, quantity, component, is_mean, members, members_2)
       type(history_t), intent(inout) :: self
+      !> Of the column
       character(len=*), intent(in) :: name
-      !> As in `column_t`
+      !> As in `column_t`; nodes or elements (n)
       integer, intent(in) :: quantity, component, members(:)
+      !> Of the members; else their sum
       logical, intent(in) :: is_mean
+      !> Of the second set (n), where two are compared
       integer, intent(in), optional :: members_2(:)
       type(column_t), allocatable :: grown(:)
 
@@ -321,6 +333,7 @@ contains
    !> that of round-off.
    pure real(dp) function electrode_value(self, quantity, plus, minus, state) result(value)
       class(history_t), intent(in) :: self
+      !> Which one of an electrode pair, and the nodes of the positive and the negative set (n), (m)
       integer, intent(in) :: quantity, plus(:), minus(:)
       type(state_t), intent(in) :: state
       real(dp) :: voltage, current, round_off

@@ -30,6 +30,7 @@ module litz_live_progress
       integer(c_int) function isatty(descriptor) bind(c, name='isatty')
          import :: c_int
          implicit none
+         !> Of an open file; 1 is the standard output
          integer(c_int), value :: descriptor
       end function isatty
    end interface
@@ -38,6 +39,7 @@ contains
 
    subroutine progress_start(self, wanted, total, done)
       class(live_progress_t), intent(inout) :: self
+      !> There is to be a line, if someone looks on
       logical, intent(in) :: wanted
       !> Time of all steps, and what an earlier run has done of it [s]
       real(dp), intent(in) :: total, done
@@ -88,6 +90,7 @@ contains
 
    !> Hours, minutes and seconds.
    pure function clock(seconds) result(text)
+      !> [s]
       real(dp), intent(in) :: seconds
       character(len=9) :: text
       integer :: whole

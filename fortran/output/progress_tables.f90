@@ -72,6 +72,7 @@ contains
 
    pure integer function user_id(model, node)
       type(model_t), intent(in) :: model
+      !> Internal index; 0: none
       integer, intent(in) :: node
 
       user_id = 0

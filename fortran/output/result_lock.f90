@@ -16,8 +16,11 @@ module litz_result_lock
       integer(c_int) function c_take_lock(path, words, n) bind(c, name='litz_take_result_lock')
          import :: c_char, c_int
          implicit none
+         !> Ends in a null character (n)
          character(kind=c_char), intent(in) :: path(*)
+         !> Letters that `words` can take
          integer(c_int), value :: n
+         !> Who holds the lock, or why there is none (n)
          character(kind=c_char), intent(out) :: words(n)
       end function c_take_lock
 

@@ -96,6 +96,7 @@ contains
 
    subroutine begin_table(file, path, header, error)
       type(text_file_t), intent(inout) :: file
+      !> Of the file, and its first line
       character(len=*), intent(in) :: path, header
       type(error_t), allocatable, intent(inout) :: error
 
@@ -272,6 +273,7 @@ contains
    !> Closes all files, also after an error; the result files note whether the run came to its end.
    subroutine results_close(self, finished, error)
       class(results_t), intent(inout) :: self
+      !> The run came to its end
       logical, intent(in) :: finished
       !> That of the run, or the first one of closing
       type(error_t), allocatable, intent(inout) :: error
@@ -292,6 +294,7 @@ contains
 
    subroutine close_files(self, finished, error)
       class(results_t), intent(inout) :: self
+      !> The run came to its end
       logical, intent(in) :: finished
       type(error_t), allocatable, intent(inout) :: error
 

@@ -71,6 +71,7 @@ contains
    !> Begins the file anew with the groups and the datasets of the mesh.
    subroutine vtkhdf_create(self, path, expected_points, expected_cells, expected_steps, error)
       class(vtkhdf_file_t), intent(inout) :: self
+      !> Where the file will be once it is published
       character(len=*), intent(in) :: path
       !> Usual numbers in a step: a guide for the layout of the file
       integer, intent(in) :: expected_points, expected_cells
@@ -184,6 +185,7 @@ contains
    !> A field of reals at this step.
    subroutine write_reals(self, name, values, error)
       class(vtkhdf_file_t), intent(inout) :: self
+      !> Of the field
       character(len=*), intent(in) :: name
       !> (components, points or cells)
       real(dp), intent(in) :: values(:, :)
@@ -199,8 +201,9 @@ contains
    !> A field of integers at this step.
    subroutine write_integers(self, name, values, error)
       class(vtkhdf_file_t), intent(inout) :: self
+      !> Of the field
       character(len=*), intent(in) :: name
-      !> One value per point or cell
+      !> One value per point or cell (n)
       integer, intent(in) :: values(:)
       type(error_t), allocatable, intent(inout) :: error
       integer :: i
@@ -214,6 +217,7 @@ contains
    !> Completes the step: its offsets, then its data to the disk, and only then the number of steps.
    subroutine vtkhdf_end_step(self, time, error)
       class(vtkhdf_file_t), intent(inout) :: self
+      !> Total time [s]
       real(dp), intent(in) :: time
       type(error_t), allocatable, intent(inout) :: error
       integer :: i
@@ -248,6 +252,7 @@ contains
    !> Closes the file, and notes whether the run came to its end; one that was not published is removed.
    subroutine vtkhdf_close(self, finished, error)
       class(vtkhdf_file_t), intent(inout) :: self
+      !> The run came to its end
       logical, intent(in) :: finished
       type(error_t), allocatable, intent(inout) :: error
 
@@ -260,7 +265,9 @@ contains
    !> Index of a declared field; asking for another is a mistake of the program, not of its user.
    pure subroutine find_field(self, name, i, error)
       class(vtkhdf_file_t), intent(in) :: self
+      !> Of the field
       character(len=*), intent(in) :: name
+      !> Its place among the fields; 0: there is none
       integer, intent(out) :: i
       type(error_t), allocatable, intent(inout) :: error
 

@@ -80,6 +80,7 @@ contains
 
    !> The lines of the entries after the first `n`, as numbers of characters (1, characters).
    pure function new_text(n, warnings) result(numbers)
+      !> Entries that are in the file already
       integer, intent(in) :: n
       type(run_warnings_t), intent(in) :: warnings
       integer(int64), allocatable :: numbers(:, :)

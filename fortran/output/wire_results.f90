@@ -45,6 +45,7 @@ contains
    subroutine wire_results_open(self, model, path, error)
       class(wire_results_t), intent(inout) :: self
       type(model_t), intent(in) :: model
+      !> Where the file will be once it is published
       character(len=*), intent(in) :: path
       type(error_t), allocatable, intent(inout) :: error
 
@@ -117,8 +118,9 @@ contains
    contains
 
       subroutine add_numbers(name, text, place, numbers)
+         !> Of the field, and what it means
          character(len=*), intent(in) :: name, text
-         !> `on_points` or `on_cells`, and a number for each of them
+         !> `on_points` or `on_cells`, and a number for each of them (n)
          integer, intent(in) :: place, numbers(:)
 
          call file%add_field(quantity_t(name, '1', text, place, is_integer=.true.), size(numbers), error)
@@ -158,10 +160,12 @@ contains
 
    !> Sets as datasets of the user's numbers, by their names.
    subroutine write_sets(parent, name, sets, ids, error)
+      !> Identifier of the group that they are written into
       integer(hid_t), intent(in) :: parent
+      !> Of the group of sets
       character(len=*), intent(in) :: name
       type(named_set_t), allocatable, intent(in) :: sets(:)
-      !> The user's numbers of all nodes or elements
+      !> The user's numbers of all nodes or elements (n)
       integer, intent(in) :: ids(:)
       type(error_t), allocatable, intent(inout) :: error
       integer(hid_t) :: group
@@ -179,6 +183,7 @@ contains
 
    !> A slash would open a group inside HDF5.
    pure function link_name(name) result(link)
+      !> Of a set
       character(len=*), intent(in) :: name
       character(len=len(name)) :: link
       integer :: i
@@ -190,6 +195,7 @@ contains
    end function link_name
 
    pure function text_or_nothing(text) result(copy)
+      !> Not allocated: there is none
       character(len=:), allocatable, intent(in) :: text
       character(len=:), allocatable :: copy
 

@@ -97,10 +97,13 @@ contains
 
       !> The node whose sum is the worst for its round-off.
       pure subroutine weigh_nodes(what, imbalance, field, figure)
+         !> Such as `forces`
          character(len=*), intent(in) :: what
-         !> Of every node
+         !> Of every node (n_nodes)
          real(dp), intent(in) :: imbalance(:)
+         !> One of litz_fields
          integer, intent(in) :: field
+         !> The worst of all, over its scale; made larger
          real(dp), intent(inout) :: figure
          integer :: node
 
@@ -112,7 +115,9 @@ contains
       end subroutine weigh_nodes
 
       pure subroutine weigh(words, imbalance, scale, round_off, figure)
+         !> What does not balance
          character(len=*), intent(in) :: words
+         !> What is left over, the largest quantity in it, and what round-off makes of it
          real(dp), intent(in) :: imbalance, scale, round_off
          !> The larger of this one and what it was
          real(dp), intent(inout) :: figure
@@ -234,7 +239,9 @@ contains
 
       !> A current into an element at `xi` comes to its nodes as the linear voltage has it.
       pure subroutine share(element, xi, current)
+         !> Index of the element
          integer, intent(in) :: element
+         !> Place in [-1, 1], and current [A]
          real(dp), intent(in) :: xi, current
 
          associate (node => model%connectivity(:, element))

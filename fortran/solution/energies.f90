@@ -49,6 +49,7 @@ contains
       type(state_t), intent(in) :: state
       type(iterate_t), intent(in) :: iterate
       type(loading_t), intent(in) :: loading
+      !> Internal forces (n_slots, n_nodes) [N, N m]
       real(dp), intent(in) :: internal(:, :)
       integer :: node
       real(dp), dimension(motion_slots(2)) :: outer_start, outer
