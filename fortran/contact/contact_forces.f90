@@ -211,7 +211,7 @@ contains
          type(contact_point_t), intent(inout) :: point
          !> Nodes of both elements (4)
          integer, intent(out) :: nodes_p(4)
-         !> Tangent and residual of the motions, tangent and currents of the voltages, and tangent of the currents by the
+         !> Tangent and residual of the motions, tangent and currents of the voltages, tangent of the currents by the
          !> motions: (24, 24), (24), (4, 4), (4), (4, 24)
          real(dp), intent(out) :: k_p(24, 24), r_p(24), k_ee_p(4, 4), r_e_p(4), k_me_p(4, 24)
          real(dp) :: x(3, 4), t(3, 4), length(2)
