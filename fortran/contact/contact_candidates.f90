@@ -25,8 +25,9 @@ module litz_contact_candidates
 contains
 
    !> Which elements the contact pairs name; no candidates and no points yet.
-   subroutine prepare_contact(model, elements, contact)
+   subroutine prepare_contact(model, wires, elements, contact)
       type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(contact_set_t), intent(out) :: contact
       integer :: p, e
@@ -42,6 +43,14 @@ contains
          associate (pair => model%contact_pairs(p))
             contact%in_bar(model%element_sets(pair%set_bar)%members, p) = .true.
             contact%in_set(model%element_sets(pair%set)%members, p) = .true.
+         end associate
+      end do
+      allocate (contact%wire_in_bar(wires%n_wires, size(model%contact_pairs)), source=.false.)
+      allocate (contact%wire_in_set, source=contact%wire_in_bar)
+      do e = 1, model%n_elements
+         associate (wire => wires%wire(e))
+            contact%wire_in_bar(wire, :) = contact%wire_in_bar(wire, :) .or. contact%in_bar(e, :)
+            contact%wire_in_set(wire, :) = contact%wire_in_set(wire, :) .or. contact%in_set(e, :)
          end associate
       end do
       contact%members = pack([(e, e=1, model%n_elements)], any(contact%in_bar .or. contact%in_set, 2))
@@ -215,15 +224,34 @@ contains
          forward = contact%in_bar(a, pair) .and. contact%in_set(b, pair)
          backward = contact%in_bar(b, pair) .and. contact%in_set(a, pair)
          if (.not. (forward .or. backward)) cycle
-         ! within one set the wire decides, so that the roles outlive a hand-over
-         if (forward .and. backward) then
-            forward = wires%wire(a) < wires%wire(b) .or. &
-               (wires%wire(a) == wires%wire(b) .and. wires%arc(a) < wires%arc(b))
+         if (wires%wire(a) /= wires%wire(b)) then
+            forward = is_barred(wires%wire(a), wires%wire(b))
+         else if (forward .and. backward) then
+            forward = wires%arc(a) < wires%arc(b)
          end if
          roles = merge([a, b], [b, a], forward)
          return
       end do
       pair = 0
+
+   contains
+
+      !> The first of two wires is the barred one, by the last contact pair that names elements of both: the same for
+      !> all their elements, so that the roles outlive a hand-over. Where it names both orders their numbers decide.
+      pure logical function is_barred(wire, other)
+         !> Two wires
+         integer, intent(in) :: wire, other
+         integer :: p
+         logical :: is_backward
+
+         do p = size(model%contact_pairs), 1, -1
+            is_barred = contact%wire_in_bar(wire, p) .and. contact%wire_in_set(other, p)
+            is_backward = contact%wire_in_bar(other, p) .and. contact%wire_in_set(wire, p)
+            if (is_barred .and. is_backward) is_barred = wire < other
+            if (is_barred .or. is_backward) return
+         end do
+      end function is_barred
+
    end subroutine find_contact_pair
 
 end module litz_contact_candidates

@@ -69,6 +69,8 @@ module litz_contact_points
       logical :: present = .false.
       !> Element belongs to the barred / the unbarred set of each contact pair (n_elements, n_pairs)
       logical, allocatable :: in_bar(:, :), in_set(:, :)
+      !> The same of wires, with any of their elements (n_wires, n_pairs)
+      logical, allocatable :: wire_in_bar(:, :), wire_in_set(:, :)
       !> Elements of any contact pair
       integer, allocatable :: members(:)
       !> Barred element, unbarred element, contact pair (3, n_candidates); sorted by the smaller, then the larger one

@@ -58,7 +58,7 @@ contains
       call build_wires(model, problem%wires)
       call prepare_elements(model, problem%wires, problem%elements)
       call measure_wires(problem%elements%length, problem%wires)
-      call prepare_contact(model, problem%elements, problem%contact)
+      call prepare_contact(model, problem%wires, problem%elements, problem%contact)
       call start_state(problem)
    end subroutine prepare_problem
 

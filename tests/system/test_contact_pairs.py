@@ -2,7 +2,7 @@
 
 import pytest
 
-from decks import crossed
+from decks import crossed, pair_of_wires, straight, wire
 
 OVERLAP = 1e-6
 PENALTIES = {"ALL": 1e5, "SOFT": 2e4}
@@ -33,3 +33,28 @@ def test_the_set_that_is_named_first_is_the_barred_one(run):
         process, results = run(held(("SOFT", "WIRES"), ("ALL", sets)), name=name)
         assert process.returncode == 0, process.stderr
         assert results.contacts_at(-1)["element_1"].tolist() == [element]
+
+
+@pytest.mark.parametrize(
+    "pairs",
+    ["LEFT, B\n*CONTACT PAIR, INTERACTION=TOUCH\n B, RIGHT", "WIRES\n*CONTACT PAIR, INTERACTION=TOUCH\n B, RIGHT"],
+)
+def test_a_contact_keeps_its_memory_where_the_next_pair_names_its_wires_in_the_other_order(run, pairs):
+    """B is pressed on the left half of A and dragged to the right half, which another pair names: one contact."""
+    deck = pair_of_wires(
+        wire("A", straight((-0.06, 0, 0), (0.06, 0, 0), 12), 1, element="B33"),
+        wire("B", straight((-0.016, -0.06, 0.002), (-0.016, 0.06, 0.002), 12), 101, element="B33"),
+        "1, 1, 6\n13, 1, 6\n101, 1, 2\n101, 4, 6\n113, 1, 2\n113, 4, 6\n",
+        "101, 3, 3, -6e-5\n113, 3, 3, -6e-5\n",
+    ).replace("*SURFACE INTERACTION, NAME=TOUCH\n", "*SURFACE INTERACTION, NAME=TOUCH\n*FRICTION\n 0.3\n")
+    sets = "*ELSET, ELSET=LEFT\n 1, 2, 3, 4, 5, 6\n*ELSET, ELSET=RIGHT\n 7, 8, 9, 10, 11, 12\n"
+    drag = "*STEP\n*STATIC\n1., 1.\n*BOUNDARY\n101, 1, 1, 0.03\n113, 1, 1, 0.03\n*END STEP\n"
+    identities, heat = [], []
+    for name, named in (("one", "A, B"), ("two", pairs)):
+        text = deck.replace("\n A, B\n*BOUNDARY", f"\n {named}\n{sets}*BOUNDARY", 1) + drag
+        process, results = run(text, name=name)
+        assert process.returncode == 0, process.stderr
+        identities.append(results.contacts_at(-1)["id"].tolist())
+        heat.append(results.contacts_at(-1)["dissipation"][0])
+    assert identities == [[1], [1]]
+    assert heat[1] == pytest.approx(heat[0], rel=1e-9)
