@@ -13,7 +13,6 @@ module litz_contact_sweep
    use litz_contact_path, only: contact_path_t
    use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry, arc_at, crossing_at
    use litz_contact_side, only: have_kept
-   use litz_departed_contacts, only: find_departed_pairs
    use litz_element_library, only: elements_t
    use litz_model, only: model_t
    use litz_moving_axes, only: find_meeting
@@ -33,25 +32,32 @@ module litz_contact_sweep
 contains
 
    !> The worst passage of all near pairs of elements; `finding_none`: there is none.
-   function sweep_contacts(model, wires, elements, contact, path) result(worst)
+   function sweep_contacts(model, wires, elements, contact, departed, path) result(worst)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       !> With the candidates and points of the end of the increment
       type(contact_set_t), intent(in) :: contact
+      !> Pairs of elements of contacts that are gone, see find_departed_pairs (3, n)
+      integer, intent(in) :: departed(:, :)
       type(contact_path_t), intent(in) :: path
       type(finding_t) :: worst
       type(finding_t), allocatable :: found(:)
       real(dp), allocatable :: x_start(:, :), rotation_start(:, :, :), x(:, :), rotation(:, :, :)
       !> Barred element, unbarred element, contact pair: joined ones first (3, n)
       integer, allocatable :: pairs(:, :)
-      integer :: leg, i
+      integer :: leg, i, n, n_joined
 
       if (path%turned_element > 0) then
          worst = finding_t(finding_turned, spread(path%turned_element, 1, 2))
          return
       end if
-      pairs = pairs_to_follow(model, wires, contact)
+      n_joined = size(contact%joined, 2)
+      n = n_joined + size(contact%candidates, 2)
+      allocate (pairs(3, n + size(departed, 2)))
+      pairs(:, :n_joined) = contact%joined
+      pairs(:, n_joined + 1:n) = contact%candidates
+      pairs(:, n + 1:) = departed
       allocate (found(size(pairs, 2)))
       x = path%positions(model, wires, 0.0_dp)
       rotation = path%rotations(0.0_dp)
@@ -62,7 +68,7 @@ contains
          rotation = path%rotations(real(leg, dp)/path%n_legs)
          !$omp parallel do schedule(dynamic, 64) if (size(found) >= worth_threads)
          do i = 1, size(found)
-            call sweep_pair(model, wires, elements, contact, pairs(:, i), i <= size(contact%joined, 2), x_start, &
+            call sweep_pair(model, wires, elements, contact, pairs(:, i), i <= n_joined, x_start, &
                rotation_start, x, rotation, found(i))
          end do
          !$omp end parallel do
@@ -72,24 +78,6 @@ contains
          if (worst%kind /= finding_none) return
       end do
    end function sweep_contacts
-
-   !> Barred element, unbarred element and contact pair of all pairs of elements that may have met, joined ones first
-   !> (3, n).
-   function pairs_to_follow(model, wires, contact) result(pairs)
-      type(model_t), intent(in) :: model
-      type(wires_t), intent(in) :: wires
-      type(contact_set_t), intent(in) :: contact
-      integer, allocatable :: pairs(:, :), departed(:, :)
-      integer :: n, n_joined
-
-      call find_departed_pairs(model, wires, contact, departed)
-      n_joined = size(contact%joined, 2)
-      n = n_joined + size(contact%candidates, 2)
-      allocate (pairs(3, n + size(departed, 2)))
-      pairs(:, :n_joined) = contact%joined
-      pairs(:, n_joined + 1:n) = contact%candidates
-      pairs(:, n + 1:) = departed
-   end function pairs_to_follow
 
    !> Whether the axes of two elements met.
    subroutine sweep_pair(model, wires, elements, contact, candidate, is_joined, x_start, rotation_start, x, rotation, &

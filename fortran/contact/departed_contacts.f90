@@ -69,20 +69,18 @@ contains
    end subroutine find_departed_pairs
 
    !> The worst of the contacts that have left; `finding_none`: there is none.
-   function find_departed_contacts(model, wires, elements, contact, x, rotation) result(worst)
+   function find_departed_contacts(model, wires, elements, pairs, x, rotation) result(worst)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
-      !> With the points of this state, and those of the last converged one
-      type(contact_set_t), intent(in) :: contact
+      !> Those of `find_departed_pairs` (3, n)
+      integer, intent(in) :: pairs(:, :)
       !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
       real(dp), intent(in) :: x(:, :), rotation(:, :, :)
       type(finding_t) :: worst
-      integer, allocatable :: pairs(:, :)
       real(dp) :: overlap
       integer :: i
 
-      call find_departed_pairs(model, wires, contact, pairs)
       do i = 1, size(pairs, 2)
          associate (a => pairs(1, i), b => pairs(2, i))
             overlap = surely_overlap(model, wires, elements, a, b, x, rotation)

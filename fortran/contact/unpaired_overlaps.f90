@@ -57,13 +57,14 @@ contains
          integer, intent(in) :: a, b
          integer :: roles(2), pair
 
+         ! from cheap to dear: this is asked in every increment
          overlap_unpaired = .false.
-         if (are_joined(model, wires, elements, a, b)) return
          if (contact%present) then
             call find_contact_pair(model, wires, contact, a, b, roles, pair)
             if (pair > 0) return
          end if
-         overlap_unpaired = surely_overlap(model, wires, elements, a, b, x, rotation) > reported_overlap
+         if (.not. surely_overlap(model, wires, elements, a, b, x, rotation) > reported_overlap) return
+         overlap_unpaired = .not. are_joined(model, wires, elements, a, b)
       end function overlap_unpaired
 
    end function describe_unpaired_overlaps

@@ -21,7 +21,7 @@ module litz_audit
    public :: force_imbalance, moment_imbalance, current_imbalance, spot_imbalance, power_imbalance, not_finite, &
       crossed_contact, deepest_contact
    public :: allowed_imbalance
-   public :: penetration, contact_words
+   public :: penetration, describe_contact
 
    !> A sum that should vanish may be this part of the largest force, moment, current or power in it. The residuals that
    !> *CONTROLS allows by itself are far below: more is a mistake, or a tolerance that lets a wrong answer pass.
@@ -85,12 +85,12 @@ contains
          total_round_off(field_potential)*potential, audit%power)
       worst = crossed_contact(model, state%contacts)
       if (worst > 0 .and. len(audit%finding) == 0) then
-         audit%finding = 'the axes of '//contact_words(model, state%contacts(worst))//' have passed each other'
+         audit%finding = 'the axes of '//describe_contact(model, state%contacts(worst))//' have passed each other'
       end if
       audit%deepest = deepest_contact(model, state%contacts)
       if (audit%deepest > 0) audit%penetration = penetration(model, state%contacts(audit%deepest))
       if (audit%penetration > allowed_penetration .and. len(audit%finding) == 0) then
-         audit%finding = overlap_words(model, state%contacts(audit%deepest))
+         audit%finding = describe_overlap(model, state%contacts(audit%deepest))
       end if
 
    contains
@@ -165,7 +165,7 @@ contains
          return
       end do
       place = contact_not_finite(contact_table(state%contacts))
-      if (place > 0) words = 'a value of '//contact_words(model, state%contacts(place))//' is not a number'
+      if (place > 0) words = 'a value of '//describe_contact(model, state%contacts(place))//' is not a number'
    end function not_finite
 
    !> The row of the first contact with a value that is not a finite number; 0: none.
@@ -321,22 +321,22 @@ contains
       is_unlimited = model%interactions(model%contact_pairs(contact%pair)%interaction)%unlimited_penetration
    end function is_unlimited
 
-   pure function contact_words(model, contact) result(words)
+   pure function describe_contact(model, contact) result(words)
       type(model_t), intent(in) :: model
       type(contact_t), intent(in) :: contact
       character(len=:), allocatable :: words
 
       words = 'contact '//to_text(contact%id)//' (elements '//to_text(model%element_id(contact%element_bar))// &
          ' and '//to_text(model%element_id(contact%element))//')'
-   end function contact_words
+   end function describe_contact
 
    !> A contact that overlaps too much, and what would hold it.
-   pure function overlap_words(model, contact) result(words)
+   pure function describe_overlap(model, contact) result(words)
       type(model_t), intent(in) :: model
       type(contact_t), intent(in) :: contact
       character(len=:), allocatable :: words
 
-      words = contact_words(model, contact)//' overlaps by '//to_text(100*penetration(model, contact))// &
+      words = describe_contact(model, contact)//' overlaps by '//to_text(100*penetration(model, contact))// &
          ' % of the smaller radius (above '//to_text(100*allowed_penetration)//' %)'
       associate (law => model%interactions(model%contact_pairs(contact%pair)%interaction)%normal)
          if (law%has_penalty) then
@@ -347,6 +347,6 @@ contains
             words = words//': the '//trim(law%title)//' is for smaller ones'
          end if
       end associate
-   end function overlap_words
+   end function describe_overlap
 
 end module litz_audit

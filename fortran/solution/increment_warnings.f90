@@ -2,7 +2,7 @@
 module litz_increment_warnings
    use litz_fields, only: fields, n_fields, first_slot, last_slot, field_displacement, field_potential
    use litz_kinds, only: dp, pi
-   use litz_audit, only: audit_t, scales_t, penetration, contact_words, allowed_imbalance
+   use litz_audit, only: audit_t, scales_t, penetration, describe_contact, allowed_imbalance
    use litz_contact_net, only: allowed_penetration
    use litz_convergence, only: measure_scales
    use litz_errors, only: error_list_t
@@ -128,13 +128,13 @@ contains
       elements = model%element_id([contact%element_bar, contact%element])
       if (sin(contact%angle) < sin(shallow_angle)) then
          angle = min(contact%angle, pi - contact%angle)*180/pi
-         call warnings%add('shallow_angle', contact_words(model, contact)//' crosses at '//to_text(angle)// &
+         call warnings%add('shallow_angle', describe_contact(model, contact)//' crosses at '//to_text(angle)// &
             ' degrees, below 10, where spots are long and point contact is less accurate', elements, angle, 'degrees', &
             smaller_is_worse=.true.)
       end if
       call add_table_end(model, contact, elements, warnings)
       if (penetration(model, contact) <= allowed_penetration) return
-      call warnings%add('unlimited_penetration', contact_words(model, contact)//' overlaps by '// &
+      call warnings%add('unlimited_penetration', describe_contact(model, contact)//' overlaps by '// &
          to_text(100*penetration(model, contact))//' % of the smaller radius, which PENETRATION=UNLIMITED'// &
          ' allows; the laws of contact are for less than '//to_text(100*allowed_penetration)//' %', elements, &
          100*penetration(model, contact), '% of the radius')
@@ -158,8 +158,8 @@ contains
          ! a remembered spot does not follow a falling force
          if (.not. law%spot_memory) factor = max(factor, first/force)
          if (factor <= 1) return
-         call warnings%add('outside_table', contact_words(model, contact)//' has a force of '//to_text(force)//' '// &
-            model%units%label('N')//', outside the table of its resistance (from '//to_text(first)//' to '// &
+         call warnings%add('outside_table', describe_contact(model, contact)//' has a force of '//to_text(force)// &
+            ' '//model%units%label('N')//', outside the table of its resistance (from '//to_text(first)//' to '// &
             to_text(last)//' '//model%units%label('N')//'), which is continued there as a power law', elements, &
             factor, 'times beyond the table')
       end associate

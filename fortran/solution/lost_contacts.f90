@@ -6,7 +6,7 @@ module litz_lost_contacts
    use litz_contact_net, only: inspect_contacts
    use litz_contact_path, only: contact_path_t, find_path
    use litz_contact_sweep, only: sweep_contacts
-   use litz_departed_contacts, only: find_departed_contacts
+   use litz_departed_contacts, only: find_departed_pairs, find_departed_contacts
    use litz_fields, only: first_slot, last_slot, field_rotation
    use litz_problem, only: problem_t
    implicit none
@@ -22,6 +22,7 @@ contains
       !> Positions when the increment began (3, n_nodes) [m]
       real(dp), intent(in) :: x_start(:, :)
       type(contact_path_t) :: path
+      integer, allocatable :: departed(:, :)
 
       if (.not. problem%contact%present) return
       associate (model => problem%model, wires => problem%wires, elements => problem%elements, &
@@ -29,9 +30,10 @@ contains
          call find_path(model, wires, elements, x_start, problem%state%rotation, iterate%x, iterate%rotation, &
             iterate%change(first_slot(field_rotation):last_slot(field_rotation), :), &
             any(contact%in_bar .or. contact%in_set, 2), path)
+         call find_departed_pairs(model, wires, contact, departed)
          worst = worse_of(inspect_contacts(model, wires, elements, contact, iterate%x, iterate%rotation), &
-            sweep_contacts(model, wires, elements, contact, path))
-         worst = worse_of(worst, find_departed_contacts(model, wires, elements, contact, iterate%x, iterate%rotation))
+            sweep_contacts(model, wires, elements, contact, departed, path))
+         worst = worse_of(worst, find_departed_contacts(model, wires, elements, departed, iterate%x, iterate%rotation))
          worst = worse_of(worst, find_unfollowed(model, wires, elements, contact, x_start, iterate%x))
       end associate
    end function find_lost_contacts
