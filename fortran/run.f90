@@ -4,7 +4,6 @@ module litz_run
    use litz_errors, only: error_t, error_list_t
    use litz_increment_warnings, only: add_deck_warnings, add_start_warnings
    use litz_initial_contacts, only: find_initial_overlap
-   use litz_kinds, only: dp
    use litz_model, only: model_t
    use litz_problem, only: problem_t, prepare_problem
    use litz_restart_file, only: read_restart
@@ -48,15 +47,13 @@ contains
       type(problem_t) :: problem
       type(run_output_t) :: output
       type(course_t) :: course
-      !> Interference that the step resolves, one per contact pair [m]
-      real(dp), allocatable :: overlap(:)
       logical :: continued
       integer :: i
 
 !$    if (options%threads > 0) call omp_set_num_threads(options%threads)
       output%base = result_base(options)
       output%quiet = options%quiet
-      call prepare(model, options, problem, overlap, error)
+      call prepare(model, options, problem, error)
       if (allocated(error)) return
       continued = len(options%restart_path) > 0
       if (continued) then
@@ -67,15 +64,13 @@ contains
       end if
       call add_deck_warnings(options%deck_warnings, problem%warnings)
       if (.not. continued) call add_start_warnings(problem)
-      if (problem%state%step > 1) overlap = 0
       call output%open(problem, error)
       if (allocated(error)) return
       call output%start(problem, error)
       call problem%timing%lap(phase_output)
       do i = max(1, problem%state%step), size(model%steps)
          if (allocated(error)) exit
-         call run_step(problem, i, options%solver, overlap, continued, course, output, error)
-         overlap = 0
+         call run_step(problem, i, options%solver, continued, course, output, error)
          continued = .false.
       end do
       call output%close(problem, error)
@@ -85,22 +80,17 @@ contains
    end subroutine run_model
 
    !> The undeformed model, and the crossings of its wires.
-   subroutine prepare(model, options, problem, overlap, error)
+   subroutine prepare(model, options, problem, error)
       type(model_t), intent(in) :: model
       type(run_options_t), intent(in) :: options
       type(problem_t), intent(out) :: problem
-      !> Largest overlap of each interference fit (contact pairs) [m]; 0 for other pairs
-      real(dp), allocatable, intent(out) :: overlap(:)
       type(error_t), allocatable, intent(out) :: error
 
       call prepare_problem(model, problem)
       problem%timing = options%timing
       call problem%timing%lap(phase_preparation)
-      call find_initial_overlap(problem, overlap, error)
+      call find_initial_overlap(problem, error)
       if (allocated(error)) return
-      ! an interference fit begins without stress: what resolves it does work from the first increment on
-      problem%contact%clearance = overlap
-      problem%contact%converged_clearance = overlap
       call problem%timing%lap(phase_search)
    end subroutine prepare
 

@@ -35,6 +35,7 @@ contains
       allocate (contact%points(0), contact%converged(0), contact%candidates(3, 0), contact%joined(3, 0))
       allocate (contact%clearance(size(model%contact_pairs)), source=0.0_dp)
       contact%converged_clearance = contact%clearance
+      contact%overlap = contact%clearance
       contact%present = size(model%contact_pairs) > 0
       if (.not. contact%present) return
       allocate (contact%in_bar(model%n_elements, size(model%contact_pairs)), source=.false.)

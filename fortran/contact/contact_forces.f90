@@ -5,16 +5,15 @@
 !> independent force. The converged force is that of the law at the true gap.
 module litz_contact_forces
    use litz_kinds, only: dp
-   use litz_assembly, only: iterate_t, motion_slots, potential_slots
    use litz_contact_electricity, only: contact_electricity_t, current_of_spot, coupling_tangent
    use litz_contact_mechanics, only: contact_mechanics, form_hessian
    use litz_contact_history, only: force_of_spot
    use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry, clearance_of, law_ok, law_parallel, &
       law_bad_data
+   use litz_domain, only: domain_t
    use litz_element_library, only: elements_t
-   use litz_equations, only: equations_t, system_t
    use litz_errors, only: error_t, fail, exit_input
-   use litz_fields, only: group_mechanical, group_electric
+   use litz_fields, only: group_mechanical, motion_slots, potential_slots
    use litz_friction_forces, only: add_friction
    use litz_friction_iteration, only: predict_friction, forget_friction
    use litz_friction_law, only: friction_law_t, friction_slip
@@ -23,11 +22,11 @@ module litz_contact_forces
    use litz_model, only: model_t, interaction_t
    use litz_normal_law, only: force_of_gap_t, force_at_gap, linearise
    use litz_parallel, only: worth_threads
-   use litz_scatter, only: forces_t, scatter, chunk
+   use litz_scatter, only: forces_t, chunk
    use litz_shared_conductors, only: collect_shared
    use litz_spot_law, only: contact_spot_t, contact_spot, spot_ok
    use litz_text, only: to_text
-   use litz_timing, only: timing_t, phase_contact, phase_assembly
+   use litz_timing, only: phase_contact, phase_assembly
    use litz_wires, only: wires_t, arc_from_to
    implicit none
    private
@@ -153,19 +152,10 @@ contains
    end function elements_of
 
    !> Add all points to the system: mechanics, and where a current can cross, the paper's electric blocks.
-   subroutine assemble_contacts(model, wires, elements, equations, increment, iterate, contact, matrix, forces, &
-      timing, error)
-      type(model_t), intent(in) :: model
-      type(wires_t), intent(in) :: wires
-      type(elements_t), intent(in) :: elements
-      type(equations_t), intent(in) :: equations
-      !> What is prescribed of the increment (n_slots, n_nodes)
-      real(dp), intent(in) :: increment(:, :)
-      type(iterate_t), intent(in) :: iterate
+   subroutine assemble_contacts(domain, contact, error)
+      type(domain_t), intent(inout) :: domain
       type(contact_set_t), intent(inout) :: contact
-      type(system_t), intent(inout) :: matrix
-      type(forces_t), intent(inout) :: forces
-      type(timing_t), intent(inout) :: timing
+      !> Data that a law cannot take
       type(error_t), allocatable, intent(out) :: error
       real(dp), allocatable :: k(:, :, :), r(:, :), k_ee(:, :, :), r_e(:, :), k_me(:, :, :)
       integer, allocatable :: touching(:), nodes(:, :)
@@ -184,26 +174,24 @@ contains
                   k_me(:, :, i))
             end do
             !$omp end parallel do
-            if (any(contact%points(points)%friction_iteration%limit > 0)) matrix%symmetric(group_mechanical) = .false.
+            if (any(contact%points(points)%friction_iteration%limit > 0)) &
+               domain%matrix%symmetric(group_mechanical) = .false.
             do i = 1, n
-               call add_iteration_force(contact%points(points(i)), nodes(:, i), forces)
+               call add_iteration_force(contact%points(points(i)), nodes(:, i), domain%forces)
             end do
-            call timing%lap(phase_contact)
-            call scatter(equations, nodes(:, :n), motion_slots, motion_slots, k(:, :, :n), increment, &
-               matrix%block(group_mechanical, group_mechanical), forces, r(:, :n))
+            call domain%timing%lap(phase_contact)
+            call domain%add_cells(nodes(:, :n), motion_slots, motion_slots, k(:, :, :n), r(:, :n))
             if (any(contact%points(points)%conductance > 0)) then
-               call scatter(equations, nodes(:, :n), potential_slots, potential_slots, k_ee(:, :, :n), increment, &
-                  matrix%block(group_electric, group_electric), forces, r_e(:, :n))
-               call scatter(equations, nodes(:, :n), potential_slots, motion_slots, k_me(:, :, :n), increment, &
-                  matrix%block(group_electric, group_mechanical), forces)
+               call domain%add_cells(nodes(:, :n), potential_slots, potential_slots, k_ee(:, :, :n), r_e(:, :n))
+               call domain%add_cells(nodes(:, :n), potential_slots, motion_slots, k_me(:, :, :n))
             end if
-            call timing%lap(phase_assembly)
+            call domain%timing%lap(phase_assembly)
          end associate
       end do
-      call refuse_bad_data(model, contact, error)
+      call refuse_bad_data(domain%model, contact, error)
       if (allocated(error)) return
-      call share_currents(model, iterate%value(potential_slots(1), :), contact, forces)
-      call timing%lap(phase_contact)
+      call share_currents(domain%model, domain%iterate%value(potential_slots(1), :), contact, domain%forces)
+      call domain%timing%lap(phase_contact)
 
    contains
 
@@ -217,24 +205,24 @@ contains
          real(dp) :: x(3, 4), t(3, 4), length(2)
          type(wire_pair_t) :: pair
 
-         nodes_p = [model%connectivity(:, point%element_bar), model%connectivity(:, point%element)]
-         call pair_geometry(model, wires, elements, point%element_bar, point%element, iterate%x, iterate%rotation, &
-            x, t, length)
-         call contact_mechanics(point%kinematics, t, point%force, point%stiffness, point%geometric_force, &
-            form_hessian, k_p, r_p)
-         pair = wires_of(model, elements, point)
-         associate (law => model%interactions(model%contact_pairs(point%pair)%interaction))
+         associate (model => domain%model, wires => domain%wires, elements => domain%elements, &
+            iterate => domain%iterate, law => domain%model%interactions( &
+            domain%model%contact_pairs(point%pair)%interaction))
+            nodes_p = [model%connectivity(:, point%element_bar), model%connectivity(:, point%element)]
+            call pair_geometry(model, wires, elements, point%element_bar, point%element, iterate%x, iterate%rotation, &
+               x, t, length)
+            call contact_mechanics(point%kinematics, t, point%force, point%stiffness, point%geometric_force, &
+               form_hessian, k_p, r_p)
+            pair = wires_of(model, elements, point)
             if (law%friction > 0) call add_friction(law, wires, x, t, length, pair, motion(nodes_p), &
                clearance_of(point%fit, contact%converged_clearance(point%pair)) &
                - clearance_of(point%fit, contact%clearance(point%pair)), point, k_p, r_p)
-         end associate
-         k_ee_p = 0
-         r_e_p = 0
-         k_me_p = 0
-         if (point%closed .and. all(pair%resistivity > 0)) then
-            call evaluate_current(model%interactions(model%contact_pairs(point%pair)%interaction), wires, pair, &
+            k_ee_p = 0
+            r_e_p = 0
+            k_me_p = 0
+            if (point%closed .and. all(pair%resistivity > 0)) call evaluate_current(law, wires, pair, &
                iterate%value(potential_slots(1), nodes_p), point, k_ee_p, r_e_p, k_me_p)
-         end if
+         end associate
       end subroutine evaluate
 
       !> Displacements and rotations of nodes since the increment began.
@@ -245,7 +233,7 @@ contains
          integer :: a
 
          do a = 1, 4
-            dq(6*a - 5:6*a) = iterate%change(motion_slots(1):motion_slots(2), nodes_p(a))
+            dq(6*a - 5:6*a) = domain%iterate%change(motion_slots(1):motion_slots(2), nodes_p(a))
          end do
       end function motion
 

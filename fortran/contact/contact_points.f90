@@ -90,6 +90,9 @@ module litz_contact_points
       !> The points of the last converged state
       type(contact_point_t), allocatable :: converged(:)
       integer :: last_id = 0
+      !> Largest overlap of the reference configuration that an interference fit resolves, one per contact pair [m];
+      !> 0: the pair is none
+      real(dp), allocatable :: overlap(:)
       !> Clearance that stands for the interference left at this time, one per contact pair [m]
       real(dp), allocatable :: clearance(:)
       !> The same in the last converged state

@@ -8,6 +8,7 @@ module litz_fields
    private
    public :: field_t, fields, n_fields, field_displacement, field_rotation, field_potential
    public :: n_slots, first_slot, last_slot, field_of_slot, slot_of_dof
+   public :: motion_slots, rotation_slots, potential_slots
    public :: n_groups, group_mechanical, group_electric, first_slot_of_group, last_slot_of_group, depends_on
 
    type :: field_t
@@ -21,6 +22,8 @@ module litz_fields
       integer :: group
       !> Sums of its corrections are turns about fixed axes
       logical :: is_rotation
+      !> Only its differences matter: a part without a path to a prescribed value floats
+      logical :: is_level
       character(len=3) :: unit
       !> What does work on it or flows by it: the residual of its equations
       character(len=8) :: flux
@@ -31,9 +34,9 @@ module litz_fields
    integer, parameter :: group_mechanical = 1, group_electric = 2
 
    type(field_t), parameter :: fields(*) = [ &
-      field_t('displacement', 'u', 1, 3, 1, group_mechanical, .false., 'm', 'force', 'N'), &
-      field_t('rotation', 'phi', 4, 3, 4, group_mechanical, .true., 'rad', 'moment', 'N m'), &
-      field_t('potential', 'V', 7, 1, 9, group_electric, .false., 'V', 'current', 'A')]
+      field_t('displacement', 'u', 1, 3, 1, group_mechanical, .false., .false., 'm', 'force', 'N'), &
+      field_t('rotation', 'phi', 4, 3, 4, group_mechanical, .true., .false., 'rad', 'moment', 'N m'), &
+      field_t('potential', 'V', 7, 1, 9, group_electric, .false., .true., 'V', 'current', 'A')]
    integer, parameter :: field_displacement = 1, field_rotation = 2, field_potential = 3
 
    integer, private :: i
@@ -41,6 +44,10 @@ module litz_fields
    integer, parameter :: first_slot(n_fields) = fields%first_slot
    integer, parameter :: last_slot(n_fields) = fields%first_slot + fields%n_components - 1
    integer, parameter :: n_slots = maxval(last_slot)
+   !> First and last slot of displacements and rotations, of rotations, and of potentials
+   integer, parameter :: motion_slots(2) = [first_slot(field_displacement), last_slot(field_rotation)]
+   integer, parameter :: rotation_slots(2) = [first_slot(field_rotation), last_slot(field_rotation)]
+   integer, parameter :: potential_slots(2) = [first_slot(field_potential), last_slot(field_potential)]
    integer, parameter :: field_of_slot(n_slots) = [(count(first_slot <= i), i=1, n_slots)]
    integer, parameter :: first_slot_of_group(n_groups) = [(minval(first_slot, fields%group == i), i=1, n_groups)]
    integer, parameter :: last_slot_of_group(n_groups) = [(maxval(last_slot, fields%group == i), i=1, n_groups)]

@@ -1,14 +1,10 @@
 !> The converged iterate as a state: fields for the results and the start of the next increment.
 module litz_capture
-   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf
-   use litz_fields, only: field_rotation, first_slot, last_slot
-   use litz_kinds, only: dp, pi
-   use litz_contact_history, only: contact_history_t, advanced_history
-   use litz_contact_points, only: contact_point_t
-   use litz_energies, only: advanced_energies
+   use litz_fields, only: field_rotation, first_slot, last_slot, motion_slots
+   use litz_kinds, only: dp
    use litz_problem, only: problem_t
    use litz_rotations, only: nearest_rotation_vector
-   use litz_state, only: state_t, contact_t
+   use litz_state, only: energies_t
    implicit none
    private
    public :: capture_state
@@ -18,82 +14,49 @@ contains
    !> Take over what has converged.
    subroutine capture_state(problem)
       type(problem_t), intent(inout) :: problem
-      real(dp) :: stabilization
-      integer :: node
+      type(energies_t) :: energies
+      integer :: i, node
 
+      energies = problem%state%energies
+      energies%strain = 0
+      energies%contact = 0
+      energies%work = energies%work + work_of_increment(problem)
+      do i = 1, size(problem%terms)
+         call problem%terms(i)%term%add_energies(problem%domain_t, energies)
+      end do
       associate (state => problem%state, iterate => problem%iterate, loading => problem%loading, &
          internal => problem%forces%internal, first => first_slot(field_rotation), last => last_slot(field_rotation))
-         stabilization = state%energies%stabilization
-         state%energies = advanced_energies(state, iterate, loading, internal, &
-            problem%forces%strain_energy, problem%contact)
-         state%energies%stabilization = stabilization + problem%forces%damping_work
-         state%stabilizing_force = -problem%forces%damping
+         state%energies = energies
          state%value = iterate%value
          state%rotation = iterate%rotation
          do node = 1, problem%model%n_nodes
             state%value(first:last, node) = nearest_rotation_vector(state%rotation(:, :, node), &
                iterate%value(first:last, node))
          end do
-         state%section_forces = iterate%section_forces
-         state%element_current = iterate%element_current
-         state%current_density = iterate%element_current/problem%model%sections(problem%model%element_section)%area
-         state%joule_heat = iterate%joule_heat
          state%load = loading%load
          state%reaction = merge(internal - loading%load, 0.0_dp, loading%fixed)
          loading%converged_value = loading%value
       end associate
-      call capture_contacts(problem)
+      do i = 1, size(problem%terms)
+         call problem%terms(i)%term%accept(problem%domain_t)
+      end do
    end subroutine capture_state
 
-   !> Closed contacts, each with an identity that it keeps while it lives.
-   subroutine capture_contacts(problem)
-      type(problem_t), intent(inout) :: problem
-      integer :: i, m
+   !> What supports and loads have done: mean force times displacement, mean moment times rotation.
+   pure real(dp) function work_of_increment(problem) result(work)
+      type(problem_t), intent(in) :: problem
+      integer :: node
+      real(dp), dimension(motion_slots(2)) :: outer_start, outer
 
-      associate (contact => problem%contact, state => problem%state)
-         deallocate (state%contacts)
-         allocate (state%contacts(count(contact%points%closed)))
-         m = 0
-         do i = 1, size(contact%points)
-            associate (point => contact%points(i))
-               if (.not. point%closed) then
-                  point%history = contact_history_t()
-                  cycle
-               end if
-               point%history = advanced_history(point%history, [point%arc_bar, point%arc], point%force, &
-                  point%friction, point%new_spot)
-               if (point%id == 0) then
-                  contact%last_id = contact%last_id + 1
-                  point%id = contact%last_id
-               end if
-               m = m + 1
-               state%contacts(m) = contact_of_point(point)
-               ! the current enters within the elements: their heat includes what the linear voltage misses
-               state%joule_heat(point%element_bar) = state%joule_heat(point%element_bar) + point%heat_inside(1)
-               state%joule_heat(point%element) = state%joule_heat(point%element) + point%heat_inside(2)
-            end associate
+      work = 0
+      associate (first => motion_slots(1), last => motion_slots(2), state => problem%state, &
+         loading => problem%loading, internal => problem%forces%internal)
+         do node = 1, problem%model%n_nodes
+            outer_start = state%reaction(first:last, node) + state%load(first:last, node)
+            outer = merge(internal(first:last, node), loading%load(first:last, node), loading%fixed(first:last, node))
+            work = work + dot_product(outer_start + outer, problem%iterate%change(first:last, node))/2
          end do
-         contact%converged = contact%points
-         contact%converged_clearance = contact%clearance
       end associate
-   end subroutine capture_contacts
-
-   !> What results show of a point, with what follows from the iteration.
-   pure function contact_of_point(point) result(contact)
-      type(contact_point_t), intent(in) :: point
-      type(contact_t) :: contact
-
-      contact = point%contact_t
-      contact%angle = min(point%kinematics%angle, pi - point%kinematics%angle)
-      contact%normal = point%kinematics%normal
-      contact%point_bar = point%kinematics%point_bar
-      contact%point = point%kinematics%point
-      contact%friction_status = point%friction%status
-      contact%slip_path = point%history%slip_path
-      contact%dissipation = point%history%dissipation
-      contact%resistance = ieee_value(contact%resistance, ieee_positive_inf)
-      if (point%conductance > 0) contact%resistance = 1/point%conductance
-      contact%joule_heat = point%current*point%voltage_gap
-   end function contact_of_point
+   end function work_of_increment
 
 end module litz_capture

@@ -3,7 +3,7 @@ module litz_check
    use litz_errors, only: error_t
    use litz_increment_warnings, only: add_start_warnings
    use litz_initial_contacts, only: find_initial_overlap
-   use litz_kinds, only: dp, pi
+   use litz_kinds, only: pi
    use litz_model, only: model_t
    use litz_problem, only: problem_t, prepare_problem
    use litz_run_warnings, only: run_warnings_t
@@ -21,13 +21,12 @@ contains
       type(run_warnings_t), intent(out) :: warnings
       type(error_t), allocatable, intent(out) :: error
       type(problem_t) :: problem
-      real(dp), allocatable :: overlap(:)
       character(len=200) :: line
       integer :: i
 
       report = ''
       call prepare_problem(model, problem)
-      call find_initial_overlap(problem, overlap, error)
+      call find_initial_overlap(problem, error)
       if (allocated(error)) return
       write (line, '(a, i0)') 'wires (chains of elements): ', problem%wires%n_wires
       report = trim(line)//new_line('a')

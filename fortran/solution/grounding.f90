@@ -1,82 +1,109 @@
-!> Conductors without a path to a prescribed potential.
+!> Parts of a model without a path to a prescribed value, for fields of which only differences matter.
 !>
-!> Their potential is not determined by the equations, but no current can flow either: one node of each such part is
-!> held at the potential it has. That changes no current, and the potential of a wire that has lost its last contact
-!> stays where it was.
+!> Their level is not determined by the equations, but no flux can pass either: one node of each such part is held at the
+!> value it has. That changes no flux, and the potential of a wire that has lost its last contact stays where it was.
 module litz_grounding
    use litz_kinds, only: dp
-   use litz_contact_points, only: contact_set_t
-   use litz_element_library, only: elements_t
-   use litz_equations, only: equations_t, system_t
    use litz_errors, only: error_t, fail, exit_input
-   use litz_fields, only: group_electric, field_potential, first_slot
-   use litz_model, only: model_t
+   use litz_fields, only: fields, n_fields, first_slot
+   use litz_linear_solver, only: csr_matrix_t
+   use litz_problem, only: problem_t
+   use litz_text, only: to_text
    implicit none
    private
-   public :: ground_floating_conductors
+   public :: ground_floating_parts
 
 contains
 
-   !> Add a ground to the diagonal of the electric block for every part that floats.
-   subroutine ground_floating_conductors(model, elements, contact, equations, fixed, current, matrix, error)
-      type(model_t), intent(in) :: model
-      type(elements_t), intent(in) :: elements
-      type(contact_set_t), intent(in) :: contact
-      type(equations_t), intent(in) :: equations
-      !> The potential of the node is prescribed (n_nodes)
-      logical, intent(in) :: fixed(:)
-      !> Applied currents (n_nodes) [A]
-      real(dp), intent(in) :: current(:)
-      type(system_t), intent(inout) :: matrix
+   !> Add a ground to the diagonal for every part that floats.
+   subroutine ground_floating_parts(problem, error)
+      type(problem_t), intent(inout) :: problem
+      !> A flux is fed into a part that floats
       type(error_t), allocatable, intent(out) :: error
-      integer :: root(model%n_nodes), e, i, node, row, position
-      logical :: held(model%n_nodes)
-      real(dp) :: injected(model%n_nodes), scale
-      character(len=16) :: number
+      integer :: field
 
-      if (equations%count(group_electric) == 0) return
-      root = [(i, i=1, model%n_nodes)]
-      do e = 1, model%n_elements
-         if (elements%resistivity(e) > 0) call join(root, model%connectivity(1, e), model%connectivity(2, e))
+      do field = 1, n_fields
+         if (.not. fields(field)%is_level) cycle
+         if (problem%equations%count(fields(field)%group) > 0) call ground_field(problem, field, error)
+         if (allocated(error)) return
       end do
-      do i = 1, size(contact%points)
-         associate (point => contact%points(i))
-            if (point%conductance > 0) call join(root, model%connectivity(1, point%element_bar), &
-               model%connectivity(1, point%element))
-         end associate
-      end do
+   end subroutine ground_floating_parts
+
+   subroutine ground_field(problem, field, error)
+      type(problem_t), intent(inout) :: problem
+      !> One of the fields of litz_fields, with one component
+      integer, intent(in) :: field
+      type(error_t), allocatable, intent(out) :: error
+      integer :: root(problem%model%n_nodes), i, node, row
+      logical :: held(problem%model%n_nodes)
+      real(dp) :: fed(problem%model%n_nodes), scale
+
+      call find_parts(problem, fields(field)%group, root)
       held = .false.
-      injected = 0
-      do node = 1, model%n_nodes
-         i = find_root(root, node)
-         held(i) = held(i) .or. fixed(node)
-         injected(i) = injected(i) + current(node)
+      fed = 0
+      associate (slot => first_slot(field), group => fields(field)%group)
+         associate (block => problem%matrix%block(group, group), load => problem%loading%load(slot, :), &
+            fixed => problem%loading%fixed(slot, :))
+            do node = 1, problem%model%n_nodes
+               i = find_root(root, node)
+               held(i) = held(i) .or. fixed(node)
+               fed(i) = fed(i) + load(node)
+            end do
+            scale = max(maxval(abs(block%value)), tiny(1.0_dp))
+            do node = 1, problem%model%n_nodes
+               row = problem%equations%number(slot, node)
+               if (row == 0) cycle
+               i = find_root(root, node)
+               if (held(i)) cycle
+               if (abs(fed(i)) > epsilon(1.0_dp)*maxval(abs(load))) then
+                  if (.not. abs(load(node)) > 0) cycle
+                  error = fail(exit_input, 'a '//trim(fields(field)%flux)//' is fed into the conductor at node '// &
+                     to_text(problem%model%node_id(node))//', which has no path to a prescribed '// &
+                     trim(fields(field)%name))
+                  return
+               end if
+               held(i) = .true.
+               call add_to_diagonal(block, row, scale)
+            end do
+         end associate
+      end associate
+   end subroutine ground_field
+
+   pure subroutine add_to_diagonal(block, row, value)
+      type(csr_matrix_t), intent(inout) :: block
+      !> Row
+      integer, intent(in) :: row
+      !> In the unit of the entries
+      real(dp), intent(in) :: value
+      integer :: position
+
+      do position = block%row_start(row), block%row_start(row + 1) - 1
+         if (block%column(position) == row) block%value(position) = block%value(position) + value
       end do
-      associate (block => matrix%block(group_electric, group_electric))
-      scale = max(maxval(abs(block%value)), tiny(1.0_dp))
-      do node = 1, model%n_nodes
-         row = equations%number(first_slot(field_potential), node)
-         if (row == 0) cycle
-         i = find_root(root, node)
-         if (held(i)) cycle
-         if (abs(injected(i)) > epsilon(1.0_dp)*maxval(abs(current))) then
-            if (.not. abs(current(node)) > 0) cycle
-            write (number, '(i0)') model%node_id(node)
-            error = fail(exit_input, 'a current is fed into the conductor at node '//trim(number)// &
-               ', which has no path to a prescribed potential')
-            return
-         end if
-         held(i) = .true.
-         do position = block%row_start(row), block%row_start(row + 1) - 1
-            if (block%column(position) == row) block%value(position) = block%value(position) + scale
+   end subroutine add_to_diagonal
+
+   !> Join the nodes between which the fluxes of a group can pass.
+   subroutine find_parts(problem, group, root)
+      type(problem_t), intent(in) :: problem
+      !> One of the groups of litz_fields
+      integer, intent(in) :: group
+      !> For each node one of its part nearer to the representative, which has itself (n_nodes)
+      integer, intent(out) :: root(:)
+      integer, allocatable :: pairs(:, :)
+      integer :: i, k
+
+      root = [(i, i=1, size(root))]
+      do i = 1, size(problem%terms)
+         call problem%terms(i)%term%link(problem%domain_t, group, pairs)
+         do k = 1, size(pairs, 2)
+            call join(root, pairs(1, k), pairs(2, k))
          end do
       end do
-      end associate
-   end subroutine ground_floating_conductors
+   end subroutine find_parts
 
    !> Representative of the part that a node belongs to; paths are halved on the way.
    integer function find_root(root, node) result(i)
-      !> For each node one of its part nearer to the representative, which has itself (n_nodes)
+      !> As of `find_parts` (n_nodes)
       integer, intent(inout) :: root(:)
       !> Node
       integer, intent(in) :: node

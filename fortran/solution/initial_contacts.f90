@@ -19,16 +19,13 @@ contains
 
    !> Largest overlap of the reference configuration for each pair that is meant as an interference fit; an error for
    !> any other pair.
-   subroutine find_initial_overlap(problem, overlap, error)
+   subroutine find_initial_overlap(problem, error)
       type(problem_t), intent(inout) :: problem
-      !> (n_contact_pairs) [m]; 0: the pair is not an interference fit
-      real(dp), allocatable, intent(out) :: overlap(:)
       type(error_t), allocatable, intent(out) :: error
       integer :: i, n_refused, worst
       logical :: changed
       character(len=400) :: text
 
-      allocate (overlap(size(problem%model%contact_pairs)), source=0.0_dp)
       if (.not. problem%contact%present) return
       associate (model => problem%model, contact => problem%contact, state => problem%state)
          call find_candidates(model, problem%wires, problem%elements, model%x, state%rotation, model%x, &
@@ -42,7 +39,7 @@ contains
             associate (point => contact%points(i))
                if (model%contact_pairs(point%pair)%interference_fit) then
                   point%fit = max(0.0_dp, -point%gap)
-                  overlap(point%pair) = max(overlap(point%pair), point%fit)
+                  contact%overlap(point%pair) = max(contact%overlap(point%pair), point%fit)
                else if (-point%gap > allowed_overlap*minval(radii(point))) then
                   n_refused = n_refused + 1
                   if (worst == 0) worst = i
@@ -51,6 +48,9 @@ contains
             end associate
          end do
          contact%converged = contact%points
+         ! an interference fit begins without stress: what resolves it does work from the first increment on
+         contact%clearance = contact%overlap
+         contact%converged_clearance = contact%overlap
          call refuse_unmodelled(problem, error)
          if (n_refused == 0 .or. allocated(error)) return
          associate (point => contact%points(worst), pair => model%contact_pairs(contact%points(worst)%pair))

@@ -1,6 +1,5 @@
 !> What is wrong with the contacts of a converged iterate, so that it is no solution.
 module litz_lost_contacts
-   use litz_kinds, only: dp
    use litz_contact_findings, only: finding_t, worse_of
    use litz_contact_matching, only: find_unfollowed
    use litz_contact_net, only: inspect_contacts
@@ -17,24 +16,22 @@ contains
 
    !> The worst of wires that have passed through each other, overlap without a contact, or whose contact is not known
    !> any more; `finding_none`: there is none.
-   type(finding_t) function find_lost_contacts(problem, x_start) result(worst)
+   type(finding_t) function find_lost_contacts(problem) result(worst)
       type(problem_t), intent(in) :: problem
-      !> Positions when the increment began (3, n_nodes) [m]
-      real(dp), intent(in) :: x_start(:, :)
       type(contact_path_t) :: path
       integer, allocatable :: departed(:, :)
 
       if (.not. problem%contact%present) return
       associate (model => problem%model, wires => problem%wires, elements => problem%elements, &
          contact => problem%contact, iterate => problem%iterate)
-         call find_path(model, wires, elements, x_start, problem%state%rotation, iterate%x, iterate%rotation, &
+         call find_path(model, wires, elements, iterate%x_start, problem%state%rotation, iterate%x, iterate%rotation, &
             iterate%change(first_slot(field_rotation):last_slot(field_rotation), :), &
             any(contact%in_bar .or. contact%in_set, 2), path)
          call find_departed_pairs(model, wires, contact, departed)
          worst = worse_of(inspect_contacts(model, wires, elements, contact, iterate%x, iterate%rotation), &
             sweep_contacts(model, wires, elements, contact, departed, path))
          worst = worse_of(worst, find_departed_contacts(model, wires, elements, departed, iterate%x, iterate%rotation))
-         worst = worse_of(worst, find_unfollowed(model, wires, elements, contact, x_start, iterate%x))
+         worst = worse_of(worst, find_unfollowed(model, wires, elements, contact, iterate%x_start, iterate%x))
       end associate
    end function find_lost_contacts
 

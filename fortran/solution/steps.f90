@@ -1,6 +1,5 @@
 !> The steps of a run: increments, cut-backs, and the message where these do not help.
 module litz_steps
-   use litz_assembly, only: motion_slots, potential_slots
    use litz_audit, only: audit_t, audit_increment, audit_error
    use litz_capture, only: capture_state
    use litz_convergence, only: measure_scales, nodal_residual
@@ -18,7 +17,6 @@ module litz_steps
    use litz_parallel_wires, only: shallow_angle
    use litz_problem, only: problem_t
    use litz_reports, only: iteration_report_t, increment_report_t
-   use litz_stabilization, only: damping_stiffness
    use litz_step_control, only: course_t
    use litz_timing, only: phase_update, phase_output
    implicit none
@@ -28,12 +26,10 @@ module litz_steps
 contains
 
    !> Solve a step, from its start or from where the problem stands in it.
-   subroutine run_step(problem, number, solver, overlap, continued, course, observer, error)
+   subroutine run_step(problem, number, solver, continued, course, observer, error)
       type(problem_t), intent(inout) :: problem
       !> Step, and one of the solver constants of the model; 0: as the step says
       integer, intent(in) :: number, solver
-      !> Interference that this step resolves (n_contact_pairs) [m]
-      real(dp), intent(in) :: overlap(:)
       !> The problem stands somewhere in this step, and the course with it
       logical, intent(in) :: continued
       type(course_t), intent(inout) :: course
@@ -63,7 +59,7 @@ contains
                error = fail(exit_not_converged, trim(text))
                return
             end if
-            call run_increment(problem, step, overlap, course, observer, error)
+            call run_increment(problem, step, course, observer, error)
             if (allocated(error)) return
             call observer%offer_restart(problem, course, restart_taken, error)
             if (allocated(error)) return
@@ -91,15 +87,12 @@ contains
       type(error_t), allocatable, intent(out) :: error
       logical :: exists(n_slots, problem%model%n_nodes), same_system
       integer, allocatable :: number_before(:, :)
-      integer :: e, kind
+      integer :: i, kind
 
       call start_loading(step, problem%state, problem%loading)
       exists = .false.
-      do e = 1, problem%model%n_elements
-         associate (nodes => problem%model%connectivity(:, e))
-            exists(motion_slots(1):motion_slots(2), nodes) = .true.
-            if (problem%elements%resistivity(e) > 0) exists(potential_slots(1):potential_slots(2), nodes) = .true.
-         end associate
+      do i = 1, size(problem%terms)
+         call problem%terms(i)%term%request_slots(problem%domain_t, exists)
       end do
       if (problem%scheme%is_created()) number_before = problem%equations%number
       call number_equations(problem%loading%fixed, exists, problem%equations)
@@ -115,11 +108,9 @@ contains
    end subroutine begin_step
 
    !> One increment with its cut-backs.
-   subroutine run_increment(problem, step, overlap, course, observer, error)
+   subroutine run_increment(problem, step, course, observer, error)
       type(problem_t), intent(inout) :: problem
       type(step_t), intent(in) :: step
-      !> Interference that the step resolves (n_contact_pairs) [m]
-      real(dp), intent(in) :: overlap(:)
       type(course_t), intent(inout) :: course
       class(observer_t), intent(inout) :: observer
       type(error_t), allocatable, intent(out) :: error
@@ -128,6 +119,7 @@ contains
       type(audit_t) :: audit
       real(dp) :: break_point, increment, target
       logical :: possible
+      integer :: i
 
       associate (step_time => problem%state%step_time, start_time => course%start_time, control => course%control)
          report%step = problem%state%step
@@ -139,9 +131,9 @@ contains
             increment = control%propose(step_time, break_point)
             target = step_time + increment
             call load_targets(problem%model, step, target, start_time + target, problem%loading)
-            problem%contact%clearance = overlap*max(0.0_dp, 1 - target/step%total)
-            problem%damping = damping_stiffness(problem%model, problem%elements%length, step%controls%stabilize, &
-               increment/step%total)
+            do i = 1, size(problem%terms)
+               call problem%terms(i)%term%apply_load(problem%domain_t, step, target, increment)
+            end do
             call solve_increment(problem, step, report, observer, outcome, error)
             if (allocated(error)) return
             problem%n_iterations = problem%n_iterations + outcome%iterations
@@ -285,7 +277,7 @@ contains
          return
       end if
       if (outcome%negative_pivots > 0) remark = 'negative pivots: beyond a critical load; '
-      if (any(problem%damping > 0)) then
+      if (problem%model%steps(outcome%last%step)%controls%stabilize > 0) then
          write (text, '(a, es9.2, a, es9.2, a)') 'stabilization has taken', problem%state%energies%stabilization, &
             ' J, the beams hold', problem%state%energies%strain, ' J;'
          remark = remark//trim(text)//' '

@@ -5,7 +5,7 @@
 !> tells the two apart is the way: the relative rotation of the last converged state, and what the increment adds.
 module litz_turned_ends
    use litz_kinds, only: dp, pi
-   use litz_assembly, only: iterate_t
+   use litz_iterate, only: iterate_t
    use litz_fields, only: first_slot, last_slot, field_rotation
    use litz_model, only: model_t
    use litz_rotations, only: nearest_rotation_vector, rotation_log

@@ -34,10 +34,6 @@ module litz_scatter
       !> What a relative change of these in every part of the model makes at most of the forces (n_slots, n_nodes): the
       !> sum of `|K| |q|` over the cells at the node. Times epsilon it is the round-off of the residual there
       real(dp), allocatable :: sensitivity(:, :)
-      real(dp) :: strain_energy = 0
-      !> Stabilization: forces on the free unknowns, part of the internal ones (n_slots, n_nodes), and their work [J]
-      real(dp), allocatable :: damping(:, :)
-      real(dp) :: damping_work = 0
    end type forces_t
 
 contains
@@ -54,16 +50,13 @@ contains
       if (.not. allocated(forces%internal)) then
          allocate (forces%internal(n_slots, n_nodes), forces%iteration(n_slots, n_nodes), &
             forces%prescribed(n_slots, n_nodes), forces%magnitude(n_slots, n_nodes), &
-            forces%sensitivity(n_slots, n_nodes), forces%damping(n_slots, n_nodes))
+            forces%sensitivity(n_slots, n_nodes))
       end if
       forces%internal = 0
       forces%iteration = 0
       forces%prescribed = 0
       forces%reference = 0
       forces%sensitivity = 0
-      forces%strain_energy = 0
-      forces%damping = 0
-      forces%damping_work = 0
       do field = 1, n_fields
          associate (magnitude => forces%magnitude(first_slot(field):last_slot(field), :))
             if (field == field_displacement) then

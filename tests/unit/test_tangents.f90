@@ -75,18 +75,18 @@ end module silent_observer
 !> tangent unsymmetric: how the angle changes the force of a contact. With it the tangent is exact.
 program test_tangents
    use litz_kinds, only: dp
+   use litz_assembly, only: evaluate
+   use litz_beam_term, only: beam_term_t
    use litz_deck_reader, only: read_deck
    use litz_errors, only: error_t, error_list_t
    use litz_fields, only: n_slots, n_groups, depends_on, field_rotation, field_potential, first_slot, last_slot, fields
    use litz_initial_contacts, only: find_initial_overlap
    use litz_loading, only: load_targets
    use litz_model, only: model_t
-   use litz_iterate_motion, only: move_iterate
-   use litz_newton, only: start_iterate, evaluate
+   use litz_newton, only: start_iterate
    use litz_problem, only: problem_t, prepare_problem
    use litz_rotations, only: cross
    use litz_sparse_pattern, only: csr_multiply
-   use litz_stabilization, only: damping_stiffness
    use litz_step_control, only: course_t
    use litz_steps, only: run_step, begin_step
    use silent_observer, only: silent_t
@@ -183,8 +183,7 @@ contains
       type(error_t), allocatable :: error
       type(course_t) :: course
       type(silent_t) :: silent
-      real(dp), allocatable :: overlap(:)
-      integer :: unit
+      integer :: unit, i
 
       open (newunit=unit, file='tangents.inp', action='write', status='replace')
       write (unit, '(a)') deck
@@ -195,16 +194,16 @@ contains
          error stop 1
       end if
       call prepare_problem(model, problem)
-      call find_initial_overlap(problem, overlap, error)
+      call find_initial_overlap(problem, error)
       call stop_on(error)
-      problem%contact%clearance = overlap
-      problem%contact%converged_clearance = overlap
-      call run_step(problem, 1, 0, overlap, .false., course, silent, error)
+      call run_step(problem, 1, 0, .false., course, silent, error)
       call stop_on(error)
       call begin_step(problem, model%steps(2), 0, error)
       call stop_on(error)
       call load_targets(model, model%steps(2), 0.5_dp, 1.5_dp, problem%loading)
-      problem%damping = damping_stiffness(model, problem%elements%length, model%steps(2)%controls%stabilize, 0.5_dp)
+      do i = 1, size(problem%terms)
+         call problem%terms(i)%term%apply_load(problem%domain_t, model%steps(2), 0.5_dp, 0.5_dp)
+      end do
    end subroutine solve_first_step
 
    !> A random state near the converged one; then `K v` against the change of the forces along `v`.
@@ -258,21 +257,21 @@ contains
       type(problem_t), intent(inout) :: problem
       real(dp), intent(in) :: there(:, :), v(:, :), t
       real(dp), intent(out) :: force(:, :)
-      real(dp) :: x_start(3, size(there, 2)), nothing(n_slots, size(there, 2))
       type(error_t), allocatable :: error
 
       call start_iterate(problem)
-      x_start = problem%iterate%x
-      nothing = 0
-      call move_iterate(problem, there, 1)
-      call move_iterate(problem, t*v, 1)
-      call evaluate(problem, x_start, nothing, error)
+      call problem%iterate%move(problem%state, problem%model%x, there, 1)
+      call problem%iterate%move(problem%state, problem%model%x, t*v, 1)
+      call evaluate(problem, error)
       call stop_on(error)
       ! again, about the forces of this very state
-      problem%iterate%sigma_from_strain = .true.
+      select type (beams => problem%terms(1)%term)
+      type is (beam_term_t)
+         beams%sigma_from_strain = .true.
+      end select
       problem%contact%points%mixed_force = problem%contact%points%force
       problem%contact%points%predicted = .false.
-      call evaluate(problem, x_start, nothing, error)
+      call evaluate(problem, error)
       call stop_on(error)
       force = problem%forces%internal
    end subroutine forces_at

@@ -1,0 +1,64 @@
+!> Contacts of a converged iterate: what results show of them, and what they remember.
+module litz_contact_capture
+   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf
+   use litz_kinds, only: dp, pi
+   use litz_contact_history, only: contact_history_t, advanced_history
+   use litz_contact_points, only: contact_set_t, contact_point_t
+   use litz_state, only: state_t, contact_t
+   implicit none
+   private
+   public :: capture_contacts
+
+contains
+
+   !> Closed contacts, each with an identity that it keeps while it lives.
+   subroutine capture_contacts(contact, state)
+      type(contact_set_t), intent(inout) :: contact
+      type(state_t), intent(inout) :: state
+      integer :: i, m
+
+      deallocate (state%contacts)
+      allocate (state%contacts(count(contact%points%closed)))
+      m = 0
+      do i = 1, size(contact%points)
+         associate (point => contact%points(i))
+            if (.not. point%closed) then
+               point%history = contact_history_t()
+               cycle
+            end if
+            point%history = advanced_history(point%history, [point%arc_bar, point%arc], point%force, point%friction, &
+               point%new_spot)
+            if (point%id == 0) then
+               contact%last_id = contact%last_id + 1
+               point%id = contact%last_id
+            end if
+            m = m + 1
+            state%contacts(m) = contact_of_point(point)
+            ! the current enters within the elements: their heat includes what the linear voltage misses
+            state%joule_heat(point%element_bar) = state%joule_heat(point%element_bar) + point%heat_inside(1)
+            state%joule_heat(point%element) = state%joule_heat(point%element) + point%heat_inside(2)
+         end associate
+      end do
+      contact%converged = contact%points
+      contact%converged_clearance = contact%clearance
+   end subroutine capture_contacts
+
+   !> What results show of a point, with what follows from the iteration.
+   pure function contact_of_point(point) result(contact)
+      type(contact_point_t), intent(in) :: point
+      type(contact_t) :: contact
+
+      contact = point%contact_t
+      contact%angle = min(point%kinematics%angle, pi - point%kinematics%angle)
+      contact%normal = point%kinematics%normal
+      contact%point_bar = point%kinematics%point_bar
+      contact%point = point%kinematics%point
+      contact%friction_status = point%friction%status
+      contact%slip_path = point%history%slip_path
+      contact%dissipation = point%history%dissipation
+      contact%resistance = ieee_value(contact%resistance, ieee_positive_inf)
+      if (point%conductance > 0) contact%resistance = 1/point%conductance
+      contact%joule_heat = point%current*point%voltage_gap
+   end function contact_of_point
+
+end module litz_contact_capture

@@ -1,0 +1,72 @@
+!> The system at the present iterate: cells, pattern, forces and tangent of all terms.
+module litz_assembly
+   use litz_equations, only: build_system
+   use litz_errors, only: error_t
+   use litz_grounding, only: ground_floating_parts
+   use litz_problem, only: problem_t
+   use litz_timing, only: phase_assembly, phase_analyse
+   implicit none
+   private
+   public :: evaluate
+
+contains
+
+   !> Forces and tangent at the present iterate.
+   subroutine evaluate(problem, error)
+      type(problem_t), intent(inout) :: problem
+      !> More cells than can be counted, or input that cannot be evaluated
+      type(error_t), allocatable, intent(out) :: error
+      integer :: i
+
+      do i = 1, size(problem%terms)
+         call problem%terms(i)%term%locate(problem%domain_t, error)
+         if (allocated(error)) return
+      end do
+      if (problem%pattern_changed) call rebuild_pattern(problem, error)
+      if (allocated(error)) return
+      call problem%clear_system()
+      do i = 1, size(problem%terms)
+         call problem%terms(i)%term%evaluate(problem%domain_t, error)
+         if (allocated(error)) return
+      end do
+      call ground_floating_parts(problem, error)
+      call problem%timing%lap(phase_assembly)
+   end subroutine evaluate
+
+   !> Pattern of the system, of the elements and of what else the terms connect, and the solver's symbolic work.
+   subroutine rebuild_pattern(problem, error)
+      type(problem_t), intent(inout) :: problem
+      type(error_t), allocatable, intent(out) :: error
+      integer, allocatable :: start(:), members(:), nodes(:, :)
+      integer :: i
+
+      allocate (start(1), source=1)
+      allocate (members(0))
+      call append(problem%model%connectivity, start, members)
+      do i = 1, size(problem%terms)
+         call problem%terms(i)%term%connect(problem%domain_t, nodes)
+         call append(nodes, start, members)
+      end do
+      call build_system(start, members, problem%equations, problem%matrix, error)
+      if (allocated(error)) return
+      call problem%timing%lap(phase_assembly)
+      call problem%scheme%analyse(problem%matrix, error)
+      call problem%timing%lap(phase_analyse)
+      problem%pattern_changed = .false.
+      problem%has_factor = .false.
+   end subroutine rebuild_pattern
+
+   !> Add cells of equal size to a list of groups of nodes.
+   pure subroutine append(cells, start, members)
+      !> (nodes of a cell, cells)
+      integer, intent(in) :: cells(:, :)
+      !> Where each group starts among the members, and one more (n_groups + 1); nodes of all groups
+      integer, allocatable, intent(inout) :: start(:), members(:)
+      integer :: i, last
+
+      last = start(size(start))
+      start = [start, [(last + i*size(cells, 1), i=1, size(cells, 2))]]
+      members = [members, reshape(cells, [size(cells)])]
+   end subroutine append
+
+end module litz_assembly

@@ -1,0 +1,48 @@
+!> The terms of the equations of a model. A new one is registered here.
+module litz_term_list
+   use litz_beam_term, only: new_beam_term
+   use litz_conductor_term, only: new_conductor_term
+   use litz_contact_points, only: contact_set_t
+   use litz_contact_term, only: contact_term_t
+   use litz_domain, only: domain_t
+   use litz_moment_term, only: moment_term_t
+   use litz_stabilization_term, only: stabilization_term_t
+   use litz_term, only: term_t, term_entry_t
+   implicit none
+   private
+   public :: list_terms
+
+contains
+
+   !> All terms that the model has, in the order in which they are evaluated.
+   subroutine list_terms(domain, contact, terms)
+      type(domain_t), intent(in) :: domain
+      type(contact_set_t), pointer, intent(in) :: contact
+      type(term_entry_t), allocatable, intent(out) :: terms(:)
+
+      allocate (terms(0))
+      call add(new_beam_term(domain%model%n_elements))
+      call add(new_conductor_term(domain%elements%resistivity))
+      if (contact%present) call add(contact_term_t(contact))
+      ! after all that makes moments
+      call add(moment_term_t())
+      call add(stabilization_term_t())
+
+   contains
+
+      subroutine add(term)
+         class(term_t), intent(in) :: term
+         type(term_entry_t), allocatable :: longer(:)
+         integer :: i
+
+         allocate (longer(size(terms) + 1))
+         do i = 1, size(terms)
+            call move_alloc(terms(i)%term, longer(i)%term)
+         end do
+         allocate (longer(size(longer))%term, source=term)
+         call move_alloc(longer, terms)
+      end subroutine add
+
+   end subroutine list_terms
+
+end module litz_term_list

@@ -1,0 +1,175 @@
+!> Beams: `R = B^T C e`, `K = B^T C B + G(sigma)`.
+!>
+!> The section forces `sigma` of the geometric stiffness are independent variables of the iteration. Source: theory
+!> sections 7 and 9.
+module litz_beam_term
+   use litz_kinds, only: dp
+   use litz_domain, only: domain_t
+   use litz_element_library, only: evaluate_beam
+   use litz_errors, only: error_t
+   use litz_fields, only: first_slot, last_slot, field_rotation, motion_slots
+   use litz_model, only: step_t
+   use litz_parallel, only: worth_threads
+   use litz_scatter, only: chunk
+   use litz_state, only: energies_t
+   use litz_term, only: term_t
+   use litz_timing, only: phase_elements, phase_assembly
+   implicit none
+   private
+   public :: beam_term_t, new_beam_term
+
+   type, extends(term_t) :: beam_term_t
+      !> Section forces as independent variables (6, n_elements)
+      real(dp), allocatable :: sigma(:, :)
+      !> The next evaluation takes the section forces of the strains instead
+      logical :: sigma_from_strain = .true.
+      !> Strains and their derivatives as last evaluated (6, n_elements), (6, 12, n_elements)
+      real(dp), allocatable :: strain(:, :), b(:, :, :)
+      !> Section forces of these strains (6, n_elements) [N, N m], and their energy [J]
+      real(dp), allocatable :: section_forces(:, :)
+      real(dp) :: strain_energy = 0
+   contains
+      procedure :: request_slots
+      procedure :: start
+      procedure :: evaluate
+      procedure :: bearable_fraction
+      procedure :: predict
+      procedure :: add_energies
+      procedure :: accept
+   end type beam_term_t
+
+contains
+
+   pure type(beam_term_t) function new_beam_term(n_elements) result(beams)
+      !> Elements of the model
+      integer, intent(in) :: n_elements
+
+      allocate (beams%sigma(6, n_elements), beams%strain(6, n_elements), beams%b(6, 12, n_elements), &
+         beams%section_forces(6, n_elements), source=0.0_dp)
+   end function new_beam_term
+
+   subroutine request_slots(self, domain, exists)
+      class(beam_term_t), intent(in) :: self
+      type(domain_t), intent(in) :: domain
+      !> (n_slots, n_nodes)
+      logical, intent(inout) :: exists(:, :)
+      integer :: e
+
+      do e = 1, domain%model%n_elements
+         exists(motion_slots(1):motion_slots(2), domain%model%connectivity(:, e)) = .true.
+      end do
+   end subroutine request_slots
+
+   subroutine start(self, domain)
+      class(beam_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+
+      self%sigma_from_strain = .true.
+   end subroutine start
+
+   subroutine evaluate(self, domain, error)
+      class(beam_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      !> Never
+      type(error_t), allocatable, intent(out) :: error
+      real(dp), allocatable :: k(:, :, :), r(:, :), energy(:)
+      integer :: first, last, n, e
+
+      n = min(chunk, domain%model%n_elements)
+      allocate (k(12, 12, n), r(12, n), energy(n))
+      self%strain_energy = 0
+      do first = 1, domain%model%n_elements, chunk
+         last = min(domain%model%n_elements, first + chunk - 1)
+         n = last - first + 1
+         !$omp parallel do schedule(dynamic, 64) if (n >= worth_threads)
+         do e = first, last
+            call evaluate_element(e, k(:, :, e - first + 1), r(:, e - first + 1), energy(e - first + 1))
+         end do
+         !$omp end parallel do
+         self%strain_energy = self%strain_energy + sum(energy(:n))
+         call domain%timing%lap(phase_elements)
+         call domain%add_cells(domain%model%connectivity(:, first:last), motion_slots, motion_slots, k(:, :, :n), &
+            r(:, :n))
+         call domain%timing%lap(phase_assembly)
+      end do
+      self%sigma_from_strain = .false.
+
+   contains
+
+      subroutine evaluate_element(e, ke, re, energy_e)
+         !> Element
+         integer, intent(in) :: e
+         !> Tangent (12, 12), residual (12) [N, N m], and strain energy [J]
+         real(dp), intent(out) :: ke(12, 12), re(12), energy_e
+         real(dp) :: x(3, 2), triads(3, 3, 2)
+         integer :: side
+
+         associate (node => domain%model%connectivity(:, e), iterate => domain%iterate)
+            do side = 1, 2
+               x(:, side) = iterate%x(:, node(side))
+               triads(:, :, side) = matmul(iterate%rotation(:, :, node(side)), domain%wires%triads0(:, :, side, e))
+            end do
+         end associate
+         associate (element_type => domain%model%element_type(e), elements => domain%elements)
+            if (self%sigma_from_strain) then
+               call evaluate_beam(element_type, elements, e, x, triads, k=ke, r=re, energy=energy_e, &
+                  section_forces=self%section_forces(:, e), strain=self%strain(:, e), b=self%b(:, :, e))
+               self%sigma(:, e) = self%section_forces(:, e)
+            else
+               call evaluate_beam(element_type, elements, e, x, triads, self%sigma(:, e), ke, re, energy_e, &
+                  self%section_forces(:, e), self%strain(:, e), self%b(:, :, e))
+            end if
+         end associate
+      end subroutine evaluate_element
+
+   end subroutine evaluate
+
+   !> No node turns by more than the cap on rotations in one iteration.
+   real(dp) function bearable_fraction(self, domain, step, correction)
+      class(beam_term_t), intent(in) :: self
+      type(domain_t), intent(in) :: domain
+      type(step_t), intent(in) :: step
+      !> Linear step of the unknowns (n_slots, n_nodes)
+      real(dp), intent(in) :: correction(:, :)
+      real(dp) :: rotation
+
+      rotation = sqrt(maxval(sum(correction(first_slot(field_rotation):last_slot(field_rotation), :)**2, 1)))
+      bearable_fraction = 1
+      if (rotation > step%controls%rotation_cap) bearable_fraction = step%controls%rotation_cap/rotation
+   end function bearable_fraction
+
+   !> `sigma <- (1 - eta) sigma + eta C (e + B dq)`; after prescribed motion they are those of the strains.
+   subroutine predict(self, domain, eta, correction)
+      class(beam_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      !> Fraction of the step that is taken, and the step (n_slots, n_nodes)
+      real(dp), intent(in) :: eta, correction(:, :)
+      real(dp) :: dq(2*motion_slots(2))
+      integer :: e
+
+      !$omp parallel do schedule(static) private(dq) if (domain%model%n_elements >= worth_threads)
+      do e = 1, domain%model%n_elements
+         dq = reshape(correction(motion_slots(1):motion_slots(2), domain%model%connectivity(:, e)), [size(dq)])
+         self%sigma(:, e) = (1 - eta)*self%sigma(:, e) + eta*domain%elements%rigidity(:, e)* &
+            (self%strain(:, e) + matmul(self%b(:, :, e), dq))
+      end do
+      !$omp end parallel do
+      self%sigma_from_strain = any(abs(domain%iterate%prescribed(motion_slots(1):motion_slots(2), :)) > 0)
+   end subroutine predict
+
+   subroutine add_energies(self, domain, energies)
+      class(beam_term_t), intent(in) :: self
+      type(domain_t), intent(in) :: domain
+      type(energies_t), intent(inout) :: energies
+
+      energies%strain = energies%strain + self%strain_energy
+   end subroutine add_energies
+
+   subroutine accept(self, domain)
+      class(beam_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+
+      domain%state%section_forces = self%section_forces
+   end subroutine accept
+
+end module litz_beam_term

@@ -1,0 +1,72 @@
+!> A model as the terms see it: what stays the same, the unknowns, and the system of equations that the terms fill.
+module litz_domain
+   use litz_kinds, only: dp
+   use litz_element_library, only: elements_t
+   use litz_equations, only: equations_t, system_t
+   use litz_fields, only: n_groups, depends_on, fields, field_of_slot
+   use litz_iterate, only: iterate_t
+   use litz_loading, only: loading_t
+   use litz_model, only: model_t
+   use litz_scatter, only: forces_t, clear_forces, scatter
+   use litz_state, only: state_t
+   use litz_timing, only: timing_t
+   use litz_wires, only: wires_t
+   implicit none
+   private
+   public :: domain_t
+
+   type :: domain_t
+      type(model_t) :: model
+      type(wires_t) :: wires
+      type(elements_t) :: elements
+      type(loading_t) :: loading
+      !> The last converged state
+      type(state_t) :: state
+      type(iterate_t) :: iterate
+      type(equations_t) :: equations
+      type(system_t) :: matrix
+      type(forces_t) :: forces
+      !> The pattern must be built and analysed before the next solve
+      logical :: pattern_changed = .true.
+      type(timing_t) :: timing
+   contains
+      procedure :: clear_system
+      procedure :: add_cells
+   end type domain_t
+
+contains
+
+   !> Nothing has been added yet.
+   subroutine clear_system(self)
+      class(domain_t), intent(inout) :: self
+      integer :: row_group, column_group
+
+      do column_group = 1, n_groups
+         do row_group = 1, n_groups
+            if (depends_on(row_group, column_group)) self%matrix%block(row_group, column_group)%value = 0
+         end do
+      end do
+      self%matrix%symmetric = .true.
+      call clear_forces(self%iterate%x, self%iterate%value, self%iterate%change, self%forces)
+   end subroutine clear_system
+
+   !> Add cells to the system: their tangents, and with `r` their forces.
+   subroutine add_cells(self, nodes, rows, columns, k, r)
+      class(domain_t), intent(inout) :: self
+      !> (nodes of a cell, cells)
+      integer, intent(in) :: nodes(:, :)
+      !> First and last slot of the equations and of the unknowns of each node (2), each of one group of fields
+      integer, intent(in) :: rows(2), columns(2)
+      !> Tangents (slots of rows x nodes, slots of columns x nodes, cells)
+      real(dp), intent(in) :: k(:, :, :)
+      !> Internal forces (slots of rows x nodes, cells)
+      real(dp), intent(in), optional :: r(:, :)
+
+      associate (row_group => fields(field_of_slot(rows(1)))%group, &
+         column_group => fields(field_of_slot(columns(1)))%group)
+         call scatter(self%equations, nodes, rows, columns, k, self%iterate%prescribed, &
+            self%matrix%block(row_group, column_group), self%forces, r)
+      end associate
+   end subroutine add_cells
+
+end module litz_domain

@@ -1,0 +1,82 @@
+!> The unknowns as they stand in the iteration, and how they move.
+module litz_iterate
+   use litz_kinds, only: dp
+   use litz_fields, only: fields, n_fields, first_slot, last_slot, field_displacement
+   use litz_rotations, only: rotation_exp
+   use litz_state, only: state_t
+   implicit none
+   private
+   public :: iterate_t
+
+   type :: iterate_t
+      !> Values (n_slots, n_nodes); those of rotations are the rotation vector when the increment began and the turns
+      !> since, which distinguishes full turns
+      real(dp), allocatable :: value(:, :)
+      !> Sum of the corrections since the increment began (n_slots, n_nodes)
+      real(dp), allocatable :: change(:, :)
+      !> What is prescribed of the correction of this iteration (n_slots, n_nodes)
+      real(dp), allocatable :: prescribed(:, :)
+      !> Positions (3, n_nodes) [m] and rotations from the reference (3, 3, n_nodes) that belong to the values
+      real(dp), allocatable :: x(:, :), rotation(:, :, :)
+      !> Positions when the increment began (3, n_nodes) [m]
+      real(dp), allocatable :: x_start(:, :)
+   contains
+      procedure :: start
+      procedure :: move
+   end type iterate_t
+
+contains
+
+   !> Take over the last converged state.
+   pure subroutine start(self, state, x_reference)
+      class(iterate_t), intent(inout) :: self
+      type(state_t), intent(in) :: state
+      !> Positions in the reference configuration (3, n_nodes) [m]
+      real(dp), intent(in) :: x_reference(:, :)
+
+      self%change = 0*state%value
+      self%prescribed = self%change
+      self%value = state%value
+      self%rotation = state%rotation
+      self%x = x_reference + state%value(first_slot(field_displacement):last_slot(field_displacement), :)
+      self%x_start = self%x
+   end subroutine start
+
+   !> `q <- q + dq`: positions and potentials add up, rotations follow one another.
+   pure subroutine move(self, state, x_reference, dq, first)
+      class(iterate_t), intent(inout) :: self
+      !> The state in which the increment began
+      type(state_t), intent(in) :: state
+      !> Positions in the reference configuration (3, n_nodes) [m]
+      real(dp), intent(in) :: x_reference(:, :)
+      !> Corrections (slots, n_nodes)
+      real(dp), intent(in) :: dq(:, :)
+      !> Slot of the first correction, which begins a field
+      integer, intent(in) :: first
+      integer :: field, node
+
+      do field = 1, n_fields
+         associate (a => first_slot(field), b => last_slot(field))
+            if (a < first .or. a > first + size(dq, 1) - 1) cycle
+            associate (dq_f => dq(a - first + 1:b - first + 1, :))
+               if (fields(field)%is_rotation) then
+                  do node = 1, size(dq, 2)
+                     if (any(abs(dq_f(:, node)) > 0)) self%rotation(:, :, node) = &
+                        matmul(rotation_exp(dq_f(:, node)), self%rotation(:, :, node))
+                  end do
+                  self%change(a:b, :) = self%change(a:b, :) + dq_f
+                  self%value(a:b, :) = state%value(a:b, :) + self%change(a:b, :)
+                  cycle
+               else if (field == field_displacement) then
+                  self%x = self%x + dq_f
+                  self%value(a:b, :) = self%x - x_reference
+               else
+                  self%value(a:b, :) = self%value(a:b, :) + dq_f
+               end if
+               self%change(a:b, :) = self%value(a:b, :) - state%value(a:b, :)
+            end associate
+         end associate
+      end do
+   end subroutine move
+
+end module litz_iterate
