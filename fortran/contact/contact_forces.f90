@@ -5,8 +5,9 @@
 !> independent force. The converged force is that of the law at the true gap.
 module litz_contact_forces
    use litz_kinds, only: dp
-   use litz_contact_electricity, only: contact_electricity_t, current_of_spot, coupling_tangent
-   use litz_contact_mechanics, only: contact_mechanics, form_hessian
+   use litz_contact_blocks, only: contact_blocks, contact_force_t, spot_in_circuit_t
+   use litz_contact_electricity, only: contact_electricity_t
+   use litz_contact_mechanics, only: form_hessian
    use litz_contact_history, only: force_of_spot
    use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry, clearance_of, law_ok, law_parallel, &
       law_bad_data
@@ -14,7 +15,7 @@ module litz_contact_forces
    use litz_element_library, only: elements_t
    use litz_errors, only: error_t, fail, exit_input
    use litz_fields, only: group_mechanical, motion_slots, potential_slots
-   use litz_friction_forces, only: add_friction
+   use litz_friction_forces, only: find_friction
    use litz_friction_iteration, only: predict_friction, forget_friction
    use litz_friction_law, only: friction_law_t, friction_slip
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
@@ -174,8 +175,9 @@ contains
                   k_me(:, :, i))
             end do
             !$omp end parallel do
-            if (any(contact%points(points)%friction_iteration%limit > 0)) &
+            if (any(contact%points(points)%friction_iteration%limit > 0)) then
                domain%matrix%symmetric(group_mechanical) = .false.
+            end if
             do i = 1, n
                call add_iteration_force(contact%points(points(i)), nodes(:, i), domain%forces)
             end do
@@ -202,8 +204,11 @@ contains
          !> Tangent and residual of the motions, tangent and currents of the voltages, tangent of the currents by the
          !> motions: (24, 24), (24), (4, 4), (4), (4, 24)
          real(dp), intent(out) :: k_p(24, 24), r_p(24), k_ee_p(4, 4), r_e_p(4), k_me_p(4, 24)
-         real(dp) :: x(3, 4), t(3, 4), length(2)
+         real(dp) :: x(3, 4), t(3, 4), length(2), k_friction(24, 24), r_friction(24)
          type(wire_pair_t) :: pair
+         type(spot_in_circuit_t) :: circuit
+         type(contact_electricity_t) :: electricity
+         logical :: conducts
 
          associate (model => domain%model, wires => domain%wires, elements => domain%elements, &
             iterate => domain%iterate, law => domain%model%interactions( &
@@ -211,17 +216,20 @@ contains
             nodes_p = [model%connectivity(:, point%element_bar), model%connectivity(:, point%element)]
             call pair_geometry(model, wires, elements, point%element_bar, point%element, iterate%x, iterate%rotation, &
                x, t, length)
-            call contact_mechanics(point%kinematics, t, point%force, point%stiffness, point%geometric_force, &
-               form_hessian, k_p, r_p)
             pair = wires_of(model, elements, point)
-            if (law%friction > 0) call add_friction(law, wires, x, t, length, pair, motion(nodes_p), &
+            if (law%friction > 0) call find_friction(law, wires, x, t, length, pair, motion(nodes_p), &
                clearance_of(point%fit, contact%converged_clearance(point%pair)) &
-               - clearance_of(point%fit, contact%clearance(point%pair)), point, k_p, r_p)
-            k_ee_p = 0
-            r_e_p = 0
-            k_me_p = 0
-            if (point%closed .and. all(pair%resistivity > 0)) call evaluate_current(law, wires, pair, &
-               iterate%value(potential_slots(1), nodes_p), point, k_ee_p, r_e_p, k_me_p)
+               - clearance_of(point%fit, contact%clearance(point%pair)), point, k_friction, r_friction)
+            conducts = point%closed .and. all(pair%resistivity > 0) .and. law%spot%exists()
+            if (conducts) call find_spot(law, wires, pair, point, circuit)
+            call contact_blocks(point%kinematics, t, iterate%value(potential_slots(1), nodes_p), &
+               contact_force_t(point%force, point%geometric_force, point%stiffness, 0.0_dp, point%at_gap), circuit, &
+               form_hessian, k_p, r_p, k_me_p, k_ee_p, r_e_p, electricity)
+            if (law%friction > 0) then
+               k_p = k_p + k_friction
+               r_p = r_p + r_friction
+            end if
+            if (conducts) call keep_current(electricity, circuit, point)
          end associate
       end subroutine evaluate
 
@@ -239,39 +247,37 @@ contains
 
    end subroutine assemble_contacts
 
-   !> Spot and current of a closed contact between conductors.
-   subroutine evaluate_current(law, wires, pair, potential, point, k_ee_p, r_e_p, k_me_p)
+   !> The spot of a closed contact between conductors.
+   subroutine find_spot(law, wires, pair, point, circuit)
       type(interaction_t), intent(in) :: law
       type(wires_t), intent(in) :: wires
       type(wire_pair_t), intent(in) :: pair
-      !> Of the four nodes (4) [V]
-      real(dp), intent(in) :: potential(4)
       type(contact_point_t), intent(inout) :: point
-      !> As of `evaluate`: (4, 4), (4), (4, 24)
-      real(dp), intent(inout) :: k_ee_p(4, 4), r_e_p(4), k_me_p(4, 24)
-      real(dp) :: spot_force, dspot_force
-      type(contact_spot_t) :: spot
-      type(contact_electricity_t) :: electricity
+      type(spot_in_circuit_t), intent(out) :: circuit
+      real(dp) :: spot_force
       integer :: info
 
-      if (.not. law%spot%exists()) return
       if (law%spot_memory) point%new_spot = leaves_spot(law, wires, pair, point)
-      call force_of_spot(law%spot_memory, point%history, point%force, point%new_spot, spot_force, dspot_force)
-      call contact_spot(law%spot, spot_force, pair, point%ellipse, spot, info)
+      call force_of_spot(law%spot_memory, point%history, point%force, point%new_spot, spot_force, circuit%follows)
+      call contact_spot(law%spot, spot_force, pair, point%ellipse, circuit%spot, info)
       if (info /= spot_ok) point%law_status = law_bad_data
-      point%semi_major = spot%semi_major
-      point%semi_minor = spot%semi_minor
-      point%conductance = spot%conductance
-      call current_of_spot(point%kinematics, potential, point%at_gap, spot, &
-         dspot_force, pair%series_resistance, electricity)
+      circuit%series_resistance = pair%series_resistance
+   end subroutine find_spot
+
+   !> What results show of a current.
+   pure subroutine keep_current(electricity, circuit, point)
+      type(contact_electricity_t), intent(in) :: electricity
+      type(spot_in_circuit_t), intent(in) :: circuit
+      type(contact_point_t), intent(inout) :: point
+
+      point%semi_major = circuit%spot%semi_major
+      point%semi_minor = circuit%spot%semi_minor
+      point%conductance = circuit%spot%conductance
       point%current = electricity%current
-      point%series_resistance = pair%series_resistance
-      point%heat_inside = point%current**2*pair%series_resistance*(1 - [point%xi_bar, point%xi]**2)
       point%voltage_gap = electricity%voltage_gap
-      k_ee_p = electricity%k_ee
-      r_e_p = electricity%r_e
-      k_me_p = coupling_tangent(electricity, point%kinematics)
-   end subroutine evaluate_current
+      point%series_resistance = circuit%series_resistance
+      point%heat_inside = point%current**2*circuit%series_resistance*(1 - [point%xi_bar, point%xi]**2)
+   end subroutine keep_current
 
    !> The row of the gap is linear in the force: what this iteration linearises about differs from the law's.
    subroutine add_iteration_force(point, nodes_p, forces)

@@ -13,12 +13,12 @@ module litz_friction_forces
    use litz_wires, only: wires_t, arc_from_to
    implicit none
    private
-   public :: add_friction
+   public :: find_friction
 
 contains
 
-   !> Add the traction to the residual and the tangent of a contact.
-   pure subroutine add_friction(law, wires, x, t, length, pair, dq, closing, point, k, r)
+   !> Residual and tangent of the traction of a contact.
+   pure subroutine find_friction(law, wires, x, t, length, pair, dq, closing, point, k, r)
       type(interaction_t), intent(in) :: law
       type(wires_t), intent(in) :: wires
       !> Nodal positions [m] and unit tangents (3, 4), reference lengths (2) [m]: barred first
@@ -30,10 +30,10 @@ contains
       !> Gets the traction, and what the iteration supposes of it
       type(contact_point_t), intent(inout) :: point
       !> Tangent (24, 24), in Hessian form, and residual (24)
-      real(dp), intent(inout) :: k(24, 24), r(24)
+      real(dp), intent(out) :: k(24, 24), r(24)
       type(slip_t) :: slip
       type(friction_law_t) :: supposed
-      real(dp) :: force, dforce(24), stiffness, dstiffness_dforce, k_friction(24, 24), r_friction(24), residual(24)
+      real(dp) :: force, dforce(24), stiffness, dstiffness_dforce, r_supposed(24)
       integer :: elements(2)
 
       elements = [point%element_bar, point%element]
@@ -42,20 +42,20 @@ contains
       end if
       slip = slip_kinematics(point%kinematics, x, t, length, law%axis, wires%direction(elements), &
          arc_from_to(start_of_slip(point), [point%arc_bar, point%arc], wires%circumference(wires%wire(elements))))
-      residual = 0
+      k = 0
+      r = 0
       if (point%closed) then
          call stick(law, pair, point%force, point, stiffness, dstiffness_dforce)
          point%friction = friction_law(law%friction, point%force, stiffness, dstiffness_dforce, &
             point%history%traction, slip%slip, force_start=point%history%force)
          point%traction = -matmul(slip%frame, point%friction%traction)
-         residual = friction_residual(point%kinematics, slip, point%friction%traction)
-         if (.not. point%history%closed) call grow_with_force(dot_product(residual, dq), point%friction)
-         r = r + residual
+         r = friction_residual(point%kinematics, slip, point%friction%traction)
+         if (.not. point%history%closed) call grow_with_force(dot_product(r, dq), point%friction)
       end if
 
       if (point%friction_iteration%status == friction_none) call suppose(point)
       associate (iteration => point%friction_iteration)
-         iteration%difference = -residual
+         iteration%difference = -r
          iteration%limit = 0
          iteration%dtrial = 0
          if (.not. point%active) return
@@ -65,17 +65,16 @@ contains
          call stick(law, pair, force, point, stiffness, dstiffness_dforce)
          supposed = friction_law(law%friction, force, stiffness, dstiffness_dforce, point%history%traction, slip%slip, &
             iteration%status)
-         r_friction = friction_residual(point%kinematics, slip, supposed%traction)
-         k_friction = friction_tangent(point%kinematics, slip, t, supposed, dforce, iteration%mixed_traction)
-         call spin_to_hessian(k_friction, r_friction, [4, 10, 16, 22])
-         k = k + k_friction
-         iteration%difference = r_friction - residual
+         r_supposed = friction_residual(point%kinematics, slip, supposed%traction)
+         k = friction_tangent(point%kinematics, slip, t, supposed, dforce, iteration%mixed_traction)
+         call spin_to_hessian(k, r_supposed, [4, 10, 16, 22])
+         iteration%difference = r_supposed - r
          iteration%trial = point%history%traction + stiffness*slip%slip
          iteration%dtrial = stiffness*slip%dslip
          iteration%limit = law%friction*force
          iteration%dlimit = law%friction*dforce
       end associate
-   end subroutine add_friction
+   end subroutine find_friction
 
    !> What the iteration supposes of a contact at first: it sticks when it was closed before, or else does what it would
    !> do here. A stick far beyond the limit would throw open again a contact that closes with a small force.
@@ -96,7 +95,7 @@ contains
    pure subroutine find_touch(arc_over_xi, dq, closing, point)
       !> How arc lengths along the wires change with xi, barred and unbarred (2) [m]
       real(dp), intent(in) :: arc_over_xi(2)
-      !> As in `add_friction`
+      !> As in `find_friction`
       real(dp), intent(in) :: dq(24), closing
       type(contact_point_t), intent(inout) :: point
       real(dp) :: gap, gap_start

@@ -5,7 +5,7 @@
 !> `ux uy uz phix phiy phiz`, and its block structure `K = [K_mm 0; K_me K_ee]`, `R = [R_m; R_e]`. Residual: internal
 !> minus external forces [N], moments [N m] and currents leaving the nodes [A]; Newton solves `K dq = -R`.
 !>
-!> The steps, each its own kernel: closest points, kinematics, normal force, spot, mechanics, electricity.
+!> The steps, each its own kernel: closest points, kinematics, force, spot, and the blocks that these make.
 module litz_contact_em
    use litz_kinds, only: dp
    use litz_axis_choices, only: axis_hermite
@@ -16,8 +16,9 @@ module litz_contact_em
    use litz_axis, only: axis_shape
    use litz_closest_points, only: closest_points, closest_inside, closest_beyond, closest_parallel, closest_not_unique
    use litz_contact_kinematics, only: contact_kinematics_t, contact_kinematics, kinematics_ok, kinematics_parallel
-   use litz_contact_mechanics, only: contact_mechanics, form_spin
-   use litz_contact_electricity, only: contact_electricity_t, current_of_spot, coupling_tangent
+   use litz_contact_blocks, only: contact_blocks, contact_force_t, spot_in_circuit_t
+   use litz_contact_electricity, only: contact_electricity_t
+   use litz_contact_mechanics, only: form_spin
    use litz_rotation_forms, only: spin_to_rotation_vectors
    implicit none
    private
@@ -97,7 +98,7 @@ contains
       type(hertz_ellipse_t) :: ellipse
       type(contact_spot_t) :: spot
       type(force_of_gap_t) :: normal
-      real(dp) :: k_mm(24, 24)
+      real(dp) :: k_mm(24, 24), r_m(24), k_me(4, 24), k_ee(4, 4), r_e(4)
       integer :: law_info
 
       k = 0
@@ -124,13 +125,14 @@ contains
       info = contact_active
 
       ! ... and the spot carries the current
-      call contact_mechanics(contact%kinematics, t, contact%force, -normal%dforce_dgap, contact%force, form_spin, &
-         k_mm, r(1:24), normal%dforce_dangle)
-      call current_of_spot(contact%kinematics, v, normal, spot, 1.0_dp, wires%series_resistance, contact%electricity)
+      call contact_blocks(contact%kinematics, t, v, &
+         contact_force_t(contact%force, contact%force, -normal%dforce_dgap, normal%dforce_dangle, normal), &
+         spot_in_circuit_t(spot, series_resistance=wires%series_resistance), form_spin, k_mm, r_m, k_me, k_ee, r_e, &
+         contact%electricity)
       k(1:24, 1:24) = k_mm
-      k(25:28, 1:24) = coupling_tangent(contact%electricity, contact%kinematics)
-      k(25:28, 25:28) = contact%electricity%k_ee
-      r(25:28) = contact%electricity%r_e
+      k(25:28, 1:24) = k_me
+      k(25:28, 25:28) = k_ee
+      r = [r_m, r_e]
       if (present(rotation_vectors)) call spin_to_rotation_vectors(k, r, rotation_vectors, [4, 10, 16, 22])
 
       contact%semi_major = spot%semi_major

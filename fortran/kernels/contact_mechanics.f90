@@ -31,15 +31,15 @@ contains
       integer, intent(in) :: form
       !> Tangent (24, 24) and residual (24)
       real(dp), intent(out) :: k(24, 24), r(24)
-      !> dF/dangle [N/rad] of the Hertz law: with it the tangent is exact, without it symmetric; what it adds is smaller
-      !> than the rest by the ratio of approach to element length
-      real(dp), intent(in), optional :: dforce_dangle
+      !> dF/dangle [N/rad] of the Hertz law: with it the tangent is exact, without it (0) symmetric; what it adds is
+      !> smaller than the rest by the ratio of approach to element length
+      real(dp), intent(in) :: dforce_dangle
       real(dp) :: left(24, 5), right(24, 5)
       integer :: j
 
       r = -force*kinematics%dgap                                                        ! R_m = -F b
       call factors_of_tangent(kinematics, stiffness, geometric_force, left, right)
-      if (present(dforce_dangle)) right(:, 5) = right(:, 5) - dforce_dangle*kinematics%dangle
+      if (abs(dforce_dangle) > 0) right(:, 5) = right(:, 5) - dforce_dangle*kinematics%dangle
       do j = 1, 24
          k(:, j) = left(:, 1)*right(j, 1) + left(:, 2)*right(j, 2) + left(:, 3)*right(j, 3) + left(:, 4)*right(j, 4) &
             + left(:, 5)*right(j, 5)

@@ -1,7 +1,7 @@
 !> Parts of a model without a path to a prescribed value, for fields of which only differences matter.
 !>
-!> Their level is not determined by the equations, but no flux can pass either: one node of each such part is held at the
-!> value it has. That changes no flux, and the potential of a wire that has lost its last contact stays where it was.
+!> Their level is not determined by the equations, but no flux can pass either: one node of each such part is held at
+!> the value it has. That changes no flux, and the potential of a wire that has lost its last contact stays as it was.
 module litz_grounding
    use litz_kinds, only: dp
    use litz_errors, only: error_t, fail, exit_input

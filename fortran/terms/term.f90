@@ -1,4 +1,4 @@
-!> What adds to the equations: beams, conductors, contacts, dampers, ... A run has a list of terms and asks each in turn.
+!> What adds to the equations: beams, conductors, contacts, dampers. A run asks each of a list of terms.
 !>
 !> A term says what it is by what it does when it is asked; what a term has nothing to say about is left as it is here.
 !> Forces are internal ones: the residual of a node is the sum over the terms minus the load.
@@ -53,6 +53,7 @@ module litz_term
       !> Add the forces at the present iterate and their tangent to the system.
       subroutine evaluate(self, domain, error)
          import :: term_t, domain_t, error_t
+         implicit none
          class(term_t), intent(inout) :: self
          type(domain_t), intent(inout) :: domain
          !> Input that cannot be evaluated; no smaller increment would help
