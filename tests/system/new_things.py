@@ -18,7 +18,8 @@ def steps_of(page):
     steps = [
         block
         for block in blocks(ROOT / "docs" / page)
-        if block.saved_as or (block.language in ("sh", "python") and not block.not_run and setup_commands(block) is None)
+        if block.saved_as
+        or (block.language in ("sh", "python") and not block.not_run and setup_commands(block) is None)
     ]
     first = next(k for k, block in enumerate(steps) if block.text.startswith("meson setup "))
     return steps[:first], steps[first:]
