@@ -8,7 +8,7 @@
 | `fortran` | compiled together with the contact element |
 | `output` | what the block before it prints; `...` stands for anything |
 | `math` | an equation: its braces and environments are closed, here; `./setup docs` typesets it |
-| `diff` | patches: `tests/system/test_new_laws.py` and `test_new_output.py` apply them to a copy of the sources |
+| `diff` | patches: `tests/system/new_things.py` applies them to a copy of the sources |
 
 After the words "Save this as `NAME`:" a block is put into that file for those that follow.
 

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from litz import Results
+from new_things import make_changed_sources
 
 INPUTS = Path(__file__).parents[2] / "inputs"
 
@@ -36,6 +37,12 @@ def run_of_input(litz_program, tmp_path_factory):
         return directories[name]
 
     return run
+
+
+@pytest.fixture(scope="session")
+def changed_sources(tmp_path_factory):
+    """A copy of the sources with what newcomers add by the documents."""
+    return make_changed_sources(tmp_path_factory.mktemp("changed_sources"))
 
 
 @pytest.fixture

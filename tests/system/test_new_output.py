@@ -1,15 +1,14 @@
 """A newcomer adds two outputs, a line each, by the patch of CONTRIBUTING.md: applied to a copy of the sources, built, run."""
 
 import shutil
-import subprocess
 
 import h5py
 import numpy as np
 import pytest
 
 from decks import crossed
-from documents import ROOT, blocks, copy_of_the_sources
 from litz import Results
+from new_things import call, patch_of_outputs
 from same_results import KEEP_ALL, assert_same_end
 
 PENALTY = 1e5  # [N/m]
@@ -27,31 +26,21 @@ pytestmark = pytest.mark.skipif(
 
 
 @pytest.fixture(scope="module")
-def run_of_the_copy(tmp_path_factory):
+def run_of_the_copy(changed_sources):
     """The folder of a run of the changed program, and a function that calls it."""
-    folder = tmp_path_factory.mktemp("new_output")
-    copy = copy_of_the_sources(folder)
-    (patch,) = (block.text for block in blocks(ROOT / "CONTRIBUTING.md") if block.language == "diff")
-
-    def call(*command):
-        done = subprocess.run(command, cwd=copy, input=patch, capture_output=True, text=True, timeout=600, check=False)
-        assert done.returncode == 0, done.stdout + done.stderr
-
-    call("git", "apply", "-")
-    call("meson", "setup", "build", "--buildtype=debug", "-Dpython=disabled")
-    call("ninja", "-C", "build", "fortran/litz")
-    (copy / "deck.inp").write_text(DECK)
+    call(["meson", "setup", "build", "--buildtype=debug", "-Dpython=disabled"], changed_sources, "the copy")
+    call(["ninja", "-C", "build", "fortran/litz"], changed_sources, "the copy")
+    (changed_sources / "deck.inp").write_text(DECK)
 
     def litz(*arguments):
-        call(copy / "build" / "fortran" / "litz", *arguments)
+        call([changed_sources / "build" / "fortran" / "litz", *arguments], changed_sources, "the changed program")
 
     litz("run", "deck.inp", "-o", "whole", "--quiet", "--threads", "1")
-    return copy, litz
+    return changed_sources, litz
 
 
 def test_the_patch_has_one_line_for_each_output():
-    (patch,) = (block.text for block in blocks(ROOT / "CONTRIBUTING.md") if block.language == "diff")
-    changed = [line for line in patch.splitlines() if line[:1] in "+-" and line[:3] not in ("+++", "---")]
+    changed = [line for line in patch_of_outputs().splitlines() if line[:1] in "+-" and line[:3] not in ("+++", "---")]
     assert [line.split("(")[0].split() for line in changed] == [["+", "call", "add"], ["+", "call", "table%field"]]
 
 

@@ -25,6 +25,18 @@ def derivative(function, x, step):
     return np.stack(columns, axis=-1)
 
 
+def derivative_along(function, direction, step):
+    """Derivative of `function` at zero along a direction, by the same differences."""
+    return derivative(lambda s: function(s * direction), 0.0, step)[..., 0]
+
+
+def random_direction(rng, free):
+    """A unit vector, of random components in the slice `free`, that no entry of a tangent is hidden from."""
+    direction = np.zeros(28)
+    direction[free] = rng.choice([-1, 1], len(direction[free])) * rng.uniform(0.5, 1.0, len(direction[free]))
+    return direction / np.linalg.norm(direction)
+
+
 def skew(a):
     """Return the matrix of the cross product from the left."""
     return np.array([[0, -a[2], a[1]], [a[2], 0, -a[0]], [-a[1], a[0], 0]])

@@ -12,12 +12,14 @@ import numpy as np
 import pytest
 
 from contact_pair import CLASSES, Pair, turned
-from derivatives import derivative, rotation, skew
+from derivatives import derivative, derivative_along, random_direction, rotation, skew
 from litz import _core
 from litz.kernels import closest_points, contact_coupling, contact_em, contact_spot
 
 TOLERANCE = 1e-8
 N_CONFIGURATIONS = 200
+#: Of these, the first ones by every column; the others along a direction that moves all nodes, and one of all voltages
+N_BY_COLUMNS = 20
 
 MM, ME, EE, UPPER = np.s_[:24, :24], np.s_[24:, :24], np.s_[24:, 24:], np.s_[:24, 24:]
 
@@ -31,14 +33,30 @@ def block_errors(k, numeric):
     return errors
 
 
+def errors_along(k, residual, pair):
+    """The same by one motion and one change of the voltages in place of all columns."""
+    errors = {}
+    for columns, rows in ((np.s_[:24], ("K_mm", "K_me")), (np.s_[24:], ("upper right", "K_ee"))):
+        direction = random_direction(pair.rng, columns)
+        difference = np.abs(k @ direction - derivative_along(residual, direction, pair.step))
+        for name, part in zip(rows, (np.s_[:24], np.s_[24:]), strict=True):
+            errors[name] = difference[part].max() / (np.abs(k[part, columns]).max() or 1)
+    return errors
+
+
+def errors_of_tangent(seed, k, residual, pair):
+    if seed < N_BY_COLUMNS:
+        return block_errors(k, derivative(residual, np.zeros(28), pair.step))
+    return errors_along(k, residual, pair)
+
+
 @pytest.mark.parametrize("name", CLASSES)
 def test_tangent_is_the_derivative_of_the_residual_by_spins(name):
     for seed in range(N_CONFIGURATIONS):
         pair = Pair(seed, **CLASSES[name])
         result = pair.evaluate()
         assert result.active, seed
-        numeric = derivative(pair.residual, np.zeros(28), pair.step)
-        errors = block_errors(result.K, numeric)
+        errors = errors_of_tangent(seed, result.K, pair.residual, pair)
         assert max(errors.values()) < TOLERANCE, (seed, pair.laws, errors)
 
 
@@ -57,7 +75,7 @@ def test_tangent_is_the_derivative_of_the_residual_by_rotation_vectors(name):
             return pair.evaluate(x=pair.x + q[:, :3], t=t, v=pair.v + dq[24:], rotation_vectors=vectors).R
 
         result = pair.evaluate(rotation_vectors=phi)
-        errors = block_errors(result.K, derivative(residual, np.zeros(28), pair.step))
+        errors = errors_of_tangent(seed, result.K, residual, pair)
         assert max(errors.values()) < TOLERANCE, (seed, pair.laws, errors)
 
 
