@@ -5,6 +5,7 @@
 !> independent force. The converged force is that of the law at the true gap.
 module litz_contact_forces
    use litz_kinds, only: dp
+   use litz_contact_kinematics, only: n_motions
    use litz_contact_blocks, only: contact_blocks, contact_force_t, spot_in_circuit_t
    use litz_contact_electricity, only: contact_electricity_t
    use litz_contact_mechanics, only: form_hessian
@@ -164,7 +165,8 @@ contains
 
       touching = pack([(i, i=1, size(contact%points))], contact%points%active .or. contact%points%closed)
       n = min(chunk, size(touching))
-      allocate (k(24, 24, n), r(24, n), k_ee(4, 4, n), r_e(4, n), k_me(4, 24, n), nodes(4, n))
+      allocate (k(n_motions, n_motions, n), r(n_motions, n), k_ee(4, 4, n), r_e(4, n), k_me(4, n_motions, n))
+      allocate (nodes(4, n))
       call clear_results(contact%points)
       do first = 1, size(touching), chunk
          n = min(chunk, size(touching) - first + 1)
@@ -203,8 +205,10 @@ contains
          integer, intent(out) :: nodes_p(4)
          !> Tangent and residual of the motions, tangent and currents of the voltages, tangent of the currents by the
          !> motions: (24, 24), (24), (4, 4), (4), (4, 24)
-         real(dp), intent(out) :: k_p(24, 24), r_p(24), k_ee_p(4, 4), r_e_p(4), k_me_p(4, 24)
-         real(dp) :: x(3, 4), t(3, 4), length(2), k_friction(24, 24), r_friction(24)
+         real(dp), intent(out) :: k_p(n_motions, n_motions), r_p(n_motions)
+         real(dp), intent(out) :: k_ee_p(4, 4), r_e_p(4), k_me_p(4, n_motions)
+         real(dp) :: x(3, 4), t(3, 4), length(2)
+         real(dp) :: k_friction(n_motions, n_motions), r_friction(n_motions)
          type(wire_pair_t) :: pair
          type(spot_in_circuit_t) :: circuit
          type(contact_electricity_t) :: electricity
@@ -237,12 +241,9 @@ contains
       pure function motion(nodes_p) result(dq)
          !> Nodes of both elements (4)
          integer, intent(in) :: nodes_p(4)
-         real(dp) :: dq(24)
-         integer :: a
+         real(dp) :: dq(n_motions)
 
-         do a = 1, 4
-            dq(6*a - 5:6*a) = domain%iterate%change(motion_slots(1):motion_slots(2), nodes_p(a))
-         end do
+         dq = reshape(domain%iterate%change(motion_slots(1):motion_slots(2), nodes_p), [n_motions])
       end function motion
 
    end subroutine assemble_contacts
@@ -285,14 +286,16 @@ contains
       !> Nodes of both elements (4)
       integer, intent(in) :: nodes_p(4)
       type(forces_t), intent(inout) :: forces
+      real(dp) :: difference(n_motions)
       integer :: a
 
-      do a = 1, 4
-         forces%iteration(motion_slots(1):motion_slots(2), nodes_p(a)) = &
-            forces%iteration(motion_slots(1):motion_slots(2), nodes_p(a)) &
-            - (point%iteration_force - point%force)*point%kinematics%dgap(6*a - 5:6*a) &
-            + point%friction_iteration%difference(6*a - 5:6*a)
-      end do
+      difference = point%friction_iteration%difference - (point%iteration_force - point%force)*point%kinematics%dgap
+      associate (iteration => forces%iteration(motion_slots(1):motion_slots(2), :))
+         do a = 1, size(nodes_p)
+            iteration(:, nodes_p(a)) = iteration(:, nodes_p(a)) &
+               + difference((a - 1)*size(iteration, 1) + 1:a*size(iteration, 1))
+         end do
+      end associate
    end subroutine add_iteration_force
 
    !> A contact that remembers its spot is no longer at it. With friction it has slipped; without, it has moved along
@@ -388,13 +391,13 @@ contains
       !> Fraction of the step that is taken, and the step (n_slots, n_nodes)
       real(dp), intent(in) :: eta, step(:, :)
       type(contact_set_t), intent(inout) :: contact
-      real(dp) :: dq(24), dgap, force
+      real(dp) :: dq(n_motions), dgap, force
       integer :: i, nodes(4)
 
       do i = 1, size(contact%points)
          associate (point => contact%points(i))
             nodes = [model%connectivity(:, point%element_bar), model%connectivity(:, point%element)]
-            dq = reshape(step(motion_slots(1):motion_slots(2), nodes), [24])
+            dq = reshape(step(motion_slots(1):motion_slots(2), nodes), [n_motions])
             dgap = dot_product(point%kinematics%dgap, dq)
             call predict_friction(eta*dq, point%friction_iteration)
             point%predicted = .true.

@@ -2,8 +2,10 @@
 !> wires through or far off each other.
 module litz_contact_step
    use litz_kinds, only: dp
+   use litz_contact_kinematics, only: n_motions
    use litz_contact_points, only: contact_set_t, contact_point_t
    use litz_element_library, only: elements_t
+   use litz_fields, only: motion_slots
    use litz_model, only: model_t
    implicit none
    private
@@ -20,7 +22,7 @@ contains
       type(model_t), intent(in) :: model
       type(elements_t), intent(in) :: elements
       type(contact_set_t), intent(in) :: contact
-      !> Linear step of the unknowns (7, n_nodes)
+      !> Linear step of the unknowns (n_slots, n_nodes)
       real(dp), intent(in) :: step(:, :)
       real(dp) :: dgap, limit
       integer :: i
@@ -46,7 +48,8 @@ contains
          integer :: nodes(4)
 
          nodes = [model%connectivity(:, point%element_bar), model%connectivity(:, point%element)]
-         change_of_gap = dot_product(point%kinematics%dgap, reshape(step(1:6, nodes), [24]))
+         change_of_gap = dot_product(point%kinematics%dgap, &
+            reshape(step(motion_slots(1):motion_slots(2), nodes), [n_motions]))
       end function change_of_gap
 
    end function bearable_fraction

@@ -1,6 +1,7 @@
 !> Friction of one crossing: stiffness of the stick, and the kernel with the memory of the crossing.
 module litz_friction_forces
    use litz_kinds, only: dp
+   use litz_contact_kinematics, only: n_motions
    use litz_contact_friction, only: slip_t, slip_kinematics, friction_residual, friction_tangent
    use litz_contact_points, only: contact_point_t
    use litz_friction_iteration, only: place_touch
@@ -26,14 +27,14 @@ contains
       type(wire_pair_t), intent(in) :: pair
       !> Displacements and rotations of the four nodes since the increment began (24) [m, rad], and what the clearance
       !> of an interference has closed the gap by [m]
-      real(dp), intent(in) :: dq(24), closing
+      real(dp), intent(in) :: dq(n_motions), closing
       !> Gets the traction, and what the iteration supposes of it
       type(contact_point_t), intent(inout) :: point
       !> Tangent (24, 24), in Hessian form, and residual (24)
-      real(dp), intent(out) :: k(24, 24), r(24)
+      real(dp), intent(out) :: k(n_motions, n_motions), r(n_motions)
       type(slip_t) :: slip
       type(friction_law_t) :: supposed
-      real(dp) :: force, dforce(24), stiffness, dstiffness_dforce, r_supposed(24)
+      real(dp) :: force, dforce(n_motions), stiffness, dstiffness_dforce, r_supposed(n_motions)
       integer :: elements(2)
 
       elements = [point%element_bar, point%element]
@@ -96,7 +97,7 @@ contains
       !> How arc lengths along the wires change with xi, barred and unbarred (2) [m]
       real(dp), intent(in) :: arc_over_xi(2)
       !> As in `find_friction`
-      real(dp), intent(in) :: dq(24), closing
+      real(dp), intent(in) :: dq(n_motions), closing
       type(contact_point_t), intent(inout) :: point
       real(dp) :: gap, gap_start
 

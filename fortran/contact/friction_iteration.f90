@@ -8,6 +8,7 @@
 !> that the linear step misses it, on either side.
 module litz_friction_iteration
    use litz_kinds, only: dp
+   use litz_contact_kinematics, only: n_motions
    use litz_friction_law, only: friction_none, friction_stick, friction_slip
    implicit none
    private
@@ -21,11 +22,11 @@ module litz_friction_iteration
       !> Traction of the geometric stiffness (2) [N]
       real(dp) :: mixed_traction(2) = 0
       !> Trial traction of this iteration (2) [N] and how it changes with the unknowns of the contact (24, 2)
-      real(dp) :: trial(2) = 0, dtrial(24, 2) = 0
+      real(dp) :: trial(2) = 0, dtrial(n_motions, 2) = 0
       !> Limit of friction that this iteration supposes [N], and how it changes (24)
-      real(dp) :: limit = 0, dlimit(24) = 0
+      real(dp) :: limit = 0, dlimit(n_motions) = 0
       !> What the supposed status and the law of the present place differ by (24) [N, N m]
-      real(dp) :: difference(24) = 0
+      real(dp) :: difference(n_motions) = 0
       !> The contact was open when the increment began and has been closed since
       logical :: touched = .false.
       !> Arc lengths of the places along the barred and the unbarred wire at which it closed (2) [m]
@@ -66,7 +67,7 @@ contains
    !> Status and traction of the next iteration, after a linear step `dq` of the contact's 24 unknowns.
    pure subroutine predict_friction(dq, iteration)
       !> Motion of the four nodes (24) [m, rad]
-      real(dp), intent(in) :: dq(24)
+      real(dp), intent(in) :: dq(n_motions)
       type(friction_iteration_t), intent(inout) :: iteration
       real(dp) :: trial(2), limit
       logical :: turns_back, still_returns

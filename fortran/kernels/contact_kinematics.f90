@@ -20,7 +20,7 @@ module litz_contact_kinematics
    use litz_closest_points, only: parallel_sine
    implicit none
    private
-   public :: contact_kinematics_t, contact_kinematics
+   public :: contact_kinematics_t, contact_kinematics, n_motions
    public :: kinematics_ok, kinematics_parallel, kinematics_singular
 
    integer, parameter :: kinematics_ok = 0
@@ -28,6 +28,9 @@ module litz_contact_kinematics
    integer, parameter :: kinematics_parallel = -1
    !> The distance has no strict minimum at the given points: a slight move would send them anywhere
    integer, parameter :: kinematics_singular = -2
+
+   !> Displacements and rotations of the four nodes of a pair of elements
+   integer, parameter :: n_motions = 24
 
    type :: contact_kinematics_t
       !> Where it was evaluated
