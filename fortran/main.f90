@@ -15,6 +15,7 @@ program litz
    use litz_keywords, only: keyword_table_t, unknown_keyword_message
    use litz_model, only: model_t
    use litz_model_summary, only: model_summary
+   use litz_numbers, only: parse_integer, number_ok
    use litz_output_files, only: make_directory
    use litz_run, only: run_options_t, run_model
    use litz_run_warnings, only: run_warnings_t
@@ -24,6 +25,8 @@ program litz
    use litz_text, only: shown
    use litz_version, only: version
    implicit none
+   !> Columns of a terminal that does not state its own, and of the narrowest one that lines are broken for
+   integer, parameter :: default_width = 100, min_width = 40
    type(command_t) :: command
    type(error_t), allocatable :: error
 
@@ -149,15 +152,26 @@ contains
       else if (command%json) then
          call print_text(keyword_json(table))
       else if (len(command%argument) == 0) then
-         call print_text(keyword_list(table))
+         call print_text(keyword_list(table, terminal_width()))
       else
          index = table%find(command%argument)
          if (index == 0) then
             call end_with(fail(exit_input, unknown_keyword_message(table, command%argument, shown(command%argument))))
          end if
-         call print_text(keyword_page(table%keywords(index)))
+         call print_text(keyword_page(table%keywords(index), terminal_width()))
       end if
    end subroutine print_keywords
+
+   !> Columns of the terminal, which shells and the Python package state in `COLUMNS`.
+   integer function terminal_width() result(width)
+      character(len=20) :: columns
+      integer :: status
+
+      call get_environment_variable('COLUMNS', columns)
+      call parse_integer(trim(columns), width, status)
+      if (status /= number_ok) width = default_width
+      width = max(width, min_width)
+   end function terminal_width
 
    subroutine print_version()
       integer :: major, minor, release, status

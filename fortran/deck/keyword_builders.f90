@@ -4,7 +4,7 @@ module litz_keyword_builders
       kind_choice, kind_name, kind_item, kind_file, kind_text, limit_positive, limit_unused
    implicit none
    private
-   public :: begin, finish, field, integer_field, real_field, choice_field, name_field, item_field, text_field, &
+   public :: begin, finish, field, integer_field, real_field, dofs_of, choice_field, name_field, item_field, text_field, &
       unused, flag, choice, name, number, count_of, file
 
 contains
@@ -87,6 +87,16 @@ contains
 
       spec = field(name, kind_real, unit, help, limit, required)
    end function real_field
+
+   !> A value that is a degree of freedom.
+   pure type(field_spec_t) function dofs_of(unknowns, value) result(spec)
+      !> Of which fields, by index in litz_fields
+      integer, intent(in) :: unknowns(:)
+      type(field_spec_t), intent(in) :: value
+
+      spec = value
+      spec%dofs_of = unknowns
+   end function dofs_of
 
    pure type(field_spec_t) function choice_field(name, choices, help) result(spec)
       !> Name in the reference and in messages

@@ -4,6 +4,7 @@
 !> data lines is null where any number of lines is allowed, `repeats` where the values of a line may repeat any number
 !> of times.
 module litz_keyword_json
+   use litz_fields, only: fields, last_dof
    use litz_growing_text, only: growing_text_t
    use litz_keywords, only: keyword_table_t, keyword_t, parameter_spec_t, data_spec_t, field_spec_t, place_model, &
       place_step, place_both, kind_flag, kind_integer, kind_real, kind_choice, kind_name, kind_item, kind_file, &
@@ -83,8 +84,27 @@ contains
 
       json = '{"name": '//quoted(field%name)//', "kind": '//quoted(kind_word(field%kind))//', "choices": '// &
          choice_list(field%choices)//', "required": '//truth(field%required)//', "unit": '// &
-         quoted_or_null(field%unit)//limit_members(field%limit)//', "help": '//quoted(field%help)//'}'
+         quoted_or_null(field%unit)//limit_members(field%limit)//dof_members(field)//', "help": '//quoted(field%help)//'}'
    end function field_object
+
+   !> The fields whose degrees of freedom a value may be, with a comma before them; nothing for other values.
+   pure function dof_members(value) result(json)
+      type(field_spec_t), intent(in) :: value
+      character(len=:), allocatable :: json
+      integer :: i
+
+      json = ''
+      if (.not. allocated(value%dofs_of)) return
+      do i = 1, size(value%dofs_of)
+         associate (field => fields(value%dofs_of(i)))
+            if (i > 1) json = json//', '
+            json = json//'{"name": '//quoted(field%name)//', "first": '//to_text(field%first_dof)//', "last": '// &
+               to_text(last_dof(value%dofs_of(i)))//', "unit": '//quoted(field%unit)//', "rotation": '// &
+               truth(field%is_rotation)//'}'
+         end associate
+      end do
+      json = ', "fields": ['//json//']'
+   end function dof_members
 
    pure function place_word(place) result(word)
       !> One of `place_...`

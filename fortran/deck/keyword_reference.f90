@@ -10,21 +10,20 @@ module litz_keyword_reference
    public :: keyword_list, keyword_page, keyword_markdown
 
    character(len=1), parameter :: nl = new_line('a')
-   !> Columns of a page in the terminal
-   integer, parameter :: page_width = 100
-
 contains
 
    !> One line per keyword.
-   pure function keyword_list(table) result(text)
+   pure function keyword_list(table, width) result(text)
       type(keyword_table_t), intent(in) :: table
+      !> Columns of the terminal
+      integer, intent(in) :: width
       character(len=:), allocatable :: text
       integer :: i
 
       text = ''
       do i = 1, table%n
          associate (keyword => table%keywords(i))
-            text = text//'*'//keyword%name//first_sentence(trim(keyword%help))//nl
+            text = text//wrapped('*'//keyword%name//first_sentence(keyword%help), width, 1 + len(keyword%name))
          end associate
       end do
    end function keyword_list
@@ -41,22 +40,24 @@ contains
    end function first_sentence
 
    !> Everything about one keyword, for the terminal.
-   pure function keyword_page(keyword) result(text)
+   pure function keyword_page(keyword, width) result(text)
       type(keyword_t), intent(in) :: keyword
+      !> Columns of the terminal
+      integer, intent(in) :: width
       character(len=:), allocatable :: text
       integer :: i, j
 
-      text = '*'//trim(keyword%name)//' - '//describe_place(keyword)//nl//wrapped(trim(keyword%help), page_width, 0)
+      text = '*'//trim(keyword%name)//' - '//describe_place(keyword)//nl//wrapped(keyword%help, width, 0)
       if (size(keyword%parameters) > 0) text = text//'Parameters:'//nl
       do i = 1, size(keyword%parameters)
          text = text//wrapped('  '//parameter_form(keyword%parameters(i))//': '// &
-            parameter_help(keyword%parameters(i)), page_width, 6)
+            parameter_help(keyword%parameters(i)), width, 6)
       end do
       do i = 1, size(keyword%data)
          associate (form => keyword%data(i))
             text = text//line_title(form)//': '//line_form(form)//nl
             do j = 1, size(form%fields)
-               text = text//wrapped('  '//trim(form%fields(j)%name)//': '//field_help(form%fields(j)), page_width, 6)
+               text = text//wrapped('  '//trim(form%fields(j)%name)//': '//field_help(form%fields(j)), width, 6)
             end do
          end associate
       end do
@@ -132,7 +133,7 @@ contains
       character(len=:), allocatable :: text
       integer :: i, j
 
-      text = '## \*'//trim(keyword%name)//nl//nl//'*'//describe_place(keyword)//'.* '//trim(keyword%help)//nl
+      text = '## \*'//trim(keyword%name)//nl//nl//'*'//describe_place(keyword)//'.* '//keyword%help//nl
       if (size(keyword%parameters) > 0) text = text//nl//'| parameter | meaning |'//nl//'|---|---|'//nl
       do i = 1, size(keyword%parameters)
          text = text//'| `'//escaped(parameter_form(keyword%parameters(i)))//'` | '// &
@@ -201,7 +202,7 @@ contains
       type(parameter_spec_t), intent(in) :: parameter
       character(len=:), allocatable :: help
 
-      help = trim(parameter%help)
+      help = parameter%help
       if (parameter%limit /= limit_none) help = help//'; '//describe_limit(parameter%limit)
       if (parameter%required) help = help//'; required'
       if (len_trim(parameter%default) > 0) help = help//'; default '//trim(parameter%default)
@@ -250,7 +251,7 @@ contains
       type(field_spec_t), intent(in) :: field
       character(len=:), allocatable :: help
 
-      help = trim(field%help)
+      help = field%help
       if (field%kind == kind_choice) help = help//'; '//join_words(words_of(field%choices), 'or')
       if (len_trim(field%unit) > 0) help = help//' ['//trim(field%unit)//']'
       if (field%limit /= limit_none .and. field%limit /= limit_unused) help = help//'; '//describe_limit(field%limit)

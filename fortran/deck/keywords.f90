@@ -40,18 +40,20 @@ module litz_keywords
       logical :: value_optional = .false.
       integer :: limit = limit_none
       character(len=24) :: default = ''
-      character(len=200) :: help = ''
+      character(len=:), allocatable :: help
    end type parameter_spec_t
 
    !> One value of a data line.
    type :: field_spec_t
       character(len=16) :: name = ''
       integer :: kind = kind_real
-      character(len=12) :: unit = ''
+      character(len=24) :: unit = ''
       integer :: limit = limit_none
       character(len=120) :: choices = ''
       logical :: required = .true.
-      character(len=200) :: help = ''
+      character(len=:), allocatable :: help
+      !> The value is a degree of freedom of one of these, by index in litz_fields; unallocated: it is something else
+      integer, allocatable :: dofs_of(:)
    end type field_spec_t
 
    !> One or several data lines of the same form.
@@ -76,7 +78,7 @@ module litz_keywords
       character(len=28) :: after = ''
       type(parameter_spec_t), allocatable :: parameters(:)
       type(data_spec_t), allocatable :: data(:)
-      character(len=600) :: help = ''
+      character(len=:), allocatable :: help
    contains
       procedure :: find_parameter => keyword_find_parameter
       procedure :: add => keyword_add_parameter

@@ -1,5 +1,6 @@
 !> The keywords that describe the model: mesh, materials, sections, amplitudes and contact.
 module litz_model_keywords
+   use litz_fields, only: field_potential, dof_range
    use litz_keywords, only: keyword_t, keyword_table_t, field_spec_t, place_model, place_both, limit_positive, &
       limit_not_negative, limit_poisson, limit_zero
    use litz_keyword_builders, only: begin, finish, integer_field, real_field, name_field, item_field, text_field, &
@@ -110,7 +111,7 @@ contains
 
       call begin(k, 'ELECTRICAL CONDUCTIVITY', place_model, &
          'Makes the elements of this material conductors: their nodes'// &
-         ' have a potential, degree of freedom 9. Without it a wire is an insulator.', after='MATERIAL')
+         ' have a potential, degree of freedom '//dof_range(field_potential)//'. Without it a wire is an insulator.', after='MATERIAL')
       call k%add_data([real_field('sigma', 'S/m', 'electrical conductivity', limit_positive)])
       call finish(table, k)
 

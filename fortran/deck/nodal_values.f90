@@ -4,6 +4,8 @@ module litz_nodal_values
    use litz_text, only: to_text
    use litz_numbers, only: parse_integer, number_ok
    use litz_deck, only: token_t
+   use litz_fields, only: fields, field_displacement, field_rotation, last_dof, n_slots, slot_of_dof, field_of_dof, &
+      dof_range, describe_dofs
    use litz_model, only: model_t, nodal_value_t, amplitude_factor, dof_potential
    use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, keyword_of, name_of
    use litz_value_checks, only: advice_about_value, behind_semicolon
@@ -24,7 +26,7 @@ module litz_nodal_values
       integer :: n = 0
       !> Line of the deck that set each item last, 0: an earlier step
       integer, allocatable :: line(:)
-      !> Item of each degree of freedom, 0: none (7, n_nodes); the seventh is the potential
+      !> Item of each degree of freedom, 0: none (n_slots, n_nodes)
       integer, allocatable :: item(:, :)
       !> OP of the cards of this step: 0 none yet, 1 MOD, 2 NEW
       integer :: op = 0
@@ -45,7 +47,7 @@ contains
 
       list%kind = kind
       allocate (list%items(16), list%line(16))
-      allocate (list%item(7, model%n_nodes), source=0)
+      allocate (list%item(n_slots, model%n_nodes), source=0)
       list%has_potential = nodes_with_potential(model)
       allocate (list%has_element(model%n_nodes), source=.false.)
       do e = 1, model%n_elements
@@ -163,19 +165,12 @@ contains
             trim(merge('NEW', 'MOD', op == 2))//', an earlier one OP='//trim(merge('NEW', 'MOD', list%op == 2)))
       else if (op == 2 .and. list%op == 0) then
          do i = 1, list%n
-            list%item(slot(list%items(i)%dof), list%items(i)%node) = 0
+            list%item(slot_of_dof(list%items(i)%dof), list%items(i)%node) = 0
          end do
          list%n = 0
       end if
       if (list%op == 0) list%op = op
    end subroutine apply_op
-
-   pure integer function slot(dof)
-      !> Degree of freedom: 1-6 or 9
-      integer, intent(in) :: dof
-
-      slot = merge(7, dof, dof == dof_potential)
-   end function slot
 
    !> The degrees of freedom that the line names.
    subroutine find_dofs(self, kind, first, last, ok)
@@ -193,15 +188,15 @@ contains
       case (kind_load)
          first = self%values%whole(2)
          last = first
-         ok = first <= 6
-         if (.not. ok) call fail_at(self, self%values%token(2), 'forces and moments act in directions 1-6; found '// &
-            to_text(first)//trim(merge('; currents are given by *CECURRENT', repeat(' ', 34), first == dof_potential)))
+         ok = any(field_of_dof(first) == [field_displacement, field_rotation])
+         if (.not. ok) call fail_at(self, self%values%token(2), 'forces and moments act in directions '// &
+            dof_range(field_displacement, field_rotation)//'; found '//to_text(first)//trim(merge('; currents are given by *CECURRENT', repeat(' ', 34), first == dof_potential)))
       case default
          first = dof_potential
          last = first
          ok = .not. self%values%given(2) .or. self%values%whole(2) == dof_potential
-         if (.not. ok) call fail_at(self, self%values%token(2), 'a current enters at degree of freedom 9; found '// &
-            to_text(self%values%whole(2)))
+         if (.not. ok) call fail_at(self, self%values%token(2), 'a current enters at degree of freedom '// &
+            to_text(dof_potential)//'; found '//to_text(self%values%whole(2)))
       end select
    end subroutine find_dofs
 
@@ -219,9 +214,9 @@ contains
       associate (values => self%values)
          select case (name_of(self, values%token(2)))
          case ('ENCASTRE')
-            last = 6
+            last = last_dof(field_rotation)
          case ('PINNED')
-            last = 3
+            last = last_dof(field_displacement)
          end select
          if (last > 0) then
             ok = values%n == 2
@@ -233,8 +228,7 @@ contains
          if (status /= number_ok) then
             ok = .false.
             call fail_at(self, values%token(2), &
-               'value 2 must be a degree of freedom (1-3 displacement, 4-6 rotation,'// &
-               ' 9 electric potential), ENCASTRE or PINNED; found '//self%deck%shown(values%token(2))// &
+               'value 2 must be ENCASTRE, PINNED or a degree of freedom: '//describe_dofs('or')//'; found '//self%deck%shown(values%token(2))// &
                behind_semicolon(advice_about_value(self, values%token(2))))
             return
          end if
@@ -245,11 +239,10 @@ contains
             ok = .false.
             call fail_at(self, values%token(3), 'the last degree of freedom, '//to_text(last)// &
                ', is smaller than the first, '//to_text(first))
-         else if (ok .and. first <= 6 .and. last > 6) then
+         else if (ok .and. fields(field_of_dof(first))%group /= fields(field_of_dof(last))%group) then
             ok = .false.
-            call fail_at(self, values%token(3), &
-               'a range must not reach from displacements or rotations to the potential; '// &
-               'use two lines')
+            call fail_at(self, values%token(3), 'a range must not reach from '// &
+               trim(fields(field_of_dof(first))%name)//' to '//trim(fields(field_of_dof(last))%name)//'; use two lines')
          end if
       end associate
 
@@ -260,11 +253,9 @@ contains
          !> The number that the line names
          integer, intent(in) :: dof
 
-         if ((dof >= 1 .and. dof <= 6) .or. dof == dof_potential) return
-         ok = .false.
-         call fail_at(self, token, 'degree of freedom '//to_text(dof)// &
-            ' does not exist; there are 1-3 (displacement),'// &
-            ' 4-6 (rotation) and 9 (electric potential)')
+         ok = field_of_dof(dof) > 0
+         if (.not. ok) call fail_at(self, token, 'degree of freedom '//to_text(dof)//' does not exist; there are '// &
+            describe_dofs('and'))
       end subroutine check_dof
 
    end subroutine find_boundary_dofs
@@ -335,11 +326,11 @@ contains
       integer :: at
 
       ok = .true.
-      at = list%item(slot(value%dof), value%node)
+      at = list%item(slot_of_dof(value%dof), value%node)
       if (at == 0) then
          call append(list, value)
          at = list%n
-         list%item(slot(value%dof), value%node) = at
+         list%item(slot_of_dof(value%dof), value%node) = at
       else if (list%line(at) == 0) then
          list%items(at) = value
       else

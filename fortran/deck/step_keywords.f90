@@ -1,8 +1,10 @@
 !> The keywords of steps: loads, output, and how the equations are solved.
 module litz_step_keywords
+   use litz_fields, only: n_fields, field_displacement, field_rotation, field_potential, dof_range, describe_dofs, &
+      list_units
    use litz_keywords, only: keyword_t, keyword_table_t, place_step, place_both, place_begins_step, &
       limit_positive, limit_not_negative
-   use litz_keyword_builders, only: begin, finish, integer_field, real_field, choice_field, name_field, &
+   use litz_keyword_builders, only: begin, finish, integer_field, real_field, dofs_of, choice_field, name_field, &
       item_field, text_field, unused, flag, choice, name, count_of
    use litz_quantities, only: on_points, on_cells
    use litz_result_quantities, only: requested_names, described_requests
@@ -48,27 +50,29 @@ contains
    pure subroutine add_loads(table)
       type(keyword_table_t), intent(inout) :: table
       type(keyword_t) :: k
+      integer :: i
 
       call begin(k, 'BOUNDARY', place_both, &
-         'Prescribed displacements (1-3), rotations (4-6) and potentials (9). Before the'// &
-         ' first step only zero values. ENCASTRE (1-6) and PINNED (1-3) may stand in place of the degrees of'// &
-         ' freedom. All three rotations of a node are its rotation vector. One or two alone are angles turned'// &
+         'Prescribed values of degrees of freedom: '//describe_dofs('and')//'. Before the first step they must be zero.'// &
+         ' ENCASTRE ('//dof_range(field_displacement, field_rotation)//') and PINNED ('//dof_range(field_displacement)// &
+         ') can be given instead of numbers. All three rotations of a node are its rotation vector. One or two alone are angles turned'// &
          ' increment by increment about these axes, in addition to what is left free: where that is much, the'// &
          ' result depends on the increments.')
       call add_op(k, 'prescribed values')
       call k%add_data([item_field('node', 'number of a node or name of a node set'), &
-         name_field('first', 'first degree of freedom, ENCASTRE or PINNED'), &
+         dofs_of([(i, i=1, n_fields)], name_field('first', 'first degree of freedom, ENCASTRE or PINNED')), &
          integer_field('last', 'last degree of freedom, the first when left out', limit_positive, required=.false.), &
-         real_field('value', 'm, rad, V', 'prescribed value, 0 when left out', required=.false.)], last=0, &
+         real_field('value', list_units(), 'prescribed value, 0 when left out', required=.false.)], last=0, &
          optional_with=new_alone)
       call finish(table, k)
 
       call begin(k, 'CLOAD', place_step, &
-         'Concentrated forces (1-3) and moments (4-6), of fixed direction. Lines for the'// &
-         ' same node and direction add up.')
+         'Concentrated forces ('//dof_range(field_displacement)//') and moments ('//dof_range(field_rotation)// &
+         '), of fixed direction. Lines for the same node and direction add up.')
       call add_op(k, 'loads')
       call k%add_data([item_field('node', 'number of a node or name of a node set'), &
-         integer_field('dof', 'direction, 1-6', limit_positive), real_field('value', 'N, N m', 'force or moment')], &
+         dofs_of([field_displacement, field_rotation], integer_field('dof', 'direction, '// &
+         dof_range(field_displacement, field_rotation), limit_positive)), real_field('value', 'N, N m', 'force or moment')], &
          last=0, optional_with=new_alone)
       call finish(table, k)
 
@@ -76,7 +80,8 @@ contains
          'Concentrated currents, positive into the body. Lines for the same node add up.')
       call add_op(k, 'currents')
       call k%add_data([item_field('node', 'number of a node or name of a node set'), &
-         integer_field('dof', '9 or empty', limit_positive, required=.false.), real_field('value', 'A', 'current')], &
+         dofs_of([field_potential], integer_field('dof', dof_range(field_potential)//' or empty', limit_positive, &
+         required=.false.)), real_field('value', 'A', 'current')], &
          last=0, optional_with=new_alone)
       call finish(table, k)
    end subroutine add_loads

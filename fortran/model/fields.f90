@@ -4,11 +4,13 @@
 !> `first_slot(field):last_slot(field)`, a group of fields those from `first_slot_of_group` to `last_slot_of_group`. A
 !> group is what the scheme solves for at once; how groups depend on each other says `depends_on`.
 module litz_fields
+   use litz_text, only: to_text, join_words
    implicit none
    private
    public :: field_t, fields, n_fields, field_displacement, field_rotation, field_potential
    public :: n_slots, first_slot, last_slot, field_of_slot, slot_of_dof
    public :: motion_slots, rotation_slots, potential_slots
+   public :: last_dof, max_dof, field_of_dof, dof_range, describe_dofs, list_units
    public :: n_groups, group_mechanical, group_electric, first_slot_of_group, last_slot_of_group, depends_on
 
    type :: field_t
@@ -48,6 +50,9 @@ module litz_fields
    integer, parameter :: motion_slots(2) = [first_slot(field_displacement), last_slot(field_rotation)]
    integer, parameter :: rotation_slots(2) = [first_slot(field_rotation), last_slot(field_rotation)]
    integer, parameter :: potential_slots(2) = [first_slot(field_potential), last_slot(field_potential)]
+   !> In Abaqus's numbers
+   integer, parameter :: last_dof(n_fields) = fields%first_dof + fields%n_components - 1
+   integer, parameter :: max_dof = maxval(last_dof)
    integer, parameter :: field_of_slot(n_slots) = [(count(first_slot <= i), i=1, n_slots)]
    integer, parameter :: first_slot_of_group(n_groups) = [(minval(first_slot, fields%group == i), i=1, n_groups)]
    integer, parameter :: last_slot_of_group(n_groups) = [(maxval(last_slot, fields%group == i), i=1, n_groups)]
@@ -66,11 +71,55 @@ contains
       integer, intent(in) :: dof
       integer :: field
 
-      do field = 1, n_fields
-         slot = first_slot(field) + dof - fields(field)%first_dof
-         if (slot >= first_slot(field) .and. slot <= last_slot(field)) return
-      end do
       slot = 0
+      field = field_of_dof(dof)
+      if (field > 0) slot = first_slot(field) + dof - fields(field)%first_dof
    end function slot_of_dof
+
+   !> Field of a degree of freedom in Abaqus's numbers; 0: there is none.
+   pure integer function field_of_dof(dof) result(field)
+      !> Such as 1-6, 9
+      integer, intent(in) :: dof
+
+      do field = 1, n_fields
+         if (dof >= fields(field)%first_dof .and. dof <= last_dof(field)) return
+      end do
+      field = 0
+   end function field_of_dof
+
+   !> The degrees of freedom of neighbouring fields as `1-6`, or `9` where there is only one.
+   pure function dof_range(first, last) result(text)
+      !> First field, and last field; absent: the first field alone
+      integer, intent(in) :: first
+      integer, intent(in), optional :: last
+      character(len=:), allocatable :: text
+      integer :: last_field
+
+      last_field = first
+      if (present(last)) last_field = last
+      text = to_text(fields(first)%first_dof)
+      if (last_dof(last_field) > fields(first)%first_dof) text = text//'-'//to_text(last_dof(last_field))
+   end function dof_range
+
+   !> All degrees of freedom in words: `1-3 (displacement), 4-6 (rotation) or 9 (potential)`.
+   pure function describe_dofs(conjunction) result(text)
+      !> What stands before the last field: `and`, `or`
+      character(len=*), intent(in) :: conjunction
+      character(len=:), allocatable :: text
+      character(len=24) :: words(n_fields)
+      integer :: field
+
+      do field = 1, n_fields
+         words(field) = dof_range(field)//' ('//trim(fields(field)%name)//')'
+      end do
+      text = join_words(words, conjunction)
+   end function describe_dofs
+
+   !> The units of all fields: `m, rad or V`.
+   pure function list_units() result(text)
+      character(len=:), allocatable :: text
+
+      text = join_words(fields%unit, 'or')
+   end function list_units
 
 end module litz_fields

@@ -3,6 +3,7 @@
 !> Node and element indices run from 1 without gaps; `node_id` and `element_id` hold the user's numbers.
 module litz_model
    use litz_kinds, only: dp
+   use litz_fields, only: fields, field_potential
    use litz_unit_labels, only: unit_labels_t
    use litz_axis_choices, only: axis_linear, axis_hermite
    use litz_normal_law, only: normal_law_t
@@ -27,7 +28,7 @@ module litz_model
    integer, parameter :: element_b31 = 1, element_b33 = 2
 
    !> Abaqus's number of the electric potential among the degrees of freedom of a node (1-3 u, 4-6 rotation)
-   integer, parameter :: dof_potential = 9
+   integer, parameter :: dof_potential = fields(field_potential)%first_dof
 
    integer, parameter :: coupling_default = 0, coupling_monolithic = 1, coupling_updated = 2
 
@@ -104,7 +105,7 @@ module litz_model
    !> A prescribed value or a load at one degree of freedom of one node.
    type :: nodal_value_t
       integer :: node = 0
-      !> 1-6 or `dof_potential`
+      !> In Abaqus's numbers, see litz_fields
       integer :: dof = 0
       real(dp) :: value = 0
       !> Index into `amplitudes`; 0: ramp over the step

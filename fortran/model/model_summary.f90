@@ -1,6 +1,7 @@
 !> A summary of the resolved model, for `litz check`.
 module litz_model_summary
    use litz_growing_text, only: growing_text_t
+   use litz_fields, only: max_dof
    use litz_kinds, only: dp
    use litz_axis_choices, only: axis_hermite
    use litz_normal_law, only: normal_law_t
@@ -8,7 +9,7 @@ module litz_model_summary
    use litz_stick_laws, only: stick_laws
    use litz_model, only: model_t, step_t, interaction_t, output_request_t, named_set_t, nodal_value_t, &
       element_b31, coupling_default, coupling_monolithic, request_node, request_element, request_contact, &
-      request_energy, dof_potential
+      request_energy
    use litz_parts, only: parts_t, find_parts
    use litz_solver_names, only: solver_default, solver_keyword
    use litz_text, only: to_text, plural, lower
@@ -271,7 +272,7 @@ contains
       real(dp) :: lowest, highest
 
       text = ''
-      do dof = 1, dof_potential
+      do dof = 1, max_dof
          n = 0
          lowest = huge(lowest)
          highest = -huge(highest)

@@ -1,6 +1,7 @@
 """The command `litz`: the commands of the Fortran program, and those that need Python."""
 
 import os
+import shutil
 import subprocess
 import sys
 import warnings
@@ -71,7 +72,8 @@ def _run_program(arguments: list[str]) -> int:
     program = str(program_path())
     if arguments and (arguments[0] not in _HELP or len(arguments) > 1):
         sys.stdout.flush()
-        os.execve(program, [program, *arguments], program_environment())
+        columns = str(shutil.get_terminal_size((100, 24)).columns)
+        os.execve(program, [program, *arguments], {**program_environment(), "COLUMNS": columns})
     exit_code = subprocess.run([program, "--help"], check=False).returncode
     print(_PYTHON_HELP, end="")
     return exit_code

@@ -129,8 +129,8 @@ class LoadedModel(WireModel):
         nodes : int, str, Nodes, WireGroup or sequence
             Where.
         *directions : str or int
-            "x", "y", "z", "rx", "ry", "rz", "potential" or their numbers 1-6, 9; "pinned" (1-3), "rotations" (4-6),
-            "encastre" (1-6), which is meant without any.
+            "x", "y", "z", "rx", "ry", "rz", "potential" or their numbers; "pinned" (all displacements), "rotations" (all
+            rotations), "encastre" (both), which is also the default.
         """
         target = self.target(nodes)
         self.supports += [Prescribed(target, first, last) for first, last in ranges_of(directions)]

@@ -3,8 +3,9 @@
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from numbers import Integral
+from typing import Any
 
-from ..deck.keyword_table import check_card, check_name
+from ..deck.keyword_table import check_card, check_name, keyword
 from ..deck.lines import CardSpec
 
 #: A node number or the name of a node set
@@ -12,29 +13,67 @@ Target = int | str
 #: Degree of freedom: its number, as in Abaqus, or its name
 Direction = int | str
 
-_DIRECTIONS = {"x": 1, "y": 2, "z": 3, "rx": 4, "ry": 5, "rz": 6, "potential": 9}
-_GROUPS = {"encastre": range(1, 7), "pinned": range(1, 4), "rotations": range(4, 7)}
-POTENTIAL = _DIRECTIONS["potential"]
+
+def directions_of(card: str, value: str) -> dict[str, int]:
+    """Names and numbers of the degrees of freedom that a value of a card may be, from the keyword table.
+
+    Examples
+    --------
+    >>> directions_of("CLOAD", "dof")
+    {'x': 1, 'y': 2, 'z': 3, 'rx': 4, 'ry': 5, 'rz': 6}
+    """
+    directions: dict[str, int] = {}
+    for field in _fields_of(card, value):
+        numbers = range(field["first"], field["last"] + 1)
+        axes = ["rx", "ry", "rz"] if field["rotation"] else ["x", "y", "z"]
+        directions |= zip(axes if len(numbers) == 3 else [field["name"]], numbers, strict=True)
+    return directions
 
 
-def degree_of_freedom(direction: Direction, allowed: Iterable[int] = (1, 2, 3, 4, 5, 6, 9)) -> int:
-    """Number of a degree of freedom.
+def degrees_of_freedom(field: str) -> range:
+    """Numbers of the degrees of freedom of a field.
+
+    Examples
+    --------
+    >>> degrees_of_freedom("rotation")
+    range(4, 7)
+    """
+    found = next(one for one in _fields_of("BOUNDARY", "first") if one["name"] == field)
+    return range(found["first"], found["last"] + 1)
+
+
+def _fields_of(card: str, value: str) -> list[dict[str, Any]]:
+    values = keyword(card)["data"][0]["values"]
+    return next(one["fields"] for one in values if one["name"] == value)
+
+
+def _group(name: str) -> Iterable[int] | None:
+    """Degrees of freedom that one word stands for; None: it is no such word."""
+    if name == "encastre":
+        return directions_of("CLOAD", "dof").values()
+    field = {"pinned": "displacement", "rotations": "rotation"}.get(name)
+    return degrees_of_freedom(field) if field else None
+
+
+def degree_of_freedom(direction: Direction, allowed: Iterable[int] | None = None) -> int:
+    """Number of a degree of freedom, one of those `allowed`, or any without them.
 
     Examples
     --------
     >>> degree_of_freedom("z"), degree_of_freedom("rx"), degree_of_freedom(9)
     (3, 4, 9)
     """
-    number = _DIRECTIONS.get(direction.lower()) if isinstance(direction, str) else direction
-    allowed = list(allowed)
+    directions = directions_of("BOUNDARY", "first")
+    number = directions.get(direction.lower()) if isinstance(direction, str) else direction
+    allowed = list(directions.values() if allowed is None else allowed)
     if not isinstance(number, Integral) or number not in allowed:
-        names = ", ".join(f'"{name}" ({number})' for name, number in _DIRECTIONS.items() if number in allowed)
+        names = ", ".join(f'"{name}" ({number})' for name, number in directions.items() if number in allowed)
         raise ValueError(f"a direction must be one of {names}, not {direction!r}")
     return int(number)
 
 
 def ranges_of(directions: Sequence[Direction]) -> list[tuple[int, int]]:
-    """First and last of each run of degrees of freedom; ENCASTRE (1-6) without any.
+    """First and last of each run of degrees of freedom; ENCASTRE without any.
 
     Examples
     --------
@@ -43,7 +82,7 @@ def ranges_of(directions: Sequence[Direction]) -> list[tuple[int, int]]:
     """
     numbers: set[int] = set()
     for direction in directions or ("encastre",):
-        group = _GROUPS.get(direction.lower()) if isinstance(direction, str) else None
+        group = _group(direction.lower()) if isinstance(direction, str) else None
         numbers |= set(group) if group else {degree_of_freedom(direction)}
     runs: list[tuple[int, int]] = []
     for number in sorted(numbers):
@@ -117,7 +156,7 @@ class Prescribed:
 
 @dataclass(frozen=True)
 class Load:
-    """A line of `*CLOAD` (`dof` 1-6) [N, N m] or `*CECURRENT` (`dof` 9) [A]."""
+    """A line of `*CLOAD` [N, N m] or `*CECURRENT` [A]."""
 
     target: Target
     dof: int
@@ -129,13 +168,13 @@ class Load:
         return [self.target, self.dof, self.value]
 
 
-def grouped(keyword: str, items: Sequence[Prescribed | Load], op: str = "MOD") -> Iterator[CardSpec]:
+def grouped(card: str, items: Sequence[Prescribed | Load], op: str = "MOD") -> Iterator[CardSpec]:
     """Cards for prescribed values or loads: one for each run of lines with the same amplitude.
 
     With `OP=NEW` and no lines a card that removes what earlier steps prescribed.
     """
     if op != "MOD" and not items:
-        yield keyword, {"OP": op}, []
+        yield card, {"OP": op}, []
     begin = 0
     for end in range(1, len(items) + 1):
         if end < len(items) and items[end].amplitude == items[begin].amplitude:
@@ -143,5 +182,5 @@ def grouped(keyword: str, items: Sequence[Prescribed | Load], op: str = "MOD") -
         parameters: dict[str, str | None] = {} if op == "MOD" else {"OP": op}
         if items[begin].amplitude is not None:
             parameters["AMPLITUDE"] = items[begin].amplitude
-        yield keyword, parameters, [item.row() for item in items[begin:end]]
+        yield card, parameters, [item.row() for item in items[begin:end]]
         begin = end

@@ -7,7 +7,17 @@ from typing import Any
 from ..base.names import nearest_name
 from ..deck.keyword_table import check_card, keyword, squeezed
 from ..deck.lines import CardSpec
-from .loading import POTENTIAL, Amplitude, Direction, Load, Prescribed, degree_of_freedom, grouped, ranges_of
+from .loading import (
+    Amplitude,
+    Direction,
+    Load,
+    Prescribed,
+    degree_of_freedom,
+    degrees_of_freedom,
+    directions_of,
+    grouped,
+    ranges_of,
+)
 from .names import AnyNodes, Names
 from .wires import WireGroup
 
@@ -111,7 +121,7 @@ class Step:
         nodes : int, str, Nodes, WireGroup or sequence
             Where.
         first, last : int or str
-            First and last degree of freedom: 1-3 or "x", "y", "z"; 4-6 or "rx", "ry", "rz"; 9 or "potential".
+            First and last degree of freedom, as name ("x", "rx", "potential", ...) or number (`litz keywords BOUNDARY`).
         value : float
             Value at the end of the step [m, rad, V].
         amplitude : Amplitude or str, optional
@@ -134,47 +144,47 @@ class Step:
         ----------
         nodes : int, str, Nodes, WireGroup or sequence
             Where.
-        direction : {"x", "y", "z", "rx", "ry", "rz"} or 1 to 6
+        direction : {"x", "y", "z", "rx", "ry", "rz"} or their numbers
             Direction.
         value : float
             Value at the end of the step [m, rad].
         amplitude : Amplitude or str, optional
             Factor over time.
         """
-        self.boundary(nodes, degree_of_freedom(direction, range(1, 7)), None, value, amplitude)
+        self.boundary(nodes, degree_of_freedom(direction, directions_of("CLOAD", "dof").values()), None, value, amplitude)
 
     def hold(self, nodes: AnyNodes, *directions: Direction) -> None:
-        """Prescribe zeros, as `Model.fix` does from the start: all of 1-6 without directions."""
+        """Prescribe zeros, as `Model.fix` does from the start: all displacements and rotations without directions."""
         for first, last in ranges_of(directions):
             self.boundary(nodes, first, last)
 
     def potential(self, nodes: AnyNodes, value: float, amplitude: Amplitude | str | None = None) -> None:
         """Prescribe a potential [V]."""
-        self.boundary(nodes, POTENTIAL, None, value, amplitude)
+        self.boundary(nodes, degree_of_freedom("potential"), None, value, amplitude)
 
     # Loads
 
     def cload(self, nodes: AnyNodes, dof: Direction, value: float, amplitude: Amplitude | str | None = None) -> None:
         """A force [N] or moment [N m] of fixed direction at each of the nodes; `dof` as the direction of `move`."""
-        dof = degree_of_freedom(dof, range(1, 7))
+        dof = degree_of_freedom(dof, directions_of("CLOAD", "dof").values())
         self._load("CLOAD", Load(self._model.target(nodes), dof, value, self._amplitude(amplitude)))
 
     def force(
         self, nodes: AnyNodes, direction: Direction, value: float, amplitude: Amplitude | str | None = None
     ) -> None:
         """A force [N] along "x", "y" or "z" at each of the nodes."""
-        self.cload(nodes, degree_of_freedom(direction, range(1, 4)), value, amplitude)
+        self.cload(nodes, degree_of_freedom(direction, degrees_of_freedom("displacement")), value, amplitude)
 
     def moment(
         self, nodes: AnyNodes, direction: Direction, value: float, amplitude: Amplitude | str | None = None
     ) -> None:
         """A moment [N m] about "x", "y" or "z" at each of the nodes."""
         about = f"r{direction}" if direction in ("x", "y", "z") else direction
-        self.cload(nodes, degree_of_freedom(about, range(4, 7)), value, amplitude)
+        self.cload(nodes, degree_of_freedom(about, degrees_of_freedom("rotation")), value, amplitude)
 
     def current(self, nodes: AnyNodes, value: float, amplitude: Amplitude | str | None = None) -> None:
         """A current [A] into the body at each of the nodes."""
-        self._load("CECURRENT", Load(self._model.target(nodes), POTENTIAL, value, self._amplitude(amplitude)))
+        self._load("CECURRENT", Load(self._model.target(nodes), degree_of_freedom("potential"), value, self._amplitude(amplitude)))
 
     cecurrent = current
 
@@ -288,8 +298,9 @@ class Step:
         """All cards of the step, in the order of the deck."""
         yield self._step
         yield self._static
-        loads = [load for load in self.loads if load.dof != POTENTIAL]
-        currents = [load for load in self.loads if load.dof == POTENTIAL]
+        potential = degree_of_freedom("potential")
+        loads = [load for load in self.loads if load.dof != potential]
+        currents = [load for load in self.loads if load.dof == potential]
         for name, items in (("BOUNDARY", self.prescribed), ("CLOAD", loads), ("CECURRENT", currents)):
             yield from grouped(name, items, self._ops[name])
         yield from self.cards

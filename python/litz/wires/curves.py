@@ -31,17 +31,18 @@ def arc_lengths(
 def end_tangents(nodes: np.ndarray, wire: Wire) -> np.ndarray:
     """Unit tangents of the reference axis at both ends of each element of a wire, along the wire, (n, 2, 3).
 
-    At a node between two elements both share the mean direction, at a free end the one that continues the curve as a
-    circle would.
+    At a node between two elements both share the tangent of the parabola through the node and its two neighbours; at a
+    free end the tangent is that of the circle that continues the curve.
     """
     chords = np.diff(nodes[wire.nodes], axis=0)
-    chords /= np.linalg.norm(chords, axis=1, keepdims=True)
+    length = np.linalg.norm(chords, axis=1)
+    chords /= length[:, None]
     tangents = np.repeat(chords[:, None], 2, axis=1)
     closed = len(chords) > 2 and wire.nodes[0] == wire.nodes[-1]
     for before in range(len(chords) - (not closed)):
         after = (before + 1) % len(chords)
-        if chords[before] @ chords[after] > np.cos(_MAX_BEND):
-            mean = chords[before] + chords[after]
+        if chords[before] @ chords[after] >= np.cos(_MAX_BEND):
+            mean = chords[before] * length[after] + chords[after] * length[before]
             tangents[before, 1] = tangents[after, 0] = mean / np.linalg.norm(mean)
     if not closed:
         tangents[0, 0] = 2 * (chords[0] @ tangents[0, 1]) * chords[0] - tangents[0, 1]
