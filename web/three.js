@@ -1,4 +1,4 @@
-// What the viewer takes from three.js. After a change: npm ci && npm run build
+// The parts of three.js that the viewer uses. After a change: npm ci && npm run build
 export {
    BufferAttribute, BufferGeometry, Color, DataTexture, DoubleSide, InstancedBufferAttribute, InstancedBufferGeometry,
    InstancedMesh, LineBasicMaterial, LineSegments, LinearFilter, Matrix4, Mesh, MeshBasicMaterial, OrthographicCamera,

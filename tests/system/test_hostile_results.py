@@ -151,7 +151,7 @@ def test_nothing_of_hostile_results_runs_in_a_browser(hostile, tmp_path):
             browser.get(address)
             browser.implicitly_wait(30)
             assert browser.find_element("css selector", ".litz-viewer[data-ready=yes]")
-            browser.execute_script("document.querySelector('.litz-viewer').viewer.choose(3)")
+            browser.execute_script("document.querySelector('.litz-viewer').viewer.select(3)")
             assert browser.execute_script("return window.hacked") is None
             assert not browser.find_elements("css selector", "#injected, .litz-viewer img, .litz-viewer b")
             assert "onerror" in browser.find_element("css selector", ".litz-compass").get_attribute("textContent")

@@ -139,7 +139,7 @@ class TestPage:
     def test_a_contact_is_picked_in_the_picture_and_its_ledger_row_is_read(self, page, server):
         ledger = server.results.contacts_at(-1)
         for k in (0, 7):
-            click_at(page, *ask(page, f"viewer.placeOf({ledger['id'][k]})"))
+            click_at(page, *ask(page, f"viewer.screenPosition({ledger['id'][k]})"))
             row = ledger_row(page)
             assert row["id"] == str(ledger["id"][k])
             for name in ("force", "current", "resistance", "gap"):
@@ -207,7 +207,7 @@ class TestReport:
                                 {"offline": True, "latency": 0, "downloadThroughput": 0, "uploadThroughput": 0})  # fmt: skip
         load(browser, path.as_uri())
         assert errors(browser) == []
-        ask(browser, "viewer.choose(3)")
+        ask(browser, "viewer.select(3)")
         assert ledger_row(browser)["id"] == "3"
         ask(browser, "viewer.show(1)")
         wait(browser, lambda: viewer(browser).get_attribute("data-increment") == "1", "no scrubbing")

@@ -125,8 +125,8 @@ class TestScene:
 
     def test_spots_by_force(self, results):
         scene = SceneMaker(results, [1], spots="force").scene(1)
-        assert scene.spot_text.startswith("2 contacts: area of a disc by its force")
-        assert "largest 20 N" in scene.spot_text
+        assert scene.spot_text.startswith("2 contacts: disc area proportional to force")
+        assert "maximum 20 N" in scene.spot_text
         assert len(SceneMaker(results, [1], spots="none").scene(1).spots) == 0
 
     def test_everything_is_inside_the_picture(self, results):

@@ -37,7 +37,7 @@ def plot_command(arguments: list[str]) -> int:
     parser.add_argument("--view", type=_view, metavar="DIRECTION",
                         help=f"from the wires to the viewer: X,Y,Z or one of {', '.join(VIEWS)} (--view=-z)")  # fmt: skip
     parser.add_argument("--size", type=_size, metavar="WIDTHxHEIGHT", help="in pixels")
-    parser.add_argument("--no-reference", action="store_true", help="without the axes before the deformation")
+    parser.add_argument("--no-reference", action="store_true", help="do not draw the undeformed axes")
     parser.add_argument("--animate", action="store_true", help="the wires over all increments, as .gif or .mp4")
     parser.add_argument("--frames-per-second", type=float, default=10.0, metavar="N", help="default: 10")
     options = parser.parse_args(arguments)

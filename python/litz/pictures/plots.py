@@ -108,7 +108,7 @@ def plot(
     spots : str, optional
         "current" or "force": what the drawn size of the contact spots means; "none": no spots.
     reference : bool
-        Show the axes before the deformation as thin lines.
+        Show the undeformed axes as thin lines.
     view : tuple of 3 float or str, optional
         Direction from the wires to the viewer, or "x", "y", "z", "-x", "-y", "-z", "iso"; default: one that shows
         the model well.
@@ -212,7 +212,7 @@ def place_wires(
     bar.outline.set_visible(False)
     notes = [scene.spot_text] if scene.spot_text else []
     if len(scene.reference):
-        notes.append("grey: axes before the deformation")
+        notes.append("grey: undeformed axes")
     if scale != 1.0:
         notes.append(f"displacements times {scale:g}")
     if tubes is None:

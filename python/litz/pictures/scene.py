@@ -178,7 +178,7 @@ class _SpotScale:
 def _spots(
     results: Results, increment: int, scale: _SpotScale, curves: tuple[np.ndarray, np.ndarray]
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, str]:
-    """Centres, normals, drawn radii and legend of the contact spots; the area of a disc goes by current or force."""
+    """Centres, normals, drawn radii and legend of the contact spots; disc areas are proportional to current or force."""
     contacts = scale.ledgers.get(increment)
     if contacts is None or not contacts.n_rows:
         return np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0), ""
@@ -189,7 +189,7 @@ def _spots(
     factor, unit = engineering(np.array([scale.largest]), contacts.units[scale.by])
     plural = "s" if contacts.n_rows > 1 else ""
     text = (
-        f"{contacts.n_rows} contact{plural}: area of a disc by its {scale.by},\nlargest {largest * factor:.3g} {unit}"
+        f"{contacts.n_rows} contact{plural}: disc area proportional to {scale.by},\nmaximum {largest * factor:.3g} {unit}"
     )
     return centres, normals, drawn, text
 

@@ -1,16 +1,16 @@
-/** Reads results: from the page itself where they are in it, or else from the server that sends the page. */
+/** Reads results: embedded in the page, or fetched from the server that serves the page. */
 
-/** The model, and a function that gives the data of an increment by its index. */
+/** The model, and a function that returns the data of an increment by its index. */
 export async function openResults() {
-   const read = document.getElementById("litz-model") ? readEmbedded : readFetched;
+   const read = document.getElementById("litz-model") ? readEmbedded : fetchFromServer;
    const model = await read("model");
-   const kept = new Map();
+   const cache = new Map();
    const increment = (index) => {
-      if (!kept.has(index)) {
-         if (kept.size >= 64) kept.delete(kept.keys().next().value);
-         kept.set(index, read(`increment-${index}`));
+      if (!cache.has(index)) {
+         if (cache.size >= 64) cache.delete(cache.keys().next().value);
+         cache.set(index, read(`increment-${index}`));
       }
-      return kept.get(index);
+      return cache.get(index);
    };
    return { model, increment };
 }
@@ -21,23 +21,23 @@ async function readEmbedded(name) {
    return new Response(stream).json();
 }
 
-async function readFetched(name) {
-   const answer = await fetch(`data/${name}`);
-   if (!answer.ok) throw new Error(await answer.text());
-   return answer.json();
+async function fetchFromServer(name) {
+   const response = await fetch(`data/${name}`);
+   if (!response.ok) throw new Error(await response.text());
+   return response.json();
 }
 
-/** Bytes of a base64 text. */
+/** Decode base64 text into bytes. */
 export function bytes(text) {
    return Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
 }
 
-/** 32-bit floats of a base64 text. */
+/** Decode base64 text into 32-bit floats. */
 export function floats(text) {
    return new Float32Array(bytes(text).buffer);
 }
 
-/** 32-bit integers of a base64 text. */
+/** Decode base64 text into 32-bit integers. */
 export function integers(text) {
    return new Int32Array(bytes(text).buffer);
 }
@@ -62,7 +62,7 @@ const SYMBOLS = { ohm: "Ω", "A/m^2": "A/m²", "N m": "N·m", Nm: "N·m", 1: "" 
 
 const SI = ["m", "N", "Nm", "A", "V", "W", "J", "Pa", "S", "ohm"];
 
-/** Factor and unit that bring a value between 1 and 1000; units that are not of the SI stay as they are. */
+/** Factor and prefixed unit that scale a value to between 1 and 1000; units outside the SI are left unchanged. */
 export function engineering(size, unit) {
    const symbol = SYMBOLS[unit] ?? unit;
    if (!SI.includes(unit.split(/[ /^]/)[0]) || !(size >= 1e-15) || !Number.isFinite(size)) return [1, symbol];
@@ -70,7 +70,7 @@ export function engineering(size, unit) {
    return [10 ** -exponent, PREFIXES[exponent] + symbol];
 }
 
-/** A number with its unit, in six digits. */
+/** Format a number with its unit, to six significant digits. */
 export function quantity(value, unit) {
    if (typeof value !== "number") return value === null ? "–" : String(value);
    const [factor, symbol] = engineering(Math.abs(value), unit);

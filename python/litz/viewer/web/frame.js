@@ -1,9 +1,9 @@
-/** What lies over the picture: colour bar, length of a bar, directions of the axes. */
+/** Overlays of the picture: colour bar, scale bar, directions of the axes. */
 
 import { Vector3 } from "three";
 import { engineering } from "litz/data.js";
 
-/** The colour bar: a gradient with five numbers. */
+/** Draw the colour bar: a gradient with five numbers. */
 export function drawColourBar(element, table, limits, text, unit) {
    const [factor, symbol] = engineering(Math.max(...limits.map(Math.abs)), unit);
    const colours = Array.from({ length: 17 }, (_, k) => {
@@ -20,7 +20,7 @@ export function drawColourBar(element, table, limits, text, unit) {
    }));
 }
 
-/** An element of an SVG; its text is text, whatever the results hold. */
+/** Create an SVG element; its text is never interpreted as markup. */
 function svgElement(name, attributes, text = "") {
    const element = document.createElementNS("http://www.w3.org/2000/svg", name);
    for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
@@ -28,7 +28,7 @@ function svgElement(name, attributes, text = "") {
    return element;
 }
 
-/** Directions of the axes, and a bar of a round length, as an SVG of 190 x 70 pixels. */
+/** Draw the directions of the axes and a scale bar of round length, as an SVG of 190 x 70 pixels. */
 export function drawCompass(svg, stage, lengthUnit) {
    const parts = [];
    [[1, 0, 0], [0, 1, 0], [0, 0, 1]].forEach((axis, k) => {
@@ -38,9 +38,9 @@ export function drawCompass(svg, stage, lengthUnit) {
       parts.push(svgElement("line", { x1: 150, y1: 35, x2: tipX, y2: tipY, "marker-end": "url(#litz-arrow)" }));
       parts.push(svgElement("text", { x: 150 + 34 * x, y: 39 - 34 * y }, "xyz"[k]));
    });
-   const wanted = 90 / stage.pixelsPerMetre;
-   const decade = 10 ** Math.floor(Math.log10(wanted));
-   const length = decade * Math.max(...[1, 2, 5].filter((step) => step * decade <= wanted));
+   const maxLength = 90 / stage.pixelsPerMetre;
+   const decade = 10 ** Math.floor(Math.log10(maxLength));
+   const length = decade * Math.max(...[1, 2, 5].filter((step) => step * decade <= maxLength));
    const pixels = length * stage.pixelsPerMetre;
    const [factor, unit] = engineering(length, lengthUnit);
    parts.push(svgElement("line", { x1: 100 - pixels, y1: 50, x2: 100, y2: 50, "stroke-width": 3 }));

@@ -1,23 +1,23 @@
-/** The contacts as a table, and one of them with all that the ledger says of it. */
+/** The contacts as a table, and all ledger values of the selected one. */
 
 import { engineering, quantity } from "litz/data.js";
 
-const SHOWN = ["id", "elements", "force", "current", "penetration"];
-const WORDS = ["id", "elements"];
-const MOST_ROWS = 200;
+const COLUMNS = ["id", "elements", "force", "current", "penetration"];
+const TEXT_COLUMNS = ["id", "elements"];
+const MAX_ROWS = 200;
 
-/** A table of the contacts of an increment whose rows can be chosen. */
+/** A table of the contacts of an increment whose rows can be selected. */
 export class Ledger {
-   /** columns: name and unit of each column; onChoose: called with the number of a contact. */
-   constructor(root, columns, onChoose) {
+   /** columns: name and unit of each column; onSelect: called with the number of a contact. */
+   constructor(root, columns, onSelect) {
       this.table = root.querySelector(".litz-contacts");
       this.note = root.querySelector(".litz-contacts-note");
       this.row = root.querySelector(".litz-ledger");
       this.units = Object.fromEntries(columns.map(({ name, unit }) => [name, unit]));
       this.units.penetration = this.units.gap;
-      this.onChoose = onChoose;
+      this.onSelect = onSelect;
       this.order = "force";
-      this.chosen = null;
+      this.selected = null;
       this.contacts = {};
    }
 
@@ -32,12 +32,12 @@ export class Ledger {
       this.drawRow();
    }
 
-   /** Show one contact, by its number; null: none. */
-   choose(id) {
-      this.chosen = id;
+   /** Select a contact by its number; null: none. */
+   select(id) {
+      this.selected = id;
       this.drawTable();
       this.drawRow();
-      const row = this.table.querySelector("tr.chosen");
+      const row = this.table.querySelector("tr.selected");
       if (row) this.table.parentElement.scrollTop = row.offsetTop - this.table.parentElement.clientHeight / 2;
    }
 
@@ -45,21 +45,21 @@ export class Ledger {
       const { contacts, order } = this;
       const n = contacts.id.length;
       const size = (k) => Math.abs(contacts[order][k]);
-      const rising = order === "id" ? -1 : 1;
-      const rows = Array.from({ length: n }, (_, k) => k).sort((a, b) => rising * (size(b) - size(a)));
-      const scales = Object.fromEntries(SHOWN.map((name) => {
-         if (WORDS.includes(name)) return [name, [1, ""]];
+      const direction = order === "id" ? -1 : 1;
+      const rows = Array.from({ length: n }, (_, k) => k).sort((a, b) => direction * (size(b) - size(a)));
+      const scales = Object.fromEntries(COLUMNS.map((name) => {
+         if (TEXT_COLUMNS.includes(name)) return [name, [1, ""]];
          const largest = contacts[name].reduce((a, b) => Math.max(a, Math.abs(b)), 0);
          return [name, engineering(largest, this.units[name])];
       }));
       const head = document.createElement("tr");
-      head.append(...SHOWN.map((name) => this.headCell(name, scales[name][1])));
-      const shown = rows.slice(0, MOST_ROWS);
-      const chosen = contacts.id.indexOf(this.chosen);
-      if (chosen >= 0 && !shown.includes(chosen)) shown.push(chosen);
+      head.append(...COLUMNS.map((name) => this.headCell(name, scales[name][1])));
+      const shown = rows.slice(0, MAX_ROWS);
+      const selected = contacts.id.indexOf(this.selected);
+      if (selected >= 0 && !shown.includes(selected)) shown.push(selected);
       this.table.replaceChildren(head, ...shown.map((k) => this.bodyRow(k, scales)));
       this.note.textContent = n === 0 ? "No wires touch at this increment."
-         : n > MOST_ROWS ? `The first ${MOST_ROWS} of ${n} contacts; click a heading to sort.` : "";
+         : n > MAX_ROWS ? `The first ${MAX_ROWS} of ${n} contacts; click a heading to sort.` : "";
    }
 
    headCell(name, unit) {
@@ -79,19 +79,19 @@ export class Ledger {
       const row = document.createElement("tr");
       const id = this.contacts.id[k];
       row.dataset.id = id;
-      row.classList.toggle("chosen", id === this.chosen);
-      row.append(...SHOWN.map((name) => {
+      row.classList.toggle("selected", id === this.selected);
+      row.append(...COLUMNS.map((name) => {
          const cell = document.createElement("td");
-         cell.textContent = WORDS.includes(name) ? this.contacts[name][k]
+         cell.textContent = TEXT_COLUMNS.includes(name) ? this.contacts[name][k]
             : Number((scales[name][0] * this.contacts[name][k]).toPrecision(4));
          return cell;
       }));
-      row.addEventListener("click", () => this.onChoose(id));
+      row.addEventListener("click", () => this.onSelect(id));
       return row;
    }
 
    drawRow() {
-      const k = this.chosen === null ? -1 : this.contacts.id.indexOf(this.chosen);
+      const k = this.selected === null ? -1 : this.contacts.id.indexOf(this.selected);
       const entries = [];
       if (k >= 0)
          for (const [name, unit] of Object.entries(this.units)) {
@@ -104,8 +104,8 @@ export class Ledger {
          }
       else {
          const hint = document.createElement("p");
-         hint.textContent = this.chosen === null ? "Click a spot in the picture, or a row of the table."
-            : `Contact ${this.chosen} is open at this increment.`;
+         hint.textContent = this.selected === null ? "Click a spot in the picture or a row of the table."
+            : `Contact ${this.selected} is open at this increment.`;
          entries.push(hint);
       }
       this.row.replaceChildren(...entries);

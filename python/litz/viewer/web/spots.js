@@ -1,14 +1,14 @@
-/** Contact spots: flat discs in the planes of contact, drawn on top of the wires, which would hide them. */
+/** Contact spots: flat discs in the contact planes, drawn on top of the wires so that they are not hidden. */
 
 import { Color, InstancedMesh, Matrix4, MeshBasicMaterial, Quaternion, SphereGeometry, Vector3 } from "three";
 
 const COLOUR = new Color("#e8502a");
-const CHOSEN = new Color("#111111");
-const LEAST_PART = 0.15;
-const THICKNESS = 0.18;
-const LEAST_PIXELS = 6;
-const CHOSEN_PIXELS = 8;
-const RIM = 1.18;
+const SELECTED_COLOUR = new Color("#111111");
+const MIN_FRACTION = 0.15;
+const RELATIVE_THICKNESS = 0.18;
+const MIN_PIXELS = 6;
+const SELECTED_MIN_PIXELS = 8;
+const RIM_SCALE = 1.18;
 
 /** The discs of one increment. */
 export class Spots {
@@ -17,28 +17,28 @@ export class Spots {
       this.layers = [];
       this.centres = [];
       this.sizes = [];
-      this.chosen = -1;
+      this.selected = -1;
    }
 
-   /** centres, normals: arrays of Vector3; sizes: what the areas stand for; largest: of all increments; radii [m]. */
+   /** centres, normals: arrays of Vector3; sizes: shown by the areas; largest: their maximum over all increments; radii [m]. */
    set(centres, normals, sizes, largest, radii) {
       this.clear();
       this.centres = centres;
       this.sizes = sizes.map((size, k) =>
-         radii[k] * Math.max(LEAST_PART, 0.85 * Math.sqrt(Math.abs(size) / (largest || 1))));
+         radii[k] * Math.max(MIN_FRACTION, 0.85 * Math.sqrt(Math.abs(size) / (largest || 1))));
       const away = new Vector3(0, 0, 1);
-      this.turns = normals.map((normal) => new Quaternion().setFromUnitVectors(away, normal.clone().normalize()));
+      this.rotations = normals.map((normal) => new Quaternion().setFromUnitVectors(away, normal.clone().normalize()));
       if (!centres.length) return;
-      const ball = new SphereGeometry(1, 20, 14);
+      const sphere = new SphereGeometry(1, 20, 14);
       this.layers = [1, 0].map((isRim) => {
          const material = new MeshBasicMaterial({ depthTest: false, transparent: true, opacity: 0.9 });
-         const mesh = new InstancedMesh(ball, material, centres.length);
+         const mesh = new InstancedMesh(sphere, material, centres.length);
          mesh.frustumCulled = false;
          mesh.renderOrder = isRim ? 1 : 2;
          this.scene.add(mesh);
          return mesh;
       });
-      this.choose(this.chosen);
+      this.select(this.selected);
    }
 
    clear() {
@@ -57,33 +57,33 @@ export class Spots {
       for (const mesh of this.layers) mesh.visible = shown;
    }
 
-   /** Mark one of them; -1: none. */
-   choose(index) {
-      this.chosen = index;
+   /** Highlight one of them; -1: none. */
+   select(index) {
+      this.selected = index;
       const [rim, disc] = this.layers;
       if (!disc) return;
       const white = new Color("#ffffff");
       this.centres.forEach((_, k) => {
          rim.setColorAt(k, white);
-         disc.setColorAt(k, k === index ? CHOSEN : COLOUR);
+         disc.setColorAt(k, k === index ? SELECTED_COLOUR : COLOUR);
       });
       rim.instanceColor.needsUpdate = disc.instanceColor.needsUpdate = true;
    }
 
-   /** The factor that makes the largest disc visible at so many pixels per metre. */
+   /** Magnification that keeps the largest disc visible at a given resolution. */
    enlargement(pixelsPerMetre) {
-      return Math.max(1, LEAST_PIXELS / (pixelsPerMetre * this.sizes.reduce((a, b) => Math.max(a, b), 1e-30)));
+      return Math.max(1, MIN_PIXELS / (pixelsPerMetre * this.sizes.reduce((a, b) => Math.max(a, b), 1e-30)));
    }
 
-   /** Place the discs, as large as they have to be at so many pixels per metre. */
+   /** Position and scale the discs for a given resolution. */
    place(pixelsPerMetre) {
       const factor = this.enlargement(pixelsPerMetre);
       this.layers.forEach((mesh, layer) => {
          this.centres.forEach((centre, k) => {
-            const least = k === this.chosen ? CHOSEN_PIXELS / pixelsPerMetre : 0;
-            const radius = Math.max(factor * this.sizes[k], least) * (layer === 0 ? RIM : 1);
-            const scale = new Vector3(radius, radius, THICKNESS * radius);
-            mesh.setMatrixAt(k, new Matrix4().compose(centre, this.turns[k], scale));
+            const minRadius = k === this.selected ? SELECTED_MIN_PIXELS / pixelsPerMetre : 0;
+            const radius = Math.max(factor * this.sizes[k], minRadius) * (layer === 0 ? RIM_SCALE : 1);
+            const scale = new Vector3(radius, radius, RELATIVE_THICKNESS * radius);
+            mesh.setMatrixAt(k, new Matrix4().compose(centre, this.rotations[k], scale));
          });
          mesh.instanceMatrix.needsUpdate = true;
       });

@@ -1,13 +1,13 @@
-/** Camera, light and mouse: what turns, moves and enlarges the model, and tells where the mouse has clicked. */
+/** Camera and mouse: rotates, pans and zooms the view, and reports mouse clicks. */
 
 import { OrthographicCamera, Scene, TrackballControls, Vector3, WebGLRenderer } from "three";
 
-// Pixels that the colour bar and the buttons take from the height
-const TAKEN = 150;
+// Height covered by the colour bar and the buttons [pixels]
+const OVERLAY_HEIGHT = 150;
 
 /** A parallel projection of a scene into an element of the page. */
 export class Stage {
-   /** radius: of a ball around the origin that holds the model [m]; home: directions of the first view. */
+   /** radius: of a sphere around the origin that contains the model [m]; home: directions of the initial view. */
    constructor(element, radius, home) {
       this.element = element;
       this.radius = radius;
@@ -25,11 +25,11 @@ export class Stage {
       new ResizeObserver(() => this.resize()).observe(element);
       this.look(home.toward, home.up);
       this.resize();
-      const turn = () => {
+      const animate = () => {
          this.controls.update();
-         requestAnimationFrame(turn);
+         requestAnimationFrame(animate);
       };
-      turn();
+      animate();
    }
 
    /** Look from a direction, with the whole model in view. */
@@ -47,9 +47,9 @@ export class Stage {
       if (!width || !height) return;
       this.renderer.setSize(width, height);
       const [halfWidth, halfHeight] = this.home.half;
-      const scale = Math.max(halfWidth / width, halfHeight / Math.max(height - TAKEN, height / 2));
-      // the model is a little above the middle, where the colour bar does not cover it
-      const shift = scale * TAKEN / 3;
+      const scale = Math.max(halfWidth / width, halfHeight / Math.max(height - OVERLAY_HEIGHT, height / 2));
+      // the model is shifted up, so that the colour bar does not cover it
+      const shift = scale * OVERLAY_HEIGHT / 3;
       Object.assign(this.camera, {
          left: -scale * width, right: scale * width, top: scale * height - shift, bottom: -scale * height - shift,
       });
@@ -62,24 +62,24 @@ export class Stage {
       return (this.element.clientWidth * this.camera.zoom) / (this.camera.right - this.camera.left);
    }
 
-   /** Where a point is seen, in pixels from the upper left corner. */
+   /** Screen position of a point, in pixels from the upper left corner. */
    project(point) {
-      const seen = point.clone().project(this.camera);
-      return [((1 + seen.x) / 2) * this.element.clientWidth, ((1 - seen.y) / 2) * this.element.clientHeight];
+      const projected = point.clone().project(this.camera);
+      return [((1 + projected.x) / 2) * this.element.clientWidth, ((1 - projected.y) / 2) * this.element.clientHeight];
    }
 
    /** Components of a direction to the right and upwards on the screen. */
    direction(vector) {
-      const seen = vector.clone().applyQuaternion(this.camera.quaternion.clone().invert());
-      return [seen.x, seen.y];
+      const rotated = vector.clone().applyQuaternion(this.camera.quaternion.clone().invert());
+      return [rotated.x, rotated.y];
    }
 
-   /** Call a function before each drawing. */
-   beforeDrawing(listener) {
+   /** Call a function before each frame is drawn. */
+   beforeDraw(listener) {
       this.listeners.push(listener);
    }
 
-   /** Call a function with the place of each click that is not the end of a drag. */
+   /** Call a function with the position of each click that does not end a drag. */
    onClick(listener) {
       const canvas = this.renderer.domElement;
       let down = null;

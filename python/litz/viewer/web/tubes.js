@@ -16,8 +16,8 @@ const VERTEX = `
    attribute vec3 m1;
    attribute vec2 ends;
    attribute float radius;
-   uniform float leastRadius;
-   varying vec3 seenNormal;
+   uniform float minRadius;
+   varying vec3 viewNormal;
    varying float value;
 
    void main() {
@@ -31,8 +31,8 @@ const VERTEX = `
          : size.y <= size.z ? vec3(0., 1., 0.) : vec3(0., 0., 1.);
       vec3 first = normalize(cross(along, aside));
       vec3 outward = cos(angle) * first + sin(angle) * cross(along, first);
-      vec3 place = axis + ring * max(radius, leastRadius) * outward;
-      seenNormal = normalMatrix * (face == 0. ? outward : face * along);
+      vec3 place = axis + ring * max(radius, minRadius) * outward;
+      viewNormal = normalMatrix * (face == 0. ? outward : face * along);
       value = mix(ends.x, ends.y, (1. + xi) / 2.);
       gl_Position = projectionMatrix * modelViewMatrix * vec4(place, 1.);
    }`;
@@ -40,11 +40,11 @@ const VERTEX = `
 const FRAGMENT = `
    uniform sampler2D colours;
    uniform vec2 limits;
-   varying vec3 seenNormal;
+   varying vec3 viewNormal;
    varying float value;
 
    void main() {
-      vec3 normal = normalize(seenNormal);
+      vec3 normal = normalize(viewNormal);
       if (!gl_FrontFacing) normal = -normal;
       float part = clamp((value - limits.x) / (limits.y - limits.x), 0., 1.);
       vec3 colour = texture2D(colours, vec2((255. * part + 0.5) / 256., 0.5)).rgb;
@@ -56,7 +56,7 @@ const FRAGMENT = `
 
 /** The tubes of a model. */
 export class Tubes {
-   /** rest: the curves before deformation, twelve floats an element; radii: one float an element. */
+   /** rest: the undeformed curves, twelve floats per element; radii: one float per element. */
    constructor(rest, radii) {
       this.rest = rest;
       const n = radii.length;
@@ -75,13 +75,13 @@ export class Tubes {
       geometry.instanceCount = n;
       this.material = new ShaderMaterial({
          vertexShader: VERTEX, fragmentShader: FRAGMENT, side: DoubleSide,
-         uniforms: { colours: { value: null }, limits: { value: [0, 1] }, leastRadius: { value: 0 } },
+         uniforms: { colours: { value: null }, limits: { value: [0, 1] }, minRadius: { value: 0 } },
       });
       this.mesh = new Mesh(geometry, this.material);
       this.mesh.frustumCulled = false;
    }
 
-   /** The deformed curves, with a factor on the deformation. */
+   /** Set the deformed curves, with a scale factor for the deformation. */
    setShape(now, factor) {
       const { rest, curves } = this;
       for (let k = 0; k < rest.length; k++) curves[k] = rest[k] + factor * (now[k] - rest[k]);
@@ -97,7 +97,7 @@ export class Tubes {
       this.ends.needsUpdate = true;
    }
 
-   /** table: 256 colours of four bytes; limits: the values of the first and the last. */
+   /** table: 256 colours of four bytes; limits: the values of the first and the last colour. */
    setColours(table, limits) {
       this.material.uniforms.colours.value?.dispose();
       const texture = new DataTexture(table, 256, 1, RGBAFormat);
@@ -107,9 +107,9 @@ export class Tubes {
       this.material.uniforms.limits.value = limits;
    }
 
-   /** Thin wires are drawn with this radius at least. */
-   setLeastRadius(radius) {
-      this.material.uniforms.leastRadius.value = radius;
+   /** Set the minimum radius with which wires are drawn. */
+   setMinRadius(radius) {
+      this.material.uniforms.minRadius.value = radius;
    }
 }
 
@@ -122,7 +122,7 @@ function addTube(geometry, sides, segments) {
    ["xi", "ring", "face", "angle"].forEach((name, column) => {
       geometry.setAttribute(name, new BufferAttribute(Float32Array.from(vertices, (vertex) => vertex[column]), 1));
    });
-   // three.js wants an attribute of this name, and takes the number of vertices from it
+   // three.js requires an attribute of this name, and takes the number of vertices from it
    geometry.setAttribute("position", new BufferAttribute(new Float32Array(3 * vertices.length), 3));
    const triangles = [];
    for (let row = 0; row < rows.length - 1; row++)
@@ -133,7 +133,7 @@ function addTube(geometry, sides, segments) {
    geometry.setIndex(triangles);
 }
 
-/** The axes before deformation as thin lines. */
+/** The undeformed axes as thin lines. */
 export function referenceLines(rest) {
    const parts = 8;
    const points = [];

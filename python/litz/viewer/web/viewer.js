@@ -1,4 +1,4 @@
-/** Puts the viewer together: results, stage, wires, spots, ledger and the controls beside them. */
+/** Assembles the viewer: results, stage, wires, spots, ledger and controls. */
 
 import { Vector3 } from "three";
 import { bytes, endValues, engineering, floats, integers, openResults } from "litz/data.js";
@@ -8,7 +8,7 @@ import { Spots } from "litz/spots.js";
 import { Stage } from "litz/stage.js";
 import { Tubes, referenceLines } from "litz/tubes.js";
 
-const LEAST_PIXELS = 0.8;
+const MIN_PIXELS = 0.8;
 
 class Viewer {
    constructor(root, { model, increment }) {
@@ -20,11 +20,11 @@ class Viewer {
       this.tubes = new Tubes(rest, floats(model.radii));
       this.reference = referenceLines(rest);
       this.spots = new Spots(this.stage.scene);
-      this.ledger = new Ledger(root, model.ledger, (id) => this.choose(id));
+      this.ledger = new Ledger(root, model.ledger, (id) => this.select(id));
       this.tables = Object.fromEntries(Object.entries(model.colours).map(([name, text]) => [name, bytes(text)]));
       this.stage.scene.add(this.tubes.mesh, this.reference);
-      this.stage.beforeDrawing(() => {
-         this.tubes.setLeastRadius(LEAST_PIXELS / this.stage.pixelsPerMetre);
+      this.stage.beforeDraw(() => {
+         this.tubes.setMinRadius(MIN_PIXELS / this.stage.pixelsPerMetre);
          this.spots.place(this.stage.pixelsPerMetre);
          drawCompass(this.find("compass"), this.stage, model.units.m);
       });
@@ -56,10 +56,10 @@ class Viewer {
 
    /** Show an increment, by its index in the page. */
    async show(index) {
-      this.wanted = index;
+      this.requested = index;
       const data = await this.load(index);
-      // another one may have been asked for meanwhile
-      if (this.wanted !== index) return;
+      // another increment may have been requested in the meantime
+      if (this.requested !== index) return;
       this.data = data;
       this.index = index;
       this.find("increment").value = index;
@@ -69,7 +69,7 @@ class Viewer {
       this.update();
    }
 
-   /** Bring everything in line with the controls. */
+   /** Update everything from the controls. */
    update() {
       const { model, data } = this;
       const factor = Math.max(0, Number(this.find("scale").value) || 0);
@@ -88,7 +88,7 @@ class Viewer {
       this.root.dataset.limits = limits.join(" ");
    }
 
-   /** Colours and limits of a scalar: over the whole run, or at this increment. */
+   /** Colours and limits of a scalar: for the whole run, or for this increment. */
    range(scalar, ends) {
       if (this.find("range").value === "run") return scalar;
       const low = ends.reduce((a, b) => Math.min(a, b), Infinity), high = ends.reduce((a, b) => Math.max(a, b), -Infinity);
@@ -107,7 +107,7 @@ class Viewer {
       const at = (values, k) => new Vector3(...values.subarray(3 * k, 3 * k + 3));
       const places = Array.from({ length: n }, (_, k) => at(rest, k).lerp(at(now, k), factor));
       const directions = Array.from({ length: n }, (_, k) => at(normals, k));
-      this.spots.chosen = data.contacts.id.indexOf(this.ledger.chosen);
+      this.spots.selected = data.contacts.id.indexOf(this.ledger.selected);
       const sizes = n ? data.contacts[by] : [];
       this.spots.set(places, directions, sizes, model.largest[by], floats(data.spots.radii));
       this.find("spot-note").textContent = this.spotNote(by, n);
@@ -117,11 +117,11 @@ class Viewer {
       if (by === "none" || !n) return "";
       const largest = this.data.contacts[by].reduce((a, b) => Math.max(a, Math.abs(b)), 0);
       const [factor, unit] = engineering(largest, this.model.units[{ force: "N", current: "A" }[by]]);
-      return `${n} contact${n > 1 ? "s" : ""}, area of a disc by its ${by}, `
-         + `largest now ${Number((factor * largest).toPrecision(3))} ${unit}`;
+      return `${n} contact${n > 1 ? "s" : ""}, disc area proportional to ${by}, `
+         + `maximum ${Number((factor * largest).toPrecision(3))} ${unit}`;
    }
 
-   /** The contact at a place of the picture, if there is one. */
+   /** Select the contact at a position of the picture, if there is one. */
    pick(x, y) {
       const { stage, spots } = this;
       const factor = spots.enlargement(stage.pixelsPerMetre) * stage.pixelsPerMetre;
@@ -134,18 +134,18 @@ class Viewer {
             found = this.data.contacts.id[k];
          }
       });
-      this.choose(found);
+      this.select(found);
    }
 
-   /** Choose a contact by its number; null: none. */
-   choose(id) {
-      this.ledger.choose(id);
-      this.spots.choose(this.data.contacts.id.indexOf(id));
+   /** Select a contact by its number; null: none. */
+   select(id) {
+      this.ledger.select(id);
+      this.spots.select(this.data.contacts.id.indexOf(id));
       this.stage.draw();
    }
 
-   /** Where a contact of this increment is seen, in pixels from the upper left corner of the picture. */
-   placeOf(id) {
+   /** Screen position of a contact of this increment, in pixels from the upper left corner of the picture. */
+   screenPosition(id) {
       return this.stage.project(this.spots.centres[this.data.contacts.id.indexOf(id)]);
    }
 
@@ -155,7 +155,7 @@ class Viewer {
       this.stage.look(...views[name]);
    }
 
-   /** Start or stop the run of increments. */
+   /** Start or stop playing the increments. */
    play() {
       const button = this.find("play");
       if (this.timer) {
@@ -190,7 +190,7 @@ async function start(root) {
       message.remove();
       root.dataset.ready = "yes";
    } catch (error) {
-      message.textContent = `The view could not be made: ${error.message}`;
+      message.textContent = `The results cannot be shown: ${error.message}`;
       console.error(error);
    }
 }
