@@ -126,20 +126,20 @@ contains
       character(len=:), allocatable :: message, nearest
 
       if (any(python_commands == word)) then
-         error = fail(exit_input, 'litz '//word//' is a command of the Python package of litz, and this is the'// &
-            ' program alone')
+         error = fail(exit_input, 'litz '//word//' is a command of the Python package of litz, which is not'// &
+            ' part of this program')
          return
       end if
       message = 'unknown command '//shown(word)
       nearest = nearest_word(word, [commands, python_commands])
       if (len(nearest) > 0) then
-         message = message//'; did you mean litz '//nearest//'? There is '
+         message = message//'; did you mean litz '//nearest//'? The commands are '
       else if (index(word, '.inp') > 0) then
-         message = message//'; did you mean litz run '//word//'? There is '
+         message = message//'; did you mean litz run '//word//'? The commands are '
       else
-         message = message//'; there is '
+         message = message//'; the commands are '
       end if
-      message = message//join_words(commands, 'and')//'; of the Python package there is '// &
+      message = message//join_words(commands, 'and')//'; those of the Python package are '// &
          join_words(python_commands, 'and')
       error = fail(exit_input, message)
    end function unknown_command
@@ -164,7 +164,7 @@ contains
          else if (len(command%argument) == 0 .and. command%action /= action_version) then
             command%argument = word
          else
-            error = fail(exit_input, 'litz '//name//' does not know what to do with '//shown(word))
+            error = fail(exit_input, 'litz '//name//': unexpected argument '//shown(word))
          end if
       end do
    end subroutine read_rest
@@ -332,23 +332,23 @@ contains
       if (command == '' .or. command == 'run') text = text// &
          '  litz run DECK.inp [-o DIR] [--solver S] [--threads N] [--quiet] [--timing]'//nl// &
          '           [--restart FILE[:STEP:INCREMENT]]'//nl// &
-         '      run all steps; result files go to DIR, which is made where it is missing,'//nl// &
+         '      run all steps; result files go to DIR, which is created if necessary,'//nl// &
          '      or to the current directory; S is BLOCK, UMFPACK or SKYLINE;'//nl// &
-         '      --restart goes on from an increment that *RESTART, WRITE has kept, the last one'//nl// &
-         '      or the one named;'//nl// &
-         '      --timing prints in the end where the time and the memory went'//nl
+         '      --restart continues from an increment saved by *RESTART, WRITE: the last one,'//nl// &
+         '      or the one given;'//nl// &
+         '      --timing prints a breakdown of time and memory at the end'//nl
       if (command == '' .or. command == 'check') text = text// &
          '  litz check DECK.inp'//nl// &
-         '      read and check the deck, print the model, look for contacts, stop'//nl
+         '      read and check the deck, print the model, search for contacts, stop'//nl
       if (command == '' .or. command == 'keywords') text = text// &
          '  litz keywords [NAME | --markdown | --json]'//nl// &
-         '      what a deck can say: a list, one keyword, the whole reference, or a table for programs;'//nl// &
-         '      of a keyword of Abaqus or CalculiX that litz does not have: what to use in its place'//nl
+         '      keywords of decks: a list, one keyword, the whole reference, or all as JSON;'//nl// &
+         '      for a keyword of Abaqus or CalculiX that litz does not have: what to use instead'//nl
       if (command == '') text = text// &
          '  litz --version'//nl// &
          '      version, compiler, libraries'//nl// &
          '  litz COMMAND --help'//nl// &
-         '      about one command'//nl
+         '      help on one command'//nl
       if (command /= 'keywords') text = text//nl// &
          'Exit codes: 0 every step finished, 1 input, 2 not converged, 3 linear solver, 4 files, 5 internal,'// &
          ' 6 memory.'//nl

@@ -94,7 +94,7 @@ contains
       call h5screate_f(H5S_SCALAR_F, space, status)
       call h5dcreate_f(parent, name, type, space, dataset, status)
       if (status == 0) call h5dwrite_f(dataset, type, c_loc(buffer), status)
-      if (status /= 0) error = cannot_write(file_name(parent), 'it fails at the dataset "'//name//'"')
+      if (status /= 0) error = cannot_write(file_name(parent), 'error at the dataset "'//name//'"')
       call h5dclose_f(dataset, ignored)
       call h5sclose_f(space, ignored)
       call h5tclose_f(type, ignored)
@@ -131,7 +131,7 @@ contains
          call h5sclose_f(space, ignored)
       end if
       if (status == 0) call h5awrite_f(attribute, memory_type, buffer, status)
-      if (status /= 0) error = cannot_write(file_name(object), 'it fails at the attribute "'//name//'"')
+      if (status /= 0) error = cannot_write(file_name(object), 'error at the attribute "'//name//'"')
       call h5aclose_f(attribute, ignored)
    end subroutine write_attribute
 

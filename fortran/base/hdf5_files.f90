@@ -88,7 +88,7 @@ contains
       group = -1
       if (allocated(error)) return
       call h5gcreate_f(parent, name, group, status)
-      if (status /= 0) error = cannot_write(file_name(parent), 'it fails at the group "'//name//'"')
+      if (status /= 0) error = cannot_write(file_name(parent), 'error at the group "'//name//'"')
    end subroutine hdf5_create_group
 
    !> Brings everything written so far to the disk.

@@ -218,7 +218,7 @@ contains
       end if
       call h5oopen_f(file, path, dataset, status)
       if (status /= 0) then
-         error = fail(exit_files, path//' cannot be opened: the file is damaged, or it is a link that leads nowhere')
+         error = fail(exit_files, path//' cannot be opened: the file is damaged, or a broken link')
          return
       end if
       call h5iget_type_f(dataset, kind, status)

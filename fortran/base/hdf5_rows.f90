@@ -74,7 +74,7 @@ contains
       call h5pset_alloc_time_f(creation, H5D_ALLOC_TIME_EARLY_F, status)
       call h5pset_fill_time_f(creation, H5D_FILL_TIME_NEVER_F, status)
       call h5dcreate_f(parent, name, stored_type(storage), space, self%dataset, status, creation)
-      if (status /= 0) error = cannot_write(file_name(parent), 'it fails at the dataset "'//name//'"')
+      if (status /= 0) error = cannot_write(file_name(parent), 'error at the dataset "'//name//'"')
       call h5pclose_f(creation, ignored)
       call h5sclose_f(space, ignored)
    end subroutine rows_create
@@ -152,7 +152,7 @@ contains
       total = [int(self%components, hsize_t), int(self%n_rows + n_new, hsize_t)]
       call h5dset_extent_f(self%dataset, total(merge(2, 1, self%components == 1):), status)
       if (status /= 0) then
-         error = cannot_write(file_name(self%dataset), 'it fails at the dataset "'//self%name//'"')
+         error = cannot_write(file_name(self%dataset), 'error at the dataset "'//self%name//'"')
          return
       end if
       call write_buffer(self, memory_type, buffer, self%n_rows, n_new, error)
@@ -180,13 +180,13 @@ contains
       count = [self%components, n_rows]
       call h5dget_space_f(self%dataset, file_space, status)
       if (status /= 0) then
-         error = cannot_write(file_name(self%dataset), 'it fails at the dataset "'//self%name//'"')
+         error = cannot_write(file_name(self%dataset), 'error at the dataset "'//self%name//'"')
          return
       end if
       call h5sselect_hyperslab_f(file_space, H5S_SELECT_SET_F, start(first:), count(first:), status)
       call h5screate_simple_f(rank, count(first:), memory_space, status)
       call h5dwrite_f(self%dataset, memory_type, buffer, status, memory_space, file_space)
-      if (status /= 0) error = cannot_write(file_name(self%dataset), 'it fails at the dataset "'//self%name//'"')
+      if (status /= 0) error = cannot_write(file_name(self%dataset), 'error at the dataset "'//self%name//'"')
       call h5sclose_f(memory_space, ignored)
       call h5sclose_f(file_space, ignored)
    end subroutine write_buffer

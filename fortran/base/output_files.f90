@@ -11,7 +11,7 @@ module litz_output_files
 
    !> A file has this ending until it holds something worth keeping: whatever happens before, an older file stays whole
    character(len=*), parameter :: unpublished = '.part'
-   character(len=*), parameter :: refused = 'the system refuses; is the disk full?'
+   character(len=*), parameter :: refused = 'the operating system refused; is the disk full?'
 
    !> A text file that is written line by line, beside the one of its path until it is published.
    type :: text_file_t
@@ -164,7 +164,7 @@ contains
 
       if (allocated(error)) return
       if (c_rename(path//unpublished//c_null_char, place//c_null_char) /= 0) then
-         error = cannot_write(place, 'the system refuses to give "'//path//unpublished//'" that name')
+         error = cannot_write(place, 'the operating system refused to rename "'//path//unpublished//'"')
       end if
    end subroutine publish_file
 

@@ -147,7 +147,7 @@ contains
       if (rest > 0 .or. n_alike < max_pairs) return
       new%is_rest = .true.
       new%elements = 0
-      new%message = 'more than '//to_text(max_pairs)//' places have the same; the first beyond: '//new%message
+      new%message = 'more than '//to_text(max_pairs)//' places have this warning; the next one: '//new%message
    end subroutine find_entry
 
    pure subroutine append(self, new)

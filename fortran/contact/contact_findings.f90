@@ -97,13 +97,13 @@ contains
             ' overlap by '//to_text(100*self%overlap)//' % of the smaller radius beyond it'
       case (finding_turned)
          text = 'the wire of element '//to_text(model%element_id(self%elements(1)))// &
-            ' turns by more than 150 degrees in this increment: what it meets on its way is not known'
+            ' turns by more than 150 degrees in this increment: contacts along the way cannot be determined'
       case (finding_unfollowed)
-         text = 'the contact of '//pair//' slides so far in this increment that it cannot be told from others'
+         text = 'the contact of '//pair//' slides so far in this increment that it cannot be distinguished from others'
       case (finding_passed)
          text = pair//' would pass through each other in this increment'
       case default
-         text = pair//depth//' where no contact is known'
+         text = pair//depth//' where there is no contact'
       end select
    end function describe
 
@@ -115,9 +115,10 @@ contains
 
       select case (self%kind)
       case (finding_deep)
-         text = 'The '//trim(self%law_title)//' is for smaller overlaps: the force is too large for these wires. '
-         if (self%penalty > 0) text = 'The force that it has there needs a penalty of '//to_text(self%penalty)//' '// &
-            model%units%label('N/m')//' at least (*SURFACE BEHAVIOR). '
+         text = 'The '//trim(self%law_title)//' is valid for smaller overlaps: the force is too large for these wires. '
+         if (self%penalty > 0) text = 'The contact force there requires a penalty of at least '// &
+            to_text(self%penalty)// &
+            ' '//model%units%label('N/m')//' (*SURFACE BEHAVIOR). '
       case (finding_second)
          text = 'Each pair of elements can have one contact: use shorter elements. '
       case (finding_joined)
@@ -125,9 +126,9 @@ contains
             ' elements, or bend the wire less. '
       case (finding_end, finding_departed)
          text = 'Contact at the end of a wire, or of the part of it that *CONTACT PAIR names, is not modelled:'// &
-            ' let both reach beyond their crossings. '
+            ' extend both beyond their crossings. '
       case (finding_kink)
-         text = 'Contact at a kink is not modelled: round the kink by shorter elements (less than 20 degrees at'// &
+         text = 'Contact at a kink is not modelled: round the kink with shorter elements (less than 20 degrees at'// &
             ' each node); with AXIS=LINEAR each node of a bent wire is one. '
       case (finding_line)
          text = 'Contact along a line is not modelled: keep such wires apart, or let them cross at larger angles. '

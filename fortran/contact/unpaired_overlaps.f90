@@ -48,7 +48,7 @@ contains
       end do
       if (n > 0) text = to_text(n)//' pairs of elements overlap that no *CONTACT PAIR names, such as '// &
          to_text(model%element_id(example(1)))//' and '//to_text(model%element_id(example(2)))// &
-         ': they do not feel each other'
+         ': no contact force acts between them'
 
    contains
 

@@ -76,20 +76,20 @@ contains
             case (place_step)
                if (.not. in_step) then
                   call fail_at(self, self%deck%cards(card)%name, '*'//trim(keyword%name)// &
-                     ' belongs into a step, between *STEP and *END STEP')
+                     ' belongs in a step, between *STEP and *END STEP')
                   self%spec(card) = 0
                end if
                if (keyword%name == 'END STEP') in_step = .false.
             case (place_model)
                if (self%n_steps > 0) then
                   call fail_at(self, self%deck%cards(card)%name, '*'//trim(keyword%name)// &
-                     ' belongs into the model part, before the first *STEP')
+                     ' belongs in the model part, before the first *STEP')
                   self%spec(card) = 0
                end if
             case default
                if (self%n_steps > 0 .and. .not. in_step) then
                   call fail_at(self, self%deck%cards(card)%name, '*'//trim(keyword%name)// &
-                     ' stands between two steps; it belongs into the model part or into a step')
+                     ' is between two steps; it belongs in the model part or in a step')
                   self%spec(card) = 0
                end if
             end select

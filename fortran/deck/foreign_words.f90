@@ -1,4 +1,4 @@
-!> Words of Abaqus and CalculiX that litz does not have, and what to write in their place.
+!> Keywords of Abaqus and CalculiX that litz does not have, and what to write in their place.
 !>
 !> The table drives the messages of the reader, `litz keywords NAME`, and a chapter of the reference of the deck.
 module litz_foreign_words
@@ -22,8 +22,8 @@ module litz_foreign_words
    !> Keywords about the analysis and the model
    type(foreign_word_t), parameter :: of_model(*) = [ &
       foreign_word_t('DYNAMIC|MODAL DYNAMIC|DIRECT CYCLIC', '', '', 'there is no inertia: use *STATIC, and'// &
-      ' *CONTROLS, PARAMETERS=STABILIZE where wires snap or lie loose'), &
-      foreign_word_t('VISCO|CREEP|VISCOELASTIC', '', '', 'nothing depends on the rate: use *STATIC and *ELASTIC'), &
+      ' *CONTROLS, PARAMETERS=STABILIZE where wires snap or are unsupported'), &
+      foreign_word_t('VISCO|CREEP|VISCOELASTIC', '', '', 'nothing is rate-dependent: use *STATIC and *ELASTIC'), &
       foreign_word_t('COUPLED THERMAL-ELECTRICAL|COUPLED TEMPERATURE-DISPLACEMENT|HEAT TRANSFER|'// &
       'PIEZOELECTRIC|ELECTROMAGNETIC', '', '', &
       'use *STATIC, which solves forces and currents together; there is no temperature'), &
@@ -34,7 +34,7 @@ module litz_foreign_words
       foreign_word_t('SOLVER CONTROLS', '', '', 'leave it out; *SOLVER chooses the solver'), &
       foreign_word_t('MODEL CHANGE', '', '', 'elements and contact pairs are the same in all steps'), &
       foreign_word_t('PREPRINT|FILE FORMAT|MONITOR|PRINT|DIAGNOSTICS|NO PRINT', '', '', &
-      'leave it out; the files DECK.sta and DECK.cvg tell of every increment and iteration'), &
+      'leave it out; the files DECK.sta and DECK.cvg report every increment and iteration'), &
       foreign_word_t('PARAMETER', '', '', 'write the values; litz.sweep of Python fills in {names}, litz.Deck'// &
       ' changes values'), &
       foreign_word_t('PART|END PART|ASSEMBLY|END ASSEMBLY|INSTANCE|END INSTANCE', '', '', &
@@ -49,9 +49,9 @@ module litz_foreign_words
       'RIGID BODY|EMBEDDED ELEMENT', '', '', 'nodes are not tied to each other: wires that are joined share a'// &
       ' node, or a short stiff element joins them'), &
       foreign_word_t('SPRING|DASHPOT|CONNECTOR SECTION|CONNECTOR BEHAVIOR|GAP|MASS|ROTARY INERTIA', '', '', &
-      'there are beams alone: a spring is a thin beam, of stiffness EA/L'), &
+      'only beams are available: a spring is a thin beam, of stiffness EA/L'), &
       foreign_word_t('SOLID SECTION|SHELL SECTION|MEMBRANE SECTION|FRAME SECTION', '', '', &
-      'there are beams alone: use *BEAM SECTION, ELSET=..., MATERIAL=..., SECTION=CIRC'), &
+      'only beams are available: use *BEAM SECTION, ELSET=..., MATERIAL=..., SECTION=CIRC'), &
       foreign_word_t('BEAM GENERAL SECTION', '', '', 'use *BEAM SECTION, SECTION=GENERAL with a MATERIAL; the data'// &
       ' are A, I11, I12, I22, J')]
 
@@ -63,27 +63,29 @@ module litz_foreign_words
       foreign_word_t('CONDUCTIVITY', '', '', 'that is heat; the current needs *ELECTRICAL CONDUCTIVITY'), &
       foreign_word_t('EXPANSION|SPECIFIC HEAT|LATENT HEAT|TEMPERATURE|PHYSICAL CONSTANTS|CFLUX|DFLUX|FILM|RADIATE|'// &
       'JOULE HEAT FRACTION', '', '', 'leave it out: there is no temperature; Joule heat is in the results'), &
-      foreign_word_t('INITIAL CONDITIONS', '', '', 'a run begins without stress and current; what is there'// &
-      ' before goes into a first *STEP'), &
+      foreign_word_t('INITIAL CONDITIONS', '', '', 'a run begins without stress and current; apply'// &
+      ' initial loads in a first *STEP'), &
       foreign_word_t('SURFACE|NODE SURFACE|RIGID SURFACE|SURFACE DEFINITION', '', '', &
       'leave it out: *CONTACT PAIR names element sets'), &
       foreign_word_t('CONTACT|CONTACT INCLUSIONS|CONTACT EXCLUSIONS|CONTACT PROPERTY ASSIGNMENT|'// &
       'SURFACE PROPERTY ASSIGNMENT', '', '', 'use *CONTACT PAIR, INTERACTION=...; one element set in its data'// &
-      ' line: all wires of it may touch'), &
+      ' line: all its wires may touch'), &
       foreign_word_t('CONTACT INTERFERENCE', '', '', 'use *CONTACT PAIR, INTERFERENCE FIT'), &
       foreign_word_t('CONTACT CONTROLS|CONTACT STABILIZATION|CONTACT DAMPING', '', '', &
       'leave it out; *CONTROLS, PARAMETERS=STABILIZE damps what only contacts can hold'), &
       foreign_word_t('CLEARANCE', '', '', 'leave it out: gaps follow from the nodes and radii'), &
       foreign_word_t('GAP CONDUCTANCE|GAP HEAT GENERATION|GAP RADIATION', '', '', &
       'there is no temperature; the current needs *GAP ELECTRICAL CONDUCTANCE'), &
-      foreign_word_t('DLOAD|DSLOAD', '', '', 'share the load among the nodes: *CLOAD'), &
-      foreign_word_t('DECURRENT|DSECURRENT', '', '', 'share the current among the nodes: *CECURRENT'), &
+      foreign_word_t('DLOAD|DSLOAD', '', '', 'distribute the load over the nodes: *CLOAD'), &
+      foreign_word_t('DECURRENT|DSECURRENT', '', '', 'distribute the current over the nodes: *CECURRENT'), &
       foreign_word_t('OUTPUT|FILE OUTPUT', '', '', 'leave it out: fields are always written (*NODE FILE says how'// &
-      ' often), and *NODE PRINT, *EL PRINT, *ELECTRODE PRINT ask for values over time'), &
-      foreign_word_t('NODE OUTPUT', '', '', 'leave it out: fields are always written; *NODE PRINT, NSET=... asks'// &
-      ' for values over time'), &
-      foreign_word_t('ELEMENT OUTPUT', '', '', 'leave it out: fields are always written; *EL PRINT, ELSET=... asks'// &
-      ' for values over time'), &
+      ' often), and *NODE PRINT, *EL PRINT, *ELECTRODE PRINT request values over time'), &
+      foreign_word_t('NODE OUTPUT', '', '', 'leave it out: fields are always written; *NODE PRINT, NSET=...'// &
+      ' requests'// &
+      ' values over time'), &
+      foreign_word_t('ELEMENT OUTPUT', '', '', 'leave it out: fields are always written; *EL PRINT, ELSET=...'// &
+      ' requests'// &
+      ' values over time'), &
       foreign_word_t('CONTACT OUTPUT|CONTACT FILE', '', '', 'leave it out: every contact is always written, to'// &
       ' DECK_contacts.csv and .vtkhdf'), &
       foreign_word_t('ENERGY OUTPUT|ENERGY FILE', '', '', 'use *ENERGY PRINT'), &
@@ -92,13 +94,14 @@ module litz_foreign_words
 
    !> Parameters
    type(foreign_word_t), parameter :: of_parameters(*) = [ &
-      foreign_word_t('STATIC', 'RIKS', '', 'there is no arc length: prescribe displacements in place of the load,'// &
+      foreign_word_t('STATIC', 'RIKS', '', 'there is no arc length: prescribe displacements instead of the load,'// &
       ' or use *CONTROLS, PARAMETERS=STABILIZE'), &
       foreign_word_t('STATIC', 'STABILIZE|ALLSDTOL', '', 'use *CONTROLS, PARAMETERS=STABILIZE'), &
       foreign_word_t('STATIC', 'SOLVER', '', 'use *SOLVER, NAME=...'), &
       foreign_word_t('STEP', 'PERTURBATION', '', 'every step is nonlinear: leave it out'), &
-      foreign_word_t('STEP', 'AMPLITUDE', '', 'values ramp over the step; *AMPLITUDE gives another course'), &
-      foreign_word_t('STEP', 'UNSYMM|EXTRAPOLATION|CONVERT SDI|SOLVER', '', 'leave it out: litz chooses by itself'), &
+      foreign_word_t('STEP', 'AMPLITUDE', '', 'values ramp over the step; *AMPLITUDE defines other histories'), &
+      foreign_word_t('STEP', 'UNSYMM|EXTRAPOLATION|CONVERT SDI|SOLVER', '', 'leave it out: litz chooses'// &
+      ' automatically'), &
       foreign_word_t('NODE', 'SYSTEM', '', 'coordinates are Cartesian: write x, y, z'), &
       foreign_word_t('NSET|ELSET', 'INSTANCE', '', 'a deck is flat: `litz convert THIS.inp NEW.inp` places the'// &
       ' instances'), &
@@ -109,23 +112,23 @@ module litz_foreign_words
       foreign_word_t('AMPLITUDE', 'DEFINITION|VALUE|SMOOTH', '', 'leave it out: an amplitude is a table of'// &
       ' factors, linear between the points; write other curves point by point'), &
       foreign_word_t('SURFACE BEHAVIOR', 'PENALTY|AUGMENTED LAGRANGE|DIRECT', '', 'leave it out: the law is'// &
-      ' solved for exactly'), &
+      ' satisfied exactly'), &
       foreign_word_t('SURFACE BEHAVIOR', 'NO SEPARATION', '', 'wires that touch can always separate'), &
-      foreign_word_t('FRICTION', 'SLIP TOLERANCE|LAGRANGE|TAUMAX', '', 'leave it out, or say ELASTIC SLIP'), &
+      foreign_word_t('FRICTION', 'SLIP TOLERANCE|LAGRANGE|TAUMAX', '', 'leave it out, or use ELASTIC SLIP'), &
       foreign_word_t('FRICTION', 'ROUGH', '', 'give a large coefficient'), &
       foreign_word_t('CONTACT PAIR', 'TYPE|SMALL SLIDING|TRACKING|MECHANICAL CONSTRAINT|EXTENSION ZONE', '', &
-      'leave it out: wires touch at points, which slide any distance'), &
+      'leave it out: wires touch at points, which may slide any distance'), &
       foreign_word_t('CONTACT PAIR', 'ADJUST', '', 'move the nodes, or use INTERFERENCE FIT'), &
       foreign_word_t('BOUNDARY', 'TYPE|USER|LOAD CASE', '', 'leave it out: values are displacements, rotations and'// &
-      ' potentials; a velocity is one that ramps'), &
-      foreign_word_t('BOUNDARY', 'FIXED', '', 'give the value at which it is to stay'), &
+      ' potentials; a velocity is a value that ramps'), &
+      foreign_word_t('BOUNDARY', 'FIXED', '', 'give the value to hold'), &
       foreign_word_t('CLOAD', 'FOLLOWER', '', 'forces keep their direction'), &
       foreign_word_t('CLOAD', 'LOAD CASE|USER|SECTOR', '', 'leave it out'), &
       foreign_word_t('NODE PRINT|EL PRINT|ENERGY PRINT|CONTACT PRINT', 'FREQUENCY|FREQUENCYF|TIME POINTS|SUMMARY|'// &
       'GLOBAL|POSITION', '', 'leave it out: every increment is written, in global axes'), &
       foreign_word_t('NODE FILE|EL FILE', 'OUTPUT|NSET|ELSET|GLOBAL|SECTION FORCES|POSITION|TIME POINTS|'// &
       'FREQUENCYF|CONTACT ELEMENTS', '', 'leave it out: all fields of all nodes and elements are written'), &
-      foreign_word_t('RESTART', 'READ|STEP|INCREMENT|ITERATION', '', 'a run goes on with `litz run DECK.inp'// &
+      foreign_word_t('RESTART', 'READ|STEP|INCREMENT|ITERATION', '', 'continue a run with `litz run DECK.inp'// &
       ' --restart FILE.restart.h5[:STEP:INCREMENT] -o DIR`'), &
       foreign_word_t('RESTART', 'OVERLAY|NUMBER INTERVAL|TIME MARKS', '', 'leave it out'), &
       foreign_word_t('CONTROLS', 'RESET|ANALYSIS', '', 'leave it out')]
@@ -137,7 +140,7 @@ module litz_foreign_words
       foreign_word_t('ELEMENT', 'TYPE', 'B31H|B31R|B31OS|B31OSH|PIPE31|PIPE31H', 'use B31'), &
       foreign_word_t('ELEMENT', 'TYPE', 'B33H', 'use B33'), &
       foreign_word_t('ELEMENT', 'TYPE', 'B21|B21H|B22|B22H|B23|B23H', 'models are three-dimensional: use B31 or'// &
-      ' B33, and prescribe 3, 4 and 5 where the model is to stay in its plane'), &
+      ' B33, and prescribe 3, 4 and 5 to keep the model in its plane'), &
       foreign_word_t('ELEMENT', 'TYPE', 'T3D2|T3D3|T2D2|SPRINGA|SPRING1|SPRING2|CONN3D2', 'use a thin beam'), &
       foreign_word_t('BEAM SECTION', 'SECTION', 'PIPE|RECT|BOX|I|L|HEX|TRAPEZOID|THICK PIPE|ARBITRARY|ELBOW', &
       'use GENERAL with A, I11, I12, I22, J, and CONTACT RADIUS where it touches'), &
@@ -152,7 +155,7 @@ module litz_foreign_words
       foreign_word_t('BOUNDARY', '', 'YASYMM', 'write 1, 3 and 5, a line each'), &
       foreign_word_t('BOUNDARY', '', 'ZASYMM', 'write 1, 2 and 6, a line each'), &
       foreign_word_t('NODE PRINT', '', 'U1|U2|U3|UR1|UR2|UR3|RF1|RF2|RF3|RM1|RM2|RM3|CF1|CF2|CF3|CM1|CM2|CM3', &
-      'all three components are written: say U, UR, RF, RM, CF or CM'), &
+      'all three components are written: use U, UR, RF, RM, CF or CM'), &
       foreign_word_t('EL PRINT', '', 'SF1|SF2|SF3|SM1|SM2|SM3|SM', 'SF has forces and moments, all of them'), &
       foreign_word_t('NODE FILE|EL FILE|EL PRINT', '', 'S|E|LE|EE|PE|PEEQ|ENER|MISES|NT|ME|ZZS|NOE|ERR', &
       'beams have section forces (SF), no stresses or strains'), &

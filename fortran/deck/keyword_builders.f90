@@ -4,7 +4,8 @@ module litz_keyword_builders
       kind_choice, kind_name, kind_item, kind_file, kind_text, limit_positive, limit_unused
    implicit none
    private
-   public :: begin, finish, field, integer_field, real_field, dofs_of, choice_field, name_field, item_field, text_field, &
+   public :: begin, finish, field, integer_field, real_field, dofs_of, choice_field, name_field, item_field, &
+      text_field, &
       unused, flag, choice, name, number, count_of, file
 
 contains

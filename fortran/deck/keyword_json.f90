@@ -84,7 +84,8 @@ contains
 
       json = '{"name": '//quoted(field%name)//', "kind": '//quoted(kind_word(field%kind))//', "choices": '// &
          choice_list(field%choices)//', "required": '//truth(field%required)//', "unit": '// &
-         quoted_or_null(field%unit)//limit_members(field%limit)//dof_members(field)//', "help": '//quoted(field%help)//'}'
+         quoted_or_null(field%unit)//limit_members(field%limit)//dof_members(field)//', "help": '// &
+         quoted(field%help)//'}'
    end function field_object
 
    !> The fields whose degrees of freedom a value may be, with a comma before them; nothing for other values.

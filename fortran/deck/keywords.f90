@@ -139,9 +139,9 @@ contains
       nearest = nearest_word(squeezed(name), table%names())
       if (index(name, '=') > 0) nearest = keyword_before_blank(table, name)
       if (len(nearest) == 0) then
-         message = message//'; `litz keywords` lists those there are'
+         message = message//'; `litz keywords` lists all'
       else if (index(name, '=') > 0) then
-         message = message//'; a comma is missing behind *'//nearest
+         message = message//'; a comma is missing after *'//nearest
       else
          message = message//'; did you mean *'//nearest//'?'
       end if

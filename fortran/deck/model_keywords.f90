@@ -19,24 +19,24 @@ contains
       type(keyword_table_t), intent(inout) :: table
       type(keyword_t) :: k
 
-      call begin(k, 'HEADING', place_model, 'Lines that say what the deck is about; they go into the result files.')
+      call begin(k, 'HEADING', place_model, 'A title of one or more lines; it is copied to the result files.')
       call k%add_data([text_field('text', 'any text')], required=.false., last=0)
       call finish(table, k)
 
       call begin(k, 'UNITS', place_model, &
-         'What the units of the numbers in the deck are called, in heads of tables, result files, pictures and'// &
-         ' messages (litz extension). Labels only: nothing is converted, the units must be consistent (the unit'// &
-         ' of moments is that of force times that of length, that of resistance voltage over current).')
-      call k%add(name('LENGTH', 'label of the unit of length, such as mm; m without it'))
-      call k%add(name('FORCE', 'label of the unit of force; N without it'))
-      call k%add(name('TIME', 'label of the unit of time; s without it'))
-      call k%add(name('CURRENT', 'label of the unit of current; A without it'))
-      call k%add(name('VOLTAGE', 'label of the unit of voltage; V without it'))
+         'Labels for the units of the deck, for table headings, result files, pictures and messages (litz'// &
+         ' extension). Nothing is converted; the units must be consistent (the unit of moments is force times'// &
+         ' length, that of resistance voltage over current).')
+      call k%add(name('LENGTH', 'label of the unit of length, such as mm; default m'))
+      call k%add(name('FORCE', 'label of the unit of force; default N'))
+      call k%add(name('TIME', 'label of the unit of time; default s'))
+      call k%add(name('CURRENT', 'label of the unit of current; default A'))
+      call k%add(name('VOLTAGE', 'label of the unit of voltage; default V'))
       call finish(table, k)
 
       call begin(k, 'INCLUDE', place_both, &
-         'Reads another file in place of this line. A path that does not begin with /'// &
-         ' is relative to the directory of the file that holds the line. Data lines may stand in a file of their own.')
+         'Inserts another file at this line. A path that does not begin with /'// &
+         ' is relative to the directory of the file that contains the line. Data lines may be in a separate file.')
       call k%add(file('INPUT', 'the file to read'))
       call finish(table, k)
    end subroutine add_general
@@ -59,7 +59,7 @@ contains
          limit_positive), integer_field('n2', 'second node', limit_positive)], last=0)
       call finish(table, k)
 
-      call begin(k, 'MESH', place_model, 'Nodes, elements and sets from an HDF5 file, as if they stood here in'// &
+      call begin(k, 'MESH', place_model, 'Nodes, elements and sets from an HDF5 file, as if given here by'// &
          ' *NODE, *ELEMENT, *NSET and *ELSET (litz extension); read twice as fast as text.'// &
          ' Datasets: /nodes/id (n), /nodes/position (n, 3); /elements/TYPE/id (m) and /elements/TYPE/nodes'// &
          ' (m, 2) with the numbers of the nodes, for TYPE B31 and B33; /node_sets/NAME and /element_sets/NAME with'// &
@@ -68,16 +68,16 @@ contains
       call finish(table, k)
 
       call begin(k, 'NSET', place_model, &
-         'A node set, or more members for one. Sets are named before they are used in'// &
+         'Defines a node set, or adds members to it. A set must be defined before it is used in'// &
          ' another set.')
       call k%add(name('NSET', 'name of the set', required=.true.))
-      call k%add(flag('GENERATE', 'data lines hold ranges: first, last, step'))
+      call k%add(flag('GENERATE', 'data lines are ranges: first, last, step'))
       call add_set_data(k, 'node')
       call finish(table, k)
 
-      call begin(k, 'ELSET', place_model, 'An element set, or more members for one.')
+      call begin(k, 'ELSET', place_model, 'Defines an element set, or adds members to it.')
       call k%add(name('ELSET', 'name of the set', required=.true.))
-      call k%add(flag('GENERATE', 'data lines hold ranges: first, last, step'))
+      call k%add(flag('GENERATE', 'data lines are ranges: first, last, step'))
       call add_set_data(k, 'element')
       call finish(table, k)
    end subroutine add_mesh
@@ -91,7 +91,7 @@ contains
          when='GENERATE=NO', last=0, repeats=0)
       call k%add_data([integer_field('first', 'first '//what, limit_positive), &
          integer_field('last', 'last '//what, limit_positive), &
-         integer_field('step', 'step of the numbers, 1 when left out; numbers that do not exist are passed over', &
+         integer_field('step', 'step of the numbers, 1 when left out; numbers that do not exist are skipped', &
          limit_positive, required=.false.)], when='GENERATE=YES', last=0)
    end subroutine add_set_data
 
@@ -111,7 +111,8 @@ contains
 
       call begin(k, 'ELECTRICAL CONDUCTIVITY', place_model, &
          'Makes the elements of this material conductors: their nodes'// &
-         ' have a potential, degree of freedom '//dof_range(field_potential)//'. Without it a wire is an insulator.', after='MATERIAL')
+         ' have a potential, degree of freedom '//dof_range(field_potential)//'. Without it a wire is an insulator.', &
+         after='MATERIAL')
       call k%add_data([real_field('sigma', 'S/m', 'electrical conductivity', limit_positive)])
       call finish(table, k)
 
@@ -123,10 +124,10 @@ contains
       call k%add(name('MATERIAL', 'their material', required=.true.))
       call k%add(choice('SECTION', 'CIRC|GENERAL', 'shape of the cross-section', required=.true.))
       call k%add(number('CONTACT RADIUS', &
-         'radius of the round surface that touches others [m]; CIRC: the radius when'// &
+         'radius of the round contact surface [m]; CIRC: the radius when'// &
          ' left out; GENERAL: needed for elements in a contact pair', limit_positive))
       call k%add(choice('CONDUCTION', 'REFERENCE LENGTH|CURRENT LENGTH', &
-         'length that the resistance of an element is taken over (litz extension)', default='REFERENCE LENGTH'))
+         'length used for the resistance of an element (litz extension)', default='REFERENCE LENGTH'))
       call k%add_data([real_field('radius', 'm', 'radius of the wire', limit_positive)], when='SECTION=CIRC')
       call k%add_data([real_field('A', 'm^2', 'area', limit_positive), &
          real_field('I11', 'm^4', 'second moment for bending about the first axis n1', limit_positive), &
@@ -139,7 +140,7 @@ contains
       call finish(table, k)
 
       call begin(k, 'TRANSVERSE SHEAR STIFFNESS', place_model, &
-         'Shear stiffnesses of B31 elements in place of those of'// &
+         'Shear stiffnesses of B31 elements, replacing those of'// &
          ' the section.', after='BEAM SECTION')
       call k%add_data([real_field('GA2', 'N', 'for shear along n1', limit_positive), &
          real_field('GA3', 'N', 'for shear along n2', limit_positive)])
@@ -147,7 +148,7 @@ contains
 
       call begin(k, 'AMPLITUDE', place_both, 'A factor over time, linear between the points and constant beyond them.')
       call k%add(name('NAME', 'name of the amplitude', required=.true.))
-      call k%add(choice('TIME', 'STEP TIME|TOTAL TIME', 'what the times are counted from', default='STEP TIME'))
+      call k%add(choice('TIME', 'STEP TIME|TOTAL TIME', 'origin of the times', default='STEP TIME'))
       call k%add_data([real_field('t', 's', 'time; ascending'), real_field('a', '-', 'factor at that time')], &
          last=0, repeats=4)
       call finish(table, k)
@@ -158,10 +159,10 @@ contains
       type(keyword_t) :: k
       integer :: i
 
-      call begin(k, 'SURFACE INTERACTION', place_model, 'Begins the laws of a contact; *SURFACE BEHAVIOR and *GAP'// &
-         ' ELECTRICAL CONDUCTANCE follow it.')
+      call begin(k, 'SURFACE INTERACTION', place_model, 'Begins the contact laws of a pair; *SURFACE BEHAVIOR and'// &
+         ' *GAP ELECTRICAL CONDUCTANCE follow it.')
       call k%add(name('NAME', 'name of the interaction', required=.true.))
-      call k%add(choice('AXIS', 'HERMITE|LINEAR', 'interpolation of the wire axes that touch (litz extension);'// &
+      call k%add(choice('AXIS', 'HERMITE|LINEAR', 'interpolation of the wire axes for contact (litz extension);'// &
          ' LINEAR has kinks at the nodes of a bent wire, where a contact may be missed or counted twice', &
          default='HERMITE'))
       call finish(table, k)
@@ -170,16 +171,16 @@ contains
          meanings_of(all_normal_laws()), after='SURFACE INTERACTION')
       call k%add(choice('PRESSURE-OVERCLOSURE', names_of(all_normal_laws()), 'the law', required=.true.))
       call k%add(choice('PENETRATION', 'LIMITED|UNLIMITED', &
-         'UNLIMITED: soft penalties are meant, deep penetration is no'// &
-         ' error (litz extension)', default='LIMITED'))
+         'UNLIMITED: deep penetration is not an error, for deliberately soft penalties (litz extension)', &
+         default='LIMITED'))
       call add_law_data(k, 'PRESSURE-OVERCLOSURE', all_normal_laws())
       call finish(table, k)
 
       call begin(k, 'FRICTION', place_model, &
-         'Coulomb friction of the contact points, the same in every direction of the plane of the two wires. Before'// &
-         ' it slips, a contact gives way elastically: by Mindlin''s tangential stiffness, 2(1-nu)/(2-nu) of the'// &
-         ' normal stiffness for equal materials, or by one of the parameters. Without this keyword the wires slide'// &
-         ' freely. A contact that closes grips from the place where it has closed within the increment.', &
+         'Coulomb friction at the contact points, isotropic in the plane of the two wires. Before'// &
+         ' slip, a contact deforms elastically: with Mindlin''s tangential stiffness, 2(1-nu)/(2-nu) of the'// &
+         ' normal stiffness for equal materials, or as given by one of the parameters. Without this keyword the'// &
+         ' wires slide freely. In the increment in which a contact closes, friction acts from the point of closing.', &
          after='SURFACE INTERACTION')
       do i = 1, size(stick_laws)
          if (len_trim(stick_laws(i)%parameter) > 0) call k%add(number(trim(stick_laws(i)%parameter), &
@@ -189,14 +190,15 @@ contains
       call finish(table, k)
 
       call begin(k, 'GAP ELECTRICAL CONDUCTANCE', place_model, 'Resistance of the contact spot.'// &
-         meanings_of(all_spot_laws())//' Without this keyword no current crosses.', after='SURFACE INTERACTION')
+         meanings_of(all_spot_laws())//' Without this keyword no current flows through the contact.', &
+         after='SURFACE INTERACTION')
       call k%add(choice('LAW', names_of(all_spot_laws()), 'the law of the spot (litz extension)', required=.true.))
       call k%add(choice('VOLTAGE', 'CORRECTED|LINEAR', &
-         'CORRECTED adds the resistance that the linear voltage within an'// &
-         ' element misses', default='CORRECTED'))
+         'CORRECTED adds the resistance neglected by the linear voltage within an'// &
+         ' element', default='CORRECTED'))
       call k%add(choice('SPOT', 'PRESENT FORCE|LARGEST FORCE', &
-         'LARGEST FORCE: a pressed spot stays, with the resistance of the largest force since the contact closed,'// &
-         ' slipped, or without friction moved by more than the spot (litz extension)', default='PRESENT FORCE'))
+         'LARGEST FORCE: the spot keeps the size of the largest force since the contact closed or slipped (without'// &
+         ' friction: moved by more than the spot) (litz extension)', default='PRESENT FORCE'))
       call add_law_data(k, 'LAW', all_spot_laws())
       call finish(table, k)
 
@@ -204,7 +206,7 @@ contains
          'Wires that may touch. All crossings between the two sets are searched;'// &
          ' with one set, those within it.')
       call k%add(name('INTERACTION', 'the laws of the contact', required=.true.))
-      call k%add(flag('INTERFERENCE FIT', 'wires that overlap at the start are meant to'))
+      call k%add(flag('INTERFERENCE FIT', 'overlaps at the start are intended'))
       call k%add_data([name_field('ELSET_A', 'first element set'), name_field('ELSET_B', 'second element set', &
          required=.false.)])
       call finish(table, k)

@@ -190,7 +190,8 @@ contains
          last = first
          ok = any(field_of_dof(first) == [field_displacement, field_rotation])
          if (.not. ok) call fail_at(self, self%values%token(2), 'forces and moments act in directions '// &
-            dof_range(field_displacement, field_rotation)//'; found '//to_text(first)//trim(merge('; currents are given by *CECURRENT', repeat(' ', 34), first == dof_potential)))
+            dof_range(field_displacement, field_rotation)//'; found '//to_text(first)// &
+            trim(merge('; currents are given by *CECURRENT', repeat(' ', 34), first == dof_potential)))
       case default
          first = dof_potential
          last = first
@@ -228,8 +229,8 @@ contains
          if (status /= number_ok) then
             ok = .false.
             call fail_at(self, values%token(2), &
-               'value 2 must be ENCASTRE, PINNED or a degree of freedom: '//describe_dofs('or')//'; found '//self%deck%shown(values%token(2))// &
-               behind_semicolon(advice_about_value(self, values%token(2))))
+               'value 2 must be ENCASTRE, PINNED or a degree of freedom: '//describe_dofs('or')//'; found '// &
+               self%deck%shown(values%token(2))//behind_semicolon(advice_about_value(self, values%token(2))))
             return
          end if
          last = merge(values%whole(3), first, values%given(3))

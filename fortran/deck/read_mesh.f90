@@ -151,7 +151,7 @@ contains
                cycle
             end if
             if (.not. ok) call fail_at(self, token, 'the position of node '//to_text(id)// &
-               ' in the mesh file is not finite or above 1e60, the largest number that litz takes')
+               ' in the mesh file is not finite or above 1e60, the largest number that litz accepts')
             ! as in text, zero has no sign
             call add_node(self, model, token, id, position + 0.0_dp, ok, 0)
          end associate

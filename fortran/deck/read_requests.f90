@@ -130,7 +130,7 @@ contains
          if (.not. self%values%given(i)) cycle
          quantity = words(self%values%whole(i))(:8)
          if (any(request%quantities == quantity)) then
-            call fail_at(self, self%values%token(i), 'the quantity '//trim(quantity)//' is asked for twice')
+            call fail_at(self, self%values%token(i), 'the quantity '//trim(quantity)//' is requested twice')
          else
             allocate (grown(size(request%quantities) + 1))
             grown(:size(request%quantities)) = request%quantities

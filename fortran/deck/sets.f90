@@ -141,7 +141,7 @@ contains
          if (self%node_sets%is_full .or. self%element_sets%is_full) exit
       end do
       if (card <= self%deck%n_cards) call fail_at(self, self%deck%cards(card)%name, &
-         'there is not enough memory for the members of all sets; up to here they are '// &
+         'not enough memory for the members of all sets; so far there are '// &
          to_text(self%node_sets%n)//' nodes and '//to_text(self%element_sets%n)//' elements')
       call finish_sets(self%node_sets, model%n_nodes, model%node_sets)
       call finish_sets(self%element_sets, model%n_elements, model%element_sets)

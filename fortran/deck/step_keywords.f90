@@ -26,14 +26,14 @@ contains
          'Begins a step. Steps follow each other and keep what they do not redefine:'// &
          ' prescribed values, loads, output requests, controls, solver.')
       call k%add(name('NAME', 'name of the step'))
-      call k%add(choice('NLGEOM', 'YES|NO', 'large displacements; litz always has them, NO is refused', default='YES', &
-         value_optional=.true.))
-      call k%add(count_of('INC', 'most increments of the step', '100'))
+      call k%add(choice('NLGEOM', 'YES|NO', 'large displacements, which litz always includes; NO is rejected', &
+         default='YES', value_optional=.true.))
+      call k%add(count_of('INC', 'maximum number of increments', '100'))
       call k%add_data([text_field('title', 'any text')], required=.false., last=0)
       call finish(table, k)
 
-      call begin(k, 'STATIC', place_step, 'Equilibrium of forces, moments and currents. Increments of time adapt'// &
-         ' themselves; values without an amplitude ramp over the step.')
+      call begin(k, 'STATIC', place_step, 'Equilibrium of forces, moments and currents. Time increments are'// &
+         ' adapted automatically; values without an amplitude ramp over the step.')
       call k%add(flag('DIRECT', 'increments of fixed size'))
       call k%add_data([real_field('first', 's', 'first increment, the whole step when left out', limit_positive, &
          .false.), &
@@ -53,11 +53,11 @@ contains
       integer :: i
 
       call begin(k, 'BOUNDARY', place_both, &
-         'Prescribed values of degrees of freedom: '//describe_dofs('and')//'. Before the first step they must be zero.'// &
-         ' ENCASTRE ('//dof_range(field_displacement, field_rotation)//') and PINNED ('//dof_range(field_displacement)// &
-         ') can be given instead of numbers. All three rotations of a node are its rotation vector. One or two alone are angles turned'// &
-         ' increment by increment about these axes, in addition to what is left free: where that is much, the'// &
-         ' result depends on the increments.')
+         'Prescribed values of degrees of freedom: '//describe_dofs('and')//'. Before the first step they must'// &
+         ' be zero. ENCASTRE ('//dof_range(field_displacement, field_rotation)//') and PINNED ('// &
+         dof_range(field_displacement)//') can be given instead of numbers. All three rotations of a node are its'// &
+         ' rotation vector. One or two alone are angles applied incrementally about these axes, in addition to the'// &
+         ' free rotation: where that is large, the result depends on the increments.')
       call add_op(k, 'prescribed values')
       call k%add_data([item_field('node', 'number of a node or name of a node set'), &
          dofs_of([(i, i=1, n_fields)], name_field('first', 'first degree of freedom, ENCASTRE or PINNED')), &
@@ -72,7 +72,8 @@ contains
       call add_op(k, 'loads')
       call k%add_data([item_field('node', 'number of a node or name of a node set'), &
          dofs_of([field_displacement, field_rotation], integer_field('dof', 'direction, '// &
-         dof_range(field_displacement, field_rotation), limit_positive)), real_field('value', 'N, N m', 'force or moment')], &
+         dof_range(field_displacement, field_rotation), limit_positive)), &
+         real_field('value', 'N, N m', 'force or moment')], &
          last=0, optional_with=new_alone)
       call finish(table, k)
 
@@ -100,62 +101,62 @@ contains
       type(keyword_table_t), intent(inout) :: table
       type(keyword_t) :: k
 
-      call begin(k, 'NODE PRINT', place_step, 'Asks for quantities of nodes in the history file.')
+      call begin(k, 'NODE PRINT', place_step, 'Requests nodal quantities in the history file.')
       call k%add(name('NSET', 'the nodes', required=.true.))
       call k%add(choice('TOTALS', 'YES|NO|ONLY', &
-         'sums over the set (means of '//means(on_points)//'): besides the nodes, not at all, or alone', &
+         'sums over the set (means of '//means(on_points)//'): in addition to the nodes, not at all, or only', &
          default='NO'))
       call k%add_data([choice_field('quantity', requested_names(on_points), described_requests(on_points))], &
          last=0, repeats=0)
       call finish(table, k)
 
-      call begin(k, 'EL PRINT', place_step, 'Asks for quantities of elements in the history file.')
+      call begin(k, 'EL PRINT', place_step, 'Requests element quantities in the history file.')
       call k%add(name('ELSET', 'the elements', required=.true.))
       call k%add(choice('TOTALS', 'YES|NO|ONLY', &
-         'sums over the set (means of '//means(on_cells)//'): besides the elements, not at all, or alone', &
+         'sums over the set (means of '//means(on_cells)//'): in addition to the elements, not at all, or only', &
          default='NO'))
       call k%add_data([choice_field('quantity', requested_names(on_cells), described_requests(on_cells))], &
          last=0, repeats=0)
       call finish(table, k)
 
       call begin(k, 'CONTACT PRINT', place_step, &
-         'Asks for a line about the contacts at every increment in the terminal; the'// &
+         'Requests a line about the contacts at every increment in the terminal; the'// &
          ' contact ledger is always written.')
       call finish(table, k)
 
       call begin(k, 'ENERGY PRINT', place_step, &
-         'Asks for energies since the beginning in the history file. ALLWK: done by supports and loads.'// &
-         ' ALLSE: in the beams. ALLCCE: in the contacts. ALLFD: made heat by friction.'// &
-         ' ALLSD: taken by stabilization.'// &
+         'Requests energies since the start of the run in the history file. ALLWK: work of supports and loads.'// &
+         ' ALLSE: in the beams. ALLCCE: in the contacts. ALLFD: dissipated by friction.'// &
+         ' ALLSD: dissipated by stabilization.'// &
          ' ETOTAL: ALLSE + ALLCCE + ALLFD + ALLSD - ALLWK,'// &
-         ' which goes to zero with the size of the increments, but for what the elements of B31 miss at contacts,'// &
-         ' which goes to zero with their size.')
+         ' which goes to zero with the increment size, except for the error of B31 elements at contacts,'// &
+         ' which goes to zero with the element size.')
       call finish(table, k)
 
       call begin(k, 'ELECTRODE PRINT', place_step, &
-         'Asks for voltage, current and resistance between two sets of nodes in the'// &
-         ' history file (litz extension): the mean potential of the first less that of the second, the current'// &
-         ' that enters at the first, and their quotient. It is the resistance between the two where all of this'// &
-         ' current leaves at the second; a warning (third_electrode) says where it does not.')
+         'Requests voltage, current and resistance between two node sets in the'// &
+         ' history file (litz extension): the mean potential of the first minus that of the second, the current'// &
+         ' that enters at the first, and their ratio. It is the resistance between the two if all of this'// &
+         ' current leaves at the second; otherwise there is a warning (third_electrode).')
       call k%add_data([name_field('NSET_A', 'positive electrode'), name_field('NSET_B', 'negative electrode')], last=0)
       call finish(table, k)
 
       call begin(k, 'NODE FILE', place_step, 'Fields are always written to the result file; this sets how often.')
       call k%add(count_of('FREQUENCY', 'every n-th increment, and the last of the step', '1'))
-      call k%add_data([choice_field('quantity', requested_names(on_points), 'all are written, whichever are named')], &
+      call k%add_data([choice_field('quantity', requested_names(on_points), 'accepted, but all are always written')], &
          required=.false., last=0, repeats=0)
       call finish(table, k)
 
       call begin(k, 'RESTART', place_step, &
-         'Writes increments from which a run can go on, to DECK.restart.h5: litz run DECK.inp --restart'// &
-         ' DECK.restart.h5[:STEP:INCREMENT]. It holds for the later steps too.')
-      call k%add(flag('WRITE', 'increments are written; without it no longer'))
+         'Saves increments from which a run can be continued, in DECK.restart.h5: litz run DECK.inp --restart'// &
+         ' DECK.restart.h5[:STEP:INCREMENT]. Applies to later steps too.')
+      call k%add(flag('WRITE', 'save increments; without it, stop saving'))
       call k%add(count_of('FREQUENCY', 'every n-th increment, and the last of the step', '1'))
       call finish(table, k)
 
       call begin(k, 'EL FILE', place_step, 'As *NODE FILE.')
       call k%add(count_of('FREQUENCY', 'every n-th increment, and the last of the step', '1'))
-      call k%add_data([choice_field('quantity', requested_names(on_cells), 'all are written, whichever are named')], &
+      call k%add_data([choice_field('quantity', requested_names(on_cells), 'accepted, but all are always written')], &
          required=.false., last=0, repeats=0)
       call finish(table, k)
    end subroutine add_output
@@ -173,23 +174,26 @@ contains
       type(keyword_table_t), intent(inout) :: table
       type(keyword_t) :: k
 
-      call begin(k, 'CONTROLS', place_step, 'Convergence and increments, with CalculiX''s names and places. FIELD:'// &
-         ' convergence. TIME INCREMENTATION: counts of iterations, then factors. ROTATION: cap on an iteration'// &
-         ' (litz extension). STABILIZE: damping of all free motion, for wires that nothing holds yet and for'// &
-         ' snaps (litz extension); its energy is ALLSD, and stands in the .sta file. Places left empty keep what'// &
-         ' they have.')
-      call k%add(choice('PARAMETERS', 'FIELD|TIME INCREMENTATION|ROTATION|STABILIZE', 'what the data are', &
+      call begin(k, 'CONTROLS', place_step, 'Convergence and increments, with CalculiX''s names and order. FIELD:'// &
+         ' convergence. TIME INCREMENTATION: counts of iterations, then factors. ROTATION: limit per iteration'// &
+         ' (litz extension). STABILIZE: damping of all free motion, for wires without support and'// &
+         ' snap-through (litz extension); its energy is ALLSD, also in the .sta file. Values left empty are'// &
+         ' unchanged.')
+      call k%add(choice('PARAMETERS', 'FIELD|TIME INCREMENTATION|ROTATION|STABILIZE', 'kind of data', &
          required=.true.))
       call k%add_data([real_field('R_n', '-', 'largest residual over the reference of its field', limit_positive, &
          .false.), &
-         real_field('C_n', '-', 'largest correction over the increment; 0: not asked', limit_not_negative, .false.)], &
+         real_field('C_n', '-', 'largest correction over the increment; 0: not checked', limit_not_negative, &
+         .false.)], &
          when='PARAMETERS=FIELD')
       call k%add_data([unused('I_0'), unused('I_R'), unused('I_P'), &
-         integer_field('I_C', 'most iterations before the increment is cut; those that do no more than open and'// &
+         integer_field('I_C', 'maximum number of iterations before the increment is cut; those that only open and'// &
          ' close contacts as predicted do not count, up to four times as many', limit_positive, .false.), &
          integer_field('I_L', 'more iterations than this shrink the next increment', limit_positive, .false.), &
-         integer_field('I_G', 'two increments of at most this many let it grow', limit_positive, .false.), &
-         unused('I_S'), integer_field('I_A', 'most cut-backs of one increment', limit_positive, .false.)], &
+         integer_field('I_G', 'two successive increments of at most this many enlarge the next', limit_positive, &
+         .false.), &
+         unused('I_S'), integer_field('I_A', 'maximum number of cut-backs of one increment', limit_positive, &
+         .false.)], &
          when='PARAMETERS=TIME INCREMENTATION')
       call k%add_data([real_field('D_f', '-', 'factor of the increment after a failed one', limit_positive, .false.), &
          unused('D_C'), real_field('D_B', '-', 'factor after a slow one', limit_positive, .false.), unused('D_A'), &
@@ -198,23 +202,23 @@ contains
       call k%add_data([real_field('cap', 'rad', 'largest rotation of a node in one iteration', limit_positive)], &
          when='PARAMETERS=ROTATION')
       call k%add_data([real_field('factor', '-', &
-         'damping over the least stiffness of an element, 1e-8 without this line; 0: none', limit_not_negative)], &
+         'damping relative to the smallest element stiffness, 1e-8 without this line; 0: none', limit_not_negative)], &
          when='PARAMETERS=STABILIZE', required=.false.)
       call finish(table, k)
 
       call begin(k, 'SOLVER', place_step, &
          'Linear solver of this step and the later ones (litz extension). MONOLITHIC:'// &
-         ' voltages come from the same linear step as displacements. UPDATED: from the new displacements.')
+         ' voltages are solved in the same linear step as displacements. UPDATED: with the new displacements.')
       call k%add(choice('NAME', 'BLOCK|UMFPACK|SKYLINE', 'the solver', required=.true.))
       call k%add(choice('COUPLING', 'MONOLITHIC|UPDATED', 'when voltages are solved'))
       call finish(table, k)
       call begin(k, 'SOLUTION TECHNIQUE', place_step, &
-         'How often this step and the later ones factor the tangent, as in Abaqus. NEWTON, the default: in every'// &
-         ' iteration. MODIFIED NEWTON (litz extension): a factor is kept, also from one increment to the next, as'// &
+         'How often this step and the later ones factorise the tangent, as in Abaqus. NEWTON, the default: in every'// &
+         ' iteration. MODIFIED NEWTON (litz extension): a factor is reused, also from one increment to the next, as'// &
          ' long as each iteration leaves at most a hundredth of the residual and no contact opens or closes;'// &
          ' convergence is then linear, to the same solution.')
       call k%add(choice('TYPE', 'NEWTON|MODIFIED NEWTON', 'when the tangent is factored', required=.true.))
-      call k%add(count_of('REFORM KERNEL', 'most iterations that keep a factor', '8'))
+      call k%add(count_of('REFORM KERNEL', 'maximum number of iterations with the same factor', '8'))
       call finish(table, k)
    end subroutine add_solution
 

@@ -70,7 +70,7 @@ contains
             ok = within_limit(real_value, limit)
             if (ok) return
             if (abs(real_value) > largest_number) then
-               call fail_at(self, token, what//' is too large; litz takes numbers up to 1e60; found '// &
+               call fail_at(self, token, what//' is too large; litz accepts numbers up to 1e60; found '// &
                   self%deck%shown(token))
             else if (limit == limit_positive .and. real_value > 0) then
                call fail_at(self, token, what//' is too small; it must be at least 1e-60; found '// &

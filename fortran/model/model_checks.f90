@@ -289,7 +289,8 @@ contains
             else
                call add(findings, n, 'the conductor '//describe_part(model, parts, part)// &
                   ' has no path to a prescribed potential'//describe_step(step)// &
-                  ': prescribe degree of freedom '//to_text(dof_potential)//' at one of its nodes', parts%first_element(part), '')
+                  ': prescribe degree of freedom '//to_text(dof_potential)//' at one of its nodes', &
+                  parts%first_element(part), '')
             end if
          end do
          if (n_alike > 0) call add(findings, n, 'the conductor '//describe_part(model, parts, first_alike)// &

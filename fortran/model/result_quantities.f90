@@ -81,7 +81,7 @@ contains
       type(quantity_table_t), intent(inout) :: table
       type(contact_t), intent(inout) :: c
 
-      call table%field('id', c%id, '1', 'number of the contact, the same while it lives')
+      call table%field('id', c%id, '1', 'number of the contact, constant while it exists')
       call table%field('element_1', c%element_bar, '1', 'first element (barred), number in the deck', &
          is_element=.true.)
       call table%field('element_2', c%element, '1', 'second element (unbarred), number in the deck', &
@@ -102,9 +102,9 @@ contains
       call table%field('current', c%current, 'A', 'current from the barred to the unbarred wire')
       call table%field('voltage_gap', c%voltage_gap, 'V', 'potential of the barred minus the unbarred wire')
       call table%field('joule_heat', c%joule_heat, 'W', 'heat in the spot')
-      call table%field('traction', c%traction, 'N', 'what the barred wire feels of friction')
+      call table%field('traction', c%traction, 'N', 'friction force on the barred wire')
       call table%field('slip_path', c%slip_path, 'm', 'path of the slip since the contact closed')
-      call table%field('dissipation', c%dissipation, 'J', 'heat of friction since the contact closed')
+      call table%field('dissipation', c%dissipation, 'J', 'frictional heat since the contact closed')
       call table%field('friction', c%friction_status, '1', '0 none, 1 stick, 2 slip', words='none|stick|slip')
    end subroutine list_contact_quantities
 

@@ -57,7 +57,7 @@ contains
          return
       case (lock_is_held_by_another)
          error = fail(exit_files, 'another run is writing the results '//base//'.* ('//trim(words)//'); wait until'// &
-            ' it has ended, or name another directory with -o')
+            ' it has ended, or choose another directory with -o')
       case (lock_file_fails)
          error = fail(exit_files, 'cannot write "'//base//'.lock'//unpublished//'": '//trim(words))
       case default

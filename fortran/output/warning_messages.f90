@@ -43,7 +43,7 @@ contains
          if (n_before < max_messages) then
             write (error_unit, '(2a)') 'warning: ', item%message
          else if (n_before == max_messages) then
-            write (error_unit, '(3a)') 'warning: more of the kind ', trim(item%kind), ' are not shown here'
+            write (error_unit, '(3a)') 'warning: further warnings of kind ', trim(item%kind), ' are not shown here'
          end if
       end associate
    end subroutine print_warning

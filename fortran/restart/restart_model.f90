@@ -58,8 +58,8 @@ contains
       end if
       differences = record_differences(unpacked(numbers, int(head(1, 1))), model_record(model), step)
       if (len(differences) == 0) return
-      error = fail(exit_input, 'the deck is not that of the run that wrote it: '//differences// &
-         '. Free to change are later steps, output, controls and the solver')
+      error = fail(exit_input, 'the deck differs from that of the run that wrote it: '//differences// &
+         '. Only later steps, output, controls and the solver may change')
    end subroutine check_model_record
 
    pure function packed(text) result(numbers)

@@ -128,7 +128,7 @@ contains
          measure = scale + round_off/allowed_imbalance
          if (measure > 0) figure = max(figure, imbalance/measure)
          if (imbalance <= allowed_imbalance*measure .or. len(audit%finding) > 0) return
-         audit%finding = words//': '//to_text(imbalance)//' is left of '//to_text(scale)//', allowed is a part of '// &
+         audit%finding = words//': '//to_text(imbalance)//' of '//to_text(scale)//', where the allowed fraction is '// &
             to_text(allowed_imbalance)
       end subroutine weigh
 
@@ -142,7 +142,7 @@ contains
 
       error = fail(exit_not_converged, 'step '//to_text(state%step)//', increment '//to_text(state%increment)// &
          ' has converged, but fails its audit: '//audit%finding//'. It is not in the results. Smaller tolerances of'// &
-         ' *CONTROLS, PARAMETERS=FIELD or smaller increments may help; if they do not, this is a defect of litz')
+         ' *CONTROLS, PARAMETERS=FIELD or smaller increments may help; if not, this is a bug in litz')
    end function audit_error
 
    !> The node, element or contact with a result that is not a finite number, in words; empty: none.
@@ -340,11 +340,11 @@ contains
          ' % of the smaller radius (above '//to_text(100*allowed_penetration)//' %)'
       associate (law => model%interactions(model%contact_pairs(contact%pair)%interaction)%normal)
          if (law%has_penalty) then
-            words = words//': a penalty of '// &
+            words = words//': a penalty of at least '// &
                to_text(penalty_that_holds(law, contact%force, allowed_penetration*smaller_radius(model, contact)))// &
-               ' '//model%units%label('N/m')//' at least would hold it'
+               ' '//model%units%label('N/m')//' would prevent this'
          else
-            words = words//': the '//trim(law%title)//' is for smaller ones'
+            words = words//': the '//trim(law%title)//' is valid for smaller ones'
          end if
       end associate
    end function describe_overlap

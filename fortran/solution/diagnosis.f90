@@ -29,7 +29,7 @@ contains
       failure = ' did not converge from step time '
       contact = describe_worst_contact(problem)
       if (outcome%cause == cause_lost_contact .or. outcome%cause == cause_turned_ends) then
-         failure = ' has converged to a wrong state from step time '
+         failure = ' converged to an invalid state from step time '
          contact = ''
       end if
       error = fail(exit_not_converged, 'step '//to_text(outcome%last%step)//', increment '// &
@@ -48,7 +48,7 @@ contains
       associate (points => problem%contact%points)
          if (.not. any(points%active .or. points%closed)) return
          i = maxloc(abs(points%iteration_force - points%force), 1, points%active .or. points%closed)
-         text = 'The least settled contact is that of the elements '// &
+         text = 'The contact that has converged least is that of elements '// &
             to_text(problem%model%element_id(points(i)%element_bar))//' and '// &
             to_text(problem%model%element_id(points(i)%element))//' (gap '//to_text(points(i)%gap)//' '// &
             problem%model%units%label('m')//', force '//to_text(points(i)%force)//' '// &
@@ -79,13 +79,13 @@ contains
       case (cause_iterations)
          if (outcome%passed_critical) then
             text = 'The stiffness has negative pivots, the model is beyond a critical load: prescribe a'// &
-               ' displacement (*BOUNDARY) in place of the load, or damp the snap (*CONTROLS, PARAMETERS=STABILIZE). '
+               ' displacement (*BOUNDARY) instead of the load, or damp the snap (*CONTROLS, PARAMETERS=STABILIZE). '
          else if (outcome%last%contacts_new + outcome%last%contacts_lost > 0) then
             text = to_text(outcome%last%contacts_new)//' contacts closed and '// &
                to_text(outcome%last%contacts_lost)//' opened in the last iteration: they need smaller increments. '
          else if (attempts > 1) then
-            text = 'Smaller increments did no better: where wires are about to snap or to slip off each other,'// &
-               ' damp that (*CONTROLS, PARAMETERS=STABILIZE), or let them rub (*FRICTION). '
+            text = 'Smaller increments did not help: where wires are about to snap or to slip off each other,'// &
+               ' damp that (*CONTROLS, PARAMETERS=STABILIZE), or add friction (*FRICTION). '
          else if (still_converges(outcome)) then
             text = 'It was still converging: allow more iterations (I_C of *CONTROLS, PARAMETERS=TIME'// &
                ' INCREMENTATION, now '//to_text(step%controls%i_c)//'). '
@@ -143,11 +143,11 @@ contains
       character(len=:), allocatable :: text
 
       if (step%direct) then
-         text = 'Increments of *STATIC, DIRECT are not cut: leave DIRECT out.'
+         text = 'Increments of *STATIC, DIRECT are not cut back: remove DIRECT.'
       else if (outcome%cause == cause_lost_contact .or. outcome%cause == cause_turned_ends) then
-         text = 'Smaller increments did no better.'
+         text = 'Smaller increments did not help.'
       else if (attempts > step%controls%i_a) then
-         text = 'All cut-backs are used up (I_A of *CONTROLS, PARAMETERS=TIME INCREMENTATION, now '// &
+         text = 'The maximum number of cut-backs is reached (I_A of *CONTROLS, PARAMETERS=TIME INCREMENTATION, now '// &
             to_text(step%controls%i_a)//').'
       else
          text = 'The next smaller increment is below the smallest allowed (third value of *STATIC, now '// &

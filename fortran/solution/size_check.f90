@@ -26,7 +26,7 @@ contains
       write (number, '(i0)') model%n_elements
       if (entries > huge(model%n_nodes)) then
          error = fail(exit_memory, 'the equations of '//trim(number)//' elements have more entries than the solvers'// &
-            ' can count, which is 2147483647; make the model smaller')
+            ' can number, 2147483647; reduce the model')
          return
       end if
       bytes = bytes_per_element*model%n_elements

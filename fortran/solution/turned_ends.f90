@@ -79,8 +79,9 @@ contains
       type(model_t), intent(in) :: model
       character(len=:), allocatable :: text
 
-      text = 'the ends of element '//to_text(model%element_id(self%element))//' are turned against each other by '// &
-         to_text(nint(self%angle*180/pi))//' degrees, of which an element can bear 150'
+      text = 'the ends of element '//to_text(model%element_id(self%element))//' are rotated relative to each other'// &
+         ' by '// &
+         to_text(nint(self%angle*180/pi))//' degrees; the limit is 150'
    end function describe
 
 end module litz_turned_ends

@@ -147,7 +147,7 @@ contains
       if (bytes <= limit) return
       write (equations, '(i0)') n
       error = fail(exit_solver, 'CHOLMOD: the factor of '//trim(equations)//' equations needs '//memory_text(bytes)// &
-         ' of memory, '//memory_text(limit)//' are available; take a coarser mesh or a machine with more memory')
+         ' of memory, '//memory_text(limit)//' are available; use a coarser mesh or a machine with more memory')
    end subroutine check_memory
 
    subroutine cholmod_factor(self, matrix, error)

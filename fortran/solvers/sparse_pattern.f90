@@ -184,7 +184,7 @@ contains
       write (text, '(a, i0, a, i0, a, i0)') 'the matrix of ', equations, ' equations has ', entries, &
          ' entries; at most ', max_countable
       error = fail(exit_memory, 'linear solver: '//trim(text)// &
-         ' can be counted. Take a coarser mesh, or let fewer wires be in contact.')
+         ' can be numbered. Use a coarser mesh, or fewer wires in contact.')
    end subroutine check_entries
 
    !> `transpose = matrix^T`, columns ascending.

@@ -65,7 +65,7 @@ def test_a_misspelt_command_is_answered_with_all_commands_of_both(litz_program, 
     assert direct.returncode == through_python.returncode == 1
     assert direct.stderr == through_python.stderr
     assert ("did you mean litz plot?" in direct.stderr) == ("plto" in wrong)
-    of_program, of_package = direct.stderr.split("of the Python package there is")
+    of_program, of_package = direct.stderr.split("those of the Python package are")
     for known in ("run", "check", "keywords", "help"):
         assert re.search(rf"\b{known}\b", of_program)
     assert set(re.findall(r"\w+", of_package)) - {"and"} == set(cli.COMMANDS)

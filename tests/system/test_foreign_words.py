@@ -1,4 +1,4 @@
-"""Words of Abaqus and CalculiX that litz does not have: each is answered by what to write in its place."""
+"""Keywords of Abaqus and CalculiX that litz does not have: each is answered by what to write in its place."""
 
 import json
 import re

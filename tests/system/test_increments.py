@@ -137,7 +137,7 @@ def test_the_message_names_node_contact_and_setting(gave_up):
         "step 2, increment 1 did not converge",
         "after 2 iterations, at node ",
         "contact is that of the elements 3 and 13",
-        "All cut-backs are used up (I_A of *CONTROLS, PARAMETERS=TIME INCREMENTATION, now 1)",
+        "The maximum number of cut-backs is reached (I_A of *CONTROLS, PARAMETERS=TIME INCREMENTATION, now 1)",
         "The results hold all increments before",
         "deck_unconverged",
     ):

@@ -84,7 +84,7 @@ def swapped(card):
 def test_a_contact_that_cannot_be_told_from_a_new_one_ends_the_run_in_words(run):
     process, _ = run(swapped("*STATIC, DIRECT\n 1, 1"))
     assert process.returncode == 2
-    assert "slides so far in this increment that it cannot be told from others" in process.stderr
+    assert "slides so far in this increment that it cannot be distinguished from others" in process.stderr
     assert "Begin with a smaller increment" in process.stderr
 
 

@@ -65,7 +65,7 @@ def test_a_snap_without_pivots_to_tell_it_is_guessed_from_increments_that_fail_a
     load = f"*BOUNDARY\n 11, 1\n 11, 4\n*CLOAD\n 11, 3, {-1.5 * snap_load():.6g}\n 11, 6, 1e-6"
     process, _ = run(arch(load, "0.05, 1, 1e-3, 0.05"))
     assert process.returncode == 2
-    assert "Smaller increments did no better" in process.stderr
+    assert "Smaller increments did not help" in process.stderr
     assert "PARAMETERS=STABILIZE" in process.stderr
     assert "*FRICTION" in process.stderr
 
