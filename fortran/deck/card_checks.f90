@@ -217,7 +217,7 @@ contains
       if (spec%kind == kind_choice) then
          words = words//trim(spec%choices)
       else
-         words = words//'... ('//spec%help//')'
+         words = words//'... ('//trim(spec%help)//')'
       end if
    end function describe_parameter
 

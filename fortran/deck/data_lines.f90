@@ -192,7 +192,7 @@ contains
       character(len=:), allocatable :: words
 
       words = trim(field%name)
-      if (len(field%help) > 0 .and. index(field%help, ';') == 0) words = words//' ('//field%help//')'
+      if (len_trim(field%help) > 0 .and. index(field%help, ';') == 0) words = words//' ('//trim(field%help)//')'
    end function describe_field
 
    pure function describe_form(form) result(words)

@@ -91,12 +91,12 @@ contains
 
    !> A value that is a degree of freedom.
    pure type(field_spec_t) function dofs_of(unknowns, value) result(spec)
-      !> Of which fields, by index in litz_fields
+      !> Of which fields (n), by index in litz_fields
       integer, intent(in) :: unknowns(:)
       type(field_spec_t), intent(in) :: value
 
       spec = value
-      spec%dofs_of = unknowns
+      spec%dofs_of(unknowns) = .true.
    end function dofs_of
 
    pure type(field_spec_t) function choice_field(name, choices, help) result(spec)

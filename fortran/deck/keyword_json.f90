@@ -4,7 +4,7 @@
 !> data lines is null where any number of lines is allowed, `repeats` where the values of a line may repeat any number
 !> of times.
 module litz_keyword_json
-   use litz_fields, only: fields, last_dof
+   use litz_fields, only: fields, n_fields, last_dof
    use litz_growing_text, only: growing_text_t
    use litz_keywords, only: keyword_table_t, keyword_t, parameter_spec_t, data_spec_t, field_spec_t, place_model, &
       place_step, place_both, kind_flag, kind_integer, kind_real, kind_choice, kind_name, kind_item, kind_file, &
@@ -95,12 +95,13 @@ contains
       integer :: i
 
       json = ''
-      if (.not. allocated(value%dofs_of)) return
-      do i = 1, size(value%dofs_of)
-         associate (field => fields(value%dofs_of(i)))
-            if (i > 1) json = json//', '
+      if (.not. any(value%dofs_of)) return
+      do i = 1, n_fields
+         if (.not. value%dofs_of(i)) cycle
+         associate (field => fields(i))
+            if (len(json) > 0) json = json//', '
             json = json//'{"name": '//quoted(field%name)//', "first": '//to_text(field%first_dof)//', "last": '// &
-               to_text(last_dof(value%dofs_of(i)))//', "unit": '//quoted(field%unit)//', "rotation": '// &
+               to_text(last_dof(i))//', "unit": '//quoted(field%unit)//', "rotation": '// &
                truth(field%is_rotation)//'}'
          end associate
       end do

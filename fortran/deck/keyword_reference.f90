@@ -23,7 +23,7 @@ contains
       text = ''
       do i = 1, table%n
          associate (keyword => table%keywords(i))
-            text = text//wrapped('*'//keyword%name//first_sentence(keyword%help), width, 1 + len(keyword%name))
+            text = text//wrapped('*'//keyword%name//first_sentence(trim(keyword%help)), width, 1 + len(keyword%name))
          end associate
       end do
    end function keyword_list
@@ -47,7 +47,7 @@ contains
       character(len=:), allocatable :: text
       integer :: i, j
 
-      text = '*'//trim(keyword%name)//' - '//describe_place(keyword)//nl//wrapped(keyword%help, width, 0)
+      text = '*'//trim(keyword%name)//' - '//describe_place(keyword)//nl//wrapped(trim(keyword%help), width, 0)
       if (size(keyword%parameters) > 0) text = text//'Parameters:'//nl
       do i = 1, size(keyword%parameters)
          text = text//wrapped('  '//parameter_form(keyword%parameters(i))//': '// &
@@ -134,7 +134,7 @@ contains
       character(len=:), allocatable :: text
       integer :: i, j
 
-      text = '## \*'//trim(keyword%name)//nl//nl//'*'//describe_place(keyword)//'.* '//keyword%help//nl
+      text = '## \*'//trim(keyword%name)//nl//nl//'*'//describe_place(keyword)//'.* '//trim(keyword%help)//nl
       if (size(keyword%parameters) > 0) text = text//nl//'| parameter | meaning |'//nl//'|---|---|'//nl
       do i = 1, size(keyword%parameters)
          text = text//'| `'//escaped(parameter_form(keyword%parameters(i)))//'` | '// &
@@ -203,7 +203,7 @@ contains
       type(parameter_spec_t), intent(in) :: parameter
       character(len=:), allocatable :: help
 
-      help = parameter%help
+      help = trim(parameter%help)
       if (parameter%limit /= limit_none) help = help//'; '//describe_limit(parameter%limit)
       if (parameter%required) help = help//'; required'
       if (len_trim(parameter%default) > 0) help = help//'; default '//trim(parameter%default)
@@ -252,7 +252,7 @@ contains
       type(field_spec_t), intent(in) :: field
       character(len=:), allocatable :: help
 
-      help = field%help
+      help = trim(field%help)
       if (field%kind == kind_choice) help = help//'; '//join_words(words_of(field%choices), 'or')
       if (len_trim(field%unit) > 0) help = help//' ['//trim(field%unit)//']'
       if (field%limit /= limit_none .and. field%limit /= limit_unused) help = help//'; '//describe_limit(field%limit)

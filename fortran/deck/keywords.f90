@@ -3,6 +3,7 @@
 !> The descriptions themselves are the table of litz_keyword_table. They drive the checks of the reader, the hints
 !> after a misspelling, and the reference of the deck.
 module litz_keywords
+   use litz_fields, only: n_fields
    use litz_kinds, only: dp
    use litz_foreign_words, only: foreign_keyword, advice_about
    use litz_text, only: squeezed, nearest_word, word_length
@@ -30,6 +31,9 @@ module litz_keywords
    !> Numbers of a deck beyond these mean nothing in any unit, and what is computed from them would overflow
    real(dp), parameter :: largest_number = 1.0e60_dp, smallest_positive = 1.0e-60_dp
 
+   !> More than any help text has. Allocatable texts would leak: gfortran does not free them in array constructors.
+   integer, parameter :: help_length = 1000
+
    type :: parameter_spec_t
       character(len=24) :: name = ''
       integer :: kind = kind_flag
@@ -40,7 +44,7 @@ module litz_keywords
       logical :: value_optional = .false.
       integer :: limit = limit_none
       character(len=24) :: default = ''
-      character(len=:), allocatable :: help
+      character(len=help_length) :: help = ''
    end type parameter_spec_t
 
    !> One value of a data line.
@@ -51,9 +55,9 @@ module litz_keywords
       integer :: limit = limit_none
       character(len=120) :: choices = ''
       logical :: required = .true.
-      character(len=:), allocatable :: help
-      !> The value is a degree of freedom of one of these, by index in litz_fields; unallocated: it is something else
-      integer, allocatable :: dofs_of(:)
+      character(len=help_length) :: help = ''
+      !> The value is a degree of freedom of one of these fields; none: it is something else
+      logical :: dofs_of(n_fields) = .false.
    end type field_spec_t
 
    !> One or several data lines of the same form.
@@ -78,7 +82,7 @@ module litz_keywords
       character(len=28) :: after = ''
       type(parameter_spec_t), allocatable :: parameters(:)
       type(data_spec_t), allocatable :: data(:)
-      character(len=:), allocatable :: help
+      character(len=help_length) :: help = ''
    contains
       procedure :: find_parameter => keyword_find_parameter
       procedure :: add => keyword_add_parameter

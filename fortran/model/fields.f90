@@ -89,8 +89,9 @@ contains
 
    !> The degrees of freedom of neighbouring fields as `1-6`, or `9` where there is only one.
    pure function dof_range(first, last) result(text)
-      !> First field, and last field; absent: the first field alone
+      !> The first field
       integer, intent(in) :: first
+      !> The last field; absent: the first one
       integer, intent(in), optional :: last
       character(len=:), allocatable :: text
       integer :: last_field

@@ -271,7 +271,13 @@ VALUES = [
     case("set in *NODE PRINT", "PRINT, NSET=PLUS", "PRINT, NSET=MINUS", 'there is no node set "MINUS"', "MINUS"),
     case("degree of freedom 7", "3, 1, 6", "3, 1, 7", "degree of freedom 7 does not exist", "7"),
     case("degree of freedom 0", "PLUS, 9", "PLUS, 0", "degree of freedom 0 does not exist", "0"),
-    case("degree of freedom unknown word", "2, PINNED", "2, PINED", 'ENCASTRE or PINNED; found "PINED"', "PINED"),
+    case(
+        "degree of freedom unknown word",
+        "2, PINNED",
+        "2, PINED",
+        '4-6 (rotation) or 9 (potential); found "PINED"',
+        "PINED",
+    ),
     case("value after PINNED", "2, PINNED", "2, PINNED, 3", "nothing follows PINNED", "3"),
     case("range backwards", "3, 1, 6", "3, 6, 1", "the last degree of freedom, 1, is smaller than the first, 6", "1"),
     case(

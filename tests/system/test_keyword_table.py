@@ -1,6 +1,9 @@
 """Every value of every data line that the keyword table describes: what is wrong about it is refused at its place."""
 
 import json
+import os
+
+import pytest
 
 #: A value that is taken, by its kind
 GOOD = {"integer": "1", "real": "0.1", "name": "A", "number or set": "1"}
@@ -132,3 +135,34 @@ def test_missing_data_lines_are_told_for_every_keyword_that_needs_them(litz, tmp
         assert f"bad.inp:{len(lines)}:" in result.stderr, f"{lines}\n{result.stderr}"
         n += 1
     assert n >= 15
+
+
+def fields_of(keyword, value):
+    """Names of the fields of a value of a data line, with their degrees of freedom."""
+    values = keyword["data"][0]["values"]
+    fields = next(one["fields"] for one in values if one["name"] == value)
+    return {field["name"]: (field["first"], field["last"]) for field in fields}
+
+
+def test_values_that_are_degrees_of_freedom_name_their_fields(litz):
+    table = {keyword["name"]: keyword for keyword in json.loads(litz("keywords", "--json").stdout)}
+    mechanical = {"displacement": (1, 3), "rotation": (4, 6)}
+    assert fields_of(table["BOUNDARY"], "first") == {**mechanical, "potential": (9, 9)}
+    assert fields_of(table["CLOAD"], "dof") == mechanical
+    assert fields_of(table["CECURRENT"], "dof") == {"potential": (9, 9)}
+
+
+def test_no_help_is_cut_off(litz):
+    """Texts are shorter than the room that the program has for them: a longer one would fill it."""
+    for keyword in json.loads(litz("keywords", "--json").stdout):
+        values = [value for form in keyword["data"] for value in form["values"]]
+        for described in [keyword, *keyword["parameters"], *values]:
+            assert 0 < len(described["help"]) < 1000, described["name"]
+
+
+@pytest.mark.parametrize("columns", [60, 140])
+def test_help_is_wrapped_to_the_width_of_the_terminal(litz, columns):
+    shown = litz("keywords", "CONTROLS", env={**os.environ, "COLUMNS": str(columns)}).stdout
+    assert columns - 20 < max(map(len, shown.splitlines())) <= columns
+    narrow = litz("keywords", "CONTROLS", env={**os.environ, "COLUMNS": "60"}).stdout
+    assert shown.split() == narrow.split()

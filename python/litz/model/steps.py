@@ -151,7 +151,9 @@ class Step:
         amplitude : Amplitude or str, optional
             Factor over time.
         """
-        self.boundary(nodes, degree_of_freedom(direction, directions_of("CLOAD", "dof").values()), None, value, amplitude)
+        self.boundary(
+            nodes, degree_of_freedom(direction, directions_of("CLOAD", "dof").values()), None, value, amplitude
+        )
 
     def hold(self, nodes: AnyNodes, *directions: Direction) -> None:
         """Prescribe zeros, as `Model.fix` does from the start: all displacements and rotations without directions."""
@@ -184,7 +186,10 @@ class Step:
 
     def current(self, nodes: AnyNodes, value: float, amplitude: Amplitude | str | None = None) -> None:
         """A current [A] into the body at each of the nodes."""
-        self._load("CECURRENT", Load(self._model.target(nodes), degree_of_freedom("potential"), value, self._amplitude(amplitude)))
+        self._load(
+            "CECURRENT",
+            Load(self._model.target(nodes), degree_of_freedom("potential"), value, self._amplitude(amplitude)),
+        )
 
     cecurrent = current
 

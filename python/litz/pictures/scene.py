@@ -188,9 +188,7 @@ def _spots(
     drawn = thinner * np.clip(0.85 * np.sqrt(size / largest), 0.15, None)
     factor, unit = engineering(np.array([scale.largest]), contacts.units[scale.by])
     plural = "s" if contacts.n_rows > 1 else ""
-    text = (
-        f"{contacts.n_rows} contact{plural}: disc area proportional to {scale.by},\nmaximum {largest * factor:.3g} {unit}"
-    )
+    text = f"{contacts.n_rows} contact{plural}: disc area proportional to {scale.by},\nmaximum {largest * factor:.3g} {unit}"
     return centres, normals, drawn, text
 
 
