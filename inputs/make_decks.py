@@ -1,4 +1,4 @@
-"""Writes the decks 11 and 12, which are too long to be typed: `python inputs/make_decks.py`."""
+"""Writes decks 11 and 12, which are too long to write by hand: `python inputs/make_decks.py`."""
 
 from pathlib import Path
 
@@ -13,16 +13,16 @@ def fibre_mat() -> build.Model:
     model.title = "A mat of 128 copper fibres pressed between two electrodes"
     add_step(model, 0.1e-3)
     model.comments = """\
-Model    Eight layers of 16 straight copper fibres of 0.1 mm radius, layers along x and y in turn, each fibre turned at
-         random by up to 0.5 rad (29 degrees). Below and above lie the electrodes, six rigid bars each. The ends of the
+Model    Eight layers of 16 straight copper fibres of 0.1 mm radius, layers along x and y in turn, each fibre rotated at
+         random by up to 0.5 rad (29 degrees). Electrodes of six rigid bars each lie below and above. The ends of the
          fibres are held in a frame of 30 mm x 30 mm that is pressed together with the upper electrode: without friction,
-         fibres with free ends would slide off each other. The gaps of 5 microns close at 0.45 of the time, all at once.
+         fibres with free ends would slide off each other. The gaps of 5 microns all close at once, at time 0.45.
          1 mV between the electrodes.
-Contact  Hertz and Holm, between neighbouring layers. Copper this thin would yield: the forces are those of elastic wires.
+Contact  Hertz and Holm, between neighbouring layers. Real copper wires this thin would yield: the forces are those of elastic wires.
 Source   litz.build.fibre_mat, called in inputs/make_decks.py.
-Expect   The resistance falls at every increment after first touch, to 0.13 mohm. Kirchhoff's laws for the wires and contacts
-         of `contact_network` of `litz.Results` give the same to nine digits. Each contact has the resistance that Holm gives
-         for its force. Electrodes and frame balance each other.""".splitlines()
+Expect   The resistance falls at every increment after first contact, to 0.13 mohm. Kirchhoff's laws for the wires and contacts
+         of `contact_network` of `litz.Results` give the same to nine digits. Each contact has Holm's resistance for
+         its force. The forces on electrodes and frame are in balance.""".splitlines()
     return model
 
 
@@ -33,24 +33,24 @@ def woven_fabric() -> build.Model:
     add_step(model, 6.5e-6)
     model.comments = """\
 Model    8 x 8 copper wires of 0.1 mm radius at a pitch of 1 mm, woven one over one, with axes z = +-a cos(pi s/pitch).
-         litz has no rigid surfaces: each plate is a row of straight wires, all of whose nodes are prescribed, one along each
-         diagonal of crests, which it crosses at 45 degrees. The upper plate comes down by 6.5 microns, of which 3 close
-         the gaps. The ends of the wires are held across and go down by half, the middles are held along the wire.
+         litz has no rigid surfaces: each plate is a row of straight wires, with all nodes prescribed, one along each
+         diagonal of crests, crossing the wires at 45 degrees. The upper plate moves down by 6.5 microns, of which 3 close
+         the gaps. The ends of the wires are held laterally and move down by half, the middles are held along the wire.
          1 mV between the plates.
 Contact  Hertz and Holm, plates with wires at 45 degrees, wires with each other at 90 degrees.
-Source   litz.build.woven_fabric, called in inputs/make_decks.py. By symmetry all crossings far from the edge are alike:
+Source   litz.build.woven_fabric, called in inputs/make_decks.py. By symmetry all crossings far from the edge are equal:
          plate on wire (force F), wire on wire (force N), and wires that bend from crest to crest,
             delta_45(F) + u = d,  delta_90(N) = 2 u - c,  F - N = 4 u/f,  f = integral of (pitch/2 - s)^2 dl/(E I),
          with d = 2.25 microns, the approach of the plates to the middle without the gap, and c = 1 micron. f is that of the
-         curved wire. Resistance: Kirchhoff's laws for 64 crossings of two points each, and for the elements of the plates,
-         of two radii, that bring the current to each contact.
+         curved wire. Resistance: Kirchhoff's laws for 64 crossings of two points each, and for the plate elements,
+         two radii long, that carry the current to each contact.
 Expect   forces at the four crossings in the middle: plate F = 1.5082 N, wires N = 1.0385 N, both within 0.5 %
          resistance between the plates 0.02381 mohm, within 2 % (two contacts share an element of each wire)""".splitlines()
     return model
 
 
 def add_step(model: build.Model, displacement: float) -> None:
-    """Press, with 1 mV between the electrodes, and ask for the forces on both."""
+    """Press, with 1 mV between the electrodes, and request the forces on both."""
     step = model.press(displacement, voltage=1e-3)
     for electrode in ("PLUS", "MINUS"):
         step.node_print(electrode, "RF", totals="ONLY")

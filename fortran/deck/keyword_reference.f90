@@ -55,7 +55,7 @@ contains
       end do
       do i = 1, size(keyword%data)
          associate (form => keyword%data(i))
-            text = text//line_title(form)//': '//line_form(form)//nl
+            text = text//wrapped(line_title(form)//': '//line_form(form), width, 6)
             do j = 1, size(form%fields)
                text = text//wrapped('  '//trim(form%fields(j)%name)//': '//field_help(form%fields(j)), width, 6)
             end do

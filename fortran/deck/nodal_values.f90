@@ -4,8 +4,8 @@ module litz_nodal_values
    use litz_text, only: to_text
    use litz_numbers, only: parse_integer, number_ok
    use litz_deck, only: token_t
-   use litz_fields, only: fields, field_displacement, field_rotation, last_dof, n_slots, slot_of_dof, field_of_dof, &
-      dof_range, describe_dofs
+   use litz_fields, only: field_t, fields, field_displacement, field_rotation, last_dof, n_slots, slot_of_dof, &
+      field_of_dof, dof_range, describe_dofs
    use litz_model, only: model_t, nodal_value_t, amplitude_factor, dof_potential
    use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, keyword_of, name_of
    use litz_value_checks, only: advice_about_value, behind_semicolon
@@ -240,10 +240,8 @@ contains
             ok = .false.
             call fail_at(self, values%token(3), 'the last degree of freedom, '//to_text(last)// &
                ', is smaller than the first, '//to_text(first))
-         else if (ok .and. fields(field_of_dof(first))%group /= fields(field_of_dof(last))%group) then
-            ok = .false.
-            call fail_at(self, values%token(3), 'a range must not reach from '// &
-               trim(fields(field_of_dof(first))%name)//' to '//trim(fields(field_of_dof(last))%name)//'; use two lines')
+         else if (ok) then
+            call check_range(fields(field_of_dof(first)), fields(field_of_dof(last)))
          end if
       end associate
 
@@ -258,6 +256,15 @@ contains
          if (.not. ok) call fail_at(self, token, 'degree of freedom '//to_text(dof)//' does not exist; there are '// &
             describe_dofs('and'))
       end subroutine check_dof
+
+      !> A range stays within fields that are solved for together.
+      subroutine check_range(from, to)
+         type(field_t), intent(in) :: from, to
+
+         ok = from%group == to%group
+         if (.not. ok) call fail_at(self, self%values%token(3), 'a range must not reach from '//trim(from%name)// &
+            ' to '//trim(to%name)//'; use two lines')
+      end subroutine check_range
 
    end subroutine find_boundary_dofs
 

@@ -14,14 +14,14 @@ from .errors import LitzError
 _HELP = ("help", "-h", "--help")
 _PYTHON_HELP = """
 Commands of the Python package:
-  litz summary RESULTS                    what was run, the increments, the contacts and the last increment in numbers
-  litz table RESULTS                      contacts, contact force and the history that the deck asked for, over time
+  litz summary RESULTS                    overview of the run: increments, contacts and the last increment in numbers
+  litz table RESULTS                      contacts, contact force and the requested history output, over time
   litz plot RESULTS [KIND] [-o PICTURE]   a picture; KIND: overview (default), wires, resistance, residuals, contacts,
-                                          currents, network, friction or history; --animate: a moving one
+                                          currents, network, friction or history; --animate: an animation
   litz report RESULTS [-o PAGE]           one HTML page about a run: convergence, balances, worst contacts, pictures, and
-                                          the model to turn; also for runs that did not converge
-  litz view RESULTS [--no-browser]        the results in the browser: turn, scrub through increments, pick contacts
-  litz new TASK [DECK]                    write a commented deck to begin with; litz new --list shows the tasks
+                                          the model to rotate; also for runs that did not converge
+  litz view RESULTS [--no-browser]        the results in the browser: rotate, step through increments, select contacts
+  litz new TASK [DECK]                    write a commented deck as a starting point; litz new --list shows the tasks
   litz convert MESH DECK --radius R       a deck from a mesh of gmsh, Abaqus or BeamMe, or any that meshio reads
   litz export RESULTS --to FORMAT         results as csv, vtu (ParaView series), xdmf or vtkhdf; -o DIR says where to
 RESULTS is a result file (.vtkhdf), a deck (.inp) that was run here, or a directory with the results of one run.

@@ -48,7 +48,7 @@ def test_a_deep_overlap_ends_the_run_and_names_the_wires_and_the_penalty_that_cu
         assert process.returncode == 2
         found = re.search(
             r"the wires of elements 3 and 13 overlap by (\S+) % of the smaller radius, 5 % are allowed\. "
-            r"The force that it has there needs a penalty of (\S+) N/m at least",
+            r"The contact force there requires a penalty of at least (\S+) N/m",
             process.stderr,
         )
         assert found, process.stderr

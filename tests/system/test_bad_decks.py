@@ -284,7 +284,7 @@ VALUES = [
         "range over two fields",
         "3, 1, 6",
         "3, 1, 9",
-        "a range must not reach from displacements or rotations to the potential",
+        "a range must not reach from displacement to potential; use two lines",
         "9",
     ),
     case(
@@ -703,7 +703,7 @@ def test_data_before_the_first_keyword(litz, tmp_path):
 def test_a_keyword_between_two_steps(litz, tmp_path):
     deck = DECK + "*BOUNDARY\n2, 1\n*STEP\n*STATIC\n*END STEP\n"
     line = line_of("*END STEP", deck) + 1
-    check_one_error(litz, tmp_path, deck, "*BOUNDARY stands between two steps", line, "BOUNDARY")
+    check_one_error(litz, tmp_path, deck, "*BOUNDARY is between two steps", line, "BOUNDARY")
 
 
 def test_two_steps_of_one_name(litz, tmp_path):
@@ -939,7 +939,7 @@ def test_supports_that_a_later_step_takes_away(litz, tmp_path):
 
 def keyword_table(litz):
     """Keywords of the reference: name, place, the keyword they follow, and parameters with their forms."""
-    keywords = litz("keywords", "--markdown").stdout.split("\n## Words of ")[0]
+    keywords = litz("keywords", "--markdown").stdout.split("\n## Keywords of ")[0]
     for section in keywords.split("\n## \\*")[1:]:
         name, place, after = re.match(r"(.*)\n\n\*(.*?)(?:, after \*(.*))?\.\*", section).groups()
         parameters = re.findall(r"^\| `([^`]*?)(?:=([^`]*))?` \| .* \|$", section.split("Data line")[0], re.MULTILINE)

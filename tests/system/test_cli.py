@@ -55,7 +55,7 @@ def test_help_about_one_command(name):
 def test_help_about_a_command_that_is_none():
     shown = command("help", "rnu")
     assert shown.returncode == 1
-    assert shown.stderr.startswith('error: unknown command "rnu"; did you mean litz run? There is run, check')
+    assert shown.stderr.startswith('error: unknown command "rnu"; did you mean litz run? The commands are run, check')
 
 
 @pytest.mark.parametrize("wrong", [["plto"], ["help", "plto"], ["frobnicate"]])

@@ -15,7 +15,7 @@ def keywords(litz_program_text):
 @pytest.fixture(scope="module")
 def rows(litz_program_text):
     """Rows of the last chapter of the reference: words, advice."""
-    chapter = litz_program_text("keywords", "--markdown").split("## Words of Abaqus and CalculiX")[1]
+    chapter = litz_program_text("keywords", "--markdown").split("## Keywords of Abaqus and CalculiX")[1]
     found = re.findall(r"^\| (`.*?) \| (.*) \|$", chapter, re.MULTILINE)
     assert len(found) > 80
     return found

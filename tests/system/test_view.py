@@ -242,7 +242,7 @@ class TestServer:
         assert len(json.loads(plain)["contacts"]["id"]) == 16
 
     def test_a_port_that_is_taken_is_told(self, server):
-        with pytest.raises(litz.FileError, match=f"port {server.server_address[1]} of this machine cannot be used"):
+        with pytest.raises(litz.FileError, match=f"port {server.server_address[1]} cannot be used"):
             ViewServer(server.results, server.server_address[1])
 
     def test_the_command_prints_the_address_and_ends_with_ctrl_c(self, run_of_input):

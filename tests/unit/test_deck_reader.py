@@ -383,7 +383,7 @@ def test_help_tells_all_commands(litz):
         (["x.inp"], 'unknown command "x.inp"; did you mean litz run x.inp?'),
         (["run"], "litz run needs a deck: litz run deck.inp"),
         (["check"], "litz check needs a deck: litz check deck.inp"),
-        (["run", "x.inp", "y.inp"], 'litz run unexpected argument "y.inp"'),
+        (["run", "x.inp", "y.inp"], 'litz run: unexpected argument "y.inp"'),
         (["run", "x.inp", "--thread", "2"], 'unknown option "--thread" of litz run; did you mean --threads?'),
         (["check", "x.inp", "--solver", "block"], 'unknown option "--solver" of litz check, which has no options'),
         (["run", "x.inp", "--threads", "none"], "the number of threads must be a whole number of at least 1"),

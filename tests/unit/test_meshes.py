@@ -387,7 +387,7 @@ def test_each_element_needs_one_section(file, arguments, message):
     ("text", "message"),
     [
         ("*Node\n 1, 0, 0, 0\n", "no line elements"),
-        ("*Node\n 1, 0, 0, 0\n*Element, type=B31\n 1, 1, 2\n", "node 2, which is not there"),
+        ("*Node\n 1, 0, 0, 0\n*Element, type=B31\n 1, 1, 2\n", "node 2, which does not exist"),
         ("*Node\n a, 0, 0, 0\n", "whole number, not 'a'"),
     ],
 )

@@ -444,7 +444,7 @@ class TestWhenThingsGoWrong:
         (tmp_path / ("crossed" + ending + ".part")).symlink_to("/dev/full")
         done = subprocess.run([writer, tmp_path], capture_output=True, text=True, check=False)
         assert done.returncode > 0
-        assert f'crossed{ending}": the system refuses; is the disk full?' in done.stdout
+        assert f'crossed{ending}": the operating system refused; is the disk full?' in done.stdout
 
 
 class TestImport:

@@ -112,7 +112,7 @@ def cable(
     lays = [_lays_of(layers, lay) for layers, lay in zip(stages, lay_lengths, strict=True)]
     turning = [abs(lay) for stage in lays for lay in stage if math.isfinite(lay)]
     if not turning:
-        raise ValueError("a cable needs a layer that is laid around something")
+        raise ValueError("a cable needs at least one layer around a core")
     n_elements = max(1, math.ceil(length / min(turning) * elements_per_lay))
     room = clearance
     for _ in range(_TRIES):
@@ -125,7 +125,7 @@ def cable(
             break
         room += clearance - gap
     else:
-        raise ValueError("the wires overlap however large the gaps are: the lay is too short")
+        raise ValueError("the wires overlap for any gap: the lay is too short")
     _hold_ends(model)
     model.contact("WIRES", interaction=interaction)
     return model
@@ -134,7 +134,7 @@ def cable(
 def _lays_of(layers: Sequence[int], lay: float | Sequence[float]) -> list[float]:
     """Lay length of every layer; infinite for one member in the middle."""
     if not layers or min(layers) < 1:
-        raise ValueError("each layer needs one member or more")
+        raise ValueError("each layer needs at least one member")
     core = layers[0] == 1
     n_laid = len(layers) - core
     laid = (np.full(n_laid, lay, dtype=float) if np.ndim(lay) == 0 else np.asarray(lay, dtype=float)).tolist()

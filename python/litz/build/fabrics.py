@@ -58,7 +58,7 @@ def wire_grid(
     if not pitch > 2 * radius > 0:
         raise ValueError("a grid needs a positive radius and a pitch of more than a diameter")
     if clearance < 0:
-        raise ValueError(f"clearance must be 0 or positive, not {clearance:g}")
+        raise ValueError(f"clearance must be 0 or greater, not {clearance:g}")
     model = Model(f"Grid of {n_x} x {n_y} wires")
     height, across = 2 * radius + clearance, [(index + 0.5) * pitch for index in range(max(n_x, n_y))]
 

@@ -109,7 +109,7 @@ def fibre_mat(
         if overlap:
             raise ValueError("a layered mat has no overlap")
         if not 0 <= 2 * spread <= math.pi / 2 - smallest_angle:
-            raise ValueError("spread must be from 0 to half of 90 degrees less the smallest angle")
+            raise ValueError("spread must be between 0 and half of (90 degrees minus the smallest angle)")
         model = Model(f"Layered mat of {n_layers} x {n_fibres} fibres, seed {seed}")
         layers = {"n_layers": n_layers, "n_fibres": n_fibres, "spread": spread, "clearance": clearance}
         bars = {"number": n_bars, "radius": radius if bar_radius is None else bar_radius}
@@ -252,7 +252,7 @@ def _hold_isotropic(model: Model, height: float) -> None:
     top = [node for node in ends if x[node - 1, 2] >= height * (1 - 1e-6)]
     bottom = [node for node in ends if x[node - 1, 2] <= height * 1e-6]
     if not (top and bottom):
-        raise ValueError("no fibre reaches the bottom or the top of the box: take more fibres or another seed")
+        raise ValueError("no fibre reaches the bottom or the top of the box: use more fibres or another seed")
     for name, nodes in (("ENDS", ends), ("PLUS", top), ("MINUS", bottom)):
         model.node_set(name, nodes)
     model.fix("ENDS", "x", "y")

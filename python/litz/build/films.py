@@ -82,7 +82,7 @@ def nanowire_film(
     >>> step = film.press(0.9 * film.height, voltage=1e-3)
     """
     if n_wires < 1 or not radius > 0 or not length > 4 * radius or not min(size) > 4 * radius:
-        raise ValueError("a film needs wires of positive radius, longer than two diameters, as must be the film")
+        raise ValueError("a film needs wires of positive radius; wires and film must be longer than two diameters")
     clearance = radius / 100 if clearance is None else clearance
     if not clearance > 0:
         raise ValueError(f"clearance must be greater than 0, not {clearance:g}")
@@ -102,7 +102,7 @@ def nanowire_film(
         for name, wall in (("MINUS", 0.0), ("PLUS", size[0]))
     }
     if not all(cut.values()):
-        raise ValueError("no wire reaches one of the electrodes: take more or longer wires, or another seed")
+        raise ValueError("no wire reaches one of the electrodes: use more or longer wires, or another seed")
     for name, nodes in cut.items():
         model.node_set(name, nodes)
     model.contact("FILM", interaction=interaction)

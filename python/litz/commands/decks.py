@@ -11,9 +11,9 @@ from .parsers import command_parser
 
 def new_command(arguments: list[str]) -> int:
     """`litz new`: a deck to begin with."""
-    parser = command_parser("new", "Write a commented deck to begin with, which runs as it stands.", starter_list())
+    parser = command_parser("new", "Write a commented deck as a starting point; it runs as is.", starter_list())
     parser.add_argument("task", metavar="TASK", nargs="?", help="one of those below")
-    parser.add_argument("deck", metavar="DECK", nargs="?", help="default: TASK.inp; a file that is there is kept")
+    parser.add_argument("deck", metavar="DECK", nargs="?", help="default: TASK.inp; an existing file is not overwritten")
     parser.add_argument("--list", action="store_true", help="list the tasks")
     options = parser.parse_args(arguments)
     if options.list:
@@ -35,11 +35,11 @@ def convert_command(arguments: list[str]) -> int:
         "convert", "Write the wires and sets of a mesh as a deck, to which supports and steps are added."
     )
     parser.add_argument("mesh", metavar="MESH", help="Abaqus, gmsh or BeamMe (.inp), gmsh (.msh), or what meshio reads")
-    parser.add_argument("deck", metavar="DECK", help="the deck to write; a file that is there is kept")
+    parser.add_argument("deck", metavar="DECK", help="the deck to write; an existing file is not overwritten")
     parser.add_argument(
         "--radius",
         type=float,
-        help="radius of the wires, in the unit of length of the mesh; not needed where the mesh has sections",
+        help="radius of the wires, in the length unit of the mesh; not needed if the mesh has sections",
     )
     parser.add_argument(
         "--young", type=float, default=COPPER.young, help="Young's modulus; default: copper in SI units"
@@ -47,7 +47,7 @@ def convert_command(arguments: list[str]) -> int:
     parser.add_argument("--poisson", type=float, default=COPPER.poisson, help="Poisson's ratio; default: copper")
     parser.add_argument("--conductivity", type=float, help="electrical conductivity; without it an insulator")
     parser.add_argument(
-        "--element", choices=("B31", "B33"), default="B33", help="where the mesh does not say; default B33"
+        "--element", choices=("B31", "B33"), default="B33", help="element type if the mesh does not specify it; default B33"
     )
     options = parser.parse_args(arguments)
     if Path(options.deck).exists():

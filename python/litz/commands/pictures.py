@@ -26,14 +26,14 @@ def plot_command(arguments: list[str]) -> int:
     """`litz plot`: a picture, or an animation."""
     parser = results_parser("plot", "Draw results into a picture file, or an animation.", _PLOT_EXAMPLES)
     parser.add_argument("kind", nargs="?", metavar="KIND", help=f"{', '.join(KINDS)}; default: overview")
-    parser.add_argument("-o", "--output", metavar="PICTURE", help="default: STEM_KIND.png beside the results")
+    parser.add_argument("-o", "--output", metavar="PICTURE", help="default: STEM_KIND.png next to the results")
     parser.add_argument("--increment", default="-1", metavar="N",
                         help="STEP:INCREMENT, or counted from 0, or from the end; default: -1, the last")  # fmt: skip
-    parser.add_argument("--field", help="what colours the wires: a field of the file, the length of a vector, or "
+    parser.add_argument("--field", help="field that colours the wires: a field of the file, the length of a vector, or "
                         "VECTOR.x, .y, .z; default: the potential, or else the displacement")  # fmt: skip
-    parser.add_argument("--list-fields", action="store_true", help="list what can colour the wires, and draw nothing")
+    parser.add_argument("--list-fields", action="store_true", help="list the fields that can colour the wires, without drawing")
     parser.add_argument("--scale", type=float, default=1.0, help="factor on the displacements; default: 1")
-    parser.add_argument("--spots", choices=("current", "force", "none"), help="what sizes the contact spots")
+    parser.add_argument("--spots", choices=("current", "force", "none"), help="quantity shown by the size of the contact spots")
     parser.add_argument("--view", type=_view, metavar="DIRECTION",
                         help=f"from the wires to the viewer: X,Y,Z or one of {', '.join(VIEWS)} (--view=-z)")  # fmt: skip
     parser.add_argument("--size", type=_size, metavar="WIDTHxHEIGHT", help="in pixels")
@@ -70,7 +70,7 @@ def _fields(results: Results) -> str:
     ]
     width = max(len(name) for name, _, _ in rows)
     lines = [f"{name:<{width}}  {'[' + unit + ']':<8}  {text}\n" for name, unit, text in rows]
-    return "".join(lines) + "A vector stands for its length; NAME.x, NAME.y and NAME.z are its components.\n"
+    return "".join(lines) + "A vector is shown by its magnitude; NAME.x, NAME.y and NAME.z are its components.\n"
 
 
 def _increment(results: Results, text: str) -> int:
@@ -90,21 +90,21 @@ def _view(text: str) -> str | tuple[float, ...]:
     except ValueError:
         direction = ()
     if len(direction) != 3:
-        raise argparse.ArgumentTypeError(f"a direction has three numbers, as 1,-1,0.8, not {text!r}")
+        raise argparse.ArgumentTypeError(f"a direction has three numbers, such as 1,-1,0.8, not {text!r}")
     return direction
 
 
 def _size(text: str) -> tuple[int, int]:
     found = re.fullmatch(r"(\d+)x(\d+)", text)
     if not found:
-        raise argparse.ArgumentTypeError(f"a size is WIDTHxHEIGHT in pixels, as 1600x1000, not {text!r}")
+        raise argparse.ArgumentTypeError(f"a size is WIDTHxHEIGHT in pixels, such as 1600x1000, not {text!r}")
     return int(found[1]), int(found[2])
 
 
 def view_command(arguments: list[str]) -> int:
     """`litz view`: results in the browser."""
     parser = results_parser("view", "Show results in the browser, from a small server on this machine.")
-    parser.add_argument("--port", type=int, default=0, help="of the server; default: any that is free")
+    parser.add_argument("--port", type=int, default=0, help="port of the server; default: any free port")
     parser.add_argument("--no-browser", action="store_true", help="only print the address")
     options = parser.parse_args(arguments)
     if not 0 <= options.port <= 65535:
@@ -116,7 +116,7 @@ def view_command(arguments: list[str]) -> int:
 def report_command(arguments: list[str]) -> int:
     """`litz report`: a page about a run."""
     parser = results_parser("report", "Write one HTML page about a run, which needs nothing beside it.")
-    parser.add_argument("-o", "--output", metavar="PAGE", help="default: STEM_report.html beside the results")
+    parser.add_argument("-o", "--output", metavar="PAGE", help="default: STEM_report.html next to the results")
     options = parser.parse_args(arguments)
     print(f"report: {report(options.results, options.output)}")
     return 0

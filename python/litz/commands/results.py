@@ -10,7 +10,7 @@ def export_command(arguments: list[str]) -> int:
     """`litz export`: results for another program."""
     parser = results_parser("export", "Write results for another program.")
     parser.add_argument("--to", required=True, metavar="FORMAT", help="csv, vtu, xdmf or vtkhdf")
-    parser.add_argument("-o", "--output", metavar="DIR", help="default: beside the results")
+    parser.add_argument("-o", "--output", metavar="DIR", help="default: next to the results")
     options = parser.parse_args(arguments)
     try:
         print(f"wrote {export(options.results, options.to, options.output)}")

@@ -101,7 +101,7 @@ class _DeckReader:
         try:
             rows = [(self.row_of[a], self.row_of[b]) for a, b in self.pairs]
         except KeyError as error:
-            raise FileError(f"{self.path}: an element has the node {error.args[0][1]}, which is not there") from None
+            raise FileError(f"{self.path}: an element has the node {error.args[0][1]}, which does not exist") from None
         connectivity = np.array(rows, dtype=np.int64).reshape(-1, 2)
         mesh = Mesh(np.array(self.places).reshape(-1, 3), connectivity, np.array(self.kinds, dtype=str), path=self.path)
         for name, nodes in self.node_sets.items():
@@ -116,7 +116,7 @@ class _DeckReader:
         """Read the part, once more for each instance of it."""
         part = str(card.get("PART", "")).upper()
         if part not in self.parts:
-            raise FileError(f"{self.path}: there is no part {card.get('PART')}, of which *INSTANCE makes one")
+            raise FileError(f"{self.path}: *INSTANCE refers to the part {card.get('PART')}, which does not exist")
         self._instance, self._prefix = str(card["NAME"]).upper(), f"{card['NAME']}."
         self._turn = len(self.places), card
         for one in self.parts[part]:

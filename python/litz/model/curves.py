@@ -53,7 +53,7 @@ def along_polyline(points: ArrayLike, n_elements: int) -> NDArray[np.float64]:
     points = check_points(points)
     lengths = np.linalg.norm(np.diff(points, axis=0), axis=1)
     if n_elements < len(lengths):
-        raise ValueError(f"a polygon of {len(lengths)} sides needs as many elements at least, not {n_elements}")
+        raise ValueError(f"a polygon of {len(lengths)} sides needs at least as many elements, not {n_elements}")
     counts = np.ones(len(lengths), dtype=int)
     for _ in range(n_elements - len(lengths)):
         counts[np.argmax(lengths / counts)] += 1

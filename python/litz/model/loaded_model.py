@@ -195,7 +195,7 @@ class LoadedModel(WireModel):
         the run says how much energy that took.
         """
         if not self.guides:
-            raise ValueError("this model has no guides that a pressing could move; give them by model.guides")
+            raise ValueError("this model has no guides for pressing; set model.guides")
         if self.height is not None and 0 < self.height < displacement:
             raise ValueError(
                 f"pressed by {displacement:g} m, this model of {self.height:g} m height would be turned upside down: "
@@ -215,7 +215,7 @@ class LoadedModel(WireModel):
         """Add any card of the model part that the keyword table has; it is written before the first step."""
         spec = (name.removeprefix("*").upper(), parameters or {}, rows or [])
         if keyword(name)["place"] in ("step", "begins step"):
-            raise ValueError(f"*{spec[0]} stands in a step: Step.card adds it")
+            raise ValueError(f"*{spec[0]} belongs in a step: use Step.card")
         check_card(*spec)
         self.cards.append(spec)
 

@@ -108,7 +108,7 @@ class Model(LoadedModel):
             As those of `litz.run`: `solver`, `threads`, `restart`, `quiet`, `progress`.
         """
         if not self.steps:
-            raise ValueError("the model has no step: model.step() adds one")
+            raise ValueError("the model has no step: add one with model.step()")
         directory = Path(output_directory)
         deck = self.write(directory / f"{directory.resolve().name}.inp")
         return run(deck, output_directory=directory, **options)

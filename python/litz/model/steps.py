@@ -90,7 +90,7 @@ class Step:
         self._step: CardSpec = ("STEP", {"NAME": name, "INC": inc}, [])
         check_card(*self._step)
         if needed > inc:
-            raise ValueError(f"the step needs {needed} increments at least, but inc allows {inc}")
+            raise ValueError(f"the step needs at least {needed} increments, but inc allows {inc}")
         self._ops = {"BOUNDARY": boundary_op, "CLOAD": cload_op, "CECURRENT": cecurrent_op}
         for op in self._ops.values():
             check_card("BOUNDARY", {"OP": op}, [[1, 1]])
@@ -295,7 +295,7 @@ class Step:
         """Add any card of a step that the keyword table has."""
         spec = (name.removeprefix("*").upper(), parameters or {}, rows or [])
         if keyword(name)["place"] == "model":
-            raise ValueError(f"*{spec[0]} stands in the model part, not in a step: Model.card adds it")
+            raise ValueError(f"*{spec[0]} belongs in the model part, not in a step: use Model.card")
         check_card(*spec)
         self.cards.append(spec)
 

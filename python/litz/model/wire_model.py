@@ -244,7 +244,7 @@ class WireModel(Names):
         section, material = self._properties(radius, section, material, element)
         points = [check_points(axis) for axis in axes]
         if not points:
-            raise ValueError("a group needs one wire or more")
+            raise ValueError("a group needs at least one wire")
         self._claim(name)
         first = len(self._points) + 1
         self._add_nodes(np.concatenate(points), name)
@@ -298,7 +298,7 @@ class WireModel(Names):
                     raise ValueError(f"{mesh.path} has a section of {of_set}, but no elements of this set")
                 sections.append((of_set, mesh.element_sets[of_set], section, of_material))
         elif material is None:
-            raise ValueError("with radius, material is needed")
+            raise ValueError("material is required with radius")
         elif isinstance(radius, Mapping):
             for of_set, value in radius.items():
                 if of_set not in mesh.element_sets:
@@ -356,7 +356,7 @@ class WireModel(Names):
         self, radius: float | None, section: Section | None, material: Material | str, element: str
     ) -> tuple[Section, Material]:
         if (radius is None) == (section is None):
-            raise ValueError("a wire needs radius, or section: one of them")
+            raise ValueError("a wire needs either a radius or a section")
         if radius is not None:
             section = Circular(radius)
         if not isinstance(section, Circular | General):

@@ -14,7 +14,7 @@ _MEMBERS_PER_LINE = 12
 def deck_text(model: LoadedModel, mesh_file: str | None = None) -> str:
     """The deck of a model; with a mesh file, that stands for nodes, elements and sets."""
     if not model.groups:
-        raise ValueError("the model has no wires: model.wire() adds one")
+        raise ValueError("the model has no wires: add one with model.wire()")
     lines = ["*HEADING", model.title, "**"]
     if model.comments:
         lines += [*(f"** {comment}".rstrip() for comment in model.comments), "**"]

@@ -50,7 +50,7 @@ def currents(figure: Figure, results: Results, increment: int) -> None:
 
 
 def history(figure: Figure, results: Results, increment: int) -> None:
-    """The columns that the deck asked for, a chart for each quantity."""
+    """The columns requested in the deck, a chart for each quantity."""
     table = results.history
     names = [name for name in table if name not in ("step", "increment", "time")]
     if not names:

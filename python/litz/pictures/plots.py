@@ -94,7 +94,7 @@ def plot(
         - "currents": current of each wire, and along each wire
         - "network": wires as dots, the contacts between them as lines, as thick as their current
         - "friction": friction force over sliding, and the heat of friction over time
-        - "history": the columns that the deck asked for, over time
+        - "history": the columns requested in the deck, over time
     filename : path, optional
         The picture; its ending chooses the format. Default: `STEM_KIND.png` beside the results.
     increment : int

@@ -48,7 +48,7 @@ def render(scenes: list[Scene], camera: Camera, pixels: np.ndarray) -> Sequence[
     try:
         return list(_render(scenes, camera, pixels))
     except RenderingError as error:
-        warnings.warn(f"{error}; the picture is drawn by matplotlib alone, without OpenGL", stacklevel=2)
+        warnings.warn(f"{error}; the picture is drawn with matplotlib only, without OpenGL", stacklevel=2)
         return [None] * len(scenes)
 
 
@@ -96,14 +96,14 @@ def _run_vtk(folder: str, n_pictures: int) -> None:
                 command, capture_output=True, text=True, timeout=longest, check=False, env=environment
             )
         except subprocess.TimeoutExpired:
-            raise RenderingError(f"VTK has made no picture within {longest:g} s") from None
+            raise RenderingError(f"VTK produced no picture within {longest:g} s") from None
         if done.returncode == 0:
             break
     if done.returncode < 0:
         raise RenderingError(f"VTK ended by signal {-done.returncode} (is OpenGL missing? apt-get install libosmesa6)")
     if done.returncode or not Path(folder, f"{n_pictures - 1}.png").is_file():
         last = (done.stderr.strip().splitlines() or ["no message"])[-1]
-        raise RenderingError(f"VTK has made no picture: {last}")
+        raise RenderingError(f"VTK produced no picture: {last}")
 
 
 def _draw_flat(axes: Axes, scene: Scene, camera: Camera, points_per_metre: float) -> None:

@@ -111,7 +111,7 @@ def _failure(results: Results) -> list[str]:
         last = Results(iterate)
     found += ["<h3>The iterate that was given up</h3>", tables.contacts_of_iterate(last)]
     with tempfile.TemporaryDirectory() as folder:
-        found.append(_figure(last, "wires", Path(folder), "The iterate that was given up: this is no equilibrium.",
+        found.append(_figure(last, "wires", Path(folder), "The last iterate of the failed run: not an equilibrium.",
                              field="displacement", spots="force", size=(1400, 900)))  # fmt: skip
     return found
 
@@ -138,7 +138,7 @@ def _pictures(results: Results) -> list[str]:
     if has_friction(results):
         wanted.append(("friction", "Friction.", {}))
     if len(results.history) > 3:
-        wanted.append(("history", "What the deck has asked for.", {}))
+        wanted.append(("history", "Output requested in the deck.", {}))
     with tempfile.TemporaryDirectory() as folder:
         figures = [_figure(results, kind, Path(folder), text, **options) for kind, text, options in wanted]
     return ["<h2>Pictures</h2>", '<div class="pictures">', *figures, "</div>"]

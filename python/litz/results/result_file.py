@@ -48,7 +48,7 @@ class ResultFile:
         if not self.finished:
             end = f"ends at time {self.times[-1]:g}" if len(self.times) else "has no increment"
             restart = self.path.with_suffix(".restart.h5")
-            more = f"; litz run DECK --restart {restart} -o DIR goes on" if restart.exists() else ""
+            more = f"; continue with litz run DECK --restart {restart} -o DIR" if restart.exists() else ""
             warnings.warn(f"{self.path}: the run did not finish (or still runs); it {end}{more}", stacklevel=2)
 
     def __repr__(self) -> str:
@@ -300,7 +300,7 @@ class ResultFile:
 
     @property
     def history(self) -> Table:
-        """The columns that the deck asked for, over all increments."""
+        """The columns requested in the deck, over all increments."""
         return self._whole(self._table("_history.csv", read_csv))
 
     @property

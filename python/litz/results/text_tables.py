@@ -77,7 +77,7 @@ def _read(path: Path, separator: str | None) -> Table:
         if rows:
             numbers = np.loadtxt(rows, delimiter=separator, usecols=range(n_numbers), ndmin=2, comments=None)
     except ValueError as error:
-        raise FileError(f"{path} is not a table that litz has written: {error}") from None
+        raise FileError(f"{path} is not a table written by litz: {error}") from None
     for i, name in enumerate(names[:n_numbers]):
         columns[name] = numbers[:, i].astype(int) if name in _INTEGER_COLUMNS else numbers[:, i]
     cells = [row.split(separator, len(names) - 1) for row in rows]

@@ -128,7 +128,7 @@ def _combinations(parameters: Mapping[str, Iterable[Any]] | Sequence[Mapping[str
         if any(set(one) != set(combinations[0]) for one in combinations):
             raise ValueError("all combinations need the same parameters")
     if not combinations or not combinations[0]:
-        raise ValueError("a sweep needs one parameter with one value or more")
+        raise ValueError("a sweep needs at least one parameter with at least one value")
     taken = {_STATUS, _WARNINGS, _MESSAGE, _DIRECTORY} & set(combinations[0])
     if taken:
         raise ValueError(f"a parameter may not be called {taken.pop()}: the table has a column of this name")
@@ -160,7 +160,7 @@ class _Template:
             there = ", ".join(f"{{{place}}}" for place in sorted(places)) or "none"
             raise ValueError(f"{path} has no place {{{name}}}{nearest_name(name, places)}; there are: {there}")
         for name in sorted(places - set(combination)):
-            raise ValueError(f"{path} has the place {{{name}}}, for which there is no parameter")
+            raise ValueError(f"{path} has the placeholder {{{name}}}, for which there is no parameter")
 
     def __call__(self, **parameters: Any) -> Deck:
         """The deck for some parameters."""

@@ -52,7 +52,7 @@ class ViewServer(ThreadingHTTPServer):
             super().__init__((_ADDRESS, port), _Handler)
         except OSError as error:
             raise FileError(
-                f"port {port} of this machine cannot be used: {error.strerror}; --port 0 takes a free one"
+                f"port {port} cannot be used: {error.strerror}; --port 0 uses a free one"
             ) from None
         self.url = f"http://{_ADDRESS}:{self.server_address[1]}/"
 
@@ -143,9 +143,9 @@ def view(results: Results | str | Path, *, port: int = 0, open_browser: bool = T
         _view_in_notebook(results, port, open_browser)
         return
     with ViewServer(results, port) as server:
-        print(f"{server.results.path} is shown at {server.url} (Ctrl-C ends it)", flush=True)
+        print(f"{server.results.path} is shown at {server.url} (Ctrl-C to stop)", flush=True)
         if open_browser and not webbrowser.open(server.url):
-            print("no browser was found: open the address in one", file=sys.stderr, flush=True)
+            print("no browser was found: open the address manually", file=sys.stderr, flush=True)
         try:
             server.serve_forever()
         except KeyboardInterrupt:
