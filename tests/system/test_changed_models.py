@@ -117,7 +117,7 @@ def go_on(litz_of_module, kept, tmp_path):
     return run
 
 
-REFUSED = "the deck is not that of the run that wrote it"
+REFUSED = "the deck differs from that of the run that wrote it"
 
 #: Cards that a user may change, and why; all others decide results
 FREE = {

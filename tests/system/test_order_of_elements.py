@@ -13,7 +13,7 @@ from litz.pictures.friction_charts import friction_loops
 from litz.pictures.scene import SceneMaker, spot_places
 from litz.wires import element_curves
 
-pytestmark = pytest.mark.filterwarnings("ignore:.*drawn by matplotlib alone")
+pytestmark = pytest.mark.filterwarnings("ignore:.*drawn with matplotlib only")
 
 #: Both runs converge to these parts of the largest value; the tolerance of the residual is 1e-5 of the mean force
 CLOSE = {"rtol": 1e-4, "atol": 1e-9}

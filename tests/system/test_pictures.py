@@ -17,7 +17,7 @@ from litz.pictures.scene import SceneMaker, aim
 from litz.pictures.wire_picture import discs
 from litz.reports import report_tables
 
-pytestmark = pytest.mark.filterwarnings("ignore:.*drawn by matplotlib alone")
+pytestmark = pytest.mark.filterwarnings("ignore:.*drawn with matplotlib only")
 
 
 @pytest.fixture

@@ -1,4 +1,4 @@
-"""An element whose ends are turned against each other by more than 150 degrees ends the run in words: beyond 180 degrees it would
+"""An element whose ends are rotated relative to each other by more than 150 degrees ends the run in words: beyond 180 degrees it would
 answer as if it were turned the other way round. Wires of enough elements twist and roll up as far as they like."""
 
 import re
@@ -36,7 +36,7 @@ class TestTooFewElements:
     def test_a_twisted_shaft_ends_the_run_in_words_and_soon(self, run, turns, n, static, element):
         process, results = run(twisted(turns, n, static=static, element=element), "--quiet")
         assert process.returncode == 2
-        assert "are turned against each other by" in process.stderr
+        assert "are rotated relative to each other by" in process.stderr
         assert "Use shorter elements there" in process.stderr
         if results is not None:
             assert len(results.times) < 60
@@ -45,7 +45,7 @@ class TestTooFewElements:
     def test_a_rolled_wire_ends_the_run_in_words_and_soon(self, run, element):
         process, results = run(rolled(2, 3, static="0.05, 1, 1e-5, 0.05", element=element), "--quiet")
         assert process.returncode == 2
-        assert "are turned against each other by" in process.stderr
+        assert "are rotated relative to each other by" in process.stderr
         assert len(results.times) < 60
 
     def test_the_message_names_the_element_and_the_angle(self, run):
@@ -53,7 +53,7 @@ class TestTooFewElements:
         deck = twisted(3, 4, static="1, 1", element="B33").replace("*STATIC", "*STATIC, DIRECT")
         process, _ = run(deck, "--quiet")
         assert process.returncode == 2
-        assert re.search("the ends of element [1-4] are turned against each other by 270 degrees", process.stderr)
+        assert re.search("the ends of element [1-4] are rotated relative to each other by 270 degrees", process.stderr)
 
 
 @pytest.mark.parametrize("element", KINDS)

@@ -89,7 +89,7 @@ class TestOneListInEveryPlace:
         assert "2 warnings:" in text
         assert f"  shallow_angle: {SHALLOW} (10 increments, 1:1 to 1:10, worst 8 degrees)" in text
         with warnings.catch_warnings():
-            warnings.filterwarnings("ignore", message=".*drawn by matplotlib alone")
+            warnings.filterwarnings("ignore", message=".*drawn with matplotlib only")
             page = litz.report(results, tmp_path / "page.html").read_text(encoding="utf-8")
         assert "<h2>Warnings</h2>" in page
         assert SHALLOW in page

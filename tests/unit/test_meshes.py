@@ -369,7 +369,7 @@ def test_radii_by_element_set(file):
     ("arguments", "message"),
     [
         ({}, "no sections: radius and material are needed"),
-        ({"radius": 1e-3}, "material is needed"),
+        ({"radius": 1e-3}, "material is required"),
         ({"radius": {"frist": 1e-3}, "material": "C"}, "did you mean 'first'"),
         ({"radius": {"first": 1e-3}, "material": "C"}, "2 elements of .* have no section"),
         ({"radius": {"first": 1e-3, "copper": 1e-3}, "material": "C"}, "several sections"),

@@ -1,4 +1,4 @@
-"""litz.Model: what is built stands in the deck, the program accepts it, mistakes are told at once."""
+"""litz.Model: what is built is in the deck, the program accepts it, errors are raised immediately."""
 
 import math
 import subprocess
@@ -253,15 +253,18 @@ def built():
         ("model.wire('A', curve=lambda t: t, elements=2, **WIRE)", "must return the position"),
         ("model.wire('A', curve=lambda t: (t, 0, 0), span=(1, 1), elements=2, **WIRE)", "span must be"),
         ("model.wire('A', curve=lambda t: (t, 0, 0), elements=2, closed=True, **WIRE)", "1 m apart"),
-        ("model.wire('A', points=[(0, 0), (1, 0), (1, 1)], elements=1, **WIRE)", "2 sides needs as many elements"),
+        (
+            "model.wire('A', points=[(0, 0), (1, 0), (1, 1)], elements=1, **WIRE)",
+            "2 sides needs at least as many elements",
+        ),
         ("model.wire('A', points=[(0, 0), (1, 0)], elements=3, spline=True, **WIRE)", "3 or more points"),
         ("model.wire('A', (0, 0, 0), (1, 0, 0), elements=2, radius=-1, material='COPPER')", "radius .* greater than 0"),
-        ("model.wire('A', (0, 0, 0), (1, 0, 0), elements=2, material='COPPER')", "radius, or section"),
+        ("model.wire('A', (0, 0, 0), (1, 0, 0), elements=2, material='COPPER')", "either a radius or a section"),
         ("model.wire('A', (0, 0, 0), (1, 0, 0), elements=2, section=1e-3, material='COPPER')", "Circular"),
         ("model.wire('A', (0, 0, 0), (1, 0, 0), elements=2, radius=1, material='COPER')", "did you mean 'COPPER'"),
         ("model.wire('A', (0, 0, 0), (1, 0, 0), elements=2, element='B32', **WIRE)", "B31 or B33, not 'B32'"),
         ("model.wire('A,B', (0, 0, 0), (1, 0, 0), elements=2, **WIRE)", "commas"),
-        ("model.wires('A', [], **WIRE)", "one wire or more"),
+        ("model.wires('A', [], **WIRE)", "at least one wire"),
         ("model.elements('A', [(1, 99)], **WIRE)", "nodes 1 to 20; found 1 to 99"),
         ("model.elements('A', [(1, 1)], **WIRE)", "joins a node with itself"),
         ("model.nodes([1, 2])", "positions"),
@@ -289,10 +292,10 @@ def built():
         ("model.step(total=0)", "greater than 0"),
         ("model.step(increment=2)", "larger than the step"),
         ("model.step(first=0.1, largest=0.05)", "smallest <= first <= largest"),
-        ("model.step(increment=0.001, inc=20)", "needs 1000 increments at least, but inc allows 20"),
+        ("model.step(increment=0.001, inc=20)", "needs at least 1000 increments, but inc allows 20"),
         ("model.step(cload_op='ADD')", "MOD or NEW"),
         ("model.press(1e-3)", "no guides"),
-        ("model.card('STATIC')", "stands in a step"),
+        ("model.card('STATIC')", "belongs in a step"),
         ("model.card('DENSITY')", "no keyword"),
         ("step.card('NODE')", "model part"),
         ("step.move(upper.ends, 'up', 1.0)", "a direction must be one of"),

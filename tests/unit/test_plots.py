@@ -51,7 +51,7 @@ class TestPictures:
     def test_every_kind_makes_a_picture_with_something_on_it(self, results, tmp_path, kind):
         with warnings.catch_warnings():
             # on a machine without OpenGL the picture is drawn without it, and says so
-            warnings.filterwarnings("ignore", message=".*drawn by matplotlib alone")
+            warnings.filterwarnings("ignore", message=".*drawn with matplotlib only")
             path = litz.plot(results, kind, tmp_path / "picture.png")
         picture = imread(path)
         assert picture.shape[0] > 500
@@ -60,7 +60,7 @@ class TestPictures:
 
     def test_the_wires_have_the_colours_of_the_whole_scale_and_a_spot(self, results, tmp_path):
         with warnings.catch_warnings():
-            warnings.filterwarnings("ignore", message=".*drawn by matplotlib alone")
+            warnings.filterwarnings("ignore", message=".*drawn with matplotlib only")
             picture = imread(litz.plot(results, "wires", tmp_path / "picture.png"))
         # above the colour bar
         above = coloured(picture[: int(0.85 * len(picture))])
@@ -69,7 +69,7 @@ class TestPictures:
         assert orange(above) > 20
 
     def test_without_opengl_matplotlib_draws_the_wires_and_a_warning_says_so(self, results, tmp_path, without_opengl):
-        with pytest.warns(UserWarning, match="VTK ended by signal 11.*drawn by matplotlib alone"):
+        with pytest.warns(UserWarning, match="VTK ended by signal 11.*drawn with matplotlib only"):
             picture = imread(litz.plot(results, "wires", tmp_path / "picture.png"))
         above = coloured(picture[: int(0.85 * len(picture))])
         for part in (0.0, 0.25, 0.5, 0.75, 1.0):

@@ -362,7 +362,7 @@ class TestWhenThingsGoWrong:
     def test_a_killed_run_that_kept_increments_tells_how_to_go_on(self, writer, tmp_path):
         subprocess.run([writer, tmp_path, "killed"], check=True)
         (tmp_path / "crossed.restart.h5").touch()
-        with pytest.warns(UserWarning, match=r"litz run DECK --restart .*crossed\.restart\.h5 -o DIR goes on"):
+        with pytest.warns(UserWarning, match=r"continue with litz run DECK --restart .*crossed\.restart\.h5 -o DIR"):
             litz.Results(tmp_path / "crossed")
 
     def test_a_killed_run_leaves_readable_files(self, writer, tmp_path):

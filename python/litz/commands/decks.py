@@ -13,7 +13,9 @@ def new_command(arguments: list[str]) -> int:
     """`litz new`: a deck to begin with."""
     parser = command_parser("new", "Write a commented deck as a starting point; it runs as is.", starter_list())
     parser.add_argument("task", metavar="TASK", nargs="?", help="one of those below")
-    parser.add_argument("deck", metavar="DECK", nargs="?", help="default: TASK.inp; an existing file is not overwritten")
+    parser.add_argument(
+        "deck", metavar="DECK", nargs="?", help="default: TASK.inp; an existing file is not overwritten"
+    )
     parser.add_argument("--list", action="store_true", help="list the tasks")
     options = parser.parse_args(arguments)
     if options.list:
@@ -47,7 +49,10 @@ def convert_command(arguments: list[str]) -> int:
     parser.add_argument("--poisson", type=float, default=COPPER.poisson, help="Poisson's ratio; default: copper")
     parser.add_argument("--conductivity", type=float, help="electrical conductivity; without it an insulator")
     parser.add_argument(
-        "--element", choices=("B31", "B33"), default="B33", help="element type if the mesh does not specify it; default B33"
+        "--element",
+        choices=("B31", "B33"),
+        default="B33",
+        help="element type if the mesh does not specify it; default B33",
     )
     options = parser.parse_args(arguments)
     if Path(options.deck).exists():

@@ -31,9 +31,13 @@ def plot_command(arguments: list[str]) -> int:
                         help="STEP:INCREMENT, or counted from 0, or from the end; default: -1, the last")  # fmt: skip
     parser.add_argument("--field", help="field that colours the wires: a field of the file, the length of a vector, or "
                         "VECTOR.x, .y, .z; default: the potential, or else the displacement")  # fmt: skip
-    parser.add_argument("--list-fields", action="store_true", help="list the fields that can colour the wires, without drawing")
+    parser.add_argument(
+        "--list-fields", action="store_true", help="list the fields that can colour the wires, without drawing"
+    )
     parser.add_argument("--scale", type=float, default=1.0, help="factor on the displacements; default: 1")
-    parser.add_argument("--spots", choices=("current", "force", "none"), help="quantity shown by the size of the contact spots")
+    parser.add_argument(
+        "--spots", choices=("current", "force", "none"), help="quantity shown by the size of the contact spots"
+    )
     parser.add_argument("--view", type=_view, metavar="DIRECTION",
                         help=f"from the wires to the viewer: X,Y,Z or one of {', '.join(VIEWS)} (--view=-z)")  # fmt: skip
     parser.add_argument("--size", type=_size, metavar="WIDTHxHEIGHT", help="in pixels")

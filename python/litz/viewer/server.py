@@ -51,9 +51,7 @@ class ViewServer(ThreadingHTTPServer):
         try:
             super().__init__((_ADDRESS, port), _Handler)
         except OSError as error:
-            raise FileError(
-                f"port {port} cannot be used: {error.strerror}; --port 0 uses a free one"
-            ) from None
+            raise FileError(f"port {port} cannot be used: {error.strerror}; --port 0 uses a free one") from None
         self.url = f"http://{_ADDRESS}:{self.server_address[1]}/"
 
     def model(self) -> bytes:
