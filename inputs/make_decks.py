@@ -18,7 +18,7 @@ Model    Eight layers of 16 straight copper fibres of 0.1 mm radius, layers alon
          fibres are held in a frame of 30 mm x 30 mm that is pressed together with the upper electrode: without friction,
          fibres with free ends would slide off each other. The gaps of 5 microns all close at once, at time 0.45.
          1 mV between the electrodes.
-Contact  Hertz and Holm, between neighbouring layers. Real copper wires this thin would yield: the forces are those of elastic wires.
+Contact  Hertz and Holm, between neighbouring layers. Real copper this thin would yield: the forces are those of elastic wires.
 Source   litz.build.fibre_mat, called in inputs/make_decks.py.
 Expect   The resistance falls at every increment after first contact, to 0.13 mohm. Kirchhoff's laws for the wires and contacts
          of `contact_network` of `litz.Results` give the same to nine digits. Each contact has Holm's resistance for

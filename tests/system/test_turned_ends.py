@@ -1,4 +1,4 @@
-"""An element whose ends are rotated relative to each other by more than 150 degrees ends the run in words: beyond 180 degrees it would
+"""An element whose ends rotate relative to each other by more than 150 degrees ends the run in words: beyond 180 degrees it would
 answer as if it were turned the other way round. Wires of enough elements twist and roll up as far as they like."""
 
 import re
