@@ -1,4 +1,4 @@
-"""Decks to begin with: small, commented, and running as they stand."""
+"""Commented decks as starting points: small, and ready to run."""
 
 import os
 from collections.abc import Callable
@@ -10,6 +10,7 @@ from ..base.names import unknown_name
 from ..deck import Card, Deck
 from ..errors import FileError
 from ..model import COPPER, Hertz, HertzSpot, Model
+from ..model.loading import describe_fields
 from .cables import strand
 from .fabrics import wire_grid
 from .fibre_mats import fibre_mat
@@ -20,23 +21,23 @@ _NOTES = {
     "ELEMENT": "beam elements between two nodes; ELSET collects them in an element set",
     "ELSET": "element sets of other sets",
     "NSET": "node sets, by which wires are held, moved and connected",
-    "MATERIAL": "what the wires are made of: Young's modulus [Pa], Poisson's ratio; conductivity [S/m]",
+    "MATERIAL": "material of the wires: Young's modulus [Pa], Poisson's ratio; conductivity [S/m]",
     "BEAM SECTION": "round wires: the radius [m]",
     "SURFACE INTERACTION": "the laws of a contact: force, friction, resistance of the spot",
-    "CONTACT PAIR": "what may touch what; one set alone: contact among its wires",
-    "BOUNDARY": "held from the start: nodes, first and last degree of freedom; 1-3 displacements, 4-6 rotations, 9 potential",
+    "CONTACT PAIR": "sets that may touch; a single set: contact among its wires",
+    "BOUNDARY": "held from the start: nodes, first and last degree of freedom: {fields}",
     "STEP": "a load step, with the maximum number of increments",
     "STATIC": "first increment, time of the step, smallest and largest increment [s]",
-    "STEP BOUNDARY": "value at the end of the step [m, rad, V], reached in proportion to time",
-    "STEP NODE PRINT": "goes into the history file (.csv) at every increment",
+    "STEP BOUNDARY": "value at the end of the step [{units}], reached in proportion to time",
+    "STEP NODE PRINT": "output to the history file (.csv) at every increment",
     "STEP ELECTRODE PRINT": "voltage, current and resistance between two node sets, also in the history file",
-    "STEP ENERGY PRINT": "energies: what supports have done is in the wires and contacts, or has become heat of friction",
+    "STEP ENERGY PRINT": "energies: the work of the supports is stored in wires and contacts, or dissipated by friction",
 }
 
 
 @dataclass(frozen=True)
 class Starter:
-    """A deck to begin with.
+    """A deck as a starting point.
 
     Attributes
     ----------
@@ -113,8 +114,8 @@ def _strand() -> Model:
     model = strand([6, 12], radius=0.1e-3, lay_length=[6e-3, -6e-3], length=6e-3)
     model.title = "A strand of two layers laid against each other, pulled by 0.3 %, 1 mV between its ends"
     model.comments = [
-        "The layers cross and touch in points. Neighbours of one layer would touch along lines, which litz does not",
-        "model: pulled further than by 0.4 % they touch so, and the run ends.",
+        "The layers cross and touch in points. Neighbouring wires of a layer would touch along lines, which litz does",
+        "not model: pulled by more than 0.4 % they do, and the run ends.",
     ]
     model.press(-18e-6, voltage=1e-3, name="PULL").node_print("PLUS", "RF", totals="ONLY")
     return model
@@ -136,14 +137,14 @@ def starter_list() -> str:
 
 
 def new(task: str, path: str | os.PathLike | None = None) -> Path:
-    """Write a deck to begin with.
+    """Write a commented deck as a starting point.
 
     Parameters
     ----------
     task : str
         "crossed-wires", "friction", "grid", "fibre-mat" or "strand".
     path : path, optional
-        Where to; `TASK.inp` in the current directory when left out. A file that is there is not replaced.
+        Path of the deck; default: `TASK.inp` in the current directory. An existing file is not replaced.
 
     Returns
     -------
@@ -156,7 +157,7 @@ def new(task: str, path: str | os.PathLike | None = None) -> Path:
     path = Path(f"{name}.inp") if path is None else Path(path)
     model = STARTERS[name].make()
     model.comments.append(
-        f"Run it: litz run {path.name} -o {path.stem}; look at it: litz summary {path.stem}, litz plot {path.stem}"
+        f"To run it: litz run {path.name} -o {path.stem}; results: litz summary {path.stem}, litz plot {path.stem}"
     )
     text = _commented(model).text
     try:
@@ -174,12 +175,13 @@ def _commented(model: Model) -> Deck:
     """The deck of a model with a note before the first card of each kind."""
     deck = Deck.parse(model.to_deck())
     noted = set()
+    fields, units = describe_fields()
     place = ""
     for card in deck:
         key = f"{place}{card.name}" if card.name != "STATIC" else "STATIC"
         if key in _NOTES and key not in noted:
             noted.add(key)
-            card.comments = [*_without_empty(card), f"** {_NOTES[key]}\n"]
+            card.comments = [*_without_empty(card), f"** {_NOTES[key].format(fields=fields, units=units)}\n"]
         if card.is_a("STEP"):
             place = "STEP "
         elif card.is_a("END STEP"):

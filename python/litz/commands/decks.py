@@ -10,7 +10,7 @@ from .parsers import command_parser
 
 
 def new_command(arguments: list[str]) -> int:
-    """`litz new`: a deck to begin with."""
+    """`litz new`: a commented deck as a starting point."""
     parser = command_parser("new", "Write a commented deck as a starting point; it runs as is.", starter_list())
     parser.add_argument("task", metavar="TASK", nargs="?", help="one of those below")
     parser.add_argument(

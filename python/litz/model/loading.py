@@ -42,6 +42,20 @@ def degrees_of_freedom(field: str) -> range:
     return range(found["first"], found["last"] + 1)
 
 
+def describe_fields() -> tuple[str, str]:
+    """Degrees of freedom of all fields, and their units, in words.
+
+    Examples
+    --------
+    >>> describe_fields()
+    ('1-3 displacement, 4-6 rotation, 9 potential', 'm, rad, V')
+    """
+    fields = _fields_of("BOUNDARY", "first")
+    ranges = [f"{one['first']}-{one['last']}" if one["last"] > one["first"] else str(one["first"]) for one in fields]
+    names = [f"{numbers} {one['name']}" for numbers, one in zip(ranges, fields, strict=True)]
+    return ", ".join(names), ", ".join(one["unit"] for one in fields)
+
+
 def _fields_of(card: str, value: str) -> list[dict[str, Any]]:
     values = keyword(card)["data"][0]["values"]
     return next(one["fields"] for one in values if one["name"] == value)

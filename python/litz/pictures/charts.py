@@ -14,7 +14,6 @@ from ..results import Results
 _ONE_COLOUR = "#2a6f97"
 # More lines than this have one colour or become a band
 _MAX_LINES = 12
-_FIELD_COLUMNS = {"force": "force", "moment": "moment", "current": "current"}
 
 
 def resistance(figure: Figure, results: Results, increment: int) -> None:
@@ -25,7 +24,7 @@ def resistance(figure: Figure, results: Results, increment: int) -> None:
 def residuals(figure: Figure, results: Results, increment: int) -> None:
     """A chart for each field of the equilibrium that has a residual."""
     table = results.convergence
-    names = [name for name in _FIELD_COLUMNS if table[name].any()] or ["force"]
+    names = [name for name in residual_names(table) if table[name].any()] or ["force"]
     all_axes = figure.subplots(len(names), 1, sharex=True, squeeze=False)[:, 0]
     for axes, name in zip(all_axes, names, strict=True):
         residual_lines(axes, table, name)
@@ -173,7 +172,7 @@ def residual_of_last_increment(axes: Axes, results: Results, increment: int) -> 
         nothing_to_draw(axes, "No iterations are recorded")
         return
     one = one.where(one["attempt"] == one["attempt"].max())
-    for i, name in enumerate(_FIELD_COLUMNS):
+    for i, name in enumerate(residual_names(one)):
         allowed = one[f"{name}_allowed"]
         ratio = np.divide(one[name], allowed, out=np.zeros(one.n_rows), where=allowed > 0)
         if ratio.any():
@@ -199,6 +198,11 @@ def residual_of_last_increment(axes: Axes, results: Results, increment: int) -> 
     axes.set_xlabel("iteration")
     axes.set_ylabel("residual / allowed")
     axes.legend(loc="best")
+
+
+def residual_names(table: Table) -> list[str]:
+    """Residuals of the fields in a table of iterations: the columns that have an allowed value."""
+    return [name.removesuffix("_allowed") for name in table if name.endswith("_allowed")]
 
 
 def residual_lines(axes: Axes, table: Table, name: str) -> None:
