@@ -236,7 +236,7 @@ def test_sections_of_a_part_hold_for_each_of_its_instances(file):
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ("part=Pin\n*End", "part=Needle\n*End", "there is no part Needle"),
+        ("part=Pin\n*End", "part=Needle\n*End", "refers to the part Needle, which does not exist"),
         ("0., 0., 1., 0., 0., 2., 90.", "0., 0., 1., 0., 0., 2.", "second line of .*Wire-2 needs seven numbers"),
         ("0., 0., 1., 0., 0., 2., 90.", "0., 0., 1., 0., 0., 1., 90.", "the axis .* has no length"),
         ("Pin-1.all", "Pin-1.everything", "there is no set Pin-1.everything"),
