@@ -303,6 +303,11 @@ contains
       type(problem_t), intent(in) :: written, found
 
       associate (a => written%loading, b => found%loading)
+         if (.not. (allocated(b%fixed) .and. allocated(b%start_value) .and. allocated(b%start_load) .and. &
+            allocated(b%value) .and. allocated(b%load) .and. allocated(b%converged_value))) then
+            call check(.false., 'values and loads are there')
+            return
+         end if
          call check(all(a%fixed .eqv. b%fixed), 'what is prescribed')
          call check(same([a%start_value], [b%start_value]), 'values at the start of the step')
          call check(same([a%start_load], [b%start_load]), 'loads at the start of the step')
