@@ -21,7 +21,6 @@ program test_restart_file
    character(len=*), parameter :: place = '2, 0.02, 0, 0'
    integer :: failures = 0
 
-   call start_random_numbers()
    call what_is_written_comes_back()
    call another_model_is_refused()
    call a_missing_increment_is_refused()
@@ -32,88 +31,69 @@ contains
 
    !> Of three increments with different numbers of contacts each one, and the last one where none is named.
    subroutine what_is_written_comes_back()
-      type(problem_t) :: written(3), found
-      type(course_t) :: courses(3), course
-      type(error_t), allocatable :: error
-      integer :: i
-
-      call new_problem(place, written(1))
-      written(2:) = written(1)
-      do i = 1, 3
-         call fill(written(i), courses(i), 1, i, n_contacts=2*(i - 1))
-      end do
-      call write_all(written, courses)
-      do i = 1, 3
-         call new_problem(place, found)
-         call read_restart(path, 1, i, found, course, error)
-         call stop_on(error)
-         call compare(written(i), courses(i), found, course)
-      end do
-      call new_problem(place, found)
-      call read_restart(path, 0, 0, found, course, error)
-      call stop_on(error)
-      call compare(written(3), courses(3), found, course)
+      call write_increments([1, 2, 3])
+      call expect_increment(1, 1, [1])
+      call expect_increment(1, 2, [1, 2])
+      call expect_increment(1, 3, [1, 2, 3])
+      call expect_increment(0, 0, [1, 2, 3])
    end subroutine what_is_written_comes_back
 
    subroutine another_model_is_refused()
-      type(problem_t) :: written(1), other
-      type(course_t) :: courses(1)
+      type(problem_t) :: fitted, without_steps
 
-      call new_problem(place, written(1))
-      call fill(written(1), courses(1), 1, 1, n_contacts=2)
-      call write_all(written, courses)
-      call new_problem('2, 0.021, 0, 0', other)
-      call expect_refusal(other, 1, 1, exit_input, 'the deck is not that of the run that wrote it')
-      call expect_refusal(other, 1, 1, exit_input, 'the nodes: positions changed')
+      call write_increments([1, 2])
+      call expect_refusal_with('2, 0.021, 0, 0', 1, 1, exit_input, 'the nodes: positions changed')
       ! a node that no element has changes the size of all arrays of nodes
-      call new_problem(place//nl//'99, 1, 1, 1', other)
-      call expect_refusal(other, 1, 1, exit_input, 'the deck is not that of the run that wrote it')
-      call new_problem(place, other)
-      other%model%contact_pairs(1)%interference_fit = .true.
-      call expect_refusal(other, 1, 1, exit_input, 'the deck is not that of the run that wrote it')
-      call new_problem(place, other)
-      deallocate (other%model%steps)
-      allocate (other%model%steps(0))
-      call expect_refusal(other, 1, 1, exit_input, 'it stands in step 1, but the deck has 0')
+      call expect_refusal_with(place//nl//'99, 1, 1, 1', 1, 1, exit_input, &
+         'the deck is not that of the run that wrote it')
+      call new_problem(place, fitted)
+      fitted%model%contact_pairs(1)%interference_fit = .true.
+      call expect_refusal(fitted, 1, 1, exit_input, 'the deck is not that of the run that wrote it')
+      call new_problem(place, without_steps)
+      deallocate (without_steps%model%steps)
+      allocate (without_steps%model%steps(0))
+      call expect_refusal(without_steps, 1, 1, exit_input, 'it stands in step 1, but the deck has 0')
    end subroutine another_model_is_refused
 
    subroutine a_missing_increment_is_refused()
-      type(problem_t) :: written(2), other
-      type(course_t) :: courses(2)
-
-      call new_problem(place, written(1))
-      written(2) = written(1)
-      call fill(written(1), courses(1), 1, 3, n_contacts=1)
-      call fill(written(2), courses(2), 1, 5, n_contacts=1)
-      call write_all(written, courses)
-      call new_problem(place, other)
-      call expect_refusal(other, 1, 4, exit_input, 'it has no increment 1:4; it has 1:3 1:5')
+      call write_increments([3, 5])
+      call expect_refusal_with(place, 1, 4, exit_input, 'it has no increment 1:4; it has 1:3 1:5')
    end subroutine a_missing_increment_is_refused
 
    subroutine a_file_without_an_increment_is_discarded()
-      type(problem_t) :: problem
-      type(restart_file_t) :: file
-      type(error_t), allocatable :: error
       logical :: is_there
 
-      call remove()
-      call new_problem(place, problem)
-      call file%open(path, problem, error)
-      call file%close(error)
-      call stop_on(error)
+      call write_increments([integer ::])
       inquire (file=path, exist=is_there)
       call check(.not. is_there, 'no file without an increment')
-      call expect_refusal(problem, 0, 0, exit_files, 'does not exist')
+      call expect_refusal_with(place, 0, 0, exit_files, 'does not exist')
    end subroutine a_file_without_an_increment_is_discarded
+
+   !> What comes back for this step and increment is what the last of these has written.
+   subroutine expect_increment(step, increment, increments)
+      integer, intent(in) :: step, increment, increments(:)
+      type(problem_t) :: written, found
+      type(course_t) :: written_course, course
+      type(error_t), allocatable :: error
+      integer :: i
+
+      call new_problem(place, written)
+      do i = 1, size(increments)
+         call fill(written, written_course, increments(i))
+      end do
+      call new_problem(place, found)
+      call read_restart(path, step, increment, found, course, error)
+      call stop_on(error)
+      call compare(written, written_course, found, course)
+   end subroutine expect_increment
 
    !> Two wires that cross, with this line among the nodes of the first.
    subroutine new_problem(node, problem)
       character(len=*), intent(in) :: node
-      type(problem_t), intent(out) :: problem
+      type(problem_t), intent(inout) :: problem
       type(model_t) :: model
       type(error_list_t) :: errors, warnings
       type(error_t), allocatable :: error
-      real(dp), allocatable :: overlap(:)
       integer :: unit
 
       open (newunit=unit, file='test_restart_file.inp', action='write', status='replace')
@@ -131,18 +111,20 @@ contains
          error stop 1
       end if
       call prepare_problem(model, problem)
-      call find_initial_overlap(problem, overlap, error)
+      call find_initial_overlap(problem, error)
       call stop_on(error)
-      problem%contact%clearance = overlap
    end subroutine new_problem
 
-   !> Random numbers in everything that the next increment depends on.
-   subroutine fill(problem, course, step, increment, n_contacts)
+   !> Random numbers in everything that the next increment depends on, the same for each increment of step 1.
+   subroutine fill(problem, course, increment)
       type(problem_t), intent(inout) :: problem
       type(course_t), intent(out) :: course
-      integer, intent(in) :: step, increment, n_contacts
+      integer, intent(in) :: increment
       real(dp) :: numbers(11)
+      integer :: n_contacts
 
+      call start_random_numbers(increment)
+      n_contacts = 2*(increment - 1)
       associate (state => problem%state)
          call random_number(state%value)
          call random_number(state%rotation)
@@ -156,7 +138,7 @@ contains
          ! what arithmetic would not keep: the sign of zero, the smallest and the largest number
          state%value(1:3, 1) = [-0.0_dp, tiny(1.0_dp)/3, -huge(1.0_dp)]
          call random_number(numbers)
-         state%step = step
+         state%step = 1
          state%increment = increment
          state%iterations = 17 + increment
          state%time = numbers(1)
@@ -176,7 +158,7 @@ contains
          contact%candidates = reshape([1, 2, 1], [3, 1])
          call random_number(contact%x_collected)
       end associate
-      call problem%warnings%set_place(step, increment, problem%state%time)
+      call problem%warnings%set_place(1, increment, problem%state%time)
       call problem%warnings%add('penetration', 'wires overlap', [1, 11], numbers(1), '%')
    end subroutine fill
 
@@ -256,21 +238,25 @@ contains
       end do
    end function points_of
 
-   subroutine write_all(problems, courses)
-      type(problem_t), intent(inout) :: problems(:)
-      type(course_t), intent(inout) :: courses(:)
+   !> A file with these increments of step 1.
+   subroutine write_increments(increments)
+      integer, intent(in) :: increments(:)
+      type(problem_t) :: problem
       type(restart_file_t) :: file
+      type(course_t) :: course
       type(error_t), allocatable :: error
       integer :: i
 
       call remove()
-      call file%open(path, problems(1), error)
-      do i = 1, size(problems)
-         call file%write(problems(i), courses(i), error)
+      call new_problem(place, problem)
+      call file%open(path, problem, error)
+      do i = 1, size(increments)
+         call fill(problem, course, increments(i))
+         call file%write(problem, course, error)
       end do
       call file%close(error)
       call stop_on(error)
-   end subroutine write_all
+   end subroutine write_increments
 
    subroutine compare(written, written_course, found, course)
       type(problem_t), intent(in) :: written, found
@@ -380,20 +366,28 @@ contains
 
    !> The problem cannot go on from the increment, with this exit code and these words.
    subroutine expect_refusal(problem, step, increment, code, words)
-      type(problem_t), intent(in) :: problem
+      type(problem_t), intent(inout) :: problem
       integer, intent(in) :: step, increment, code
       character(len=*), intent(in) :: words
-      type(problem_t) :: changed
       type(course_t) :: course
       type(error_t), allocatable :: error
 
-      changed = problem
-      call read_restart(path, step, increment, changed, course, error)
+      call read_restart(path, step, increment, problem, course, error)
       call check(allocated(error), 'refused: '//words)
       if (.not. allocated(error)) return
       call check(error%code == code, 'exit code of: '//error%message)
       call check(index(error%message, words) > 0 .and. index(error%message, path) > 0, words//': '//error%message)
    end subroutine expect_refusal
+
+   !> The same for the problem with this line among its nodes.
+   subroutine expect_refusal_with(node, step, increment, code, words)
+      integer, intent(in) :: step, increment, code
+      character(len=*), intent(in) :: node, words
+      type(problem_t) :: problem
+
+      call new_problem(node, problem)
+      call expect_refusal(problem, step, increment, code, words)
+   end subroutine expect_refusal_with
 
    !> To the last bit, the sign of zero too.
    pure logical function same(a, b)
@@ -427,11 +421,13 @@ contains
       error stop 1
    end subroutine stop_on
 
-   subroutine start_random_numbers()
+   !> The same numbers for the same increment.
+   subroutine start_random_numbers(increment)
+      integer, intent(in) :: increment
       integer :: n
 
       call random_seed(size=n)
-      call random_seed(put=spread(20261, 1, n))
+      call random_seed(put=spread(20260 + increment, 1, n))
    end subroutine start_random_numbers
 
 end program test_restart_file
