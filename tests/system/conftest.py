@@ -1,10 +1,14 @@
 """What the system tests share: the decks in inputs/, each run once."""
 
+import html
+import importlib
 import subprocess
+import warnings
 from pathlib import Path
 
 import pytest
 
+import litz as litz_package
 from litz import Results
 from new_things import make_changed_sources
 
@@ -37,6 +41,24 @@ def run_of_input(litz_program, tmp_path_factory):
         return directories[name]
 
     return run
+
+
+@pytest.fixture(scope="session")
+def report_of_grid(run_of_input, tmp_path_factory):
+    """The page of a report about the grid, with nothing beside it."""
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", message=".*drawn by matplotlib alone")
+        return litz_package.report(run_of_input("04_wire_grid"), tmp_path_factory.mktemp("report") / "grid.html")
+
+
+@pytest.fixture
+def reports_without_pictures(monkeypatch):
+    """In place of its pictures, which take most of its time, a report has the texts below them."""
+
+    def figure(results, kind, folder, text, **options):
+        return f"<figure>{html.escape(text)}</figure>"
+
+    monkeypatch.setattr(importlib.import_module("litz.reports.report"), "_figure", figure)
 
 
 @pytest.fixture(scope="session")

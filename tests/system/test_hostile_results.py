@@ -66,6 +66,12 @@ def hostile(run_of_input, tmp_path_factory):
         return litz.Results(directory)
 
 
+@pytest.fixture(scope="module")
+def report(hostile, tmp_path_factory):
+    """The page of a report about them."""
+    return litz.report(hostile, tmp_path_factory.mktemp("hostile_report") / "page.html")
+
+
 class Page(HTMLParser):
     """The elements of a page, with their attributes, as a browser finds them."""
 
@@ -100,9 +106,8 @@ def assert_harmless(text):
     return page
 
 
-def test_the_report_shows_hostile_texts_as_texts(hostile, tmp_path):
-    path = litz.report(hostile, tmp_path / "page.html")
-    text = path.read_text(encoding="utf-8")
+def test_the_report_shows_hostile_texts_as_texts(report):
+    text = report.read_text(encoding="utf-8")
     page = assert_harmless(text)
     # heading, version, remark, names of sets and deck are there, word by word
     assert sum("onerror=window.hacked=1" in data for data in page.text) > 5
@@ -141,13 +146,12 @@ def test_the_scripts_of_the_pages_make_elements_only_by_the_dom():
         )
 
 
-def test_nothing_of_hostile_results_runs_in_a_browser(hostile, tmp_path):
-    path = litz.report(hostile, tmp_path / "page.html")
+def test_nothing_of_hostile_results_runs_in_a_browser(hostile, report):
     with open_browser() as browser, ViewServer(hostile) as server:
         import threading
 
         threading.Thread(target=server.serve_forever, daemon=True).start()
-        for address in (server.url, path.as_uri()):
+        for address in (server.url, report.as_uri()):
             browser.get(address)
             browser.implicitly_wait(30)
             assert browser.find_element("css selector", ".litz-viewer[data-ready=yes]")

@@ -2,6 +2,7 @@
 
 import json
 import os
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
@@ -86,6 +87,13 @@ def forms(litz):
             yield keyword, form, [", ".join(good(value) for value in other["values"]) for other in before]
 
 
+def lines_of(keyword, form, before, *after):
+    """A deck that ends with the keyword and lines of data."""
+    lines = ["*STEP"] if keyword["place"] == "step" else []
+    lines += [f"*{keyword['after']}"] if keyword["after"] else []
+    return [*lines, card_of(keyword, form["when"]), *before, *after]
+
+
 def marked(stderr, line):
     """Messages with what the caret of each stands below, of the errors at a line."""
     for block in stderr.split("error: ")[1:]:
@@ -98,27 +106,28 @@ def marked(stderr, line):
 
 
 def test_every_value_of_every_data_line_is_checked_at_its_place(litz, tmp_path):
-    n_forms, n_mistakes, missed = 0, 0, []
-    for keyword, form, before in forms(litz):
-        n_forms += 1
-        for values, word, message in mistakes(form["values"], form["repeats"]):
-            lines = ["*STEP"] if keyword["place"] == "step" else []
-            lines += [f"*{keyword['after']}"] if keyword["after"] else []
-            lines += [card_of(keyword, form["when"]), *before, ", ".join(values)]
-            (tmp_path / "bad.inp").write_text("\n".join(lines) + "\n")
-            result = litz("check", "bad.inp", cwd=tmp_path)
-            assert result.returncode == 1
-            told = [
-                (text, caret, column) for text, caret, column in marked(result.stderr, len(lines)) if message in text
-            ]
-            right = told and told[0][1] == word and lines[-1][told[0][2] - 1 :].startswith(word)
-            if not right:
-                missed.append(f"{lines}\nshould say: {message}\n{result.stderr}")
-            n_mistakes += 1
+    all_forms = list(forms(litz))
+    cases = [
+        (lines_of(keyword, form, before, ", ".join(values)), word, message)
+        for keyword, form, before in all_forms
+        for values, word, message in mistakes(form["values"], form["repeats"])
+    ]
+
+    def check(number):
+        (lines, word, message), deck = cases[number], f"bad_{number}.inp"
+        (tmp_path / deck).write_text("\n".join(lines) + "\n")
+        result = litz("check", deck, cwd=tmp_path)
+        assert result.returncode == 1
+        told = [(text, caret, column) for text, caret, column in marked(result.stderr, len(lines)) if message in text]
+        right = told and told[0][1] == word and lines[-1][told[0][2] - 1 :].startswith(word)
+        return "" if right else f"{lines}\nshould say: {message}\n{result.stderr}"
+
+    with ThreadPoolExecutor(2) as pool:
+        missed = list(filter(None, pool.map(check, range(len(cases)))))
     assert not missed, f"{len(missed)} mistakes are missed, the first:\n" + "\n".join(missed[:3])
     # the walk has found the table
-    assert n_forms >= 30
-    assert n_mistakes >= 250
+    assert len(all_forms) >= 30
+    assert len(cases) >= 250
 
 
 def test_missing_data_lines_are_told_for_every_keyword_that_needs_them(litz, tmp_path):
@@ -126,9 +135,7 @@ def test_missing_data_lines_are_told_for_every_keyword_that_needs_them(litz, tmp
     for keyword, form, before in forms(litz):
         if before or not form["required"]:
             continue
-        lines = ["*STEP"] if keyword["place"] == "step" else []
-        lines += [f"*{keyword['after']}"] if keyword["after"] else []
-        lines += [card_of(keyword, form["when"])]
+        lines = lines_of(keyword, form, before)
         (tmp_path / "bad.inp").write_text("\n".join(lines) + "\n")
         result = litz("check", "bad.inp", cwd=tmp_path)
         assert result.returncode == 1

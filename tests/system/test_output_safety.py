@@ -7,6 +7,7 @@ import signal
 import subprocess
 import time
 import warnings
+from concurrent.futures import ThreadPoolExecutor
 
 import h5py
 import numpy as np
@@ -83,6 +84,32 @@ def kill_at_write(tmp_path_factory):
     return environment
 
 
+def two_at_a_time(run, places, tmp_path):
+    """The places with what `run(place, directory)` returns and the directory, which is removed after each.
+
+    The runs go on while the results of those before are looked at.
+    """
+    directories = [tmp_path / f"run_{k}" for k in range(len(places))]
+    with ThreadPoolExecutor(2) as pool:
+        for place, done, directory in zip(places, pool.map(run, places, directories), directories, strict=True):
+            yield place, done, directory
+            shutil.rmtree(directory, ignore_errors=True)
+
+
+class Whole:
+    """What a run that ended as it should has written, read once."""
+
+    FIELDS = ("displacement", "potential", "joule_heat")
+    TABLES = ("contacts", "history", "status", "convergence")
+
+    def __init__(self, directory):
+        self.results = Results(directory)
+        self.times = self.results.times
+        self.fields = {name: self.results.field(name, None) for name in self.FIELDS}
+        self.tables = {name: getattr(self.results, name) for name in self.TABLES}
+        self.forces = [self.results.contacts_at(k)["force"] for k in range(len(self.times))]
+
+
 def increments_of(path):
     """Times in the whole lines of a table, each once."""
     lines = path.read_text().rpartition("\n")[0].splitlines()
@@ -92,7 +119,7 @@ def increments_of(path):
     return list(dict.fromkeys(float(row[column]) for row in cells if not row[-1].startswith("cut")))
 
 
-def assert_in_step(directory, part, reference):
+def assert_in_step(directory, part, whole):
     """No table is ahead of the fields, none is more than one increment behind; read together they agree."""
     with h5py.File(directory / "deck.vtkhdf", "r") as file:
         times = file["VTKHDF/Steps/Values"][: file["VTKHDF/Steps"].attrs["NSteps"]].tolist()
@@ -105,13 +132,12 @@ def assert_in_step(directory, part, reference):
     assert n == min(len(times), len(status) + 1)
     assert part.history["time"].tolist() == part.times.tolist()
     assert part.status["time"].tolist() == pytest.approx(part.times.tolist()[1:], rel=1e-6)
-    whole = [reference.contacts_at(k) for k in range(n)]
-    assert part.contacts.n_rows == sum(rows.n_rows for rows in whole)
-    for k, rows in enumerate(whole):
-        assert_same_numbers(part.contacts_at(k)["force"], rows["force"])
+    assert part.contacts.n_rows == sum(map(len, whole.forces[:n]))
+    for k, force in enumerate(whole.forces[:n]):
+        assert_same_numbers(part.contacts_at(k)["force"], force)
 
 
-def readable(directory, reference):
+def readable(directory, whole):
     """Read all there is of the files a killed run has left; return the number of its increments."""
     n = 0
     if (directory / "deck.vtkhdf").exists():
@@ -120,18 +146,18 @@ def readable(directory, reference):
             warnings.filterwarnings("ignore", message=".*did not finish")
             part = Results(directory)
         n = len(part.times)
-        assert np.array_equal(part.times, reference.times[:n])
-        for name in ("displacement", "potential", "joule_heat"):
-            assert np.array_equal(part.field(name, None), reference.field(name, None)[:n])
-        for table in ("contacts", "history", "status", "convergence"):
-            rows = getattr(part, table)
+        assert np.array_equal(part.times, whole.times[:n])
+        for name, values in whole.fields.items():
+            assert np.array_equal(part.field(name, None), values[:n])
+        for name, table in whole.tables.items():
+            rows = getattr(part, name)
             for column in rows:
-                assert_same_numbers(rows[column], getattr(reference, table)[column][: rows.n_rows])
-        assert_in_step(directory, part, reference)
+                assert_same_numbers(rows[column], table[column][: rows.n_rows])
+        assert_in_step(directory, part, whole)
     if (directory / "deck_contacts.vtkhdf").exists():
         with h5py.File(directory / "deck_contacts.vtkhdf", "r") as file:
             times = file["VTKHDF/Steps/Values"][: file["VTKHDF/Steps"].attrs["NSteps"]]
-            assert np.array_equal(times, reference.times[: len(times)])
+            assert np.array_equal(times, whole.times[: len(times)])
             rows = file["VTKHDF/NumberOfPoints"][: len(times)].sum()
             assert len(file["VTKHDF/PointData/force"][:rows]) == rows
     return n
@@ -143,24 +169,25 @@ def test_a_run_killed_at_any_write_leaves_files_that_are_whole_and_can_be_contin
     count = tmp_path / "count"
     done = litz("run", deck, "-o", tmp_path / "whole", "--threads", 1, env=kill_at_write(count=count))
     assert done.returncode == 0, done.stderr
-    whole = Results(tmp_path / "whole")
+    whole = Whole(tmp_path / "whole")
     n_writes = int(count.read_text())
     assert n_writes > 500
     reached = set()
+
+    def run(at, directory):
+        return litz("run", deck, "-o", directory, "--threads", 1, env=kill_at_write(at=at))
+
     # a stride that is prime to the writes of an increment meets all of its places in turn
-    for at in range(1, n_writes + 1, 23):
-        killed = tmp_path / "killed"
-        shutil.rmtree(killed, ignore_errors=True)
-        done = litz("run", deck, "-o", killed, "--threads", 1, env=kill_at_write(at=at))
+    for at, done, killed in two_at_a_time(run, range(1, n_writes + 1, 23), tmp_path):
         assert done.returncode == -signal.SIGKILL
         reached.add(readable(killed, whole))
         if (killed / "deck.restart.h5").exists():
             last = written(killed / "deck.restart.h5")[-1]
             if at % 5 == 0:
                 shutil.rmtree(tmp_path / "on", ignore_errors=True)
-                done = litz("run", deck, "-o", tmp_path / "on", "--threads", 1, "--restart", killed / "deck.restart.h5")
-                assert done.returncode == 0, done.stderr
-                assert_same_end(whole, Results(tmp_path / "on"), *last)
+                on = litz("run", deck, "-o", tmp_path / "on", "--threads", 1, "--restart", killed / "deck.restart.h5")
+                assert on.returncode == 0, on.stderr
+                assert_same_end(whole.results, Results(tmp_path / "on"), *last)
     assert len(reached) > 5
 
 
@@ -170,17 +197,18 @@ def test_a_run_killed_at_any_time_leaves_files_that_are_whole(litz_program, litz
     start = time.monotonic()
     assert litz("run", deck, "-o", tmp_path / "whole", "--threads", 1).returncode == 0
     duration = time.monotonic() - start
-    whole = Results(tmp_path / "whole")
+    whole = Whole(tmp_path / "whole")
     random = np.random.default_rng(5)
-    for delay in random.uniform(0, duration, 30):
-        killed = tmp_path / "killed"
-        shutil.rmtree(killed, ignore_errors=True)
+
+    def run(delay, directory):
         process = subprocess.Popen(
-            [litz_program, "run", deck, "-o", killed, "--threads", "1"], stdout=subprocess.DEVNULL
+            [litz_program, "run", deck, "-o", directory, "--threads", "1"], stdout=subprocess.DEVNULL
         )
         time.sleep(delay)
         process.kill()
         process.wait()
+
+    for _, _, killed in two_at_a_time(run, random.uniform(0, duration, 30), tmp_path):
         readable(killed, whole)
         if (killed / "deck.restart.h5").exists():
             assert written(killed / "deck.restart.h5")
@@ -297,16 +325,17 @@ def test_whatever_fits_on_the_disk_can_be_read(litz_program, litz, tmp_path):
     deck = tmp_path / "deck.inp"
     deck.write_text(crossed(static="0.02, 1, 1e-3, 0.02", extra=KEEP_ALL))
     assert litz("run", deck, "-o", tmp_path / "whole").returncode == 0
-    whole, output = Results(tmp_path / "whole"), tmp_path / "out"
+    whole = Whole(tmp_path / "whole")
     reached = set()
-    for kilobytes in range(40, 1060, 30):
-        shutil.rmtree(output, ignore_errors=True)
-        limit = kilobytes * 1024
-        done = subprocess.run(
-            [litz_program, "run", deck, "-o", output],
-            capture_output=True, text=True, check=False,
-            preexec_fn=lambda limit=limit: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)),
-        )  # fmt: skip
+
+    def run(kilobytes, directory):
+        # by the shell: Python's own way is not safe in threads
+        limited = ["bash", "-c", f'ulimit -f {kilobytes} && exec "$@"', "limited"]
+        return subprocess.run(
+            [*limited, litz_program, "run", deck, "-o", directory], capture_output=True, text=True, check=False
+        )
+
+    for _, done, output in two_at_a_time(run, range(40, 1060, 30), tmp_path):
         assert done.returncode == 4
         reached.add(readable(output, whole))
         if (output / "deck.restart.h5").exists():
@@ -354,7 +383,7 @@ def test_a_file_system_that_is_full_ends_the_run_in_words_and_keeps_what_was_who
     assert "HDF5-DIAG" not in done.stderr
     assert not list(disk.glob("*.part"))
     if kilobytes >= 2000:
-        assert readable(disk, Results(tmp_path / "whole")) > 1
+        assert readable(disk, Whole(tmp_path / "whole")) > 1
 
 
 def test_a_file_system_without_room_for_a_second_run_keeps_the_first(litz, small_disk, tmp_path):

@@ -63,9 +63,9 @@ def wheel(archive, tmp_path_factory):
 def clean_environment(wheel, tmp_path_factory):
     """An environment with the wheel, which borrows the packages that litz depends on from the one of the tests."""
     folder = tmp_path_factory.mktemp("clean") / "environment"
-    venv.create(folder, with_pip=True)
+    venv.create(folder)
     commands = folder / "bin"
-    call(commands / "python", "-m", "pip", "install", "--no-deps", "--no-index", wheel)
+    call(sys.executable, "-m", "pip", "--python", commands / "python", "install", "--no-deps", "--no-index", wheel)
     packages = Path(call(commands / "python", "-c", "import sysconfig; print(sysconfig.get_path('purelib'))").strip())
     # a path in a .pth file comes last, and .pth files in it, as that of an editable litz, are not read
     (packages / "borrowed.pth").write_text(f"{Path(numpy.__file__).parents[1]}\n", encoding="utf-8")

@@ -94,6 +94,12 @@ class TestFriction:
         assert np.ptp(loop.sliding) == pytest.approx(0.2e-3 - 2 * bending, rel=0.05)
 
 
+@pytest.fixture
+def without_vtk(monkeypatch):
+    """Wires are drawn by matplotlib alone, which starts at once."""
+    monkeypatch.setattr(animation, "render", lambda scenes, camera, pixels: [None] * len(scenes))
+
+
 class TestAnimation:
     def test_a_gif_has_a_frame_for_each_increment_and_they_differ(self, grid, tmp_path):
         path = animation.animate(grid, tmp_path / "grid.gif", field="displacement", size=(300, 210))
@@ -108,11 +114,13 @@ class TestAnimation:
             assert not_white(frame) > 0.02 * frame.shape[0] * frame.shape[1]
         assert not np.array_equal(frames[0], frames[-1])
 
+    @pytest.mark.usefixtures("without_vtk")
     def test_of_many_increments_an_even_choice_is_shown(self, grid, tmp_path):
         path = animation.animate(grid, tmp_path / "grid.gif", size=(300, 210), max_frames=2)
         with Image.open(path) as moving:
             assert moving.n_frames == 2
 
+    @pytest.mark.usefixtures("without_vtk")
     def test_the_former_name_of_the_number_of_frames_warns(self, grid, tmp_path):
         with pytest.warns(DeprecationWarning, match="most_frames is called max_frames now"):
             path = animation.animate(grid, tmp_path / "grid.gif", size=(300, 210), most_frames=2)
@@ -124,6 +132,7 @@ class TestAnimation:
         with pytest.raises(litz.FileError, match=r"pip install 'litz\[video\]'"):
             animation.animate(grid, tmp_path / "grid.mp4")
 
+    @pytest.mark.usefixtures("without_vtk")
     def test_mp4_gets_every_frame_in_even_sizes(self, grid, tmp_path, monkeypatch):
         """The package itself is not needed for this: what it is given is looked at."""
         given = []

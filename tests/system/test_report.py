@@ -19,8 +19,8 @@ def grid(run_of_input):
 
 
 @pytest.fixture(scope="module")
-def page(grid, tmp_path_factory):
-    return litz.report(grid, tmp_path_factory.mktemp("report") / "grid.html").read_text(encoding="utf-8")
+def page(report_of_grid):
+    return report_of_grid.read_text(encoding="utf-8")
 
 
 def plain(text):
@@ -112,6 +112,7 @@ class TestUnconverged:
         assert "not an equilibrium" in text
 
     @pytest.mark.filterwarnings("ignore:.*did not finish")
+    @pytest.mark.usefixtures("reports_without_pictures")
     def test_the_iterate_leads_to_the_report_of_the_run(self, gave_up):
         _, results = gave_up
         iterate = results.path.with_name(f"{results.path.stem}_unconverged.vtkhdf")

@@ -200,12 +200,11 @@ class TestPage:
 
 
 class TestReport:
-    def test_a_report_works_from_a_file_with_nothing_beside_it(self, browser, run_of_input, tmp_path):
-        path = litz.report(run_of_input("04_wire_grid"), tmp_path / "alone.html")
+    def test_a_report_works_from_a_file_with_nothing_beside_it(self, browser, report_of_grid):
         browser.execute_cdp_cmd("Network.enable", {})
         browser.execute_cdp_cmd("Network.emulateNetworkConditions",
                                 {"offline": True, "latency": 0, "downloadThroughput": 0, "uploadThroughput": 0})  # fmt: skip
-        load(browser, path.as_uri())
+        load(browser, report_of_grid.as_uri())
         assert errors(browser) == []
         ask(browser, "viewer.select(3)")
         assert ledger_row(browser)["id"] == "3"

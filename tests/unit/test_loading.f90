@@ -79,9 +79,10 @@ contains
 
       state = state_at_rest()
       call run_through(new_step(boundary=[nodal_value_t(1, 3, 0.1_dp), nodal_value_t(1, 2, 0.2_dp)]), state, loading)
-      state%value(3, 1) = 0.1_dp
+      state%value(3, 1) = 0.09_dp
       step = new_step(boundary=[nodal_value_t(1, 2, 0.3_dp)])
       call start_loading(step, state, loading)
+      call check(same(loading%value(3, 1), 0.09_dp), 'what it was prescribed to be is forgotten')
       call check(count(loading%fixed) == 1 .and. loading%fixed(2, 1), 'only what this step names is prescribed')
       call load_targets(new_model(), step, length, 2*length, loading)
       call prescribed_increment(loading, state, increment)

@@ -46,22 +46,33 @@ def without_opengl(monkeypatch, tmp_path):
     monkeypatch.setattr(wire_picture.sys, "executable", str(program))
 
 
+@pytest.fixture(scope="module")
+def picture_of(written, tmp_path_factory):
+    """`picture_of("wires")` is the picture of this kind, which is drawn once."""
+    folder, pictures = tmp_path_factory.mktemp("pictures"), {}
+
+    def draw(kind):
+        if kind not in pictures:
+            with warnings.catch_warnings():
+                # on a machine without OpenGL the picture is drawn without it, and says so
+                warnings.filterwarnings("ignore", message=".*drawn with matplotlib only")
+                path = litz.plot(litz.Results(written / "crossed.vtkhdf"), kind, folder / f"{kind}.png")
+            pictures[kind] = imread(path)
+        return pictures[kind]
+
+    return draw
+
+
 class TestPictures:
     @pytest.mark.parametrize("kind", KINDS)
-    def test_every_kind_makes_a_picture_with_something_on_it(self, results, tmp_path, kind):
-        with warnings.catch_warnings():
-            # on a machine without OpenGL the picture is drawn without it, and says so
-            warnings.filterwarnings("ignore", message=".*drawn with matplotlib only")
-            path = litz.plot(results, kind, tmp_path / "picture.png")
-        picture = imread(path)
+    def test_every_kind_makes_a_picture_with_something_on_it(self, picture_of, kind):
+        picture = picture_of(kind)
         assert picture.shape[0] > 500
         assert picture.shape[1] > 900
         assert len(coloured(picture)) > 1e-3 * picture.shape[0] * picture.shape[1]
 
-    def test_the_wires_have_the_colours_of_the_whole_scale_and_a_spot(self, results, tmp_path):
-        with warnings.catch_warnings():
-            warnings.filterwarnings("ignore", message=".*drawn with matplotlib only")
-            picture = imread(litz.plot(results, "wires", tmp_path / "picture.png"))
+    def test_the_wires_have_the_colours_of_the_whole_scale_and_a_spot(self, picture_of):
+        picture = picture_of("wires")
         # above the colour bar
         above = coloured(picture[: int(0.85 * len(picture))])
         for part in (0.0, 0.25, 0.5, 0.75, 1.0):
