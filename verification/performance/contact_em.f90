@@ -86,22 +86,26 @@ contains
       if (.not. abs(checksum) < huge(checksum)) error stop 'the results are not finite'
    end subroutine report_element
 
-   !> A place near the crossing, of wires that overlap by less than a tenth of a radius.
+   !> A place near the crossing, of wires that overlap by a twentieth of a radius.
    subroutine report_line_point(title, axis)
       character(len=*), intent(in) :: title
       integer, intent(in) :: axis
       type(line_laws_t) :: laws
       type(line_place_t) :: place
       type(line_point_t) :: point
-      real(dp) :: y(3, 4), k(28, 28), r(28), xi(n_pairs), xi_bar, checksum, best
+      real(dp) :: y(3, 4, n_pairs), k(28, 28), r(28), xi(n_pairs), xi_bar, checksum, best
       real(dp) :: start, finish
       integer :: round, repetition, pair, info, n_active
 
       laws%axis = axis
       laws%wires = line_wires(wires, 0.0_dp)
       place%weight = length(2)/6
+      y = x
       do pair = 1, n_pairs
          call closest_points(x(:, :, pair), t(:, :, pair), length, axis, xi_bar, xi(pair), info)
+         place%xi = xi(pair)
+         call line_point(x(:, :, pair), t(:, :, pair), length, v, place, laws, k, r, point, info)
+         y(3, 1:2, pair) = y(3, 1:2, pair) - point%gap - 0.05_dp*wires%radius(1)
       end do
       best = huge(best)
       checksum = 0
@@ -110,10 +114,8 @@ contains
          call cpu_time(start)
          do repetition = 1, repetitions
             do pair = 1, n_pairs
-               y = x(:, :, pair)
-               y(3, 1:2) = y(3, 1:2) + 0.085_dp*wires%radius(1)
                place%xi = xi(pair)
-               call line_point(y, t(:, :, pair), length, v, place, laws, k, r, point, info)
+               call line_point(y(:, :, pair), t(:, :, pair), length, v, place, laws, k, r, point, info)
                checksum = checksum + k(1, 1) + r(28)
                if (info == line_active) n_active = n_active + 1
             end do

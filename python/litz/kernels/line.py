@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -256,7 +256,7 @@ def line_point(
     positions = np.asarray(x, dtype=float)
     n = len(positions) if positions.ndim == 3 else None
     place = _points("xi", xi, (), n)
-    _check(np.abs(place) <= 1, n, "xi must be from -1 to 1")
+    _check((place >= -1) & (place <= 1), n, "xi must be from -1 to 1")
     vectors = _points("rotation_vectors", np.zeros((4, 3)) if rotation_vectors is None else rotation_vectors, (4, 3), n)
     before = _points("normal_before", np.zeros(3) if normal_before is None else normal_before, (3,), n)
     weights = _positive("weight", weight, (), n)
@@ -288,13 +288,11 @@ def line_point(
         numbers
     )
     spot_radius = np.sqrt(2 * half_width * weights / np.pi)
-    result = LinePoint(
+    fields: list[NDArray[Any]] = [
         np.moveaxis(k, -1, 0), r.T, info == _LINE_ACTIVE, xi_bar, place, gap, normal.T, force, spot_radius, resistance,
         current, voltage_gap, angles, half_width, per_length, energy, quality, at_end != 0,
-    )  # fmt: skip
-    return (
-        result if n is not None else LinePoint(*(value[0] if value.ndim > 1 else value[0].item() for value in result))
-    )
+    ]  # fmt: skip
+    return LinePoint(*(fields if n is not None else [f[0] if f.ndim > 1 else f[0].item() for f in fields]))
 
 
 def _points(name: str, value: ArrayLike, shape: tuple[int, ...], n: int | None) -> Floats:
@@ -312,7 +310,8 @@ def _named(bad: NDArray[np.bool_], n: int | None) -> str:
 def _check(good: NDArray[np.bool_], n: int | None, words: str) -> None:
     """Raise a ValueError unless all points are good."""
     if not good.all():
-        raise ValueError(_named(~good.reshape(len(good), -1).all(axis=1), n) + words)
+        bad: NDArray[np.bool_] = np.array([not each.all() for each in good])
+        raise ValueError(_named(bad, n) + words)
 
 
 def _positive(name: str, value: ArrayLike, shape: tuple[int, ...], n: int | None) -> Floats:
