@@ -3,21 +3,24 @@
 !>
 !> Source: theory section 10. Unknowns, order, block structure and signs are those of litz_contact_em; `k` and `r` hold
 !> the law per length times the weight `W`, the length for which the point stands. The residual is the gradient of the
-!> energy `W pi(-g)`. The steps, each its own kernel: foot, kinematics, law, mechanics, electricity.
+!> energy `W pi(-g)`. The steps, each its own kernel: foot, kinematics, law, and the blocks that these make.
 module litz_line_point
-   use litz_kinds, only: dp
+   use litz_kinds, only: dp, pi
    use litz_axis_choices, only: axis_hermite
+   use litz_normal_law, only: force_of_gap_t
+   use litz_spot_law, only: contact_spot_t
    use litz_line_law, only: line_wires_t, line_force_t, line_force, line_spot_t, line_spot
    use litz_axis, only: axis_shape, axis_polynomial, on_axis
    use litz_line_foot, only: line_foot, foot_inside, foot_at_end, foot_beyond, foot_too_curved
    use litz_line_kinematics, only: line_kinematics
    use litz_contact_kinematics, only: contact_kinematics_t, kinematics_ok
-   use litz_contact_mechanics, only: contact_mechanics, form_spin
-   use litz_contact_electricity, only: contact_electricity_t, contact_electricity, coupling_tangent
+   use litz_contact_blocks, only: contact_blocks, contact_force_t, spot_in_circuit_t
+   use litz_contact_electricity, only: contact_electricity_t
+   use litz_contact_mechanics, only: form_spin
    use litz_rotation_forms, only: spin_to_rotation_vectors
    implicit none
    private
-   public :: line_point, line_laws_t, line_place_t, line_point_t, foot_of_place
+   public :: line_point, line_laws_t, line_place_t, line_point_t, foot_of_place, force_of_line, spot_of_line
    public :: line_active, line_open, line_beyond, line_too_curved, line_not_converged, line_too_wide, line_axes_meet
 
    !> The wires touch
@@ -102,28 +105,28 @@ contains
       integer, intent(out) :: info
       !> Rotation vectors of the nodes (3, 4) [rad], when rotations are additive changes of these instead
       real(dp), intent(in), optional :: rotation_vectors(3, 4)
-      real(dp) :: k_mm(24, 24)
+      type(force_of_gap_t) :: force
+      real(dp) :: k_mm(24, 24), r_m(24), k_me(4, 24), k_ee(4, 4), r_e(4)
 
       k = 0
       r = 0
       call find_point(x, t, length, place, laws, point, info)
       if (info /= line_active) return
 
-      associate (w => place%weight, normal => point%normal, spot => point%spot)
-         normal = line_force(laws%wires, -point%gap, laws%penalty)
-         if (laws%conducts) spot = line_spot(laws%wires, normal%force, laws%film, laws%hardness)
-         if (normal%too_wide .or. spot%too_wide) info = line_too_wide
-         point%force = w*normal%force
-         point%energy = w*normal%energy
-         call contact_mechanics(point%kinematics, t, point%force, w*normal%stiffness, point%force, form_spin, &
-            k_mm, r(1:24))
-         call contact_electricity(point%kinematics, v, w*spot%conductance, &
-            -w*spot%dconductance_dforce*normal%stiffness, 0.0_dp, laws%series_resistance, point%electricity)
-      end associate
+      point%normal = line_force(laws%wires, -point%gap, laws%penalty)
+      if (laws%conducts) point%spot = line_spot(laws%wires, point%normal%force, laws%film, laws%hardness)
+      if (point%normal%too_wide .or. point%spot%too_wide) info = line_too_wide
+      force = force_of_line(point%normal, place%weight)
+      point%force = force%force
+      point%energy = force%energy
+      call contact_blocks(point%kinematics, t, v, &
+         contact_force_t(force%force, force%force, -force%dforce_dgap, 0.0_dp, force), &
+         spot_in_circuit_t(spot_of_line(point%spot, place%weight), series_resistance=laws%series_resistance), &
+         form_spin, k_mm, r_m, k_me, k_ee, r_e, point%electricity)
       k(1:24, 1:24) = k_mm
-      k(25:28, 1:24) = coupling_tangent(point%electricity, point%kinematics)
-      k(25:28, 25:28) = point%electricity%k_ee
-      r(25:28) = point%electricity%r_e
+      k(25:28, 1:24) = k_me
+      k(25:28, 25:28) = k_ee
+      r = [r_m, r_e]
       if (present(rotation_vectors)) call spin_to_rotation_vectors(k, r, rotation_vectors, [4, 10, 16, 22])
    end subroutine line_point
 
@@ -161,6 +164,28 @@ contains
          info = line_not_converged
       end select
    end subroutine find_point
+
+   !> The force of a point, as that of a crossing. The angle is held fixed.
+   pure type(force_of_gap_t) function force_of_line(normal, weight) result(force)
+      type(line_force_t), intent(in) :: normal
+      !> W [m]
+      real(dp), intent(in) :: weight
+
+      force = force_of_gap_t(force=weight*normal%force, dforce_dgap=-weight*normal%stiffness, &
+         energy=weight*normal%energy)
+   end function force_of_line
+
+   !> The strip of a point, as the spot of a crossing: an ellipse of the same area, whose minor half axis is b. As force
+   !> and conductance both go with the weight, dG/dF is dg'/df.
+   pure type(contact_spot_t) function spot_of_line(strip, weight) result(spot)
+      type(line_spot_t), intent(in) :: strip
+      !> W [m]
+      real(dp), intent(in) :: weight
+
+      if (.not. strip%half_width > 0) return
+      spot = contact_spot_t(semi_major=2*weight/pi, semi_minor=strip%half_width, &
+         conductance=weight*strip%conductance, dconductance_dforce=strip%dconductance_dforce)
+   end function spot_of_line
 
    !> Foot of a place of the unbarred element on the barred one.
    pure subroutine foot_of_place(x, t, length, axis, place, xi_bar, quality, status)
