@@ -86,12 +86,12 @@ contains
       real(dp) :: outwards
       logical :: at_end
 
+      status = foot_not_converged
+      if (.not. (foot%square > 0 .and. foot%f < huge(foot%f))) return
       ! how far the foot would go on, were it not held
       outwards = -sign(1.0_dp, foot%xi)*foot%slope/(max(quality, least_quality)*foot%square)
       at_end = ends(merge(2, 1, foot%xi > 0)) .and. abs(foot%xi) >= 1 .and. outwards > end_tolerance
-      if (.not. (foot%square > 0 .and. foot%f < huge(foot%f))) then
-         status = foot_not_converged
-      else if (at_end) then
+      if (at_end) then
          status = foot_at_end
       else if (abs(foot%xi) > 1 + end_tolerance) then
          status = foot_beyond

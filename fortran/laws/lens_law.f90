@@ -54,7 +54,7 @@ contains
       type(line_wires_t), intent(in) :: line
       !> Gap between the surfaces [m], negative in contact
       real(dp), intent(in) :: gap
-      !> s [-]
+      !> s, positive [-]
       real(dp), intent(in) :: sine
       !> eps_l [N/m^2]; 0: the elastic law
       real(dp), intent(in) :: penalty
@@ -113,7 +113,7 @@ contains
       type(line_wires_t), intent(in) :: line
       !> Gap between the surfaces [m], negative in contact
       real(dp), intent(in) :: gap
-      !> s [-]
+      !> s, positive [-]
       real(dp), intent(in) :: sine
       !> eps_l [N/m^2]; 0: the elastic law
       real(dp), intent(in) :: penalty
