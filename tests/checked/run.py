@@ -24,7 +24,7 @@ PROGRAM_TESTS = ("tests/system", "tests/fuzz", "tests/unit/test_results.py", "te
 EXTENSION_TESTS = (
     "tests/unit/test_beams.py", "tests/unit/test_closest_points.py", "tests/unit/test_conductor.py",
     "tests/unit/test_contact_search.py", "tests/unit/test_contact_spot.py", "tests/unit/test_rotations.py",
-    "tests/unit/test_contact_em.py",
+    "tests/unit/test_contact_em.py", "tests/unit/test_line_law.py", "tests/unit/test_line_point.py",
 )  # fmt: skip
 #: What these checks cannot be used with, and why
 LEFT_OUT = {

@@ -47,7 +47,7 @@ def run_of_input(litz_program, tmp_path_factory):
 def report_of_grid(run_of_input, tmp_path_factory):
     """The page of a report about the grid, with nothing beside it."""
     with warnings.catch_warnings():
-        warnings.filterwarnings("ignore", message=".*drawn by matplotlib alone")
+        warnings.filterwarnings("ignore", message=".*drawn with matplotlib only")
         return litz_package.report(run_of_input("04_wire_grid"), tmp_path_factory.mktemp("report") / "grid.html")
 
 

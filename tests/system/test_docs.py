@@ -108,7 +108,7 @@ def test_the_equations_of_the_theory_are_numbered_and_those_that_are_cited_are_t
     numbers = [tuple(map(int, tag)) for tag in re.findall(r"\\tag{(\d+)\.(\d+)}", theory.read_text("utf-8"))]
     assert numbers == sorted(set(numbers))
     assert all(number[1] == 1 or (number[0], number[1] - 1) in numbers for number in numbers)
-    cited = re.findall(r"\((\d\.\d+)\)", without_blocks(theory))
+    cited = re.findall(r"\((\d+\.\d+)\)", without_blocks(theory))
     assert cited
     assert {tuple(map(int, number.split("."))) for number in cited} <= set(numbers)
 

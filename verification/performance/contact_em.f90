@@ -1,4 +1,4 @@
-!> Processor time of the contact element: tangent and residual of one pair, on one core.
+!> Processor time of the contact element and of a point of line contact: tangent and residual of one pair, on one core.
 !>
 !> Build and run: `ninja -C build verification/contact_em_performance && build/verification/contact_em_performance`.
 program contact_em_performance
@@ -8,6 +8,8 @@ program contact_em_performance
    use litz_spot_laws, only: spot_law
    use litz_rotations, only: rotation_exp
    use litz_closest_points, only: closest_points
+   use litz_line_law, only: line_wires
+   use litz_line_point, only: line_point, line_laws_t, line_place_t, line_point_t, line_active
    use litz_contact_em, only: contact_em, contact_em_t, wire_pair_t, contact_laws_t, contact_active
    implicit none
    integer, parameter :: n_pairs = 512, repetitions = 200, rounds = 7
@@ -23,6 +25,8 @@ program contact_em_performance
    call report_element('hermite  HERTZ       HERTZ   ', axis_hermite, 'HERTZ', 'HERTZ')
    call report_element('linear   LINEAR      PAPER   ', axis_linear, 'LINEAR', 'PAPER')
    call report_element('linear   HERTZ       HERTZ   ', axis_linear, 'HERTZ', 'HERTZ')
+   call report_line_point('hermite  line point          ', axis_hermite)
+   call report_line_point('linear   line point          ', axis_linear)
    call report_closest_points()
 
 contains
@@ -81,6 +85,48 @@ contains
          100.0_dp*n_active/(n_pairs*repetitions), ' % in contact)'
       if (.not. abs(checksum) < huge(checksum)) error stop 'the results are not finite'
    end subroutine report_element
+
+   !> A place near the crossing, of wires that overlap by a twentieth of a radius.
+   subroutine report_line_point(title, axis)
+      character(len=*), intent(in) :: title
+      integer, intent(in) :: axis
+      type(line_laws_t) :: laws
+      type(line_place_t) :: place
+      type(line_point_t) :: point
+      real(dp) :: y(3, 4, n_pairs), k(28, 28), r(28), xi(n_pairs), xi_bar, checksum, best
+      real(dp) :: start, finish
+      integer :: round, repetition, pair, info, n_active
+
+      laws%axis = axis
+      laws%wires = line_wires(wires, 0.0_dp)
+      place%weight = length(2)/6
+      y = x
+      do pair = 1, n_pairs
+         call closest_points(x(:, :, pair), t(:, :, pair), length, axis, xi_bar, xi(pair), info)
+         place%xi = xi(pair)
+         call line_point(x(:, :, pair), t(:, :, pair), length, v, place, laws, k, r, point, info)
+         y(3, 1:2, pair) = y(3, 1:2, pair) - point%gap - 0.05_dp*wires%radius(1)
+      end do
+      best = huge(best)
+      checksum = 0
+      do round = 1, rounds
+         n_active = 0
+         call cpu_time(start)
+         do repetition = 1, repetitions
+            do pair = 1, n_pairs
+               place%xi = xi(pair)
+               call line_point(y(:, :, pair), t(:, :, pair), length, v, place, laws, k, r, point, info)
+               checksum = checksum + k(1, 1) + r(28)
+               if (info == line_active) n_active = n_active + 1
+            end do
+         end do
+         call cpu_time(finish)
+         best = min(best, (finish - start)/(n_pairs*repetitions))
+      end do
+      write (*, '(a,f17.3,es19.3,a,f6.1,a)') title, 1.0e6_dp*best, 1/best, '   (', &
+         100.0_dp*n_active/(n_pairs*repetitions), ' % in contact)'
+      if (.not. abs(checksum) < huge(checksum)) error stop 'the results are not finite'
+   end subroutine report_line_point
 
    subroutine report_closest_points()
       real(dp) :: xi_bar, xi, checksum, best

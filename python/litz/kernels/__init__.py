@@ -7,6 +7,7 @@ Any units that fit together will do. The formulas are in ``docs/theory.md``.
 
 The contact of two wires: `contact_em` (the 28 x 28 element), `contact_coupling` (its coupling block in the parts of the
 paper), `closest_points`, `contact_spot` (force to conductance), `contact_search` (which elements are near each other).
+Wires that touch along a line: `line_law` (force to approach and conductance, per length), `line_point` (one point of it).
 The wires: `beam_b31`, `beam_b33` and their strains, `conductor`, `potential_rise`.
 """
 
@@ -23,6 +24,7 @@ from .beams import (
     potential_rise,
 )
 from .contact import ContactCoupling, ContactEM, contact_coupling, contact_em
+from .line import LineLaw, LinePoint, line_law, line_point
 from .search import contact_search
 from .spot import ContactSpot, contact_spot
 
@@ -34,6 +36,8 @@ __all__ = [
     "ContactCoupling",
     "ContactEM",
     "ContactSpot",
+    "LineLaw",
+    "LinePoint",
     "beam_b31",
     "beam_b31_strains",
     "beam_b33",
@@ -44,5 +48,7 @@ __all__ = [
     "contact_em",
     "contact_search",
     "contact_spot",
+    "line_law",
+    "line_point",
     "potential_rise",
 ]

@@ -1,0 +1,154 @@
+!> The law of line contact over a whole lens of overlap: two wires that cross, as one point.
+!>
+!> Source: theory section 10. Along the lens, of half length `aW = sqrt(2 d delta)/s`, the overlap is `delta (1 - u^2)`
+!> at `u = x/aW`; `s` is the sine of the crossing, corrected for the curvature of the wires. The integrals over u from
+!> -1 to 1 are those of four Gauss points, of which the two at u < 0 are the same as the others: exact where the force
+!> goes with the overlap, as in a Hertz contact.
+module litz_lens_law
+   use litz_kinds, only: dp
+   use litz_line_law, only: line_wires_t, line_force_t, line_force, line_spot_t, line_spot
+   implicit none
+   private
+   public :: lens_t, lens_force, lens_spot_t, lens_spot, lens_energy, share_of_point
+
+   integer, parameter :: n_depths = 2
+   !> `1 - u^2` of the Gauss points, and twice their weights
+   real(dp), parameter :: gauss_depth(n_depths) = 1 - [0.33998104358485626480_dp, 0.86113631159405257522_dp]**2
+   real(dp), parameter :: gauss_weight(n_depths) = 2*[0.65214515486254614263_dp, 0.34785484513745385737_dp]
+   !> Gauss points in (0, 1) and their weights, over the square root of the overlap, for the energy: there the integrand
+   !> is a polynomial but for the slow change of a logarithm
+   real(dp), parameter :: energy_place(6) = 0.5_dp + 0.5_dp*[ &
+      -0.93246951420315202781_dp, -0.66120938646626451366_dp, -0.23861918608319690863_dp, &
+      0.23861918608319690863_dp, 0.66120938646626451366_dp, 0.93246951420315202781_dp]
+   real(dp), parameter :: energy_weight(6) = 0.5_dp*[ &
+      0.17132449237917034504_dp, 0.36076157304813860757_dp, 0.46791393457269104739_dp, &
+      0.46791393457269104739_dp, 0.36076157304813860757_dp, 0.17132449237917034504_dp]
+   !> A lens is a point up to the first half length, a line from the second one on, in spacings of the line points
+   real(dp), parameter :: point_up_to = 2, line_from = 6
+
+   !> Lens and force; all 0 where the wires do not overlap.
+   type :: lens_t
+      !> aW [m], daW/dg [-], daW/dangle [m/rad]
+      real(dp) :: half_length = 0, dhalf_length_dgap = 0, dhalf_length_dangle = 0
+      !> F [N], dF/dg [N/m], dF/dangle [N/rad] at fixed gap
+      real(dp) :: force = 0, dforce_dgap = 0, dforce_dangle = 0
+      !> The law at the deepest place, and at the Gauss points
+      type(line_force_t) :: deepest, along(n_depths)
+   end type lens_t
+
+   !> Conductance of a lens, 0 where there is no force.
+   type :: lens_spot_t
+      !> G [S], dG/dg [S/m] at fixed angle, dG/dangle [S/rad] at fixed gap
+      real(dp) :: conductance = 0, dconductance_dgap = 0, dconductance_dangle = 0
+      !> Half width of the strip at the deepest place [m]
+      real(dp) :: half_width = 0
+      !> The strip is wider than the law holds for
+      logical :: too_wide = .false.
+   end type lens_spot_t
+
+contains
+
+   !> `F = aW int f du` and its derivatives.
+   pure type(lens_t) function lens_force(line, gap, sine, penalty) result(lens)
+      !> At the angle whose sine is `min(sine, 1)`
+      type(line_wires_t), intent(in) :: line
+      !> Gap between the surfaces [m], negative in contact
+      real(dp), intent(in) :: gap
+      !> s, positive [-]
+      real(dp), intent(in) :: sine
+      !> eps_l [N/m^2]; 0: the elastic law
+      real(dp), intent(in) :: penalty
+      real(dp) :: distance, f, df_dgap, df_dangle
+      integer :: i
+
+      if (gap >= 0) return
+      distance = sum(line%radius) + gap                                                    ! d
+      lens%half_length = sqrt(-2*distance*gap)/sine
+      lens%dhalf_length_dgap = -(distance + gap)/(sine**2*lens%half_length)
+      lens%dhalf_length_dangle = -lens%half_length*cosine(sine)/sine
+      lens%deepest = line_force(line, -gap, penalty)
+      do i = 1, n_depths
+         lens%along(i) = line_force(line, -gap*gauss_depth(i), penalty)
+      end do
+      f = dot_product(gauss_weight, lens%along%force)
+      df_dgap = -dot_product(gauss_weight*gauss_depth, lens%along%stiffness)
+      df_dangle = dot_product(gauss_weight, lens%along%dforce_dangle)
+      lens%force = f*lens%half_length
+      lens%dforce_dgap = f*lens%dhalf_length_dgap + df_dgap*lens%half_length
+      lens%dforce_dangle = f*lens%dhalf_length_dangle + df_dangle*lens%half_length
+   end function lens_force
+
+   !> `G = aW int g' du` and its derivatives.
+   pure type(lens_spot_t) function lens_spot(line, lens, film, hardness) result(spot)
+      type(line_wires_t), intent(in) :: line
+      type(lens_t), intent(in) :: lens
+      !> sigma_f [ohm m^2], H [Pa]; see line_spot
+      real(dp), intent(in) :: film, hardness
+      type(line_spot_t) :: at
+      real(dp) :: g, dg_dgap, dg_dangle
+      integer :: i
+
+      at = line_spot(line, lens%deepest%force, film, hardness)
+      spot%half_width = at%half_width
+      spot%too_wide = at%too_wide
+      g = 0
+      dg_dgap = 0
+      dg_dangle = 0
+      do i = 1, n_depths
+         associate (f => lens%along(i))
+            at = line_spot(line, f%force, film, hardness)
+            g = g + gauss_weight(i)*at%conductance
+            dg_dgap = dg_dgap - gauss_weight(i)*at%dconductance_dforce*f%stiffness*gauss_depth(i)
+            dg_dangle = dg_dangle + gauss_weight(i)*(at%dconductance_dangle + at%dconductance_dforce*f%dforce_dangle)
+         end associate
+      end do
+      spot%conductance = g*lens%half_length
+      spot%dconductance_dgap = g*lens%dhalf_length_dgap + dg_dgap*lens%half_length
+      spot%dconductance_dangle = g*lens%dhalf_length_dangle + dg_dangle*lens%half_length
+   end function lens_spot
+
+   !> Integral of the force over the overlap at a fixed angle [J].
+   pure real(dp) function lens_energy(line, gap, sine, penalty) result(energy)
+      !> At the angle whose sine is `min(sine, 1)`
+      type(line_wires_t), intent(in) :: line
+      !> Gap between the surfaces [m], negative in contact
+      real(dp), intent(in) :: gap
+      !> s, positive [-]
+      real(dp), intent(in) :: sine
+      !> eps_l [N/m^2]; 0: the elastic law
+      real(dp), intent(in) :: penalty
+      type(lens_t) :: lens
+      integer :: i
+
+      energy = 0
+      do i = 1, size(energy_place)
+         lens = lens_force(line, gap*energy_place(i)**2, sine, penalty)
+         energy = energy - energy_weight(i)*lens%force*2*energy_place(i)*gap
+      end do
+   end function lens_energy
+
+   !> Share w_P of the contact that the point carries; the line points carry the rest.
+   pure subroutine share_of_point(half_length, spacing, weight, dweight_dhalf_length)
+      !> aW [m]
+      real(dp), intent(in) :: half_length
+      !> Distance of neighbouring line points [m]
+      real(dp), intent(in) :: spacing
+      !> w_P in [0, 1], and its derivative with respect to aW [1/m]
+      real(dp), intent(out) :: weight, dweight_dhalf_length
+      real(dp) :: u
+
+      u = (line_from - half_length/spacing)/(line_from - point_up_to)
+      u = max(0.0_dp, min(1.0_dp, u))
+      weight = u**2*(3 - 2*u)
+      dweight_dhalf_length = -6*u*(1 - u)/((line_from - point_up_to)*spacing)
+   end subroutine share_of_point
+
+   !> Of the angle whose sine is `sine`, between 0 and 90 degrees.
+   pure real(dp) function cosine(sine)
+      !> s, which the curvature of the wires can make greater than 1
+      real(dp), intent(in) :: sine
+
+      cosine = sqrt(max(0.0_dp, (1 - sine)*(1 + sine)))
+   end function cosine
+
+end module litz_lens_law
