@@ -203,9 +203,9 @@ contains
          type(contact_point_t), intent(inout) :: point
          !> Nodes of both elements (4)
          integer, intent(out) :: nodes_p(4)
-         !> Tangent and residual of the motions, tangent and currents of the voltages, tangent of the currents by the
-         !> motions: (24, 24), (24), (4, 4), (4), (4, 24)
+         !> Tangent and residual of the motions (24, 24), (24)
          real(dp), intent(out) :: k_p(n_motions, n_motions), r_p(n_motions)
+         !> Tangent and currents of the voltages (4, 4), (4), tangent of the currents by the motions (4, 24)
          real(dp), intent(out) :: k_ee_p(4, 4), r_e_p(4), k_me_p(4, n_motions)
          real(dp) :: x(3, 4), t(3, 4), length(2)
          real(dp) :: k_friction(n_motions, n_motions), r_friction(n_motions)
