@@ -153,7 +153,7 @@ module litz_model
       !> *STATIC, DIRECT: increments of fixed size
       logical :: direct = .false.
       !> Prescribed values and loads as they stand in this step, all earlier ones carried over
-      type(nodal_value_t), allocatable :: boundary(:), load(:), current(:)
+      type(nodal_value_t), allocatable :: boundary(:), load(:)
       !> Carried over, as Abaqus does, unless the step asks anew
       type(output_request_t), allocatable :: requests(:)
       !> Fields are written at every n-th increment, and at the last of the step

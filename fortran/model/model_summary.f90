@@ -1,8 +1,8 @@
 !> A summary of the resolved model, for `litz check`.
 module litz_model_summary
    use litz_element_types, only: element_types
+   use litz_fields, only: fields, field_of_dof, max_dof
    use litz_growing_text, only: growing_text_t
-   use litz_fields, only: max_dof
    use litz_kinds, only: dp
    use litz_axis_choices, only: axis_hermite
    use litz_normal_law, only: normal_law_t
@@ -256,8 +256,7 @@ contains
                to_text(step%largest)//' '//trim(model%units%time)
          end if
          text = text//', at most '//to_text(step%max_increments)//describe_solver(step)//nl
-         text = text//value_lines('prescribed', step%boundary)//value_lines('loads', step%load)// &
-            value_lines('currents', step%current)
+         text = text//value_lines(step%boundary, .false.)//value_lines(step%load, .true.)
          do i = 1, size(step%requests)
             text = text//request_line(model, step%requests(i))
          end do
@@ -277,11 +276,11 @@ contains
    end function describe_solver
 
    !> How many values for each degree of freedom, and their range.
-   pure function value_lines(what, items) result(text)
-      !> What the values are called at the head of a line
-      character(len=*), intent(in) :: what
+   pure function value_lines(items, are_loads) result(text)
       type(nodal_value_t), intent(in) :: items(:)
-      character(len=:), allocatable :: text
+      !> They are loads and not prescribed
+      logical, intent(in) :: are_loads
+      character(len=:), allocatable :: text, what
       integer :: dof, n, i
       real(dp) :: lowest, highest
 
@@ -297,6 +296,11 @@ contains
             highest = max(highest, items(i)%value)
          end do
          if (n == 0) cycle
+         what = 'prescribed'
+         if (are_loads) what = 'loads'
+         associate (field => fields(field_of_dof(dof)))
+            if (are_loads .and. field%is_level) what = trim(field%flux)//'s'
+         end associate
          text = text//'  '//what//' at degree of freedom '//to_text(dof)//': '//plural(n, 'node')//', '//to_text(lowest)
          if (highest > lowest) text = text//' to '//to_text(highest)
          text = text//nl
