@@ -64,7 +64,8 @@ contains
          ' *NODE, *ELEMENT, *NSET and *ELSET (litz extension); read twice as fast as text.'// &
          ' Datasets: /nodes/id (n), /nodes/position (n, 3); /elements/TYPE/id (m) and /elements/TYPE/nodes'// &
          ' (m, 2) with the numbers of the nodes, for TYPE '//list_element_types()//'; /node_sets/NAME and'// &
-         ' /element_sets/NAME with the numbers of the members. A path that does not begin with / is relative to the directory of the deck.')
+         ' /element_sets/NAME with the numbers of the members. A path that does not begin with / is relative to the'// &
+         ' directory of the deck.')
       call k%add(file('INPUT', 'the HDF5 file'))
       call finish(table, k)
 

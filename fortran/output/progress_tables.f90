@@ -44,7 +44,8 @@ contains
       write (buffer, '(i5, 3i10)') report%step, report%increment, report%attempt, report%iteration
       line = trim(buffer)
       do i = 1, n_fields
-         line = line//cell(number(report%residual(i)), len(flux_cell(i)))//cell(number(report%allowed(i)), allowed_width)
+         line = line//cell(number(report%residual(i)), len(flux_cell(i)))// &
+            cell(number(report%allowed(i)), allowed_width)
       end do
       do i = 1, n_fields
          line = line//cell(number(report%correction(i)), len(correction_cell(i)))// &
@@ -91,6 +92,7 @@ contains
 
    !> A text at the right end of its column.
    pure function cell(text, width) result(padded)
+      !> Head or number
       character(len=*), intent(in) :: text
       !> Of the column
       integer, intent(in) :: width

@@ -14,13 +14,14 @@ import pytest
 
 import litz as litz_package
 from documents import LANGUAGES, ROOT, blocks, documents, setup_commands
+from new_things import PAGES
 
 DOCUMENTS = documents()
 BLOCKS = [block for document in DOCUMENTS for block in blocks(document)]
-# pages whose blocks change the sources have a test of their own: test_new_laws.py
+# pages whose blocks change the sources have a test of their own: test_new_things.py
 PAGES_THAT_RUN = sorted(
     {block.document for block in BLOCKS if block.language in ("python", "sh")}
-    - {ROOT / "docs" / "new_spot_law.md", ROOT / "docs" / "new_normal_law.md"}
+    - {ROOT / "docs" / page for page in PAGES}
 )
 NAMES = {path: str(path.relative_to(ROOT)) for path in DOCUMENTS}
 
