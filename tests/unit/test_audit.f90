@@ -119,7 +119,7 @@ program test_audit
    wrong%contacts(1)%gap = -0.2_dp*radius
    ! the force over 5 % of the radius
    call expect_finding(wrong, 'contact 7 (elements 101 and 102) overlaps by 20 % of the smaller radius '// &
-      '(above 5 %): a penalty of 160000 N/m at least would hold it')
+      '(above 5 %): a penalty of at least 160000 N/m would prevent this')
    model%interactions(1)%normal = normal_law('HERTZ')
    call expect_finding(wrong, 'contact 7 (elements 101 and 102) overlaps by 20 % of the smaller radius '// &
       '(above 5 %): the law of Hertz is for smaller ones')
