@@ -122,7 +122,7 @@ program test_audit
       '(above 5 %): a penalty of at least 160000 N/m would prevent this')
    model%interactions(1)%normal = normal_law('HERTZ')
    call expect_finding(wrong, 'contact 7 (elements 101 and 102) overlaps by 20 % of the smaller radius '// &
-      '(above 5 %): the law of Hertz is for smaller ones')
+      '(above 5 %): the law of Hertz is valid for smaller ones')
 
    model%interactions(1)%normal = normal_law('LINEAR', [1.0_dp])
    call make_state(wrong)
