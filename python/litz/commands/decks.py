@@ -3,9 +3,9 @@
 from pathlib import Path
 
 from ..build.starters import new, starter_list
-from ..deck.keyword_table import element_types
 from ..errors import FileError
 from ..model import COPPER, Material, Model
+from ..model.mesh import element_types
 from ..model.read_mesh import read_mesh
 from .parsers import command_parser
 

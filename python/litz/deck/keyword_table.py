@@ -48,12 +48,6 @@ def keyword(name: str) -> dict[str, Any]:
     raise ValueError(f"there is no keyword *{name}{nearest_name(wanted, keywords())}; litz keywords lists them all")
 
 
-def element_types() -> list[str]:
-    """The types of beam elements."""
-    parameters = keyword("ELEMENT")["parameters"]
-    return next(parameter["choices"] for parameter in parameters if parameter["name"] == "TYPE")
-
-
 def check_card(name: str, parameters: Mapping[str, Any], rows: Sequence[Sequence[Any]] = ()) -> None:
     """Raise an error for a card that the keyword table does not allow.
 

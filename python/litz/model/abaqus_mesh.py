@@ -9,10 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..deck import Card, Deck
-from ..deck.keyword_table import element_types
 from ..errors import FileError
 from .materials import Circular, Material
-from .mesh import Mesh, unique_rows
+from .mesh import Mesh, element_types, unique_rows
 
 #: Elements of Abaqus that litz has under another name; the number of nodes along the beam
 _BEAMS = {
