@@ -5,7 +5,7 @@
 | `python` | those of one document run one after another in one interpreter, each seeing what those before it defined |
 | `sh` | run by `bash -e`, in the folder in which the Python blocks of the document run |
 | `inp` | a deck: `litz check` accepts it |
-| `fortran` | compiled together with the contact element |
+| `fortran` | compiled together with the contact element, or in a copy of the sources that it changes |
 | `output` | what the block before it prints; `...` stands for anything |
 | `math` | an equation: its braces and environments are closed, here; `./setup docs` typesets it |
 | `diff` | patches: `tests/system/new_things.py` applies them to a copy of the sources |

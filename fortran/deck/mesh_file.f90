@@ -1,14 +1,14 @@
 !> Mesh files: nodes, elements and sets in HDF5, for models that are too large to be read from text.
 !>
 !>     /nodes/id (n), /nodes/position (n, 3)                  number and position [m] of each node
-!>     /elements/B33/id (m), /elements/B33/nodes (m, 2)       number of each element and of its two nodes; B31 likewise
+!>     /elements/TYPE/id (m), /elements/TYPE/nodes (m, 2)     number of each element and of its two nodes, by type
 !>     /node_sets/NAME (k), /element_sets/NAME (k)            numbers of the members of a set
 module litz_mesh_file
+   use litz_element_types, only: element_types, list_element_types
    use litz_errors, only: error_t, fail, exit_input
    use litz_hdf5_input, only: hid_t, longest_name, hdf5_open_file, hdf5_close_input, hdf5_has, hdf5_names, &
       hdf5_read_integers, hdf5_read_reals
    use litz_kinds, only: dp
-   use litz_model, only: element_b31, element_b33
    use litz_text, only: to_text
    implicit none
    private
@@ -40,12 +40,14 @@ contains
       type(error_t), allocatable, intent(out) :: error
       type(mesh_file_t) :: nothing
       integer(hid_t) :: file
+      integer :: i
 
       call start_empty(mesh)
       call hdf5_open_file(path, file, error)
       call read_nodes(file, mesh, error)
-      call read_elements(file, 'B31', element_b31, mesh, error)
-      call read_elements(file, 'B33', element_b33, mesh, error)
+      do i = 1, size(element_types)
+         call read_elements(file, i, mesh, error)
+      end do
       call refuse_others(file, error)
       call read_sets(file, 'node_sets', mesh%node_sets, error)
       call read_sets(file, 'element_sets', mesh%element_sets, error)
@@ -84,25 +86,25 @@ contains
    end subroutine read_nodes
 
    !> The elements of one type, behind those read before.
-   subroutine read_elements(file, name, kind, mesh, error)
+   subroutine read_elements(file, kind, mesh, error)
       !> Identifier of the open mesh file
       integer(hid_t), intent(in) :: file
-      !> Name of the type in the file
-      character(len=*), intent(in) :: name
-      !> One of `element_...` of litz_model
+      !> One of `element_types`
       integer, intent(in) :: kind
       type(mesh_file_t), intent(inout) :: mesh
       type(error_t), allocatable, intent(inout) :: error
+      character(len=:), allocatable :: group
       integer, allocatable :: ids(:, :), nodes(:, :)
       integer :: i
 
       if (allocated(error)) return
-      if (.not. hdf5_has(file, 'elements/'//name)) return
-      call hdf5_read_integers(file, 'elements/'//name//'/id', 1, ids, error)
-      call hdf5_read_integers(file, 'elements/'//name//'/nodes', 2, nodes, error)
+      group = 'elements/'//trim(element_types(kind)%name)
+      if (.not. hdf5_has(file, group)) return
+      call hdf5_read_integers(file, group//'/id', 1, ids, error)
+      call hdf5_read_integers(file, group//'/nodes', 2, nodes, error)
       if (allocated(error)) return
       if (size(ids, 2) /= size(nodes, 2)) then
-         error = unequal('elements/'//name//'/id', size(ids, 2), 'elements/'//name//'/nodes', size(nodes, 2))
+         error = unequal(group//'/id', size(ids, 2), group//'/nodes', size(nodes, 2))
          return
       end if
       mesh%element_nodes = reshape([mesh%element_nodes, nodes], [2, size(mesh%element_id) + size(ids, 2)])
@@ -129,8 +131,8 @@ contains
       call hdf5_names(file, 'elements', names, error)
       if (allocated(error)) return
       do i = 1, size(names)
-         if (any(names(i) == ['B31', 'B33'])) cycle
-         error = fail(exit_input, 'has elements of a type "'//trim(names(i))//'"; allowed are B31 and B33')
+         if (any(names(i) == element_types%name)) cycle
+         error = fail(exit_input, 'has elements of a type "'//trim(names(i))//'"; allowed are '//list_element_types())
          return
       end do
    end subroutine refuse_others

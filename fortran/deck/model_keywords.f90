@@ -1,5 +1,6 @@
 !> The keywords that describe the model: mesh, materials, sections, amplitudes and contact.
 module litz_model_keywords
+   use litz_element_types, only: element_type_choices, describe_element_types, list_element_types
    use litz_fields, only: field_potential, dof_range
    use litz_keywords, only: keyword_t, keyword_table_t, field_spec_t, place_model, place_both, limit_positive, &
       limit_not_negative, limit_poisson, limit_zero
@@ -51,9 +52,9 @@ contains
          real_field('y', 'm', 'position'), real_field('z', 'm', 'position')], last=0)
       call finish(table, k)
 
-      call begin(k, 'ELEMENT', place_model, 'Straight beam elements of two nodes. B31: geometrically exact, shear'// &
-         ' flexible. B33: Euler-Bernoulli, cubic, corotational. Elements of a material with conductivity conduct.')
-      call k%add(choice('TYPE', 'B31|B33', 'kind of beam', required=.true.))
+      call begin(k, 'ELEMENT', place_model, 'Straight beam elements of two nodes.'// &
+         describe_element_types()//' Elements of a material with conductivity conduct.')
+      call k%add(choice('TYPE', element_type_choices(), 'kind of beam', required=.true.))
       call k%add(name('ELSET', 'element set that these elements are added to'))
       call k%add_data([integer_field('id', 'number of the element', limit_positive), integer_field('n1', 'first node', &
          limit_positive), integer_field('n2', 'second node', limit_positive)], last=0)
@@ -62,8 +63,9 @@ contains
       call begin(k, 'MESH', place_model, 'Nodes, elements and sets from an HDF5 file, as if given here by'// &
          ' *NODE, *ELEMENT, *NSET and *ELSET (litz extension); read twice as fast as text.'// &
          ' Datasets: /nodes/id (n), /nodes/position (n, 3); /elements/TYPE/id (m) and /elements/TYPE/nodes'// &
-         ' (m, 2) with the numbers of the nodes, for TYPE B31 and B33; /node_sets/NAME and /element_sets/NAME with'// &
-         ' the numbers of the members. A path that does not begin with / is relative to the directory of the deck.')
+         ' (m, 2) with the numbers of the nodes, for TYPE '//list_element_types()//'; /node_sets/NAME and'// &
+         ' /element_sets/NAME with the numbers of the members. A path that does not begin with / is relative to the'// &
+         ' directory of the deck.')
       call k%add(file('INPUT', 'the HDF5 file'))
       call finish(table, k)
 

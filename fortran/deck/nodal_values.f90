@@ -4,7 +4,7 @@ module litz_nodal_values
    use litz_text, only: to_text
    use litz_numbers, only: parse_integer, number_ok
    use litz_deck, only: token_t
-   use litz_fields, only: field_t, fields, field_displacement, field_rotation, last_dof, n_slots, slot_of_dof, &
+   use litz_fields, only: field_t, fields, field_rotation, field_displacement, last_dof, n_slots, slot_of_dof, &
       field_of_dof, dof_range, describe_dofs
    use litz_model, only: model_t, nodal_value_t, amplitude_factor, dof_potential
    use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, keyword_of, name_of
@@ -14,10 +14,11 @@ module litz_nodal_values
    use litz_sets, only: find_item
    implicit none
    private
-   public :: value_list_t, kind_boundary, kind_load, kind_current, start_list, begin_step, read_nodal_values, &
+   public :: value_list_t, kind_boundary, field_of_load, start_list, begin_step, read_nodal_values, &
       nodes_with_potential
 
-   integer, parameter :: kind_boundary = 1, kind_load = 2, kind_current = 3
+   !> The kind of prescribed values; that of loads is the first field with their keyword
+   integer, parameter :: kind_boundary = 0
 
    !> The list of one kind as it stands while the deck is read.
    type :: value_list_t
@@ -40,7 +41,7 @@ contains
 
    pure subroutine start_list(list, kind, model)
       type(value_list_t), intent(out) :: list
-      !> One of `kind_boundary`, `kind_load`, `kind_current`
+      !> `kind_boundary`, or a field of which these are the loads
       integer, intent(in) :: kind
       type(model_t), intent(in) :: model
       integer :: e, k
@@ -172,34 +173,61 @@ contains
       if (list%op == 0) list%op = op
    end subroutine apply_op
 
+   !> The first field whose loads have this keyword; 0: it is no keyword of loads.
+   pure integer function field_of_load(keyword) result(field)
+      !> In capitals, without the star
+      character(len=*), intent(in) :: keyword
+
+      field = findloc(fields%load_keyword == keyword, .true., 1)
+   end function field_of_load
+
    !> The degrees of freedom that the line names.
    subroutine find_dofs(self, kind, first, last, ok)
       type(reader_t), intent(inout) :: self
-      !> One of `kind_boundary`, `kind_load`, `kind_current`
+      !> `kind_boundary`, or the first field of which these are the loads
       integer, intent(in) :: kind
       !> First and last degree of freedom, with Abaqus's numbers
       integer, intent(out) :: first, last
       !> .false.: an error was reported
       logical, intent(out) :: ok
 
-      select case (kind)
-      case (kind_boundary)
+      if (kind == kind_boundary) then
          call find_boundary_dofs(self, first, last, ok)
-      case (kind_load)
-         first = self%values%whole(2)
+      else
+         call find_load_dof(self, kind, first, ok)
          last = first
-         ok = any(field_of_dof(first) == [field_displacement, field_rotation])
-         if (.not. ok) call fail_at(self, self%values%token(2), 'forces and moments act in directions '// &
-            dof_range(field_displacement, field_rotation)//'; found '//to_text(first)// &
-            trim(merge('; currents are given by *CECURRENT', repeat(' ', 34), first == dof_potential)))
-      case default
-         first = dof_potential
-         last = first
-         ok = .not. self%values%given(2) .or. self%values%whole(2) == dof_potential
-         if (.not. ok) call fail_at(self, self%values%token(2), 'a current enters at degree of freedom '// &
-            to_text(dof_potential)//'; found '//to_text(self%values%whole(2)))
-      end select
+      end if
    end subroutine find_dofs
+
+   !> The degree of freedom of a load; of one that has a single direction it may be left out.
+   subroutine find_load_dof(self, first_field, dof, ok)
+      type(reader_t), intent(inout) :: self
+      !> First field whose loads have the keyword of the line
+      integer, intent(in) :: first_field
+      !> With Abaqus's number
+      integer, intent(out) :: dof
+      !> .false.: an error was reported
+      logical, intent(out) :: ok
+      character(len=:), allocatable :: words
+      integer :: field, last_field
+
+      dof = fields(first_field)%first_dof
+      if (self%values%given(2)) dof = self%values%whole(2)
+      field = field_of_dof(dof)
+      ok = .false.
+      if (field > 0) ok = fields(field)%load_keyword == fields(first_field)%load_keyword
+      if (ok) return
+      last_field = findloc(fields%load_keyword == fields(first_field)%load_keyword, .true., 1, back=.true.)
+      if (fields(first_field)%is_level) then
+         words = 'a '//trim(fields(first_field)%flux)//' enters at degree of freedom '//dof_range(first_field)
+      else
+         words = 'forces and moments act in directions '//dof_range(first_field, last_field)
+      end if
+      words = words//'; found '//to_text(dof)
+      if (field > 0 .and. .not. fields(first_field)%is_level) words = words//'; '//trim(fields(field)%flux)// &
+         's are given by *'//trim(fields(field)%load_keyword)
+      call fail_at(self, self%values%token(2), words)
+   end subroutine find_load_dof
 
    subroutine find_boundary_dofs(self, first, last, ok)
       type(reader_t), intent(inout) :: self

@@ -3,13 +3,14 @@ module litz_read_mesh
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use litz_kinds, only: dp
    use litz_deck, only: token_t
+   use litz_element_types, only: element_type_named, element_b31
    use litz_source_files, only: relative_to
    use litz_errors, only: error_t
    use litz_keywords, only: largest_number
    use litz_lookup, only: id_map_t
    use litz_mesh_file, only: mesh_file_t, mesh_set_t, read_mesh_file
    use litz_text, only: to_text, shown
-   use litz_model, only: model_t, element_b31, element_b33
+   use litz_model, only: model_t
    use litz_reader, only: reader_t, set_builder_t, fail_at, parameter_of, choice_of, keyword_of
    use litz_data_lines, only: read_line
    use litz_sets, only: open_set, open_named_set, continue_set, add_member, add_once
@@ -199,7 +200,8 @@ contains
       logical :: ok
 
       call open_set(self, self%element_sets, parameter_of(self, card, 'ELSET'), set)
-      kind = merge(element_b33, element_b31, choice_of(self, card, 'TYPE') == 'B33')
+      ! without a type, which is an error, any will do
+      kind = max(element_b31, element_type_named(choice_of(self, card, 'TYPE')))
       do line = self%deck%cards(card)%first_data, self%deck%cards(card)%last_data
          call read_line(self, card, line, ok)
          self%broken_elements = self%broken_elements .or. .not. ok

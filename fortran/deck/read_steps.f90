@@ -4,13 +4,14 @@ module litz_read_steps
    use litz_text, only: to_text
    use litz_growing_text, only: growing_text_t
    use litz_deck, only: token_t
+   use litz_fields, only: n_fields
    use litz_foreign_words, only: advice_about
    use litz_model, only: model_t, step_t
    use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, has_flag, integer_parameter, keyword_of, &
       name_of
    use litz_data_lines, only: read_line
    use litz_lookup, only: name_map_t
-   use litz_nodal_values, only: value_list_t, kind_boundary, kind_load, kind_current, start_list, begin_step, &
+   use litz_nodal_values, only: value_list_t, kind_boundary, field_of_load, start_list, begin_step, &
       read_nodal_values
    use litz_read_requests, only: request_list_t, begin_requests, read_request
    use litz_read_controls, only: read_controls, read_solver, read_solution_technique
@@ -26,16 +27,17 @@ contains
    subroutine read_steps(self, model)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(inout) :: model
-      type(value_list_t) :: boundary, load, current
+      type(value_list_t) :: boundary, load(n_fields)
       type(request_list_t) :: requests
       type(name_map_t) :: names
-      integer :: card, step, step_card
+      integer :: card, step, step_card, field
       logical :: has_procedure
 
       allocate (model%steps(self%n_steps))
       call start_list(boundary, kind_boundary, model)
-      call start_list(load, kind_load, model)
-      call start_list(current, kind_current, model)
+      do field = 1, n_fields
+         call start_list(load(field), field, model)
+      end do
       step = 0
       step_card = 0
       has_procedure = .false.
@@ -50,10 +52,6 @@ contains
          select case (keyword_of(self, card))
          case ('BOUNDARY')
             call read_nodal_values(self, model, card, boundary)
-         case ('CLOAD')
-            call read_nodal_values(self, model, card, load)
-         case ('CECURRENT')
-            call read_nodal_values(self, model, card, current)
          case ('')
             ! one that has been reported already, such as *DYNAMIC
             has_procedure = has_procedure .or. &
@@ -74,6 +72,9 @@ contains
             call read_solver(self, card, model%steps(step))
          case ('SOLUTION TECHNIQUE')
             call read_solution_technique(self, card, model%steps(step))
+         case default
+            field = field_of_load(keyword_of(self, card))
+            if (field > 0) call read_nodal_values(self, model, card, load(field))
          end select
       end do
       if (step > 0) call close_step()
@@ -81,6 +82,9 @@ contains
    contains
 
       subroutine open_step()
+         real(dp) :: previous_total
+
+         previous_total = 0
          associate (this => model%steps(step))
             if (step > 1) then
                this%controls = model%steps(step - 1)%controls
@@ -89,14 +93,12 @@ contains
                this%reform_kernel = model%steps(step - 1)%reform_kernel
                this%output_frequency = model%steps(step - 1)%output_frequency
                this%restart_frequency = model%steps(step - 1)%restart_frequency
-               call begin_step(boundary, model, model%steps(step - 1)%total)
-               call begin_step(load, model, model%steps(step - 1)%total)
-               call begin_step(current, model, model%steps(step - 1)%total)
-            else
-               call begin_step(boundary, model, 0.0_dp)
-               call begin_step(load, model, 0.0_dp)
-               call begin_step(current, model, 0.0_dp)
+               previous_total = model%steps(step - 1)%total
             end if
+            call begin_step(boundary, model, previous_total)
+            do field = 1, n_fields
+               call begin_step(load(field), model, previous_total)
+            end do
             call begin_requests(requests)
             call read_step_line(self, card, names, this)
          end associate
@@ -106,8 +108,7 @@ contains
          if (.not. has_procedure) call fail_at(self, self%deck%cards(step_card)%name, 'this step has no *STATIC')
          call check_increments(self, step_card, model%steps(step), has_procedure)
          model%steps(step)%boundary = boundary%items(:boundary%n)
-         model%steps(step)%load = load%items(:load%n)
-         model%steps(step)%current = current%items(:current%n)
+         model%steps(step)%load = [(load(field)%items(:load(field)%n), field=1, n_fields)]
          model%steps(step)%requests = requests%items(:requests%n)
       end subroutine close_step
 

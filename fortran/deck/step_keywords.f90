@@ -1,7 +1,6 @@
 !> The keywords of steps: loads, output, and how the equations are solved.
 module litz_step_keywords
-   use litz_fields, only: n_fields, field_displacement, field_rotation, field_potential, dof_range, describe_dofs, &
-      list_units
+   use litz_fields, only: fields, n_fields, field_displacement, field_rotation, dof_range, describe_dofs, list_units
    use litz_keywords, only: keyword_t, keyword_table_t, place_step, place_both, place_begins_step, &
       limit_positive, limit_not_negative
    use litz_keyword_builders, only: begin, finish, integer_field, real_field, dofs_of, choice_field, name_field, &
@@ -50,6 +49,7 @@ contains
    pure subroutine add_loads(table)
       type(keyword_table_t), intent(inout) :: table
       type(keyword_t) :: k
+      character(len=:), allocatable :: flux
       integer :: i
 
       call begin(k, 'BOUNDARY', place_both, &
@@ -77,14 +77,17 @@ contains
          last=0, optional_with=new_alone)
       call finish(table, k)
 
-      call begin(k, 'CECURRENT', place_step, &
-         'Concentrated currents, positive into the body. Lines for the same node add up.')
-      call add_op(k, 'currents')
-      call k%add_data([item_field('node', 'number of a node or name of a node set'), &
-         dofs_of([field_potential], integer_field('dof', dof_range(field_potential)//' or empty', limit_positive, &
-         required=.false.)), real_field('value', 'A', 'current')], &
-         last=0, optional_with=new_alone)
-      call finish(table, k)
+      do i = 1, n_fields
+         if (.not. fields(i)%is_level) cycle
+         flux = trim(fields(i)%flux)
+         call begin(k, trim(fields(i)%load_keyword), place_step, &
+            'Concentrated '//flux//'s, positive into the body. Lines for the same node add up.')
+         call add_op(k, flux//'s')
+         call k%add_data([item_field('node', 'number of a node or name of a node set'), &
+            dofs_of([i], integer_field('dof', dof_range(i)//' or empty', limit_positive, required=.false.)), &
+            real_field('value', trim(fields(i)%flux_unit), flux)], last=0, optional_with=new_alone)
+         call finish(table, k)
+      end do
    end subroutine add_loads
 
    pure subroutine add_op(k, what)

@@ -3,6 +3,8 @@
 !> State, loads, reactions and corrections are arrays (n_slots, n_nodes). A field has the slots
 !> `first_slot(field):last_slot(field)`, a group of fields those from `first_slot_of_group` to `last_slot_of_group`. A
 !> group is what the scheme solves for at once; how groups depend on each other says `depends_on`.
+!>
+!> Decks, results, tables of progress, restart files, tolerances and messages follow the rows.
 module litz_fields
    use litz_text, only: to_text, join_words
    implicit none
@@ -14,7 +16,9 @@ module litz_fields
    public :: n_groups, group_mechanical, group_electric, first_slot_of_group, last_slot_of_group, depends_on
 
    type :: field_t
-      character(len=12) :: name
+      !> As in the names of results
+      character(len=16) :: name
+      character(len=40) :: meaning
       !> Of its largest correction, in the names of columns
       character(len=3) :: symbol
       !> Its first place among the unknowns of a node, and how many it has
@@ -26,41 +30,47 @@ module litz_fields
       logical :: is_rotation
       !> Only its differences matter: a part without a path to a prescribed value floats
       logical :: is_level
-      character(len=3) :: unit
+      character(len=8) :: unit
       !> What does work on it or flows by it: the residual of its equations
       character(len=8) :: flux
-      character(len=3) :: flux_unit
+      character(len=8) :: flux_unit
+      !> By which decks ask for its values, for its reactions and for its loads in the history
+      character(len=8) :: value_word, reaction_word, load_word
+      !> Keyword of its loads
+      character(len=12) :: load_keyword
    end type field_t
 
-   integer, parameter :: n_groups = 2
    integer, parameter :: group_mechanical = 1, group_electric = 2
 
    type(field_t), parameter :: fields(*) = [ &
-      field_t('displacement', 'u', 1, 3, 1, group_mechanical, .false., .false., 'm', 'force', 'N'), &
-      field_t('rotation', 'phi', 4, 3, 4, group_mechanical, .true., .false., 'rad', 'moment', 'N m'), &
-      field_t('potential', 'V', 7, 1, 9, group_electric, .false., .true., 'V', 'current', 'A')]
+      field_t('displacement', 'displacement from the reference position', 'u', 1, 3, 1, group_mechanical, &
+      .false., .false., 'm', 'force', 'N', 'U', 'RF', 'CF', 'CLOAD'), &
+      field_t('rotation', 'rotation vector from the reference', 'phi', 4, 3, 4, group_mechanical, &
+      .true., .false., 'rad', 'moment', 'N m', 'UR', 'RM', 'CM', 'CLOAD'), &
+      field_t('potential', 'electric potential', 'V', 7, 1, 9, group_electric, &
+      .false., .true., 'V', 'current', 'A', 'EPOT', 'RCURR', 'CECUR', 'CECURRENT')]
    integer, parameter :: field_displacement = 1, field_rotation = 2, field_potential = 3
 
-   integer, private :: i
+   integer, private :: i, j
    integer, parameter :: n_fields = size(fields)
    integer, parameter :: first_slot(n_fields) = fields%first_slot
    integer, parameter :: last_slot(n_fields) = fields%first_slot + fields%n_components - 1
    integer, parameter :: n_slots = maxval(last_slot)
+   !> In Abaqus's numbers
+   integer, parameter :: last_dof(n_fields) = fields%first_dof + fields%n_components - 1
+   integer, parameter :: max_dof = maxval(last_dof)
    !> First and last slot of displacements and rotations, of rotations, and of potentials
    integer, parameter :: motion_slots(2) = [first_slot(field_displacement), last_slot(field_rotation)]
    integer, parameter :: rotation_slots(2) = [first_slot(field_rotation), last_slot(field_rotation)]
    integer, parameter :: potential_slots(2) = [first_slot(field_potential), last_slot(field_potential)]
-   !> In Abaqus's numbers
-   integer, parameter :: last_dof(n_fields) = fields%first_dof + fields%n_components - 1
-   integer, parameter :: max_dof = maxval(last_dof)
    integer, parameter :: field_of_slot(n_slots) = [(count(first_slot <= i), i=1, n_slots)]
+   integer, parameter :: n_groups = maxval(fields%group)
    integer, parameter :: first_slot_of_group(n_groups) = [(minval(first_slot, fields%group == i), i=1, n_groups)]
    integer, parameter :: last_slot_of_group(n_groups) = [(maxval(last_slot, fields%group == i), i=1, n_groups)]
 
-   !> The equations of the first group have the unknowns of the second one in them
-   logical, parameter :: depends_on(n_groups, n_groups) = reshape([ &
-      .true., .true., &   ! all on mechanics: currents change as spots do
-      .false., .true.], & ! on the potential: the currents
+   !> The equations of the first group may have the unknowns of the second one in them: a group depends on those before
+   !> it, as currents change with the spots
+   logical, parameter :: depends_on(n_groups, n_groups) = reshape([((i >= j, i=1, n_groups), j=1, n_groups)], &
       [n_groups, n_groups])
 
 contains
@@ -77,7 +87,7 @@ contains
    end function slot_of_dof
 
    !> Field of a degree of freedom in Abaqus's numbers; 0: there is none.
-   pure integer function field_of_dof(dof) result(field)
+   elemental integer function field_of_dof(dof) result(field)
       !> Such as 1-6, 9
       integer, intent(in) :: dof
 

@@ -15,7 +15,6 @@ module litz_model
    public :: name_length
    public :: model_t, material_t, section_t, named_set_t, amplitude_t, interaction_t, contact_pair_t
    public :: step_t, nodal_value_t, output_request_t, controls_t
-   public :: element_b31, element_b33
    public :: axis_linear, axis_hermite
    public :: solver_default, solver_block, solver_umfpack, solver_skyline
    public :: coupling_default, coupling_monolithic, coupling_updated
@@ -24,8 +23,6 @@ module litz_model
 
    !> Longest name of a set, material, ... (longer ones are refused)
    integer, parameter :: name_length = 80
-
-   integer, parameter :: element_b31 = 1, element_b33 = 2
 
    !> Abaqus's number of the electric potential among the degrees of freedom of a node (1-3 u, 4-6 rotation)
    integer, parameter :: dof_potential = fields(field_potential)%first_dof
@@ -156,7 +153,7 @@ module litz_model
       !> *STATIC, DIRECT: increments of fixed size
       logical :: direct = .false.
       !> Prescribed values and loads as they stand in this step, all earlier ones carried over
-      type(nodal_value_t), allocatable :: boundary(:), load(:), current(:)
+      type(nodal_value_t), allocatable :: boundary(:), load(:)
       !> Carried over, as Abaqus does, unless the step asks anew
       type(output_request_t), allocatable :: requests(:)
       !> Fields are written at every n-th increment, and at the last of the step
@@ -180,7 +177,7 @@ module litz_model
       !> Reference positions (3, n_nodes) [m]
       real(dp), allocatable :: x(:, :)
       integer, allocatable :: element_id(:)
-      !> `element_b31` or `element_b33` (n_elements)
+      !> Rows of `element_types` (n_elements)
       integer, allocatable :: element_type(:)
       !> Node indices (2, n_elements)
       integer, allocatable :: connectivity(:, :)

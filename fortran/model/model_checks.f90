@@ -2,6 +2,7 @@
 !> holds, and conductors without a path to a prescribed potential. The last two would make the equations singular.
 module litz_model_checks
    use litz_kinds, only: dp
+   use litz_fields, only: fields, field_of_dof, group_mechanical
    use litz_model, only: model_t, step_t, dof_potential
    use litz_parts, only: parts_t, find_parts, describe_part, join, find_root
    use litz_rigid_modes, only: add_support, free_modes, describe_modes
@@ -220,7 +221,7 @@ contains
       do i = 1, size(step%boundary)
          associate (item => step%boundary(i))
             part = parts%of_node(item%node)
-            if (item%dof == dof_potential .or. part == 0) cycle
+            if (fields(field_of_dof(item%dof))%group /= group_mechanical .or. part == 0) cycle
             call add_support(matrices(:, :, part), item%dof, (model%x(:, item%node) - centre(:, part))/length(part))
          end associate
       end do

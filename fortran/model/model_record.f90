@@ -9,6 +9,7 @@
 module litz_model_record
    use litz_kinds, only: dp, int64
    use litz_checksum, only: checksum
+   use litz_fields, only: fields, n_fields, field_of_dof
    use litz_growing_text, only: growing_text_t
    use litz_law_words, only: law_words_t
    use litz_model, only: model_t, step_t, nodal_value_t
@@ -201,8 +202,9 @@ contains
       call record%begin('step '//to_text(record%step))
       call record%value('its time (*STATIC)', step%total)
       call record_values('*BOUNDARY', step%boundary)
-      call record_values('*CLOAD', step%load)
-      call record_values('*CECURRENT', step%current)
+      do i = 1, n_fields
+         call record_values('*'//trim(fields(i)%load_keyword), pack(step%load, field_of_dof(step%load%dof) == i))
+      end do
       do i = 1, size(model%amplitudes)
          if (.not. used(i)) cycle
          associate (this => model%amplitudes(i))

@@ -1,14 +1,15 @@
 !> A summary of the resolved model, for `litz check`.
 module litz_model_summary
+   use litz_element_types, only: element_types
+   use litz_fields, only: fields, field_of_dof, max_dof
    use litz_growing_text, only: growing_text_t
-   use litz_fields, only: max_dof
    use litz_kinds, only: dp
    use litz_axis_choices, only: axis_hermite
    use litz_normal_law, only: normal_law_t
    use litz_spot_law, only: spot_law_t
    use litz_stick_laws, only: stick_laws
    use litz_model, only: model_t, step_t, interaction_t, output_request_t, named_set_t, nodal_value_t, &
-      element_b31, coupling_default, coupling_monolithic, request_node, request_element, request_contact, &
+      coupling_default, coupling_monolithic, request_node, request_element, request_contact, &
       request_energy
    use litz_parts, only: parts_t, find_parts
    use litz_solver_names, only: solver_default, solver_keyword
@@ -36,8 +37,7 @@ contains
       call find_parts(model, included, parts)
       if (len(model%heading) > 0) call summary%append(model%heading//nl)
       call summary%append(plural(model%n_nodes, 'node')//', '//plural(model%n_elements, 'element')//' ('// &
-         to_text(count(model%element_type == element_b31))//' B31, '// &
-         to_text(count(model%element_type /= element_b31))//' B33), '//plural(parts%n, 'connected part')//nl)
+         counted_types(model%element_type)//'), '//plural(parts%n, 'connected part')//nl)
       do i = 1, size(model%materials)
          call summary%append(material_line(i))
       end do
@@ -79,6 +79,20 @@ contains
       end function material_line
 
    end function model_summary
+
+   !> How many elements there are of each type: `2 B31, 1 B33`.
+   pure function counted_types(types) result(text)
+      !> Rows of `element_types` (n_elements)
+      integer, intent(in) :: types(:)
+      character(len=:), allocatable :: text
+      integer :: i
+
+      text = ''
+      do i = 1, size(element_types)
+         text = text//', '//to_text(count(types == i))//' '//trim(element_types(i)%name)
+      end do
+      text = text(3:)
+   end function counted_types
 
    pure function section_lines(model, s) result(text)
       type(model_t), intent(in) :: model
@@ -242,8 +256,7 @@ contains
                to_text(step%largest)//' '//trim(model%units%time)
          end if
          text = text//', at most '//to_text(step%max_increments)//describe_solver(step)//nl
-         text = text//value_lines('prescribed', step%boundary)//value_lines('loads', step%load)// &
-            value_lines('currents', step%current)
+         text = text//value_lines(step%boundary, .false.)//value_lines(step%load, .true.)
          do i = 1, size(step%requests)
             text = text//request_line(model, step%requests(i))
          end do
@@ -263,11 +276,11 @@ contains
    end function describe_solver
 
    !> How many values for each degree of freedom, and their range.
-   pure function value_lines(what, items) result(text)
-      !> What the values are called at the head of a line
-      character(len=*), intent(in) :: what
+   pure function value_lines(items, are_loads) result(text)
       type(nodal_value_t), intent(in) :: items(:)
-      character(len=:), allocatable :: text
+      !> They are loads and not prescribed
+      logical, intent(in) :: are_loads
+      character(len=:), allocatable :: text, what
       integer :: dof, n, i
       real(dp) :: lowest, highest
 
@@ -283,6 +296,11 @@ contains
             highest = max(highest, items(i)%value)
          end do
          if (n == 0) cycle
+         what = 'prescribed'
+         if (are_loads) what = 'loads'
+         associate (field => fields(field_of_dof(dof)))
+            if (are_loads .and. field%is_level) what = trim(field%flux)//'s'
+         end associate
          text = text//'  '//what//' at degree of freedom '//to_text(dof)//': '//plural(n, 'node')//', '//to_text(lowest)
          if (highest > lowest) text = text//' to '//to_text(highest)
          text = text//nl

@@ -3,7 +3,7 @@
 !> Fields of the result files, columns of the ledger and of the history, the names that decks may ask for, the check for
 !> values that are not numbers, and restart files follow these lists.
 module litz_result_quantities
-   use litz_fields, only: first_slot, field_displacement, field_rotation, field_potential
+   use litz_fields, only: fields, n_fields, n_groups, first_slot
    use litz_kinds, only: dp
    use litz_quantities, only: quantity_t, quantity_table_t, on_points, on_cells
    use litz_state, only: state_t, contact_t
@@ -11,10 +11,6 @@ module litz_result_quantities
    private
    public :: wire_quantity_t, list_wire_quantities, requested_names, described_requests
    public :: contact_table, contacts_of_table
-
-   !> The rows of nodal arrays
-   integer, parameter :: u = first_slot(field_displacement), phi = first_slot(field_rotation), &
-      v = first_slot(field_potential)
 
    !> A quantity of nodes or elements.
    type, extends(quantity_t) :: wire_quantity_t
@@ -41,22 +37,7 @@ contains
       type(wire_quantity_t), allocatable, intent(out) :: list(:)
 
       allocate (list(0))
-      call add(list, on_points, 'displacement', 'm', 'displacement from the reference position', &
-         state%value, u, 3, 'U')
-      call add(list, on_points, 'rotation', 'rad', 'rotation vector from the reference', state%value, phi, 3, 'UR')
-      call add(list, on_points, 'reaction_force', 'N', &
-         'force of the supports on the structure, applied loads not included', state%reaction, u, 3, 'RF', &
-         is_sum=.true.)
-      call add(list, on_points, 'reaction_moment', 'N m', &
-         'moment of the supports on the structure, applied loads not included', state%reaction, phi, 3, 'RM', &
-         is_sum=.true.)
-      call add(list, on_points, 'applied_force', 'N', 'applied load', state%load, u, 3, 'CF', is_sum=.true.)
-      call add(list, on_points, 'applied_moment', 'N m', 'applied moment', state%load, phi, 3, 'CM', is_sum=.true.)
-      call add(list, on_points, 'potential', 'V', 'electric potential', state%value, v, 1, 'EPOT')
-      call add(list, on_points, 'reaction_current', 'A', 'current that enters where the potential is prescribed', &
-         state%reaction, v, 1, 'RCURR', is_sum=.true.)
-      call add(list, on_points, 'applied_current', 'A', 'applied current, positive into the body', &
-         state%load, v, 1, 'CECUR', is_sum=.true.)
+      call list_unknowns(state, list)
       call add(list, on_cells, 'axial_force', 'N', 'axial force N, tension positive', &
          state%section_forces, 1, 1, 'SF', 'N')
       call add(list, on_cells, 'shear_force_2', 'N', 'shear force Q2 along the first section axis', &
@@ -75,6 +56,36 @@ contains
       call add(list, on_cells, 'joule_heat', 'W', 'heat from the current in the element', state%joule_heat, 'JOULE', &
          is_sum=.true.)
    end subroutine list_wire_quantities
+
+   !> Values, reactions and loads of all fields, group by group.
+   subroutine list_unknowns(state, list)
+      type(state_t), intent(in), target :: state
+      type(wire_quantity_t), allocatable, intent(inout) :: list(:)
+      character(len=:), allocatable :: text
+      integer :: group, f
+
+      do group = 1, n_groups
+         do f = 1, n_fields
+            if (fields(f)%group == group) call add(list, on_points, trim(fields(f)%name), trim(fields(f)%unit), &
+               trim(fields(f)%meaning), state%value, first_slot(f), fields(f)%n_components, fields(f)%value_word)
+         end do
+         do f = 1, n_fields
+            if (fields(f)%group /= group) cycle
+            text = trim(fields(f)%flux)//' of the supports on the structure, applied loads not included'
+            if (fields(f)%is_level) text = trim(fields(f)%flux)//' that enters where the '//trim(fields(f)%name)// &
+               ' is prescribed'
+            call add(list, on_points, 'reaction_'//trim(fields(f)%flux), trim(fields(f)%flux_unit), text, &
+               state%reaction, first_slot(f), fields(f)%n_components, fields(f)%reaction_word, is_sum=.true.)
+         end do
+         do f = 1, n_fields
+            if (fields(f)%group /= group) cycle
+            text = 'applied '//trim(fields(f)%flux)
+            if (fields(f)%is_level) text = text//', positive into the body'
+            call add(list, on_points, 'applied_'//trim(fields(f)%flux), trim(fields(f)%flux_unit), text, &
+               state%load, first_slot(f), fields(f)%n_components, fields(f)%load_word, is_sum=.true.)
+         end do
+      end do
+   end subroutine list_unknowns
 
    !> What results and the restart file hold of a contact.
    pure subroutine list_contact_quantities(table, c)

@@ -72,8 +72,9 @@ module litz_state
       real(dp), allocatable :: element_current(:), joule_heat(:)
       !> Current per area of the cross-section (n_elements) [A/m^2]
       real(dp), allocatable :: current_density(:)
-      !> Forces of stabilization on the free unknowns (n_slots, n_nodes) [N, N m]: against the motion of the increment
-      real(dp), allocatable :: stabilizing_force(:, :)
+      !> Forces on the nodes from what is neither in the model nor a support or load: damping (n_slots, n_nodes)
+      !> [N, N m]; a term adds its own when the increment is accepted
+      real(dp), allocatable :: outer_force(:, :)
       !> Worst figures of the audit: balance of forces, of moments, of currents, of power; overlap over radius [-]
       real(dp) :: audit(5) = 0
       type(energies_t) :: energies

@@ -5,6 +5,7 @@ module litz_history
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf, ieee_quiet_nan
    use litz_kinds, only: dp
    use litz_errors, only: error_t, fail, exit_internal
+   use litz_fields, only: first_slot, field_potential
    use litz_model, only: model_t, named_set_t, output_request_t, request_node, request_element, request_electrode, &
       request_energy
    use litz_quantities, only: on_points, on_cells
@@ -336,17 +337,18 @@ contains
       !> Which one of an electrode pair, and the nodes of the positive and the negative set (n), (m)
       integer, intent(in) :: quantity, plus(:), minus(:)
       type(state_t), intent(in) :: state
+      integer, parameter :: slot = first_slot(field_potential)
       real(dp) :: voltage, current, round_off
 
-      voltage = sum(state%value(7, plus))/size(plus) - sum(state%value(7, minus))/size(minus)
-      current = sum(state%reaction(7, plus) + state%load(7, plus))
+      voltage = sum(state%value(slot, plus))/size(plus) - sum(state%value(slot, minus))/size(minus)
+      current = sum(state%reaction(slot, plus) + state%load(slot, plus))
       select case (quantity)
       case (electrode_voltage)
          value = voltage
       case (electrode_current)
          value = current
       case default
-         round_off = 100*epsilon(value)*self%largest_conductance*maxval(abs(state%value(7, :)))
+         round_off = 100*epsilon(value)*self%largest_conductance*maxval(abs(state%value(slot, :)))
          if (abs(current) > round_off) then
             value = voltage/current
          else if (abs(voltage) > 0) then

@@ -4,7 +4,8 @@
 !> Source: theory section 8, the invariants of every run.
 module litz_audit
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
-   use litz_fields, only: n_fields, n_slots, first_slot, last_slot, field_displacement, field_rotation, field_potential
+   use litz_fields, only: fields, n_fields, n_slots, first_slot, last_slot, field_displacement, field_rotation, &
+      field_potential
    use litz_kinds, only: dp
    use litz_contact_net, only: allowed_penetration
    use litz_errors, only: error_t, fail, exit_not_converged
@@ -57,8 +58,8 @@ contains
       real(dp), intent(in) :: residual(:, :)
       type(scales_t), intent(in) :: scales
       type(audit_t) :: audit
-      real(dp) :: extent, heat, potential, total_round_off(n_fields)
-      integer :: worst
+      real(dp) :: extent, heat, potential, total_round_off(n_fields), not_shown
+      integer :: worst, field
 
       audit%finding = not_finite(model, state)
       if (len(audit%finding) > 0) return
@@ -83,6 +84,11 @@ contains
       end if
       call weigh('the power of the supports is not the Joule heat', abs(power_imbalance(state)), heat, &
          total_round_off(field_potential)*potential, audit%power)
+      not_shown = 0
+      do field = 1, n_fields
+         if (any(field == [field_displacement, field_rotation, field_potential])) cycle
+         call weigh_nodes(trim(fields(field)%flux)//'s', residual(field, :), field, not_shown)
+      end do
       worst = crossed_contact(model, state%contacts)
       if (worst > 0 .and. len(audit%finding) == 0) then
          audit%finding = 'the axes of '//describe_contact(model, state%contacts(worst))//' have passed each other'
@@ -193,7 +199,7 @@ contains
 
       associate (first => first_slot(field_displacement), last => last_slot(field_displacement))
          total = sum(state%reaction(first:last, :) + state%load(first:last, :) &
-            + state%stabilizing_force(first:last, :), 2)
+            + state%outer_force(first:last, :), 2)
       end associate
    end function force_imbalance
 
@@ -208,7 +214,7 @@ contains
       centre = sum(x, 2)/model%n_nodes
       total = 0
       do node = 1, model%n_nodes
-         force = state%reaction(:, node) + state%load(:, node) + state%stabilizing_force(:, node)
+         force = state%reaction(:, node) + state%load(:, node) + state%outer_force(:, node)
          total = total + force(first_slot(field_rotation):last_slot(field_rotation)) + cross(x(:, node) - centre, &
             force(first_slot(field_displacement):last_slot(field_displacement)))
       end do

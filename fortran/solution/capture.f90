@@ -35,6 +35,7 @@ contains
          end do
          state%load = loading%load
          state%reaction = merge(internal - loading%load, 0.0_dp, loading%fixed)
+         state%outer_force = 0
          loading%converged_value = loading%value
       end associate
       do i = 1, size(problem%terms)

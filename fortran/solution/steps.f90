@@ -5,12 +5,12 @@ module litz_steps
    use litz_convergence, only: measure_scales, nodal_residual
    use litz_diagnosis, only: not_converged
    use litz_equations, only: number_equations
-   use litz_errors, only: error_t, fail, exit_not_converged
-   use litz_fields, only: n_slots
+   use litz_errors, only: error_t, fail, exit_input, exit_not_converged
+   use litz_fields, only: fields, n_slots, field_of_dof, slot_of_dof
    use litz_increment_warnings, only: add_increment_warnings
    use litz_kinds, only: dp
    use litz_loading, only: loading_t, start_loading, load_targets, next_break_point
-   use litz_model, only: step_t
+   use litz_model, only: model_t, step_t, nodal_value_t
    use litz_newton, only: outcome_t, solve_increment, count_negative_pivots, cause_not_finite, &
       cause_lost_contact, cause_turned_ends
    use litz_observer, only: observer_t
@@ -18,6 +18,7 @@ module litz_steps
    use litz_problem, only: problem_t
    use litz_reports, only: iteration_report_t, increment_report_t
    use litz_step_control, only: course_t
+   use litz_text, only: to_text
    use litz_timing, only: phase_update, phase_output
    implicit none
    private
@@ -94,6 +95,9 @@ contains
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%request_slots(problem%domain_t, exists)
       end do
+      call refuse_absent_unknowns(problem%model, step%boundary, exists, error)
+      call refuse_absent_unknowns(problem%model, step%load, exists, error)
+      if (allocated(error)) return
       if (problem%scheme%is_created()) number_before = problem%equations%number
       call number_equations(problem%loading%fixed, exists, problem%equations)
       kind = merge(solver, step%solver, solver > 0)
@@ -106,6 +110,25 @@ contains
       end if
       problem%has_factor = .false.
    end subroutine begin_step
+
+   !> A value or load of an unknown that no term has would be without effect.
+   pure subroutine refuse_absent_unknowns(model, items, exists, error)
+      type(model_t), intent(in) :: model
+      type(nodal_value_t), intent(in) :: items(:)
+      !> (n_slots, n_nodes)
+      logical, intent(in) :: exists(:, :)
+      type(error_t), allocatable, intent(inout) :: error
+      integer :: i
+
+      do i = 1, size(items)
+         if (allocated(error)) return
+         associate (dof => items(i)%dof, node => items(i)%node)
+            if (.not. exists(slot_of_dof(dof), node)) error = fail(exit_input, 'degree of freedom '//to_text(dof)// &
+               ' ('//trim(fields(field_of_dof(dof))%name)//') is prescribed or loaded at node '// &
+               to_text(model%node_id(node))//', where nothing has it')
+         end associate
+      end do
+   end subroutine refuse_absent_unknowns
 
    !> One increment with its cut-backs.
    subroutine run_increment(problem, step, course, observer, error)

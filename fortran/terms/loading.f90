@@ -83,9 +83,6 @@ contains
       do i = 1, size(step%load)
          call set_load(step%load(i))
       end do
-      do i = 1, size(step%current)
-         call set_load(step%current(i))
-      end do
 
    contains
 
@@ -160,7 +157,6 @@ contains
       used = .false.
       call mark(step%boundary)
       call mark(step%load)
-      call mark(step%current)
       next = step%total
       margin = 1.0e-9_dp*step%total
       do i = 1, size(used)

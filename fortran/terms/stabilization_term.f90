@@ -107,7 +107,7 @@ contains
       class(stabilization_term_t), intent(inout) :: self
       type(domain_t), intent(inout) :: domain
 
-      domain%state%stabilizing_force = -self%force
+      domain%state%outer_force = domain%state%outer_force - self%force
    end subroutine accept
 
 end module litz_stabilization_term

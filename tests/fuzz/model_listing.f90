@@ -113,7 +113,6 @@ contains
       end associate
       call print_values(unit, 'boundary', model, step%boundary)
       call print_values(unit, 'load', model, step%load)
-      call print_values(unit, 'current', model, step%current)
       do i = 1, size(step%requests)
          associate (this => step%requests(i))
             write (unit, '(a, *(1x, a))') 'request'//show([this%kind, this%set, this%set_2, &

@@ -14,7 +14,7 @@ AXES = {"LINEAR": 1, "HERMITE": 2}
 SOLVERS = {"BLOCK": 1, "UMFPACK": 2, "SKYLINE": 3}
 COUPLINGS = {"MONOLITHIC": 1, "UPDATED": 2}
 KINDS = {"NODEPRINT": 1, "ELPRINT": 2, "CONTACTPRINT": 3, "ELECTRODEPRINT": 4, "ENERGYPRINT": 5}
-LOADS = {"BOUNDARY": "boundary", "CLOAD": "load", "CECURRENT": "current"}
+LOADS = {"BOUNDARY": "boundary", "CLOAD": "load", "CECURRENT": "load"}
 CONTROLS = {
     "i_c": 16,
     "i_l": 10,

@@ -6,10 +6,12 @@ import sys
 
 from documents import ROOT, blocks, copy_of_the_sources, setup_commands
 
-#: Pages that lead from a clone to a run with a new law, and what `litz keywords` says of that law
-PAGES_OF_LAWS = {
+#: Pages that lead from a clone to a run with something new, and what `litz keywords` says of that
+PAGES = {
     "new_spot_law.md": "ROUGH: many spots of rough surfaces",
     "new_normal_law.md": "POWER: a power law through a measured point",
+    "new_element.md": "B31F: B31 with residual bending flexibility",
+    "new_term.md": "Concentrated flows, positive into the body",
 }
 
 
@@ -56,7 +58,7 @@ def make_changed_sources(folder):
     All before it is configured: what is configured again is compiled again, as a whole.
     """
     copy = copy_of_the_sources(folder)
-    for page in PAGES_OF_LAWS:
+    for page in PAGES:
         changes, _ = steps_of(page)
         for block in changes:
             do(block, copy)

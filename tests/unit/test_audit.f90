@@ -119,10 +119,10 @@ program test_audit
    wrong%contacts(1)%gap = -0.2_dp*radius
    ! the force over 5 % of the radius
    call expect_finding(wrong, 'contact 7 (elements 101 and 102) overlaps by 20 % of the smaller radius '// &
-      '(above 5 %): a penalty of 160000 N/m at least would hold it')
+      '(above 5 %): a penalty of at least 160000 N/m would prevent this')
    model%interactions(1)%normal = normal_law('HERTZ')
    call expect_finding(wrong, 'contact 7 (elements 101 and 102) overlaps by 20 % of the smaller radius '// &
-      '(above 5 %): the law of Hertz is for smaller ones')
+      '(above 5 %): the law of Hertz is valid for smaller ones')
 
    model%interactions(1)%normal = normal_law('LINEAR', [1.0_dp])
    call make_state(wrong)
@@ -162,7 +162,7 @@ contains
       real(dp), parameter :: unit_matrix(9) = [1, 0, 0, 0, 1, 0, 0, 0, 1]
 
       allocate (state%value(n_slots, 4), state%reaction(n_slots, 4), state%load(n_slots, 4), &
-         state%stabilizing_force(n_slots, 4), state%section_forces(6, 2), source=0.0_dp)
+         state%outer_force(n_slots, 4), state%section_forces(6, 2), source=0.0_dp)
       state%rotation = spread(reshape(unit_matrix, [3, 3]), 3, 4)
       state%reaction(3, :) = [f/2, f/2, -f/2, -f/2]
       ! half of the current leaves each wire at either end of its element, as the linear voltage has it

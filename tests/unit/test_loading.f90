@@ -341,10 +341,10 @@ contains
       type(step_t) :: step
 
       step%total = length
-      allocate (step%boundary(0), step%load(0), step%current(0))
+      allocate (step%boundary(0), step%load(0))
       if (present(boundary)) step%boundary = boundary
       if (present(load)) step%load = load
-      if (present(current)) step%current = current
+      if (present(current)) step%load = [step%load, current]
    end function new_step
 
    !> The rotation vector of the first node.

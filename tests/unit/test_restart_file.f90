@@ -45,10 +45,10 @@ contains
       call expect_refusal_with('2, 0.021, 0, 0', 1, 1, exit_input, 'the nodes: positions changed')
       ! a node that no element has changes the size of all arrays of nodes
       call expect_refusal_with(place//nl//'99, 1, 1, 1', 1, 1, exit_input, &
-         'the deck is not that of the run that wrote it')
+         'the deck differs from that of the run that wrote it')
       call new_problem(place, fitted)
       fitted%model%contact_pairs(1)%interference_fit = .true.
-      call expect_refusal(fitted, 1, 1, exit_input, 'the deck is not that of the run that wrote it')
+      call expect_refusal(fitted, 1, 1, exit_input, 'the deck differs from that of the run that wrote it')
       call new_problem(place, without_steps)
       deallocate (without_steps%model%steps)
       allocate (without_steps%model%steps(0))

@@ -10,7 +10,8 @@ program test_results
    use litz_kinds, only: dp
    use litz_errors, only: error_t
    use litz_friction_law, only: friction_slip
-   use litz_model, only: model_t, section_t, material_t, named_set_t, step_t, output_request_t, element_b31, &
+   use litz_element_types, only: element_b31
+   use litz_model, only: model_t, section_t, material_t, named_set_t, step_t, output_request_t, &
       request_node, request_element, request_electrode
    use litz_state, only: state_t, contact_t
    use litz_output_files, only: make_directory

@@ -5,6 +5,7 @@ from pathlib import Path
 from ..build.starters import new, starter_list
 from ..errors import FileError
 from ..model import COPPER, Material, Model
+from ..model.mesh import element_types
 from ..model.read_mesh import read_mesh
 from .parsers import command_parser
 
@@ -50,7 +51,7 @@ def convert_command(arguments: list[str]) -> int:
     parser.add_argument("--conductivity", type=float, help="electrical conductivity; without it an insulator")
     parser.add_argument(
         "--element",
-        choices=("B31", "B33"),
+        choices=element_types(),
         default="B33",
         help="element type if the mesh does not specify it; default B33",
     )

@@ -11,13 +11,11 @@ from numpy.typing import NDArray
 from ..deck import Card, Deck
 from ..errors import FileError
 from .materials import Circular, Material
-from .mesh import Mesh, unique_rows
+from .mesh import Mesh, element_types, unique_rows
 
-#: Elements of Abaqus that litz has, by the type that stands for them; the number of nodes along the beam
+#: Elements of Abaqus that litz has under another name; the number of nodes along the beam
 _BEAMS = {
-    "B31": ("B31", 2),
     "B31H": ("B31", 2),
-    "B33": ("B33", 2),
     "B33H": ("B33", 2),
     "B32": ("B31", 3),
     "B32H": ("B31", 3),
@@ -162,10 +160,10 @@ class _DeckReader:
 
     def _elements(self, card: Card) -> None:
         kind = str(card.get("TYPE", "")).upper()
-        if kind not in _BEAMS and kind not in _TRUSSES:
+        if kind not in _BEAMS and kind not in _TRUSSES and kind not in element_types():
             self.left_out[kind] = self.left_out.get(kind, 0) + len(card.data)
             return
-        ours, n_nodes = _BEAMS.get(kind) or (None, _TRUSSES[kind])
+        ours, n_nodes = _BEAMS.get(kind) or ((None, _TRUSSES[kind]) if kind in _TRUSSES else (kind, 2))
         numbers = []
         for row in card.data:
             number, *nodes = (self._key(value, card) for value in row)

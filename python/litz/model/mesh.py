@@ -7,7 +7,14 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from ..deck.keyword_table import keyword
 from .materials import Material, Section
+
+
+def element_types() -> list[str]:
+    """The types of beam elements."""
+    parameters = keyword("ELEMENT")["parameters"]
+    return next(parameter["choices"] for parameter in parameters if parameter["name"] == "TYPE")
 
 
 @dataclass
@@ -21,7 +28,7 @@ class Mesh:
     connectivity : ndarray
         Rows of `x` that each element joins, (m, 2).
     kinds : ndarray of str
-        Type of each element, "B31" or "B33"; empty where the file does not say, (m).
+        Type of each element, such as "B31"; empty where the file does not say, (m).
     node_sets, element_sets : dict of str to ndarray
         Rows of the members.
     sections : list of tuple

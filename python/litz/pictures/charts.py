@@ -172,7 +172,8 @@ def residual_of_last_increment(axes: Axes, results: Results, increment: int) -> 
         nothing_to_draw(axes, "No iterations are recorded")
         return
     one = one.where(one["attempt"] == one["attempt"].max())
-    for i, name in enumerate(residual_names(one)):
+    names = residual_names(one)
+    for i, name in enumerate(names):
         allowed = one[f"{name}_allowed"]
         ratio = np.divide(one[name], allowed, out=np.zeros(one.n_rows), where=allowed > 0)
         if ratio.any():
@@ -181,7 +182,7 @@ def residual_of_last_increment(axes: Axes, results: Results, increment: int) -> 
                 np.where(ratio > 0, ratio, np.nan),
                 "o-",
                 markersize=4,
-                color=colour_of(i, 3),
+                color=colour_of(i, len(names)),
                 label=name,
             )
     axes.axhline(1.0, color="#888888", linestyle="--", linewidth=1.0)
