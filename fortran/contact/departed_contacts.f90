@@ -104,6 +104,9 @@ contains
       real(dp), intent(in) :: x(:, :), rotation(:, :, :)
       real(dp) :: xe(3, 4), t(3, 4), length(2), in_doubt
 
+      ! an element without a contact radius touches nothing
+      overlap = -1
+      if (.not. all(elements%radius([a, b]) > 0)) return
       call pair_geometry(model, wires, elements, a, b, x, rotation, xe, t, length)
       overlap = sum(elements%radius([a, b])) - segment_distance(xe)
       if (overlap > 0) then

@@ -51,7 +51,7 @@ def test_the_second_run_is_refused_and_told_which_process_holds_the_results(runn
     second = litz("run", deck, "-o", output)
     assert second.returncode == 4
     assert f"another run is writing the results {output}/deck.* (process {first.pid} on " in second.stderr
-    assert "name another directory with -o" in second.stderr
+    assert "choose another directory with -o" in second.stderr
     with pytest.raises(package.FileError, match=f"process {first.pid} on"):
         package.run(deck, output_directory=output)
     first.communicate()

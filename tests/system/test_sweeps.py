@@ -157,7 +157,7 @@ def test_parameters_that_make_no_sense_are_refused(parameters, message, tmp_path
 def test_places_and_parameters_of_a_template_must_fit(template, tmp_path):
     with pytest.raises(ValueError, match=r"no place \{yung\}; did you mean 'young'"):
         litz.sweep(template, {"yung": [1], "push": [1]}, directory=tmp_path)
-    with pytest.raises(ValueError, match=r"the place \{young\}, for which there is no parameter"):
+    with pytest.raises(ValueError, match=r"the placeholder \{young\}, for which there is no parameter"):
         litz.sweep(template, {"push": [1]}, directory=tmp_path)
     with pytest.raises(litz.FileError, match=r"missing\.inp"):
         litz.sweep("missing.inp", {"push": [1]}, directory=tmp_path)
