@@ -1,7 +1,9 @@
 !> Parts of a model without a path to a prescribed value, for fields of which only differences matter.
 !>
 !> Their level is not determined by the equations, but no flux can pass either: one node of each such part is held at
-!> the value it has. That changes no flux, and the potential of a wire that has lost its last contact stays as it was.
+!> the value of the last converged state. That changes no flux, and the potential of a wire that has lost its last
+!> contact stays as it was, whatever the iteration has made of it meanwhile. A part into which a flux is fed is held,
+!> too, as the iteration may connect it still; a converged state cannot have one.
 module litz_grounding
    use litz_kinds, only: dp
    use litz_errors, only: error_t, fail, exit_input
@@ -11,29 +13,42 @@ module litz_grounding
    use litz_text, only: to_text
    implicit none
    private
-   public :: ground_floating_parts
+   public :: ground_floating_parts, describe_fed_part
 
 contains
 
    !> Add a ground to the diagonal for every part that floats.
    subroutine ground_floating_parts(problem, error)
       type(problem_t), intent(inout) :: problem
-      !> A flux is fed into a part that floats
+      !> A flux is fed into a part that floats, and the model has nothing that could connect it
       type(error_t), allocatable, intent(out) :: error
       integer :: field
 
+      problem%fed_node = 0
       do field = 1, n_fields
          if (.not. fields(field)%is_level) cycle
-         if (problem%equations%count(fields(field)%group) > 0) call ground_field(problem, field, error)
-         if (allocated(error)) return
+         if (problem%equations%count(fields(field)%group) > 0) call ground_field(problem, field)
       end do
+      if (problem%fed_node > 0 .and. .not. problem%contact%present) error = fail(exit_input, describe_fed_part(problem))
    end subroutine ground_floating_parts
 
-   subroutine ground_field(problem, field, error)
+   !> Into what a flux is fed that floats; empty: nothing.
+   function describe_fed_part(problem) result(text)
+      type(problem_t), intent(in) :: problem
+      character(len=:), allocatable :: text
+
+      text = ''
+      if (problem%fed_node == 0) return
+      associate (field => fields(problem%fed_field))
+         text = 'a '//trim(field%flux)//' is fed into the conductor at node '// &
+            to_text(problem%model%node_id(problem%fed_node))//', which has no path to a prescribed '//trim(field%name)
+      end associate
+   end function describe_fed_part
+
+   subroutine ground_field(problem, field)
       type(problem_t), intent(inout) :: problem
       !> One of the fields of litz_fields, with one component
       integer, intent(in) :: field
-      type(error_t), allocatable, intent(out) :: error
       integer :: root(problem%model%n_nodes), i, node, row
       logical :: held(problem%model%n_nodes)
       real(dp) :: fed(problem%model%n_nodes), scale
@@ -55,15 +70,18 @@ contains
                if (row == 0) cycle
                i = find_root(root, node)
                if (held(i)) cycle
-               if (abs(fed(i)) > epsilon(1.0_dp)*maxval(abs(load))) then
+               if (abs(fed(i)) > epsilon(1.0_dp)*sum(abs(load)) .and. problem%fed_node == 0) then
                   if (.not. abs(load(node)) > 0) cycle
-                  error = fail(exit_input, 'a '//trim(fields(field)%flux)//' is fed into the conductor at node '// &
-                     to_text(problem%model%node_id(node))//', which has no path to a prescribed '// &
-                     trim(fields(field)%name))
-                  return
+                  problem%fed_node = node
+                  problem%fed_field = field
                end if
                held(i) = .true.
                call add_to_diagonal(block, row, scale)
+               associate (forces => problem%forces)
+                  forces%internal(slot, node) = forces%internal(slot, node) &
+                     + scale*(problem%iterate%value(slot, node) - problem%state%value(slot, node))
+                  forces%sensitivity(slot, node) = forces%sensitivity(slot, node) + scale*forces%magnitude(slot, node)
+               end associate
             end do
          end associate
       end associate

@@ -11,6 +11,7 @@ module litz_newton
    use litz_errors, only: error_t
    use litz_fields, only: fields, n_fields, n_slots, n_groups, first_slot, last_slot, first_slot_of_group, &
       last_slot_of_group
+   use litz_grounding, only: describe_fed_part
    use litz_group_solution, only: solve_for_group, has_mutual_tangent
    use litz_loading, only: prescribed_increment
    use litz_lost_contacts, only: find_lost_contacts
@@ -28,7 +29,7 @@ module litz_newton
 
    !> Why an increment is given up
    integer, parameter :: cause_iterations = 1, cause_not_finite = 2, cause_singular = 3, cause_lost_contact = 4, &
-      cause_turned_ends = 5, cause_failed_law = 6
+      cause_turned_ends = 5, cause_failed_law = 6, cause_fed_part = 7
 
    type :: outcome_t
       logical :: converged = .false.
@@ -98,6 +99,10 @@ contains
          if (.not. carries_prescribed(problem)) then
             call settle(problem, step, outcome, error)
             if (allocated(error)) return
+            if (problem%fed_node > 0 .and. has_converged(outcome%last, 1)) then
+               call give_up(outcome, cause_fed_part, describe_fed_part(problem))
+               return
+            end if
             call update_groups(problem, step, outcome, solver_error, error)
             if (allocated(error)) return
             if (allocated(solver_error)) then
@@ -390,7 +395,9 @@ contains
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%predict(problem%domain_t, eta, correction)
       end do
-      call problem%iterate%move(problem%state, problem%model%x, eta*correction, 1)
+      ! what is prescribed is reached, be the rest a part of a step
+      call problem%iterate%move(problem%state, problem%model%x, &
+         merge(correction, eta*correction, problem%loading%fixed), 1)
       problem%iterate%prescribed = 0
       do field = 1, n_fields
          call largest_column(eta*correction(first_slot(field):last_slot(field), :), report%correction(field), &

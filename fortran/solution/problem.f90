@@ -24,6 +24,8 @@ module litz_problem
       !> The contacts, which one of the terms works on
       type(contact_set_t), pointer :: contact => null()
       type(scheme_t) :: scheme
+      !> Node at which a flux is fed into a part without a path to a prescribed value, and the field; 0: none
+      integer :: fed_node = 0, fed_field = 0
       !> The solver holds a symmetric factor of a state that is not far from the present one
       logical :: has_factor = .false.
       !> Iterations that have kept it

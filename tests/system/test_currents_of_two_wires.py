@@ -131,7 +131,7 @@ def test_a_wire_that_has_lost_its_contact_keeps_its_potential_while_others_chang
 
 def test_a_current_into_a_wire_that_touches_no_other_is_refused(run):
     process, _ = run(crossing(THROUGH, held=101, touching=False))
-    assert process.returncode == 1
+    assert process.returncode == 2
     assert (
         "a current is fed into the conductor at node 1, which has no path to a prescribed potential" in process.stderr
     )

@@ -88,7 +88,7 @@ def test_a_step_that_needs_more_increments_than_it_may_have_ends_in_words(run):
 def test_a_current_into_a_conductor_without_a_potential_is_refused(run):
     deck = crossed(push="0", extra="*CECURRENT\n 13, , 1e-3").replace(" 11, 9, 9, 0\n", "")
     process, _ = run(deck)
-    assert process.returncode == 1
+    assert process.returncode == 2
     assert (
         "a current is fed into the conductor at node 13, which has no path to a prescribed potential" in process.stderr
     )

@@ -82,7 +82,7 @@ class LinePoint(NamedTuple):
     force_per_length: float | Floats
     #: Stored energy that the point stands for [J]
     energy: float | Floats
-    #: M/|xb'|^2 at the foot: 1 on a straight barred wire, 0 where it is wrapped about the point
+    #: ``M/|xb'|^2`` at the foot: 1 on a straight barred wire, 0 where it is wrapped about the point
     quality: float | Floats
     #: Whether the foot is held at an end of the barred axis
     at_end: bool | NDArray[np.bool_]
