@@ -208,7 +208,8 @@ contains
          'Wires that may touch. All crossings between the two sets are searched;'// &
          ' with one set, those within it.')
       call k%add(name('INTERACTION', 'the laws of the contact', required=.true.))
-      call k%add(flag('INTERFERENCE FIT', 'overlaps at the start are intended'))
+      call k%add(flag('INTERFERENCE FIT', &
+         'overlaps at the start are intended; they are resolved linearly over the first step'))
       call k%add_data([name_field('ELSET_A', 'first element set'), name_field('ELSET_B', 'second element set', &
          required=.false.)])
       call finish(table, k)

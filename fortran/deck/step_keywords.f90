@@ -128,7 +128,8 @@ contains
       call finish(table, k)
 
       call begin(k, 'ENERGY PRINT', place_step, &
-         'Requests energies since the start of the run in the history file. ALLWK: work of supports and loads.'// &
+         'Requests energies since the start of the run in the history file. ALLWK: work of supports, loads and'// &
+         ' interference fits.'// &
          ' ALLSE: in the beams. ALLCCE: in the contacts. ALLFD: dissipated by friction.'// &
          ' ALLSD: dissipated by stabilization.'// &
          ' ETOTAL: ALLSE + ALLCCE + ALLFD + ALLSD - ALLWK,'// &

@@ -77,6 +77,18 @@ contains
       if (step > 1) words = ' in step '//to_text(step)
    end function describe_step
 
+   pure function describe_conductor(model, parts, part) result(text)
+      type(model_t), intent(in) :: model
+      type(parts_t), intent(in) :: parts
+      !> Index of the part
+      integer, intent(in) :: part
+      character(len=:), allocatable :: text
+
+      text = 'the conductor '
+      if (parts%set(part) == 0) text = text//'of '
+      text = text//describe_part(model, parts, part)
+   end function describe_conductor
+
    !> How many others a warning stands for: a mat may have thousands of wires that only contacts hold.
    pure function describe_others(n_others) result(words)
       !> How many there are besides the one that is named
@@ -288,13 +300,13 @@ contains
                n_alike = n_alike + 1
                if (n_alike == 1) first_alike = part
             else
-               call add(findings, n, 'the conductor '//describe_part(model, parts, part)// &
+               call add(findings, n, describe_conductor(model, parts, part)// &
                   ' has no path to a prescribed potential'//describe_step(step)// &
                   ': prescribe degree of freedom '//to_text(dof_potential)//' at one of its nodes', &
                   parts%first_element(part), '')
             end if
          end do
-         if (n_alike > 0) call add(findings, n, 'the conductor '//describe_part(model, parts, first_alike)// &
+         if (n_alike > 0) call add(findings, n, describe_conductor(model, parts, first_alike)// &
             ' has no prescribed potential'//describe_step(step)//'; only contacts can connect it to one'// &
             describe_others(n_alike - 1), parts%first_element(first_alike), 'potential_by_contact')
          deallocate (held, group_held)

@@ -101,7 +101,8 @@ contains
       call table%field('xi_1', c%xi_bar, '1', 'position in the first element, -1 to 1')
       call table%field('xi_2', c%xi, '1', 'position in the second element, -1 to 1')
       call table%field('angle', c%angle, 'rad', 'angle between the axes')
-      call table%field('gap', c%gap, 'm', 'gap between the surfaces, negative in contact')
+      call table%field('gap', c%gap, 'm', &
+         'gap between the surfaces and what is left of an interference fit, negative in contact')
       call table%field('force', c%force, 'N', 'contact force, pushing the wires apart')
       call table%field('normal', c%normal, '1', 'unit normal from the unbarred to the barred wire')
       call table%field('point_1', c%point_bar, 'm', 'point of the first axis')

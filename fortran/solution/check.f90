@@ -7,6 +7,7 @@ module litz_check
    use litz_model, only: model_t
    use litz_problem, only: problem_t, prepare_problem
    use litz_run_warnings, only: run_warnings_t
+   use litz_text, only: plural
    implicit none
    private
    public :: check_model
@@ -31,9 +32,8 @@ contains
       write (line, '(a, i0)') 'wires (chains of elements): ', problem%wires%n_wires
       report = trim(line)//new_line('a')
       if (.not. problem%contact%present) return
-      write (line, '(a, i0, a, i0, a)') 'contact search: ', size(problem%contact%candidates, 2), &
-         ' pairs of elements are near, ', size(problem%contact%points), ' crossings within reach'
-      report = report//trim(line)//new_line('a')
+      report = report//'contact search: '//plural(size(problem%contact%candidates, 2), 'pair')// &
+         ' of elements nearby, '//plural(size(problem%contact%points), 'crossing')//' within reach'//new_line('a')
       call add_start_warnings(problem)
       warnings = problem%warnings
       do i = 1, min(20, size(problem%contact%points))

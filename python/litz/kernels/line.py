@@ -47,6 +47,8 @@ class LineLaw(NamedTuple):
 class LinePoint(NamedTuple):
     """Result of one point of line contact; zero where it is not active, except place, gap, normal, angle and quality.
 
+    Where the foot lies beyond the barred element, only place and quality are given.
+
     For many points each array has a leading axis n, and each number is an array (n,).
     """
 
