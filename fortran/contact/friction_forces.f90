@@ -5,7 +5,7 @@ module litz_friction_forces
    use litz_contact_friction, only: slip_t, slip_kinematics, friction_residual, friction_tangent
    use litz_contact_points, only: contact_point_t
    use litz_friction_iteration, only: place_touch
-   use litz_friction_law, only: friction_law_t, friction_law, friction_none, friction_stick
+   use litz_friction_law, only: friction_law_t, friction_start_t, friction_law, friction_none, friction_stick
    use litz_law_input, only: wire_pair_t
    use litz_model, only: interaction_t
    use litz_normal_law, only: overlap_at_force
@@ -34,6 +34,7 @@ contains
       real(dp), intent(out) :: k(n_motions, n_motions), r(n_motions)
       type(slip_t) :: slip
       type(friction_law_t) :: supposed
+      type(friction_start_t) :: start
       real(dp) :: force, dforce(n_motions), stiffness, dstiffness_dforce, r_supposed(n_motions)
       integer :: elements(2)
 
@@ -43,12 +44,12 @@ contains
       end if
       slip = slip_kinematics(point%kinematics, x, t, length, law%axis, wires%direction(elements), &
          arc_from_to(start_of_slip(point), [point%arc_bar, point%arc], wires%circumference(wires%wire(elements))))
+      start = start_of_friction(law, pair, point)
       k = 0
       r = 0
       if (point%closed) then
          call stick(law, pair, point%force, point, stiffness, dstiffness_dforce)
-         point%friction = friction_law(law%friction, point%force, stiffness, dstiffness_dforce, &
-            point%history%traction, slip%slip, force_start=point%history%force)
+         point%friction = friction_law(law%friction, point%force, stiffness, dstiffness_dforce, start, slip%slip)
          point%traction = -matmul(slip%frame, point%friction%traction)
          r = friction_residual(point%kinematics, slip, point%friction%traction)
          if (.not. point%history%closed) call grow_with_force(dot_product(r, dq), point%friction)
@@ -64,13 +65,14 @@ contains
          dforce = -point%stiffness*point%kinematics%dgap
          if (.not. force > 0) return
          call stick(law, pair, force, point, stiffness, dstiffness_dforce)
-         supposed = friction_law(law%friction, force, stiffness, dstiffness_dforce, point%history%traction, slip%slip, &
-            iteration%status)
+         supposed = friction_law(law%friction, force, stiffness, dstiffness_dforce, start, slip%slip, iteration%status)
          r_supposed = friction_residual(point%kinematics, slip, supposed%traction)
          k = friction_tangent(point%kinematics, slip, t, supposed, dforce, iteration%mixed_traction)
          call spin_to_hessian(k, r_supposed, [4, 10, 16, 22])
          iteration%difference = r_supposed - r
-         iteration%trial = point%history%traction + stiffness*slip%slip
+         iteration%trial = start%traction + stiffness*slip%slip
+         if (stiffness < start%stiffness) iteration%trial = iteration%trial &
+            - (1 - stiffness/start%stiffness)*start%traction
          iteration%dtrial = stiffness*slip%dslip
          iteration%limit = law%friction*force
          iteration%dlimit = law%friction*dforce
@@ -116,6 +118,20 @@ contains
       arc = point%friction_iteration%touch
       if (point%history%closed) arc = point%history%arc
    end function start_of_slip
+
+   !> The contact when the increment began, with the stiffness that its force of then has in the present geometry.
+   pure type(friction_start_t) function start_of_friction(law, pair, point) result(start)
+      type(interaction_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(in) :: point
+      real(dp) :: dstiffness_dforce
+
+      if (.not. point%history%closed) return
+      start%traction = point%history%traction
+      start%force = point%history%force
+      start%elastic_energy = point%history%elastic_energy
+      call stick(law, pair, start%force, point, start%stiffness, dstiffness_dforce)
+   end function start_of_friction
 
    !> Work where the normal force has grown from nothing, in proportion to the slip since the contact closed: none on
    !> the way before.

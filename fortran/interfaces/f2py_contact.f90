@@ -16,7 +16,7 @@ module f2py_contact
    use litz_contact_electricity, only: coupling_parts
    use litz_contact_kinematics, only: core_contact_kinematics => contact_kinematics, contact_kinematics_t
    use litz_contact_mechanics, only: core_contact_mechanics => contact_mechanics
-   use litz_friction_law, only: friction_law_t, core_friction_law => friction_law, &
+   use litz_friction_law, only: friction_law_t, friction_start_t, core_friction_law => friction_law, &
       core_mindlin_ratio => mindlin_ratio
    use litz_contact_friction, only: slip_t, slip_kinematics, friction_residual, friction_tangent
    implicit none
@@ -310,7 +310,7 @@ contains
       !> dT/dD (2, 2) [N/m] and dT/dF (2) [-] as columns
       real(c_double), intent(out) :: derivatives(2, 3)
       type(friction_law_t) :: law
-      law = core_friction_law(mu, force, stiffness, dstiffness_dforce, traction_start, slip)
+      law = core_friction_law(mu, force, stiffness, dstiffness_dforce, friction_start_t(traction_start, force), slip)
       values = [law%traction, law%plastic_slip, law%dissipation, real(law%status, c_double)]
       derivatives(:, 1:2) = law%dtraction_dslip
       derivatives(:, 3) = law%dtraction_dforce
@@ -376,7 +376,8 @@ contains
       call core_contact_kinematics(x, t, length, axis, radius, xi_bar, xi, side, kinematics, info)
       if (info /= 0) return
       slip = slip_kinematics(kinematics, x, t, length, axis, direction, moved)
-      law = core_friction_law(mu, force(1), stiffness(1), stiffness(2), traction_start, slip%slip)
+      law = core_friction_law(mu, force(1), stiffness(1), stiffness(2), friction_start_t(traction_start, force(1)), &
+         slip%slip)
       r = friction_residual(kinematics, slip, law%traction)
       k = friction_tangent(kinematics, slip, t, law, force(2)*kinematics%dgap + force(3)*kinematics%dangle, &
          law%traction)

@@ -3,11 +3,15 @@
 !> Source: J. C. Simo, T. A. Laursen, Comput. Struct. 42 (1992) 97-116, the return map of friction in analogy to
 !> plasticity, for two components in the tangential plane: trial traction `T* = T_n + k_t D`, with `T_n` the traction
 !> when the increment began and `D` the slip since; stick while `|T*| <= mu F`, else slip with `T = mu F T*/|T*|`.
+!>
+!> Where the stiffness has fallen with the normal force, the elastic slip is held: `T* = T_n k_t/k_n + k_t D`, and what
+!> the spring loses of its energy is heat. A traction that stayed would give back more than it has taken. (Source: C.
+!> Thornton, S. J. Cummins, P. W. Cleary, Powder Technol. 233 (2013) 30-46, on Mindlin's spring under varying forces.)
 module litz_friction_law
    use litz_kinds, only: dp
    implicit none
    private
-   public :: friction_law_t, friction_law, mindlin_ratio
+   public :: friction_law_t, friction_start_t, friction_law, mindlin_ratio
    public :: friction_none, friction_stick, friction_slip
 
    !> No traction: the contact is open, or has no friction
@@ -23,34 +27,47 @@ module litz_friction_law
       real(dp) :: traction(2) = 0
       !> dT/dD (2, 2) [N/m], and dT/dF (2) [-], with the stiffness following the force
       real(dp) :: dtraction_dslip(2, 2) = 0, dtraction_dforce(2) = 0
-      !> Work of the elastic part of the slip, `(T_n + T) . D_elastic/2` [J]
+      !> Change of the energy of the spring [J]
       real(dp) :: elastic_work = 0
       !> What elastic work and dissipation have beyond `(T_n + T) . D/2`, because slip begins within the increment [J]
       real(dp) :: work_beyond_mean = 0
-      !> Part of the slip that is not elastic (2) [m], and the work that it turns to heat, never negative [J]
+      !> Part of the slip that is not elastic (2) [m], and what it and a softer spring turn to heat, never negative [J]
       real(dp) :: plastic_slip(2) = 0, dissipation = 0
    end type friction_law_t
 
+   !> The contact when the increment began; all 0: it was open.
+   type :: friction_start_t
+      !> Traction (2) and normal force [N]
+      real(dp) :: traction(2) = 0, force = 0
+      !> Tangential stiffness [N/m], and energy of the spring [J]
+      real(dp) :: stiffness = 0, elastic_energy = 0
+   end type friction_start_t
+
 contains
 
-   pure function friction_law(mu, force, stiffness, dstiffness_dforce, traction_start, slip, taken_as, &
-      force_start) result(law)
+   pure function friction_law(mu, force, stiffness, dstiffness_dforce, start, slip, taken_as) result(law)
       !> Coefficient of friction [-], and normal force [N]; both at least 0
       real(dp), intent(in) :: mu, force
       !> Tangential stiffness k_t [N/m], greater than 0, and how it changes with the normal force [1/m]
       real(dp), intent(in) :: stiffness, dstiffness_dforce
-      !> Traction at the start of the increment (2) [N], and slip since then (2) [m]
-      real(dp), intent(in) :: traction_start(2), slip(2)
+      type(friction_start_t), intent(in) :: start
+      !> Slip since the start of the increment (2) [m]
+      real(dp), intent(in) :: slip(2)
       !> `friction_stick` or `friction_slip`: the status that an iteration supposes, whatever the trial traction says
       integer, intent(in), optional :: taken_as
-      !> Normal force at the start of the increment [N], for the heat of the slip; the present one where it is left out
-      real(dp), intent(in), optional :: force_start
       type(friction_law_t) :: law
-      real(dp) :: trial(2), dtrial_dforce(2), size_of_trial, direction(2), ratio
+      real(dp) :: held(2), trial(2), dtrial_dforce(2), size_of_trial, direction(2), ratio, softening
       integer :: i
 
-      trial = traction_start + stiffness*slip                                             ! T* = T_n + k_t D
+      softening = 1
+      held = start%traction
       dtrial_dforce = dstiffness_dforce*slip
+      if (stiffness < start%stiffness) then
+         softening = stiffness/start%stiffness
+         held = softening*start%traction
+         dtrial_dforce = dtrial_dforce + dstiffness_dforce*start%traction/start%stiffness
+      end if
+      trial = held + stiffness*slip                                                       ! T* = T_n + k_t D
       size_of_trial = norm2(trial)
       law%status = merge(friction_stick, friction_slip, size_of_trial <= mu*force)
       if (present(taken_as)) law%status = taken_as
@@ -69,12 +86,16 @@ contains
             law%dtraction_dslip(i, i) = law%dtraction_dslip(i, i) + ratio*stiffness
          end do
          law%plastic_slip = (size_of_trial - mu*force)/stiffness*direction
-         law%dissipation = mu*force*norm2(law%plastic_slip)
          ! a limit that changes along the slip counts with its mean
-         if (present(force_start)) law%dissipation = mu*(force_start + force)/2*norm2(law%plastic_slip)
+         law%dissipation = mu*(softening*start%force + force)/2*norm2(law%plastic_slip)
       end if
-      law%elastic_work = dot_product(traction_start + law%traction, slip - law%plastic_slip)/2
-      law%work_beyond_mean = law%dissipation - dot_product(traction_start + law%traction, law%plastic_slip)/2
+      law%elastic_work = dot_product(held + law%traction, slip - law%plastic_slip)/2
+      law%work_beyond_mean = law%dissipation - dot_product(start%traction + law%traction, law%plastic_slip)/2 &
+         + dot_product(held - start%traction, slip - law%plastic_slip)/2
+      associate (lost => (1 - softening)*start%elastic_energy)
+         law%elastic_work = law%elastic_work - lost
+         law%dissipation = law%dissipation + lost
+      end associate
    end function friction_law
 
    !> Tangential over normal stiffness of a round Hertz spot that sticks: `k_t/k_n = 4 G*/E*`.
