@@ -229,8 +229,8 @@ contains
       end do
    end function not_prescribed
 
-   !> The largest values of each field at present, when the step began, and of all that the steps so far have prescribed;
-   !> with displacements the coordinates, whose round-off they have.
+   !> The largest values of each field: at present, when the step began, and of all that the steps so far have
+   !> prescribed; with displacements the coordinates, whose round-off they have.
    pure function largest_values(model, state, loading) result(largest)
       type(model_t), intent(in) :: model
       type(state_t), intent(in) :: state
