@@ -75,6 +75,8 @@ module litz_state
       !> Forces on the nodes from what is neither in the model nor a support or load: damping (n_slots, n_nodes)
       !> [N, N m]; a term adds its own when the increment is accepted
       real(dp), allocatable :: outer_force(:, :)
+      !> What resists the nodes of these, by *CONTROLS, PARAMETERS=STABILIZE (n_slots, n_nodes) [N, N m]
+      real(dp), allocatable :: damping(:, :)
       !> Worst figures of the audit: balance of forces, of moments, of currents, of power; overlap over radius [-]
       real(dp) :: audit(5) = 0
       type(energies_t) :: energies

@@ -30,6 +30,7 @@ contains
       associate (state => problem%state, loading => problem%loading, contact => problem%contact)
          call exchange_wires(arrays, state, error)
          call arrays%array('rotation_matrix', state%rotation, error)
+         call arrays%array('damping', state%damping, error, n_slots)
          call arrays%array('loading_fixed', loading%fixed, n_slots, error)
          call arrays%array('loading_start_value', loading%start_value, error, n_slots)
          call arrays%array('loading_start_load', loading%start_load, error, n_slots)

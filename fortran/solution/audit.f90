@@ -5,10 +5,11 @@
 module litz_audit
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
    use litz_fields, only: fields, n_fields, n_slots, first_slot, last_slot, field_displacement, field_rotation, &
-      field_potential
+      field_potential, field_of_slot, field_of_dof
    use litz_kinds, only: dp
    use litz_contact_net, only: allowed_penetration
    use litz_errors, only: error_t, fail, exit_not_converged
+   use litz_loading, only: loading_t
    use litz_model, only: model_t
    use litz_normal_law, only: penalty_that_holds
    use litz_quantities, only: quantity_table_t, on_points
@@ -20,13 +21,17 @@ module litz_audit
    private
    public :: audit_t, scales_t, audit_increment, audit_error
    public :: force_imbalance, moment_imbalance, current_imbalance, spot_imbalance, power_imbalance, not_finite, &
-      crossed_contact, deepest_contact
+      not_prescribed, crossed_contact, deepest_contact
    public :: allowed_imbalance
    public :: penetration, describe_contact
 
    !> A sum that should vanish may be this part of the largest force, moment, current or power in it. The residuals that
    !> *CONTROLS allows by itself are far below: more is a mistake, or a tolerance that lets a wrong answer pass.
    real(dp), parameter :: allowed_imbalance = 1.0e-4_dp
+
+   !> A value may depart from the prescribed one by this part of the largest of its field: round-off of a value that was
+   !> far larger before.
+   real(dp), parameter :: allowed_departure = 1.0e-10_dp
 
    integer, parameter :: current_slot = first_slot(field_potential)
 
@@ -51,21 +56,26 @@ module litz_audit
 
 contains
 
-   function audit_increment(model, state, residual, scales) result(audit)
+   function audit_increment(model, state, loading, residual, scales) result(audit)
       type(model_t), intent(in) :: model
       type(state_t), intent(in) :: state
+      !> As the state should have it
+      type(loading_t), intent(in) :: loading
       !> Largest force [N], moment [N m] and current [A] that are left over at each node (n_fields, n_nodes)
       real(dp), intent(in) :: residual(:, :)
       type(scales_t), intent(in) :: scales
       type(audit_t) :: audit
-      real(dp) :: extent, heat, potential, total_round_off(n_fields), not_shown
+      real(dp) :: extent, power, potential, total_round_off(n_fields), not_shown
       integer :: worst, field
 
       audit%finding = not_finite(model, state)
       if (len(audit%finding) > 0) return
+      audit%finding = not_prescribed(model, state, loading)
       extent = maxval(maxval(model%x, 2) - minval(model%x, 2))
       potential = maxval(abs(state%value(current_slot, :)))
-      heat = sum(abs(state%joule_heat)) + sum(abs(state%contacts%joule_heat))
+      ! twice what is left over, which has round-off itself
+      power = max(sum(abs(state%joule_heat)) + sum(abs(state%contacts%joule_heat)), &
+         2*power_left_over(state, residual(field_potential, :))/allowed_imbalance)
       total_round_off = sum(scales%round_off, 2)
       call weigh_nodes('forces', residual(field_displacement, :), field_displacement, audit%force)
       call weigh_nodes('moments', residual(field_rotation, :), field_rotation, audit%moment)
@@ -82,7 +92,7 @@ contains
                spots(worst), scales%reference(field_potential), total_round_off(field_potential), audit%current)
          end associate
       end if
-      call weigh('the power of the supports is not the Joule heat', abs(power_imbalance(state)), heat, &
+      call weigh('the power of the supports is not the Joule heat', abs(power_imbalance(state)), power, &
          total_round_off(field_potential)*potential, audit%power)
       not_shown = 0
       do field = 1, n_fields
@@ -192,6 +202,61 @@ contains
       end do
    end function contact_not_finite
 
+   !> A value that is not the prescribed one, in words; empty: none. Rotations follow one another and are not compared.
+   pure function not_prescribed(model, state, loading) result(words)
+      type(model_t), intent(in) :: model
+      type(state_t), intent(in) :: state
+      type(loading_t), intent(in) :: loading
+      character(len=:), allocatable :: words
+      real(dp) :: allowed(n_fields)
+      integer :: node, slot
+
+      words = ''
+      allowed = allowed_departure*largest_values(model, state, loading)
+      do node = 1, model%n_nodes
+         do slot = 1, n_slots
+            associate (field => fields(field_of_slot(slot)), value => state%value(slot, node), &
+               target => loading%value(slot, node))
+               if (field%is_rotation .or. .not. loading%fixed(slot, node)) cycle
+               if (abs(value - target) <= allowed(field_of_slot(slot))) cycle
+               words = 'node '//to_text(model%node_id(node))//' has a '//trim(field%name)//' of '//to_text(value)// &
+                  ' '//model%units%label(trim(field%unit))//' in degree of freedom '// &
+                  to_text(field%first_dof + slot - field%first_slot)//' where '//to_text(target)// &
+                  ' is prescribed: they differ by '//to_text(abs(value - target))
+               return
+            end associate
+         end do
+      end do
+   end function not_prescribed
+
+   !> The largest values of each field: at present, when the step began, and of all that the steps so far have
+   !> prescribed; with displacements the coordinates, whose round-off they have.
+   pure function largest_values(model, state, loading) result(largest)
+      type(model_t), intent(in) :: model
+      type(state_t), intent(in) :: state
+      type(loading_t), intent(in) :: loading
+      real(dp) :: largest(n_fields), factor
+      integer :: field, step, i
+
+      do field = 1, n_fields
+         associate (first => first_slot(field), last => last_slot(field))
+            largest(field) = max(maxval(abs(state%value(first:last, :))), &
+               maxval(abs(loading%start_value(first:last, :))))
+         end associate
+      end do
+      largest(field_displacement) = max(largest(field_displacement), maxval(abs(model%x)))
+      do step = 1, state%step
+         do i = 1, size(model%steps(step)%boundary)
+            associate (item => model%steps(step)%boundary(i))
+               factor = 1
+               if (item%amplitude > 0) factor = maxval(abs(model%amplitudes(item%amplitude)%factor))
+               field = field_of_dof(item%dof)
+               largest(field) = max(largest(field), factor*abs(item%value))
+            end associate
+         end do
+      end do
+   end function largest_values
+
    !> Sum of what supports and loads do to the model [N].
    pure function force_imbalance(state) result(total)
       type(state_t), intent(in) :: state
@@ -274,6 +339,15 @@ contains
       left = sum(state%value(current_slot, :)*(state%reaction(current_slot, :) + state%load(current_slot, :))) &
          - sum(state%joule_heat) - sum(state%contacts%joule_heat)
    end function power_imbalance
+
+   !> What the currents that are left over, and the round-off of those fed in, make of the power at most [W].
+   pure real(dp) function power_left_over(state, residual) result(left)
+      type(state_t), intent(in) :: state
+      !> Current that is left over at each node (n_nodes) [A]
+      real(dp), intent(in) :: residual(:)
+
+      left = sum(abs(state%value(current_slot, :))*(residual + epsilon(1.0_dp)*abs(state%load(current_slot, :))))
+   end function power_left_over
 
    !> A contact whose axes are on the wrong side of each other, where the deck does not allow that; 0: none.
    pure integer function crossed_contact(model, contacts) result(i)

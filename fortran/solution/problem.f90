@@ -63,7 +63,7 @@ contains
       m = problem%model%n_elements
       associate (state => problem%state)
          allocate (state%value(n_slots, n), state%reaction(n_slots, n), state%load(n_slots, n), &
-            state%outer_force(n_slots, n), source=0.0_dp)
+            state%outer_force(n_slots, n), state%damping(n_slots, n), source=0.0_dp)
          allocate (state%section_forces(6, m), source=0.0_dp)
          allocate (state%element_current(m), state%current_density(m), state%joule_heat(m), source=0.0_dp)
          allocate (state%contacts(0))

@@ -180,7 +180,8 @@ contains
          ! the tangent of any other increment is the first that the next one factors
          if (ends_step(step, target)) call count_negative_pivots(problem, outcome)
          call advance(problem, outcome, increment, target, start_time)
-         audit = audit_increment(problem%model, problem%state, nodal_residual(problem), measure_scales(problem))
+         audit = audit_increment(problem%model, problem%state, problem%loading, nodal_residual(problem), &
+            measure_scales(problem))
          problem%state%audit = [audit%force, audit%moment, audit%current, audit%power, audit%penetration]
          call problem%timing%lap(phase_update)
          call report_increment(problem, outcome, audit, &

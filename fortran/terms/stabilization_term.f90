@@ -2,7 +2,8 @@
 !>
 !> A node that moves by `du` in an increment `dt` of a step of length `T` is resisted by `s du T/dt`, a turn alike. What
 !> stands still is not resisted, so that the end of a movement is an equilibrium without help; what a part that floats
-!> does is determined. The work against it is `ALLSD`.
+!> does is determined. The work against it is `ALLSD`: like that of supports and loads, of the mean of the forces at the
+!> start and at the end of an increment, so that the energies balance where the damping begins, ends or jumps.
 module litz_stabilization_term
    use litz_kinds, only: dp
    use litz_domain, only: domain_t
@@ -18,9 +19,8 @@ module litz_stabilization_term
    type, extends(term_t) :: stabilization_term_t
       !> Against displacement [N/m] and rotation [N m]; 0: none
       real(dp) :: stiffness(2) = 0
-      !> Forces on the free unknowns (n_slots, n_nodes) [N, N m], and their work since the increment began [J]
+      !> What resists the free unknowns (n_slots, n_nodes) [N, N m]
       real(dp), allocatable :: force(:, :)
-      real(dp) :: work = 0
    contains
       procedure :: apply_load
       procedure :: evaluate
@@ -75,7 +75,6 @@ contains
 
       n = domain%model%n_nodes
       self%force = spread(spread(0.0_dp, 1, n_slots), 2, n)
-      self%work = 0
       if (.not. any(self%stiffness > 0)) return
       associate (first => motion_slots(1), last => motion_slots(2), change => domain%iterate%change)
          allocate (k(last, last, n), r(last, n), source=0.0_dp)
@@ -85,7 +84,6 @@ contains
                associate (s => self%stiffness(merge(1, 2, field_of_slot(slot) == field_displacement)))
                   k(slot, slot, node) = s
                   r(slot, node) = s*change(slot, node)
-                  self%work = self%work + s*change(slot, node)**2
                end associate
             end do
          end do
@@ -99,7 +97,8 @@ contains
       type(domain_t), intent(in) :: domain
       type(energies_t), intent(inout) :: energies
 
-      energies%stabilization = energies%stabilization + self%work
+      energies%stabilization = energies%stabilization &
+         + sum((domain%state%damping + self%force)*domain%iterate%change)/2
    end subroutine add_energies
 
    !> The force on the nodes is against their motion.
@@ -108,6 +107,7 @@ contains
       type(domain_t), intent(inout) :: domain
 
       domain%state%outer_force = domain%state%outer_force - self%force
+      domain%state%damping = self%force
    end subroutine accept
 
 end module litz_stabilization_term

@@ -38,6 +38,24 @@ def test_a_tolerance_that_lets_a_wrong_answer_pass_is_caught(run):
     assert results.times.tolist() == [0]
 
 
+@pytest.mark.parametrize("coupling", ["MONOLITHIC", "UPDATED"])
+def test_the_noise_of_currents_that_have_ended_passes(run, coupling):
+    """One current ramps to zero; another enters where the potential is prescribed, and leaves there at once."""
+    deck = crossed(static="0.5, 1", extra=f"*SOLVER, NAME=UMFPACK, COUPLING={coupling}")
+    feed = "*STEP\n*STATIC\n*CECURRENT\n 11, 9, 2.5\n*END STEP\n"
+    end = "*STEP\n*STATIC, DIRECT\n 0.25, 1\n*CECURRENT, OP=NEW\n 1, 9, -2.5\n*BOUNDARY\n UPPER_ENDS, 1, 1, 1e-4\n*END STEP\n"
+    for line, changed in ((" 1, 9, 9, 1e-3\n", " 1, 9\n"), (" 11, 9, 9, 0\n", "")):
+        assert line in deck
+        deck = deck.replace(line, changed)
+    process, results = run(deck + feed + end)
+    assert process.returncode == 0, process.stderr
+    assert np.abs(results.field("reaction_current", -1)[0]) == pytest.approx(2.5, rel=1e-12)
+    assert np.abs(results.field("element_current", -1)).max() < 1e-8
+    # a part of the noise that there is
+    assert results.audit["power_balance"][-1] <= 1e-4
+    assert results.audit["power_balance"][:-1].max() < 1e-7
+
+
 def test_a_deep_overlap_ends_the_run_and_names_the_wires_and_the_penalty_that_cures_it(run):
     penalty, refusals = 1e3, 0
     for attempt in range(8):

@@ -61,6 +61,15 @@ def test_large_rotations_amplitudes_and_loads_go_on(litz, tmp_path):
     assert_goes_on_from_everywhere(litz, tmp_path, text)
 
 
+def test_damping_that_ends_goes_on(litz, tmp_path):
+    """The first increment without it has the work of what held the wire at its start."""
+    load, damping = KEEP_ALL + "*ENERGY PRINT\n*CLOAD\n 11, 3, {}", "\n*CONTROLS, PARAMETERS=STABILIZE\n {}"
+    text = cantilever(
+        load.format(2) + damping.format(1e-3), load.format(3) + damping.format(0), static="0.5, 1, 1e-3, 0.5"
+    )
+    assert_goes_on_from_everywhere(litz, tmp_path, text)
+
+
 def test_a_run_that_goes_on_can_itself_be_continued(litz, tmp_path):
     deck = tmp_path / "deck.inp"
     deck.write_text(crossed(static="0.2, 1, 1e-3, 0.2", extra=KEEP_ALL))

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from decks import crossed, pair_of_wires, straight, wire
+from decks import cantilever, crossed, pair_of_wires, straight, wire
 from test_increments import RISE, arch, snap_load
 
 STABILIZE = "*CONTROLS, PARAMETERS=STABILIZE\n {}\n"
@@ -90,5 +90,58 @@ def test_a_loose_wire_moves_by_its_load_over_the_damping(run):
     forces = force * np.arange(1, n + 1) / n
     moved = results.field("displacement", None)[1:, :6, 0]
     np.testing.assert_allclose(moved, np.cumsum(forces / damping)[:, None] * np.ones(6), rtol=1e-6)
-    # at each node force times way, all of it taken by the damping
-    assert results.history["ALLSD"][1:] == pytest.approx(6 * np.cumsum(forces**2 / damping), rel=1e-6)
+    # at each node mean force times way, all of it taken by the damping
+    mean = (forces + np.append(0, forces[:-1])) / 2
+    assert results.history["ALLSD"][1:] == pytest.approx(6 * np.cumsum(mean * forces / damping), rel=1e-6)
+    assert results.history["ALLWK"] == pytest.approx(results.history["ALLSD"], rel=1e-6)
+
+
+def damped_steps(card, *values, factors, **changes):
+    """A cantilever with a value of the card in each step, and the factor of the damping in each."""
+    steps = [
+        f"{STABILIZE.format(factor)}{LOOSE}{card.format(value)}" for factor, value in zip(factors, values, strict=True)
+    ]
+    return cantilever(*steps, element="B33", n=2, **changes)
+
+
+@pytest.mark.parametrize(
+    ("card", "values"),
+    [("*CLOAD\n 3, 3, {}", (1e-3, 2e-3, 0)), ("*BOUNDARY\n 3, 3, 3, {}", (1e-6, 2e-6, 0))],
+    ids=["load", "prescribed displacement"],
+)
+@pytest.mark.parametrize("increments", [1, 5])
+@pytest.mark.parametrize("factors", [(1e-3, 0, 1e-3), (0, 1e-3, 0), (1e-3, 1e-5, 1e-2)], ids=str)
+def test_the_energies_balance_where_the_damping_begins_and_ends(run, card, values, increments, factors):
+    """Deflections far below the length: forces are linear, and the work of their means is exact."""
+    size = 1 / increments
+    process, results = run(damped_steps(card, *values, factors=factors, static=f"{size}, 1, 1e-3, {size}"))
+    assert process.returncode == 0, process.stderr
+    taken = results.history["ALLSD"]
+    assert taken.max() > 1e-3 * results.history["ALLWK"].max()
+    assert np.abs(results.history["ETOTAL"]).max() < 1e-6 * results.history["ALLWK"].max()
+
+
+@pytest.mark.parametrize("factor", [1e-3, 0])
+def test_the_energies_balance_at_a_jump_and_while_it_is_held(run, factor):
+    """The displacement is there in the first increment, and stays: what the damping held up relaxes."""
+    jump = "*AMPLITUDE, NAME=JUMP\n 0, 1, 1, 1\n"
+    deck = damped_steps("*BOUNDARY, AMPLITUDE=JUMP\n 3, 3, 3, {}", 1e-5, 1e-5, factors=(1e-3, factor), static="0.25, 1")
+    process, results = run(jump + deck)
+    assert process.returncode == 0, process.stderr
+    taken = results.history["ALLSD"]
+    assert taken[1] > 0.1 * results.history["ALLWK"][1]
+    assert taken[-1] > taken[1]
+    assert np.abs(results.history["ETOTAL"]).max() < 1e-6 * results.history["ALLWK"].max()
+
+
+def test_the_balance_of_large_motions_converges_with_the_square_of_the_increment(run):
+    left = []
+    for n in (10, 20, 40):
+        static = f"{1 / n}, 1, 1e-3, {1 / n}"
+        process, results = run(damped_steps("*CLOAD\n 3, 3, {}", 30, factors=(1e-4,), static=static), name=f"in_{n}")
+        assert process.returncode == 0, process.stderr
+        left.append(abs(results.history["ETOTAL"][-1]) / results.history["ALLWK"][-1])
+        assert results.history["ALLSD"][-1] > 0.1 * results.history["ALLWK"][-1]
+    assert left[0] < 1e-2
+    assert left[0] / left[1] == pytest.approx(4, rel=0.1)
+    assert left[1] / left[2] == pytest.approx(4, rel=0.1)
