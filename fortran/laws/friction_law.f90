@@ -92,11 +92,26 @@ contains
       law%elastic_work = dot_product(held + law%traction, slip - law%plastic_slip)/2
       law%work_beyond_mean = law%dissipation - dot_product(start%traction + law%traction, law%plastic_slip)/2 &
          + dot_product(held - start%traction, slip - law%plastic_slip)/2
-      associate (lost => (1 - softening)*start%elastic_energy)
+      associate (lost => (1 - softening)*start%elastic_energy, &
+         of_motion => (1 - softening)*mu*start%force/2*slip_of_motion(mu, force, stiffness, start, law%plastic_slip))
          law%elastic_work = law%elastic_work - lost
-         law%dissipation = law%dissipation + lost
+         law%dissipation = law%dissipation + lost + of_motion
+         law%work_beyond_mean = law%work_beyond_mean + of_motion
       end associate
    end function friction_law
+
+   !> Slip against a limit that falls from `mu F_n`, besides what a spring that becomes softer is shortened by [m].
+   pure real(dp) function slip_of_motion(mu, force, stiffness, start, plastic_slip)
+      !> As in `friction_law`
+      real(dp), intent(in) :: mu, force, stiffness
+      type(friction_start_t), intent(in) :: start
+      !> (2) [m]
+      real(dp), intent(in) :: plastic_slip(2)
+
+      slip_of_motion = 0
+      if (.not. stiffness < start%stiffness) return
+      slip_of_motion = max(0.0_dp, norm2(plastic_slip) - mu*(start%force/start%stiffness - force/stiffness))
+   end function slip_of_motion
 
    !> Tangential over normal stiffness of a round Hertz spot that sticks: `k_t/k_n = 4 G*/E*`.
    !>

@@ -48,6 +48,23 @@ def test_a_contact_at_its_limit_that_is_lifted_has_slipped_no_further(run, incre
 
 
 @pytest.mark.parametrize("increments", [1, 7])
+def test_a_slip_under_a_falling_force_has_the_heat_of_the_mean_force(run, increments):
+    """Beside the spring, which loses its energy."""
+    u, further = 10 * SLIP, 5 * SLIP
+    deck = rubbing(
+        move(u, increments=100),
+        move(u + further, z=-LEFT * OVERLAP, increments=increments),
+        friction=ELASTIC_SLIP,
+    )
+    process, results = run(deck)
+    assert process.returncode == 0, process.stderr
+    heat = at_end_of(results, 3, "ALLFD") - at_end_of(results, 2, "ALLFD")
+    expected = MU * (1 + LEFT) * FORCE / 2 * further + MU * (1 - LEFT) * FORCE * SLIP / 2
+    assert heat == pytest.approx(expected, rel=1e-6)
+    assert abs(at_end_of(results, 3, "ETOTAL")) < 1e-6 * at_end_of(results, 3, "ALLWK")
+
+
+@pytest.mark.parametrize("increments", [1, 7])
 def test_the_spring_of_a_hertz_contact_softens_with_the_spot(run, increments):
     """k goes with the square root of the overlap."""
     u = 1e-8
