@@ -3,27 +3,20 @@ module iteration_recorder
    use litz_errors, only: error_t
    use litz_fields, only: n_fields
    use litz_kinds, only: dp
-   use litz_observer, only: observer_t
    use litz_problem, only: problem_t
-   use litz_reports, only: iteration_report_t, increment_report_t
-   use litz_step_control, only: course_t
+   use litz_reports, only: iteration_report_t
+   use silent_observer, only: silent_t
    implicit none
    private
    public :: recorder_t
 
    !> Keeps the residuals of the iterations, and ends the run if it is told to.
-   type, extends(observer_t) :: recorder_t
+   type, extends(silent_t) :: recorder_t
       !> (n_fields, iterations)
       real(dp), allocatable :: residual(:, :)
       logical :: disk_is_full = .false.
    contains
       procedure :: iteration_done
-      procedure :: increment_accepted => ignore_problem
-      procedure :: warnings_added => ignore_problem
-      procedure :: attempt_done => ignore_attempt
-      procedure :: offer_restart => ignore_course
-      procedure :: begin_giving_up => ignore_problem
-      procedure :: given_up => ignore_iterate
    end type recorder_t
 
 contains
@@ -38,38 +31,6 @@ contains
       self%residual = reshape([self%residual, report%residual], [n_fields, size(self%residual, 2) + 1])
       if (self%disk_is_full) error = error_t(message='the disk is full')
    end subroutine iteration_done
-
-   subroutine ignore_problem(self, problem, error)
-      class(recorder_t), intent(inout) :: self
-      type(problem_t), intent(inout) :: problem
-      type(error_t), allocatable, intent(inout) :: error
-   end subroutine ignore_problem
-
-   subroutine ignore_attempt(self, problem, report, error)
-      class(recorder_t), intent(inout) :: self
-      type(problem_t), intent(in) :: problem
-      type(increment_report_t), intent(in) :: report
-      type(error_t), allocatable, intent(inout) :: error
-   end subroutine ignore_attempt
-
-   subroutine ignore_course(self, problem, course, taken, error)
-      class(recorder_t), intent(inout) :: self
-      type(problem_t), intent(inout) :: problem
-      type(course_t), intent(inout) :: course
-      logical, intent(out) :: taken
-      type(error_t), allocatable, intent(inout) :: error
-
-      taken = .false.
-   end subroutine ignore_course
-
-   subroutine ignore_iterate(self, problem, place, error)
-      class(recorder_t), intent(inout) :: self
-      type(problem_t), intent(in) :: problem
-      character(len=:), allocatable, intent(out) :: place
-      type(error_t), allocatable, intent(inout) :: error
-
-      place = ''
-   end subroutine ignore_iterate
 
 end module iteration_recorder
 
