@@ -70,9 +70,7 @@ contains
          k = friction_tangent(point%kinematics, slip, t, supposed, dforce, iteration%mixed_traction)
          call spin_to_hessian(k, r_supposed, [4, 10, 16, 22])
          iteration%difference = r_supposed - r
-         iteration%trial = start%traction + stiffness*slip%slip
-         if (stiffness < start%stiffness) iteration%trial = iteration%trial &
-            - (1 - stiffness/start%stiffness)*start%traction
+         iteration%trial = supposed%trial
          iteration%dtrial = stiffness*slip%dslip
          iteration%limit = law%friction*force
          iteration%dlimit = law%friction*dforce

@@ -23,8 +23,8 @@ module litz_friction_law
    type :: friction_law_t
       !> One of the constants above
       integer :: status = friction_none
-      !> Traction (2) [N] against the slip
-      real(dp) :: traction(2) = 0
+      !> Traction (2) [N] against the slip, and the trial traction T* that it follows from
+      real(dp) :: traction(2) = 0, trial(2) = 0
       !> dT/dD (2, 2) [N/m], and dT/dF (2) [-], with the stiffness following the force
       real(dp) :: dtraction_dslip(2, 2) = 0, dtraction_dforce(2) = 0
       !> Change of the energy of the spring [J]
@@ -56,7 +56,7 @@ contains
       !> `friction_stick` or `friction_slip`: the status that an iteration supposes, whatever the trial traction says
       integer, intent(in), optional :: taken_as
       type(friction_law_t) :: law
-      real(dp) :: held(2), trial(2), dtrial_dforce(2), size_of_trial, direction(2), ratio, softening
+      real(dp) :: held(2), dtrial_dforce(2), size_of_trial, direction(2), ratio, softening
       integer :: i
 
       softening = 1
@@ -67,17 +67,17 @@ contains
          held = softening*start%traction
          dtrial_dforce = dtrial_dforce + dstiffness_dforce*start%traction/start%stiffness
       end if
-      trial = held + stiffness*slip                                                       ! T* = T_n + k_t D
-      size_of_trial = norm2(trial)
+      law%trial = held + stiffness*slip                                                   ! T* = T_n + k_t D
+      size_of_trial = norm2(law%trial)
       law%status = merge(friction_stick, friction_slip, size_of_trial <= mu*force)
       if (present(taken_as)) law%status = taken_as
       if (law%status == friction_stick .or. .not. size_of_trial > 0) then
-         law%traction = trial
+         law%traction = law%trial
          law%dtraction_dforce = dtrial_dforce
          law%dtraction_dslip(1, 1) = stiffness
          law%dtraction_dslip(2, 2) = stiffness
       else
-         direction = trial/size_of_trial
+         direction = law%trial/size_of_trial
          ratio = mu*force/size_of_trial
          law%traction = mu*force*direction                                                ! T = mu F T*/|T*|
          law%dtraction_dforce = mu*direction + ratio*(dtrial_dforce - direction*dot_product(direction, dtrial_dforce))

@@ -208,35 +208,37 @@ contains
       type(state_t), intent(in) :: state
       type(loading_t), intent(in) :: loading
       character(len=:), allocatable :: words
-      real(dp) :: allowed(n_fields)
+      real(dp) :: present(n_fields)
       integer :: node, slot
 
       words = ''
-      allowed = allowed_departure*largest_values(model, state, loading)
+      present = largest_present(model, state, loading)
       do node = 1, model%n_nodes
          do slot = 1, n_slots
             associate (field => fields(field_of_slot(slot)), value => state%value(slot, node), &
-               target => loading%value(slot, node))
+               target => loading%value(slot, node), &
+               departure => abs(state%value(slot, node) - loading%value(slot, node)))
                if (field%is_rotation .or. .not. loading%fixed(slot, node)) cycle
-               if (abs(value - target) <= allowed(field_of_slot(slot))) cycle
+               if (departure <= allowed_departure*present(field_of_slot(slot))) cycle
+               if (departure <= allowed_departure*largest_prescribed(model, state%step, field_of_slot(slot))) cycle
                words = 'node '//to_text(model%node_id(node))//' has a '//trim(field%name)//' of '//to_text(value)// &
                   ' '//model%units%label(trim(field%unit))//' in degree of freedom '// &
                   to_text(field%first_dof + slot - field%first_slot)//' where '//to_text(target)// &
-                  ' is prescribed: they differ by '//to_text(abs(value - target))
+                  ' is prescribed: they differ by '//to_text(departure)
                return
             end associate
          end do
       end do
    end function not_prescribed
 
-   !> The largest values of each field: at present, when the step began, and of all that the steps so far have
-   !> prescribed; with displacements the coordinates, whose round-off they have.
-   pure function largest_values(model, state, loading) result(largest)
+   !> The largest values of each field, at present and when the step began; with displacements the coordinates, whose
+   !> round-off they have.
+   pure function largest_present(model, state, loading) result(largest)
       type(model_t), intent(in) :: model
       type(state_t), intent(in) :: state
       type(loading_t), intent(in) :: loading
-      real(dp) :: largest(n_fields), factor
-      integer :: field, step, i
+      real(dp) :: largest(n_fields)
+      integer :: field
 
       do field = 1, n_fields
          associate (first => first_slot(field), last => last_slot(field))
@@ -245,17 +247,28 @@ contains
          end associate
       end do
       largest(field_displacement) = max(largest(field_displacement), maxval(abs(model%x)))
-      do step = 1, state%step
+   end function largest_present
+
+   !> The largest value of a field that the steps so far have prescribed.
+   pure real(dp) function largest_prescribed(model, last_step, field) result(largest)
+      type(model_t), intent(in) :: model
+      !> Present step, and one of the fields of litz_fields
+      integer, intent(in) :: last_step, field
+      real(dp) :: factor
+      integer :: step, i
+
+      largest = 0
+      do step = 1, last_step
          do i = 1, size(model%steps(step)%boundary)
             associate (item => model%steps(step)%boundary(i))
+               if (field_of_dof(item%dof) /= field) cycle
                factor = 1
                if (item%amplitude > 0) factor = maxval(abs(model%amplitudes(item%amplitude)%factor))
-               field = field_of_dof(item%dof)
-               largest(field) = max(largest(field), factor*abs(item%value))
+               largest = max(largest, factor*abs(item%value))
             end associate
          end do
       end do
-   end function largest_values
+   end function largest_prescribed
 
    !> Sum of what supports and loads do to the model [N].
    pure function force_imbalance(state) result(total)

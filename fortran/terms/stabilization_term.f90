@@ -8,7 +8,7 @@ module litz_stabilization_term
    use litz_kinds, only: dp
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
-   use litz_fields, only: field_displacement, field_of_slot, n_slots, motion_slots
+   use litz_fields, only: field_displacement, field_of_slot, motion_slots
    use litz_model, only: model_t, step_t
    use litz_state, only: energies_t
    use litz_term, only: term_t
@@ -74,7 +74,7 @@ contains
       integer :: n, node, slot
 
       n = domain%model%n_nodes
-      self%force = spread(spread(0.0_dp, 1, n_slots), 2, n)
+      self%force = 0*domain%iterate%change
       if (.not. any(self%stiffness > 0)) return
       associate (first => motion_slots(1), last => motion_slots(2), change => domain%iterate%change)
          allocate (k(last, last, n), r(last, n), source=0.0_dp)
