@@ -5,7 +5,7 @@ module litz_diagnosis
    use litz_errors, only: error_t, fail, exit_not_converged
    use litz_model, only: step_t
    use litz_newton, only: outcome_t, cause_iterations, cause_not_finite, cause_singular, cause_lost_contact, &
-      cause_turned_ends
+      cause_turned_ends, cause_fed_part
    use litz_problem, only: problem_t
    use litz_text, only: to_text
    implicit none
@@ -69,6 +69,8 @@ contains
       select case (outcome%cause)
       case (cause_lost_contact)
          text = outcome%finding%advice(problem%model)
+      case (cause_fed_part)
+         text = 'Let the wires touch before it is fed, in a step of its own, or prescribe a value there (*BOUNDARY). '
       case (cause_turned_ends)
          text = 'Use shorter elements there, each of which bends and twists less. '
       case (cause_singular)
@@ -142,7 +144,9 @@ contains
       integer, intent(in) :: attempts
       character(len=:), allocatable :: text
 
-      if (step%direct) then
+      if (outcome%cause == cause_fed_part .and. outcome%fed_at_start) then
+         text = 'Smaller increments would not help.'
+      else if (step%direct) then
          text = 'Increments of *STATIC, DIRECT are not cut back: remove DIRECT.'
       else if (outcome%cause == cause_lost_contact .or. outcome%cause == cause_turned_ends) then
          text = 'Smaller increments did not help.'

@@ -25,7 +25,7 @@ module litz_newton
    implicit none
    private
    public :: outcome_t, solve_increment, count_negative_pivots, start_iterate
-   public :: cause_iterations, cause_not_finite, cause_singular, cause_lost_contact, cause_turned_ends
+   public :: cause_iterations, cause_not_finite, cause_singular, cause_lost_contact, cause_turned_ends, cause_fed_part
 
    !> Why an increment is given up
    integer, parameter :: cause_iterations = 1, cause_not_finite = 2, cause_singular = 3, cause_lost_contact = 4, &
@@ -53,6 +53,8 @@ module litz_newton
       logical :: only_start_factored = .false.
       !> Some factorisation of this attempt had negative pivots
       logical :: passed_critical = .false.
+      !> A flux was fed into a part that floated when the increment began: no smaller one would connect it
+      logical :: fed_at_start = .false.
    end type outcome_t
 
    !> Iterations at most, in multiples of I_C, where contacts open and close as predicted all the way
@@ -90,6 +92,7 @@ contains
       do
          call evaluate(problem, error)
          if (allocated(error)) return
+         if (outcome%iterations == 0) outcome%fed_at_start = problem%fed_node > 0
          outcome%before = outcome%last
          call measure_residual(problem, step, outcome%last, outcome%at_round_off)
          call count_status(problem, outcome%last)

@@ -12,7 +12,7 @@ module litz_steps
    use litz_loading, only: loading_t, start_loading, load_targets, next_break_point
    use litz_model, only: model_t, step_t, nodal_value_t
    use litz_newton, only: outcome_t, solve_increment, count_negative_pivots, cause_not_finite, &
-      cause_lost_contact, cause_turned_ends
+      cause_lost_contact, cause_turned_ends, cause_fed_part
    use litz_observer, only: observer_t
    use litz_parallel_wires, only: shallow_angle
    use litz_problem, only: problem_t
@@ -172,6 +172,7 @@ contains
             if (outcome%cause == cause_turned_ends) then
                if (.not. control%refuse_turned(target)) possible = .false.
             end if
+            if (outcome%cause == cause_fed_part .and. outcome%fed_at_start) possible = .false.
             if (.not. possible) then
                call give_up(problem, step, outcome, increment, observer, error)
                return

@@ -39,6 +39,16 @@ def test_a_current_may_be_fed_into_a_wire_that_touches_within_the_increment(run,
     assert results.contacts_at(-1)["current"] == pytest.approx([-2], rel=1e-7)
 
 
+@pytest.mark.parametrize("solver", SOLVERS)
+def test_a_fed_wire_that_no_increment_brings_to_touch_ends_the_run_at_once_and_with_advice(run, solver):
+    process, results = run(crossed_wires(step(5e-6, "*CECURRENT\n 11, 9, 2\n", solver)))
+    assert process.returncode == 2
+    assert "Let the wires touch before it is fed" in process.stderr
+    assert "Smaller increments would not help." in process.stderr
+    # one attempt, not a row of smaller ones
+    assert len(results.status["attempts"]) == 1
+
+
 @pytest.mark.parametrize("solver", ["BLOCK", "UMFPACK"])
 def test_a_fed_wire_that_loses_its_contact_ends_the_run_and_says_when(run, solver):
     lost = step(-1e-4, "", solver, static="0.5, 1, 1e-2")
