@@ -13,6 +13,7 @@ module litz_deck_reader
    use litz_sets, only: read_sets
    use litz_read_properties, only: read_materials, read_sections, read_amplitudes, report_unused
    use litz_read_contact, only: read_interactions, read_contact_pairs
+   use litz_read_rigid_bodies, only: read_rigid_bodies
    use litz_read_steps, only: read_steps
    use litz_model_checks, only: finding_t, check_connections
    use litz_unit_labels, only: unit_length
@@ -63,6 +64,7 @@ contains
       call read_amplitudes(self, model)
       call read_interactions(self, model)
       call read_contact_pairs(self, model)
+      call read_rigid_bodies(self, model)
       if (self%errors%count == 0 .and. model%n_elements == 0) call fail_at(self, &
          self%deck%end_of_line(self%deck%n_lines), 'the deck has no *ELEMENT')
       call read_steps(self, model)
@@ -195,6 +197,7 @@ contains
       do e = 1, model%n_elements
          spare(model%connectivity(:, e)) = .false.
       end do
+      spare(model%rigid_bodies%reference_node) = .false.
       if (.not. any(spare)) return
       first = findloc(spare, .true., 1)
       write (number, '(i0)') model%node_id(first)

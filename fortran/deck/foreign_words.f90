@@ -45,9 +45,9 @@ module litz_foreign_words
       ' supports and loads lie along them'), &
       foreign_word_t('ORIENTATION|NORMAL', '', '', 'leave it out: the second data line of'// &
       ' *BEAM SECTION is the first axis of the section'), &
-      foreign_word_t('EQUATION|MPC|TIE|COUPLING|KINEMATIC|DISTRIBUTING|KINEMATIC COUPLING|DISTRIBUTING COUPLING|'// &
-      'RIGID BODY|EMBEDDED ELEMENT', '', '', 'nodes are not tied to each other: wires that are joined share a'// &
-      ' node, or a short stiff element joins them'), &
+      foreign_word_t('COUPLING|KINEMATIC|DISTRIBUTING|KINEMATIC COUPLING|DISTRIBUTING COUPLING|MPC|TIE|EQUATION|'// &
+      'EMBEDDED ELEMENT', '', '', 'nodes that move with another one are a *RIGID BODY, REF NODE=..., TIE NSET=...'// &
+      ' (or PIN NSET=...); wires that are joined share a node'), &
       foreign_word_t('SPRING|DASHPOT|CONNECTOR SECTION|CONNECTOR BEHAVIOR|GAP|MASS|ROTARY INERTIA', '', '', &
       'only beams are available: a spring is a thin beam, of stiffness EA/L'), &
       foreign_word_t('SOLID SECTION|SHELL SECTION|MEMBRANE SECTION|FRAME SECTION', '', '', &
@@ -102,6 +102,9 @@ module litz_foreign_words
       foreign_word_t('STEP', 'AMPLITUDE', '', 'values ramp over the step; *AMPLITUDE defines other histories'), &
       foreign_word_t('STEP', 'UNSYMM|EXTRAPOLATION|CONVERT SDI|SOLVER', '', 'leave it out: litz chooses'// &
       ' automatically'), &
+      foreign_word_t('RIGID BODY', 'ROT NODE', '', 'REF NODE has the rotations, too: degrees of freedom 4-6'), &
+      foreign_word_t('RIGID BODY', 'ELSET|ANALYTICAL SURFACE', '', 'give the nodes, by TIE NSET=... or PIN NSET=...'), &
+      foreign_word_t('RIGID BODY', 'POSITION|ISOTHERMAL', '', 'leave it out: the reference node stays where it is'), &
       foreign_word_t('NODE', 'SYSTEM', '', 'coordinates are Cartesian: write x, y, z'), &
       foreign_word_t('NSET|ELSET', 'INSTANCE', '', 'a deck is flat: `litz convert THIS.inp NEW.inp` places the'// &
       ' instances'), &

@@ -6,7 +6,7 @@ module litz_keyword_builders
    private
    public :: begin, finish, field, integer_field, real_field, dofs_of, choice_field, name_field, item_field, &
       text_field, &
-      unused, flag, choice, name, number, count_of, file
+      unused, flag, choice, name, item, number, count_of, file
 
 contains
 
@@ -195,6 +195,19 @@ contains
       spec%help = help
       if (present(required)) spec%required = required
    end function name
+
+   !> The number of a node or element, or the name of a set; it must not be left out.
+   pure type(parameter_spec_t) function item(parameter, help) result(spec)
+      !> The parameter in capitals
+      character(len=*), intent(in) :: parameter
+      !> What it means, for the reference and for messages
+      character(len=*), intent(in) :: help
+
+      spec%name = parameter
+      spec%kind = kind_item
+      spec%required = .true.
+      spec%help = help
+   end function item
 
    !> A real number.
    pure type(parameter_spec_t) function number(name, help, limit, default) result(spec)

@@ -3,8 +3,8 @@ module litz_keyword_reference
    use litz_text, only: to_text, words_of, join_words, wrapped, word_length
    use litz_foreign_words, only: foreign_word_t, foreign_words
    use litz_keywords, only: keyword_table_t, keyword_t, parameter_spec_t, data_spec_t, field_spec_t, place_model, &
-      place_step, place_both, kind_flag, kind_integer, kind_real, kind_choice, kind_name, kind_file, kind_text, &
-      limit_none, limit_unused, describe_limit
+      place_step, place_both, kind_flag, kind_integer, kind_real, kind_choice, kind_name, kind_item, kind_file, &
+      kind_text, limit_none, limit_unused, describe_limit
    implicit none
    private
    public :: keyword_list, keyword_page, keyword_markdown
@@ -192,6 +192,8 @@ contains
          form = form//'='//trim(parameter%choices)
       case (kind_name)
          form = form//'=name'
+      case (kind_item)
+         form = form//'=number or set'
       case (kind_file)
          form = form//'=file'
       case (kind_integer, kind_real)

@@ -3,7 +3,7 @@
 !> Meanings are those of Abaqus, or of CalculiX for *CONTROLS, unless the help text says otherwise.
 module litz_keyword_table
    use litz_keywords, only: keyword_table_t
-   use litz_model_keywords, only: add_general, add_mesh, add_properties, add_contact
+   use litz_model_keywords, only: add_general, add_mesh, add_constraints, add_properties, add_contact
    use litz_step_keywords, only: add_step, add_loads, add_output, add_solution
    implicit none
    private
@@ -18,6 +18,7 @@ contains
       allocate (table%keywords(40))
       call add_general(table)
       call add_mesh(table)
+      call add_constraints(table)
       call add_properties(table)
       call add_contact(table)
       call add_step(table)

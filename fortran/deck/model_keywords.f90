@@ -5,14 +5,14 @@ module litz_model_keywords
    use litz_keywords, only: keyword_t, keyword_table_t, field_spec_t, place_model, place_both, limit_positive, &
       limit_not_negative, limit_poisson, limit_zero
    use litz_keyword_builders, only: begin, finish, integer_field, real_field, name_field, item_field, text_field, &
-      flag, choice, name, number, file
+      flag, choice, name, item, number, file
    use litz_law_words, only: law_words_t
    use litz_normal_laws, only: all_normal_laws
    use litz_spot_laws, only: all_spot_laws
    use litz_stick_laws, only: stick_laws
    implicit none
    private
-   public :: add_general, add_mesh, add_properties, add_contact
+   public :: add_general, add_mesh, add_constraints, add_properties, add_contact
 
 contains
 
@@ -83,6 +83,21 @@ contains
       call add_set_data(k, 'element')
       call finish(table, k)
    end subroutine add_mesh
+
+   pure subroutine add_constraints(table)
+      type(keyword_table_t), intent(inout) :: table
+      type(keyword_t) :: k
+
+      call begin(k, 'RIGID BODY', place_model, 'Nodes that move with a reference node as one rigid body, by'// &
+         ' rotations of any size. Its displacements and rotations can be prescribed and loaded; forces on the'// &
+         ' other nodes act on it, with their moments. The reference node may belong to no element. A node moves'// &
+         ' with one rigid body at most. Potentials are not affected.')
+      call k%add(item('REF NODE', 'the reference node; a set must contain only this node'))
+      call k%add(name('TIE NSET', 'node set whose displacements and rotations follow'))
+      call k%add(name('PIN NSET', 'node set whose displacements follow; its rotations are free'))
+      call k%add(name('NSET', 'the same as TIE NSET, as in CalculiX'))
+      call finish(table, k)
+   end subroutine add_constraints
 
    pure subroutine add_set_data(k, what)
       type(keyword_t), intent(inout) :: k

@@ -6,7 +6,7 @@ module litz_nodal_values
    use litz_deck, only: token_t
    use litz_fields, only: field_t, fields, field_rotation, field_displacement, last_dof, n_slots, slot_of_dof, &
       field_of_dof, dof_range, describe_dofs
-   use litz_model, only: model_t, nodal_value_t, amplitude_factor, dof_potential
+   use litz_model, only: model_t, nodal_value_t, rigid_body_t, amplitude_factor, dof_potential
    use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, keyword_of, name_of
    use litz_value_checks, only: advice_about_value, behind_semicolon
    use litz_data_lines, only: read_line
@@ -33,8 +33,10 @@ module litz_nodal_values
       integer :: op = 0
       !> .true. before the first step
       logical :: model_part = .true.
-      !> Nodes of some element, and of a conducting one (n_nodes)
+      !> Nodes of some element or the reference node of a rigid body, and nodes of a conducting element (n_nodes)
       logical, allocatable :: has_element(:), has_potential(:)
+      !> Rigid body that each node moves with, 0: none; the last degree of freedom that is not its own (n_nodes)
+      integer, allocatable :: body(:), last_moved(:)
    end type value_list_t
 
 contains
@@ -55,6 +57,15 @@ contains
          do k = 1, 2
             if (model%connectivity(k, e) > 0) list%has_element(model%connectivity(k, e)) = .true.
          end do
+      end do
+      allocate (list%body(model%n_nodes), list%last_moved(model%n_nodes), source=0)
+      do k = 1, size(model%rigid_bodies)
+         associate (body => model%rigid_bodies(k))
+            list%has_element(body%reference_node) = .true.
+            list%body([body%tied, body%pinned]) = k
+            list%last_moved(body%tied) = last_dof(field_rotation)
+            list%last_moved(body%pinned) = last_dof(field_displacement)
+         end associate
       end do
    end subroutine start_list
 
@@ -315,7 +326,7 @@ contains
       value%value = self%values%real(merge(4, 3, list%kind == kind_boundary))
       do i = 1, size(nodes)
          value%node = nodes(i)
-         ok = list%has_element(nodes(i)) .or. self%broken_nodes .or. self%broken_elements
+         ok = list%has_element(nodes(i)) .or. self%broken_nodes .or. self%broken_elements .or. self%broken_bodies
          if (.not. ok) then
             call fail_at(self, self%values%token(1), describe_node(self, model, nodes(i), nodes)// &
                ' belongs to no element')
@@ -329,6 +340,13 @@ contains
                'no material of its elements has *ELECTRICAL CONDUCTIVITY')
             return
          end if
+         ok = first > list%last_moved(nodes(i))
+         if (.not. ok) then
+            call fail_at(self, self%values%token(1), describe_node(self, model, nodes(i), nodes)// &
+               ' has no degree of freedom '//to_text(first)//' of its own: it moves with '// &
+               describe_body(model, model%rigid_bodies(list%body(nodes(i)))))
+            return
+         end if
          do dof = first, last
             value%dof = dof
             call set_value(self, model, list, value, ok)
@@ -336,6 +354,16 @@ contains
          end do
       end do
    end subroutine set_values
+
+   !> `node 5, the reference node of the *RIGID BODY in deck.inp:12`
+   pure function describe_body(model, body) result(words)
+      type(model_t), intent(in) :: model
+      type(rigid_body_t), intent(in) :: body
+      character(len=:), allocatable :: words
+
+      words = 'node '//to_text(model%node_id(body%reference_node))//', the reference node of the *RIGID BODY in '// &
+         body%file//':'//to_text(body%line)
+   end function describe_body
 
    !> `node 7`, or `node 7 of WIRE`
    pure function describe_node(self, model, node, nodes) result(words)

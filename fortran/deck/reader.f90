@@ -66,6 +66,8 @@ module litz_reader
       logical :: missed_mesh = .false.
       !> Some line of a node or element could not be read: what is missing in the mesh is a follow-up error
       logical :: broken_nodes = .false., broken_elements = .false.
+      !> Some rigid body could not be read: a node without elements may be its reference node
+      logical :: broken_bodies = .false.
       type(set_builder_t) :: node_sets, element_sets
       type(definitions_t) :: materials, amplitudes, interactions
       !> Some *BEAM SECTION names no set that exists: elements without section are follow-up errors

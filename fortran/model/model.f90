@@ -14,7 +14,7 @@ module litz_model
    private
    public :: name_length
    public :: model_t, material_t, section_t, named_set_t, amplitude_t, interaction_t, contact_pair_t
-   public :: step_t, nodal_value_t, output_request_t, controls_t
+   public :: step_t, nodal_value_t, output_request_t, controls_t, rigid_body_t
    public :: axis_linear, axis_hermite
    public :: solver_default, solver_block, solver_umfpack, solver_skyline
    public :: coupling_default, coupling_monolithic, coupling_updated
@@ -98,6 +98,16 @@ module litz_model
       character(len=:), allocatable :: file
       integer :: line = 0
    end type contact_pair_t
+
+   !> Nodes that move with a reference node.
+   type :: rigid_body_t
+      integer :: reference_node = 0
+      !> Nodes whose displacements and rotations follow it, and those whose displacements alone do; ascending
+      integer, allocatable :: tied(:), pinned(:)
+      !> Where it stands in the deck, for messages
+      character(len=:), allocatable :: file
+      integer :: line = 0
+   end type rigid_body_t
 
    !> A prescribed value or a load at one degree of freedom of one node.
    type :: nodal_value_t
@@ -184,6 +194,7 @@ module litz_model
       !> Index into `sections` (n_elements)
       integer, allocatable :: element_section(:)
       type(named_set_t), allocatable :: node_sets(:), element_sets(:)
+      type(rigid_body_t), allocatable :: rigid_bodies(:)
       type(material_t), allocatable :: materials(:)
       type(section_t), allocatable :: sections(:)
       type(amplitude_t), allocatable :: amplitudes(:)

@@ -146,7 +146,7 @@ contains
       character(len=:), allocatable :: first_message
 
       allocate (included(model%n_elements), source=.true.)
-      call find_parts(model, included, parts)
+      call find_parts(model, included, parts, with_bodies=.true.)
       call measure_parts(model, parts, centre, length)
       allocate (in_contact, source=parts_in_contact(model, parts))
       allocate (reported(parts%n), source=.false.)

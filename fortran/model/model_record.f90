@@ -12,7 +12,7 @@ module litz_model_record
    use litz_fields, only: fields, n_fields, field_of_dof
    use litz_growing_text, only: growing_text_t
    use litz_law_words, only: law_words_t
-   use litz_model, only: model_t, step_t, nodal_value_t
+   use litz_model, only: model_t, step_t, nodal_value_t, rigid_body_t
    use litz_text, only: to_text
    implicit none
    private
@@ -49,6 +49,9 @@ contains
       call record_units(model, record)
       call record_mesh(model, record)
       call record_sections(model, record)
+      do i = 1, size(model%rigid_bodies)
+         call record_rigid_body(model, model%rigid_bodies(i), record)
+      end do
       do i = 1, size(model%contact_pairs)
          call record_contact_pair(model, i, record)
       end do
@@ -133,6 +136,18 @@ contains
          end associate
       end do
    end subroutine record_sections
+
+   pure subroutine record_rigid_body(model, body, record)
+      type(model_t), intent(in) :: model
+      type(rigid_body_t), intent(in) :: body
+      type(record_t), intent(inout) :: record
+
+      call record%begin('the rigid body of node '//to_text(model%node_id(body%reference_node)))
+      call record%value('number of tied nodes', to_text(size(body%tied)))
+      call record%list('tied nodes', reshape(body%tied, [1, size(body%tied)]))
+      call record%value('number of pinned nodes', to_text(size(body%pinned)))
+      call record%list('pinned nodes', reshape(body%pinned, [1, size(body%pinned)]))
+   end subroutine record_rigid_body
 
    !> A contact pair and the laws of its interaction.
    subroutine record_contact_pair(model, i, record)

@@ -45,6 +45,12 @@ contains
          call summary%append(section_lines(model, i))
       end do
       call summary%append(set_lines('node set', model%node_sets)//set_lines('element set', model%element_sets))
+      do i = 1, size(model%rigid_bodies)
+         associate (this => model%rigid_bodies(i))
+            call summary%append('rigid body of reference node '//to_text(model%node_id(this%reference_node))//': '// &
+               plural(size(this%tied), 'node')//' tied, '//to_text(size(this%pinned))//' pinned'//nl)
+         end associate
+      end do
       do i = 1, size(model%amplitudes)
          associate (this => model%amplitudes(i))
             call summary%append('amplitude '//this%name//': '//plural(size(this%time), 'point')//', '// &

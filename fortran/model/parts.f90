@@ -19,11 +19,13 @@ module litz_parts
 contains
 
    !> Numbered in the order of their first elements.
-   pure subroutine find_parts(model, included, parts)
+   pure subroutine find_parts(model, included, parts, with_bodies)
       type(model_t), intent(in) :: model
       !> Elements that count (n_elements)
       logical, intent(in) :: included(:)
       type(parts_t), intent(out) :: parts
+      !> Rigid bodies connect their nodes, too; default: they do not
+      logical, intent(in), optional :: with_bodies
       integer, allocatable :: root(:)
       integer :: e, i, node
 
@@ -31,6 +33,9 @@ contains
       do e = 1, model%n_elements
          if (included(e)) call join(root, model%connectivity(1, e), model%connectivity(2, e))
       end do
+      if (present(with_bodies)) then
+         if (with_bodies) call join_bodies(model, root)
+      end if
       allocate (parts%of_element(model%n_elements), parts%of_node(model%n_nodes), &
          parts%first_element(model%n_elements), parts%n_elements(model%n_elements), source=0)
       do e = 1, model%n_elements
@@ -49,6 +54,22 @@ contains
       end do
       call find_own_sets(model, parts)
    end subroutine find_parts
+
+   !> Nodes of a rigid body are of one part.
+   pure subroutine join_bodies(model, root)
+      type(model_t), intent(in) :: model
+      !> As of `join` (n_nodes)
+      integer, intent(inout) :: root(:)
+      integer :: i, k
+
+      do i = 1, size(model%rigid_bodies)
+         associate (nodes => [model%rigid_bodies(i)%tied, model%rigid_bodies(i)%pinned])
+            do k = 1, size(nodes)
+               call join(root, model%rigid_bodies(i)%reference_node, nodes(k))
+            end do
+         end associate
+      end do
+   end subroutine join_bodies
 
    !> Element sets that hold exactly one part give it its name.
    pure subroutine find_own_sets(model, parts)

@@ -47,6 +47,7 @@ contains
          call problem%terms(i)%term%connect(problem%domain_t, nodes)
          call append(nodes, start, members)
       end do
+      if (size(problem%iterate%bodies%dependents) > 0) call problem%iterate%bodies%extend_cliques(start, members)
       call build_system(start, members, problem%equations, problem%matrix, error)
       if (allocated(error)) return
       call problem%timing%lap(phase_assembly)

@@ -71,6 +71,7 @@ contains
       audit%finding = not_finite(model, state)
       if (len(audit%finding) > 0) return
       audit%finding = not_prescribed(model, state, loading)
+      if (len(audit%finding) == 0) audit%finding = not_rigid(model, state)
       extent = maxval(maxval(model%x, 2) - minval(model%x, 2))
       potential = maxval(abs(state%value(current_slot, :)))
       ! twice what is left over, which has round-off itself
@@ -230,6 +231,40 @@ contains
          end do
       end do
    end function not_prescribed
+
+   !> A node that is not where its rigid body takes it, in words; empty: none.
+   pure function not_rigid(model, state) result(words)
+      type(model_t), intent(in) :: model
+      type(state_t), intent(in) :: state
+      character(len=:), allocatable :: words
+      real(dp) :: largest, departure(3)
+      integer :: i, k
+
+      words = ''
+      associate (u => state%value(first_slot(field_displacement):last_slot(field_displacement), :))
+         largest = max(maxval(abs(model%x)), maxval(abs(u)))
+         do i = 1, size(model%rigid_bodies)
+            associate (r => model%rigid_bodies(i)%reference_node, n_tied => size(model%rigid_bodies(i)%tied), &
+               nodes => [model%rigid_bodies(i)%tied, model%rigid_bodies(i)%pinned])
+               do k = 1, size(nodes)
+                  associate (arm => model%x(:, nodes(k)) - model%x(:, r), rotation => state%rotation(:, :, r))
+                     departure = u(:, nodes(k)) - u(:, r) + arm - matmul(rotation, arm)
+                     if (norm2(departure) > allowed_departure*largest) then
+                        words = 'has left its place by '//to_text(norm2(departure))//' '//model%units%label('m')
+                     else if (k <= n_tied .and. any(abs(state%rotation(:, :, nodes(k)) - rotation) &
+                        > allowed_departure)) then
+                        words = 'has another rotation'
+                     end if
+                  end associate
+                  if (len(words) == 0) cycle
+                  words = 'node '//to_text(model%node_id(nodes(k)))//' of the rigid body of node '// &
+                     to_text(model%node_id(r))//' '//words
+                  return
+               end do
+            end associate
+         end do
+      end associate
+   end function not_rigid
 
    !> The largest values of each field, at present and when the step began; with displacements the coordinates, whose
    !> round-off they have.

@@ -197,6 +197,7 @@ contains
 
       associate (prescribed => problem%iterate%prescribed)
          call prescribed_increment(problem%loading, problem%state, prescribed)
+         call problem%iterate%bodies%carry(problem%iterate%x, prescribed)
          first_updated = last_slot_of_group(problem%scheme%n_coupled) + 1
          call problem%iterate%move(problem%state, problem%model%x, prescribed(first_updated:, :), first_updated)
          prescribed(first_updated:, :) = 0
@@ -352,6 +353,7 @@ contains
       correction = problem%iterate%prescribed
       call problem%scheme%solve(problem%matrix, problem%equations, problem%loading%load - problem%forces%internal &
          - problem%forces%iteration - problem%forces%prescribed, correction, error)
+      call problem%iterate%bodies%carry(problem%iterate%x, correction)
       call problem%timing%lap(phase_solve)
    end subroutine solve_step
 

@@ -7,6 +7,7 @@ module litz_problem
    use litz_fields, only: n_slots
    use litz_kinds, only: dp
    use litz_model, only: model_t
+   use litz_rigid_bodies, only: new_rigid_bodies
    use litz_rotations, only: identity3
    use litz_run_warnings, only: run_warnings_t
    use litz_scheme, only: scheme_t
@@ -51,6 +52,7 @@ contains
       allocate (problem%contact)
       call prepare_contact(model, problem%wires, problem%elements, problem%contact)
       call start_state(problem)
+      problem%iterate%bodies = new_rigid_bodies(model)
       call list_terms(problem%domain_t, problem%contact, problem%terms)
    end subroutine prepare_problem
 

@@ -6,6 +6,7 @@ module litz_term_list
    use litz_contact_term, only: contact_term_t
    use litz_domain, only: domain_t
    use litz_moment_term, only: moment_term_t
+   use litz_rigid_body_term, only: rigid_body_term_t
    use litz_stabilization_term, only: stabilization_term_t
    use litz_term, only: term_t, term_entry_t
    implicit none
@@ -24,6 +25,8 @@ contains
       call add(new_beam_term(domain%model%n_elements))
       call add(new_conductor_term(domain%elements%resistivity))
       if (contact%present) call add(contact_term_t(contact))
+      ! after all that has unknowns of dependent nodes and makes forces on them
+      call add(rigid_body_term_t())
       ! after all that makes moments
       call add(moment_term_t())
       call add(stabilization_term_t())

@@ -92,6 +92,7 @@ contains
             r(:, :n))
          call domain%timing%lap(phase_assembly)
       end do
+      if (size(domain%iterate%bodies%dependents) > 0) call suppose_forces(self, domain)
       self%sigma_from_strain = .false.
 
    contains
@@ -123,6 +124,27 @@ contains
       end subroutine evaluate_element
 
    end subroutine evaluate
+
+   !> `L B^T (sigma - C e)` at the nodes: what belongs to the geometric stiffness of the arms of rigid bodies, too.
+   subroutine suppose_forces(self, domain)
+      class(beam_term_t), intent(in) :: self
+      type(domain_t), intent(inout) :: domain
+      real(dp) :: force(3, 2, 2)
+      integer :: e, side
+
+      domain%forces%supposed = 0*domain%iterate%x
+      do e = 1, domain%model%n_elements
+         associate (nodes => domain%model%connectivity(:, e), supposed => domain%forces%supposed)
+            if (.not. any(domain%iterate%bodies%reference(nodes) > 0)) cycle
+            ! displacements and rotations of either node
+            force = reshape(domain%elements%length(e)*matmul(self%sigma(:, e) - self%section_forces(:, e), &
+               self%b(:, :, e)), [3, 2, 2])
+            do side = 1, 2
+               supposed(:, nodes(side)) = supposed(:, nodes(side)) + force(:, 1, side)
+            end do
+         end associate
+      end do
+   end subroutine suppose_forces
 
    !> No node turns by more than the cap on rotations in one iteration.
    real(dp) function bearable_fraction(self, domain, step, correction)

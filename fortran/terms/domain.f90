@@ -1,6 +1,7 @@
 !> A model as the terms see it: what stays the same, the unknowns, and the system of equations that the terms fill.
 module litz_domain
    use litz_kinds, only: dp
+   use litz_dependent_cells, only: scatter_dependent
    use litz_element_library, only: elements_t
    use litz_equations, only: equations_t, system_t
    use litz_fields, only: n_groups, depends_on, fields, field_of_slot
@@ -66,6 +67,8 @@ contains
          column_group => fields(field_of_slot(columns(1)))%group)
          call scatter(self%equations, nodes, rows, columns, k, self%iterate%prescribed, &
             self%matrix%block(row_group, column_group), self%forces, r)
+         if (size(self%iterate%bodies%dependents) > 0) call scatter_dependent(self%equations, self%iterate%bodies, &
+            self%iterate%x, nodes, rows, columns, k, self%matrix%block(row_group, column_group))
       end associate
    end subroutine add_cells
 

@@ -1,7 +1,8 @@
 !> The unknowns as they stand in the iteration, and how they move.
 module litz_iterate
    use litz_kinds, only: dp
-   use litz_fields, only: fields, n_fields, first_slot, last_slot, field_displacement
+   use litz_fields, only: fields, n_fields, first_slot, last_slot, field_displacement, motion_slots
+   use litz_rigid_bodies, only: rigid_bodies_t
    use litz_rotations, only: rotation_exp
    use litz_state, only: state_t
    implicit none
@@ -20,6 +21,8 @@ module litz_iterate
       real(dp), allocatable :: x(:, :), rotation(:, :, :)
       !> Positions when the increment began (3, n_nodes) [m]
       real(dp), allocatable :: x_start(:, :)
+      !> Nodes that move with others
+      type(rigid_bodies_t) :: bodies
    contains
       procedure :: start
       procedure :: move
@@ -42,7 +45,8 @@ contains
       self%x_start = self%x
    end subroutine start
 
-   !> `q <- q + dq`: positions and potentials add up, rotations follow one another.
+   !> `q <- q + dq`: positions and potentials add up, rotations follow one another; what moves with other nodes is
+   !> placed by these.
    pure subroutine move(self, state, x_reference, dq, first)
       class(iterate_t), intent(inout) :: self
       !> The state in which the increment began
@@ -77,6 +81,8 @@ contains
             end associate
          end associate
       end do
+      if (first <= motion_slots(2)) call self%bodies%place(x_reference, state%value, self%x, self%rotation, &
+         self%value, self%change)
    end subroutine move
 
 end module litz_iterate

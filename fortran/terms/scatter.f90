@@ -23,6 +23,9 @@ module litz_scatter
       real(dp), allocatable :: internal(:, :)
       !> What contacts that the prediction and the present gap judge differently add for this iteration only
       real(dp), allocatable :: iteration(:, :)
+      !> What the forces on nodes (3, n_nodes) [N] of the section forces that the iteration supposes are beyond the true
+      !> ones; only where there are rigid bodies, whose arms feel them
+      real(dp), allocatable :: supposed(:, :)
       !> Tangent times the prescribed increments
       real(dp), allocatable :: prescribed(:, :)
       !> Largest nodal force, moment and current of any cell: the reference of convergence

@@ -68,6 +68,8 @@ def model():
         + wire("LOW", straight((-0.01, 0, 0), (0.06, 0, 0), 5), 901, element="B33")
         + upper
         + "*NSET, NSET=HELD\n 901\n*NSET, NSET=HELD, GENERATE\n 101, 501, 100\n*NSET, NSET=SPARE\n 902\n"
+        "*NSET, NSET=TIED\n 302\n*NSET, NSET=PINNED\n 304\n*NSET, NSET=TIED TOO\n 203\n*NSET, NSET=OTHER\n 204\n"
+        "*RIGID BODY, REF NODE=303, TIE NSET=TIED, PIN NSET=PINNED\n*RIGID BODY, REF NODE=202, NSET=TIED TOO\n"
         "*ELSET, ELSET=UPS\n UP1, UP2, UP3, UP4\n*ELSET, ELSET=SOME\n 101, 102\n*ELSET, ELSET=SOME, GENERATE\n 201, 203, 1\n"
         + COPPER
         + BRASS
@@ -261,6 +263,7 @@ SOURCES = {name: (FORTRAN / "model" / f"{name}.f90").read_text() for name in ("m
 FREE_FIELDS = {
     "model_t": {"heading", "deck_text", "node_sets"},
     "contact_pair_t": {"file", "line"},
+    "rigid_body_t": {"file", "line"},
     "step_t": {
         # text, size of the increments, output, how it is solved
         "title", "nlgeom", "max_increments", "first", "smallest", "largest", "direct", "requests", "output_frequency",
@@ -269,10 +272,13 @@ FREE_FIELDS = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    "name",
-    ["model_t", "material_t", "section_t", "amplitude_t", "interaction_t", "contact_pair_t", "nodal_value_t", "step_t"],
-)
+TYPES = [
+    "model_t", "material_t", "section_t", "amplitude_t", "interaction_t", "contact_pair_t", "rigid_body_t", "nodal_value_t",
+    "step_t",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("name", TYPES)
 def test_every_field_of_the_model_is_recorded_or_free(name):
     """A field that is added to a type of the model is entered in model_record.f90, or here with its reason."""
     body = re.search(rf"type :: {name}\n(.*?)end type", SOURCES["model"], re.DOTALL)[1]
@@ -301,6 +307,8 @@ def differences(done):
         ("0, 0, 1, 1", "0, 0, 1, 1.5", "amplitude WAVE of step 1: factors changed"),
         ("*FRICTION\n 0.1", "*FRICTION\n 0.4", "coefficient of friction 0.1 in the restart file, 0.4 in the deck"),
         (" SOME, UP4", " SOME, UP3", "*CONTACT PAIR 6 of the deck: elements of the second set changed"),
+        ("*NSET, NSET=TIED\n 302", "*NSET, NSET=TIED\n 902", "the rigid body of node 303: tied nodes changed"),
+        ("REF NODE=202", "REF NODE=902", "the rigid body of node 202 in the restart file, but not in the deck"),
         (" 104, PINNED", " 104, 1, 2", "step 1: *BOUNDARY of degree of freedom 3 changed"),
         (" 906, 3, 1e-3", " 906, 3, 2e-3", "step 1: *CLOAD of degree of freedom 3 changed"),
         (" 906, 3, 1e-3", " 906, 2, 1e-3", "step 1: *CLOAD of degree of freedom 3 in the restart file, but not in the deck"),

@@ -142,6 +142,8 @@ program test_audit
    call expect(len(audit%finding) == 0, 'or by an amplitude: '//audit%finding)
    call make_loading(loading)
 
+   call check_rigid_body()
+
    wrong = right
    wrong%contacts(1)%normal = -wrong%contacts(1)%normal
    call expect_finding(wrong, 'the axes of contact 7 (elements 101 and 102) have passed each other')
@@ -207,6 +209,36 @@ program test_audit
 
 contains
 
+   !> Node 2 has moved with node 1; it may not have done so by a little more, or less, nor have another rotation.
+   subroutine check_rigid_body()
+      real(dp), parameter :: turn(3, 3) = reshape([0, 1, 0, -1, 0, 0, 0, 0, 1], [3, 3])
+      type(state_t) :: moved
+
+      deallocate (model%rigid_bodies)
+      allocate (model%rigid_bodies(1))
+      model%rigid_bodies(1)%reference_node = 1
+      model%rigid_bodies(1)%tied = [2]
+      model%rigid_bodies(1)%pinned = [integer ::]
+      call expect_rigid(right)
+      moved = right
+      ! a quarter of a turn about z, and a little along x
+      moved%rotation(:, :, 1) = turn
+      moved%rotation(:, :, 2) = turn
+      moved%value(1:2, 2) = [-2*half, 2*half]
+      moved%value(1, 1:2) = moved%value(1, 1:2) + 0.01_dp
+      call expect_rigid(moved)
+      moved%value(3, 2) = 1.0e-9_dp
+      call expect_finding(moved, 'node 12 of the rigid body of node 11 has left its place by 1e-09 m')
+      moved%value(3, 2) = 0
+      moved%rotation(:, :, 2) = right%rotation(:, :, 2)
+      call expect_finding(moved, 'node 12 of the rigid body of node 11 has another rotation')
+      model%rigid_bodies(1)%tied = [integer ::]
+      model%rigid_bodies(1)%pinned = [2]
+      call expect_rigid(moved)
+      deallocate (model%rigid_bodies)
+      allocate (model%rigid_bodies(0))
+   end subroutine check_rigid_body
+
    subroutine make_model(model)
       type(model_t), intent(out) :: model
 
@@ -220,6 +252,7 @@ contains
       model%element_section = [1, 1]
       allocate (model%sections(1), model%interactions(1), model%contact_pairs(1), model%steps(2), model%amplitudes(1))
       allocate (model%steps(1)%boundary(0), model%steps(2)%boundary(0))
+      allocate (model%rigid_bodies(0))
       model%amplitudes(1)%factor = [0.0_dp, -1.0e3_dp]
       model%sections(1)%contact_radius = radius
       model%interactions(1)%normal = normal_law('LINEAR', [1.0_dp])
@@ -266,6 +299,14 @@ contains
       allocate (loading%fixed(n_slots, 4), source=.false.)
       allocate (loading%value(n_slots, 4), loading%start_value(n_slots, 4), source=0.0_dp)
    end subroutine make_loading
+
+   !> Whatever else is wrong.
+   subroutine expect_rigid(state)
+      type(state_t), intent(in) :: state
+
+      audit = audit_increment(model, state, loading, at_rest, scales)
+      call expect(index(audit%finding, 'rigid body') == 0, 'the rigid body is in place: '//audit%finding)
+   end subroutine expect_rigid
 
    subroutine expect_finding(state, text)
       type(state_t), intent(in) :: state

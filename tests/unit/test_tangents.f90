@@ -1,9 +1,9 @@
 !> The tangent that a run composes, against differences of the forces that it composes.
 !>
 !> Decks with every term that adds to the equations: beams of both types, conductors (current lengths too), contacts
-!> with every normal law, spots, friction, several contacts on one element, damping, fixed moments. Each is brought to a
-!> converged state; from there all unknowns are moved at random, the section forces and the contact forces are those of
-!> the moved state, and random directions are followed by differences of the sixth order.
+!> with every normal law, spots, friction, several contacts on one element, damping, fixed moments, rigid bodies. Each
+!> is brought to a converged state; from there all unknowns are moved at random, the section forces and the contact
+!> forces are those of the moved state, and random directions are followed by differences of the sixth order.
 !>
 !> The forces are those of spins, the tangent is the Hessian for incremental rotation vectors: between them is half the
 !> skew matrix of the moment that is left over (theory section 3). A run leaves one term out, which would make the
@@ -31,6 +31,9 @@ program test_tangents
    character(len=*), parameter :: penalty = '*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR'//nl//'1e7'//nl
    character(len=*), parameter :: hertz = '*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ'//nl
    character(len=*), parameter :: spot = '*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ'//nl
+   !> Forces and moments on the reference nodes of rigid bodies
+   character(len=*), parameter :: loads_of_bodies = '*CLOAD'//nl//'21, 4, 0.02'//nl//'21, 6, -0.03'//nl//'21, 2, 0.3' &
+      //nl//'12, 5, 0.01'//nl//'12, 1, -0.2'//nl
    !> Differences are right to this part of the largest force that changes
    real(dp), parameter :: exact = 2.0e-7_dp
    integer :: failures = 0, term
@@ -58,6 +61,12 @@ program test_tangents
    call check_terms('friction that slips', 'B33', 'B33', penalty//'*FRICTION'//nl//'1e-4'//nl, '', '', exact)
    call check_terms('fixed moments and forces', 'B31', 'B33', penalty, '', &
       '*CLOAD'//nl//'3, 4, 0.02'//nl//'3, 6, -0.03'//nl//'13, 5, 0.01'//nl//'4, 2, 0.3'//nl, exact)
+   call check_terms('tied nodes', 'B31', 'B33', penalty//spot, '', loads_of_bodies, exact, bodies=bodies_of('TIE'))
+   call check_terms('pinned nodes', 'B33', 'B33', penalty//spot, '', loads_of_bodies, exact, bodies=bodies_of('PIN'))
+   call check_terms('tied nodes that stick', 'B33', 'B33', penalty//'*FRICTION'//nl//'0.8'//nl, '', loads_of_bodies, &
+      1.0e-4_dp, 0.01_dp, bodies_of('TIE'))
+   call check_terms('tied nodes that slip', 'B33', 'B33', penalty//'*FRICTION'//nl//'1e-4'//nl, '', loads_of_bodies, &
+      exact, bodies=bodies_of('TIE'))
    call check_terms('damping', 'B33', 'B33', penalty, '', '*CONTROLS, PARAMETERS=STABILIZE'//nl//'1e-3'//nl, exact)
    do term = 1, size(has_added)
       if (has_added(term)) cycle
@@ -69,8 +78,8 @@ program test_tangents
 contains
 
    !> Two wires pressed together, each clamped or led at its ends, with a current from one to the other.
-   function deck_of(type_1, type_2, laws, options, loads) result(deck)
-      character(len=*), intent(in) :: type_1, type_2, laws, options, loads
+   function deck_of(type_1, type_2, laws, options, loads, bodies) result(deck)
+      character(len=*), intent(in) :: type_1, type_2, laws, options, loads, bodies
       character(len=:), allocatable :: deck
 
       deck = '*NODE'//nl//'1, -0.03, 0, 0'//nl//'2, -0.012, 0, 0'//nl//'3, 0.009, 0.001, 0'//nl//'4, 0.03, 0, 0'//nl// &
@@ -82,9 +91,22 @@ contains
          '*BEAM SECTION, ELSET=A, MATERIAL=M, SECTION=CIRC'//nl//'1e-3'//nl// &
          '*BEAM SECTION, ELSET=B, MATERIAL=M, SECTION=CIRC'//nl//'0.8e-3'//nl// &
          '*SURFACE INTERACTION, NAME=T'//options//nl//laws//'*CONTACT PAIR, INTERACTION=T'//nl//'A, B'//nl// &
-         '*BOUNDARY'//nl//'1, 1, 6'//nl//'4, 1, 6'//nl
+         bodies//'*BOUNDARY'//nl//'1, 1, 6'//nl//'4, 1, 6'//nl
       deck = deck//step_of(-4.0e-4_dp, '')//step_of(-5.0e-4_dp, loads)
    end function deck_of
+
+   !> Two rigid bodies, with a node on each of the elements that touch: one whose reference node is outside the wires,
+   !> and one whose reference node is the other node of the element.
+   function bodies_of(kind) result(cards)
+      character(len=*), intent(in) :: kind
+      character(len=:), allocatable :: cards
+
+      cards = '*NODE'//nl//'21, 0.004, 0.006, -0.005'//nl//'*NSET, NSET=N2'//nl//'2'//nl//'*NSET, NSET=N3'//nl//'3'// &
+         nl//'*NSET, NSET=N13'//nl//'13'//nl//'*RIGID BODY, REF NODE=21, '//kind//' NSET=N3'
+      ! what is pinned at one point only may turn about it
+      if (kind == 'PIN') cards = cards//', TIE NSET=N2'
+      cards = cards//nl//'*RIGID BODY, REF NODE=12, '//kind//' NSET=N13'//nl
+   end function bodies_of
 
    function step_of(push, loads) result(step)
       real(dp), intent(in) :: push
@@ -99,41 +121,57 @@ contains
          '11, 9, 9, 0'//nl//'*END STEP'//nl
    end function step_of
 
-   subroutine check_terms(name, type_1, type_2, laws, options, loads, tolerance, part)
+   subroutine check_terms(name, type_1, type_2, laws, options, loads, tolerance, part, bodies)
       character(len=*), intent(in) :: name, type_1, type_2, laws, options, loads
       real(dp), intent(in) :: tolerance
       !> Of the usual random motion
       real(dp), intent(in), optional :: part
+      !> Cards of rigid bodies
+      character(len=*), intent(in), optional :: bodies
       type(problem_t) :: problem
+      character(len=:), allocatable :: cards
       real(dp) :: motion
       integer :: trial
 
       motion = 1
       if (present(part)) motion = part
-      call solve_first_step(deck_of(type_1, type_2, laws, options, loads), problem)
+      cards = ''
+      if (present(bodies)) cards = bodies
+      call solve_first_step(deck_of(type_1, type_2, laws, options, loads, cards), problem)
       do trial = 1, 3
          call compare(name, problem, tolerance, motion)
       end do
       call note_terms(problem)
    end subroutine check_terms
 
-   !> Which terms add forces or tangents by themselves.
+   !> Which terms change what those before them have made.
    subroutine note_terms(problem)
       type(problem_t), intent(inout) :: problem
       type(error_t), allocatable :: error
-      integer :: i, j
+      real(dp), allocatable :: before(:)
+      integer :: i
 
       if (.not. allocated(has_added)) allocate (has_added(size(problem%terms)), source=.false.)
+      call problem%clear_system()
       do i = 1, size(problem%terms)
-         call problem%clear_system()
+         before = all_of(problem)
          call problem%terms(i)%term%evaluate(problem%domain_t, error)
          call stop_on(error)
-         has_added(i) = has_added(i) .or. any(abs(problem%forces%internal) > 0)
-         do j = 1, n_groups
-            has_added(i) = has_added(i) .or. any(abs(problem%matrix%block(j, j)%value) > 0)
-         end do
+         has_added(i) = has_added(i) .or. any(abs(all_of(problem) - before) > 0)
       end do
    end subroutine note_terms
+
+   !> All forces and tangents.
+   function all_of(problem) result(values)
+      type(problem_t), intent(in) :: problem
+      real(dp), allocatable :: values(:)
+      integer :: j
+
+      values = reshape(problem%forces%internal, [size(problem%forces%internal)])
+      do j = 1, n_groups
+         values = [values, problem%matrix%block(j, j)%value]
+      end do
+   end function all_of
 
    !> The state in the middle of the second step is what the comparison starts from.
    subroutine solve_first_step(deck, problem)
@@ -221,6 +259,7 @@ contains
       real(dp), intent(in) :: there(:, :), v(:, :), t
       real(dp), intent(out) :: force(:, :)
       type(error_t), allocatable :: error
+      integer :: i
 
       call start_iterate(problem)
       call problem%iterate%move(problem%state, problem%model%x, there, 1)
@@ -234,6 +273,11 @@ contains
       end select
       problem%contact%points%mixed_force = problem%contact%points%force
       problem%contact%points%predicted = .false.
+      ! what an iteration supposes of friction is what it finds
+      problem%contact%points%friction_iteration%status = problem%contact%points%friction%status
+      do i = 1, size(problem%contact%points)
+         problem%contact%points(i)%friction_iteration%mixed_traction = problem%contact%points(i)%friction%traction
+      end do
       call evaluate(problem, error)
       call stop_on(error)
       force = problem%forces%internal
