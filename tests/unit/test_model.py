@@ -137,6 +137,7 @@ def test_the_program_accepts_all_that_can_be_said(litz_program, tmp_path):
     )
     model.contact(side, conductance=litz.ConstantSpot(1e-3))
     model.contact(more, conductance=litz.TableSpot([1, 2], [3e-3, 1e-3]))
+    model.rigid_body((0.35, 1, 0), tie=more.middle, pin=more.end)
     ramp = model.amplitude("RAMP", np.linspace(0, 1, 7), np.linspace(0, 1, 7) ** 2)
     step.force(side.end, "x", 1.0)
     step.moment(side.end, "y", 1e-3, amplitude=ramp)
@@ -355,3 +356,50 @@ def test_op_new_without_a_value_removes_the_loads_of_earlier_steps(built):
     last = model.to_deck().rpartition("*STEP")[2]
     assert [line for line in last.splitlines() if "CLOAD" in line] == ["*CLOAD, OP=NEW"]
     assert "*BOUNDARY" not in last
+
+
+# Rigid bodies
+
+
+def bundle():
+    model = litz.Model("a pair")
+    axes = [[(0, y, 0), (0.05, y, 0), (0.1, y, 0)] for y in (-1.5e-3, 1.5e-3)]
+    return model, model.wires("PAIR", axes, **WIRE)
+
+
+def test_nodes_move_with_a_new_node_or_one_of_the_model(litz_program, tmp_path):
+    model, pair = bundle()
+    clamp = model.rigid_body((0.1, 0, 0), tie=pair.end)
+    assert (clamp, model.x[clamp - 1].tolist()) == (7, [0.1, 0, 0])
+    assert model.rigid_body(1, tie=[4], pin=[5]) == 1
+    assert model.rigid_body(model.nodes([(0, 0, 0.01)]), pin=[2]) == 8
+    model.fix(clamp)
+    model.fix(pair.start, "potential")
+    model.step().move(1, "rx", 0.1)
+    cards = deck_of(model).find("RIGID BODY")
+    assert [card["REF NODE"] for card in cards] == [7, 1, 8]
+    assert [list(card.parameters) for card in cards] == [
+        ["REF NODE", "TIE NSET"],
+        ["REF NODE", "TIE NSET", "PIN NSET"],
+        ["REF NODE", "PIN NSET"],
+    ]
+    (tmp_path / "deck.inp").write_text(model.to_deck())
+    done = subprocess.run([litz_program, "check", tmp_path / "deck.inp"], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert "rigid body of reference node 7: 2 nodes tied, 0 pinned" in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        ("model.rigid_body(1)", "needs nodes that follow its reference node"),
+        ("model.rigid_body(pair.end, tie=[1])", "one reference node, not <Nodes PAIR_END"),
+        ("model.rigid_body(99, tie=[1])", "there are nodes 1 to 6, not 99"),
+        ("model.rigid_body((0, 0), tie=[1])", r"points must be finite positions, an array of shape \(n, 3\)"),
+        ("model.rigid_body(1, tie='PAIRS')", "there is no node set 'PAIRS'; did you mean 'PAIR'"),
+    ],
+)
+def test_a_rigid_body_needs_one_reference_node_and_others(call, message):
+    model, pair = bundle()
+    with pytest.raises(ValueError, match=message):
+        eval(call, {"model": model, "pair": pair})

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from numbers import Integral
 from typing import Any
 
 from ..base.names import nearest_name
@@ -13,7 +14,7 @@ from .loading import Amplitude, Direction, Prescribed, Target, ranges_of
 from .names import AnyNodes
 from .steps import Step
 from .wire_model import WireModel
-from .wires import WireGroup
+from .wires import Nodes, WireGroup
 
 #: Maximum number of groups and steps in the description of a model
 _MAX_LISTED = 12
@@ -134,6 +135,48 @@ class LoadedModel(WireModel):
         """
         target = self.target(nodes)
         self.supports += [Prescribed(target, first, last) for first, last in ranges_of(directions)]
+
+    def rigid_body(
+        self, reference: int | Nodes | Sequence[float], *, tie: AnyNodes | None = None, pin: AnyNodes | None = None
+    ) -> int:
+        """Let nodes move with a reference node as one rigid body.
+
+        Parameters
+        ----------
+        reference : int, Nodes or (3) array
+            The reference node, or the position of a new one [m].
+        tie : int, str, Nodes, WireGroup or sequence, optional
+            Nodes whose displacements and rotations follow.
+        pin : int, str, Nodes, WireGroup or sequence, optional
+            Nodes whose displacements follow; their rotations are free.
+
+        Returns
+        -------
+        int
+            Number of the reference node: hold, move, turn or load it.
+
+        Examples
+        --------
+        >>> import litz
+        >>> model = litz.Model("a twisted pair")
+        >>> copper = model.material("COPPER", young=120e9, poisson=0.34)
+        >>> axes = [[(0, y, 0), (0.05, y, 0), (0.1, y, 0)] for y in (-1e-3, 1e-3)]
+        >>> pair = model.wires("PAIR", axes, radius=0.5e-3, material=copper)
+        >>> model.fix(model.rigid_body((0, 0, 0), tie=pair.start))
+        >>> clamp = model.rigid_body((0.1, 0, 0), tie=pair.end)
+        >>> step = model.step("TWIST", increment=0.05)
+        >>> step.move(clamp, "rx", 6.28)
+        """
+        if tie is None and pin is None:
+            raise ValueError("a rigid body needs nodes that follow its reference node: tie, pin, or both")
+        known = isinstance(reference, Nodes | Integral)
+        node, *others = self._members(reference) if known else self.nodes([reference])
+        if others:
+            raise ValueError(f"a rigid body has one reference node, not {reference!r}")
+        sets = {"TIE NSET": tie, "PIN NSET": pin}
+        named = {key: self.node_set_of(nodes) for key, nodes in sets.items() if nodes is not None}
+        self.card("RIGID BODY", {"REF NODE": node, **named})
+        return node
 
     def amplitude(self, name: str, t: Sequence[float], a: Sequence[float], time: str = "STEP TIME") -> Amplitude:
         """Define a factor `a` [-] over the times `t` [s] of the step, or with `time="TOTAL TIME"` of all steps."""
