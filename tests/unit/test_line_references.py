@@ -1,5 +1,6 @@
 """Reference solutions for wires side by side: against printed values, and against computations of another kind."""
 
+import importlib
 import math
 import sys
 from pathlib import Path
@@ -11,6 +12,8 @@ from scipy.special import j1
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
+from verification import line_decks
+from verification.claims import read_claims
 from verification.references.capstan import capstan
 from verification.references.helical_rods import STRAIGHT, Helix, Rod, Strand, TwistedPair, energy, loads
 from verification.references.line_joints import LineJoint
@@ -249,6 +252,8 @@ def test_two_clamped_beams_share_a_load(stiffness):
     assert found.success
     pressure = stiffness * (found.sol(x)[0] - found.sol(x)[4])
     np.testing.assert_allclose(beams.pressure(x), pressure, atol=2e-5 * beams.far_pressure)
+    # the shear at the clamp of the lower beam
+    assert beams.reaction == pytest.approx(abs(3.0 * found.sol(0.0)[7]), rel=1e-5)
 
 
 def test_a_slipping_pair():
@@ -294,3 +299,95 @@ def test_a_capstan_of_a_limp_rod_is_that_of_euler():
 def test_a_rod_that_is_pulled_too_little_does_not_reach_the_drum():
     with pytest.raises(ValueError, match="does not bring the rod onto the drum"):
         capstan(0.4, math.pi, 0.1)
+
+
+def test_the_claims_about_line_contact_stand():
+    claims = {claim.id: claim for claim in read_claims(CLAIMS)}
+    assert {claim.script for claim in claims.values()} == set(EXPECTED)
+    assert not set(claims) & {claim.id for claim in read_claims()}
+
+
+CLAIMS = Path(__file__).parents[2] / "verification" / "line_contact.toml"
+#: What the reference solutions give for each claim of a case
+EXPECTED = {
+    "twisted_pair": lambda case: {
+        f"twisted_pair.{law}{name}": getattr(case.states(approach)[1][-1], name)
+        for law, approach in (("", case.approach_of(case.PAIR.rod, case.PAIR.rod)), ("linear.", lambda f: f / 1e11))
+        for name in ("force", "moment", "line_force")
+    },
+    "pulled_strand": lambda case: {
+        f"pulled_strand.{name}": getattr(case.exact(), name) for name in ("force", "moment", "line_force")
+    },
+    "line_joints": lambda case: (
+        {
+            f"line_joints.{name}.{what}": value
+            for name, pair in case.PAIRS.items()
+            for force in [pair.force(case.OVERLAP)]
+            for what, value in (("force", force), ("conductance", pair.conductance(force)))
+        }
+        | {
+            f"line_joints.{kind}": [
+                getattr(LineJoint(case.LENGTH, g, case.RESISTANCE, case.RESISTANCE), kind)() for g in case.CONDUCTANCES
+            ]
+            for kind in ("lap", "hairpin")
+        }
+    ),
+    "touching_beams": lambda case: {
+        "touching_beams.tip": [case.TIPS.support_deflection, case.TIPS.deflection],
+        "touching_beams.tip_force": case.TIPS.contact_force,
+        "touching_beams.middle": [case.BENDING.force / 2, case.BENDING.deflection],
+        "touching_beams.reaction": case.SHARED.reaction,
+    },
+    "slipping_pair": lambda case: {"slipping_pair.path": case.PAIR.path(case.FORCES)},
+}
+
+
+@pytest.mark.parametrize("name", EXPECTED)
+def test_the_values_of_the_claims_are_those_of_the_reference_solutions(name):
+    case = importlib.import_module(f"verification.cases.{name}")
+    claims = {claim.id: claim.reference for claim in read_claims(CLAIMS) if claim.script == name}
+    expected = EXPECTED[name](case)
+    assert set(expected) == set(claims)
+    for key, value in expected.items():
+        # as many digits as stand in the claims
+        assert claims[key] == pytest.approx(value, rel=1e-10), key
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        lambda: line_decks.twisted_pair(PAIR, [PAIR.stretched(0.02, 1.0)], [0.02], 6),
+        lambda: line_decks.pulled_strand(STRAND, [STRAND.state(1e-4)], 0.02, 6),
+        lambda: line_decks.cantilevers(PAIR.rod, PAIR.rod, Cantilevers(0.15, 0.1, 2.0, 3.0, 1.0), (4, 7)),
+        lambda: line_decks.three_point_bending(PAIR.rod, PAIR.rod, ThreePointBending(0.2, 2.0, 3.0, 10.0), (4, 5)),
+        lambda: line_decks.shared_load(
+            PAIR.rod, PAIR.rod, SharedLoad(0.2, 2.0, 3.0, 100.0, 1e9), (4, 5), stiffness=None
+        ),
+        lambda: line_decks.pressed_pair(ParallelWires(COPPER, STEEL), [1e-7], 0.02, 4, elements_2=5),
+        lambda: line_decks.pressed_pair(ParallelWires(COPPER, STEEL), [1e-7], 0.02, 4, potentials="lap"),
+        lambda: line_decks.slipping_pair(PAIR.rod, SlippingPair(0.5e-3, 50e-3, 200e9, 200.0, 0.3), 4, [0.1]),
+    ],
+    ids=["twisted", "strand", "cantilevers", "three points", "shared", "pressed", "lap", "slipping"],
+)
+def test_the_decks_are_read(text, litz, tmp_path):
+    deck = tmp_path / "deck.inp"
+    deck.write_text(text())
+    done = litz("check", deck)
+    assert "error" not in done.stderr.replace("errors", "") or "not modelled" in done.stderr, done.stderr
+
+
+def test_the_ends_of_a_twisted_pair_follow_its_helices():
+    """The section at the end of a helix stands normal to its tangent, and turns on without a jump."""
+    vector = np.zeros(3)
+    for turn in np.linspace(0, 1.5 * math.pi, 200):
+        helix = Helix(0.5e-3, 1.0, 100.0)
+        place, rotation = line_decks.on_helix(helix, turn, 0.3)
+        w = helix.turn
+        tangent = [-helix.radius * w * math.sin(turn), helix.radius * w * math.cos(turn), helix.height]
+        np.testing.assert_allclose(rotation.apply([0, 0, 1]), tangent / np.linalg.norm(tangent), atol=1e-14)
+        np.testing.assert_allclose(
+            place, [helix.radius * math.cos(turn), helix.radius * math.sin(turn), 0.3], atol=1e-18
+        )
+        following = line_decks.rotation_vector(rotation, np.array([0.0, 0.0, turn]))
+        assert np.linalg.norm(following - vector) < 0.1 + (turn == 0)
+        vector = following

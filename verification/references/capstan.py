@@ -6,8 +6,8 @@ moment goes from 0 to B/R, so that N = T - B/(2 R^2) at the lift-off, with a she
 as a point force, with the friction mu P; the tail has turned by the angle whose cosine is N/T. Friction acts on the
 centre line: the rod is much thinner than the drum.
 
-Source: J. H. Jung, N. Pan, T. J. Kang, Text. Res. J. 78 (2008) (capstan equation with bending rigidity); first integral of the
-elastica, A. E. H. Love, A Treatise on the Mathematical Theory of Elasticity, 4th ed. (1927), article 262.
+Source: H. Singh, J. Elast. 151 (2022) 321-346, doi 10.1007/s10659-022-09939-8 (rod on a capstan, with friction); first
+integral of the elastica, A. E. H. Love, A Treatise on the Mathematical Theory of Elasticity, 4th ed. (1927), article 262.
 """
 
 import math

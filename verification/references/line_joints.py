@@ -4,8 +4,8 @@ Voltage u = v_1 - v_2 between the wires, currents I_1 and I_2 along them, resist
 conductance g of the contact per length [S/m]: u' = r_2 I_2 - r_1 I_1, I_1' = -g u, I_2' = g u. All quantities go with
 exp(+-m x), m^2 = (r_1 + r_2) g; 1/m is the transfer length.
 
-Source: the transmission line, as for the lap joint of superconducting and copper wires, M. N. Wilson, Superconducting Magnets
-(1983); W. Thomson, Proc. R. Soc. 7 (1855) 382-399.
+Source: the transmission line of W. Thomson, Proc. R. Soc. 7 (1855) 382-399; for joints of two conductors H. H. Berger,
+J. Electrochem. Soc. 119 (1972) 507-514.
 """
 
 import math

@@ -113,6 +113,15 @@ class SharedLoad:
         values, _ = _waves(np.asarray(x, dtype=float) / self.decay_length, end)
         return self.far_pressure * (1 - np.tensordot(factors, values, axes=1))
 
+    @property
+    def reaction(self):
+        """Force of the other beam on each of its clamps [N]: half of what presses on it, by Simpson's rule."""
+        n = 2 * max(500, round(100 * self.span / self.decay_length))
+        weights = np.resize([2.0, 4.0], n + 1)
+        weights[[0, -1]] = 1.0
+        pressure = self.pressure(np.linspace(0, self.span, n + 1))
+        return float(weights @ pressure) * self.span / (3 * n) / 2
+
 
 def _waves(x, end):
     """The four solutions of the fourth derivative of y being -4 y, which fall from either end of 0 < x < `end`; slopes."""
