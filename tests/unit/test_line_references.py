@@ -20,6 +20,7 @@ from verification.references.line_joints import LineJoint
 from verification.references.parallel_wires import ParallelWires, PressedWire
 from verification.references.slipping_pair import SlippingPair
 from verification.references.touching_beams import Cantilevers, SharedLoad, ThreePointBending
+from verification.run import main
 
 PAIR = TwistedPair(Rod(0.5e-3, 200e9, 0.3), 0.1)
 STRAND = Strand(Rod(1.97e-3, 188e9, 0.3), Rod(1.865e-3, 188e9, 0.3), 6, 0.115)
@@ -305,6 +306,11 @@ def test_the_claims_about_line_contact_stand():
     claims = {claim.id: claim for claim in read_claims(CLAIMS)}
     assert {claim.script for claim in claims.values()} == set(EXPECTED)
     assert not set(claims) & {claim.id for claim in read_claims()}
+
+
+def test_a_list_of_claims_of_its_own_is_read(capsys):
+    assert main(["--claims", str(CLAIMS), "elastica"]) == 2
+    assert "there is no case elastica; there are twisted_pair, pulled_strand" in capsys.readouterr().err
 
 
 CLAIMS = Path(__file__).parents[2] / "verification" / "line_contact.toml"
