@@ -74,11 +74,11 @@ def rotation_vector(rotation, near):
     return vector * (1 + 2 * math.pi * turns / angle)
 
 
-def twisted_pair(pair, states, turns, elements, *, increment=0.02, stiffness=None, element="B33"):
+def twisted_pair(pair, states, turns, elements, *, stiffness=None, element="B33"):
     """Two straight wires along z that are twisted to helices; both ends are turned by half.
 
-    pair: `helical_rods.TwistedPair`; states: `helical_rods.State` at `turns` (n), which the ends follow from rest, at
-    equal times of the step; increment: largest increment of its time.
+    pair: `helical_rods.TwistedPair`; states: `helical_rods.State` at `turns` (n), which the ends reach in equal increments
+    from rest. Increments are not cut: between two states the ends would move along the chord, where they overlap.
     """
     z = np.linspace(0.0, pair.length, elements + 1)
     zero = np.zeros_like(z)
@@ -109,7 +109,7 @@ def twisted_pair(pair, states, turns, elements, *, increment=0.02, stiffness=Non
         material("STEEL", pair.rod, "ONE", "OTHER"),
         touching(("ONE", "OTHER"), stiffness=stiffness),
         *tables,
-        f"*STEP, INC=1000\n*STATIC\n {increment}, 1., 1.e-6, {increment}",
+        f"*STEP, INC={len(turns)}\n*STATIC, DIRECT\n {1 / len(turns):.17g}, 1.",
         *led,
         "*NODE PRINT, NSET=TURNED\n U, RF, RM\n*END STEP",
     )

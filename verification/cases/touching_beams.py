@@ -43,7 +43,7 @@ def draw(values, path):
         x = np.linspace(0, SHARED.span, 1000)
         pressure.plot(1e3 * x, SHARED.pressure(x), label="exact", **figures.REFERENCE)
         place, force = (np.array(column) for column in values["figure"])
-        edges = np.linspace(0, SHARED.span, 41)
+        edges = np.linspace(0, SHARED.span, 21)
         mean = np.histogram(place, edges, weights=force)[0] / np.diff(edges)
         pressure.plot(1e3 * (edges[1:] + edges[:-1]) / 2, mean, **figures.STYLES["B33"], linestyle="none", label="litz")
         pressure.set(xlabel="x [mm]", ylabel="line force [N/m]")

@@ -15,8 +15,8 @@ from verification.references.parallel_wires import ParallelWires, PressedWire
 PAIR = TwistedPair(Rod(0.5e-3, 200e9, 0.3), 0.1)
 #: Force over overlap of the linear law [N/m^2]
 STIFFNESS = 1e11
-#: States that the ends follow: on the chord from one to the next they come nearer by 1e-6 of the radius
-STATES = 1000
+#: Increments of the turn
+STATES = 100
 MESHES = (20, 40, 80)
 
 
