@@ -12,6 +12,8 @@ else:
     import tomli as tomllib
 
 FOLDER = Path(__file__).parent
+#: The list of claims
+CLAIMS = FOLDER / "claims.toml"
 
 #: How the reference value is known
 PROVENANCE = {
@@ -87,7 +89,7 @@ class Verdict:
     remark: str = ""
 
 
-def read_claims(path=FOLDER / "claims.toml"):
+def read_claims(path=CLAIMS):
     """All claims, in the order of the file; a claim takes over what its case says and it does not say itself."""
     names = {field.name for field in fields(Claim)}
     claims = []

@@ -1,6 +1,6 @@
 """Measure the claims and write the report.
 
-    python -m verification.run [--quick] [-o DIRECTORY] [CASE ...]
+    python -m verification.run [--quick] [--claims FILE] [-o DIRECTORY] [CASE ...]
 
 Exit code 0: every claim holds; 1: there is a miss; 2: wrong arguments or a claim that cannot stand.
 """
@@ -16,7 +16,7 @@ from pathlib import Path
 
 import matplotlib
 
-from verification.claims import FOLDER, ClaimError, judge, missed, read_claims
+from verification.claims import CLAIMS, FOLDER, ClaimError, judge, missed, read_claims
 from verification.report import write_reports
 from verification.workspace import Workspace, two_processes
 
@@ -62,9 +62,9 @@ def run_case(name, claims, directory, quick):
     )
 
 
-def verify(names=(), *, quick=False, directory=Path("results/verification"), processes=2):
+def verify(names=(), *, quick=False, directory=Path("results/verification"), processes=2, claims_file=CLAIMS):
     """Run cases and return their reports, in the order of the claims."""
-    claims = read_claims()
+    claims = read_claims(claims_file)
     cases = list(dict.fromkeys(claim.script for claim in claims if claim.quick or not quick))
     if unknown := set(names) - set(cases):
         raise ClaimError(f"there is no case {', '.join(sorted(unknown))}; there are {', '.join(cases)}")
@@ -97,9 +97,10 @@ def main(arguments=None):
     parser.add_argument("cases", nargs="*", metavar="CASE", help=f"scripts in {FOLDER.name}/cases; default: all")
     parser.add_argument("--quick", action="store_true", help="only the claims marked quick")
     parser.add_argument("-o", "--output", type=Path, default=Path("results/verification"), metavar="DIRECTORY")
+    parser.add_argument("--claims", type=Path, default=CLAIMS, metavar="FILE", help="the list of claims")
     options = parser.parse_args(arguments)
     try:
-        reports = verify(options.cases, quick=options.quick, directory=options.output)
+        reports = verify(options.cases, quick=options.quick, directory=options.output, claims_file=options.claims)
     except ClaimError as error:
         print(f"error: {error}", file=sys.stderr)
         return 2

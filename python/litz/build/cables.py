@@ -1,16 +1,28 @@
 """Helical strands and cables of several stages."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import chain, islice
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..model import COPPER, HERTZ_AND_HOLM, Interaction, Material, Model
+from ..model.wires import Wire
 from .geometry import rounded, smallest_gap
+from .helices import Lay
+from .layers import Layer, radius_of_layer
+from .winding import StraightAxis, WoundAxis, points
 
-#: Straight pieces per element in the search for overlaps
-_PARTS = 4
+#: Wires may overlap by this share of the smallest radius where their axes are interpolated between the nodes
+OVERLAP = 2e-4
+#: Elements by default: length in radii of the thinnest wire, and share of OVERLAP that interpolation may take
+_LENGTH, _SHARE = 3.0, 0.5
+#: Pieces per element in the search for overlaps
+_PARTS = 2
 #: Maximum number of attempts to lay a cable without overlaps, each with larger gaps
 _TRIES = 20
 
@@ -18,197 +30,329 @@ _TRIES = 20
 def strand(
     layers: Sequence[int],
     *,
-    radius: float,
-    lay_length: float | Sequence[float],
+    radius: float | Sequence[float],
     length: float,
-    clearance: float | None = None,
-    elements_per_lay: int = 16,
-    material: Material = COPPER,
+    lay_length: float | Sequence[float] | None = None,
+    lay_angle: float | Sequence[float] | None = None,
+    direction: str | None = None,
+    clearance: float = 0.0,
+    enlarge: bool = False,
+    element_length: float | None = None,
+    elements_per_lay: int | None = None,
+    material: Material | Sequence[Material] = COPPER,
     interaction: Interaction = HERTZ_AND_HOLM,
     element: str = "B33",
 ) -> Model:
-    """Helical strand: a straight core wire, if the first layer has one wire, and layers of helices around it.
+    """Helical strand along z: a straight core wire, if the first layer has one wire, and layers of helices around it.
 
-    A cable of one stage; see `cable`, where the layers, supports and sets are described.
+    Each layer lies on the one inside. Inclined round wires take more room side by side than straight ones: where the wires of a
+    layer would overlap each other, that is an error, which says by how much and what fits; with `enlarge` the layer gets
+    the radius at which its wires touch each other. Distances of neighbours are exact, over the whole length.
+
+    Parameters
+    ----------
+    layers : sequence of int
+        Number of wires of each layer, from the inside: `[1, 6, 12]`.
+    radius : float or sequence of float
+        Radius of the wires [m], of all or of each layer.
+    length : float
+        Length of the strand [m].
+    lay_length : float or sequence of float
+        Length of one turn along z [m], of all layers around the core or of each; positive: right-handed (Z), negative:
+        left-handed (S); or else
+    lay_angle : float or sequence of float
+        Angle between wires and z at their centre lines [rad], with the same signs.
+    direction : str, optional
+        Hand of the layers around the core in place of signs, a letter for each, repeated: "Z" lays all right-handed,
+        "SZ" in turns, the innermost left-handed.
+    clearance : float
+        Smallest gap between the surfaces of wires [m]; 0: they just touch.
+    enlarge : bool
+        Layers whose wires would overlap each other get a larger radius.
+    element_length : float, optional
+        Length of the elements along z [m]; or else
+    elements_per_lay : int, optional
+        Elements of a wire on each turn of the shortest lay. Left out both: three radii at most, as contact along lines
+        needs, and so short that wires overlap by 1e-4 of their radius at most between the nodes.
+    material : Material or sequence of Material
+        What the wires are made of, all or each layer.
+    interaction, element
+        The laws of their contacts, type of the elements.
+
+    Returns
+    -------
+    Model
+        Groups CORE, LAYER1, LAYER2, ...; element set WIRES with all; node sets MINUS (z = 0, clamped) and PLUS (z = length,
+        free along z only, and guided: `model.press(-d)` pulls by d). `model.groups["LAYER1"].start` and `.end` are the
+        ends of one layer.
+
+    Raises
+    ------
+    ValueError
+        For arguments out of range, and for layers that do not fit.
+
+    Notes
+    -----
+    The nodes lie exactly on the helices. Between them the program takes the axis as a cubic with tangents of second order,
+    which lies by `3/128 R x^4` inside a helix of radius R with elements of the turn x [rad]. Where such axes
+    overlap by more than 2e-4 of the smallest radius, all gaps are enlarged until they do not.
 
     Examples
     --------
-    >>> strand([1, 6], radius=0.1e-3, lay_length=4e-3, length=8e-3)
-    <Model 'Cable of 7 wires': 231 nodes, 224 elements
-      <7 wires WIRES: 224 B33 elements, radius 0.0001, COPPER>
+    >>> strand([1, 6], radius=[1.97e-3, 1.865e-3], lay_length=0.23, length=0.115)
+    <Model 'Strand of 1+6 wires': 154 nodes, 147 elements
+      <wire CORE: 21 B33 elements, radius 0.00197, COPPER>
+      <6 wires LAYER1: 126 B33 elements, radius 0.001865, COPPER>
       contact among WIRES: TOUCH>
     """
-    return cable(
-        [layers],
-        radius=radius,
-        lay_lengths=[lay_length],
-        length=length,
-        clearance=clearance,
-        elements_per_lay=elements_per_lay,
-        material=material,
-        interaction=interaction,
-        element=element,
-    )
+    if (lay_length is None) == (lay_angle is None):
+        raise ValueError("a strand needs either lay_length or lay_angle")
+    lays = _lays(layers, lay_length, lay_angle, direction)
+    name = f"Strand of {'+'.join(map(str, layers))} wires"
+    return _Plan(
+        name, [layers], [lays], radius, length, clearance, enlarge, element_length, elements_per_lay, material
+    ).model(interaction, element)
 
 
 def cable(
     stages: Sequence[Sequence[int]],
     *,
-    radius: float,
+    radius: float | Sequence[float],
     lay_lengths: Sequence[float | Sequence[float]],
     length: float,
-    clearance: float | None = None,
-    elements_per_lay: int = 16,
-    material: Material = COPPER,
+    clearance: float = 0.0,
+    enlarge: bool = True,
+    element_length: float | None = None,
+    elements_per_lay: int | None = None,
+    material: Material | Sequence[Material] = COPPER,
     interaction: Interaction = HERTZ_AND_HOLM,
     element: str = "B33",
 ) -> Model:
     """Cable of several stages along z: wires are laid to strands, strands to ropes, and so on.
 
-    The first stage lays wires, every later one lays bundles of the stage before. The radius of each layer is the smallest
-    at which its members keep the clearance from each other and from the layer inside; if wires still overlap,
-    because curved bundles bend towards each other, the cable is laid again with larger gaps.
-
-    Neighbouring wires of a layer are nearly parallel and touch along lines. litz models contacts of crossing wires as
-    points and has no line contact: the geometry is correct, but a run reports the number of such
-    pairs and ends when they touch.
+    The first stage lays wires, every later one lays bundles of the stage before: `[[3], [3], [5]]` is a petal of an ITER
+    cable. Centre lines are exact: helices about helices, in the planes normal to these, each turn along the arc of what it is
+    wound around. In a layer, bundles have the room of round rods; if wires still overlap, because curved bundles
+    bend towards each other, the cable is laid again with larger gaps.
 
     Parameters
     ----------
     stages : sequence of sequences of int
         Members of each layer of each stage, from the inside: `[[1, 6], [1, 6]]` is a 7 x 7 rope.
-    radius : float
-        Radius of the wires [m].
+    radius : float or sequence of float
+        Radius of the wires [m], of all or of each layer of the first stage.
     lay_lengths : sequence
         Lay length of each stage [m], or a sequence of those of its layers; a layer of a single member in the middle has
-        none. Positive: right-handed, negative: left-handed.
+        none. Positive: right-handed (Z), negative: left-handed (S).
     length : float
         Length of the cable [m].
-    clearance : float, optional
-        Smallest gap between the surfaces of wires [m]; a fiftieth of the radius when left out.
-    elements_per_lay : int
-        Elements of a wire on each turn of the shortest lay.
-    material, interaction, element
-        What the wires are made of, the laws of their contacts, type of the elements.
+    clearance : float
+        Smallest gap between the surfaces of wires [m]; 0: some just touch.
+    enlarge : bool
+        Layers whose members would overlap each other get a larger radius; False: that is an error.
+    element_length, elements_per_lay, material, interaction, element
+        As those of `strand`; elements per turn of the shortest lay of all.
 
     Returns
     -------
     Model
-        Group WIRES; node sets MINUS (z = 0, clamped) and PLUS (z = length, free along z only, and guided:
-        `model.press(-d)` pulls by d).
+        Groups CORE, LAYER1, ... with the wires of each layer of the first stage; element set WIRES with all; node sets MINUS
+        (z = 0, clamped) and PLUS (z = length, free along z only, and guided: `model.press(-d)` pulls by d). With several
+        stages, also element sets BUNDLE1, BUNDLE2, ... of the members of the last stage, and node sets of their ends,
+        BUNDLE1_MINUS, BUNDLE1_PLUS, ..., for clamps and terminals.
 
     Raises
     ------
     ValueError
-        For arguments out of range, or a lay that is too short for the wires to fit.
+        For arguments out of range, and for layers that do not fit.
+
+    Examples
+    --------
+    >>> cable([[3], [3]], radius=0.41e-3, lay_lengths=[80e-3, 140e-3], length=70e-3)
+    <Model 'Cable of 3 x 3 wires': 522 nodes, 513 elements
+      <9 wires LAYER1: 513 B33 elements, radius 0.00041, COPPER>
+      contact among WIRES: TOUCH>
     """
     if len(stages) != len(lay_lengths) or not stages:
         raise ValueError(f"a lay length is needed for each of the {len(stages)} stages, not {len(lay_lengths)}")
-    if not radius > 0 or not length > 0 or elements_per_lay < 4:
-        raise ValueError("a cable needs a positive radius and length, and 4 or more elements per lay")
-    clearance = radius / 50 if clearance is None else clearance
-    if not clearance > 0:
-        raise ValueError(f"clearance must be greater than 0, not {clearance:g}")
-    lays = [_lays_of(layers, lay) for layers, lay in zip(stages, lay_lengths, strict=True)]
-    turning = [abs(lay) for stage in lays for lay in stage if math.isfinite(lay)]
-    if not turning:
-        raise ValueError("a cable needs at least one layer around a core")
-    n_elements = max(1, math.ceil(length / min(turning) * elements_per_lay))
-    room = clearance
-    for _ in range(_TRIES):
-        axes = _lay_cable(stages, lays, radius, room, np.linspace(0, length, n_elements + 1))
-        model = Model("Cable of " + " x ".join(str(sum(layers)) for layers in reversed(stages)) + " wires")
-        axes = [rounded(axis, length) for axis in axes]
-        model.wires("WIRES", axes, radius=radius, material=material, element=element)
-        gap = smallest_gap(model, within=2 * clearance, parts=_PARTS)
-        if gap >= 0.5 * clearance:
-            break
-        room += clearance - gap
-    else:
-        raise ValueError("the wires overlap for any gap: the lay is too short")
-    _hold_ends(model)
-    model.contact("WIRES", interaction=interaction)
-    return model
+    lays = [_lays(layers, lay, None, None) for layers, lay in zip(stages, lay_lengths, strict=True)]
+    name = f"Cable of {' x '.join('+'.join(map(str, layers)) for layers in reversed(stages))} wires"
+    return _Plan(
+        name, stages, lays, radius, length, clearance, enlarge, element_length, elements_per_lay, material
+    ).model(interaction, element)
 
 
-def _lays_of(layers: Sequence[int], lay: float | Sequence[float]) -> list[float]:
-    """Lay length of every layer; infinite for one member in the middle."""
+@dataclass(frozen=True)
+class _Plan:
+    """What is to be laid."""
+
+    name: str
+    stages: Sequence[Sequence[int]]
+    #: Of each layer of each stage; None for a straight core
+    lays: list[list[Lay | None]]
+    radius: float | Sequence[float]
+    length: float
+    clearance: float
+    enlarge: bool
+    element_length: float | None
+    elements_per_lay: int | None
+    material: Material | Sequence[Material]
+
+    def __post_init__(self) -> None:
+        if not self.length > 0 or not min(self.radii) > 0 or not self.clearance >= 0:
+            raise ValueError("a cable needs a positive radius and length, and a clearance of 0 or more")
+        if not any(lay for stage in self.lays for lay in stage):
+            raise ValueError("a cable needs at least one layer around a core")
+        if self.element_length is not None and self.elements_per_lay is not None:
+            raise ValueError("give either element_length or elements_per_lay")
+        if self.element_length is not None and not self.element_length > 0:
+            raise ValueError(f"element_length must be greater than 0, not {self.element_length:g}")
+        if self.elements_per_lay is not None and self.elements_per_lay < 4:
+            raise ValueError(f"elements_per_lay must be 4 or more, not {self.elements_per_lay}")
+
+    @property
+    def radii(self) -> list[float]:
+        """Radius of the wires of each layer of the first stage [m]."""
+        return _each("radius", self.radius, len(self.stages[0]))
+
+    @property
+    def group_names(self) -> list[str]:
+        """Names of the layers of the first stage."""
+        core = self.lays[0][0] is None
+        return ["CORE"] * core + [f"LAYER{number + 1}" for number in range(len(self.stages[0]) - core)]
+
+    def model(self, interaction: Interaction, element: str) -> Model:
+        """The model, with gaps that are enlarged until no wires overlap."""
+        room, allowed = self.clearance, OVERLAP * min(self.radii)
+        remarks = [layer.remark for stage in self._laid(room, self.enlarge) for layer in stage if layer.remark]
+        for _ in range(_TRIES):
+            laid = self._laid(room, enlarge=True)
+            model = self._meshed(laid, element)
+            gap = smallest_gap(model, within=2 * self.clearance + allowed, parts=_PARTS)
+            if gap >= self.clearance - allowed:
+                break
+            room += self.clearance - gap
+        else:
+            raise ValueError("the wires overlap for any gap: the lay is too short")
+        model.comments += remarks
+        _hold_ends(model)
+        model.contact("WIRES", interaction=interaction)
+        return model
+
+    def _laid(self, room: float, enlarge: bool) -> list[list[Layer]]:
+        """Layers of each stage with their radii."""
+        stages: list[list[Layer]] = []
+        members = self.radii
+        for number, (counts, lays) in enumerate(zip(self.stages, self.lays, strict=True)):
+            inside = 0.0
+            laid = []
+            for layer, (count, lay) in enumerate(zip(counts, lays, strict=True)):
+                what = f"layer {layer + (lays[0] is not None)}" + f" of stage {number + 1}" * (len(self.stages) > 1)
+                laid.append(radius_of_layer(what, count, members[layer], lay, inside, room, enlarge))
+                inside = laid[-1].outside
+            stages.append(laid)
+            members = [inside] * len(self.stages[min(number + 1, len(self.stages) - 1)])
+        return stages
+
+    def _meshed(self, laid: list[list[Layer]], element: str) -> Model:
+        """Wires, their sets and ends."""
+        z = np.linspace(0, self.length, self._n_elements(laid) + 1)
+        materials = _each("material", self.material, len(self.radii))
+        first, *later = laid
+        bundles: list[StraightAxis | WoundAxis] = [StraightAxis(self.length)]
+        if later:
+            bundles = _wound(bundles, later[-1])
+        members: list[list[Wire]] = [[] for _ in bundles]
+        model = Model(self.name)
+        for layer, name, radius, material in zip(first, self.group_names, self.radii, materials, strict=True):
+            axes = [
+                [rounded(points(axis, z), min(self.radii)) for axis in _wound([bundle], *reversed(later[:-1]), [layer])]
+                for bundle in bundles
+            ]
+            group = model.wires(name, list(chain(*axes)), radius=radius, material=material, element=element)
+            wires = iter(group.wires)
+            for of_bundle, its_members in zip(axes, members, strict=True):
+                its_members.extend(islice(wires, len(of_bundle)))
+        model.element_set("WIRES", self.group_names)
+        if later:
+            _name_bundles(model, members)
+        return model
+
+    def _n_elements(self, laid: list[list[Layer]]) -> int:
+        """Elements of each wire."""
+        shortest = min(abs(layer.lay_length) for stage in laid for layer in stage)
+        if self.elements_per_lay is not None:
+            longest = shortest / self.elements_per_lay
+        elif self.element_length is not None:
+            longest = self.element_length
+        else:
+            thinnest = min(self.radii)
+            longest = _LENGTH * thinnest
+            for layer in (layer for stage in laid for layer in stage if layer.at > 0):
+                turn = (_SHARE * OVERLAP * thinnest / (3 / 128 * layer.at)) ** 0.25
+                longest = min(longest, turn / (2 * math.pi) * abs(layer.lay_length))
+        return max(1, math.ceil(self.length / longest * (1 - 1e-12)))
+
+
+def _lays(
+    layers: Sequence[int],
+    lengths: float | Sequence[float] | None,
+    angles: float | Sequence[float] | None,
+    direction: str | None,
+) -> list[Lay | None]:
+    """How each layer is laid; None for one member in the middle."""
     if not layers or min(layers) < 1:
         raise ValueError("each layer needs at least one member")
     core = layers[0] == 1
     n_laid = len(layers) - core
-    laid = (np.full(n_laid, lay, dtype=float) if np.ndim(lay) == 0 else np.asarray(lay, dtype=float)).tolist()
-    if len(laid) != n_laid or not all(math.isfinite(value) and value != 0 for value in laid):
-        raise ValueError(f"{n_laid} layers need a lay length other than 0 each; given are {laid}")
-    return [math.inf] * core + laid
+    what = "lay length" if angles is None else "lay angle"
+    given = lengths if angles is None else angles
+    values = [float(value) for value in _each(what, given, n_laid)]
+    if not all(math.isfinite(value) and value != 0 for value in values):
+        raise ValueError(f"{n_laid} layers need a {what} other than 0 each; given are {values}")
+    if angles is not None and not all(abs(value) < math.pi / 2 for value in values):
+        raise ValueError(f"a lay angle is below pi/2 (90 degrees); given are {values}")
+    if direction is not None and (not direction or set(direction.upper()) - set("SZ") or min(values) < 0):
+        raise ValueError(
+            'direction is made of the letters S (left-handed) and Z (right-handed), as "SZ"; lays are then positive'
+        )
+    hands = [math.copysign(1, value) for value in values]
+    if direction is not None:
+        hands = [1 if direction.upper()[i % len(direction)] == "Z" else -1 for i in range(n_laid)]
+    kind = "length" if angles is None else "angle"
+    return [None] * core + [
+        Lay(**{kind: abs(value)}, hand=int(hand)) for value, hand in zip(values, hands, strict=True)
+    ]
 
 
-def _lay_cable(
-    stages: Sequence[Sequence[int]], lays: list[list[float]], radius: float, room: float, z: NDArray
-) -> list[NDArray[np.float64]]:
-    """Axes of all wires at the heights `z`, a list of (n, 3)."""
-    bundle_radius = radius
-    offsets: list[list[tuple[float, float, float]]] = []
-    for layers, stage_lays in zip(stages, lays, strict=True):
-        members = []
-        outer = 0.0
-        for count, lay in zip(layers, stage_lays, strict=True):
-            at = 0.0 if math.isinf(lay) else _layer_radius(count, bundle_radius, lay, outer, room)
-            members += [(at, lay, 2 * math.pi * member / count) for member in range(count)]
-            outer = at + bundle_radius
-        offsets.append(members)
-        bundle_radius = outer
-    straight_axis = np.stack([np.zeros_like(z), np.zeros_like(z), z], axis=1)
-    axes = [straight_axis]
-    for members in reversed(offsets):
-        axes = [_wind(axis, z, *member) for axis in axes for member in members]
-    return axes
+def _wound(curves: list[StraightAxis | WoundAxis], *stages: Sequence[Layer]) -> list[StraightAxis | WoundAxis]:
+    """Members of stages, from the outermost, wound about each curve, and so on."""
+    for stage in stages:
+        curves = [axis for curve in curves for layer in stage for axis in layer.wound(curve)]
+    return curves
 
 
-def _wind(axis: NDArray, z: NDArray, at: float, lay: float, phase: float) -> NDArray[np.float64]:
-    """A helix of radius `at` around a curve, in its normal planes."""
-    if at == 0:
-        return axis
-    tangent = np.gradient(axis, z, axis=0, edge_order=2)
-    arc = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(axis, axis=0), axis=1))])
-    tangent /= np.linalg.norm(tangent, axis=1, keepdims=True)
-    # the frame with minimum rotation about a curve close to z: x, made normal to the tangent
-    first = np.array([1.0, 0.0, 0.0]) - tangent[:, :1] * tangent
-    first /= np.linalg.norm(first, axis=1, keepdims=True)
-    second = np.cross(tangent, first)
-    angle = (2 * math.pi * arc / lay + phase)[:, None]
-    return axis + at * (np.cos(angle) * first + np.sin(angle) * second)
-
-
-def _layer_radius(count: int, member: float, lay: float, inner: float, room: float) -> float:
-    """Smallest radius of a layer of helices that clear each other and the layer inside."""
-    smallest = inner + member + room if inner > 0 else (member + room / 2) if count > 1 else 0.0
-    wanted = 2 * member + room
-    if count == 1:
-        return smallest if inner > 0 else 0.0
-    # neighbours: the difference in height at which two helices come nearest lies within half a lay
-    heights = np.linspace(0, abs(lay) / 2, 4001)
-
-    def nearest(at: float) -> float:
-        turn = 2 * math.pi / count - 2 * math.pi * heights / abs(lay)
-        return float(np.sqrt(2 * at**2 * (1 - np.cos(turn)) + heights**2).min())
-
-    low, high = smallest, smallest
-    while nearest(high) < wanted:
-        low, high = high, 1.1 * high
-        if high > 10 * abs(lay):
-            raise ValueError(f"{count} members do not fit side by side into a layer of the lay length {lay:g} m")
-    while high - low > 1e-9 * high:
-        middle = (low + high) / 2
-        low, high = (low, middle) if nearest(middle) >= wanted else (middle, high)
-    return high
+def _each(what: str, value: Any, count: int) -> list[Any]:
+    """A value for each of `count` layers, from one for all or a sequence."""
+    values = list(value) if isinstance(value, Sequence | np.ndarray) else [value] * count
+    if len(values) != count:
+        raise ValueError(f"{count} layers need one {what} for all or {count}; given are {len(values)}: {values}")
+    return values
 
 
 def _hold_ends(model: Model) -> None:
     """Clamp the lower ends; leave the upper ends free along z only."""
-    wires = model.groups["WIRES"].wires
+    wires = [wire for group in model.groups.values() for wire in group.wires]
     model.node_set("MINUS", [wire.nodes[0] for wire in wires])
     model.node_set("PLUS", [wire.nodes[-1] for wire in wires])
     model.fix("MINUS")
     model.fix("PLUS", "x", "y", "rotations")
     model.guides["PLUS"] = 1.0
+
+
+def _name_bundles(model: Model, members: list[list[Wire]]) -> None:
+    """Element sets of the bundles, node sets of their ends."""
+    for number, wires in enumerate(members, start=1):
+        model.element_set(f"BUNDLE{number}", [element for wire in wires for element in wire.elements])
+        model.node_set(f"BUNDLE{number}_MINUS", [wire.nodes[0] for wire in wires])
+        model.node_set(f"BUNDLE{number}_PLUS", [wire.nodes[-1] for wire in wires])

@@ -10,10 +10,12 @@ from numpy.typing import ArrayLike, NDArray
 from ..kernels import contact_search
 from ..model import Model
 from ..wires.chains import find_wires
-from ..wires.curves import element_curves, hermite
+from ..wires.curves import element_curves, hermite, hermite_slope
 
 #: Significant digits of a coordinate, counted from the size of the model
 _DIGITS = 7
+#: Turns of the search for the closest points of two curves, each of which leaves a small part of the error
+_TURNS = 12
 
 
 def rounded(x: ArrayLike, size: float) -> NDArray[np.float64]:
@@ -90,7 +92,8 @@ def smallest_gap(model: Model, *, within: float | None = None, parts: int = 1) -
     within : float, optional
         Distances above this are not looked for [m]; the mean radius when left out.
     parts : int
-        Each element is taken as this many straight pieces of its axis; 1 is exact for straight wires.
+        Pieces per element by which places that are near are found. With 1 the axes are taken as straight from node to node,
+        otherwise as smooth; the distance of two pieces is then that of their curves.
 
     Returns
     -------
@@ -103,11 +106,48 @@ def smallest_gap(model: Model, *, within: float | None = None, parts: int = 1) -
     starts, ends = nodes[:, :-1].reshape(-1, 3), nodes[:, 1:].reshape(-1, 3)
     within = float(radius.mean()) if within is None else within
     pieces = np.arange(2 * len(starts)).reshape(2, -1).T
-    pairs = contact_search(np.concatenate([starts, ends]), pieces, radius, skin=within)
+    bulge = _bulge(nodes)
+    pairs = contact_search(np.concatenate([starts, ends]), pieces, radius, skin=within + bulge)
     i, j = pairs[wire[pairs[:, 0]] != wire[pairs[:, 1]]].T
     if not len(i):
         return math.inf
-    return float((segment_distance(starts[i], ends[i], starts[j], ends[j]) - radius[i] - radius[j]).min())
+    gap = segment_distance(starts[i], ends[i], starts[j], ends[j]) - radius[i] - radius[j]
+    if parts > 1:
+        near = gap <= gap.min() + 2 * bulge
+        i, j = i[near], j[near]
+        gap = _curve_distance(model, parts, i, j) - radius[i] - radius[j]
+    return float(gap.min())
+
+
+def _bulge(nodes: NDArray) -> float:
+    """What the distances of straight pieces and of their curves differ by at most [m].
+
+    A piece deviates by an eighth of its second difference, in either wire; twice that, for curves of uneven curvature.
+    """
+    return float(np.linalg.norm(np.diff(nodes, 2, axis=1), axis=-1).max(initial=0.0)) / 2
+
+
+def _curve_distance(model: Model, parts: int, i: NDArray, j: NDArray) -> NDArray[np.float64]:
+    """Distance of the smooth axes of pieces i and j, (n) [m], by the method of Gauss and Newton within the pieces."""
+    positions, slopes = _curves(model.x, model.connectivity)
+    pieces = np.stack([i, j])
+    low = -1 + 2 / parts * (pieces % parts)
+    xi = low + 1 / parts
+    curves = [(positions[k // parts], slopes[k // parts]) for k in (i, j)]
+    for _ in range(_TURNS):
+        gap = hermite(*curves[0], xi[0]) - hermite(*curves[1], xi[1])
+        u, v = (hermite_slope(*curve, at) for curve, at in zip(curves, xi, strict=True))
+        # side by side the closest points may slide along: the small addition holds them
+        uu, uv, vv = 1.001 * _dot(u, u), _dot(u, v), 1.001 * _dot(v, v)
+        down, up = -_dot(gap, u), _dot(gap, v)
+        # where one of the curves ends the other follows, as for straight segments
+        step = (vv * down + uv * up) / (uu * vv - uv**2)
+        for _ in range(2):
+            first = np.clip(xi[0] + step, low[0], low[0] + 2 / parts)
+            second = np.clip(xi[1] + (up + uv * (first - xi[0])) / vv, low[1], low[1] + 2 / parts)
+            step = (down + uv * (second - xi[1])) / uu
+        xi = np.stack([first, second])
+    return np.linalg.norm(hermite(*curves[0], xi[0]) - hermite(*curves[1], xi[1]), axis=1)
 
 
 def _points_on_axes(model: Model, parts: int) -> NDArray[np.float64]:
@@ -117,10 +157,15 @@ def _points_on_axes(model: Model, parts: int) -> NDArray[np.float64]:
 
 def smooth_axis(x: NDArray, connectivity: NDArray, parts: int) -> NDArray[np.float64]:
     """Points of the Hermite axis of each element, which divide it into parts, (m, parts + 1, 3) [m]."""
-    still = np.zeros_like(x)
-    positions, slopes = element_curves(x, still, still, find_wires(connectivity), len(connectivity))
+    curves = _curves(x, connectivity)
     along = np.linspace(-1, 1, parts + 1)
-    return np.stack([hermite(positions, slopes, np.full(len(connectivity), xi)) for xi in along], axis=1)
+    return np.stack([hermite(*curves, np.full(len(connectivity), xi)) for xi in along], axis=1)
+
+
+def _curves(x: NDArray, connectivity: NDArray) -> tuple[NDArray, NDArray]:
+    """Positions of the ends of each element and slopes of its axis there."""
+    still = np.zeros_like(x)
+    return element_curves(x, still, still, find_wires(connectivity), len(connectivity))
 
 
 def _dot(u: NDArray, v: NDArray) -> NDArray:

@@ -111,7 +111,16 @@ def _fibre_mat() -> Model:
 
 
 def _strand() -> Model:
-    model = strand([6, 12], radius=0.1e-3, lay_length=[6e-3, -6e-3], length=6e-3)
+    model = strand(
+        [6, 12],
+        radius=0.1e-3,
+        lay_length=6e-3,
+        direction="ZS",
+        length=6e-3,
+        clearance=2e-6,
+        enlarge=True,
+        elements_per_lay=16,
+    )
     model.title = "A strand of two layers laid against each other, pulled by 0.3 %, 1 mV between its ends"
     model.comments = [
         "The layers cross and touch in points. Neighbouring wires of a layer would touch along lines, which litz does",
