@@ -31,7 +31,9 @@ def touching(*pairs, stiffness=None, spot="", friction=None):
     lines = ["*SURFACE INTERACTION, NAME=TOUCH", f"*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE={law}"]
     if spot:
         lines.append(f"*GAP ELECTRICAL CONDUCTANCE, LAW={spot}")
-    if friction is not None:
+    if isinstance(friction, str):
+        lines.append(friction)
+    elif friction is not None:
         lines += ["*FRICTION", f" {friction:.16g}"]
     for pair in pairs:
         lines += ["*CONTACT PAIR, INTERACTION=TOUCH", " " + ", ".join(pair)]
@@ -282,10 +284,11 @@ def shared_load(lower, upper, beams, elements, **options):
     )  # fmt: skip
 
 
-def slipping_pair(wire, pair, elements, forces, **options):
+def slipping_pair(wire, pair, elements, forces, elastic_slip, **options):
     """Two cantilevers pressed together by opposite line loads, then bent by forces at their tips, half on each.
 
-    pair: `slipping_pair.SlippingPair`; forces: at the tips [N], a step for each.
+    pair: `slipping_pair.SlippingPair`; forces: at the tips [N], a step for each; elastic_slip: before friction reaches its
+    limit [m].
     """
     each = pair.pressing * pair.length / elements
     pressing = ["*CLOAD"]
@@ -297,10 +300,10 @@ def slipping_pair(wire, pair, elements, forces, **options):
         # a new value of a step replaces that of the step before
         tips = [each / 2 - force / 2, -each / 2 - force / 2]
         rows = [f" {first + elements}, 3, {tip:.17g}" for first, tip in zip((FIRST, SECOND), tips, strict=True)]
-        bending.append(["*CLOAD\n" + "\n".join(rows)])
+        bending.append(["*CLOAD\n" + "\n".join(rows), "*ENERGY PRINT"])
     return two_beams(
         (wire, wire), (pair.length, pair.length), (elements, elements), CLAMPED_STARTS,
         [["\n".join(pressing)], *bending],
         "Expect  one beam until the friction is reached everywhere at once, then two",
-        friction=pair.friction, printed="TIPS", **options,
+        friction=f"*FRICTION, ELASTIC SLIP={elastic_slip}\n {pair.friction:.16g}", printed="TIPS", **options,
     )  # fmt: skip

@@ -6,6 +6,7 @@ module litz_contact_candidates
    use litz_contact_points, only: contact_set_t
    use litz_contact_search, only: near_segments
    use litz_element_library, only: elements_t
+   use litz_line_places, only: prepare_line_places
    use litz_errors, only: error_t, fail, exit_memory
    use litz_model, only: model_t, axis_hermite
    use litz_parallel, only: worth_threads
@@ -33,9 +34,11 @@ contains
       integer :: p, e
 
       allocate (contact%points(0), contact%converged(0), contact%candidates(3, 0), contact%joined(3, 0))
+      allocate (contact%line_points(0), contact%converged_line_points(0))
       allocate (contact%clearance(size(model%contact_pairs)), source=0.0_dp)
       contact%converged_clearance = contact%clearance
       contact%overlap = contact%clearance
+      allocate (contact%places%xi(0))
       contact%present = size(model%contact_pairs) > 0
       if (.not. contact%present) return
       allocate (contact%in_bar(model%n_elements, size(model%contact_pairs)), source=.false.)
@@ -55,6 +58,7 @@ contains
          end associate
       end do
       contact%members = pack([(e, e=1, model%n_elements)], any(contact%in_bar .or. contact%in_set, 2))
+      call prepare_line_places(wires, elements%length, minval(elements%radius(contact%members)), contact%places)
       allocate (contact%valid_sagitta(model%n_elements), source=0.0_dp)
       allocate (contact%valid_motion(model%n_nodes), source=huge(1.0_dp))
       do e = 1, model%n_elements

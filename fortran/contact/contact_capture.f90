@@ -11,26 +11,42 @@ module litz_contact_capture
 
 contains
 
-   !> Closed contacts, each with an identity that it keeps while it lives.
+   !> The points of the converged iterate, crossings before those of line contacts.
    subroutine capture_contacts(contact, state)
       type(contact_set_t), intent(inout) :: contact
       type(state_t), intent(inout) :: state
-      integer :: i, m
 
       deallocate (state%contacts)
-      allocate (state%contacts(count(contact%points%closed)))
-      m = 0
-      do i = 1, size(contact%points)
-         associate (point => contact%points(i))
+      allocate (state%contacts(count(contact%points%closed) + count(contact%line_points%closed)))
+      call capture_points(contact%points, 0, contact%last_id, state)
+      call capture_points(contact%line_points, count(contact%points%closed), contact%last_id, state)
+      contact%converged = contact%points
+      contact%converged_line_points = contact%line_points
+      contact%converged_clearance = contact%clearance
+   end subroutine capture_contacts
+
+   !> Closed contacts, each with an identity that it keeps while it lives.
+   subroutine capture_points(points, n_before, last_id, state)
+      type(contact_point_t), intent(inout) :: points(:)
+      !> Contacts of the state before these
+      integer, intent(in) :: n_before
+      !> The last identity given
+      integer, intent(inout) :: last_id
+      type(state_t), intent(inout) :: state
+      integer :: i, m
+
+      m = n_before
+      do i = 1, size(points)
+         associate (point => points(i))
             if (.not. point%closed) then
                point%history = contact_history_t()
                cycle
             end if
-            point%history = advanced_history(point%history, [point%arc_bar, point%arc], point%force, point%friction, &
-               point%new_spot)
+            point%history = advanced_history(point%history, [point%arc_bar, point%arc], point%force, point%weight, &
+               point%friction, point%new_spot)
             if (point%id == 0) then
-               contact%last_id = contact%last_id + 1
-               point%id = contact%last_id
+               last_id = last_id + 1
+               point%id = last_id
             end if
             m = m + 1
             state%contacts(m) = contact_of_point(point)
@@ -39,9 +55,7 @@ contains
             state%joule_heat(point%element) = state%joule_heat(point%element) + point%heat_inside(2)
          end associate
       end do
-      contact%converged = contact%points
-      contact%converged_clearance = contact%clearance
-   end subroutine capture_contacts
+   end subroutine capture_points
 
    !> What results show of a point, with what follows from the iteration.
    pure function contact_of_point(point) result(contact)
@@ -59,6 +73,7 @@ contains
       contact%resistance = ieee_value(contact%resistance, ieee_positive_inf)
       if (point%conductance > 0) contact%resistance = 1/point%conductance
       contact%joule_heat = point%current*point%voltage_gap
+      if (point%line_place > 0) contact%length = point%weight
    end function contact_of_point
 
 end module litz_contact_capture

@@ -5,7 +5,8 @@
 !> (litz_contact_side): an iterate that has pushed the axes through each other has a gap below minus both radii.
 module litz_contact_crossings
    use litz_kinds, only: dp
-   use litz_closest_points, only: closest_points, end_tolerance, closest_inside, closest_beyond, closest_not_unique
+   use litz_closest_points, only: closest_points, end_tolerance, max_minima, closest_inside, closest_not_unique, &
+      closest_parallel
    use litz_contact_candidates, only: skin
    use litz_contact_kinematics, only: contact_kinematics, kinematics_ok
    use litz_contact_matching, only: match_points, slides_of
@@ -23,6 +24,8 @@ module litz_contact_crossings
 
    !> A point this near to an end of its element, in units of xi, may be found again in the next element
    real(dp), parameter :: near_node = 1.0e-6_dp
+   !> Further places at which one pair of elements may touch
+   integer, parameter :: max_others = 3
 
 contains
 
@@ -38,22 +41,23 @@ contains
       type(contact_set_t), intent(inout) :: contact
       type(contact_point_t), allocatable :: old(:), points(:)
       type(points_by_wire_t) :: converged_by_wire
-      real(dp), allocatable :: xi(:, :)
+      !> Where each candidate crosses: the nearest place and others (2, 1 + max_others, n_candidates), and how many
+      real(dp), allocatable :: xi(:, :, :)
+      integer, allocatable :: n_minima(:)
       !> The points of the last call, and of the last converged state, that the present ones continue; 0: none
       integer, allocatable :: origin(:), converged(:)
-      integer, allocatable :: status(:)
       integer :: i, n
 
       n = size(contact%candidates, 2)
-      allocate (xi(2, n), status(n))
+      allocate (xi(2, 1 + max_others, n), n_minima(n))
       !$omp parallel do schedule(dynamic, 64) if (n >= worth_threads)
       do i = 1, n
          call find_closest(model, wires, elements, contact%candidates(:, i), contact%depth, x_start, x, rotation, &
-            xi(:, i), status(i))
+            xi(:, :, i), n_minima(i))
       end do
       !$omp end parallel do
       call move_alloc(contact%points, old)
-      call collect_points(wires, elements, contact%candidates, xi, status == closest_inside, points)
+      call collect_points(wires, elements, contact%candidates, xi, n_minima, points)
       call match_points(wires, elements, old, points, origin)
       call match_points(wires, elements, contact%converged, points, converged, &
          slides_of(model, wires, elements, contact%converged, x_start, x))
@@ -70,8 +74,8 @@ contains
       call move_alloc(points, contact%points)
    end subroutine locate_points
 
-   !> Where the axes of a candidate are nearest to each other.
-   pure subroutine find_closest(model, wires, elements, candidate, depth, x_start, x, rotation, xi, status)
+   !> Where the axes of a candidate are nearest to each other, the nearest place first.
+   pure subroutine find_closest(model, wires, elements, candidate, depth, x_start, x, rotation, xi, n)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
@@ -81,11 +85,12 @@ contains
       real(dp), intent(in) :: depth
       !> Positions (3, n_nodes) when the increment began, and now [m]; rotations (3, 3, n_nodes)
       real(dp), intent(in) :: x_start(:, :), x(:, :), rotation(:, :, :)
-      !> Places in the barred and the unbarred element (2)
-      real(dp), intent(out) :: xi(2)
-      !> One of `closest_...`
-      integer, intent(out) :: status
-      real(dp) :: xe(3, 4), t(3, 4), length(2), distance
+      !> Places in the barred and the unbarred element (2, 1 + max_others)
+      real(dp), intent(out) :: xi(:, :)
+      !> How many there are within both elements
+      integer, intent(out) :: n
+      real(dp) :: xe(3, 4), t(3, 4), length(2), distance, others(2, max_minima)
+      integer :: status, n_others
 
       associate (eb => candidate(1), e => candidate(2))
          call pair_geometry(model, wires, elements, eb, e, x, rotation, xe, t, length)
@@ -93,104 +98,115 @@ contains
             - (1 + skin/2)*(elements%radius(eb) + elements%radius(e))
          ! wires that have passed each other are apart again
          if (distance > 0) distance = distance - depth - relative_motion(model, x_start, x, eb, e)
-         if (distance > 0) then
-            xi = 0
-            status = closest_beyond
-            return
-         end if
-         call closest_points(xe, t, length, axis_of_pair(model, candidate(3)), xi(1), xi(2), status)
-         if (status == closest_not_unique .and. all(abs(xi) <= 1 + end_tolerance)) status = closest_inside
+         n = 0
+         if (distance > 0) return
+         call closest_points(xe, t, length, axis_of_pair(model, candidate(3)), xi(1, 1), xi(2, 1), status, &
+            others=others, n_others=n_others)
+         if (any(status == [closest_inside, closest_not_unique, closest_parallel]) .and. &
+            all(abs(xi(:, 1)) <= 1 + end_tolerance)) n = 1
+         n_others = min(n_others, max_others)
+         xi(:, n + 1:n + n_others) = others(:, :n_others)
+         n = n + n_others
       end associate
    end subroutine find_closest
 
    !> Points without memory for the candidates that cross.
-   pure subroutine collect_points(wires, elements, candidates, xi, is_inside, points)
+   pure subroutine collect_points(wires, elements, candidates, xi, n_minima, points)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       !> Barred element, unbarred element, contact pair (3, n_candidates)
       integer, intent(in) :: candidates(:, :)
-      !> Places in the barred and the unbarred element (2, n_candidates)
-      real(dp), intent(in) :: xi(:, :)
-      !> Both places are within their elements (n_candidates)
-      logical, intent(in) :: is_inside(:)
+      !> Places in the barred and the unbarred element (2, 1 + max_others, n_candidates)
+      real(dp), intent(in) :: xi(:, :, :)
+      !> How many of these each candidate has (n_candidates)
+      integer, intent(in) :: n_minima(:)
       type(contact_point_t), allocatable, intent(out) :: points(:)
-      logical :: keep(size(is_inside))
-      integer :: k, m
+      type(contact_point_t), allocatable :: all_points(:)
+      logical, allocatable :: keep(:)
+      integer :: k, i, m
 
-      keep = are_new(wires, elements, candidates, xi, is_inside)
+      allocate (all_points(sum(n_minima)))
+      m = 0
+      do k = 1, size(n_minima)
+         do i = 1, n_minima(k)
+            m = m + 1
+            all_points(m)%candidate = k
+            all_points(m)%element_bar = candidates(1, k)
+            all_points(m)%element = candidates(2, k)
+            all_points(m)%pair = candidates(3, k)
+            all_points(m)%xi_bar = xi(1, i, k)
+            all_points(m)%xi = xi(2, i, k)
+            all_points(m)%arc_bar = arc_at(wires, elements, candidates(1, k), xi(1, i, k))
+            all_points(m)%arc = arc_at(wires, elements, candidates(2, k), xi(2, i, k))
+         end do
+      end do
+      keep = are_new(wires, elements, all_points)
       allocate (points(count(keep)))
       m = 0
-      do k = 1, size(keep)
-         if (.not. keep(k)) cycle
+      do i = 1, size(keep)
+         if (.not. keep(i)) cycle
          m = m + 1
-         points(m)%candidate = k
-         points(m)%element_bar = candidates(1, k)
-         points(m)%element = candidates(2, k)
-         points(m)%pair = candidates(3, k)
-         points(m)%xi_bar = xi(1, k)
-         points(m)%xi = xi(2, k)
-         points(m)%arc_bar = arc_at(wires, elements, candidates(1, k), xi(1, k))
-         points(m)%arc = arc_at(wires, elements, candidates(2, k), xi(2, k))
+         points(m) = all_points(i)
       end do
    end subroutine collect_points
 
-   !> Candidates that cross, each crossing once (n_candidates): one at a node may be found by both elements there, and
-   !> the first one keeps it.
-   pure function are_new(wires, elements, candidates, xi, is_inside) result(keep)
+   !> Each crossing once (n_points): one at a node may be found by both elements there, and the first one keeps it.
+   pure function are_new(wires, elements, points) result(keep)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
-      !> Barred element, unbarred element, contact pair (3, n_candidates)
-      integer, intent(in) :: candidates(:, :)
-      !> Places in the barred and the unbarred element (2, n_candidates)
-      real(dp), intent(in) :: xi(:, :)
-      !> Both places are within their elements (n_candidates)
-      logical, intent(in) :: is_inside(:)
-      logical :: keep(size(is_inside))
-      !> The last candidate at a node that each barred wire has so far, and the one before each of them
-      integer :: last_at_node(wires%n_wires), before(size(is_inside))
+      type(contact_point_t), intent(in) :: points(:)
+      logical :: keep(size(points))
+      !> The last point at a node that each barred wire has so far, and the one before each of them
+      integer :: last_at_node(wires%n_wires), before(size(points))
       integer :: k
 
       last_at_node = 0
       before = 0
-      keep = is_inside
-      do k = 1, size(keep)
-         if (.not. keep(k) .or. all(abs(xi(:, k)) < 1 - near_node)) cycle
-         associate (last => last_at_node(wires%wire(candidates(1, k))))
-            keep(k) = .not. is_found_before(wires, elements, candidates, xi, k, last, before)
+      keep = .true.
+      do k = 1, size(points)
+         if (all(abs([points(k)%xi_bar, points(k)%xi]) < 1 - near_node)) cycle
+         associate (last => last_at_node(wires%wire(points(k)%element_bar)))
+            keep(k) = .not. is_found_before(wires, elements, points, k, last, before)
             before(k) = last
             last = k
          end associate
       end do
    end function are_new
 
-   !> Whether one of the candidates before this one crosses at the same place of both wires.
-   pure logical function is_found_before(wires, elements, candidates, xi, k, last, before) result(found)
+   !> Whether one of the points before this one is at the same place of both wires.
+   pure logical function is_found_before(wires, elements, points, k, last, before) result(found)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
-      !> Barred element, unbarred element, contact pair (3, n_candidates)
-      integer, intent(in) :: candidates(:, :)
-      !> Places in the barred and the unbarred element (2, n_candidates)
-      real(dp), intent(in) :: xi(:, :)
-      !> A candidate, the last one at a node of the same barred wire, and the one before each of those (n_candidates)
+      type(contact_point_t), intent(in) :: points(:)
+      !> A point, the last one at a node of the same barred wire, and the one before each of those (n_points)
       integer, intent(in) :: k, last, before(:)
-      integer :: other, j
-      real(dp) :: distance
+      integer :: other
 
       found = .false.
       other = last
       do while (other > 0)
-         do j = 1, 2
-            associate (e => candidates(j, k), e_other => candidates(j, other))
-               if (wires%wire(e) /= wires%wire(e_other)) exit
-               distance = abs(arc_from_to(arc_at(wires, elements, e, xi(j, k)), &
-                  arc_at(wires, elements, e_other, xi(j, other)), wires%circumference(wires%wire(e))))
-               if (distance > near_node*elements%length(e)) exit
-            end associate
-         end do
-         found = j > 2
+         associate (point => points(k), earlier => points(other))
+            found = is_same(point%element_bar, point%arc_bar, earlier%element_bar, earlier%arc_bar) .and. &
+               is_same(point%element, point%arc, earlier%element, earlier%arc)
+         end associate
          if (found) return
          other = before(other)
       end do
+
+   contains
+
+      !> The same place of one wire.
+      pure logical function is_same(e, arc, e_other, arc_other)
+         !> Elements
+         integer, intent(in) :: e, e_other
+         !> Arc lengths there [m]
+         real(dp), intent(in) :: arc, arc_other
+
+         is_same = wires%wire(e) == wires%wire(e_other)
+         if (is_same) is_same = abs(arc_from_to(arc, arc_other, wires%circumference(wires%wire(e)))) &
+            <= near_node*elements%length(e)
+      end function is_same
+
    end function is_found_before
 
    !> What a point takes over: the predictions of the last iterate, and the identity and the memory of the last
@@ -207,6 +223,9 @@ contains
          point%predicted_gap = old(from)%predicted_gap
          point%mixed_force = old(from)%mixed_force
          point%friction_iteration = old(from)%friction_iteration
+         call take_shares(old(from), point)
+      else if (from_converged > 0) then
+         call take_shares(converged(from_converged), point)
       end if
       if (from_converged > 0) then
          point%id = converged(from_converged)%id
@@ -214,6 +233,19 @@ contains
          point%fit = converged(from_converged)%fit
       end if
    end subroutine inherit
+
+   !> How much of the contact it carries, and how far the length of its lens counts, stay what they were.
+   pure subroutine take_shares(earlier, point)
+      type(contact_point_t), intent(in) :: earlier
+      type(contact_point_t), intent(inout) :: point
+
+      point%is_shared = earlier%is_shared
+      point%is_long = earlier%is_long
+      point%weight = earlier%weight
+      point%section_share = earlier%section_share
+      point%lens_share = earlier%lens_share
+      point%lens_sine = earlier%lens_sine
+   end subroutine take_shares
 
    !> Kinematics and gap of a point, on the side that its wires had in the last converged state.
    pure subroutine set_geometry(model, wires, elements, contact, converged_by_wire, from_converged, x_start, &

@@ -12,17 +12,20 @@ module litz_contact_energies
 
 contains
 
-   !> Energies at the end of an increment that has converged; `contact%converged` is still that of its start.
-   pure subroutine add_contact_energies(contact, energies)
+   !> Energies at the end of an increment that has converged.
+   pure subroutine add_contact_energies(contact, converged, points, energies)
+      !> What is left of interference
       type(contact_set_t), intent(in) :: contact
+      !> At the start of the increment, and at its end
+      type(contact_point_t), intent(in) :: converged(:), points(:)
       type(energies_t), intent(inout) :: energies
       integer :: i
 
-      do i = 1, size(contact%converged)
-         energies%work = energies%work + work_of_interference(contact, contact%converged(i))
+      do i = 1, size(converged)
+         energies%work = energies%work + work_of_interference(contact, converged(i))
       end do
-      do i = 1, size(contact%points)
-         associate (point => contact%points(i))
+      do i = 1, size(points)
+         associate (point => points(i))
             if (.not. point%closed) cycle
             energies%work = energies%work + work_of_interference(contact, point) + point%friction%work_beyond_mean
             energies%contact = energies%contact + point%at_gap%energy + point%history%elastic_energy &
@@ -31,7 +34,7 @@ contains
          end associate
       end do
       ! what a contact held elastically when it opened is lost
-      energies%friction = energies%friction + elastic_energy_lost(contact)
+      energies%friction = energies%friction + elastic_energy_lost(converged, points)
    end subroutine add_contact_energies
 
    !> Half of the work that resolving an interference does on one contact: its force at one end of the increment.
@@ -44,11 +47,11 @@ contains
    end function work_of_interference
 
    !> Elastic energy of friction at the start of the increment that no contact carries on.
-   pure real(dp) function elastic_energy_lost(contact) result(energy)
-      type(contact_set_t), intent(in) :: contact
+   pure real(dp) function elastic_energy_lost(converged, points) result(energy)
+      !> At the start of the increment, and at its end
+      type(contact_point_t), intent(in) :: converged(:), points(:)
 
-      energy = sum(contact%converged%history%elastic_energy) &
-         - sum(contact%points%history%elastic_energy, mask=contact%points%closed)
+      energy = sum(converged%history%elastic_energy) - sum(points%history%elastic_energy, mask=points%closed)
    end function elastic_energy_lost
 
 end module litz_contact_energies

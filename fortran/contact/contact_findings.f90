@@ -7,7 +7,8 @@ module litz_contact_findings
    private
    public :: finding_t, worse_of
    public :: finding_none, finding_deep, finding_missed, finding_second, finding_joined, finding_end, finding_kink, &
-      finding_line, finding_departed, finding_passed, finding_turned, finding_unfollowed
+      finding_line, finding_departed, finding_passed, finding_turned, finding_unfollowed, finding_surface_deep, &
+      finding_surface_passed
 
    !> From harmless to serious: of two findings the later one is reported
    integer, parameter :: finding_none = 0
@@ -24,16 +25,23 @@ module litz_contact_findings
    integer, parameter :: finding_departed = 10
    !> A contact slides so far in the increment that it may be any of several
    integer, parameter :: finding_unfollowed = 11
+   !> A wire and a rigid surface overlap by more than is allowed; it would have passed through the surface
+   integer, parameter :: finding_surface_deep = 12, finding_surface_passed = 13
 
    type :: finding_t
       integer :: kind = finding_none
-      !> Elements, barred first
+      !> Elements, barred first; on a rigid surface twice the same
       integer :: elements(2) = 0
       !> Overlap over the smaller radius [-]
       real(dp) :: overlap = 0
-      !> Penalty that would hold a deep contact [N/m]; 0: it has a law without one, which is called so
+      !> Penalty that would hold a deep contact, and its unit; 0: it has a law without one, which is called so
       real(dp) :: penalty = 0
+      character(len=8) :: unit = 'N/m'
       character(len=40) :: law_title = ''
+      !> What of the surface interaction does not serve contact along a line; blank: all of it does
+      character(len=120) :: obstacle = ''
+      !> Index of the rigid surface; 0: both are wires
+      integer :: surface = 0
    contains
       procedure :: is_like
       procedure :: can_be_cut
@@ -58,7 +66,7 @@ contains
       !> Wire of each element (n_elements)
       integer, intent(in) :: wire(:)
 
-      is_like = self%kind == other%kind .and. self%kind /= finding_none
+      is_like = self%kind == other%kind .and. self%kind /= finding_none .and. self%surface == other%surface
       if (is_like) is_like = all(wire(self%elements) == wire(other%elements))
    end function is_like
 
@@ -67,7 +75,7 @@ contains
       class(finding_t), intent(in) :: self
 
       can_be_cut = any(self%kind == [finding_passed, finding_missed, finding_turned, finding_departed, &
-         finding_unfollowed])
+         finding_unfollowed, finding_surface_passed])
    end function can_be_cut
 
    !> What was found, with the two elements.
@@ -79,7 +87,14 @@ contains
       pair = 'the wires of elements '//to_text(model%element_id(self%elements(1)))//' and '// &
          to_text(model%element_id(self%elements(2)))
       depth = ' overlap by '//to_text(100*self%overlap)//' % of the smaller radius'
+      if (self%surface > 0) pair = 'the wire of element '//to_text(model%element_id(self%elements(1)))// &
+         ' and the rigid surface '//model%surfaces(self%surface)%name
       select case (self%kind)
+      case (finding_surface_deep)
+         text = pair//' overlap by '//to_text(100*self%overlap)//' % of the radius of the wire, 5 % are allowed'
+      case (finding_surface_passed)
+         text = pair//': the wire would pass through it, or slide round it by more than a'// &
+            ' right angle, in this increment'
       case (finding_deep)
          text = pair//depth//', 5 % are allowed'
       case (finding_second)
@@ -114,13 +129,18 @@ contains
       character(len=:), allocatable :: text
 
       select case (self%kind)
+      case (finding_surface_deep)
+         text = 'The force is too large for this wire, or its contact too soft (second number of LINEAR in'// &
+            ' *SURFACE BEHAVIOR). '
+      case (finding_surface_passed)
+         text = 'Begin with a smaller increment (first value of *STATIC). '
       case (finding_deep)
          text = 'The '//trim(self%law_title)//' is valid for smaller overlaps: the force is too large for these wires. '
          if (self%penalty > 0) text = 'The contact force there requires a penalty of at least '// &
             to_text(self%penalty)// &
-            ' '//model%units%label('N/m')//' (*SURFACE BEHAVIOR). '
+            ' '//model%units%label(trim(self%unit))//' (*SURFACE BEHAVIOR). '
       case (finding_second)
-         text = 'Each pair of elements can have one contact: use shorter elements. '
+         text = 'Each pair of elements can have four contacts: use shorter elements. '
       case (finding_joined)
          text = 'Joined elements, and those within 8 radii of each other along a wire, have no contact: use shorter'// &
             ' elements, or bend the wire less. '
@@ -131,7 +151,10 @@ contains
          text = 'Contact at a kink is not modelled: round the kink with shorter elements (less than 20 degrees at'// &
             ' each node); with AXIS=LINEAR each node of a bent wire is one. '
       case (finding_line)
-         text = 'Contact along a line is not modelled: keep such wires apart, or let them cross at larger angles. '
+         text = 'Their surface interaction is for contact at points: '//trim(self%obstacle)//' does not serve'// &
+            ' contact along a line. Change it, keep such wires apart, or let them cross at larger angles. '
+         if (len_trim(self%obstacle) == 0) text = 'Use shorter elements there, so that the places of the contact'// &
+            ' are closer to each other. '
       case (finding_unfollowed)
          text = 'Begin with a smaller increment (first value of *STATIC). '
       case default

@@ -76,9 +76,12 @@ contains
       !> As in `match_points` (n_points)
       integer, allocatable, intent(out) :: origin(:)
       integer(int64) :: key
-      integer :: i, j
+      logical :: taken(size(old))
+      real(dp) :: distance, nearest
+      integer :: i, j, k
 
       allocate (origin(size(points)), source=0)
+      taken = .false.
       j = 1
       do i = 1, size(points)
          key = pair_key(points(i))
@@ -87,8 +90,15 @@ contains
             j = j + 1
          end do
          if (j > size(old)) return
-         if (pair_key(old(j)) /= key) cycle
-         if (distance_from(wires, old(j), slid(:, j), points(i)) <= reach_of(elements, points(i))) origin(i) = j
+         nearest = reach_of(elements, points(i))
+         do k = j, size(old)
+            if (pair_key(old(k)) /= key) exit
+            distance = distance_from(wires, old(k), slid(:, k), points(i))
+            if (taken(k) .or. distance > nearest) cycle
+            nearest = distance
+            origin(i) = k
+         end do
+         if (origin(i) > 0) taken(origin(i)) = .true.
       end do
 
    contains

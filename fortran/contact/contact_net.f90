@@ -9,6 +9,8 @@ module litz_contact_net
    use litz_contact_findings, only: finding_t, worse_of, finding_deep, finding_kink, finding_line, finding_passed
    use litz_contact_points, only: contact_set_t, contact_point_t, points_by_wire_t, chain_by_wire
    use litz_element_library, only: elements_t
+   use litz_contact_candidates, only: find_contact_pair
+   use litz_line_contact, only: serves_lines, line_obstacle
    use litz_missed_contacts, only: inspect_pair, is_at
    use litz_model, only: model_t, axis_linear
    use litz_normal_law, only: penalty_that_holds
@@ -36,12 +38,13 @@ contains
       real(dp), intent(in) :: x(:, :), rotation(:, :, :)
       type(finding_t) :: worst
       type(finding_t), allocatable :: found(:)
-      type(points_by_wire_t) :: by_wire
+      type(points_by_wire_t) :: by_wire, line_by_wire
       !> The candidate has a point (n_candidates)
       logical, allocatable :: has_point(:)
-      integer :: i, n
+      integer :: i, n, roles(2), pair
 
       by_wire = chain_by_wire(wires, contact%points)
+      line_by_wire = chain_by_wire(wires, contact%line_points)
       n = size(contact%candidates, 2)
       allocate (has_point(n), source=.false.)
       has_point(contact%points%candidate) = .true.
@@ -49,11 +52,11 @@ contains
       !$omp parallel do schedule(dynamic, 64) if (size(found) >= worth_threads)
       do i = 1, size(found)
          if (i <= n) then
-            call inspect_pair(model, wires, elements, contact, by_wire, contact%candidates(:, i), has_point(i), &
-               .false., x, rotation, found(i))
+            call inspect_pair(model, wires, elements, contact, by_wire, line_by_wire, contact%candidates(:, i), &
+               has_point(i), .false., x, rotation, found(i))
          else
-            call inspect_pair(model, wires, elements, contact, by_wire, contact%joined(:, i - n), .false., .true., x, &
-               rotation, found(i))
+            call inspect_pair(model, wires, elements, contact, by_wire, line_by_wire, contact%joined(:, i - n), &
+               .false., .true., x, rotation, found(i))
          end if
       end do
       !$omp end parallel do
@@ -63,6 +66,13 @@ contains
       do i = 1, size(contact%points)
          worst = worse_of(worst, inspect_point(model, wires, elements, contact%points, by_wire, contact%points(i)))
       end do
+      do i = 1, size(contact%line_points)
+         worst = worse_of(worst, inspect_line_point(model, elements, contact%line_points(i)))
+      end do
+      if (worst%kind /= finding_line) return
+      call find_contact_pair(model, wires, contact, worst%elements(1), worst%elements(2), roles, pair)
+      if (pair > 0) worst%obstacle = line_obstacle(model%interactions(model%contact_pairs(pair)%interaction), &
+         model%contact_pairs(pair)%interference_fit)
    end function inspect_contacts
 
    !> A contact that is too deep, as long as a line, or on the wrong side.
@@ -91,9 +101,27 @@ contains
       end associate
       half_length = sqrt(2*max(point%kinematics%distance, 0.0_dp)*(-point%gap) &
          /max(squared_sine(elements, point), tiny(1.0_dp)))
-      if (half_length > longest_point*radius) finding%kind = finding_line
+      if (half_length > longest_point*radius .and. .not. serves_lines(model, point%pair)) finding%kind = finding_line
       if (point%kinematics%distance <= 0) finding%kind = finding_passed
    end function inspect_point
+
+   !> A point of a line contact that is too deep, or on the wrong side.
+   pure type(finding_t) function inspect_line_point(model, elements, point) result(finding)
+      type(model_t), intent(in) :: model
+      type(elements_t), intent(in) :: elements
+      type(contact_point_t), intent(in) :: point
+
+      if (.not. point%closed) return
+      finding%elements = [point%element_bar, point%element]
+      finding%overlap = -point%gap/minval(elements%radius(finding%elements))
+      if (finding%overlap > allowed_penetration) finding%kind = finding_deep
+      associate (law => model%interactions(model%contact_pairs(point%pair)%interaction)%normal)
+         finding%law_title = law%title
+         if (law%line_penalty() > 0) finding%penalty = law%line_penalty()*finding%overlap/allowed_penetration
+         finding%unit = 'N/m^2'
+      end associate
+      if (point%kinematics%distance <= 0) finding%kind = finding_passed
+   end function inspect_line_point
 
    !> Squared sine of the angle of straight wires between which the distance would grow as it does round this point.
    pure real(dp) function squared_sine(elements, point) result(sine2)

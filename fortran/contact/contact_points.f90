@@ -8,6 +8,8 @@ module litz_contact_points
    use litz_friction_iteration, only: friction_iteration_t
    use litz_friction_law, only: friction_law_t
    use litz_hertz, only: hertz_ellipse_t
+   use litz_line_law, only: line_wires_t
+   use litz_line_places, only: line_places_t
    use litz_model, only: model_t
    use litz_normal_law, only: force_of_gap_t
    use litz_shared_conductors, only: shared_conductors_t
@@ -16,12 +18,12 @@ module litz_contact_points
    implicit none
    private
    public :: contact_point_t, contact_set_t, points_by_wire_t
-   public :: law_ok, law_parallel, law_bad_data
+   public :: law_ok, law_parallel, law_bad_data, law_too_curved
    public :: pair_geometry, axis_of_pair, arc_at, crossing_at, clearance_of, chain_by_wire
 
    !> What has become of the laws of a contact: nothing; the axes are parallel, so that there is no Hertz ellipse; the
-   !> data of the law are none for it
-   integer, parameter :: law_ok = 0, law_parallel = 1, law_bad_data = 2
+   !> data of the law are none for it; a wire is curved about the other so much that the foot of a line is hardly known
+   integer, parameter :: law_ok = 0, law_parallel = 1, law_bad_data = 2, law_too_curved = 3
 
    !> A crossing of two wires, open or closed: the contact that results show, and what the iteration needs besides.
    type, extends(contact_t) :: contact_point_t
@@ -36,6 +38,29 @@ module litz_contact_points
       type(crossing_t) :: start
       !> .false.: the axes are nearly parallel there, or touch along a line
       logical :: regular = .true.
+      !> Share of the contact that this point carries, the rest of which is carried along the line; of a point of a line
+      !> contact the length that it stands for [m]
+      real(dp) :: weight = 1
+      !> Of a point of a line contact: share of the contact that is carried along the line there
+      real(dp) :: line_share = 0
+      !> Angle that the law sees [rad], and its sine, which the curvature of the wires can make greater than 1: of the
+      !> axes, or of straight wires whose lens of overlap is as long (litz_line_kinematics)
+      real(dp) :: law_angle = 0, law_sine = 0
+      !> Sine of straight wires whose lens of overlap is as long as that of this crossing, how much it counts beside the
+      !> angle of the axes, and how much the section of the wires counts, both between 0 and 1
+      real(dp) :: lens_sine = 0, lens_share = 0, section_share = 0
+      !> The wires overlap on beyond its lens: what looks like a short overlap is a ripple of a long one
+      logical :: is_long = .false.
+      !> These shares have been found: within an iteration they stay
+      logical :: is_shared = .false.
+      !> Of a point of a line contact: its foot is held at the end of a wire
+      logical :: foot_at_end = .false.
+      !> Point of a line contact: its place on the unbarred wire, see litz_line_places; 0: the wires cross here
+      integer :: line_place = 0
+      !> Of a point of a line contact: its normal in the last converged state (3); 0: none
+      real(dp) :: normal_before(3) = 0
+      !> Law per length at the present angle, of a point of a line contact
+      type(line_wires_t) :: line
       !> Hertz ellipse at the present angle, where a law needs it
       type(hertz_ellipse_t) :: ellipse
       !> The last iteration predicted the gap and the force of this point [m, N]
@@ -49,7 +74,7 @@ module litz_contact_points
       !> Law at the present gap, and the force that this iteration linearises about [N]
       type(force_of_gap_t) :: at_gap
       real(dp) :: iteration_force = 0
-      !> A law or what it builds on has failed here: `law_ok`, `law_parallel` or `law_bad_data`
+      !> A law or what it builds on has failed here: one of `law_...`
       integer :: law_status = law_ok
       !> Force of the geometric stiffness [N]; zero at first touch, where no force is known yet
       real(dp) :: geometric_force = 0
@@ -89,7 +114,12 @@ module litz_contact_points
       type(contact_point_t), allocatable :: points(:)
       !> The points of the last converged state
       type(contact_point_t), allocatable :: converged(:)
+      !> Where lines are touched, and the points of line contacts now and in the last converged state
+      type(line_places_t) :: places
+      type(contact_point_t), allocatable :: line_points(:), converged_line_points(:)
       integer :: last_id = 0
+      !> How often the shares of line contacts have been renewed in this increment
+      integer :: n_settled = 0
       !> Largest overlap of the reference configuration that an interference fit resolves, one per contact pair [m];
       !> 0: the pair is none
       real(dp), allocatable :: overlap(:)

@@ -3,7 +3,7 @@
 module litz_contact_step
    use litz_kinds, only: dp
    use litz_contact_kinematics, only: n_motions
-   use litz_contact_points, only: contact_set_t, contact_point_t
+   use litz_contact_points, only: contact_point_t
    use litz_element_library, only: elements_t
    use litz_fields, only: motion_slots
    use litz_model, only: model_t
@@ -18,18 +18,18 @@ contains
 
    !> The part of a step, at most 1, by which no crossing gets deeper than the reach, and none that is closed opens by
    !> more than that. A crossing that is deep already, or open already, is not held back.
-   pure real(dp) function bearable_fraction(model, elements, contact, step) result(eta)
+   pure real(dp) function bearable_fraction(model, elements, points, step) result(eta)
       type(model_t), intent(in) :: model
       type(elements_t), intent(in) :: elements
-      type(contact_set_t), intent(in) :: contact
+      type(contact_point_t), intent(in) :: points(:)
       !> Linear step of the unknowns (n_slots, n_nodes)
       real(dp), intent(in) :: step(:, :)
       real(dp) :: dgap, limit
       integer :: i
 
       eta = 1
-      do i = 1, size(contact%points)
-         associate (point => contact%points(i))
+      do i = 1, size(points)
+         associate (point => points(i))
             if (model%interactions(model%contact_pairs(point%pair)%interaction)%unlimited_penetration) cycle
             dgap = change_of_gap(point)
             limit = reach*minval(elements%radius([point%element_bar, point%element]))

@@ -5,21 +5,29 @@ module litz_contact_term
    use litz_contact_capture, only: capture_contacts
    use litz_contact_crossings, only: locate_points
    use litz_contact_energies, only: add_contact_energies
-   use litz_contact_forces, only: apply_normal_law, assemble_contacts, predict_contacts, refused_contact
-   use litz_contact_points, only: contact_set_t
+   use litz_contact_forces, only: assemble_contacts, share_currents, predict_contacts, refused_contact
+   use litz_contact_points, only: contact_set_t, contact_point_t
+   use litz_contact_descent, only: descent_fraction
    use litz_contact_step, only: contact_fraction => bearable_fraction
    use litz_contact_tangents, only: follow_centre_line
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
    use litz_fields, only: group_electric, potential_slots
    use litz_friction_iteration, only: friction_iteration_t
+   use litz_line_points, only: locate_line_points
+   use litz_line_shares, only: share_crossings, renew_shares
    use litz_model, only: step_t
+   use litz_normal_forces, only: apply_normal_law
    use litz_state, only: energies_t
    use litz_term, only: term_t, status_t
    use litz_timing, only: phase_search, phase_contact, phase_update
    implicit none
    private
    public :: contact_term_t
+
+   !> How often an increment settles what is carried along lines at most, and the change of a share that is left alone
+   integer, parameter :: max_settlings = 1
+   real(dp), parameter :: settled_change = 0.02_dp
 
    type, extends(term_t) :: contact_term_t
       !> The set of contacts, which the checks of a converged state, restart files and results read, too
@@ -81,9 +89,15 @@ contains
          contact%points%predicted = .false.
          contact%points%mixed_force = contact%points%force
          contact%points%friction_iteration = friction_iteration_t()
+         contact%line_points = contact%converged_line_points
+         contact%line_points%predicted = .false.
+         contact%line_points%friction_iteration = friction_iteration_t()
+         contact%n_settled = 0
+         contact%line_points%mixed_force = contact%line_points%force
          call follow_centre_line(domain%model, domain%elements, domain%iterate%x, domain%iterate%rotation, &
             domain%wires)
-         contact%depth = max(0.0_dp, maxval(-contact%points%kinematics%gap))
+         contact%depth = max(0.0_dp, maxval(-contact%points%kinematics%gap), &
+            maxval(-contact%line_points%kinematics%gap))
       end associate
    end subroutine start
 
@@ -107,7 +121,11 @@ contains
          call domain%timing%lap(phase_search)
          call locate_points(model, wires, elements, iterate%x_start, rotation_start, iterate%x, iterate%rotation, &
             contact)
-         call apply_normal_law(model, elements, contact)
+         call locate_line_points(model, wires, elements, iterate%x_start, rotation_start, iterate%x, iterate%rotation, &
+            contact)
+         call share_crossings(model, wires, elements, contact)
+         call apply_normal_law(model, elements, contact%points)
+         call apply_normal_law(model, elements, contact%line_points)
          call domain%timing%lap(phase_contact)
       end associate
    end subroutine locate
@@ -118,7 +136,12 @@ contains
       !> Data that a law cannot take
       type(error_t), allocatable, intent(out) :: error
 
-      call assemble_contacts(domain, self%contact, error)
+      call assemble_contacts(domain, self%contact, self%contact%points, error)
+      if (allocated(error)) return
+      call assemble_contacts(domain, self%contact, self%contact%line_points, error)
+      if (allocated(error)) return
+      call share_currents(domain%model, domain%iterate%value(potential_slots(1), :), self%contact, domain%forces)
+      call domain%timing%lap(phase_contact)
    end subroutine evaluate
 
    function refusal(self, domain) result(reason)
@@ -126,25 +149,35 @@ contains
       type(domain_t), intent(in) :: domain
       character(len=:), allocatable :: reason
 
-      reason = refused_contact(domain%model, self%contact)
+      reason = refused_contact(domain%model, self%contact%points)
+      if (len(reason) == 0) reason = refused_contact(domain%model, self%contact%line_points)
    end function refusal
 
    subroutine count_status(self, status)
       class(contact_term_t), intent(in) :: self
       type(status_t), intent(inout) :: status
+
+      call count_points(self%contact%points, status)
+      call count_points(self%contact%line_points, status)
+   end subroutine count_status
+
+   pure subroutine count_points(points, status)
+      type(contact_point_t), intent(in) :: points(:)
+      type(status_t), intent(inout) :: status
       integer :: i
 
-      do i = 1, size(self%contact%points)
-         associate (point => self%contact%points(i))
+      do i = 1, size(points)
+         associate (point => points(i))
             if (point%closed) status%active = status%active + 1
-            if (point%predicted .and. (point%closed .neqv. point%predicted_gap < 0)) then
+            ! which points of a line are closed follows from their gaps alone
+            if (point%line_place == 0 .and. point%predicted .and. (point%closed .neqv. point%predicted_gap < 0)) then
                if (point%closed) status%new = status%new + 1
                if (.not. point%closed) status%lost = status%lost + 1
             end if
             status%penetration = max(status%penetration, -point%gap)
          end associate
       end do
-   end subroutine count_status
+   end subroutine count_points
 
    !> A spot joins the conductors of its wires.
    subroutine link(self, domain, group, pairs)
@@ -154,16 +187,26 @@ contains
       integer, intent(in) :: group
       !> A node of either wire (2, pairs)
       integer, allocatable, intent(out) :: pairs(:, :)
-      integer, allocatable :: conducting(:)
-      integer :: i
+      allocate (pairs(2, 0))
+      if (group /= group_electric) return
+      call link_points(self%contact%points)
+      call link_points(self%contact%line_points)
 
-      associate (points => self%contact%points, connectivity => domain%model%connectivity)
-         conducting = pack([(i, i=1, size(points))], points%conductance > 0 .and. group == group_electric)
-         allocate (pairs(2, size(conducting)))
-         do i = 1, size(conducting)
-            pairs(:, i) = connectivity(1, [points(conducting(i))%element_bar, points(conducting(i))%element])
-         end do
-      end associate
+   contains
+
+      subroutine link_points(points)
+         type(contact_point_t), intent(in) :: points(:)
+         integer, allocatable :: conducting(:)
+         integer :: i
+
+         conducting = pack([(i, i=1, size(points))], points%conductance > 0)
+         associate (connectivity => domain%model%connectivity)
+            pairs = reshape([pairs, (connectivity(1, points(conducting(i))%element_bar), &
+               connectivity(1, points(conducting(i))%element), i=1, size(conducting))], &
+               [2, size(pairs, 2) + size(conducting)])
+         end associate
+      end subroutine link_points
+
    end subroutine link
 
    !> Contacts on the same element: their currents depend on each other.
@@ -195,7 +238,10 @@ contains
       !> Linear step of the unknowns (n_slots, n_nodes)
       real(dp), intent(in) :: correction(:, :)
 
-      bearable_fraction = contact_fraction(domain%model, domain%elements, self%contact, correction)
+      bearable_fraction = min(contact_fraction(domain%model, domain%elements, self%contact%points, correction), &
+         contact_fraction(domain%model, domain%elements, self%contact%line_points, correction), &
+         descent_fraction(domain%model, self%contact%line_points, domain%loading%load - domain%forces%internal &
+         - domain%forces%iteration, correction))
    end function bearable_fraction
 
    subroutine predict(self, domain, eta, correction)
@@ -204,7 +250,8 @@ contains
       !> Fraction of the step that is taken, and the step (n_slots, n_nodes)
       real(dp), intent(in) :: eta, correction(:, :)
 
-      call predict_contacts(domain%model, eta, correction, self%contact)
+      call predict_contacts(domain%model, eta, correction, self%contact%points)
+      call predict_contacts(domain%model, eta, correction, self%contact%line_points)
    end subroutine predict
 
    !> The axes have sheared since the increment began: contact is to balance where they are now.
@@ -214,17 +261,37 @@ contains
       !> The forces must be evaluated again
       logical, intent(inout) :: has_moved
 
+      call settle_shares(domain, self%contact, has_moved)
       if (.not. any(domain%elements%shear_flexible)) return
       call follow_centre_line(domain%model, domain%elements, domain%iterate%x, domain%iterate%rotation, domain%wires)
       has_moved = .true.
    end subroutine settle
+
+   !> What is carried along lines and what at crossings is settled for the present lengths of contact, a few times at
+   !> most: what then is left of a change is a matter of quadrature.
+   subroutine settle_shares(domain, contact, has_moved)
+      type(domain_t), intent(in) :: domain
+      type(contact_set_t), intent(inout) :: contact
+      !> The forces must be evaluated again
+      logical, intent(inout) :: has_moved
+      real(dp) :: largest_change
+
+      if (contact%n_settled >= max_settlings) return
+      call renew_shares(domain%model, domain%wires, domain%elements, domain%iterate%x, domain%iterate%rotation, &
+         contact, largest_change)
+      contact%n_settled = contact%n_settled + 1
+      if (largest_change > settled_change) has_moved = .true.
+   end subroutine settle_shares
 
    subroutine add_energies(self, domain, energies)
       class(contact_term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain
       type(energies_t), intent(inout) :: energies
 
-      call add_contact_energies(self%contact, energies)
+      associate (contact => self%contact)
+         call add_contact_energies(contact, contact%converged, contact%points, energies)
+         call add_contact_energies(contact, contact%converged_line_points, contact%line_points, energies)
+      end associate
    end subroutine add_energies
 
    subroutine accept(self, domain)

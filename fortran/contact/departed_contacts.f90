@@ -17,7 +17,10 @@ module litz_departed_contacts
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: find_departed_pairs, find_departed_contacts, surely_overlap
+   public :: find_departed_pairs, find_departed_contacts, find_departed_lines, surely_overlap
+
+   !> Overlap over the smaller radius that is more than round-off
+   real(dp), parameter :: unseen_overlap = 1.0e-6_dp
 
 contains
 
@@ -91,6 +94,60 @@ contains
          end associate
       end do
    end function find_departed_contacts
+
+   !> The worst contact along a line that goes on beyond the part of a wire that its contact pair names.
+   function find_departed_lines(model, wires, elements, contact, x, rotation) result(worst)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(contact_set_t), intent(in) :: contact
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
+      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      type(finding_t) :: worst
+      integer :: i, side
+
+      if (all_wires_are_whole()) return
+      do i = 1, size(contact%line_points)
+         associate (point => contact%line_points(i))
+            if (.not. point%closed) cycle
+            do side = 1, 2
+               call inspect(wires%next(side, point%element), point%element_bar)
+               call inspect(wires%next(side, point%element_bar), point%element)
+            end do
+         end associate
+      end do
+
+   contains
+
+      !> No contact pair names a part of a wire only.
+      pure logical function all_wires_are_whole()
+         integer :: e
+
+         all_wires_are_whole = .true.
+         do e = 1, model%n_elements
+            associate (wire => wires%wire(e))
+               if (any((contact%wire_in_bar(wire, :) .and. .not. contact%in_bar(e, :)) .or. &
+                  (contact%wire_in_set(wire, :) .and. .not. contact%in_set(e, :)))) all_wires_are_whole = .false.
+            end associate
+         end do
+      end function all_wires_are_whole
+
+      subroutine inspect(a, b)
+         !> An element next to one in contact, 0: none, and the element that is touched
+         integer, intent(in) :: a, b
+         integer :: roles(2), named_by
+         real(dp) :: overlap
+
+         if (a == 0) return
+         call find_contact_pair(model, wires, contact, a, b, roles, named_by)
+         if (named_by > 0) return
+         overlap = surely_overlap(model, wires, elements, a, b, x, rotation)
+         if (overlap < unseen_overlap) return
+         if (are_joined(model, wires, elements, a, b)) return
+         worst = worse_of(worst, finding_t(finding_departed, [a, b], overlap))
+      end subroutine inspect
+
+   end function find_departed_lines
 
    !> Overlap of two elements over the smaller radius, but for what lies between their chords and their axes; negative:
    !> none, or none that is sure.

@@ -1,58 +1,83 @@
-!> Friction of one crossing: stiffness of the stick, and the kernel with the memory of the crossing.
+!> Friction of one contact: stiffness of the stick, and the kernel, of a crossing or of a point of a line, with the
+!> memory of the contact.
 module litz_friction_forces
    use litz_kinds, only: dp
-   use litz_contact_kinematics, only: n_motions
+   use litz_contact_kinematics, only: contact_kinematics_t, n_motions
    use litz_contact_friction, only: slip_t, slip_kinematics, friction_residual, friction_tangent
    use litz_contact_points, only: contact_point_t
-   use litz_friction_iteration, only: place_touch
+   use litz_friction_iteration, only: place_touch, place_line_touch
    use litz_friction_law, only: friction_law_t, friction_start_t, friction_law, friction_none, friction_stick
    use litz_law_input, only: wire_pair_t
+   use litz_line_friction, only: line_slip_t, line_slip, side_at, line_friction_residual, line_friction_tangent
    use litz_model, only: interaction_t
-   use litz_normal_law, only: overlap_at_force
+   use litz_normal_forces, only: overlap_of_point
    use litz_rotation_forms, only: spin_to_hessian
    use litz_stick_laws, only: stick_stiffness_at
    use litz_wires, only: wires_t, arc_from_to
    implicit none
    private
-   public :: find_friction
+   public :: find_friction, increment_start_t
+
+   !> The two elements of a contact when the increment began, and what has happened since.
+   type :: increment_start_t
+      !> Displacements and rotations of the four nodes since (24) [m, rad], and what the clearance of an interference
+      !> has closed the gap by [m]
+      real(dp) :: dq(n_motions) = 0, closing = 0
+      !> Of a point of a line contact: nodal positions [m] and unit tangents (3, 4) of then, and the rotations of the
+      !> nodes since (3, 3, 4)
+      real(dp) :: x(3, 4) = 0, t(3, 4) = 0, turned(3, 3, 4) = 0
+   end type increment_start_t
+
+   !> Slip since the increment began or the contact closed, by the kernel that it is of.
+   type :: contact_slip_t
+      !> D1, D2 [m]; derivatives (24, 2)
+      real(dp) :: slip(2) = 0, dslip(n_motions, 2) = 0
+      !> Directions (3, 2)
+      real(dp) :: frame(3, 2) = 0
+      logical :: is_of_line = .false.
+      type(slip_t) :: crossing
+      type(line_slip_t) :: line
+   contains
+      procedure :: residual
+      procedure :: tangent
+   end type contact_slip_t
 
 contains
 
    !> Residual and tangent of the traction of a contact.
-   pure subroutine find_friction(law, wires, x, t, length, pair, dq, closing, point, k, r)
+   pure subroutine find_friction(law, wires, x, t, length, pair, before, point, k, r)
       type(interaction_t), intent(in) :: law
       type(wires_t), intent(in) :: wires
       !> Nodal positions [m] and unit tangents (3, 4), reference lengths (2) [m]: barred first
       real(dp), intent(in) :: x(3, 4), t(3, 4), length(2)
       type(wire_pair_t), intent(in) :: pair
-      !> Displacements and rotations of the four nodes since the increment began (24) [m, rad], and what the clearance
-      !> of an interference has closed the gap by [m]
-      real(dp), intent(in) :: dq(n_motions), closing
+      type(increment_start_t), intent(in) :: before
       !> Gets the traction, and what the iteration supposes of it
       type(contact_point_t), intent(inout) :: point
       !> Tangent (24, 24), in Hessian form, and residual (24)
       real(dp), intent(out) :: k(n_motions, n_motions), r(n_motions)
-      type(slip_t) :: slip
+      type(contact_slip_t) :: slip
       type(friction_law_t) :: supposed
       type(friction_start_t) :: start
       real(dp) :: force, dforce(n_motions), stiffness, dstiffness_dforce, r_supposed(n_motions)
-      integer :: elements(2)
 
-      elements = [point%element_bar, point%element]
       if (.not. (point%history%closed .or. point%friction_iteration%touched)) then
-         call find_touch(wires%direction(elements)*length/2, dq, closing, point)
+         call find_touch(wires, length, pair%radius, before, point)
       end if
-      slip = slip_kinematics(point%kinematics, x, t, length, law%axis, wires%direction(elements), &
-         arc_from_to(start_of_slip(point), [point%arc_bar, point%arc], wires%circumference(wires%wire(elements))))
+      if (point%line_place > 0) then
+         slip = slip_on_line(wires, x, t, length, pair%radius, before, point)
+      else
+         slip = slip_of_crossing(law%axis, wires, x, t, length, point)
+      end if
       start = start_of_friction(law, pair, point)
       k = 0
       r = 0
       if (point%closed) then
-         call stick(law, pair, point%force, point, stiffness, dstiffness_dforce)
+         call stick(law, pair, point%force, point%weight, point, stiffness, dstiffness_dforce)
          point%friction = friction_law(law%friction, point%force, stiffness, dstiffness_dforce, start, slip%slip)
          point%traction = -matmul(slip%frame, point%friction%traction)
-         r = friction_residual(point%kinematics, slip, point%friction%traction)
-         if (.not. point%history%closed) call grow_with_force(dot_product(r, dq), point%friction)
+         r = slip%residual(point%kinematics, point%friction%traction)
+         if (.not. point%history%closed) call grow_with_force(dot_product(r, before%dq), point%friction)
       end if
 
       if (point%friction_iteration%status == friction_none) call suppose(point)
@@ -64,10 +89,10 @@ contains
          force = max(0.0_dp, point%iteration_force)
          dforce = -point%stiffness*point%kinematics%dgap
          if (.not. force > 0) return
-         call stick(law, pair, force, point, stiffness, dstiffness_dforce)
+         call stick(law, pair, force, point%weight, point, stiffness, dstiffness_dforce)
          supposed = friction_law(law%friction, force, stiffness, dstiffness_dforce, start, slip%slip, iteration%status)
-         r_supposed = friction_residual(point%kinematics, slip, supposed%traction)
-         k = friction_tangent(point%kinematics, slip, t, supposed, dforce, iteration%mixed_traction)
+         r_supposed = slip%residual(point%kinematics, supposed%traction)
+         k = slip%tangent(point%kinematics, t, supposed, dforce, iteration%mixed_traction)
          call spin_to_hessian(k, r_supposed, [4, 10, 16, 22])
          iteration%difference = r_supposed - r
          iteration%trial = supposed%trial
@@ -92,20 +117,123 @@ contains
       end associate
    end subroutine suppose
 
-   !> Place at which a contact that was open when the increment began has closed.
-   pure subroutine find_touch(arc_over_xi, dq, closing, point)
-      !> How arc lengths along the wires change with xi, barred and unbarred (2) [m]
-      real(dp), intent(in) :: arc_over_xi(2)
+   !> Slip of a crossing.
+   pure type(contact_slip_t) function slip_of_crossing(axis, wires, x, t, length, point) result(slip)
+      !> `axis_linear` or `axis_hermite`
+      integer, intent(in) :: axis
+      type(wires_t), intent(in) :: wires
       !> As in `find_friction`
-      real(dp), intent(in) :: dq(n_motions), closing
+      real(dp), intent(in) :: x(3, 4), t(3, 4), length(2)
+      type(contact_point_t), intent(in) :: point
+
+      associate (elements => [point%element_bar, point%element])
+         slip%crossing = slip_kinematics(point%kinematics, x, t, length, axis, wires%direction(elements), &
+            arc_from_to(start_of_slip(point), [point%arc_bar, point%arc], wires%circumference(wires%wire(elements))))
+      end associate
+      slip%slip = slip%crossing%slip
+      slip%dslip = slip%crossing%dslip
+      slip%frame = slip%crossing%frame
+   end function slip_of_crossing
+
+   !> Slip on the surfaces at a point of a line.
+   pure type(contact_slip_t) function slip_on_line(wires, x, t, length, radius, before, point) result(slip)
+      type(wires_t), intent(in) :: wires
+      !> As in `find_friction`, and radii (2) [m]
+      real(dp), intent(in) :: x(3, 4), t(3, 4), length(2), radius(2)
+      type(increment_start_t), intent(in) :: before
+      type(contact_point_t), intent(in) :: point
+      real(dp) :: arc, normal(3), part
+
+      arc = point%friction_iteration%arc_before
+      normal = point%friction_iteration%normal_before
+      part = point%friction_iteration%part
+      if (point%history%closed) then
+         arc = point%history%arc(1)
+         normal = point%normal_before
+         part = 1
+      end if
+      associate (e => point%element_bar)
+         slip%line = line_slip(point%kinematics, x, t, length, radius, before%turned, normal, &
+            wires%direction(e)*arc_from_to(arc, point%arc_bar, wires%circumference(wires%wire(e))))
+      end associate
+      slip%is_of_line = .true.
+      slip%slip = part*slip%line%slip
+      slip%dslip = part*slip%line%dslip
+      slip%frame = slip%line%frame
+   end function slip_on_line
+
+   pure function residual(self, kinematics, traction) result(r)
+      class(contact_slip_t), intent(in) :: self
+      type(contact_kinematics_t), intent(in) :: kinematics
+      !> (2) [N]
+      real(dp), intent(in) :: traction(2)
+      real(dp) :: r(n_motions)
+
+      if (self%is_of_line) then
+         r = line_friction_residual(self%line, traction)
+      else
+         r = friction_residual(kinematics, self%crossing, traction)
+      end if
+   end function residual
+
+   !> Tangent with respect to spins.
+   pure function tangent(self, kinematics, t, law, dforce, geometric_traction) result(k)
+      class(contact_slip_t), intent(in) :: self
+      type(contact_kinematics_t), intent(in) :: kinematics
+      !> Unit tangents of the nodes (3, 4)
+      real(dp), intent(in) :: t(3, 4)
+      type(friction_law_t), intent(in) :: law
+      !> How the normal force changes (24), and the traction of the geometric part (2) [N]
+      real(dp), intent(in) :: dforce(n_motions), geometric_traction(2)
+      real(dp) :: k(n_motions, n_motions)
+
+      if (self%is_of_line) then
+         k = line_friction_tangent(kinematics, self%line, self%dslip, t, law, dforce, geometric_traction)
+      else
+         k = friction_tangent(kinematics, self%crossing, t, law, dforce, geometric_traction)
+      end if
+   end function tangent
+
+   !> Where the foot of a point of a line was when an increment began in which it closes, and how much of the increment
+   !> follows the touch, for a motion in proportion.
+   pure subroutine find_line_touch(wires, length, radius, before, gap, point)
+      type(wires_t), intent(in) :: wires
+      !> Reference lengths and radii (2) [m]
+      real(dp), intent(in) :: length(2), radius(2)
+      type(increment_start_t), intent(in) :: before
+      !> Now, below zero [m]
+      real(dp), intent(in) :: gap
+      type(contact_point_t), intent(inout) :: point
+      real(dp) :: xi_bar, distance, normal(3)
+
+      associate (kinematics => point%kinematics)
+         xi_bar = point%xi_bar - dot_product(kinematics%dxi_bar, before%dq)
+         call side_at(before%x, before%t, length, xi_bar, point%xi, kinematics%side, normal, distance)
+         call place_line_touch(distance - sum(radius), gap, point%arc_bar + wires%direction(point%element_bar) &
+            *length(1)/2*(xi_bar - point%xi_bar), normal, point%friction_iteration)
+      end associate
+   end subroutine find_line_touch
+
+   !> Place at which a contact that was open when the increment began has closed.
+   pure subroutine find_touch(wires, length, radius, before, point)
+      type(wires_t), intent(in) :: wires
+      !> Reference lengths and radii (2) [m]
+      real(dp), intent(in) :: length(2), radius(2)
+      type(increment_start_t), intent(in) :: before
       type(contact_point_t), intent(inout) :: point
       real(dp) :: gap, gap_start
 
-      gap_start = point%gap - dot_product(point%kinematics%dgap, dq) + closing
       gap = point%gap
       if (point%predicted) gap = min(gap, point%predicted_gap)
-      call place_touch(gap_start, gap, [point%arc_bar, point%arc], arc_over_xi* &
-         [dot_product(point%kinematics%dxi_bar, dq), dot_product(point%kinematics%dxi, dq)], point%friction_iteration)
+      if (point%line_place > 0) then
+         call find_line_touch(wires, length, radius, before, gap, point)
+         return
+      end if
+      gap_start = point%gap - dot_product(point%kinematics%dgap, before%dq) + before%closing
+      call place_touch(gap_start, gap, [point%arc_bar, point%arc], &
+         wires%direction([point%element_bar, point%element])*length/2* &
+         [dot_product(point%kinematics%dxi_bar, before%dq), dot_product(point%kinematics%dxi, before%dq)], &
+         point%friction_iteration)
    end subroutine find_touch
 
    !> Arc lengths from which a contact slips in this increment (2) [m].
@@ -128,7 +256,7 @@ contains
       start%traction = point%history%traction
       start%force = point%history%force
       start%elastic_energy = point%history%elastic_energy
-      call stick(law, pair, start%force, point, start%stiffness, dstiffness_dforce)
+      call stick(law, pair, start%force, point%history%weight, point, start%stiffness, dstiffness_dforce)
    end function start_of_friction
 
    !> Work where the normal force has grown from nothing, in proportion to the slip since the contact closed: none on
@@ -142,17 +270,17 @@ contains
    end subroutine grow_with_force
 
    !> Tangential stiffness of a contact that sticks, and how it changes with the normal force.
-   pure subroutine stick(law, pair, force, point, stiffness, dstiffness_dforce)
+   pure subroutine stick(law, pair, force, weight, point, stiffness, dstiffness_dforce)
       type(interaction_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair
-      !> Normal force, greater than 0 [N]
-      real(dp), intent(in) :: force
+      !> Normal force, greater than 0 [N], and the share of a crossing [-] or the length of a line [m] that has it
+      real(dp), intent(in) :: force, weight
       type(contact_point_t), intent(in) :: point
       !> [N/m], [1/m]
       real(dp), intent(out) :: stiffness, dstiffness_dforce
 
       call stick_stiffness_at(law%stick_law, law%stick_value, law%friction, force, &
-         overlap_at_force(law%normal, force, pair, point%ellipse), pair, stiffness, dstiffness_dforce)
+         overlap_of_point(law%normal, pair, point, force, weight), pair, stiffness, dstiffness_dforce)
    end subroutine stick
 
 end module litz_friction_forces

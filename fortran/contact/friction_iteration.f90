@@ -12,7 +12,7 @@ module litz_friction_iteration
    use litz_friction_law, only: friction_none, friction_stick, friction_slip
    implicit none
    private
-   public :: friction_iteration_t, predict_friction, forget_friction, place_touch
+   public :: friction_iteration_t, predict_friction, forget_friction, place_touch, place_line_touch
 
    type :: friction_iteration_t
       !> Status that the iteration supposes; `friction_none`: nothing yet
@@ -31,6 +31,9 @@ module litz_friction_iteration
       logical :: touched = .false.
       !> Arc lengths of the places along the barred and the unbarred wire at which it closed (2) [m]
       real(dp) :: touch(2) = 0
+      !> Of a point of a line contact: its arc length along the barred wire [m] and the normal (3) when the increment
+      !> began, and the part of the slip since then that follows the first touch
+      real(dp) :: arc_before = 0, normal_before(3) = 0, part = 1
    end type friction_iteration_t
 
    !> A step that leaves less than this of a trial traction has gone too far to say whether the contact sticks
@@ -42,7 +45,8 @@ contains
    pure subroutine forget_friction(iteration)
       type(friction_iteration_t), intent(inout) :: iteration
 
-      iteration = friction_iteration_t(touched=iteration%touched, touch=iteration%touch)
+      iteration = friction_iteration_t(touched=iteration%touched, touch=iteration%touch, &
+         arc_before=iteration%arc_before, normal_before=iteration%normal_before, part=iteration%part)
    end subroutine forget_friction
 
    !> Where a contact closes within the increment: there its slip begins.
@@ -56,13 +60,34 @@ contains
       !> Arc lengths of the places now, and how far they have moved since the increment began (2) [m]
       real(dp), intent(in) :: arc(2), moved(2)
       type(friction_iteration_t), intent(inout) :: iteration
-      real(dp) :: closed_share
+
+      iteration%touched = .true.
+      iteration%touch = arc - closed_share(gap_start, gap)*moved
+   end subroutine place_touch
+
+   !> The same at a point of a line contact, whose surfaces turn besides: of the slip since the increment began it has
+   !> the part after the touch.
+   pure subroutine place_line_touch(gap_start, gap, arc, normal, iteration)
+      !> Gap when the increment began, and now, below zero [m]
+      real(dp), intent(in) :: gap_start, gap
+      !> Arc length of the foot [m] and normal (3) when the increment began
+      real(dp), intent(in) :: arc, normal(3)
+      type(friction_iteration_t), intent(inout) :: iteration
+
+      iteration%touched = .true.
+      iteration%arc_before = arc
+      iteration%normal_before = normal
+      iteration%part = closed_share(gap_start, gap)
+   end subroutine place_line_touch
+
+   !> The part of a motion in proportion for which a contact is closed.
+   pure real(dp) function closed_share(gap_start, gap)
+      !> As in `place_touch`
+      real(dp), intent(in) :: gap_start, gap
 
       closed_share = 1
       if (gap_start > 0) closed_share = gap/(gap - gap_start)
-      iteration%touched = .true.
-      iteration%touch = arc - closed_share*moved
-   end subroutine place_touch
+   end function closed_share
 
    !> Status and traction of the next iteration, after a linear step `dq` of the contact's 24 unknowns.
    pure subroutine predict_friction(dq, iteration)

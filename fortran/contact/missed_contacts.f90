@@ -9,6 +9,7 @@ module litz_missed_contacts
    use litz_contact_points, only: contact_set_t, contact_point_t, points_by_wire_t, pair_geometry, axis_of_pair, arc_at
    use litz_element_library, only: elements_t
    use litz_joint_overlaps, only: inspect_legs, leads_to_joint
+   use litz_known_lines, only: is_on_known_line
    use litz_model, only: model_t, axis_hermite
    use litz_rotations, only: cross
    use litz_straight_segments, only: segment_distance
@@ -28,14 +29,14 @@ module litz_missed_contacts
 contains
 
    !> The worst overlap of two elements that is no contact; `finding_none`: none.
-   subroutine inspect_pair(model, wires, elements, contact, by_wire, candidate, has_point, is_joined, x, rotation, &
-      finding)
+   subroutine inspect_pair(model, wires, elements, contact, by_wire, line_by_wire, candidate, has_point, is_joined, &
+      x, rotation, finding)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
-      !> With the points of this state, and these by their barred wires
+      !> With the points of this state, and these by their barred wires: crossings, points of lines
       type(contact_set_t), intent(in) :: contact
-      type(points_by_wire_t), intent(in) :: by_wire
+      type(points_by_wire_t), intent(in) :: by_wire, line_by_wire
       !> Barred element, unbarred element, contact pair (3)
       integer, intent(in) :: candidate(3)
       !> The two elements have a contact point; they are joined, and no candidate
@@ -60,8 +61,8 @@ contains
          do k = 1, n_places
             overlap = overlap_at(axis, radius, xe, t, length, places(:, k))
             if (overlap%depth < unseen_overlap) cycle
-            kind = kind_of(model, wires, elements, contact, by_wire, candidate, has_point, is_joined, x, rotation, &
-               overlap)
+            kind = kind_of(model, wires, elements, contact, by_wire, line_by_wire, candidate, has_point, is_joined, &
+               x, rotation, overlap)
             if (kind /= finding_none) finding = worse_of(finding, finding_t(kind, pair, overlap%depth))
          end do
          if (is_joined) call inspect_legs(model, wires, elements, candidate, x, rotation, finding)
@@ -69,14 +70,14 @@ contains
    end subroutine inspect_pair
 
    !> What is wrong with an overlap; `finding_none`: nothing, or it is found elsewhere.
-   integer function kind_of(model, wires, elements, contact, by_wire, candidate, has_point, is_joined, x, rotation, &
-      overlap) result(kind)
+   integer function kind_of(model, wires, elements, contact, by_wire, line_by_wire, candidate, has_point, is_joined, &
+      x, rotation, overlap) result(kind)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       !> With the points of this state, and these by their barred wires
       type(contact_set_t), intent(in) :: contact
-      type(points_by_wire_t), intent(in) :: by_wire
+      type(points_by_wire_t), intent(in) :: by_wire, line_by_wire
       !> Barred element, unbarred element, contact pair (3)
       integer, intent(in) :: candidate(3)
       !> The two elements have a contact point; they are joined, and no candidate
@@ -99,7 +100,9 @@ contains
          if (.not. overlap0%depth > 0) kind = finding_joined
       else if (is_joined) then
          if (.not. is_part_of_joint(model, wires, elements, candidate(1:2), overlap%place)) kind = finding_joined
-      else if (.not. is_known(wires, elements, contact%points, by_wire, candidate(1:2), overlap%place)) then
+      else if (.not. (is_known(wires, elements, contact%points, by_wire, candidate(1:2), overlap%place) .or. &
+         is_on_known_line(wires, elements, contact%line_points, line_by_wire, candidate(1:2), &
+         elements%radius(candidate(1:2)), overlap))) then
          kind = kind_of_missed(model, wires, contact, candidate, has_point, overlap)
       end if
    end function kind_of
@@ -182,7 +185,7 @@ contains
       is_known = .false.
       k = by_wire%first(wires%wire(pair(1)))
       do while (k > 0 .and. .not. is_known)
-         is_known = is_at(wires, elements, points(k), pair, arc)
+         is_known = points(k)%weight > 0 .and. is_at(wires, elements, points(k), pair, arc)
          k = by_wire%next(k)
       end do
    end function is_known

@@ -4,6 +4,7 @@ module litz_parallel_wires
    use litz_straight_segments, only: segment_distance
    use litz_contact_points, only: contact_set_t
    use litz_element_library, only: elements_t
+   use litz_line_contact, only: serves_lines
    use litz_model, only: model_t
    use litz_rotations, only: cross
    use litz_text, only: to_text
@@ -29,11 +30,13 @@ contains
 
       n = 0
       do i = 1, size(contact%candidates, 2)
+         if (serves_lines(model, contact%candidates(3, i))) cycle
          if (lie_side_by_side(model, elements, contact%candidates(1, i), contact%candidates(2, i))) n = n + 1
       end do
       text = ''
       if (n > 0) text = to_text(n)//' pairs of elements lie close side by side, at less than 10'// &
-         ' degrees; contact along lines is not modelled, and the run ends where such wires touch'
+         ' degrees; contact along lines is not modelled with their surface interaction, and the run ends where'// &
+         ' such wires touch'
    end function parallel_warning
 
    pure logical function lie_side_by_side(model, elements, a, b)

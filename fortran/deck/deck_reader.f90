@@ -15,6 +15,7 @@ module litz_deck_reader
    use litz_read_contact, only: read_interactions, read_contact_pairs
    use litz_read_rigid_bodies, only: read_rigid_bodies
    use litz_read_steps, only: read_steps
+   use litz_read_surfaces, only: read_surfaces
    use litz_model_checks, only: finding_t, check_connections
    use litz_unit_labels, only: unit_length
    implicit none
@@ -63,6 +64,7 @@ contains
       call read_sections(self, model)
       call read_amplitudes(self, model)
       call read_interactions(self, model)
+      call read_surfaces(self, model)
       call read_contact_pairs(self, model)
       call read_rigid_bodies(self, model)
       if (self%errors%count == 0 .and. model%n_elements == 0) call fail_at(self, &
@@ -71,6 +73,7 @@ contains
       call report_unused(self, self%materials, 'material')
       call report_unused(self, self%amplitudes, 'amplitude')
       call report_unused(self, self%interactions, 'surface interaction')
+      call report_unused(self, self%surfaces, 'rigid surface')
    end subroutine read_cards
 
    !> Data lines behind something that was wrong, such as a name that does not exist: their errors are reported
@@ -198,6 +201,9 @@ contains
          spare(model%connectivity(:, e)) = .false.
       end do
       spare(model%rigid_bodies%reference_node) = .false.
+      do first = 1, size(model%surfaces)
+         if (model%surfaces(first)%node > 0) spare(model%surfaces(first)%node) = .false.
+      end do
       if (.not. any(spare)) return
       first = findloc(spare, .true., 1)
       write (number, '(i0)') model%node_id(first)

@@ -65,7 +65,7 @@ module litz_foreign_words
       'JOULE HEAT FRACTION', '', '', 'leave it out: there is no temperature; Joule heat is in the results'), &
       foreign_word_t('INITIAL CONDITIONS', '', '', 'a run begins without stress and current; apply'// &
       ' initial loads in a first *STEP'), &
-      foreign_word_t('SURFACE|NODE SURFACE|RIGID SURFACE|SURFACE DEFINITION', '', '', &
+      foreign_word_t('SURFACE|NODE SURFACE|SURFACE DEFINITION', '', '', &
       'leave it out: *CONTACT PAIR names element sets'), &
       foreign_word_t('CONTACT|CONTACT INCLUSIONS|CONTACT EXCLUSIONS|CONTACT PROPERTY ASSIGNMENT|'// &
       'SURFACE PROPERTY ASSIGNMENT', '', '', 'use *CONTACT PAIR, INTERACTION=...; one element set in its data'// &

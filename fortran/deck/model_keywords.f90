@@ -5,7 +5,7 @@ module litz_model_keywords
    use litz_keywords, only: keyword_t, keyword_table_t, field_spec_t, place_model, place_both, limit_positive, &
       limit_not_negative, limit_poisson, limit_zero
    use litz_keyword_builders, only: begin, finish, integer_field, real_field, name_field, item_field, text_field, &
-      flag, choice, name, item, number, file
+      flag, choice, name, item, number, count_of, file
    use litz_law_words, only: law_words_t
    use litz_normal_laws, only: all_normal_laws
    use litz_spot_laws, only: all_spot_laws
@@ -13,6 +13,8 @@ module litz_model_keywords
    implicit none
    private
    public :: add_general, add_mesh, add_constraints, add_properties, add_contact
+
+   character(len=1), parameter :: axis_names(3) = ['x', 'y', 'z']
 
 contains
 
@@ -194,7 +196,9 @@ contains
       call finish(table, k)
 
       call begin(k, 'FRICTION', place_model, &
-         'Coulomb friction at the contact points, isotropic in the plane of the two wires. Before'// &
+         'Coulomb friction, isotropic in the plane of contact. Where wires cross at a point it resists the slip of'// &
+         ' their axes; along lines that of their surfaces, so that wires roll, and each gets the moment about its'// &
+         ' axis. Before'// &
          ' slip, a contact deforms elastically: with Mindlin''s tangential stiffness, 2(1-nu)/(2-nu) of the'// &
          ' normal stiffness for equal materials, or as given by one of the parameters. Without this keyword the'// &
          ' wires slide freely. In the increment in which a contact closes, friction acts from the point of closing.', &
@@ -216,19 +220,49 @@ contains
       call k%add(choice('SPOT', 'PRESENT FORCE|LARGEST FORCE', &
          'LARGEST FORCE: the spot keeps the size of the largest force since the contact closed or slipped (without'// &
          ' friction: moved by more than the spot) (litz extension)', default='PRESENT FORCE'))
+      call k%add(choice('PER', 'SPOT|LENGTH', &
+         'LENGTH: the resistance of CONSTANT and TABLE is per length [ohm m], the force of TABLE per length [N/m],'// &
+         ' of wires that touch along lines (litz extension)', default='SPOT'))
       call add_law_data(k, 'LAW', all_spot_laws())
       call finish(table, k)
 
+      call add_surface(table)
+
       call begin(k, 'CONTACT PAIR', place_model, &
          'Wires that may touch. All crossings between the two sets are searched;'// &
-         ' with one set, those within it.')
+         ' with one set, those within it. With the name of a rigid surface in place of the second set: wires that'// &
+         ' may touch this surface, to which no current passes.')
       call k%add(name('INTERACTION', 'the laws of the contact', required=.true.))
       call k%add(flag('INTERFERENCE FIT', &
          'overlaps at the start are intended; they are resolved linearly over the first step'))
-      call k%add_data([name_field('ELSET_A', 'first element set'), name_field('ELSET_B', 'second element set', &
-         required=.false.)])
+      call k%add_data([name_field('ELSET_A', 'first element set'), name_field('ELSET_B', 'second element set, or'// &
+         ' rigid surface', required=.false.)])
       call finish(table, k)
    end subroutine add_contact
+
+   pure subroutine add_surface(table)
+      type(keyword_table_t), intent(inout) :: table
+      type(keyword_t) :: k
+      type(field_spec_t) :: place(3), direction(3)
+      integer :: i
+
+      call begin(k, 'RIGID SURFACE', place_model, 'A rigid, insulating surface that wires can touch: press plates,'// &
+         ' drums, jackets. PLANE: the wires are on the side of its normal. CYLINDER: they touch it from outside.'// &
+         ' BORE: they touch it from inside. All are endless.')
+      call k%add(name('NAME', 'name of the surface, for *CONTACT PAIR', required=.true.))
+      call k%add(choice('TYPE', 'PLANE|CYLINDER|BORE', 'its shape (litz extension)', required=.true.))
+      call k%add(count_of('REF NODE', 'node with which the surface moves and turns, and on which the forces of the'// &
+         ' contacts act; without it the surface is fixed in space', ''))
+      place = [(real_field(axis_names(i), 'm', 'a point of the plane or of the axis'), i=1, 3)]
+      direction = [(real_field('d'//axis_names(i), '-', 'normal of the plane, towards the wires; or direction of'// &
+         ' the axis'), i=1, 3)]
+      call k%add_data([place, direction], when='TYPE=PLANE')
+      do i = 1, 2
+         call k%add_data([place, direction, real_field('radius', 'm', 'radius of the surface', limit_positive)], &
+            when=trim(merge('TYPE=CYLINDER', 'TYPE=BORE    ', i == 1)))
+      end do
+      call finish(table, k)
+   end subroutine add_surface
 
    !> `A|B|C`
    pure function names_of(laws) result(names)
@@ -268,7 +302,8 @@ contains
          allocate (fields(laws(i)%n_fields()))
          do j = 1, size(fields)
             associate (field => laws(i)%fields(j))
-               fields(j) = real_field(trim(field%name), trim(field%unit), trim(field%meaning), limit_positive)
+               fields(j) = real_field(trim(field%name), trim(field%unit), trim(field%meaning), limit_positive, &
+                  required=.not. field%is_optional)
             end associate
          end do
          call k%add_data(fields, when=parameter//'='//trim(laws(i)%name), last=merge(0, 1, laws(i)%has_table))

@@ -33,7 +33,8 @@ module litz_nodal_values
       integer :: op = 0
       !> .true. before the first step
       logical :: model_part = .true.
-      !> Nodes of some element or the reference node of a rigid body, and nodes of a conducting element (n_nodes)
+      !> Nodes of some element or rigid surface or the reference node of a rigid body, and nodes of a conducting element
+      !> (n_nodes)
       logical, allocatable :: has_element(:), has_potential(:)
       !> Rigid body that each node moves with, 0: none; the last degree of freedom that is not its own (n_nodes)
       integer, allocatable :: body(:), last_moved(:)
@@ -66,6 +67,9 @@ contains
             list%last_moved(body%tied) = last_dof(field_rotation)
             list%last_moved(body%pinned) = last_dof(field_displacement)
          end associate
+      end do
+      do k = 1, size(model%surfaces)
+         if (model%surfaces(k)%node > 0) list%has_element(model%surfaces(k)%node) = .true.
       end do
    end subroutine start_list
 

@@ -13,6 +13,8 @@ module litz_read_contact
    use litz_stick_laws, only: stick_laws, stick_mindlin
    use litz_data_lines, only: read_line
    use litz_definitions, only: add_definition, find_definition
+   use litz_line_contact, only: line_obstacle
+   use litz_read_surfaces, only: names_surface, read_surface_pair
    use litz_sets, only: find_set
    implicit none
    private
@@ -116,6 +118,10 @@ contains
       interaction%voltage_correction = choice_of(self, card, 'VOLTAGE') == 'CORRECTED'
       interaction%spot_memory = choice_of(self, card, 'SPOT') == 'LARGESTFORCE'
       interaction%spot = spot_law(choice_of(self, card, 'LAW'))
+      interaction%spot%is_per_length = choice_of(self, card, 'PER') == 'LENGTH'
+      if (interaction%spot%is_per_length .and. .not. interaction%spot%can_be_per_length) call fail_at(self, &
+         parameter_of(self, card, 'PER'), 'PER=LENGTH is for LAW=CONSTANT and LAW=TABLE; the other laws serve'// &
+         ' contact along lines as they are, but for PAPER')
       call read_law_data(self, card, interaction%spot)
    end subroutine read_spot_law
 
@@ -145,10 +151,32 @@ contains
             end if
             n = n + 1
             rows(:, n) = self%values%real(:size(rows, 1))
+            if (.not. any(abs(rows(:, n)) > 0)) call fail_at(self, self%values%token(1), &
+               'the line has none of the numbers of '//trim(law%name))
          end do
       end associate
       if (n > 0 .or. law%has_table) call law%take(reshape(rows(:, :n), [n*size(rows, 1)]))
    end subroutine read_law_data
+
+   !> A law per length alone serves contacts of any length, which the rest of the interaction has to.
+   subroutine check_lines(self, card, model, pair)
+      type(reader_t), intent(inout) :: self
+      !> Index of the card
+      integer, intent(in) :: card
+      type(model_t), intent(in) :: model
+      type(contact_pair_t), intent(in) :: pair
+
+      if (pair%interaction == 0) return
+      associate (law => model%interactions(pair%interaction))
+         if (len(line_obstacle(law, pair%interference_fit)) == 0) return
+         if (law%normal%is_per_length_only()) call fail_at(self, self%deck%cards(card)%name, 'surface interaction '// &
+            law%name//' has a stiffness per length alone, which is not possible with '// &
+            line_obstacle(law, pair%interference_fit)//': give the penalty at crossings [N/m], too')
+         if (law%spot%is_per_length) call fail_at(self, self%deck%cards(card)%name, 'surface interaction '//law%name// &
+            ' has a resistance per length (PER=LENGTH), which is not possible with '// &
+            line_obstacle(law, pair%interference_fit))
+      end associate
+   end subroutine check_lines
 
    subroutine read_contact_pairs(self, model)
       type(reader_t), intent(inout) :: self
@@ -168,10 +196,15 @@ contains
          if (.not. has_data(self, card)) cycle
          call read_line(self, card, self%deck%cards(card)%first_data, ok)
          if (.not. ok) cycle
+         if (names_surface(self)) then
+            call read_surface_pair(self, card, pair%interaction, model)
+            cycle
+         end if
          call find_set(self, 'element', self%element_sets, self%values%token(1), pair%set_bar)
          pair%set = pair%set_bar
          if (self%values%n > 1) call find_set(self, 'element', self%element_sets, self%values%token(2), pair%set)
          if (pair%set_bar == 0 .or. pair%set == 0) cycle
+         call check_lines(self, card, model, pair)
          pair%line = self%deck%lines(self%deck%cards(card)%first_data)%number
          pair%file = self%deck%sources(self%deck%lines(self%deck%cards(card)%first_data)%source)%path
          call check_pair(self, model, pair)

@@ -69,7 +69,7 @@ module litz_reader
       !> Some rigid body could not be read: a node without elements may be its reference node
       logical :: broken_bodies = .false.
       type(set_builder_t) :: node_sets, element_sets
-      type(definitions_t) :: materials, amplitudes, interactions
+      type(definitions_t) :: materials, amplitudes, interactions, surfaces
       !> Some *BEAM SECTION names no set that exists: elements without section are follow-up errors
       logical :: missed_section = .false.
       !> Values of the data line read last

@@ -1,5 +1,5 @@
 ! The kernels of line contact for Python, of many points at once; the contracts are in fortran/laws/line_law.f90,
-! fortran/laws/lens_law.f90 and fortran/kernels/line_point.f90.
+! fortran/laws/lens_law.f90, fortran/kernels/line_point.f90 and fortran/kernels/line_friction.f90.
 module f2py_line
    use iso_c_binding, only: c_double, c_int
    use litz_law_input, only: wire_pair_t
@@ -8,7 +8,10 @@ module f2py_line
    use litz_lens_law, only: lens_t, lens_force, lens_spot_t, lens_spot, lens_energy, &
       core_share_of_point => share_of_point
    use litz_contact_kinematics, only: contact_kinematics, contact_kinematics_t
-   use litz_line_kinematics, only: core_lens_sine => lens_sine
+   use litz_axis_choices, only: axis_hermite
+   use litz_friction_law, only: friction_law_t, friction_start_t, core_friction_law => friction_law
+   use litz_line_friction, only: line_slip_t, line_slip, line_friction_residual, line_friction_tangent
+   use litz_line_kinematics, only: core_lens_sine => lens_sine, line_kinematics
    use litz_line_point, only: core_line_point => line_point, line_laws_t, line_place_t, line_point_t
    implicit none
    private :: numbers_of
@@ -168,6 +171,66 @@ contains
       call contact_kinematics(x, t, length, axis, radius, xi_bar, xi, 0, kinematics, info)
       if (info == 0) sine = core_lens_sine(kinematics)
    end subroutine lens_sine
+
+   ! Residual and tangent of the traction at a given place and foot. force: F, dF/dg; stiffness: k_t, dk_t/dF
+   ! values: slip (2), traction (2), status; frame: e1, e2
+   subroutine line_friction(x, t, length, radius, xi_bar, xi, at_end, normal_side, turned, normal_before, moved, mu, &
+      force, stiffness, traction_start, k, r, values, frame, info)
+      !> Nodal positions (3, 4) [m]: barred 1, barred 2, 1, 2
+      real(c_double), intent(in) :: x(3, 4)
+      !> Unit tangents of the nodes (3, 4)
+      real(c_double), intent(in) :: t(3, 4)
+      !> Reference lengths (2) [m]: barred, unbarred
+      real(c_double), intent(in) :: length(2)
+      !> Radii (2) [m]: barred, unbarred
+      real(c_double), intent(in) :: radius(2)
+      !> The foot in the barred and the place in the unbarred element
+      real(c_double), intent(in) :: xi_bar, xi
+      !> Not 0: the foot is held at an end
+      integer(c_int), intent(in) :: at_end
+      !> A vector on the side of the normal (3); 0: none
+      real(c_double), intent(in) :: normal_side(3)
+      !> Rotations of the nodes since the increment began (3, 3, 4)
+      real(c_double), intent(in) :: turned(3, 3, 4)
+      !> Normal when it began (3)
+      real(c_double), intent(in) :: normal_before(3)
+      !> How far the foot has moved since [m]
+      real(c_double), intent(in) :: moved
+      !> Coefficient of friction [-]
+      real(c_double), intent(in) :: mu
+      !> F [N], dF/dg [N/m]
+      real(c_double), intent(in) :: force(2)
+      !> k_t [N/m], dk_t/dF [1/m]
+      real(c_double), intent(in) :: stiffness(2)
+      !> Traction at the start of the increment (2) [N]
+      real(c_double), intent(in) :: traction_start(2)
+      !> Tangent (24, 24)
+      real(c_double), intent(out) :: k(24, 24)
+      !> Residual (24) [N, N m]
+      real(c_double), intent(out) :: r(24)
+      !> Slip (2) [m], traction (2) [N], status
+      real(c_double), intent(out) :: values(5)
+      !> Directions of the slip (3, 2)
+      real(c_double), intent(out) :: frame(3, 2)
+      !> 0: all is well; else one of the constants of the kernel
+      integer(c_int), intent(out) :: info
+      type(contact_kinematics_t) :: kinematics
+      type(line_slip_t) :: slip
+      type(friction_law_t) :: law
+      k = 0
+      r = 0
+      values = 0
+      frame = 0
+      call line_kinematics(x, t, length, axis_hermite, radius, xi_bar, xi, at_end /= 0, normal_side, kinematics, info)
+      if (info /= 0) return
+      slip = line_slip(kinematics, x, t, length, radius, turned, normal_before, moved)
+      law = core_friction_law(mu, force(1), stiffness(1), stiffness(2), friction_start_t(traction_start, force(1)), &
+         slip%slip)
+      r = line_friction_residual(slip, law%traction)
+      k = line_friction_tangent(kinematics, slip, slip%dslip, t, law, force(2)*kinematics%dgap, law%traction)
+      values = [slip%slip, law%traction, real(law%status, c_double)]
+      frame = slip%frame
+   end subroutine line_friction
 
    ! numbers: xi_bar, gap, angle, force, half width, resistance, current, voltage_gap, force per length, energy,
    ! quality, at_end. start and rotation_vectors are looked at when has_start, has_rotation_vectors /= 0.

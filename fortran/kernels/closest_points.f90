@@ -7,6 +7,7 @@
 module litz_closest_points
    use litz_kinds, only: dp
    use litz_axis, only: axis_polynomial
+   use litz_distance_descent, only: point_t, minimise, scaled, lowest_eigenvalue, smallest_eigenvalue
    use litz_straight_segments, only: closest_on_chords
    implicit none
    private
@@ -32,14 +33,6 @@ module litz_closest_points
    real(dp), parameter :: end_tolerance = 1.0e-10_dp
    real(dp), parameter :: search_limit = 1.5_dp
 
-   !> Newton stops at this change of xi, because the next one is of the order of its square
-   real(dp), parameter :: step_tolerance = 1.0e-9_dp
-   !> Newton steps below this are taken without looking at `f`, which round-off hides
-   real(dp), parameter :: trusted_step = 1.0e-3_dp
-   real(dp), parameter :: largest_step = 0.5_dp
-   !> Smallest eigenvalue of the Newton matrix, scaled to the lengths of the tangents, that counts as positive
-   real(dp), parameter :: smallest_eigenvalue = 1.0e-10_dp
-   integer, parameter :: max_iterations = 60, max_halvings = 30
    !> Grid points along each axis in the search for other minima
    integer, parameter :: n_grid = 17
    !> Local minima of one pair of elements that are kept
@@ -47,20 +40,10 @@ module litz_closest_points
    !> Places nearer to each other than this, in units of xi, are one minimum
    real(dp), parameter :: same_place = 1.0e-6_dp
 
-   !> One point of the search: where, how far, gradient and matrix.
-   type :: point_t
-      !> In the order barred, unbarred
-      real(dp) :: xi(2) = 0
-      real(dp) :: f = 0, gradient(2) = 0, matrix(2, 2) = 0
-      !> Squared lengths of the two tangents, and the sine between them
-      real(dp) :: square(2) = 0, sine = 0
-      logical :: converged = .false.
-   end type point_t
-
 contains
 
    !> Closest points of two elements.
-   pure subroutine closest_points(x, t, length, axis, xi_bar, xi, status, start)
+   pure subroutine closest_points(x, t, length, axis, xi_bar, xi, status, start, others, n_others)
       !> Nodal positions [m] and unit tangents (3, 4): barred 1, barred 2, 1, 2
       real(dp), intent(in) :: x(3, 4), t(3, 4)
       !> Reference lengths (2) [m]: barred, unbarred
@@ -73,29 +56,37 @@ contains
       integer, intent(out) :: status
       !> Places (barred, unbarred) of an earlier solution: the minimum next to it is the one wanted
       real(dp), intent(in), optional :: start(2)
-      real(dp) :: p(3, 0:3), p_bar(3, 0:3), relative(3, 4)
+      !> Places (barred, unbarred) of further minima within both elements
+      real(dp), intent(out), optional :: others(2, max_minima)
+      !> Their number; given together with them
+      integer, intent(out), optional :: n_others
+      real(dp) :: p(3, 0:3), p_bar(3, 0:3), found(2, max_minima)
       type(point_t) :: point
       logical :: unique
-      integer :: i
+      integer :: i, n_found
 
-      ! measured from one node, so that the points do not suffer from far-away origins
-      do i = 1, 4
-         relative(:, i) = x(:, i) - x(:, 3)
-      end do
-      p_bar = axis_polynomial(axis, length(1), relative(:, 1:2), t(:, 1:2))
-      p = axis_polynomial(axis, length(2), relative(:, 3:4), t(:, 3:4))
+      call set_axes(x, t, length, axis, p_bar, p)
 
       unique = .true.
+      n_found = 0
       if (present(start)) then
          call minimise(p_bar, p, max(-search_limit, min(search_limit, start)), search_limit, point)
       else
          call minimise(p_bar, p, closest_on_chords(x), 1.0_dp, point)
-         if (.not. is_convex(p_bar, p)) call search_grid(p_bar, p, point, unique)
+         if (.not. is_convex(p_bar, p)) call search_grid(p_bar, p, point, unique, found, n_found)
          if (any(abs(point%xi) >= 1)) call minimise(p_bar, p, point%xi, search_limit, point)
       end if
       xi_bar = point%xi(1)
       xi = point%xi(2)
       status = status_of(point, unique)
+      if (.not. present(others)) return
+      others = found
+      n_others = 0
+      do i = 1, n_found
+         if (maxval(abs(found(:, i) - point%xi)) < same_place) cycle
+         n_others = n_others + 1
+         others(:, n_others) = found(:, i)
+      end do
    end subroutine closest_points
 
    !> All local minima of the distance of two elements, those at their ends included.
@@ -112,14 +103,10 @@ contains
       real(dp), intent(out) :: places(2, max_minima)
       !> Number of minima
       integer, intent(out) :: n
-      real(dp) :: p(3, 0:3), p_bar(3, 0:3), relative(3, 4), f(0:n_grid + 1, 0:n_grid + 1)
+      real(dp) :: p(3, 0:3), p_bar(3, 0:3), f(0:n_grid + 1, 0:n_grid + 1)
       integer :: i, j
 
-      do i = 1, 4
-         relative(:, i) = x(:, i) - x(:, 3)
-      end do
-      p_bar = axis_polynomial(axis, length(1), relative(:, 1:2), t(:, 1:2))
-      p = axis_polynomial(axis, length(2), relative(:, 3:4), t(:, 3:4))
+      call set_axes(x, t, length, axis, p_bar, p)
       n = 0
       places = 0
       call add_minimum(p_bar, p, closest_on_chords(x), places, n)
@@ -132,6 +119,19 @@ contains
       end do
    end subroutine local_minima
 
+   !> Both axes in powers of xi, measured from one node so that the points do not suffer from far-away origins.
+   pure subroutine set_axes(x, t, length, axis, p_bar, p)
+      !> As in `closest_points`
+      real(dp), intent(in) :: x(3, 4), t(3, 4), length(2)
+      !> As there
+      integer, intent(in) :: axis
+      !> Axes in powers of xi (3, 0:3) [m]: barred, unbarred
+      real(dp), intent(out) :: p_bar(3, 0:3), p(3, 0:3)
+
+      p_bar = axis_polynomial(axis, length(1), x(:, 1:2) - spread(x(:, 3), 2, 2), t(:, 1:2))
+      p = axis_polynomial(axis, length(2), x(:, 3:4) - spread(x(:, 3), 2, 2), t(:, 3:4))
+   end subroutine set_axes
+
    !> The minimum below `start`, unless it is known already.
    pure subroutine add_minimum(p_bar, p, start, places, n)
       !> Axes in powers of xi (3, 0:3) [m]: barred, unbarred
@@ -143,16 +143,25 @@ contains
       !> Number of minima that are known
       integer, intent(inout) :: n
       type(point_t) :: point
-      integer :: k
 
       call minimise(p_bar, p, start, 1.0_dp, point)
-      if (.not. point%converged .or. n == max_minima) return
-      do k = 1, n
-         if (maxval(abs(point%xi - places(:, k))) < same_place) return
-      end do
-      n = n + 1
-      places(:, n) = point%xi
+      if (point%converged) call add_place(point%xi, places, n)
    end subroutine add_minimum
+
+   !> Add a place to a list, unless it is there already or the list is full.
+   pure subroutine add_place(xi, places, n)
+      !> Place (barred, unbarred)
+      real(dp), intent(in) :: xi(2)
+      !> Places in the list
+      real(dp), intent(inout) :: places(2, max_minima)
+      !> Their number
+      integer, intent(inout) :: n
+
+      if (n == max_minima) return
+      if (any(maxval(abs(places(:, :n) - spread(xi, 2, n)), 1) < same_place)) return
+      n = n + 1
+      places(:, n) = xi
+   end subroutine add_place
 
    pure integer function status_of(point, unique) result(status)
       type(point_t), intent(in) :: point
@@ -171,183 +180,6 @@ contains
          status = closest_inside
       end if
    end function status_of
-
-   !> `f`, its gradient and its matrix of second derivatives with respect to (xi_bar, xi).
-   pure type(point_t) function evaluate(p_bar, p, xi) result(point)
-      !> Axes in powers of xi (3, 0:3) [m]
-      real(dp), intent(in) :: p_bar(3, 0:3), p(3, 0:3)
-      !> Places (barred, unbarred)
-      real(dp), intent(in) :: xi(2)
-      real(dp) :: w(3), xb1(3), xb2(3), x1(3), x2(3), normal(3)
-
-      w = (p_bar(:, 0) - p(:, 0)) + xi(1)*(p_bar(:, 1) + xi(1)*(p_bar(:, 2) + xi(1)*p_bar(:, 3))) &
-         - xi(2)*(p(:, 1) + xi(2)*(p(:, 2) + xi(2)*p(:, 3)))
-      xb1 = p_bar(:, 1) + xi(1)*(2*p_bar(:, 2) + xi(1)*3*p_bar(:, 3))
-      x1 = p(:, 1) + xi(2)*(2*p(:, 2) + xi(2)*3*p(:, 3))
-      xb2 = 2*p_bar(:, 2) + xi(1)*6*p_bar(:, 3)
-      x2 = 2*p(:, 2) + xi(2)*6*p(:, 3)
-      normal = [x1(2)*xb1(3) - x1(3)*xb1(2), x1(3)*xb1(1) - x1(1)*xb1(3), x1(1)*xb1(2) - x1(2)*xb1(1)]
-
-      point%xi = xi
-      point%f = dot_product(w, w)/2
-      point%gradient = [dot_product(w, xb1), -dot_product(w, x1)]
-      point%square = [dot_product(xb1, xb1), dot_product(x1, x1)]
-      point%matrix(1, 1) = point%square(1) + dot_product(w, xb2)
-      point%matrix(2, 2) = point%square(2) - dot_product(w, x2)
-      point%matrix(1, 2) = -dot_product(xb1, x1)
-      point%matrix(2, 1) = point%matrix(1, 2)
-      point%sine = sqrt(dot_product(normal, normal)/max(product(point%square), tiny(1.0_dp)))
-   end function evaluate
-
-   !> A minimum of `f` in the box `|xi| <= limit`, going down from `start`.
-   pure subroutine minimise(p_bar, p, start, limit, point)
-      !> Axes in powers of xi (3, 0:3) [m]: barred, unbarred
-      real(dp), intent(in) :: p_bar(3, 0:3), p(3, 0:3)
-      !> Places (barred, unbarred) within the box
-      real(dp), intent(in) :: start(2)
-      !> Half the width of the box: 1 for the elements, more for their continuations
-      real(dp), intent(in) :: limit
-      type(point_t), intent(out) :: point
-      type(point_t) :: trial
-      real(dp) :: step(2)
-      logical :: is_newton
-      integer :: iteration, halving
-
-      point = evaluate(p_bar, p, start)
-      do iteration = 1, max_iterations
-         if (.not. (minval(point%square) > 0 .and. point%f < huge(1.0_dp))) return
-         call descent_step(point, limit, step, is_newton)
-         step = step*min(1.0_dp, largest_step/max(maxval(abs(step)), tiny(1.0_dp)))
-         call stop_at_border(limit, point%xi, step)
-         trial = evaluate(p_bar, p, point%xi + step)
-         if (.not. (is_newton .and. maxval(abs(step)) <= trusted_step)) then
-            do halving = 1, max_halvings
-               if (trial%f <= point%f + 1.0e-4_dp*dot_product(point%gradient, step)) exit
-               step = step/2
-               trial = evaluate(p_bar, p, point%xi + step)
-            end do
-         end if
-         point = trial
-         if (maxval(abs(step)) <= step_tolerance) then
-            point%converged = .true.
-            return
-         end if
-      end do
-   end subroutine minimise
-
-   !> Shortens a step that leaves the box so that it ends on the border.
-   pure subroutine stop_at_border(limit, xi, step)
-      !> Half the width of the box: 1 for the elements, more for their continuations
-      real(dp), intent(in) :: limit
-      !> Places (barred, unbarred) within the box
-      real(dp), intent(in) :: xi(2)
-      !> Step from there (barred, unbarred)
-      real(dp), intent(inout) :: step(2)
-      real(dp) :: border(2)
-      integer :: i
-
-      border = sign(limit, step)
-      do i = 1, 2
-         if (abs(xi(i) + step(i)) <= limit) cycle
-         step = step*((border(i) - xi(i))/step(i))
-         step(i) = border(i) - xi(i)
-      end do
-   end subroutine stop_at_border
-
-   !> Newton's step, or one with a positive definite matrix in its place. A coordinate stays at the border of the box
-   !> when `f` falls outwards there, or when the step would lead outwards.
-   pure subroutine descent_step(point, limit, step, is_newton)
-      type(point_t), intent(in) :: point
-      !> Half the width of the box: 1 for the elements, more for their continuations
-      real(dp), intent(in) :: limit
-      !> Step (barred, unbarred) in xi
-      real(dp), intent(out) :: step(2)
-      !> .true.: exactly Newton's step in all free coordinates
-      logical, intent(out) :: is_newton
-      real(dp) :: matrix(2, 2), g(2), root(2)
-      logical :: at_border(2), fixed(2)
-
-      matrix = scaled(point)
-      root = sqrt(point%square)
-      g = point%gradient/root
-      at_border = abs(point%xi) >= limit
-      fixed = at_border .and. point%xi*point%gradient <= 0
-      if (.not. any(fixed)) then
-         call step_in_both(matrix, g, minval(root), step, is_newton)
-         fixed = at_border .and. point%xi*step > 0
-      end if
-      if (any(fixed)) call step_in_one(matrix, g, root, fixed, step, is_newton)
-      step = step/root
-   end subroutine descent_step
-
-   pure subroutine step_in_both(matrix, g, scale, step, is_newton)
-      !> Scaled matrix (2, 2) and gradient (2) [m]
-      real(dp), intent(in) :: matrix(2, 2), g(2)
-      !> Length of the shorter tangent [m]
-      real(dp), intent(in) :: scale
-      !> Step (2) [m]
-      real(dp), intent(out) :: step(2)
-      !> .true.: exactly Newton's step
-      logical, intent(out) :: is_newton
-      real(dp) :: lowest, shift, a11, a22, direction(2)
-
-      lowest = lowest_eigenvalue(matrix)
-      is_newton = lowest > smallest_eigenvalue
-      ! shifted so that the lowest eigenvalue becomes 0.1, a step of moderate length along its direction
-      shift = merge(0.0_dp, 0.1_dp - lowest, is_newton)
-      a11 = matrix(1, 1) + shift
-      a22 = matrix(2, 2) + shift
-      step = -[a22*g(1) - matrix(1, 2)*g(2), a11*g(2) - matrix(1, 2)*g(1)]/(a11*a22 - matrix(1, 2)**2)
-      if (lowest >= -smallest_eigenvalue) return
-      ! away from a saddle or a maximum, where the gradient vanishes, along the direction of negative curvature
-      direction = [matrix(1, 2), lowest - matrix(1, 1)]
-      if (matrix(1, 1) < matrix(2, 2)) direction = [lowest - matrix(2, 2), matrix(1, 2)]
-      if (.not. norm2(direction) > 0) direction = [1.0_dp, 1.0_dp]
-      step = step - sign(0.1_dp*scale/norm2(direction), dot_product(direction, g))*direction
-   end subroutine step_in_both
-
-   pure subroutine step_in_one(matrix, g, root, fixed, step, is_newton)
-      !> Scaled matrix (2, 2), gradient (2) [m] and lengths of the tangents (2) [m]
-      real(dp), intent(in) :: matrix(2, 2), g(2), root(2)
-      !> Which coordinates stay (2)
-      logical, intent(in) :: fixed(2)
-      !> Step (2) [m]
-      real(dp), intent(out) :: step(2)
-      !> .true.: exactly Newton's step
-      logical, intent(out) :: is_newton
-      integer :: i
-
-      step = 0
-      is_newton = .true.
-      do i = 1, 2
-         if (fixed(i)) cycle
-         is_newton = matrix(i, i) > smallest_eigenvalue
-         if (is_newton) then
-            step(i) = -g(i)/matrix(i, i)
-         else
-            step(i) = -g(i)
-            if (matrix(i, i) < -smallest_eigenvalue) step(i) = step(i) - sign(0.1_dp*root(i), g(i))
-         end if
-      end do
-   end subroutine step_in_one
-
-   !> The matrix for coordinates that measure arc length: free of units and of the lengths of the elements.
-   pure function scaled(point) result(matrix)
-      type(point_t), intent(in) :: point
-      real(dp) :: matrix(2, 2)
-
-      matrix(1, 1) = point%matrix(1, 1)/point%square(1)
-      matrix(2, 2) = point%matrix(2, 2)/point%square(2)
-      matrix(1, 2) = point%matrix(1, 2)/sqrt(product(point%square))
-      matrix(2, 1) = matrix(1, 2)
-   end function scaled
-
-   pure real(dp) function lowest_eigenvalue(matrix) result(lowest)
-      !> Symmetric (2, 2)
-      real(dp), intent(in) :: matrix(2, 2)
-
-      lowest = (matrix(1, 1) + matrix(2, 2))/2 - hypot((matrix(1, 1) - matrix(2, 2))/2, matrix(1, 2))
-   end function lowest_eigenvalue
 
    !> Whether `f` is certainly convex over both elements, by bounds on the tangents and curvatures of the two axes: then
    !> it has one minimum there. Straight axes always are.
@@ -368,18 +200,24 @@ contains
    end function is_convex
 
    !> Goes down from every local minimum of a grid and keeps the closest point found, one inside before one at an end.
-   pure subroutine search_grid(p_bar, p, best, unique)
+   pure subroutine search_grid(p_bar, p, best, unique, found, n_found)
       !> Axes in powers of xi (3, 0:3) [m]: barred, unbarred
       real(dp), intent(in) :: p_bar(3, 0:3), p(3, 0:3)
       !> In: a minimum already found. Out: the best one
       type(point_t), intent(inout) :: best
       !> .false.: two separate minima inside are equally close
       logical, intent(out) :: unique
+      !> Places (barred, unbarred) of all minima within both elements
+      real(dp), intent(out) :: found(2, max_minima)
+      !> Their number
+      integer, intent(out) :: n_found
       real(dp) :: f(0:n_grid + 1, 0:n_grid + 1)
       type(point_t) :: point
       integer :: i, j
 
       unique = .true.
+      n_found = 0
+      if (best%converged) call note_minimum(p_bar, p, best, found, n_found)
       f = grid_distances(p_bar, p)
       do j = 1, n_grid
          do i = 1, n_grid
@@ -387,6 +225,7 @@ contains
             call minimise(p_bar, p, [grid_xi(i), grid_xi(j)], 1.0_dp, point)
             if (.not. point%converged) cycle
             if (maxval(abs(point%xi - best%xi)) < same_place) cycle
+            call note_minimum(p_bar, p, point, found, n_found)
             if (is_inside(point) .and. is_inside(best)) then
                if (abs(point%f - best%f) <= 1.0e-10_dp*(point%f + best%f)) unique = .false.
             end if
@@ -397,6 +236,23 @@ contains
          end do
       end do
    end subroutine search_grid
+
+   !> Add a minimum to those within both elements, unless it is one of them or lies beyond an end.
+   pure subroutine note_minimum(p_bar, p, minimum, found, n_found)
+      !> Axes in powers of xi (3, 0:3) [m]: barred, unbarred
+      real(dp), intent(in) :: p_bar(3, 0:3), p(3, 0:3)
+      !> With both places in [-1, 1]
+      type(point_t), intent(in) :: minimum
+      !> Places (barred, unbarred)
+      real(dp), intent(inout) :: found(2, max_minima)
+      !> Their number
+      integer, intent(inout) :: n_found
+      type(point_t) :: point
+
+      point = minimum
+      if (any(abs(point%xi) >= 1)) call minimise(p_bar, p, minimum%xi, search_limit, point)
+      if (point%converged .and. all(abs(point%xi) <= 1 + end_tolerance)) call add_place(point%xi, found, n_found)
+   end subroutine note_minimum
 
    !> Squared distances at the places of a grid, with a rim of huge ones.
    pure function grid_distances(p_bar, p) result(f)

@@ -24,7 +24,7 @@ module litz_contact_friction
    use litz_rotations, only: identity3
    implicit none
    private
-   public :: slip_t, slip_kinematics, friction_residual, friction_tangent
+   public :: slip_t, slip_kinematics, friction_residual, friction_tangent, add_turning_tangent
 
    !> Weights and derivatives of one axis at its closest point, 0th to 3rd.
    type :: axis_point_t

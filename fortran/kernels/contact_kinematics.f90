@@ -13,6 +13,11 @@
 !> `S^T Pn S = B^T G^-1 B` and `(G^-1 - M^-1)/d = G^-1 H M^-1` as
 !> `d2g = B^T (G^-1 H M^-1) B - Q^T M^-1 B - B^T M^-1 Q - d Q^T M^-1 Q`, which has no division by the distance and so
 !> holds also where the axes meet or have passed each other. It has rank 4.
+!>
+!> Where the tangents are parallel (bent wires that touch along their common plane), `x' x xb'` gives no normal and `G`
+!> no inverse. The normal is then that of `w` itself, and with `E = [e1 e2]` perpendicular to it, `A = T^T E` and
+!> `C = A E^T S + d Q` the second variation is, with `B = E^T S`,
+!> `d2g = B^T ((1 - A^T M^-1 A)/d) B - B^T (A^T M^-1) Q - Q^T (M^-1 A) B - d Q^T M^-1 Q`.
 module litz_contact_kinematics
    use litz_kinds, only: dp
    use litz_rotations, only: cross
@@ -24,10 +29,14 @@ module litz_contact_kinematics
    public :: kinematics_ok, kinematics_parallel, kinematics_singular
 
    integer, parameter :: kinematics_ok = 0
-   !> The sine of the crossing angle is below `parallel_sine` of litz_closest_points
+   !> The sine of the crossing angle is below `parallel_sine` of litz_closest_points and the axes are too near to each
+   !> other to have a normal
    integer, parameter :: kinematics_parallel = -1
    !> The distance has no strict minimum at the given points: a slight move would send them anywhere
    integer, parameter :: kinematics_singular = -2
+
+   !> Parallel axes that are nearer to each other than this part of the sum of the radii have no normal
+   real(dp), parameter :: least_distance = 0.1_dp
 
    !> Displacements and rotations of the four nodes of a pair of elements
    integer, parameter :: n_motions = 24
@@ -47,8 +56,11 @@ module litz_contact_kinematics
       real(dp) :: angle = 0, cos_angle = 0
       !> First variations: rows over the unknowns
       real(dp) :: dgap(24) = 0, dxi_bar(24) = 0, dxi(24) = 0, dcos_angle(24) = 0, dangle(24) = 0
-      !> Second variation of the gap: rows of B and Q, and `G^-1 H M^-1`, `M^-1` between them, in the order (xi, xib)
-      real(dp) :: b(24, 2) = 0, q(24, 2) = 0, between_b(2, 2) = 0, between_q(2, 2) = 0
+      !> Second variation of the gap: rows of B and Q, and what is between them: `G^-1 H M^-1` between B and B, `M^-1`
+      !> between B and Q and between Q and Q, in the order (xi, xib)
+      real(dp) :: b(24, 2) = 0, q(24, 2) = 0, between_b(2, 2) = 0, between_bq(2, 2) = 0, between_q(2, 2) = 0
+      !> `|x'|^2` and `|xb'|^2` (2) [m^2]
+      real(dp) :: squares(2) = 0
       !> How much of each nodal tangent is in w (barred 1, barred 2, 1, 2) [m]
       real(dp) :: tangent_weight(4) = 0
    end type contact_kinematics_t
@@ -75,7 +87,8 @@ contains
       integer, intent(out) :: info
       real(dp), dimension(4) :: h, h1, h2, hb, hb1, hb2
       real(dp), dimension(3) :: w, x1, x2, xb1, xb2, n
-      real(dp) :: sine, g(2, 2), curvature(2), m(2, 2), g_inverse(2, 2), relative(3, 4)
+      real(dp) :: sine, g(2, 2), curvature(2), m(2, 2), relative(3, 4)
+      logical :: is_parallel
       integer :: i
 
       call axis_shape(axis, length(2), xi, h, h1, h2)
@@ -98,12 +111,18 @@ contains
       kinematics%point_bar = kinematics%point + w
       kinematics%angle = atan2(sine, dot_product(x1, xb1))
       kinematics%cos_angle = dot_product(x1, xb1)/(norm2(x1)*norm2(xb1))
+      kinematics%squares = [dot_product(x1, x1), dot_product(xb1, xb1)]
+      is_parallel = .not. sine > parallel_sine*norm2(x1)*norm2(xb1)
       info = kinematics_parallel
-      if (.not. sine > parallel_sine*norm2(x1)*norm2(xb1)) return
+      if (is_parallel .and. .not. norm2(w) > least_distance*sum(radius)) return
 
       kinematics%side = side
       if (side == 0) kinematics%side = merge(1, -1, dot_product(w, n) >= 0)
-      n = kinematics%side*n/sine
+      if (is_parallel) then
+         n = merge(w, -w, (kinematics%side > 0) .eqv. dot_product(w, n) >= 0)/norm2(w)
+      else
+         n = kinematics%side*n/sine
+      end if
       kinematics%normal = n
       kinematics%distance = dot_product(w, n)                                              ! d
       kinematics%gap = kinematics%distance - sum(radius)                                   ! g = d - (rb + r)
@@ -117,11 +136,7 @@ contains
       info = kinematics_singular
       if (.not. abs(m(1, 1)*m(2, 2) - m(1, 2)*m(2, 1)) > parallel_sine**2*g(1, 1)*g(2, 2)) return
       info = kinematics_ok
-      g_inverse = inverse(g)
       kinematics%between_q = inverse(m)
-      do i = 1, 2
-         kinematics%between_b(:, i) = matmul(g_inverse, curvature*kinematics%between_q(:, i))
-      end do
 
       kinematics%tangent_weight = [hb(2), hb(4), -h(2), -h(4)]
       kinematics%dgap = [axis_row(hb, t(:, 1:2), n), axis_row(h, t(:, 3:4), -n)]            ! dg = n^T S
@@ -131,10 +146,57 @@ contains
       kinematics%q(1:12, 2) = axis_row(hb1, t(:, 1:2), n)
       call add_moves(kinematics)
       call add_angle(kinematics, t, x1, x2, xb1, xb2, h1, hb1)
+      if (is_parallel) then
+         call span_by_directions(h, hb, t, x1, xb1, kinematics)
+      else
+         call span_by_tangents(inverse(g), curvature, kinematics)
+      end if
    end subroutine contact_kinematics
+
+   !> The second variation by the rows of B: regular as long as the wires cross.
+   pure subroutine span_by_tangents(g_inverse, curvature, kinematics)
+      !> `G^-1` (2, 2) [1/m^2] and the diagonal of `H` (2) [m]
+      real(dp), intent(in) :: g_inverse(2, 2), curvature(2)
+      !> With B, Q and `M^-1`
+      type(contact_kinematics_t), intent(inout) :: kinematics
+      integer :: i
+
+      do i = 1, 2
+         kinematics%between_b(:, i) = matmul(g_inverse, curvature*kinematics%between_q(:, i))
+      end do
+      kinematics%between_bq = kinematics%between_q
+   end subroutine span_by_tangents
+
+   !> The second variation by two directions perpendicular to the normal: regular as long as the axes are apart.
+   pure subroutine span_by_directions(h, hb, t, x1, xb1, kinematics)
+      !> Shape functions (4): unbarred, barred
+      real(dp), dimension(4), intent(in) :: h, hb
+      !> Unit tangents of the nodes (3, 4): barred 1, barred 2, 1, 2
+      real(dp), intent(in) :: t(3, 4)
+      !> Derivatives of the axes by xi (3) [m]
+      real(dp), dimension(3), intent(in) :: x1, xb1
+      !> With Q and `M^-1`
+      type(contact_kinematics_t), intent(inout) :: kinematics
+      real(dp) :: e(3, 2), a(2, 2)
+      integer :: i
+
+      e(:, 1) = xb1/norm2(xb1)
+      e(:, 2) = cross(kinematics%normal, e(:, 1))
+      a = reshape([-dot_product(x1, e(:, 1)), dot_product(xb1, e(:, 1)), -dot_product(x1, e(:, 2)), 0.0_dp], [2, 2])
+      do i = 1, 2
+         kinematics%b(:, i) = [axis_row(hb, t(:, 1:2), e(:, i)), axis_row(h, t(:, 3:4), -e(:, i))]
+      end do
+      kinematics%between_bq = matmul(transpose(a), kinematics%between_q)                   ! A^T M^-1
+      kinematics%between_b = -matmul(kinematics%between_bq, a)
+      do i = 1, 2
+         kinematics%between_b(i, i) = kinematics%between_b(i, i) + 1
+      end do
+      kinematics%between_b = kinematics%between_b/kinematics%distance                      ! (1 - A^T M^-1 A)/d
+   end subroutine span_by_directions
 
    !> How the closest points move: `dxi = -M^-1 (B + d Q)`.
    pure subroutine add_moves(kinematics)
+      !> With B over the tangents, Q and `M^-1`
       type(contact_kinematics_t), intent(inout) :: kinematics
       real(dp) :: c(24, 2)
 
@@ -163,7 +225,8 @@ contains
       kinematics%dcos_angle = dot_product(v, x2)*kinematics%dxi + dot_product(vb, xb2)*kinematics%dxi_bar
       kinematics%dcos_angle(1:12) = kinematics%dcos_angle(1:12) + axis_row(hb1, t(:, 1:2), vb)
       kinematics%dcos_angle(13:24) = kinematics%dcos_angle(13:24) + axis_row(h1, t(:, 3:4), v)
-      kinematics%dangle = -kinematics%dcos_angle/sin(kinematics%angle)
+      ! of parallel tangents the angle is stationary
+      if (sin(kinematics%angle) > parallel_sine) kinematics%dangle = -kinematics%dcos_angle/sin(kinematics%angle)
    end subroutine add_angle
 
    pure function inverse(a) result(b)

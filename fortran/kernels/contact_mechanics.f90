@@ -56,16 +56,15 @@ contains
       real(dp), intent(in) :: geometric_force
       !> (24, 5) each; their product is `left right^T`
       real(dp), intent(out) :: left(24, 5), right(24, 5)
-      real(dp) :: from_b(24, 2), from_q(24, 2)
+      real(dp) :: from_b(24, 2)
 
       associate (b => kinematics%b, q => kinematics%q, m_inverse => kinematics%between_q)
          from_b = matmul(b, kinematics%between_b)                                       ! (G^-1 H M^-1) B
-         from_q = matmul(q, m_inverse)                                                  ! M^-1 Q
          left(:, 1:2) = b
          left(:, 3:4) = q
          left(:, 5) = kinematics%dgap
-         right(:, 1:2) = geometric_force*(from_q - from_b)
-         right(:, 3:4) = geometric_force*(matmul(b, m_inverse) + kinematics%distance*from_q)
+         right(:, 1:2) = geometric_force*(matmul(q, transpose(kinematics%between_bq)) - from_b)
+         right(:, 3:4) = geometric_force*(matmul(b, kinematics%between_bq) + kinematics%distance*matmul(q, m_inverse))
          right(:, 5) = stiffness*kinematics%dgap
       end associate
    end subroutine factors_of_tangent

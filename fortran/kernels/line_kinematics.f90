@@ -14,7 +14,7 @@ module litz_line_kinematics
    use litz_contact_kinematics, only: contact_kinematics_t, kinematics_ok, kinematics_singular
    implicit none
    private
-   public :: line_kinematics, lens_sine
+   public :: line_kinematics, lens_sine, crossing_qualities
 
 contains
 
@@ -96,6 +96,7 @@ contains
          kinematics%between_b(1, 1) = curvature/(g*m)
          kinematics%between_b(2, 2) = 1/d
          kinematics%between_q(1, 1) = 1/m
+         kinematics%between_bq = kinematics%between_q
          kinematics%dxi_bar = -(kinematics%b(:, 1) + d*kinematics%q(:, 1))/m               ! -C/M
       end associate
    end subroutine add_moving_foot
@@ -142,16 +143,26 @@ contains
    pure real(dp) function lens_sine(kinematics) result(sine)
       !> Of `contact_kinematics`
       type(contact_kinematics_t), intent(in) :: kinematics
-      real(dp) :: g_inverse(2, 2), g(2), m(2), det_m
+      real(dp) :: q(2), det_m
 
       associate (m_inverse => kinematics%between_q)
-         g_inverse = m_inverse + kinematics%distance*kinematics%between_b
          det_m = 1/(m_inverse(1, 1)*m_inverse(2, 2) - m_inverse(1, 2)*m_inverse(2, 1))
-         m = det_m*[m_inverse(2, 2), m_inverse(1, 1)]
       end associate
-      g = [g_inverse(2, 2), g_inverse(1, 1)] &
-         /(g_inverse(1, 1)*g_inverse(2, 2) - g_inverse(1, 2)*g_inverse(2, 1))              ! |x'|^2, |xb'|^2
-      sine = sqrt(det_m/product(g))*2/sum(sqrt(m/g))
+      q = crossing_qualities(kinematics)
+      sine = 0
+      if (det_m > 0 .and. all(q > 0)) sine = sqrt(det_m/product(kinematics%squares))*2/sum(sqrt(q))
    end function lens_sine
+
+   !> q (10.3) of a foot on the unbarred and on the barred wire of a crossing (2): the diagonal of M.
+   pure function crossing_qualities(kinematics) result(quality)
+      !> Of `contact_kinematics`
+      type(contact_kinematics_t), intent(in) :: kinematics
+      real(dp) :: quality(2)
+
+      associate (m_inverse => kinematics%between_q)
+         quality = [m_inverse(2, 2), m_inverse(1, 1)]/kinematics%squares &
+            /(m_inverse(1, 1)*m_inverse(2, 2) - m_inverse(1, 2)*m_inverse(2, 1))
+      end associate
+   end function crossing_qualities
 
 end module litz_line_kinematics

@@ -16,8 +16,10 @@ module litz_contact_history
       real(dp) :: arc(2) = 0
       !> Normal force [N]
       real(dp) :: force = 0
-      !> Traction in the frame of litz_contact_friction (2) [N]
+      !> Traction in the frame of litz_contact_friction, or of litz_line_friction at a point of a line (2) [N]
       real(dp) :: traction(2) = 0
+      !> Share of a crossing [-], or length that a point of a line stood for [m]
+      real(dp) :: weight = 0
       !> Path of the slip since the contact closed [m], and the heat that friction made of it [J]
       real(dp) :: slip_path = 0, dissipation = 0
       !> Energy of the tangential spring [J]
@@ -30,10 +32,10 @@ module litz_contact_history
 contains
 
    !> The memory of a contact that is closed when an increment has converged.
-   pure function advanced_history(start, arc, force, friction, new_spot) result(history)
+   pure function advanced_history(start, arc, force, weight, friction, new_spot) result(history)
       type(contact_history_t), intent(in) :: start
-      !> Arc lengths (2) [m], normal force [N]
-      real(dp), intent(in) :: arc(2), force
+      !> Arc lengths (2) [m], normal force [N], share [-] or length [m]
+      real(dp), intent(in) :: arc(2), force, weight
       type(friction_law_t), intent(in) :: friction
       !> The contact has left the spot of its largest force
       logical, intent(in) :: new_spot
@@ -42,6 +44,7 @@ contains
       history%closed = .true.
       history%arc = arc
       history%force = force
+      history%weight = weight
       history%traction = friction%traction
       history%slip_path = start%slip_path + norm2(friction%plastic_slip)
       history%dissipation = start%dissipation + friction%dissipation

@@ -8,11 +8,13 @@ module litz_law_words
    !> Most numbers on a data line of a law
    integer, parameter :: max_fields = 4
 
-   !> A number of the data, always positive.
+   !> A number of the data, always positive where it is given.
    type :: law_field_t
       character(len=16) :: name = ''
       character(len=12) :: unit = ''
       character(len=160) :: meaning = ''
+      !> It may be left out: then it is 0
+      logical :: is_optional = .false.
    end type law_field_t
 
    type :: law_words_t

@@ -9,6 +9,7 @@ module litz_lens_law
    use litz_line_law, only: line_wires_t, line_force_t, line_force, line_spot_t, line_spot
    implicit none
    private
+   public :: lens_integral, n_depths
    public :: lens_t, lens_force, lens_spot_t, lens_spot, lens_energy, share_of_point
 
    integer, parameter :: n_depths = 2
@@ -106,6 +107,22 @@ contains
       spot%dconductance_dgap = g*lens%dhalf_length_dgap + dg_dgap*lens%half_length
       spot%dconductance_dangle = g*lens%dhalf_length_dangle + dg_dangle*lens%half_length
    end function lens_spot
+
+   !> Integral along the lens of what depends on the force per length, and how it changes with the gap.
+   pure subroutine lens_integral(lens, value, slope, integral, dintegral_dgap)
+      !> From lens_force
+      type(lens_t), intent(in) :: lens
+      !> At the forces `lens%along`, and its derivative with respect to the force [per N/m]
+      real(dp), intent(in) :: value(n_depths), slope(n_depths)
+      !> Over the length [m], and its derivative with respect to the gap
+      real(dp), intent(out) :: integral, dintegral_dgap
+      real(dp) :: mean
+
+      mean = dot_product(gauss_weight, value)
+      integral = mean*lens%half_length
+      dintegral_dgap = mean*lens%dhalf_length_dgap &
+         - dot_product(gauss_weight*gauss_depth, slope*lens%along%stiffness)*lens%half_length
+   end subroutine lens_integral
 
    !> Integral of the force over the overlap at a fixed angle [J].
    pure real(dp) function lens_energy(line, gap, sine, penalty) result(energy)

@@ -18,6 +18,7 @@ contains
       law%name = 'HERTZ'
       law%meaning = 'the elastic approach of two wires, no data; the default when the keyword is left out'
       law%uses_ellipse = .true.
+      law%is_elastic_line = .true.
       law%summary = 'Hertz force'
       law%title = 'law of Hertz'
       law%force_of_gap => force_of_gap

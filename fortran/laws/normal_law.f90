@@ -31,12 +31,20 @@ module litz_normal_law
       logical :: is_straight = .false.
       !> Its first number is a stiffness [N/m] that may be raised where wires overlap too much
       logical :: has_penalty = .false.
+      !> It holds along a line, too, as the elastic law of litz_line_law
+      logical :: is_elastic_line = .false.
+      !> Which of its numbers is a stiffness per length [N/m^2] of wires that touch along a line; 0: none
+      integer :: line_penalty_number = 0
       !> What is said of it before its numbers, as `Hertz force`
       character(len=40) :: summary = ''
       !> What a law without a penalty is called where wires overlap too much, as `law of Hertz`
       character(len=40) :: title = ''
       procedure(force_of_gap), pointer, nopass :: force_of_gap => null()
       procedure(overlap_of_force), pointer, nopass :: overlap_of_force => null()
+   contains
+      procedure :: line_penalty
+      procedure :: serves_lines
+      procedure :: is_per_length_only
    end type normal_law_t
 
    abstract interface
@@ -121,6 +129,28 @@ contains
       stiffness = found%stiffness
       iteration_force = mixed_force + stiffness*(-gap - found%overlap)
    end subroutine linearise
+
+   !> eps_l of `f = eps_l |g|` along a line [N/m^2]; 0: it has none.
+   pure real(dp) function line_penalty(self)
+      class(normal_law_t), intent(in) :: self
+
+      line_penalty = 0
+      if (self%line_penalty_number > 0) line_penalty = self%data(self%line_penalty_number)
+   end function line_penalty
+
+   !> Wires may touch along lines.
+   pure logical function serves_lines(self)
+      class(normal_law_t), intent(in) :: self
+
+      serves_lines = self%is_elastic_line .or. self%line_penalty() > 0
+   end function serves_lines
+
+   !> Of wires that cross, it gives the force by the integral over their overlap.
+   pure logical function is_per_length_only(self)
+      class(normal_law_t), intent(in) :: self
+
+      is_per_length_only = self%line_penalty() > 0 .and. .not. self%data(1) > 0
+   end function is_per_length_only
 
    !> Penalty with which a force would leave an overlap [N/m]; 0 for a law that has none.
    pure real(dp) function penalty_that_holds(law, force, overlap) result(penalty)

@@ -1,6 +1,7 @@
-!> LINEAR: a penalty, `F = eps |g|`, with the energy `eps g^2/2`.
+!> LINEAR: a penalty, `F = eps |g|`, with the energy `eps g^2/2`; per length along which wires touch, or in place of it,
+!> `f = eps_l |g|`, whose integral over the overlap of wires that cross is their force (litz_lens_law).
 !>
-!> Source: theory section 6.
+!> Source: theory sections 6 and 10.
 module litz_normal_linear
    use litz_kinds, only: dp
    use litz_law_input, only: law_input_t
@@ -17,7 +18,11 @@ contains
 
       law%name = 'LINEAR'
       law%meaning = 'a penalty'
-      law%fields(1) = law_field_t('penalty', 'N/m', 'contact force per penetration')
+      law%fields(1) = law_field_t('penalty', 'N/m', 'contact force per penetration, where wires cross; without it'// &
+         ' that follows from eps_l', is_optional=.true.)
+      law%fields(2) = law_field_t('eps_l', 'N/m^2', 'contact force per length and penetration, for wires that touch'// &
+         ' along a line', is_optional=.true.)
+      law%line_penalty_number = 2
       law%is_straight = .true.
       law%has_penalty = .true.
       law%force_of_gap => force_of_gap

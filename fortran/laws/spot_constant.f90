@@ -14,7 +14,9 @@ contains
 
       law%name = 'CONSTANT'
       law%meaning = 'given resistance'
-      law%fields(1) = law_field_t('R_c', 'ohm', 'resistance of a contact')
+      law%fields(1) = law_field_t('R_c', 'ohm', 'resistance of a contact; with PER=LENGTH resistance times'// &
+         ' length [ohm m]')
+      law%can_be_per_length = .true.
       law%spot_of_force => constant_spot
    end function spot_constant
 

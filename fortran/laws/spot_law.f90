@@ -42,6 +42,13 @@ module litz_spot_law
 
    !> Number 0: no current crosses the contact.
    type, extends(law_words_t) :: spot_law_t
+      !> It holds along a line, too: see `line_spot` of litz_line_law. Which of its numbers are the film resistance
+      !> times area and the hardness there; 0: it has none
+      logical :: serves_lines = .false.
+      integer :: film_number = 0, hardness_number = 0
+      !> Its resistance can be meant per length [ohm m], over a force per length, of wires that touch along a line; and
+      !> it is
+      logical :: can_be_per_length = .false., is_per_length = .false.
       procedure(spot_of_force), pointer, nopass :: spot_of_force => null()
    end type spot_law_t
 

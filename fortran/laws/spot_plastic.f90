@@ -18,6 +18,8 @@ contains
       law%name = 'PLASTIC'
       law%meaning = 'spot area is force/hardness'
       law%fields(1) = law_field_t('H', 'Pa', 'hardness')
+      law%serves_lines = .true.
+      law%hardness_number = 1
       law%spot_of_force => plastic_spot
    end function spot_plastic
 

@@ -19,6 +19,7 @@ contains
       law%fields(1) = law_field_t('F', 'N', 'contact force; ascending')
       law%fields(2) = law_field_t('R', 'ohm', 'resistance of a contact at that force; outside the table the power'// &
          ' law of its first, or last, two pairs goes on, with a warning (outside_table)')
+      law%can_be_per_length = .true.
       law%spot_of_force => table_spot
    end function spot_table
 

@@ -6,7 +6,7 @@ module litz_stick_laws
    use litz_normal_law, only: overlap_of_force_t
    implicit none
    private
-   public :: stick_law_t, stick_laws, stick_mindlin, stick_stiffness_at
+   public :: stick_law_t, stick_laws, stick_mindlin, stick_stiffness, stick_stiffness_at
 
    !> Mindlin's ratio to the normal stiffness; limit of friction over a given elastic slip; a given stiffness
    integer, parameter :: stick_mindlin = 1, stick_elastic_slip = 2, stick_stiffness = 3

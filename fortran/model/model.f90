@@ -9,11 +9,13 @@ module litz_model
    use litz_normal_law, only: normal_law_t
    use litz_spot_law, only: spot_law_t
    use litz_stick_laws, only: stick_mindlin
+   use litz_surface_choices, only: surface_plane
    use litz_solver_names, only: solver_default, solver_block, solver_umfpack, solver_skyline
    implicit none
    private
    public :: name_length
    public :: model_t, material_t, section_t, named_set_t, amplitude_t, interaction_t, contact_pair_t
+   public :: rigid_body_surface_t, surface_pair_t
    public :: step_t, nodal_value_t, output_request_t, controls_t, rigid_body_t
    public :: axis_linear, axis_hermite
    public :: solver_default, solver_block, solver_umfpack, solver_skyline
@@ -108,6 +110,27 @@ module litz_model
       character(len=:), allocatable :: file
       integer :: line = 0
    end type rigid_body_t
+   !> A rigid surface in the reference configuration.
+   type :: rigid_body_surface_t
+      character(len=:), allocatable :: name
+      !> One of litz_surface_choices
+      integer :: shape = surface_plane
+      !> A point of the plane or of the axis [m]; unit normal towards the wires, or unit vector along the axis
+      real(dp) :: point(3) = 0, direction(3) = 0
+      !> Of a cylinder or bore [m]
+      real(dp) :: radius = 0
+      !> The node that it moves with; 0: it is fixed in space
+      integer :: node = 0
+   end type rigid_body_surface_t
+
+   !> Wires that may touch a rigid surface.
+   type :: surface_pair_t
+      !> Indices into `interactions`, `element_sets` and `surfaces`
+      integer :: interaction = 0, set = 0, surface = 0
+      !> Where the pair stands in the deck, for messages
+      character(len=:), allocatable :: file
+      integer :: line = 0
+   end type surface_pair_t
 
    !> A prescribed value or a load at one degree of freedom of one node.
    type :: nodal_value_t
@@ -200,6 +223,8 @@ module litz_model
       type(amplitude_t), allocatable :: amplitudes(:)
       type(interaction_t), allocatable :: interactions(:)
       type(contact_pair_t), allocatable :: contact_pairs(:)
+      type(rigid_body_surface_t), allocatable :: surfaces(:)
+      type(surface_pair_t), allocatable :: surface_pairs(:)
       type(step_t), allocatable :: steps(:)
    end type model_t
 

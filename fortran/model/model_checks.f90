@@ -251,6 +251,9 @@ contains
          call mark(model%element_sets(model%contact_pairs(i)%set_bar)%members)
          call mark(model%element_sets(model%contact_pairs(i)%set)%members)
       end do
+      do i = 1, size(model%surface_pairs)
+         call mark(model%element_sets(model%surface_pairs(i)%set)%members)
+      end do
 
    contains
 

@@ -12,7 +12,7 @@ module litz_model_record
    use litz_fields, only: fields, n_fields, field_of_dof
    use litz_growing_text, only: growing_text_t
    use litz_law_words, only: law_words_t
-   use litz_model, only: model_t, step_t, nodal_value_t, rigid_body_t
+   use litz_model, only: model_t, interaction_t, step_t, nodal_value_t, rigid_body_t
    use litz_text, only: to_text
    implicit none
    private
@@ -54,6 +54,9 @@ contains
       end do
       do i = 1, size(model%contact_pairs)
          call record_contact_pair(model, i, record)
+      end do
+      do i = 1, size(model%surface_pairs)
+         call record_surface_pair(model, i, record)
       end do
       do i = 1, size(model%steps)
          record%step = i
@@ -158,23 +161,56 @@ contains
 
       associate (pair => model%contact_pairs(i))
          call record%begin('*CONTACT PAIR '//to_text(i)//' of the deck')
-         call record_members('first set', model%element_sets(pair%set_bar)%members)
-         call record_members('second set', model%element_sets(pair%set)%members)
+         call record_members('first set', model%element_sets(pair%set_bar)%members, record)
+         call record_members('second set', model%element_sets(pair%set)%members, record)
          call record%value('INTERFERENCE FIT', yes_or_no(pair%interference_fit))
-         associate (this => model%interactions(pair%interaction))
-            call record%value('interaction', this%name)
-            call record%begin('interaction '//this%name//' of *CONTACT PAIR '//to_text(i))
-            call record_law('normal law (*SURFACE BEHAVIOR)', this%normal)
-            call record%value('PENETRATION', trim(merge('UNLIMITED', 'LIMITED  ', this%unlimited_penetration)))
-            call record%value('coefficient of friction', this%friction)
-            call record%value('stiffness of sticking (*FRICTION)', this%stick_law)
-            call record%value('elastic slip or stick stiffness', this%stick_value)
-            call record_law('law of the spot (*GAP ELECTRICAL CONDUCTANCE)', this%spot)
-            call record%value('AXIS', this%axis)
-            call record%value('VOLTAGE', trim(merge('CORRECTED', 'LINEAR   ', this%voltage_correction)))
-            call record%value('SPOT', trim(merge('LARGEST FORCE', 'PRESENT FORCE', this%spot_memory)))
-         end associate
+         call record_interaction(model%interactions(pair%interaction), '*CONTACT PAIR '//to_text(i), record)
       end associate
+   end subroutine record_contact_pair
+
+   !> A pair of wires and a rigid surface, the surface, and the laws.
+   subroutine record_surface_pair(model, i, record)
+      type(model_t), intent(in) :: model
+      !> Number of the pair among those with surfaces
+      integer, intent(in) :: i
+      type(record_t), intent(inout) :: record
+      character(len=:), allocatable :: which
+
+      which = '*CONTACT PAIR '//to_text(i)//' with a rigid surface'
+      associate (pair => model%surface_pairs(i))
+         call record%begin(which//' of the deck')
+         call record_members('set', model%element_sets(pair%set)%members, record)
+         associate (this => model%surfaces(pair%surface))
+            call record%value('rigid surface', this%name)
+            call record%begin('rigid surface '//this%name)
+            call record%value('TYPE', this%shape)
+            call record%list('point', reshape(this%point, [3, 1]))
+            call record%list('direction', reshape(this%direction, [3, 1]))
+            call record%value('radius', this%radius)
+            call record%value('REF NODE', this%node)
+         end associate
+         call record_interaction(model%interactions(pair%interaction), which, record)
+      end associate
+   end subroutine record_surface_pair
+
+   subroutine record_interaction(this, pair, record)
+      type(interaction_t), intent(in) :: this
+      !> The *CONTACT PAIR that refers to it
+      character(len=*), intent(in) :: pair
+      type(record_t), intent(inout) :: record
+
+      call record%value('interaction', this%name)
+      call record%begin('interaction '//this%name//' of '//pair)
+      call record_law('normal law (*SURFACE BEHAVIOR)', this%normal)
+      call record%value('PENETRATION', trim(merge('UNLIMITED', 'LIMITED  ', this%unlimited_penetration)))
+      call record%value('coefficient of friction', this%friction)
+      call record%value('stiffness of sticking (*FRICTION)', this%stick_law)
+      call record%value('elastic slip or stick stiffness', this%stick_value)
+      call record_law('law of the spot (*GAP ELECTRICAL CONDUCTANCE)', this%spot)
+      call record%value('AXIS', this%axis)
+      call record%value('VOLTAGE', trim(merge('CORRECTED', 'LINEAR   ', this%voltage_correction)))
+      call record%value('PER', trim(merge('LENGTH', 'SPOT  ', this%spot%is_per_length)))
+      call record%value('SPOT', trim(merge('LARGEST FORCE', 'PRESENT FORCE', this%spot_memory)))
 
    contains
 
@@ -193,17 +229,19 @@ contains
          end do
       end subroutine record_law
 
-      subroutine record_members(what, members)
-         !> Which of the two sets of the pair
-         character(len=*), intent(in) :: what
-         !> Indices of its elements (n)
-         integer, intent(in) :: members(:)
+   end subroutine record_interaction
 
-         call record%value('number of elements of the '//what, to_text(size(members)))
-         call record%list('elements of the '//what, reshape(members, [1, size(members)]))
-      end subroutine record_members
+   !> How many elements a set has, and which.
+   subroutine record_members(what, members, record)
+      !> Which of the two sets of the pair
+      character(len=*), intent(in) :: what
+      !> Indices of its elements (n)
+      integer, intent(in) :: members(:)
+      type(record_t), intent(inout) :: record
 
-   end subroutine record_contact_pair
+      call record%value('number of elements of the '//what, to_text(size(members)))
+      call record%list('elements of the '//what, reshape(members, [1, size(members)]))
+   end subroutine record_members
 
    !> What a step prescribes, and the amplitudes that it uses.
    subroutine record_step(model, step, record)

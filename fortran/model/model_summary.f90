@@ -60,6 +60,9 @@ contains
       do i = 1, size(model%contact_pairs)
          call summary%append(pair_line(model, i))
       end do
+      do i = 1, size(model%surface_pairs)
+         call summary%append(surface_pair_line(model, i))
+      end do
       do i = 1, size(model%steps)
          call summary%append(step_lines(model, i))
       end do
@@ -165,6 +168,19 @@ contains
       line = line//nl
    end function pair_line
 
+   pure function surface_pair_line(model, p) result(line)
+      type(model_t), intent(in) :: model
+      !> Index of the pair
+      integer, intent(in) :: p
+      character(len=:), allocatable :: line
+
+      associate (pair => model%surface_pairs(p))
+         line = 'contact pair '//model%element_sets(pair%set)%name//' with the rigid surface '// &
+            model%surfaces(pair%surface)%name//': '// &
+            describe_interaction(model%interactions(pair%interaction), model%units)//nl
+      end associate
+   end function surface_pair_line
+
    pure function describe_interaction(interaction, units) result(words)
       type(interaction_t), intent(in) :: interaction
       type(unit_labels_t), intent(in) :: units
@@ -179,6 +195,7 @@ contains
          return
       end if
       words = words//', spot '//trim(interaction%spot%name)//describe_spot_data(interaction%spot, units)
+      if (interaction%spot%is_per_length) words = words//' per length'
       if (interaction%spot_memory) words = words//' of the largest force'
       words = words//', '//trim(merge('corrected', 'linear   ', interaction%voltage_correction))//' voltage'
    end function describe_interaction
@@ -193,7 +210,8 @@ contains
       words = ''
       do i = 1, law%n_fields()
          associate (field => law%fields(i))
-            if (len_trim(law%summary) > 0 .or. i > 1) words = words//' '
+            if (.not. law%data(i) > 0) cycle
+            if (len_trim(law%summary) > 0 .or. len(words) > 0) words = words//' '
             words = words//trim(field%name)//' '//describe_value(law%data(i), field%unit, units)
          end associate
       end do

@@ -6,11 +6,11 @@ module litz_result_quantities
    use litz_fields, only: fields, n_fields, n_groups, first_slot
    use litz_kinds, only: dp
    use litz_quantities, only: quantity_t, quantity_table_t, on_points, on_cells
-   use litz_state, only: state_t, contact_t
+   use litz_state, only: state_t, contact_t, surface_contact_t
    implicit none
    private
    public :: wire_quantity_t, list_wire_quantities, requested_names, described_requests
-   public :: contact_table, contacts_of_table
+   public :: contact_table, contacts_of_table, surface_contact_table, surface_contacts_of_table
 
    !> A quantity of nodes or elements.
    type, extends(quantity_t) :: wire_quantity_t
@@ -104,6 +104,7 @@ contains
       call table%field('gap', c%gap, 'm', &
          'gap between the surfaces and what is left of an interference fit, negative in contact')
       call table%field('force', c%force, 'N', 'contact force, pushing the wires apart')
+      call table%field('length', c%length, 'm', 'length that a point of a line contact stands for; 0 where wires cross')
       call table%field('normal', c%normal, '1', 'unit normal from the unbarred to the barred wire')
       call table%field('point_1', c%point_bar, 'm', 'point of the first axis')
       call table%field('point_2', c%point, 'm', 'point of the second axis')
@@ -119,6 +120,55 @@ contains
       call table%field('dissipation', c%dissipation, 'J', 'frictional heat since the contact closed')
       call table%field('friction', c%friction_status, '1', '0 none, 1 stick, 2 slip', words='none|stick|slip')
    end subroutine list_contact_quantities
+
+   !> What results hold of a contact with a rigid surface.
+   pure subroutine list_surface_quantities(table, c)
+      type(quantity_table_t), intent(inout) :: table
+      type(surface_contact_t), intent(inout) :: c
+
+      call table%field('element', c%element, '1', 'element, number in the deck', is_element=.true.)
+      call table%field('xi', c%xi, '1', 'centre of the force in the element, -1 to 1')
+      call table%field('length', c%length, 'm', 'length of the element that touches')
+      call table%field('gap', c%gap, 'm', 'smallest gap between wire and surface, negative in contact')
+      call table%field('force', c%force, 'N', 'contact force, pushing the wire off the surface')
+      call table%field('normal', c%normal, '1', 'unit normal from the surface to the wire')
+      call table%field('point', c%point, 'm', 'point of the axis at the centre of the force')
+      call table%field('traction', c%traction, 'N', 'friction force on the wire')
+      call table%field('slip_path', c%slip_path, 'm', 'path of the slip since the contact closed')
+      call table%field('dissipation', c%dissipation, 'J', 'frictional heat since the contact closed')
+      call table%field('friction', c%friction_status, '1', '0 none, 1 stick, 2 slip', words='none|stick|slip')
+      call table%field('pair', c%pair)
+   end subroutine list_surface_quantities
+
+   !> The contacts with rigid surfaces as rows of numbers, with the descriptions of the columns.
+   pure function surface_contact_table(contacts) result(table)
+      type(surface_contact_t), intent(in) :: contacts(:)
+      type(quantity_table_t) :: table
+      type(surface_contact_t) :: contact
+      integer :: i
+
+      call list_surface_quantities(table, contact)
+      call table%begin_storing(size(contacts))
+      do i = 1, size(contacts)
+         contact = contacts(i)
+         call table%next_row()
+         call list_surface_quantities(table, contact)
+      end do
+   end function surface_contact_table
+
+   !> The contacts with rigid surfaces that a table was made of.
+   pure subroutine surface_contacts_of_table(table, contacts)
+      type(quantity_table_t), intent(inout) :: table
+      type(surface_contact_t), allocatable, intent(out) :: contacts(:)
+      integer :: i
+
+      call table%begin_restoring()
+      allocate (contacts(size(table%reals, 2)))
+      do i = 1, size(contacts)
+         call table%next_row()
+         call list_surface_quantities(table, contacts(i))
+      end do
+   end subroutine surface_contacts_of_table
 
    !> The contacts as rows of numbers, with the descriptions of the columns.
    pure function contact_table(contacts) result(table)

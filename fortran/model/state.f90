@@ -3,7 +3,7 @@ module litz_state
    use litz_kinds, only: dp
    implicit none
    private
-   public :: state_t, contact_t, energies_t
+   public :: state_t, contact_t, surface_contact_t, energies_t
 
    !> One point contact. "Barred" is the first of its two elements; the normal points from the unbarred to the barred.
    !> What results say of it is listed in litz_result_quantities.
@@ -38,7 +38,28 @@ module litz_state
       real(dp) :: conductance = 0
       !> Heat in the spot [W]
       real(dp) :: joule_heat = 0
+      !> Length of the wires for which a point of a line contact stands [m]; 0: the wires cross
+      real(dp) :: length = 0
    end type contact_t
+
+   !> The contact of one element with a rigid surface.
+   type :: surface_contact_t
+      !> Index of the pair of the model, and element
+      integer :: pair = 0, element = 0
+      !> Centre of the force in the element, in [-1, 1]
+      real(dp) :: xi = 0
+      !> Length of the wire that touches [m], and smallest gap between the surfaces [m], negative
+      real(dp) :: length = 0, gap = 0
+      !> Contact force, the sum of its magnitudes along the element [N]
+      real(dp) :: force = 0
+      !> Unit normal from the surface to the wire there, and the point of the axis at the centre of the force [m]
+      real(dp) :: normal(3) = 0, point(3) = 0
+      !> What the wire feels of friction (3) [N]; `friction_...` of litz_friction_law
+      real(dp) :: traction(3) = 0
+      integer :: friction_status = 0
+      !> Path of the slip [m] and heat of friction [J] since the contact closed
+      real(dp) :: slip_path = 0, dissipation = 0
+   end type surface_contact_t
 
    !> Energies since the beginning [J]
    type :: energies_t
@@ -82,6 +103,9 @@ module litz_state
       type(energies_t) :: energies
       !> Active contacts
       type(contact_t), allocatable :: contacts(:)
+      type(surface_contact_t), allocatable :: surface_contacts(:)
+      !> What elements on rigid surfaces remember of friction: numbers that litz_surface_term knows (numbers, cells)
+      real(dp), allocatable :: surface_memory(:, :)
    end type state_t
 
 end module litz_state

@@ -11,7 +11,7 @@ module litz_contact_ledger
    use litz_wire_results, only: most_written_increments
    implicit none
    private
-   public :: contact_ledger_t
+   public :: contact_ledger_t, row_text
 
    !> Values of the column `status`: not there in the last increment | with the same elements as then | now with others
    character(len=*), parameter :: status_new = 'new', status_active = 'active', status_moved = 'moved'

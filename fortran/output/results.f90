@@ -3,6 +3,7 @@
 !>     STEM.vtkhdf              fields over wires            STEM_history.csv   what the deck asked for, over time
 !>     STEM_contacts.vtkhdf     the contacts as points       STEM.sta           a line per increment
 !>     STEM_contacts.csv        the contacts as a table      STEM.cvg           a line per iteration
+!>     STEM_surfaces.csv        those with rigid surfaces, where the model has some
 !>
 !> and where the run had to give up, the last iterate as STEM_unconverged with the first three endings.
 !>
@@ -22,6 +23,7 @@ module litz_results
    use litz_history, only: history_t
    use litz_progress_tables, only: iteration_header, iteration_line, increment_header, increment_line
    use litz_reports, only: iteration_report_t, increment_report_t
+   use litz_surface_ledger, only: surface_ledger_t
    implicit none
    private
    public :: results_t
@@ -37,6 +39,7 @@ module litz_results
    type :: results_t
       type(wire_results_t), private :: wires
       type(contact_ledger_t), private :: ledger
+      type(surface_ledger_t), private :: surfaces
       type(history_t), private :: history
       !> Directory and stem
       character(len=:), allocatable, private :: base
@@ -88,6 +91,7 @@ contains
       call self%history%build(model, error)
       call self%wires%open(model, base//'.vtkhdf', error)
       call self%ledger%open(model, state, base//'_contacts.csv', base//'_contacts.vtkhdf', error)
+      call self%surfaces%open(model, base//'_surfaces.csv', error)
       call begin_table(self%history_file, base//'_history.csv', model%units%in_header(self%history%header()), error)
       call begin_table(self%status_file, base//'.sta', model%units%in_header(increment_header()), error)
       call begin_table(self%convergence_file, base//'.cvg', model%units%in_header(iteration_header()), error)
@@ -183,6 +187,7 @@ contains
       end if
       ! tables are never ahead of the fields
       call self%ledger%write_table(model, state, error)
+      call self%surfaces%write(model, state, error)
       call self%history_file%write_line(self%history%line(state), error)
       call self%history_file%flush(error)
       self%has_increment = .not. (at_start .or. allocated(error))
@@ -197,6 +202,7 @@ contains
       ! a run that is killed between the files must not leave new tables beside older fields
       call remove_file(self%base//'.vtkhdf', error)
       call self%ledger%publish(error)
+      call self%surfaces%publish(error)
       call self%history_file%publish(error)
       call self%status_file%publish(error)
       call self%convergence_file%publish(error)
@@ -302,6 +308,7 @@ contains
       call self%status_file%close(error)
       call self%convergence_file%close(error)
       call self%ledger%close(finished, error)
+      call self%surfaces%close(error)
       call self%wires%close(finished, error)
    end subroutine close_files
 

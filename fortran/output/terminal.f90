@@ -28,7 +28,8 @@ contains
       character(len=160) :: line
 
       write (line, '(i5, i6, i5, i6, 2es13.5, i10, es13.5)') report%step, report%increment, report%attempts, &
-         report%iterations, report%time, report%time_increment, report%contacts, sum(problem%contact%points%force)
+         report%iterations, report%time, report%time_increment, report%contacts, &
+         sum(problem%contact%points%force) + sum(problem%contact%line_points%force)
       write (output_unit, '(a)') trim(trim(line)//'  '//report%remark)
    end subroutine print_increment
 

@@ -8,9 +8,11 @@ module litz_restart_content
    use litz_quantities, only: quantity_table_t
    use litz_restart_arrays, only: restart_arrays_t, reading
    use litz_restart_points, only: point_table, points_of_table
-   use litz_result_quantities, only: wire_quantity_t, list_wire_quantities, contact_table, contacts_of_table
+   use litz_result_quantities, only: wire_quantity_t, list_wire_quantities, contact_table, contacts_of_table, &
+      surface_contact_table, surface_contacts_of_table
    use litz_run_warnings, only: run_warnings_t
    use litz_state, only: state_t, contact_t, energies_t
+   use litz_surface_term, only: n_remembered
    use litz_step_control, only: course_t
    implicit none
    private
@@ -42,7 +44,10 @@ contains
          if (arrays%mode == reading .and. .not. allocated(error)) then
             if (.not. contact%present) deallocate (contact%x_collected)
          end if
-         call exchange_contacts(arrays, contact%converged, state%contacts, error)
+         call exchange_points(arrays, 'points', contact%converged, error)
+         call exchange_points(arrays, 'line_points', contact%converged_line_points, error)
+         call exchange_contacts(arrays, state%contacts, error)
+         call exchange_surfaces(arrays, state, error)
       end associate
       call exchange_warnings(arrays, problem%warnings, error)
    end subroutine exchange_all
@@ -121,22 +126,45 @@ contains
       if (.not. ok) error = fail(exit_files, 'its dataset warnings is not what was written: the file is damaged')
    end subroutine exchange_warnings
 
-   !> What the next increment needs of the crossings, and what results show of the contacts.
-   subroutine exchange_contacts(arrays, points, contacts, error)
+   !> What the next increment needs of crossings or of the points of line contacts.
+   subroutine exchange_points(arrays, name, points, error)
       type(restart_arrays_t), intent(inout) :: arrays
+      !> Beginning of the names of the datasets
+      character(len=*), intent(in) :: name
       type(contact_point_t), allocatable, intent(inout) :: points(:)
+      type(error_t), allocatable, intent(inout) :: error
+      type(quantity_table_t) :: rows
+
+      rows = point_table(points)
+      call exchange_table(arrays, name, rows, error)
+      if (.not. allocated(error) .and. arrays%mode == reading) call points_of_table(rows, points)
+   end subroutine exchange_points
+
+   !> What results show of the contacts.
+   subroutine exchange_contacts(arrays, contacts, error)
+      type(restart_arrays_t), intent(inout) :: arrays
       type(contact_t), allocatable, intent(inout) :: contacts(:)
       type(error_t), allocatable, intent(inout) :: error
-      type(quantity_table_t) :: point_rows, contact_rows
+      type(quantity_table_t) :: rows
 
-      point_rows = point_table(points)
-      contact_rows = contact_table(contacts)
-      call exchange_table(arrays, 'points', point_rows, error)
-      call exchange_table(arrays, 'contacts', contact_rows, error)
-      if (allocated(error) .or. arrays%mode /= reading) return
-      call points_of_table(point_rows, points)
-      call contacts_of_table(contact_rows, contacts)
+      rows = contact_table(contacts)
+      call exchange_table(arrays, 'contacts', rows, error)
+      if (.not. allocated(error) .and. arrays%mode == reading) call contacts_of_table(rows, contacts)
    end subroutine exchange_contacts
+
+   !> The same of contacts with rigid surfaces.
+   subroutine exchange_surfaces(arrays, state, error)
+      type(restart_arrays_t), intent(inout) :: arrays
+      type(state_t), intent(inout) :: state
+      type(error_t), allocatable, intent(inout) :: error
+      type(quantity_table_t) :: rows
+
+      rows = surface_contact_table(state%surface_contacts)
+      call exchange_table(arrays, 'surface_contacts', rows, error)
+      call arrays%array('surface_memory', state%surface_memory, error, n_remembered)
+      if (allocated(error) .or. arrays%mode /= reading) return
+      call surface_contacts_of_table(rows, state%surface_contacts)
+   end subroutine exchange_surfaces
 
    !> A table as two datasets, whose columns have names.
    subroutine exchange_table(arrays, name, table, error)

@@ -39,7 +39,7 @@ contains
       end do
    end subroutine points_of_table
 
-   !> What the next increment needs of a crossing: its place, its memory, and how it stood.
+   !> What the next increment needs of a contact: its place, its memory, and how it stood.
    pure subroutine list_point(table, point)
       type(quantity_table_t), intent(inout) :: table
       type(contact_point_t), intent(inout) :: point
@@ -49,6 +49,7 @@ contains
       call table%field('element', point%element)
       call table%field('pair', point%pair)
       call table%field('closed', point%closed)
+      call table%field('line_place', point%line_place)
       call table%field('xi_bar', point%xi_bar)
       call table%field('xi', point%xi)
       call table%field('arc_bar', point%arc_bar)
@@ -60,8 +61,26 @@ contains
       call table%field('side', point%kinematics%side)
       call table%field('angle', point%kinematics%angle)
       call table%field('force', point%force)
+      call list_shares(table, point)
       call list_history(table, point%history)
    end subroutine list_point
+
+   !> What of the contact it carries, at a crossing or along a line, and by which law.
+   pure subroutine list_shares(table, point)
+      type(quantity_table_t), intent(inout) :: table
+      type(contact_point_t), intent(inout) :: point
+
+      call table%field('weight', point%weight)
+      call table%field('line_share', point%line_share)
+      call table%field('is_shared', point%is_shared)
+      call table%field('is_long', point%is_long)
+      call table%field('section_share', point%section_share)
+      call table%field('lens_share', point%lens_share)
+      call table%field('lens_sine', point%lens_sine)
+      call table%field('law_angle', point%law_angle)
+      call table%field('law_sine', point%law_sine)
+      call table%field('law_status', point%law_status)
+   end subroutine list_shares
 
    pure subroutine list_history(table, history)
       type(quantity_table_t), intent(inout) :: table
@@ -71,6 +90,7 @@ contains
       call table%field('converged_arc_bar', history%arc(1))
       call table%field('converged_arc', history%arc(2))
       call table%field('converged_force', history%force)
+      call table%field('weight_of_force', history%weight)
       call table%field('traction_1', history%traction(1))
       call table%field('traction_2', history%traction(2))
       call table%field('slip_path', history%slip_path)

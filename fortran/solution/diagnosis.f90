@@ -1,5 +1,6 @@
 !> Why an increment could not be solved: where the iteration stood, and which setting of the deck helps.
 module litz_diagnosis
+   use litz_contact_points, only: contact_point_t
    use litz_kinds, only: dp
    use litz_fields, only: fields, field_of_slot, first_slot
    use litz_errors, only: error_t, fail, exit_not_converged
@@ -42,18 +43,18 @@ contains
    function describe_worst_contact(problem) result(text)
       type(problem_t), intent(in) :: problem
       character(len=:), allocatable :: text
+      type(contact_point_t), allocatable :: points(:)
       integer :: i
 
       text = ''
-      associate (points => problem%contact%points)
-         if (.not. any(points%active .or. points%closed)) return
-         i = maxloc(abs(points%iteration_force - points%force), 1, points%active .or. points%closed)
-         text = 'The contact that has converged least is that of elements '// &
-            to_text(problem%model%element_id(points(i)%element_bar))//' and '// &
-            to_text(problem%model%element_id(points(i)%element))//' (gap '//to_text(points(i)%gap)//' '// &
-            problem%model%units%label('m')//', force '//to_text(points(i)%force)//' '// &
-            problem%model%units%label('N')//'). '
-      end associate
+      allocate (points, source=[problem%contact%points, problem%contact%line_points])
+      if (.not. any(points%active .or. points%closed)) return
+      i = maxloc(abs(points%iteration_force - points%force), 1, points%active .or. points%closed)
+      text = 'The contact that has converged least is that of elements '// &
+         to_text(problem%model%element_id(points(i)%element_bar))//' and '// &
+         to_text(problem%model%element_id(points(i)%element))//' (gap '//to_text(points(i)%gap)//' '// &
+         problem%model%units%label('m')//', force '//to_text(points(i)%force)//' '// &
+         problem%model%units%label('N')//'). '
    end function describe_worst_contact
 
    !> What the iteration failed of, and what helps.

@@ -9,6 +9,7 @@ module litz_increment_warnings
    use litz_kinked_wires, only: kink_warning
    use litz_model, only: model_t, request_electrode
    use litz_newton, only: outcome_t
+   use litz_line_contact, only: serves_lines
    use litz_parallel_wires, only: shallow_angle, parallel_warning
    use litz_run_warnings, only: run_warnings_t
    use litz_state, only: contact_t
@@ -126,7 +127,7 @@ contains
       real(dp) :: angle
 
       elements = model%element_id([contact%element_bar, contact%element])
-      if (sin(contact%angle) < sin(shallow_angle)) then
+      if (sin(contact%angle) < sin(shallow_angle) .and. .not. serves_lines(model, contact%pair)) then
          angle = min(contact%angle, pi - contact%angle)*180/pi
          call warnings%add('shallow_angle', describe_contact(model, contact)//' crosses at '//to_text(angle)// &
             ' degrees, below 10, where spots are long and point contact is less accurate', elements, angle, 'degrees', &
@@ -147,10 +148,18 @@ contains
       !> The user's numbers of its elements
       integer, intent(in) :: elements(2)
       type(run_warnings_t), intent(inout) :: warnings
-      real(dp) :: first, last, factor
+      character(len=:), allocatable :: unit
+      real(dp) :: first, last, factor, force
 
-      associate (law => model%interactions(model%contact_pairs(contact%pair)%interaction), force => contact%force)
+      associate (law => model%interactions(model%contact_pairs(contact%pair)%interaction))
          if (.not. law%spot%has_table .or. contact%resistance > huge(1.0_dp)) return
+         force = contact%force
+         unit = 'N'
+         if (law%spot%is_per_length) then
+            if (.not. contact%length > 0) return
+            force = force/contact%length
+            unit = 'N/m'
+         end if
          if (size(law%spot%table, 2) < 2) return
          first = law%spot%table(1, 1)
          last = law%spot%table(1, size(law%spot%table, 2))
@@ -159,8 +168,8 @@ contains
          if (.not. law%spot_memory) factor = max(factor, first/force)
          if (factor <= 1) return
          call warnings%add('outside_table', describe_contact(model, contact)//' has a force of '//to_text(force)// &
-            ' '//model%units%label('N')//', outside the table of its resistance (from '//to_text(first)//' to '// &
-            to_text(last)//' '//model%units%label('N')//'), which is continued there as a power law', elements, &
+            ' '//model%units%label(unit)//', outside the table of its resistance (from '//to_text(first)//' to '// &
+            to_text(last)//' '//model%units%label(unit)//'), which is continued there as a power law', elements, &
             factor, 'times beyond the table')
       end associate
    end subroutine add_table_end

@@ -7,7 +7,11 @@ module litz_initial_contacts
    use litz_contact_points, only: contact_point_t
    use litz_errors, only: error_t, fail, exit_input
    use litz_kinds, only: dp
+   use litz_line_points, only: locate_line_points
+   use litz_line_shares, only: share_crossings
    use litz_problem, only: problem_t
+   use litz_surface_findings, only: overlaps_of_surfaces
+   use litz_text, only: to_text
    implicit none
    private
    public :: find_initial_overlap
@@ -22,48 +26,67 @@ contains
    subroutine find_initial_overlap(problem, error)
       type(problem_t), intent(inout) :: problem
       type(error_t), allocatable, intent(out) :: error
-      integer :: i, n_refused, worst
+      integer :: i
       logical :: changed
-      character(len=400) :: text
 
-      if (.not. problem%contact%present) return
+      call refuse_surface_overlap(problem, error)
+      if (allocated(error) .or. .not. problem%contact%present) return
       associate (model => problem%model, contact => problem%contact, state => problem%state)
          call find_candidates(model, problem%wires, problem%elements, model%x, state%rotation, model%x, &
             state%rotation, contact, changed, error)
          if (allocated(error)) return
          call locate_points(model, problem%wires, problem%elements, model%x, state%rotation, model%x, state%rotation, &
             contact)
-         n_refused = 0
-         worst = 0
+         call locate_line_points(model, problem%wires, problem%elements, model%x, state%rotation, model%x, &
+            state%rotation, contact)
+         call share_crossings(model, problem%wires, problem%elements, contact)
          do i = 1, size(contact%points)
             associate (point => contact%points(i))
-               if (model%contact_pairs(point%pair)%interference_fit) then
-                  point%fit = max(0.0_dp, -point%gap)
-                  contact%overlap(point%pair) = max(contact%overlap(point%pair), point%fit)
-               else if (-point%gap > allowed_overlap*minval(radii(point))) then
-                  n_refused = n_refused + 1
-                  if (worst == 0) worst = i
-                  if (point%gap < contact%points(worst)%gap) worst = i
-               end if
+               if (.not. model%contact_pairs(point%pair)%interference_fit) cycle
+               point%fit = max(0.0_dp, -point%gap)
+               contact%overlap(point%pair) = max(contact%overlap(point%pair), point%fit)
             end associate
          end do
          contact%converged = contact%points
+         contact%converged_line_points = contact%line_points
          ! an interference fit begins without stress: what resolves it does work from the first increment on
          contact%clearance = contact%overlap
          contact%converged_clearance = contact%overlap
          call refuse_unmodelled(problem, error)
-         if (n_refused == 0 .or. allocated(error)) return
-         associate (point => contact%points(worst), pair => model%contact_pairs(contact%points(worst)%pair))
-            write (text, '(a, i0, a, i0, a, es9.2, a, f0.1, a, i0, a)') 'the wires of elements ', &
-               model%element_id(point%element_bar), ' and ', model%element_id(point%element), &
-               ' overlap at the start by', -point%gap, ' '//trim(model%units%length)//', that is ', &
-               -100*point%gap/minval(radii(point)), &
-               ' % of the smaller radius (allowed: 1 %; ', n_refused, &
-               ' crossings overlap in all); move the wires apart, or add INTERFERENCE FIT to *CONTACT PAIR'
-            error = fail(exit_input, trim(text))
-            error%file = pair%file
-            error%line = pair%line
-         end associate
+         if (.not. allocated(error)) call refuse_overlap(problem, [contact%points, contact%line_points], error)
+      end associate
+   end subroutine find_initial_overlap
+
+   !> Wires that overlap at the start by more than is allowed, and are not meant to.
+   subroutine refuse_overlap(problem, points, error)
+      type(problem_t), intent(in) :: problem
+      !> All points
+      type(contact_point_t), intent(in) :: points(:)
+      type(error_t), allocatable, intent(inout) :: error
+      character(len=400) :: text
+      integer :: i, n_refused, worst
+
+      n_refused = 0
+      worst = 0
+      do i = 1, size(points)
+         if (problem%model%contact_pairs(points(i)%pair)%interference_fit) cycle
+         if (.not. -points(i)%gap > allowed_overlap*minval(radii(points(i)))) cycle
+         n_refused = n_refused + 1
+         if (worst == 0) worst = i
+         if (points(i)%gap < points(worst)%gap) worst = i
+      end do
+      if (n_refused == 0) return
+      associate (model => problem%model, point => points(worst), &
+         pair => problem%model%contact_pairs(points(worst)%pair))
+         write (text, '(a, i0, a, i0, a, es9.2, a, f0.1, a, i0, a)') 'the wires of elements ', &
+            model%element_id(point%element_bar), ' and ', model%element_id(point%element), &
+            ' overlap at the start by', -point%gap, ' '//trim(model%units%length)//', that is ', &
+            -100*point%gap/minval(radii(point)), &
+            ' % of the smaller radius (allowed: 1 %; ', n_refused, &
+            ' places overlap in all); move the wires apart, or add INTERFERENCE FIT to *CONTACT PAIR'
+         error = fail(exit_input, trim(text))
+         error%file = pair%file
+         error%line = pair%line
       end associate
 
    contains
@@ -75,7 +98,22 @@ contains
          radii = problem%elements%radius([point%element_bar, point%element])
       end function radii
 
-   end subroutine find_initial_overlap
+   end subroutine refuse_overlap
+
+   !> Wires that begin within a rigid surface.
+   subroutine refuse_surface_overlap(problem, error)
+      type(problem_t), intent(inout) :: problem
+      type(error_t), allocatable, intent(out) :: error
+      type(finding_t) :: finding
+
+      if (size(problem%model%surface_pairs) == 0) return
+      call problem%iterate%start(problem%state, problem%model%x)
+      finding = overlaps_of_surfaces(problem%domain_t, allowed_overlap)
+      if (finding%kind == finding_none) return
+      error = fail(exit_input, 'the wire of element '//to_text(problem%model%element_id(finding%elements(1)))// &
+         ' overlaps the rigid surface '//problem%model%surfaces(finding%surface)%name//' at the start by '// &
+         to_text(100*finding%overlap)//' % of its radius (allowed: 1 %): move one of them')
+   end subroutine refuse_surface_overlap
 
    !> Wires that overlap at the start in a way that is not modelled.
    subroutine refuse_unmodelled(problem, error)

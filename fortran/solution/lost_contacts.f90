@@ -5,9 +5,10 @@ module litz_lost_contacts
    use litz_contact_net, only: inspect_contacts
    use litz_contact_path, only: contact_path_t, find_path
    use litz_contact_sweep, only: sweep_contacts
-   use litz_departed_contacts, only: find_departed_pairs, find_departed_contacts
+   use litz_departed_contacts, only: find_departed_pairs, find_departed_contacts, find_departed_lines
    use litz_fields, only: first_slot, last_slot, field_rotation
    use litz_problem, only: problem_t
+   use litz_surface_findings, only: inspect_surfaces
    implicit none
    private
    public :: find_lost_contacts
@@ -21,6 +22,7 @@ contains
       type(contact_path_t) :: path
       integer, allocatable :: departed(:, :)
 
+      worst = inspect_surfaces(problem%domain_t)
       if (.not. problem%contact%present) return
       associate (model => problem%model, wires => problem%wires, elements => problem%elements, &
          contact => problem%contact, iterate => problem%iterate)
@@ -28,9 +30,10 @@ contains
             iterate%change(first_slot(field_rotation):last_slot(field_rotation), :), &
             any(contact%in_bar .or. contact%in_set, 2), path)
          call find_departed_pairs(model, wires, contact, departed)
-         worst = worse_of(inspect_contacts(model, wires, elements, contact, iterate%x, iterate%rotation), &
-            sweep_contacts(model, wires, elements, contact, departed, path))
+         worst = worse_of(worst, inspect_contacts(model, wires, elements, contact, iterate%x, iterate%rotation))
+         worst = worse_of(worst, sweep_contacts(model, wires, elements, contact, departed, path))
          worst = worse_of(worst, find_departed_contacts(model, wires, elements, departed, iterate%x, iterate%rotation))
+         worst = worse_of(worst, find_departed_lines(model, wires, elements, contact, iterate%x, iterate%rotation))
          worst = worse_of(worst, find_unfollowed(model, wires, elements, contact, iterate%x_start, iterate%x))
       end associate
    end function find_lost_contacts

@@ -35,6 +35,9 @@ module litz_newton
       logical :: converged = .false.
       !> All of them, and those that factored the tangent
       integer :: iterations = 0, factorisations = 0
+      !> Those that factored it until the forces first balanced: what terms then bring up to date says nothing about the
+      !> size of the increment
+      integer :: to_balance = 0
       !> Why it was given up, for the user
       character(len=:), allocatable :: reason
       !> One of the causes above; 0: it was not
@@ -226,6 +229,7 @@ contains
          call problem%terms(i)%term%settle(problem%domain_t, has_moved)
       end do
       if (.not. has_moved) return
+      if (outcome%to_balance == 0) outcome%to_balance = outcome%factorisations
       call evaluate(problem, error)
       if (allocated(error)) return
       call measure_residual(problem, step, outcome%last, outcome%at_round_off)

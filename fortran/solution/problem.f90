@@ -68,7 +68,7 @@ contains
             state%outer_force(n_slots, n), state%damping(n_slots, n), source=0.0_dp)
          allocate (state%section_forces(6, m), source=0.0_dp)
          allocate (state%element_current(m), state%current_density(m), state%joule_heat(m), source=0.0_dp)
-         allocate (state%contacts(0))
+         allocate (state%contacts(0), state%surface_contacts(0))
          state%rotation = spread(identity3, 3, n)
       end associate
    end subroutine start_state

@@ -10,6 +10,7 @@ module litz_steps
    use litz_increment_warnings, only: add_increment_warnings
    use litz_kinds, only: dp
    use litz_loading, only: loading_t, start_loading, load_targets, next_break_point
+   use litz_line_contact, only: serves_lines
    use litz_model, only: model_t, step_t, nodal_value_t
    use litz_newton, only: outcome_t, solve_increment, count_negative_pivots, cause_not_finite, &
       cause_lost_contact, cause_turned_ends, cause_fed_part
@@ -188,7 +189,8 @@ contains
          call report_increment(problem, outcome, audit, &
             report_of(problem, outcome, audit, increment, target, start_time), observer, error)
          if (allocated(error)) return
-         call control%accept(step, step_time, outcome%factorisations)
+         call control%accept(step, step_time, &
+            merge(outcome%to_balance, outcome%factorisations, outcome%to_balance > 0))
       end associate
    end subroutine run_increment
 
@@ -294,7 +296,7 @@ contains
       type(outcome_t), intent(in) :: outcome
       character(len=:), allocatable :: remark
       character(len=120) :: text
-      integer :: n
+      integer :: i, n
 
       remark = ''
       if (.not. outcome%converged) then
@@ -307,7 +309,13 @@ contains
             ' J, the beams hold', problem%state%energies%strain, ' J;'
          remark = remark//trim(text)//' '
       end if
-      n = count(problem%contact%points%closed .and. sin(problem%contact%points%kinematics%angle) < sin(shallow_angle))
+      n = 0
+      do i = 1, size(problem%contact%points)
+         associate (point => problem%contact%points(i))
+            if (point%closed .and. sin(point%kinematics%angle) < sin(shallow_angle) .and. &
+               .not. serves_lines(problem%model, point%pair)) n = n + 1
+         end associate
+      end do
       if (n > 0) then
          write (text, '(i0, a)') n, ' contacts cross at less than 10 degrees;'
          remark = remark//trim(text)//' '

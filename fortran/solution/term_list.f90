@@ -8,6 +8,7 @@ module litz_term_list
    use litz_moment_term, only: moment_term_t
    use litz_rigid_body_term, only: rigid_body_term_t
    use litz_stabilization_term, only: stabilization_term_t
+   use litz_surface_term, only: new_surface_term
    use litz_term, only: term_t, term_entry_t
    implicit none
    private
@@ -23,6 +24,7 @@ contains
 
       allocate (terms(0))
       call add(new_beam_term(domain%model%n_elements))
+      call add(new_surface_term(domain))
       call add(new_conductor_term(domain%elements%resistivity))
       if (contact%present) call add(contact_term_t(contact))
       ! after all that has unknowns of dependent nodes and makes forces on them

@@ -179,7 +179,7 @@ VALUES = [
     case("contact radius", "RADIUS=0.0005", "RADIUS=-1", 'CONTACT RADIUS is "-1"; it must be greater than 0', "-1"),
     case("mixed second moment", "5e-14, 0., 5e-14", "5e-14, 1e-15, 5e-14", "must be 0", "1e-15"),
     case("area", "8e-7", "0", 'A (area), is "0"; it must be greater than 0', "0"),
-    case("penalty", "\n1e8", "\n-1e8", 'penalty (contact force per penetration), is "-1e8"', "-1e8"),
+    case("penalty", "\n1e8", "\n-1e8", 'value 1, penalty, is "-1e8"', "-1e8"),
     case("empty value", "2, 0., 0.01, 0.", "2, , 0.01, 0.", "value 2, x (position), is missing", ","),
     case("increment zero", "0.5, 1., 1e-4", "0., 1., 1e-4", "must be greater than 0", "0."),
     case("increment negative", "0.5, 1., 1e-4", "0.5, 1., -1e-4", "must be greater than 0", "-1e-4"),

@@ -16,10 +16,10 @@ FORTRAN = Path(__file__).parents[2] / "fortran"
 
 #: A lower wire and upper ones above it, apart from it; each with a spot law and a normal law of its own
 LAWS = {
-    "PAPER": ("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR, PENETRATION=LIMITED\n 1e5", "LAW=PAPER, VOLTAGE=CORRECTED"),
+    "PAPER": ("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR, PENETRATION=LIMITED\n 1e5, 1e9", "LAW=PAPER, VOLTAGE=CORRECTED"),
     "PLASTIC": ("*FRICTION, ELASTIC SLIP=1e-6\n 0.3", "LAW=PLASTIC, SPOT=PRESENT FORCE\n 1e9"),
     "FILM": ("*FRICTION, STICK STIFFNESS=1e5\n 0.2", "LAW=FILM\n 1e-12"),
-    "CONSTANT": ("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ", "LAW=CONSTANT\n 1e-3"),
+    "CONSTANT": ("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ", "LAW=CONSTANT, PER=SPOT\n 1e-3"),
     "TABLE": ("*FRICTION\n 0.1", "LAW=TABLE\n 0.1, 2e-3\n 1.0, 1e-3"),
 }  # fmt: skip
 
@@ -81,7 +81,9 @@ def model():
         "*AMPLITUDE, NAME=WAVE, TIME=STEP TIME\n 0, 0, 1, 1\n"
         "*AMPLITUDE, NAME=OTHER\n 0, 0, 1, 2\n"
         + contacts
-        + "*CONTACT PAIR, INTERACTION=TABLE\n SOME, UP4\n*BOUNDARY\n HELD, 1, 6\n 901, 9\n 104, PINNED\n"
+        + "*RIGID SURFACE, NAME=FLOOR, TYPE=CYLINDER, REF NODE=906\n 0.02, 0.01, -0.05, 1, 0.1, 0.2, 0.01\n"
+        "*CONTACT PAIR, INTERACTION=TABLE\n LOW, FLOOR\n"
+        "*CONTACT PAIR, INTERACTION=TABLE\n SOME, UP4\n*BOUNDARY\n HELD, 1, 6\n 901, 9\n 104, PINNED\n"
     )
 
 
@@ -134,8 +136,10 @@ FREE_VALUES = {
     ("STATIC", "DIRECT"): "size of the increments", ("STATIC", "first"): "size of the increments",
     ("STATIC", "smallest"): "size of the increments", ("STATIC", "largest"): "size of the increments",
     ("ELASTIC", "TYPE"): "one choice", ("BEAM SECTION", "I12"): "must be 0", ("CECURRENT", "dof"): "9 or empty",
+    ("RIGID SURFACE", "TYPE"): "tested with rigid surfaces",
     # names: the things that they name are the same
     ("MATERIAL", "NAME"): "a name", ("AMPLITUDE", "NAME"): "a name", ("SURFACE INTERACTION", "NAME"): "a name",
+    ("RIGID SURFACE", "NAME"): "a name",
     ("NODE", "NSET"): "a name", ("ELEMENT", "ELSET"): "a name", ("NSET", "NSET"): "a name", ("ELSET", "ELSET"): "a name",
     # one carries over, the other removes: in the first step there is nothing else
     ("BOUNDARY", "OP"): "tested by itself", ("CLOAD", "OP"): "none before", ("CECURRENT", "OP"): "none before",

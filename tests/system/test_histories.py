@@ -95,9 +95,9 @@ def test_a_current_into_a_conductor_without_a_potential_is_refused(run):
 
 
 def test_contacts_below_ten_degrees_are_remarked(run):
-    """The upper wire lies 8 degrees from the lower one."""
+    """The upper wire lies 8 degrees from the lower one, with a surface interaction for contact at points."""
     turn = np.radians(8)
-    deck = crossed(push="-2e-5")
+    deck = crossed(push="-2e-5").replace("*CONTACT PAIR", "*FRICTION, STICK STIFFNESS=1e6\n 0.1\n*CONTACT PAIR", 1)
     for node, y in ((11, -0.05), (12, -0.02), (13, -0.005), (14, 0.006), (15, 0.02), (16, 0.05)):
         old = next(line for line in deck.splitlines() if line.startswith(f" {node}, 0, "))
         deck = deck.replace(old, f" {node}, {y * np.cos(turn):.17g}, {y * np.sin(turn):.17g}, 2e-3", 1)

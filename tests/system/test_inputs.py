@@ -7,6 +7,8 @@ import re
 
 import numpy as np
 import pytest
+from verification.cases.twisted_pair import approach_of
+from verification.references.helical_rods import Rod, Strand
 
 from litz import Results
 from litz import closed_forms as cf
@@ -29,6 +31,7 @@ DECKS = [
     "11_fibre_mat",
     "12_woven_fabric",
     "13_stick_slip",
+    "14_strand",
 ]
 THIN_COPPER = {"radius": 0.1e-3, "young": 120e9, "poisson": 0.34, "resistivity": 1 / 58.8e6}
 
@@ -324,6 +327,29 @@ def test_a_dragged_cantilever_sticks_and_slips_as_derived(results_of, header):
     assert contacts["resistance"][contacts["friction"] == "slip"][0] > 1.0005 * contacts["resistance"][0]
 
 
+def test_a_strand_is_pulled_and_twisted_as_one_of_exact_helices(results_of, header):
+    results = results_of("14_strand")
+    rows = header("14_strand")
+    assert len(rows) == 2
+    strand = Strand(Rod(0.52e-3, 120e9, 0.34), Rod(0.5e-3, 120e9, 0.34), 6, 45e-3)
+    approach = approach_of(strand.core, strand.wire)
+    # the law is per length of either wire
+    share = (1 + strand.free.height) / 2
+    for (time, force), turn in zip(rows, (0.0, 0.05 / 30e-3), strict=True):
+        exact = strand.state(5e-4, turn, lambda f: approach(f / share))
+        assert force == pytest.approx(exact.force, rel=1e-5)
+        found = results.history["RF3 node 149"][at(results, time)]
+        # clamps hold the tilt of the wires at the ends of two thirds of a lay
+        assert found == pytest.approx(force, rel=1e-3)
+        contacts = results.contacts_at(at(results, time))
+        middle = np.abs(contacts["point_1_z"] - 15e-3) < 5e-3
+        # the line force away from the clamps, per mean length of core and wire, whose places have half of it each
+        pressed = contacts["force"][middle].sum() / contacts["length"][middle].sum()
+        assert pressed == pytest.approx(exact.line_force / share, rel=0.01)
+    conductance = 58.8e6 * np.pi * (0.52e-3**2 + 6 * 0.5e-3**2 * strand.free.height) / 30e-3
+    assert results.history["resistance PLUS to MINUS"][at(results, 2)] == pytest.approx(1 / conductance, rel=1e-3)
+
+
 def wire_resistance(length):
     return THIN_COPPER["resistivity"] * length / (math.pi * THIN_COPPER["radius"] ** 2)
 
@@ -344,7 +370,12 @@ def test_generated_decks_are_those_of_the_generator(inputs):
     specification = importlib.util.spec_from_file_location("make_decks", inputs / "make_decks.py")
     make_decks = importlib.util.module_from_spec(specification)
     specification.loader.exec_module(make_decks)
-    for name, make in (("11_fibre_mat", make_decks.fibre_mat), ("12_woven_fabric", make_decks.woven_fabric)):
+    makers = {
+        "11_fibre_mat": make_decks.fibre_mat,
+        "12_woven_fabric": make_decks.woven_fabric,
+        "14_strand": make_decks.strand,
+    }
+    for name, make in makers.items():
         assert (inputs / f"{name}.inp").read_text(encoding="utf-8") == make().to_deck()
 
 

@@ -237,7 +237,7 @@ def test_older_results_stay_whole_until_the_new_run_has_an_increment_and_then_al
     deck, output = older
     before = contents(output)
     kept = 0
-    for at in range(1, 10_000, 13):
+    for at in range(1, 10_000, 17):
         done = litz("run", deck, "-o", output, env=kill_at_write(at=at))
         assert done.returncode == -signal.SIGKILL
         if contents(output) != before:

@@ -37,7 +37,22 @@ def nearly_converged(rows, key):
     )
 
 
-@pytest.mark.parametrize("deck", INPUTS, ids=lambda path: path.stem)
+#: Without friction its wires turn about the core almost freely, which magnifies round-off: it has a test of its own
+STRAND = "14_strand"
+
+
+def test_a_strand_has_the_same_force_with_all_solvers(litz, inputs, tmp_path):
+    forces = []
+    for solver in ("BLOCK", "UMFPACK", "SKYLINE"):
+        path = tmp_path / f"{solver}.inp"
+        path.write_text(with_solver((inputs / f"{STRAND}.inp").read_text(), solver))
+        process = litz("run", path, "--quiet", "-o", tmp_path)
+        assert process.returncode == 0, process.stderr
+        forces.append(Results(tmp_path / f"{solver}.vtkhdf").history["RF3 node 149"])
+    np.testing.assert_allclose(forces[1:], [forces[0]] * 2, rtol=2e-5)
+
+
+@pytest.mark.parametrize("deck", [path for path in INPUTS if path.stem != STRAND], ids=lambda path: path.stem)
 def test_same_iterates(deck, litz, tmp_path):
     """The same iterations, and fields that differ by what round-off makes of a 16-digit solve.
 

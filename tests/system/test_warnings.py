@@ -15,14 +15,18 @@ from litz.results.run_warnings import read_warnings
 from litz.results.summary import summary
 
 TENTHS = "0.1, 1, 1e-3, 0.1"
+AT_POINTS = "*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ, SPOT=LARGESTFORCE"
 SHALLOW = "contact 1 (elements 3 and 13) crosses at 8 degrees, below 10, where spots are long and point contact is less accurate"
 SOFT = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR{}\n {}"
 
 
 def shallow(**changes):
-    """The upper wire lies 8 degrees from the lower one: its contact closes in the first increment and stays."""
+    """The upper wire lies 8 degrees from the lower one: its contact closes in the first increment and stays.
+
+    A spot that remembers its largest force is that of a contact at a point, for which the angle is small.
+    """
     turn = np.radians(8)
-    deck = crossed(**{"push": "-2e-5", "static": TENTHS, **changes})
+    deck = crossed(**{"push": "-2e-5", "static": TENTHS, "spot": AT_POINTS, **changes})
     for node, y in ((11, -0.05), (12, -0.02), (13, -0.005), (14, 0.006), (15, 0.02), (16, 0.05)):
         old = next(line for line in deck.splitlines() if line.startswith(f" {node}, 0, "))
         deck = deck.replace(old, f" {node}, {y * np.cos(turn):.17g}, {y * np.sin(turn):.17g}, 2e-3", 1)
@@ -47,6 +51,11 @@ class TestOneListInEveryPlace:
         assert first.startswith("warning: 2 pairs of elements lie close side by side")
         assert second == f"warning: {SHALLOW}"
         assert last == f"2 warnings (side_by_side: 1, shallow_angle: 1); see {tmp_path}/deck/deck.sta"
+
+    def test_wires_that_can_touch_along_lines_are_not_warned_of(self, run):
+        process, results = run(shallow(spot="*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ"), "--quiet")
+        assert (process.returncode, process.stderr) == (0, "")
+        assert results.warnings == []
 
     def test_a_run_without_warnings_says_nothing_of_them(self, run, tmp_path):
         process, results = run(crossed(), "--quiet")

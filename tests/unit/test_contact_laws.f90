@@ -2,13 +2,14 @@
 !> where a law cannot be evaluated.
 program test_contact_laws
    use litz_kinds, only: dp, pi
-   use litz_contact_forces, only: apply_normal_law, refused_contact
+   use litz_contact_forces, only: refused_contact
    use litz_contact_history, only: contact_history_t, force_of_spot
    use litz_contact_points, only: contact_set_t, law_bad_data
    use litz_element_library, only: elements_t
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
    use litz_law_input, only: wire_pair_t
    use litz_model, only: model_t
+   use litz_normal_forces, only: apply_normal_law
    use litz_normal_law, only: normal_law_t, force_of_gap_t, force_at_gap, linearise, penalty_that_holds
    use litz_normal_laws, only: normal_law
    use litz_spot_law, only: contact_spot_t, contact_spot, spot_law_t, spot_ok, spot_bad_data, spot_unknown_law
@@ -141,15 +142,16 @@ contains
       contact%points(1)%element = 2
       contact%points(1)%pair = 1
       contact%points(1)%gap = -1.0e-6_dp
-      contact%points(1)%kinematics%angle = pi/3
-      call apply_normal_law(model, elements, contact)
-      call expect(contact%points(1)%force > 0 .and. len(refused_contact(model, contact)) == 0, 'wires that cross')
-      contact%points(1)%kinematics%angle = 0
-      call apply_normal_law(model, elements, contact)
-      words = refused_contact(model, contact)
+      contact%points(1)%law_angle = pi/3
+      call apply_normal_law(model, elements, contact%points)
+      call expect(contact%points(1)%force > 0 .and. len(refused_contact(model, contact%points)) == 0, &
+         'wires that cross')
+      contact%points(1)%law_angle = 0
+      call apply_normal_law(model, elements, contact%points)
+      words = refused_contact(model, contact%points)
       call expect(index(words, 'wires have become parallel where they touch (elements 11 and 12)') == 1, words)
       contact%points(1)%law_status = law_bad_data
-      call expect(len(refused_contact(model, contact)) == 0, 'bad data are no reason for a smaller increment')
+      call expect(len(refused_contact(model, contact%points)) == 0, 'bad data are no reason for a smaller increment')
    end subroutine test_parallel_wires_refuse_the_increment
 
    subroutine make_two_wires(model, elements)

@@ -168,7 +168,7 @@ def test_the_program_accepts_all_that_can_be_said(litz_program, tmp_path):
     assert done.returncode == 0, done.stdout + done.stderr
     assert "step 3" in done.stdout
     used = {card.name for card in litz.Deck.read(deck)}
-    not_built = {"INCLUDE", "MESH", "EL FILE"}
+    not_built = {"INCLUDE", "MESH", "EL FILE", "RIGID SURFACE"}
     assert set(litz.keywords()) - used == not_built
 
 

@@ -32,7 +32,7 @@ def at_force(law, force):
 def test_the_laws_of_the_table():
     # their numbers are those of user elements
     assert NORMAL_LAWS.items() >= {"linear": 1, "hertz": 2}.items()
-    assert NORMAL_FIELDS.items() >= {"linear": ["penalty"], "hertz": []}.items()
+    assert NORMAL_FIELDS.items() >= {"linear": ["penalty", "eps_l"], "hertz": []}.items()
 
 
 def test_the_penalty_is_force_over_overlap():

@@ -82,7 +82,7 @@ contains
       call name_set(model%node_sets(3), 'ENDS', [1, 3])
       call name_set(model%node_sets(4), 'LOOSE', [5])
       call name_set(model%element_sets(1), 'LOWER', [1, 2])
-      allocate (model%steps(2))
+      allocate (model%steps(2), model%surfaces(0), model%surface_pairs(0))
       call ask_for_history(model%steps)
    end subroutine make_crossed_wires
 

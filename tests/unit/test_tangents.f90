@@ -12,6 +12,7 @@ program test_tangents
    use litz_kinds, only: dp
    use litz_assembly, only: evaluate
    use litz_beam_term, only: beam_term_t
+   use litz_contact_points, only: contact_point_t
    use litz_deck_reader, only: read_deck
    use litz_errors, only: error_t, error_list_t
    use litz_fields, only: n_slots, n_groups, depends_on, field_rotation, first_slot, last_slot, fields
@@ -31,6 +32,10 @@ program test_tangents
    character(len=*), parameter :: penalty = '*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR'//nl//'1e7'//nl
    character(len=*), parameter :: hertz = '*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ'//nl
    character(len=*), parameter :: spot = '*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ'//nl
+   character(len=*), parameter :: penalty_of_line = '*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR'//nl//', 1e9'//nl
+   !> Without the resistance in the elements, by which the currents of points depend on each other: how motions change
+   !> that is not in the tangent
+   character(len=*), parameter :: clean = '*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ, VOLTAGE=LINEAR'//nl
    !> Forces and moments on the reference nodes of rigid bodies
    character(len=*), parameter :: loads_of_bodies = '*CLOAD'//nl//'21, 4, 0.02'//nl//'21, 6, -0.03'//nl//'21, 2, 0.3' &
       //nl//'12, 5, 0.01'//nl//'12, 1, -0.2'//nl
@@ -67,7 +72,29 @@ program test_tangents
       1.0e-4_dp, 0.01_dp, bodies_of('TIE'))
    call check_terms('tied nodes that slip', 'B33', 'B33', penalty//'*FRICTION'//nl//'1e-4'//nl, '', loads_of_bodies, &
       exact, bodies=bodies_of('TIE'))
+   ! each surface on a cantilever
+   call check_terms('rigid surfaces', 'B33', 'B31', surfaces('PLANE', '0, 0, -1.02e-3, 2e-4, -0.005, 1'), '', '', &
+      exact)
+   call check_terms('drum', 'B33', 'B33', surfaces('CYLINDER', '0, 0, -6.12e-3, 0.9, 0.5, 0.05, 5e-3'), '', '', &
+      exact)
+   call check_terms('bore', 'B33', 'B33', surfaces('BORE', '0, 0, 8.93e-3, 1, 0.02, 0, 10e-3'), '', '', &
+      exact)
+   call check_terms('plane with friction that sticks', 'B33', 'B31', surfaces('PLANE', &
+      '0, 0, -1.02e-3, 2e-4, -0.005, 1', '0.8'), '', '', exact, 0.01_dp)
+   call check_terms('drum with friction that slips', 'B33', 'B33', surfaces('CYLINDER', &
+      '0, 0, -6.12e-3, 0.9, 0.5, 0.05, 5e-3', '1e-3'), '', '', exact)
    call check_terms('damping', 'B33', 'B33', penalty, '', '*CONTROLS, PARAMETERS=STABILIZE'//nl//'1e-3'//nl, exact)
+   call check_lines('line of a penalty', penalty_of_line//clean, 0.0_dp, 3.0e-5_dp, 0.02_dp)
+   call check_lines('line of Hertz', hertz//clean, 0.0_dp, 4.0e-6_dp, 0.1_dp)
+   call check_lines('line with a film', hertz//'*GAP ELECTRICAL CONDUCTANCE, LAW=FILM, VOLTAGE=LINEAR'//nl//'1e-12' &
+      //nl, 0.0_dp, 4.0e-6_dp, 0.1_dp)
+   call check_lines('bow over a straight wire, penalty', penalty_of_line//clean, 5.0_dp, 3.0e-5_dp, 0.01_dp)
+   call check_lines('bow over a straight wire, Hertz', hertz//clean, 5.0_dp, 1.2e-5_dp, 0.02_dp)
+   call check_lines('line that sticks', hertz//'*FRICTION'//nl//'1e3'//nl, 0.0_dp, 4.0e-6_dp, 0.02_dp)
+   call check_lines('line of a penalty that sticks', penalty_of_line//'*FRICTION, ELASTIC SLIP=1e-7'//nl//'1e3'//nl, &
+      0.0_dp, 3.5e-5_dp, 0.01_dp)
+   call check_lines('line that slips', hertz//'*FRICTION'//nl//'1e-4'//nl, 0.0_dp, 4.0e-6_dp, 0.02_dp)
+   call check_lines('bow that slips on a straight wire', hertz//'*FRICTION'//nl//'1e-4'//nl, 5.0_dp, 1.2e-5_dp, 0.02_dp)
    do term = 1, size(has_added)
       if (has_added(term)) cycle
       failures = failures + 1
@@ -84,16 +111,44 @@ contains
 
       deck = '*NODE'//nl//'1, -0.03, 0, 0'//nl//'2, -0.012, 0, 0'//nl//'3, 0.009, 0.001, 0'//nl//'4, 0.03, 0, 0'//nl// &
          '11, 0.003, -0.03, 0.002'//nl//'12, 0, -0.008, 0.0019'//nl//'13, 0, 0.011, 0.002'//nl// &
-         '14, -0.001, 0.03, 0.002'//nl//'*ELEMENT, TYPE='//type_1//', ELSET=A'//nl//'1, 1, 2'//nl//'2, 2, 3'// &
-         nl//'3, 3, 4'//nl// &
+         '14, -0.001, 0.03, 0.002'//nl//elements_and_contact(type_1, type_2, options, laws)// &
+         bodies//'*BOUNDARY'//nl//'1, 1, 6'//nl//'4, 1, 6'//nl
+      deck = deck//step_of(-4.0e-4_dp, '')//step_of(-5.0e-4_dp, loads)
+   end function deck_of
+
+   !> A wire above another one and along it, in a bow above its middle; the nodes do not match.
+   function deck_along(laws, bow, push) result(deck)
+      character(len=*), intent(in) :: laws
+      !> Curvature of the upper wire [1/m], and how far its ends are lowered [m]
+      real(dp), intent(in) :: bow, push
+      character(len=:), allocatable :: deck
+      character(len=24) :: height
+      real(dp), parameter :: x(4) = [-0.010_dp, -0.003_dp, 0.005_dp, 0.011_dp]
+      character(len=*), parameter :: node(4) = ['11, -0.010, 0, ', '12, -0.003, 0, ', &
+         '13,  0.005, 0, ', '14,  0.011, 0, ']
+      integer :: i
+
+      deck = '*NODE'//nl//'1, -0.012, 0, 0'//nl//'2, -0.004, 0, 0'//nl//'3, 0.004, 0, 0'//nl//'4, 0.012, 0, 0'//nl
+      do i = 1, 4
+         write (height, '(es24.16)') 1.8e-3_dp + bow*x(i)**2/2
+         deck = deck//node(i)//height//nl
+      end do
+      deck = deck//elements_and_contact('B33', 'B33', '', laws)//'*BOUNDARY'//nl//'1, 1, 6'//nl//'4, 1, 6'//nl// &
+         step_of(-push, '')//step_of(-1.25_dp*push, '')
+   end function deck_along
+
+   !> The elements of two wires of four nodes each, and their contact.
+   function elements_and_contact(type_1, type_2, options, laws) result(cards)
+      character(len=*), intent(in) :: type_1, type_2, options, laws
+      character(len=:), allocatable :: cards
+
+      cards = '*ELEMENT, TYPE='//type_1//', ELSET=A'//nl//'1, 1, 2'//nl//'2, 2, 3'//nl//'3, 3, 4'//nl// &
          '*ELEMENT, TYPE='//type_2//', ELSET=B'//nl//'11, 11, 12'//nl//'12, 12, 13'//nl//'13, 13, 14'//nl// &
          '*MATERIAL, NAME=M'//nl//'*ELASTIC'//nl//'1.1e11, 0.3'//nl//'*ELECTRICAL CONDUCTIVITY'//nl//'5e7'//nl// &
          '*BEAM SECTION, ELSET=A, MATERIAL=M, SECTION=CIRC'//nl//'1e-3'//nl// &
          '*BEAM SECTION, ELSET=B, MATERIAL=M, SECTION=CIRC'//nl//'0.8e-3'//nl// &
-         '*SURFACE INTERACTION, NAME=T'//options//nl//laws//'*CONTACT PAIR, INTERACTION=T'//nl//'A, B'//nl// &
-         bodies//'*BOUNDARY'//nl//'1, 1, 6'//nl//'4, 1, 6'//nl
-      deck = deck//step_of(-4.0e-4_dp, '')//step_of(-5.0e-4_dp, loads)
-   end function deck_of
+         '*SURFACE INTERACTION, NAME=T'//options//nl//laws//'*CONTACT PAIR, INTERACTION=T'//nl//'A, B'//nl
+   end function elements_and_contact
 
    !> Two rigid bodies, with a node on each of the elements that touch: one whose reference node is outside the wires,
    !> and one whose reference node is the other node of the element.
@@ -107,6 +162,22 @@ contains
       if (kind == 'PIN') cards = cards//', TIE NSET=N2'
       cards = cards//nl//'*RIGID BODY, REF NODE=12, '//kind//' NSET=N13'//nl
    end function bodies_of
+   !> A rigid surface on a cantilever, below the lower wire.
+   function surfaces(shape, place, friction) result(words)
+      character(len=*), intent(in) :: shape, place
+      character(len=*), intent(in), optional :: friction
+      character(len=:), allocatable :: words
+
+      words = penalty//'*SURFACE INTERACTION, NAME=F'//nl
+      if (present(friction)) words = words//'*FRICTION, STICK STIFFNESS=1e5'//nl//friction//nl
+      words = words//'*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR'//nl//'1e7, 1e10'//nl// &
+         '*NODE'//nl//'21, 0.002, 0.003, -0.004'//nl//'22, 0.01, 0.02, -0.03'//nl// &
+         '*ELEMENT, TYPE=B33, ELSET=C'//nl//'21, 21, 22'//nl//'*MATERIAL, NAME=INSULATOR'//nl//'*ELASTIC'//nl// &
+         '1e11, 0.3'//nl// &
+         '*BEAM SECTION, ELSET=C, MATERIAL=INSULATOR, SECTION=CIRC'//nl// &
+         '2e-3'//nl//'*RIGID SURFACE, NAME=S, REF NODE=21, TYPE='//shape//nl//place//nl// &
+         '*CONTACT PAIR, INTERACTION=F'//nl//'A, S'//nl//'*BOUNDARY'//nl//'22, 1, 6'//nl
+   end function surfaces
 
    function step_of(push, loads) result(step)
       real(dp), intent(in) :: push
@@ -143,6 +214,22 @@ contains
       end do
       call note_terms(problem)
    end subroutine check_terms
+
+   !> Wires that touch along a line, `part` of the usual random motion away from equilibrium.
+   subroutine check_lines(name, laws, bow, push, part)
+      character(len=*), intent(in) :: name, laws
+      real(dp), intent(in) :: bow, push, part
+      type(problem_t) :: problem
+      integer :: trial
+
+      ! the same motions whatever was checked before: none of them brings a place to the verge of touching
+      call start_random_numbers()
+      call solve_first_step(deck_along(laws, bow, push), problem)
+      do trial = 1, 3
+         call compare(name, problem, exact, part)
+         call check(count(problem%contact%line_points%closed) > 1, name//': points of a line in contact', 0.0_dp)
+      end do
+   end subroutine check_lines
 
    !> Which terms change what those before them have made.
    subroutine note_terms(problem)
@@ -259,7 +346,6 @@ contains
       real(dp), intent(in) :: there(:, :), v(:, :), t
       real(dp), intent(out) :: force(:, :)
       type(error_t), allocatable :: error
-      integer :: i
 
       call start_iterate(problem)
       call problem%iterate%move(problem%state, problem%model%x, there, 1)
@@ -271,17 +357,25 @@ contains
       type is (beam_term_t)
          beams%sigma_from_strain = .true.
       end select
-      problem%contact%points%mixed_force = problem%contact%points%force
-      problem%contact%points%predicted = .false.
-      ! what an iteration supposes of friction is what it finds
-      problem%contact%points%friction_iteration%status = problem%contact%points%friction%status
-      do i = 1, size(problem%contact%points)
-         problem%contact%points(i)%friction_iteration%mixed_traction = problem%contact%points(i)%friction%traction
-      end do
+      call suppose_what_is(problem%contact%points)
+      call suppose_what_is(problem%contact%line_points)
       call evaluate(problem, error)
       call stop_on(error)
       force = problem%forces%internal
    end subroutine forces_at
+
+   !> What an iteration supposes of contacts is what it has found.
+   subroutine suppose_what_is(points)
+      type(contact_point_t), intent(inout) :: points(:)
+      integer :: i
+
+      points%mixed_force = points%force
+      points%predicted = .false.
+      points%friction_iteration%status = points%friction%status
+      do i = 1, size(points)
+         points(i)%friction_iteration%mixed_traction = points(i)%friction%traction
+      end do
+   end subroutine suppose_what_is
 
    !> `K v` of the free unknowns, turned from the Hessian to the derivative of forces of spins.
    function tangent_times(problem, v, force) result(product)
@@ -311,7 +405,8 @@ contains
       where (problem%equations%number == 0) product = 0
    end function tangent_times
 
-   !> How the angle between the wires changes the force of each contact: `-dF/dpsi dgap (dpsi . v)`.
+   !> How the angle between the wires changes the force of each contact: `-dF/dpsi dgap (dpsi . v)`, as far as the angle
+   !> of the law is that of the axes.
    subroutine add_angle_term(problem, v, product)
       type(problem_t), intent(in) :: problem
       real(dp), intent(in) :: v(:, :)
@@ -323,7 +418,8 @@ contains
          associate (point => problem%contact%points(i))
             if (.not. point%closed) cycle
             nodes = [problem%model%connectivity(:, point%element_bar), problem%model%connectivity(:, point%element)]
-            term = -point%at_gap%dforce_dangle*point%kinematics%dgap*dot_product(point%kinematics%dangle, &
+            term = -point%at_gap%dforce_dangle*(1 - point%lens_share)*cos(point%kinematics%angle)/cos(point%law_angle) &
+               *point%kinematics%dgap*dot_product(point%kinematics%dangle, &
                reshape(v(1:6, nodes), [24]))
             product(1:6, nodes) = product(1:6, nodes) + reshape(term, [6, 4])
          end associate

@@ -55,7 +55,7 @@ def measure(workspace):
     if workspace.quick:
         return values | {"figure": {}}
     joints = {
-        kind: [[joint(workspace, kind, g, n) for n in (40, 80)] for g in CONDUCTANCES] for kind in ("lap", "hairpin")
+        kind: [[joint(workspace, kind, g, n) for n in (40, 120)] for g in CONDUCTANCES] for kind in ("lap", "hairpin")
     }
     for kind, found in joints.items():
         values[f"line_joints.{kind}"] = [extrapolate(coarse, fine, 2) for coarse, fine in found]

@@ -112,21 +112,16 @@ def _fibre_mat() -> Model:
 
 def _strand() -> Model:
     model = strand(
-        [6, 12],
-        radius=0.1e-3,
-        lay_length=6e-3,
-        direction="ZS",
-        length=6e-3,
-        clearance=2e-6,
-        enlarge=True,
-        elements_per_lay=16,
+        [1, 6],
+        radius=[0.104e-3, 0.1e-3],
+        lay_length=9e-3,
+        length=9e-3,
     )
-    model.title = "A strand of two layers laid against each other, pulled by 0.3 %, 1 mV between its ends"
+    model.title = "Six wires laid on a core, pulled by 0.1 %, 1 mV between the ends"
     model.comments = [
-        "The layers cross and touch in points. Neighbouring wires of a layer would touch along lines, which litz does",
-        "not model: pulled by more than 0.4 % they do, and the run ends.",
+        "The wires touch the core along helices. It is 4 % thicker than they are, so that they do not touch each other.",
     ]
-    model.press(-18e-6, voltage=1e-3, name="PULL").node_print("PLUS", "RF", totals="ONLY")
+    model.press(-9e-6, voltage=1e-3, name="PULL").node_print("PLUS", "RF", totals="ONLY")
     return model
 
 
@@ -135,7 +130,7 @@ STARTERS = {
     "friction": Starter("a wire dragged along another one: stick and slip, energies", _friction),
     "grid": Starter("four wires across four others: current through a network of contacts", _grid),
     "fibre-mat": Starter("random fibres pressed between two electrodes", _fibre_mat),
-    "strand": Starter("two layers of helices laid against each other, pulled", _strand),
+    "strand": Starter("six wires laid on a core, pulled: contact along lines", _strand),
 }
 
 

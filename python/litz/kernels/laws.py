@@ -40,7 +40,9 @@ def normal_law_data(law: NormalLaw, **values: Numbers | None) -> tuple[int, NDAr
         raise ValueError(f'eps_n belongs to normal_law="linear"; "{law}" has no penalty')
     if wanted != "normal_value" and values["normal_value"] is not None:
         raise ValueError(f'normal_value does not belong to normal_law="{law}"')
-    return number, law_data(f'normal_law="{law}"', wanted, values, NORMAL_FIELDS[law])
+    # where wires cross, "linear" has one number; that per length is of line contact
+    fields = NORMAL_FIELDS[law][:1] if wanted == "eps_n" else NORMAL_FIELDS[law]
+    return number, law_data(f'normal_law="{law}"', wanted, values, fields)
 
 
 def law_data(law: str, wanted: str | None, values: dict[str, Numbers | None], fields: list[str]) -> NDArray[np.float64]:

@@ -308,6 +308,11 @@ class ResultFile:
         """The contact ledger: a row for each contact at each increment."""
         return self._whole(self._table("_contacts.csv", read_csv))
 
+    @property
+    def surface_contacts(self) -> Table:
+        """The contacts with rigid surfaces: a row for each element that touches one, at each increment."""
+        return self._whole(self._table("_surfaces.csv", read_csv))
+
     def contacts_at(self, increment: int = -1) -> Table:
         """The contacts at one increment."""
         ledger = self.contacts

@@ -17,6 +17,7 @@ _INTEGER_COLUMNS = frozenset(
         "iteration",
         "iterations",
         "id",
+        "element",
         "element_1",
         "element_2",
         "node_u",
@@ -39,7 +40,7 @@ _OLD_NAMES = {
     **{f"point_{axis}": f"point_2_{axis}" for axis in "xyz"},
 }
 #: The last columns of a table may contain text
-_TEXT_COLUMNS = frozenset(["friction", "status", "remark"])
+_TEXT_COLUMNS = frozenset(["friction", "status", "remark", "surface"])
 
 
 def read_csv(path: Path) -> Table:

@@ -1,0 +1,88 @@
+!> How far to go along a Newton step so that the energy of wires side by side falls.
+!>
+!> Along wires that just touch, points close and open in numbers in each iteration, and the set of closed ones may
+!> cycle. The energy is convex in their gaps: with a step that ends where it is least along its direction, Newton's
+!> method comes to the solution from anywhere. All but these points is linear along a step `d`, so that with the
+!> residual `R` of the iteration and `S = R.d = d.K.d` the slope of the energy at the fraction `eta` of the step is
+!> `-(1 - eta) S + sum (F(g) - F(g + eta dg) - eta k dg) dg`, with the gap `g` and the stiffness `k` about which the
+!> iteration has linearised a point. Source: theory (10.18).
+module litz_contact_descent
+   use litz_kinds, only: dp
+   use litz_contact_kinematics, only: n_motions
+   use litz_contact_points, only: contact_point_t
+   use litz_fields, only: motion_slots
+   use litz_line_law, only: line_force_t, line_force
+   use litz_model, only: model_t
+   implicit none
+   private
+   public :: descent_fraction
+
+   !> Slope at the end of the step over that at its start that is left alone
+   real(dp), parameter :: small_slope = 0.5_dp
+   !> Halvings of the interval in which the slope vanishes
+   integer, parameter :: max_halvings = 20
+   !> Of a step, at least
+   real(dp), parameter :: least_fraction = 1.0e-3_dp
+
+contains
+
+   !> The fraction of a step, at most 1, at which the energy is least.
+   pure real(dp) function descent_fraction(model, points, residual, step) result(eta)
+      type(model_t), intent(in) :: model
+      !> Of line contacts
+      type(contact_point_t), intent(in) :: points(:)
+      !> External minus internal forces of the iteration, and its linear step (n_slots, n_nodes)
+      real(dp), intent(in) :: residual(:, :), step(:, :)
+      !> Gaps that the iteration has started from, their change in the whole step [m], and S [J]
+      real(dp) :: gap(size(points)), dgap(size(points)), work, lower, upper
+      integer :: i
+
+      eta = 1
+      if (size(points) == 0) return
+      work = sum(residual(motion_slots(1):motion_slots(2), :)*step(motion_slots(1):motion_slots(2), :))      ! S
+      if (.not. work > 0) return
+      do i = 1, size(points)
+         associate (point => points(i))
+            gap(i) = merge(point%predicted_gap, point%gap, point%predicted)
+            dgap(i) = point%gap - gap(i) + dot_product(point%kinematics%dgap, &
+               reshape(step(motion_slots(1):motion_slots(2), [model%connectivity(:, point%element_bar), &
+               model%connectivity(:, point%element)]), [n_motions]))
+         end associate
+      end do
+      if (slope(1.0_dp) <= small_slope*work) return
+      lower = 0
+      upper = 1
+      do i = 1, max_halvings
+         eta = (lower + upper)/2
+         if (slope(eta) > 0) then
+            upper = eta
+         else
+            lower = eta
+         end if
+      end do
+      eta = max(lower, least_fraction)
+
+   contains
+
+      !> Of the energy, at a fraction of the step [J].
+      pure real(dp) function slope(fraction)
+         !> [-]
+         real(dp), intent(in) :: fraction
+         type(line_force_t) :: law
+         integer :: k
+
+         slope = -(1 - fraction)*work
+         do k = 1, size(points)
+            associate (point => points(k))
+               if (.not. point%weight > 0) cycle
+               law = line_force(point%line, -(gap(k) + fraction*dgap(k)), model%interactions( &
+                  model%contact_pairs(point%pair)%interaction)%normal%line_penalty())
+               slope = slope + (point%mixed_force - point%weight*law%force &
+                  - fraction*point%stiffness*dgap(k))*dgap(k)
+            end associate
+         end do
+      end function slope
+
+   end function descent_fraction
+
+end module litz_contact_descent

@@ -1,0 +1,163 @@
+!> The spots of closed contacts between conductors.
+module litz_contact_spots
+   use litz_kinds, only: dp
+   use litz_contact_blocks, only: spot_in_circuit_t
+   use litz_contact_electricity, only: contact_electricity_t
+   use litz_contact_history, only: force_of_spot
+   use litz_contact_points, only: contact_point_t, law_bad_data
+   use litz_friction_law, only: friction_slip
+   use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
+   use litz_law_input, only: wire_pair_t
+   use litz_lens_law, only: lens_t, lens_force, lens_spot_t, lens_spot, lens_integral, n_depths
+   use litz_line_law, only: line_wires_t, line_spot
+   use litz_line_point, only: spot_of_line
+   use litz_model, only: interaction_t
+   use litz_normal_forces, only: is_lens
+   use litz_spot_law, only: contact_spot_t, contact_spot, spot_law_t, spot_ok
+   use litz_wires, only: wires_t, arc_from_to
+   implicit none
+   private
+   public :: find_spot, keep_current
+
+contains
+
+   !> The spot of a closed contact between conductors.
+   subroutine find_spot(law, wires, pair, point, circuit)
+      type(interaction_t), intent(in) :: law
+      type(wires_t), intent(in) :: wires
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(inout) :: point
+      type(spot_in_circuit_t), intent(out) :: circuit
+      real(dp) :: spot_force
+      integer :: info
+
+      circuit%series_resistance = pair%series_resistance
+      if (law%spot%is_per_length) then
+         call spot_per_length(law%normal%line_penalty(), law%spot, pair, point, circuit%spot)
+      else if (point%line_place > 0) then
+         circuit%spot = spot_of_line(line_spot(point%line, point%force/point%weight, &
+            number_of(law%spot, law%spot%film_number), number_of(law%spot, law%spot%hardness_number)), point%weight)
+      else if (is_lens(law%normal, point)) then
+         circuit%spot = spot_of_lens(law%normal%line_penalty(), law%spot, pair, point)
+      else
+         if (law%spot_memory) point%new_spot = leaves_spot(law, wires, pair, point)
+         call force_of_spot(law%spot_memory, point%history, point%force/point%weight, point%new_spot, spot_force, &
+            circuit%follows)
+         call contact_spot(law%spot, spot_force, pair, point%ellipse, circuit%spot, info)
+         if (info /= spot_ok) point%law_status = law_bad_data
+         circuit%spot%conductance = point%weight*circuit%spot%conductance
+      end if
+   end subroutine find_spot
+
+   !> A resistance that is given per length: at a point of a line, or over the lens of a crossing.
+   pure subroutine spot_per_length(penalty, law, pair, point, spot)
+      !> eps_l [N/m^2]; 0: the elastic law
+      real(dp), intent(in) :: penalty
+      type(spot_law_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(inout) :: point
+      type(contact_spot_t), intent(out) :: spot
+      type(contact_spot_t) :: at(n_depths)
+      type(lens_t) :: lens
+      real(dp) :: dconductance_dgap
+      integer :: i, info
+
+      if (point%line_place > 0) then
+         call contact_spot(law, point%force/point%weight, pair, point%ellipse, spot, info)
+         if (info /= spot_ok) point%law_status = law_bad_data
+         spot%conductance = point%weight*spot%conductance
+         spot%semi_major = point%weight/2
+         return
+      end if
+      lens = lens_force(point%line, point%gap, point%law_sine, penalty)
+      do i = 1, n_depths
+         call contact_spot(law, lens%along(i)%force, pair, point%ellipse, at(i), info)
+         if (info /= spot_ok) point%law_status = law_bad_data
+      end do
+      call lens_integral(lens, at%conductance, at%dconductance_dforce, spot%conductance, dconductance_dgap)
+      spot%conductance = point%weight*spot%conductance
+      spot%dconductance_dforce = dconductance_dgap/lens%dforce_dgap
+      spot%semi_major = lens%half_length
+   end subroutine spot_per_length
+
+   !> The strip along the lens of a crossing.
+   pure type(contact_spot_t) function spot_of_lens(penalty, law, pair, point) result(spot)
+      !> eps_l [N/m^2]; 0: the elastic law
+      real(dp), intent(in) :: penalty
+      type(spot_law_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(in) :: point
+      type(line_wires_t) :: line
+      type(lens_t) :: lens
+      type(lens_spot_t) :: strip
+
+      line = point%line
+      lens = lens_force(line, point%gap, point%law_sine, penalty)
+      strip = lens_spot(line, lens, number_of(law, law%film_number), number_of(law, law%hardness_number))
+      spot%semi_major = lens%half_length
+      spot%semi_minor = strip%half_width
+      spot%conductance = point%weight*strip%conductance
+      spot%dconductance_dforce = strip%dconductance_dgap/lens%dforce_dgap
+   end function spot_of_lens
+
+   !> One of the numbers of a law; 0 where it has none.
+   pure real(dp) function number_of(law, place)
+      type(spot_law_t), intent(in) :: law
+      !> Which of its numbers, or 0
+      integer, intent(in) :: place
+
+      number_of = 0
+      if (place > 0) number_of = law%data(place)
+   end function number_of
+
+   !> What results show of a current.
+   pure subroutine keep_current(electricity, circuit, point)
+      type(contact_electricity_t), intent(in) :: electricity
+      type(spot_in_circuit_t), intent(in) :: circuit
+      type(contact_point_t), intent(inout) :: point
+
+      point%semi_major = circuit%spot%semi_major
+      point%semi_minor = circuit%spot%semi_minor
+      point%conductance = circuit%spot%conductance
+      point%current = electricity%current
+      point%voltage_gap = electricity%voltage_gap
+      point%series_resistance = circuit%series_resistance
+      point%heat_inside = point%current**2*circuit%series_resistance*(1 - [point%xi_bar, point%xi]**2)
+   end subroutine keep_current
+
+   !> A contact that remembers its spot is no longer at it. With friction it has slipped; without, it has moved along
+   !> one of its wires by more than the spot, which where the law has none is that of Hertz.
+   pure logical function leaves_spot(law, wires, pair, point) result(leaves)
+      type(interaction_t), intent(in) :: law
+      type(wires_t), intent(in) :: wires
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(in) :: point
+      type(contact_spot_t) :: spot
+      real(dp) :: moved(2), size_of_spot
+      integer :: info
+
+      leaves = point%friction%status == friction_slip
+      if (law%friction > 0 .or. .not. point%history%largest_force > 0) return
+      moved = abs(arc_from_to(point%history%spot_arc, [point%arc_bar, point%arc], &
+         wires%circumference(wires%wire([point%element_bar, point%element]))))
+      call contact_spot(law%spot, point%history%largest_force, pair, point%ellipse, spot, info)
+      size_of_spot = spot%semi_major
+      if (info /= spot_ok .or. .not. size_of_spot > 0) size_of_spot = &
+         ellipse_of(pair, point%law_angle)*point%history%largest_force**(1.0_dp/3)
+      leaves = maxval(moved) > size_of_spot
+   end function leaves_spot
+
+   !> Greater half axis of the Hertz ellipse of 1 N [m].
+   pure real(dp) function ellipse_of(pair, angle) result(semi_major)
+      type(wire_pair_t), intent(in) :: pair
+      !> Between the axes [rad]
+      real(dp), intent(in) :: angle
+      type(hertz_ellipse_t) :: ellipse
+      integer :: info
+
+      semi_major = 0
+      call hertz_ellipse(pair%radius, pair%young, pair%poisson, angle, ellipse, info)
+      if (info == hertz_ok) semi_major = ellipse%semi_major
+   end function ellipse_of
+
+end module litz_contact_spots

@@ -1,0 +1,167 @@
+!> Where wires lie side by side: a point for each place of one wire with its foot on another.
+!>
+!> Each of two wires in turn is the one with the places (half passes), so that nothing depends on their order. A point
+!> is known again by its place and its foot. Source: theory section 10.
+module litz_line_points
+   use litz_kinds, only: dp
+   use litz_axis_choices, only: axis_hermite
+   use litz_contact_candidates, only: skin
+   use litz_contact_kinematics, only: kinematics_ok
+   use litz_contact_points, only: contact_point_t, contact_set_t, points_by_wire_t, chain_by_wire, pair_geometry, &
+      arc_at
+   use litz_element_library, only: elements_t
+   use litz_line_contact, only: serves_lines
+   use litz_line_feet, only: foot_t, find_feet
+   use litz_line_foot, only: foot_at_end
+   use litz_line_kinematics, only: line_kinematics
+   use litz_line_shares, only: share_line_point, take_line_share, points_by_place_t, chain_by_place
+   use litz_model, only: model_t
+   use litz_parallel, only: worth_threads
+   use litz_wires, only: wires_t
+   implicit none
+   private
+   public :: locate_line_points
+
+contains
+
+   !> Find the points of line contacts in the present configuration; they carry on the memory of those of the last call.
+   subroutine locate_line_points(model, wires, elements, x_start, rotation_start, x, rotation, contact)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes) when the increment began, and now
+      real(dp), intent(in) :: x_start(:, :), rotation_start(:, :, :), x(:, :), rotation(:, :, :)
+      !> With the candidates and the crossings of this configuration
+      type(contact_set_t), intent(inout) :: contact
+      type(contact_point_t), allocatable :: old(:), points(:)
+      type(foot_t), allocatable :: feet(:)
+      integer, allocatable :: newest(:), converged(:)
+      type(points_by_wire_t) :: by_wire
+      integer :: i
+
+      if (.not. any([(serves_lines(model, i), i=1, size(model%contact_pairs))])) return
+      call find_feet(model, wires, elements, x_start, rotation_start, x, rotation, contact, feet)
+      call move_alloc(contact%line_points, old)
+      allocate (points(size(feet)))
+      do i = 1, size(feet)
+         call place_point(wires, elements, contact, feet(i), points(i))
+      end do
+      call match_line_points(wires, size(contact%places%xi), old, points, newest)
+      call match_line_points(wires, size(contact%places%xi), contact%converged_line_points, points, converged)
+      by_wire = chain_by_wire(wires, contact%points)
+      !$omp parallel do schedule(static) if (size(points) >= worth_threads)
+      do i = 1, size(points)
+         call inherit(old, newest(i), contact%converged_line_points, converged(i), points(i))
+         call set_geometry(model, wires, elements, contact, by_wire, x, rotation, feet(i), &
+            newest(i) == 0 .and. converged(i) == 0, points(i))
+      end do
+      !$omp end parallel do
+      if (.not. all(points%regular)) points = pack(points, points%regular)
+      call move_alloc(points, contact%line_points)
+   end subroutine locate_line_points
+
+   !> A point without memory.
+   pure subroutine place_point(wires, elements, contact, foot, point)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(contact_set_t), intent(in) :: contact
+      type(foot_t), intent(in) :: foot
+      type(contact_point_t), intent(out) :: point
+
+      point%line_place = foot%place
+      point%candidate = foot%candidate
+      point%pair = contact%candidates(3, foot%candidate)
+      point%element_bar = foot%element_bar
+      point%xi_bar = foot%xi_bar
+      point%element = contact%places%element(foot%place)
+      point%xi = contact%places%xi(foot%place)
+      point%arc_bar = arc_at(wires, elements, point%element_bar, point%xi_bar)
+      point%arc = arc_at(wires, elements, point%element, point%xi)
+   end subroutine place_point
+
+   !> Which of some earlier points each point continues: that of the same place with the nearest foot on the same wire;
+   !> 0: none.
+   pure subroutine match_line_points(wires, n_places, earlier, points, origin)
+      type(wires_t), intent(in) :: wires
+      !> Places on all wires
+      integer, intent(in) :: n_places
+      type(contact_point_t), intent(in) :: earlier(:), points(:)
+      !> (points)
+      integer, allocatable, intent(out) :: origin(:)
+      type(points_by_place_t) :: by_place
+      real(dp) :: distance, nearest
+      integer :: i, k
+
+      by_place = chain_by_place(n_places, earlier)
+      allocate (origin(size(points)), source=0)
+      do i = 1, size(points)
+         nearest = huge(nearest)
+         k = by_place%last(points(i)%line_place)
+         do while (k > 0)
+            if (wires%wire(earlier(k)%element_bar) == wires%wire(points(i)%element_bar)) then
+               distance = wires%arc_between(wires%wire(points(i)%element_bar), points(i)%arc_bar, earlier(k)%arc_bar)
+               if (distance < nearest) origin(i) = k
+               nearest = min(nearest, distance)
+            end if
+            k = by_place%before(k)
+         end do
+      end do
+   end subroutine match_line_points
+
+   !> What a point takes over from the last iterate and from the last converged state.
+   pure subroutine inherit(old, from, converged, from_converged, point)
+      !> Points of the last iterate, and of the last converged state
+      type(contact_point_t), intent(in) :: old(:), converged(:)
+      !> Those that the point continues; 0: none
+      integer, intent(in) :: from, from_converged
+      type(contact_point_t), intent(inout) :: point
+
+      if (from > 0) then
+         point%predicted = old(from)%predicted
+         point%predicted_gap = old(from)%predicted_gap
+         point%mixed_force = old(from)%mixed_force
+         point%friction_iteration = old(from)%friction_iteration
+         call take_line_share(old(from), point)
+      else if (from_converged > 0) then
+         call take_line_share(converged(from_converged), point)
+      end if
+      if (from_converged > 0) then
+         point%id = converged(from_converged)%id
+         point%history = converged(from_converged)%history
+         point%kinematics%normal = converged(from_converged)%kinematics%normal
+         point%normal_before = point%kinematics%normal
+      end if
+   end subroutine inherit
+
+   !> Kinematics and gap of a point, on the side on which its wires were in the last converged state.
+   pure subroutine set_geometry(model, wires, elements, contact, by_wire, x, rotation, foot, is_new, point)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> With the crossings, and these by their barred wires
+      type(contact_set_t), intent(in) :: contact
+      type(points_by_wire_t), intent(in) :: by_wire
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
+      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      type(foot_t), intent(in) :: foot
+      !> No earlier point says what is carried along the line
+      logical, intent(in) :: is_new
+      !> In: with the normal of the last converged state, 0: none
+      type(contact_point_t), intent(inout) :: point
+      real(dp) :: xe(3, 4), t(3, 4), length(2), normal_before(3)
+      integer :: info
+
+      normal_before = point%kinematics%normal
+      associate (radius => elements%radius([point%element_bar, point%element]))
+         call pair_geometry(model, wires, elements, point%element_bar, point%element, x, rotation, xe, t, length)
+         call line_kinematics(xe, t, length, axis_hermite, radius, point%xi_bar, point%xi, &
+            foot%status == foot_at_end, normal_before, point%kinematics, info)
+         point%gap = point%kinematics%gap
+         point%regular = info == kinematics_ok .and. point%gap < skin/2*sum(radius)
+      end associate
+      point%foot_at_end = foot%status == foot_at_end
+      if (point%regular .and. is_new) call share_line_point(wires, elements, contact, by_wire, &
+         xe, t, length, point)
+   end subroutine set_geometry
+
+end module litz_line_points

@@ -1,0 +1,456 @@
+!> What of a contact is carried at a crossing, and what along the line: by the length along which the wires overlap.
+!>
+!> A short overlap is the matter of the crossing in it, which has its integral in closed form; a long one that of the
+!> places along it; between the two each has a share. Within an iteration the shares stay. Source: theory section 10.
+module litz_line_shares
+   use litz_kinds, only: dp
+   use litz_axis, only: axis_shape, on_axis
+   use litz_axis_choices, only: axis_hermite
+   use litz_contact_points, only: contact_point_t, contact_set_t, points_by_wire_t, chain_by_wire, pair_geometry, &
+      law_too_curved
+   use litz_element_library, only: elements_t
+   use litz_lens_law, only: share_of_point
+   use litz_line_contact, only: serves_lines
+   use litz_line_kinematics, only: lens_sine, crossing_qualities
+   use litz_line_places, only: line_places_t, place_at, spacing_of_places
+   use litz_model, only: model_t
+   use litz_normal_law, only: normal_law_t
+   use litz_wires, only: wires_t
+   implicit none
+   private
+   public :: share_crossings, share_line_point, take_line_share, renew_shares, points_by_place_t, chain_by_place
+
+   !> Weight of one of the two passes
+   real(dp), parameter :: half_pass = 0.5_dp
+   !> Sines of the angle between an axis and the surface of the other wire up to which they lie side by side, and from
+   !> which on one runs into the other (5 and 15 degrees)
+   real(dp), parameter :: flat_tilt = 0.0872_dp, steep_tilt = 0.2588_dp
+   !> q below which places have no clear foot, and from which on they have (theory section 10)
+   real(dp), parameter :: least_quality = 0.25_dp, good_quality = 0.5_dp
+   !> Evenly spaced places resolve an overlap as those of Lobatto's rule at this part of their distance do
+   real(dp), parameter :: resolution = 0.65_dp
+   !> Overlap beyond which a lens counts as no longer, in smaller radii
+   real(dp), parameter :: deepest = 0.02_dp
+   !> The sections of the wires bound the field of a lens from the first half length on, wholly from the second one, in
+   !> smaller radii
+   real(dp), parameter :: section_from = 1, section_at = 3
+   !> Sines of the angle between the axes up to which the lens alone gives the angle of the law, and from which on the
+   !> axes do (5 and 10 degrees)
+   real(dp), parameter :: small_sine = 0.0872_dp, moderate_sine = 0.1736_dp
+
+   !> A change of the sine of a lens, relative to it, matters this much more than one of a share
+   real(dp), parameter :: sine_matters = 20
+
+   !> Half lengths of a lens from its crossing where it has certainly ended
+   real(dp), parameter :: lens_ends = 1.2_dp
+
+   !> The points of line contacts of each place, as chains.
+   type :: points_by_place_t
+      !> Last point of each place (n_places), and the one before each point (n_points); 0: none
+      integer, allocatable :: last(:), before(:)
+   end type points_by_place_t
+
+contains
+
+   !> How much of its contact each crossing carries, and by which law: what is not carried along the line there. What
+   !> has been found for a crossing stays until the forces balance.
+   subroutine share_crossings(model, wires, elements, contact)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> With the points of line contacts
+      type(contact_set_t), intent(inout) :: contact
+      type(points_by_place_t) :: by_place
+      integer :: i
+
+      by_place = chain_by_place(size(contact%places%xi), contact%line_points)
+      do i = 1, size(contact%points)
+         associate (point => contact%points(i))
+            point%law_angle = point%kinematics%angle
+            point%law_sine = sin(point%law_angle)
+            if (.not. serves_lines(model, point%pair)) cycle
+            associate (law => model%interactions(model%contact_pairs(point%pair)%interaction)%normal)
+               if ((point%gap < 0 .or. law%is_per_length_only()) .and. .not. point%is_shared) then
+                  call share_crossing(law, wires, elements, contact, by_place, point)
+               end if
+            end associate
+            if (.not. point%lens_share > 0) cycle
+            point%law_sine = (1 - point%lens_share)*point%law_sine + point%lens_share*point%lens_sine
+            point%law_angle = asin(min(1.0_dp, point%law_sine))
+         end associate
+      end do
+   end subroutine share_crossings
+
+   !> What a crossing carries. Its law sees the angle of the axes; at small angles and along long lenses it sees that of
+   !> straight wires with as long a lens.
+   subroutine share_crossing(law, wires, elements, contact, by_place, point)
+      type(normal_law_t), intent(in) :: law
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(contact_set_t), intent(in) :: contact
+      type(points_by_place_t), intent(in) :: by_place
+      type(contact_point_t), intent(inout) :: point
+      real(dp) :: half_length, radius
+
+      ! an iterate in which the wires have passed each other tells nothing
+      if (.not. point%kinematics%distance > 0) return
+      point%is_shared = .true.
+      point%weight = 0
+      point%lens_sine = lens_sine(point%kinematics)
+      if (.not. point%lens_sine > 0) return
+      point%weight = 1 - line_share_at(wires, elements, contact, by_place, point)
+      radius = minval(elements%radius([point%element_bar, point%element]))
+      half_length = half_length_of(point, point%lens_sine, radius)
+      point%section_share = smooth_step((half_length/radius - section_from)/(section_at - section_from))
+      ! a penalty does not depend on the far field
+      if (law%line_penalty() > 0) point%section_share = 0
+      point%lens_share = max(point%section_share, &
+         1 - smooth_step((sin(point%kinematics%angle) - small_sine)/(moderate_sine - small_sine)))
+      if (law%is_per_length_only()) point%lens_share = 1
+   end subroutine share_crossing
+
+   !> Share of the contact that is carried along the line where two wires cross: of both passes, as their places have
+   !> it.
+   pure real(dp) function line_share_at(wires, elements, contact, by_place, point) result(share)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(contact_set_t), intent(in) :: contact
+      type(points_by_place_t), intent(in) :: by_place
+      !> The crossing
+      type(contact_point_t), intent(in) :: point
+      real(dp) :: quality(2)
+
+      quality = crossing_qualities(point%kinematics)
+      share = share_of_pass(quality)*share_along(wires, elements, contact, by_place, point%element_bar, point%xi_bar, &
+         point%element, point%arc) + share_of_pass(quality([2, 1]))*share_along(wires, elements, contact, by_place, &
+         point%element, point%xi, point%element_bar, point%arc_bar)
+   end function line_share_at
+
+   !> The same along one of the wires: between the two places next to the crossing.
+   pure real(dp) function share_along(wires, elements, contact, by_place, e, xi, other, arc) result(share)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(contact_set_t), intent(in) :: contact
+      type(points_by_place_t), intent(in) :: by_place
+      !> Element
+      integer, intent(in) :: e
+      !> Place in it
+      real(dp), intent(in) :: xi
+      !> Element of the other wire
+      integer, intent(in) :: other
+      !> Arc length there [m]
+      real(dp), intent(in) :: arc
+      real(dp) :: u
+      integer :: i
+
+      u = (1 + max(-1.0_dp, min(1.0_dp, xi)))/2*contact%places%n_parts(e)
+      i = min(int(u), contact%places%n_parts(e) - 1)
+      share = (i + 1 - u)*at(place_at(contact%places, e, i)) + (u - i)*at(place_at(contact%places, e, i + 1))
+
+   contains
+
+      !> At a place: that of its point on the other wire, if it has one near the crossing.
+      pure real(dp) function at(place)
+         !> Its number
+         integer, intent(in) :: place
+         integer :: k
+
+         at = 0
+         k = by_place%last(place)
+         do while (k > 0)
+            associate (of_line => contact%line_points(k))
+               if (wires%wire(of_line%element_bar) == wires%wire(other)) then
+                  if (wires%arc_between(wires%wire(other), of_line%arc_bar, arc) < &
+                     elements%length(e) + elements%length(other)) at = of_line%line_share
+               end if
+            end associate
+            k = by_place%before(k)
+         end do
+      end function at
+
+   end function share_along
+
+   !> Bring up to date what is carried along the line, once the forces balance: within an iteration it stays.
+   subroutine renew_shares(model, wires, elements, x, rotation, contact, largest_change)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
+      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      type(contact_set_t), intent(inout) :: contact
+      !> Of the share of a point that is in contact [-]
+      real(dp), intent(out) :: largest_change
+      type(points_by_place_t) :: by_place
+      type(points_by_wire_t) :: by_wire
+      real(dp) :: xe(3, 4), t(3, 4), length(2), before
+      type(contact_point_t) :: earlier
+      integer :: i
+
+      largest_change = 0
+      by_wire = chain_by_wire(wires, contact%points)
+      call find_long_overlaps(wires, elements, by_wire, contact)
+      do i = 1, size(contact%line_points)
+         associate (point => contact%line_points(i))
+            before = point%line_share
+            call pair_geometry(model, wires, elements, point%element_bar, point%element, x, rotation, xe, t, length)
+            call share_line_point(wires, elements, contact, by_wire, xe, t, length, point)
+            if (point%gap < 0) largest_change = max(largest_change, abs(point%line_share - before))
+         end associate
+      end do
+      by_place = chain_by_place(size(contact%places%xi), contact%line_points)
+      do i = 1, size(contact%points)
+         associate (point => contact%points(i))
+            if (.not. (point%is_shared .and. point%gap < 0)) cycle
+            earlier = point
+            call share_crossing(model%interactions(model%contact_pairs(point%pair)%interaction)%normal, wires, &
+               elements, contact, by_place, point)
+            largest_change = max(largest_change, change_of(earlier, point))
+         end associate
+      end do
+   end subroutine renew_shares
+
+   !> How much the law of a crossing has changed: its share, and the sine that it sees.
+   pure real(dp) function change_of(earlier, point) result(change)
+      type(contact_point_t), intent(in) :: earlier, point
+
+      change = max(abs(point%weight - earlier%weight), abs(point%section_share - earlier%section_share), &
+         abs(point%lens_share - earlier%lens_share))
+      if (earlier%lens_sine > 0) change = max(change, sine_matters*point%weight*point%lens_share &
+         *abs(point%lens_sine/earlier%lens_sine - 1))
+   end function change_of
+
+   !> Put points of line contacts into chains, one for each place.
+   pure type(points_by_place_t) function chain_by_place(n_places, points) result(by_place)
+      !> Places on all wires
+      integer, intent(in) :: n_places
+      type(contact_point_t), intent(in) :: points(:)
+      integer :: k
+
+      allocate (by_place%last(n_places), by_place%before(size(points)), source=0)
+      do k = 1, size(points)
+         by_place%before(k) = by_place%last(points(k)%line_place)
+         by_place%last(points(k)%line_place) = k
+      end do
+   end function chain_by_place
+
+   !> What is carried along the line stays what it was.
+   pure subroutine take_line_share(earlier, point)
+      type(contact_point_t), intent(in) :: earlier
+      type(contact_point_t), intent(inout) :: point
+
+      point%weight = earlier%weight
+      point%line_share = earlier%line_share
+      point%section_share = earlier%section_share
+      point%law_angle = earlier%law_angle
+      point%law_sine = earlier%law_sine
+      if (earlier%law_status == law_too_curved) point%law_status = law_too_curved
+   end subroutine take_line_share
+
+   !> What the point carries: nothing where the overlap that it lies in is short, which is the matter of a crossing, and
+   !> nothing where one wire runs into the other.
+   !>
+   !> Along the wire of the place the distance to the other is `D(s) = D + t s + k s^2/2`, which is below the sum of the
+   !> radii over a half length `aW = sqrt(2 (delta + t^2/(2 k))/k)`: for straight wires that of their crossing.
+   pure subroutine share_line_point(wires, elements, contact, by_wire, xe, tangents, length, point)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> With the crossings, and these by their barred wires
+      type(contact_set_t), intent(in) :: contact
+      type(points_by_wire_t), intent(in) :: by_wire
+      !> Nodal positions (3, 4) [m] and tangents (3, 4), reference lengths (2) [m]: element of the foot first
+      real(dp), intent(in) :: xe(3, 4), tangents(3, 4), length(2)
+      type(contact_point_t), intent(inout) :: point
+      real(dp), dimension(4) :: h, h1, h2
+      real(dp), dimension(3) :: x1, x2, xb1, xb2
+      real(dp) :: along, square, square_bar, tilt, bend, quality(2), reach, distance
+      integer :: i
+
+      call axis_shape(axis_hermite, length(2), point%xi, h, h1, h2)
+      x1 = on_axis(h1, xe(:, 3:4), tangents(:, 3:4))
+      x2 = on_axis(h2, xe(:, 3:4), tangents(:, 3:4))
+      call axis_shape(axis_hermite, length(1), point%xi_bar, h, h1, h2)
+      xb1 = on_axis(h1, xe(:, 1:2), tangents(:, 1:2))
+      xb2 = on_axis(h2, xe(:, 1:2), tangents(:, 1:2))
+      associate (n => point%kinematics%normal, d => point%kinematics%distance, &
+         pair => [point%element_bar, point%element])
+         along = dot_product(x1, xb1)
+         square = dot_product(x1, x1)
+         square_bar = dot_product(xb1, xb1)
+         tilt = abs(dot_product(n, x1))/sqrt(square)                                            ! |t|
+         quality = 1 - d*[-dot_product(n, xb2)/square_bar, dot_product(n, x2)/square]           ! q of either pass
+         bend = (quality(2) - along**2/(square*square_bar*quality(1)) - tilt**2)/d              ! k
+         point%law_sine = sqrt(max(0.0_dp, d*bend))
+         point%law_angle = asin(min(1.0_dp, point%law_sine))
+         if (point%foot_at_end) tilt = max(tilt, abs(dot_product(n, xb1))/norm2(xb1))
+         point%line_share = 1
+         point%section_share = 1
+         if (bend > 0) then
+            reach = 1.5_dp*tilt/bend + 2*spacing_of_places(contact%places, pair, length)
+            call find_nearest_crossing(wires, contact%points, by_wire, reach, reach + 2*sum(elements%radius(pair)), &
+               point, i, distance)
+            if (i > 0) call share_with(contact%points(i), contact%places, elements, point)
+            ! the lens is still open
+            if (i == 0 .and. -point%gap + tilt**2/(2*bend) <= 0) point%line_share = 0
+         end if
+         point%weight = point%line_share*share_of_pass(quality)*contact%places%length(point%line_place) &
+            *(1 - smooth_step((tilt - flat_tilt)/(steep_tilt - flat_tilt)))
+         if (.not. any(quality > least_quality)) point%law_status = law_too_curved
+      end associate
+   end subroutine share_line_point
+
+   !> Crossings beyond whose lens the places next to it still overlap, or whose lens reaches into that of another one.
+   subroutine find_long_overlaps(wires, elements, by_wire, contact)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> The crossings by their barred wires
+      type(points_by_wire_t), intent(in) :: by_wire
+      type(contact_set_t), intent(inout) :: contact
+      real(dp) :: reach, distance, sine
+      integer :: i, nearest
+
+      contact%points%is_long = .false.
+      call find_common_lenses(wires, by_wire, contact%points)
+      do i = 1, size(contact%line_points)
+         associate (point => contact%line_points(i), pair => [contact%line_points(i)%element_bar, &
+            contact%line_points(i)%element])
+            if (.not. point%gap < 0) cycle
+            reach = sum(elements%length(pair))
+            call find_nearest_crossing(wires, contact%points, by_wire, reach, reach, point, nearest, distance)
+            if (nearest == 0) cycle
+            associate (crossing => contact%points(nearest))
+               sine = lens_sine(crossing%kinematics)
+               if (.not. (sine > 0 .and. crossing%gap < 0 .and. crossing%kinematics%distance > 0)) cycle
+               crossing%is_long = crossing%is_long .or. distance > lens_ends*sqrt(-2*crossing%kinematics%distance &
+                  *crossing%gap)/sine + spacing_of_places(contact%places, pair, elements%length(pair))
+            end associate
+         end associate
+      end do
+   end subroutine find_long_overlaps
+
+   !> Crossings of the same two wires whose lenses reach into each other: one overlap with ripples.
+   subroutine find_common_lenses(wires, by_wire, crossings)
+      type(wires_t), intent(in) :: wires
+      !> The crossings by their barred wires
+      type(points_by_wire_t), intent(in) :: by_wire
+      type(contact_point_t), intent(inout) :: crossings(:)
+      real(dp) :: half_length(size(crossings)), sine
+      integer :: i, k
+
+      half_length = 0
+      do i = 1, size(crossings)
+         associate (crossing => crossings(i))
+            sine = lens_sine(crossing%kinematics)
+            if (sine > 0 .and. crossing%gap < 0 .and. crossing%kinematics%distance > 0) half_length(i) = &
+               sqrt(-2*crossing%kinematics%distance*crossing%gap)/sine                     ! aW = sqrt(2 d delta)/s
+         end associate
+      end do
+      do i = 1, size(crossings)
+         if (.not. half_length(i) > 0) cycle
+         k = by_wire%next(i)
+         do while (k > 0)
+            if (wires%wire(crossings(k)%element) == wires%wire(crossings(i)%element) .and. half_length(k) > 0) then
+               if (wires%arc_between(wires%wire(crossings(i)%element_bar), crossings(i)%arc_bar, crossings(k)%arc_bar) &
+                  < half_length(i) + half_length(k) .and. wires%arc_between(wires%wire(crossings(i)%element), &
+                  crossings(i)%arc, crossings(k)%arc) < half_length(i) + half_length(k)) then
+                  crossings(i)%is_long = .true.
+                  crossings(k)%is_long = .true.
+               end if
+            end if
+            k = by_wire%next(k)
+         end do
+      end do
+   end subroutine find_common_lenses
+
+   !> The crossing of the same two wires that is nearest to a point of a line contact; 0: none within reach.
+   pure subroutine find_nearest_crossing(wires, crossings, by_wire, reach, reach_of_foot, point, nearest, least)
+      type(wires_t), intent(in) :: wires
+      type(contact_point_t), intent(in) :: crossings(:)
+      !> These by their barred wires
+      type(points_by_wire_t), intent(in) :: by_wire
+      !> Along the wire of the place, and along that of the foot [m]
+      real(dp), intent(in) :: reach, reach_of_foot
+      type(contact_point_t), intent(in) :: point
+      !> Its number
+      integer, intent(out) :: nearest
+      !> Its distance along the wire of the place [m]
+      real(dp), intent(out) :: least
+      real(dp) :: distance
+      integer :: own, other, k, order
+
+      nearest = 0
+      least = reach
+      own = wires%wire(point%element)
+      other = wires%wire(point%element_bar)
+      do order = 1, 2
+         k = by_wire%first(merge(own, other, order == 1))
+         do while (k > 0)
+            associate (crossing => crossings(k))
+               if (wires%wire(crossing%element) == merge(other, own, order == 1)) then
+                  distance = wires%arc_between(own, point%arc, merge(crossing%arc_bar, crossing%arc, order == 1))
+                  if (distance <= least .and. wires%arc_between(other, point%arc_bar, &
+                     merge(crossing%arc, crossing%arc_bar, order == 1)) <= reach_of_foot) then
+                     least = distance
+                     nearest = k
+                  end if
+               end if
+            end associate
+            k = by_wire%next(k)
+         end do
+      end do
+   end subroutine find_nearest_crossing
+
+   !> What the line carries of a crossing, and how much the section of the wires counts in its law: both by the length
+   !> of the lens.
+   pure subroutine share_with(crossing, places, elements, point)
+      type(contact_point_t), intent(in) :: crossing
+      type(line_places_t), intent(in) :: places
+      type(elements_t), intent(in) :: elements
+      !> Out: with `line_share` and `section_share`
+      type(contact_point_t), intent(inout) :: point
+      real(dp) :: half_length, of_crossing, slope, sine, radius
+
+      sine = lens_sine(crossing%kinematics)
+      if (crossing%is_long .or. .not. (sine > 0 .and. crossing%kinematics%distance > 0)) return
+      associate (pair => [crossing%element_bar, crossing%element])
+         radius = minval(elements%radius(pair))
+         half_length = half_length_of(crossing, sine, radius)
+         call share_of_point(half_length, resolution*spacing_of_places(places, pair, elements%length(pair)), &
+            of_crossing, slope)
+      end associate
+      point%line_share = 1 - of_crossing
+      point%section_share = smooth_step((half_length/radius - section_from)/(section_at - section_from))
+   end subroutine share_with
+
+   !> `aW = sqrt(2 d delta)/s` [m]; iterates overlap deeply for a moment: that makes no lines of them.
+   pure real(dp) function half_length_of(crossing, sine, radius) result(half_length)
+      type(contact_point_t), intent(in) :: crossing
+      !> s, and the smaller radius [m]
+      real(dp), intent(in) :: sine, radius
+
+      half_length = sqrt(2*crossing%kinematics%distance*max(0.0_dp, min(-crossing%gap, deepest*radius)))/sine
+   end function half_length_of
+
+   !> Of the two passes: half, unless one wire is curved about the other so that the other's places have no clear foot
+   !> on it.
+   pure real(dp) function share_of_pass(quality)
+      !> q of this pass and of the other one
+      real(dp), intent(in) :: quality(2)
+      real(dp) :: clear(2)
+
+      clear(1) = smooth_step((quality(1) - least_quality)/(good_quality - least_quality))
+      clear(2) = smooth_step((quality(2) - least_quality)/(good_quality - least_quality))
+      share_of_pass = half_pass
+      if (sum(clear) > 0) share_of_pass = clear(1)/sum(clear)
+   end function share_of_pass
+
+   !> 0 up to 0, 1 from 1 on, without a corner.
+   pure real(dp) function smooth_step(u)
+      !> [-]
+      real(dp), intent(in) :: u
+
+      associate (v => max(0.0_dp, min(1.0_dp, u)))
+         smooth_step = v**2*(3 - 2*v)
+      end associate
+   end function smooth_step
+
+end module litz_line_shares

@@ -1,0 +1,70 @@
+!> Where rigid surfaces and the axes of elements are in the present iterate.
+module litz_surface_poses
+   use litz_kinds, only: dp
+   use litz_axis, only: axis_polynomial
+   use litz_domain, only: domain_t
+   use litz_model, only: model_t
+   use litz_rigid_surface, only: rigid_surface_t, moved_surface
+   use litz_surface_cells, only: wire_axis_t
+   implicit none
+   private
+   public :: present_surface, surface_moved_by, element_axis, axis_moved_by
+
+contains
+
+   !> The surface of a pair as it is now.
+   pure type(rigid_surface_t) function present_surface(domain, pair) result(surface)
+      type(domain_t), intent(in) :: domain
+      !> Index of the pair
+      integer, intent(in) :: pair
+
+      surface = surface_moved_by(domain%model, pair, domain%iterate%x, domain%iterate%rotation)
+   end function present_surface
+
+   !> The surface of a pair at given positions and rotations of the nodes.
+   pure type(rigid_surface_t) function surface_moved_by(model, pair, x, rotation) result(surface)
+      type(model_t), intent(in) :: model
+      !> Index of the pair
+      integer, intent(in) :: pair
+      !> Positions (3, n_nodes) [m] and rotations from the reference (3, 3, n_nodes)
+      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+
+      associate (this => model%surfaces(model%surface_pairs(pair)%surface))
+         surface = rigid_surface_t(this%shape, this%point, this%direction, this%radius)
+         if (this%node == 0) return
+         surface%centre = model%x(:, this%node)
+         surface = moved_surface(surface, rotation(:, :, this%node), x(:, this%node))
+      end associate
+   end function surface_moved_by
+
+   !> The axis of an element as it is now, as it touches the surface of a pair.
+   pure type(wire_axis_t) function element_axis(domain, element, pair) result(axis)
+      type(domain_t), intent(in) :: domain
+      !> Element, and index of the pair
+      integer, intent(in) :: element, pair
+
+      axis = axis_moved_by(domain, element, pair, domain%iterate%x, domain%iterate%rotation)
+   end function element_axis
+
+   !> The same at given positions and rotations of the nodes.
+   pure type(wire_axis_t) function axis_moved_by(domain, element, pair, x, rotation) result(axis)
+      type(domain_t), intent(in) :: domain
+      !> Element, and index of the pair
+      integer, intent(in) :: element, pair
+      !> Positions (3, n_nodes) [m] and rotations from the reference (3, 3, n_nodes)
+      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      integer :: side
+
+      associate (model => domain%model, node => domain%model%connectivity(:, element))
+         axis%interpolation = model%interactions(model%surface_pairs(pair)%interaction)%axis
+         axis%length = domain%elements%length(element)
+         axis%radius = domain%elements%radius(element)
+         axis%x = x(:, node)
+         do side = 1, 2
+            axis%t(:, side) = matmul(rotation(:, :, node(side)), domain%wires%contact_tangents0(:, side, element))
+         end do
+         axis%p = axis_polynomial(axis%interpolation, axis%length, axis%x, axis%t)
+      end associate
+   end function axis_moved_by
+
+end module litz_surface_poses

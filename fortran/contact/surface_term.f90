@@ -1,0 +1,437 @@
+!> Contacts of wires with rigid surfaces, as one of the terms of the equations.
+!>
+!> The far field of a lens is that of a state in balance: while the iteration goes there it stays, so that forces are
+!> the gradient of an energy; where it has converged the far field is updated, and it continues until the forces balance
+!> with it. Source: theory section 12.
+module litz_surface_term
+   use litz_kinds, only: dp
+   use litz_contact_tangents, only: follow_centre_line
+   use litz_domain, only: domain_t
+   use litz_errors, only: error_t
+   use litz_fields, only: group_mechanical, motion_slots
+   use litz_contact_kinematics, only: n_motions
+   use litz_friction_iteration, only: friction_iteration_t, predict_friction, forget_friction
+   use litz_friction_law, only: friction_law_t, friction_start_t
+   use litz_line_law, only: line_wires_t
+   use litz_state, only: energies_t
+   use litz_rigid_surface, only: rigid_surface_t
+   use litz_surface_cells, only: surface_cell_t, surface_memory_t, wire_axis_t, survey_cell, law_of_cell, press_cell, &
+      cell_forces, predicted_force, contact_of_cell, centre_of_force, advanced_memory
+   use litz_surface_friction, only: surface_slip_t, surface_slip, sticking_t, rub_cell, stick_stiffness_of, &
+      place_friction
+   use litz_surface_poses, only: present_surface, surface_moved_by, element_axis, axis_moved_by
+   use litz_term, only: term_t, status_t
+   use litz_timing, only: phase_contact, phase_update
+   implicit none
+   private
+   public :: surface_term_t, new_surface_term, n_remembered
+
+   !> Gap over the radius within which a wire has the law of its place
+   real(dp), parameter :: reach = 1
+   !> Relative change of the logarithm of the far field that is worth another iteration, and updates at most
+   real(dp), parameter :: settled = 1.0e-4_dp
+   integer, parameter :: most_updates = 4
+   !> Relative change of the stiffness of a stick that is worth it
+   real(dp), parameter :: stick_tolerance = 0.01_dp
+
+   !> Numbers of the memory of a cell in the state
+   integer, parameter :: n_remembered = 8
+
+   type, extends(term_t) :: surface_term_t
+      type(surface_cell_t), allocatable :: cells(:)
+      !> How often laws have been updated in this increment
+      integer :: updates = 0
+      !> Forces of surfaces that are fixed in space on the nodes (6, n_nodes) [N, N m]
+      real(dp), allocatable :: outer(:, :)
+   contains
+      procedure :: request_slots
+      procedure :: connect
+      procedure :: start
+      procedure :: evaluate
+      procedure :: count_status
+      procedure :: predict
+      procedure :: settle
+      procedure :: add_energies
+      procedure :: accept
+   end type surface_term_t
+
+contains
+
+   pure type(surface_term_t) function new_surface_term(domain) result(term)
+      type(domain_t), intent(in) :: domain
+      integer :: pair, i
+
+      allocate (term%cells(0))
+      do pair = 1, size(domain%model%surface_pairs)
+         associate (members => domain%model%element_sets(domain%model%surface_pairs(pair)%set)%members)
+            term%cells = [term%cells, (surface_cell_t(element=members(i), pair=pair), i=1, size(members))]
+         end associate
+      end do
+   end function new_surface_term
+
+   !> Node of the surface of a cell; 0: it is fixed in space.
+   pure integer function surface_node(domain, cell)
+      type(domain_t), intent(in) :: domain
+      type(surface_cell_t), intent(in) :: cell
+
+      surface_node = domain%model%surfaces(domain%model%surface_pairs(cell%pair)%surface)%node
+   end function surface_node
+
+   !> A surface that moves has all motions of its node.
+   subroutine request_slots(self, domain, exists)
+      class(surface_term_t), intent(in) :: self
+      type(domain_t), intent(in) :: domain
+      !> (n_slots, n_nodes)
+      logical, intent(inout) :: exists(:, :)
+      integer :: i
+
+      do i = 1, size(domain%model%surfaces)
+         associate (node => domain%model%surfaces(i)%node)
+            if (node > 0) exists(motion_slots(1):motion_slots(2), node) = .true.
+         end associate
+      end do
+   end subroutine request_slots
+
+   subroutine connect(self, domain, nodes)
+      class(surface_term_t), intent(in) :: self
+      type(domain_t), intent(in) :: domain
+      !> Nodes of each element and of the surface that it may touch (3, cells)
+      integer, allocatable, intent(out) :: nodes(:, :)
+      integer :: i, n
+
+      allocate (nodes(3, size(self%cells)))
+      n = 0
+      do i = 1, size(self%cells)
+         if (surface_node(domain, self%cells(i)) == 0) cycle
+         n = n + 1
+         nodes(:, n) = [domain%model%connectivity(:, self%cells(i)%element), surface_node(domain, self%cells(i))]
+      end do
+      nodes = nodes(:, :n)
+   end subroutine connect
+
+   !> What does not change in the iteration is that of the last converged state.
+   subroutine start(self, domain)
+      class(surface_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      logical :: has_changed
+
+      if (size(self%cells) == 0) return
+      call follow_centre_line(domain%model, domain%elements, domain%iterate%x, domain%iterate%rotation, domain%wires)
+      call survey(self, domain)
+      call update_laws(self, domain, 0.0_dp, has_changed)
+      self%updates = 0
+      call press(self, domain)
+      call remember(self, domain)
+      self%cells%predicted = -1
+   end subroutine start
+
+   !> Take the memory of the last converged state; friction acts where the force was then.
+   subroutine remember(self, domain)
+      class(surface_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      integer :: i
+
+      if (.not. allocated(domain%state%surface_memory)) then
+         allocate (domain%state%surface_memory(n_remembered, size(self%cells)), source=0.0_dp)
+      end if
+      do i = 1, size(self%cells)
+         associate (cell => self%cells(i), m => domain%state%surface_memory(:, i))
+            cell%memory = surface_memory_t(m(1) > 0, friction_start_t(m(2:3), m(4), m(5), m(6)), m(7), m(8))
+            cell%has_place = cell%memory%closed .and. cell%force > 0
+            cell%part = 1
+            cell%iteration = friction_iteration_t()
+            if (.not. cell%has_place) cycle
+            cell%xi = centre_of_force(cell)
+            cell%stick_stiffness = stick_stiffness_of(sticking_of(domain, cell), cell)
+         end associate
+      end do
+   end subroutine remember
+
+   !> Forces of the overlaps that were surveyed.
+   subroutine press(self, domain)
+      class(surface_term_t), intent(inout) :: self
+      type(domain_t), intent(in) :: domain
+      integer :: i
+
+      do i = 1, size(self%cells)
+         associate (cell => self%cells(i))
+            associate (law => domain%model%interactions(domain%model%surface_pairs(cell%pair)%interaction)%normal)
+               call press_cell(present_surface(domain, cell%pair), element_axis(domain, cell%element, cell%pair), &
+                  merge(law%data(2), 0.0_dp, law%is_straight), cell)
+            end associate
+            cell%friction = friction_law_t()
+            cell%traction = 0
+            if (.not. cell%force > 0) call forget_friction(cell%iteration)
+         end associate
+      end do
+   end subroutine press
+
+   !> Find the overlaps of the present iterate.
+   subroutine survey(self, domain)
+      class(surface_term_t), intent(inout) :: self
+      type(domain_t), intent(in) :: domain
+      type(wire_axis_t) :: axis
+      integer :: i
+
+      do i = 1, size(self%cells)
+         associate (cell => self%cells(i))
+            axis = element_axis(domain, cell%element, cell%pair)
+            call survey_cell(present_surface(domain, cell%pair), axis, reach*axis%radius, cell)
+         end associate
+      end do
+   end subroutine survey
+
+   !> Laws of what was surveyed.
+   subroutine update_laws(self, domain, tolerance, has_changed)
+      class(surface_term_t), intent(inout) :: self
+      type(domain_t), intent(in) :: domain
+      !> Relative changes up to this are left alone; 0: none is
+      real(dp), intent(in) :: tolerance
+      !> Something was updated
+      logical, intent(out) :: has_changed
+      type(line_wires_t) :: law
+      type(wire_axis_t) :: axis
+      integer :: i
+
+      has_changed = .false.
+      do i = 1, size(self%cells)
+         associate (cell => self%cells(i), model => domain%model)
+            axis = element_axis(domain, cell%element, cell%pair)
+            associate (material => model%materials(model%sections(model%element_section(cell%element))%material))
+               law = law_of_cell(present_surface(domain, cell%pair), axis, material%young, material%poisson, &
+                  cell%overlap%nearest)
+            end associate
+            call update_stick(cell)
+            if (tolerance > 0 .and. abs(log_lens(law) - log_lens(cell%law)) <= tolerance*abs(log_lens(law))) cycle
+            cell%law = law
+            has_changed = .true.
+         end associate
+      end do
+
+   contains
+
+      !> The stiffness of the stick follows the force likewise.
+      subroutine update_stick(cell)
+         type(surface_cell_t), intent(inout) :: cell
+         real(dp) :: stiffness
+
+         if (.not. (tolerance > 0 .and. cell%has_place .and. cell%force > 0)) return
+         stiffness = stick_stiffness_of(sticking_of(domain, cell), cell)
+         if (abs(stiffness - cell%stick_stiffness) <= stick_tolerance*stiffness) return
+         cell%stick_stiffness = stiffness
+         has_changed = .true.
+      end subroutine update_stick
+
+   end subroutine update_laws
+
+   !> `-2 Lam_H`; beyond a lens so long that it makes no difference the same for all.
+   pure real(dp) function log_lens(law)
+      type(line_wires_t), intent(in) :: law
+
+      log_lens = log(max(law%lens, law%section*1.0e-12_dp*law%max_half_width**2, tiny(1.0_dp)))
+   end function log_lens
+
+   subroutine evaluate(self, domain, error)
+      class(surface_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      !> Never
+      type(error_t), allocatable, intent(out) :: error
+      integer, allocatable :: closed(:)
+      integer :: i
+
+      if (size(self%cells) == 0) return
+      call domain%timing%lap(phase_update)
+      call survey(self, domain)
+      self%outer = spread([0.0_dp, 0.0_dp, 0.0_dp, 0.0_dp, 0.0_dp, 0.0_dp], 2, domain%model%n_nodes)
+      call press(self, domain)
+      closed = pack([(i, i=1, size(self%cells))], self%cells%force > 0)
+      call add_closed(self, domain, pack(closed, [(surface_node(domain, self%cells(closed(i))) == 0, &
+         i=1, size(closed))]), 2)
+      call add_closed(self, domain, pack(closed, [(surface_node(domain, self%cells(closed(i))) > 0, &
+         i=1, size(closed))]), 3)
+      call domain%timing%lap(phase_contact)
+   end subroutine evaluate
+
+   !> Add the forces of cells to the system.
+   subroutine add_closed(self, domain, cells, n_cell_nodes)
+      class(surface_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      !> Their indices (n)
+      integer, intent(in) :: cells(:)
+      !> 2: of surfaces that are fixed in space, 3: of others
+      integer, intent(in) :: n_cell_nodes
+      real(dp) :: k(18, 18, size(cells)), r(18, size(cells))
+      integer :: nodes(n_cell_nodes, size(cells)), i, n
+
+      if (size(cells) == 0) return
+      n = 6*n_cell_nodes
+      do i = 1, size(cells)
+         associate (cell => self%cells(cells(i)))
+            nodes(:2, i) = domain%model%connectivity(:, cell%element)
+            if (n_cell_nodes > 2) nodes(3, i) = surface_node(domain, cell)
+            call cell_forces(present_surface(domain, cell%pair), element_axis(domain, cell%element, cell%pair), cell, &
+               k(:, :, i), r(:, i))
+            call rub(domain, cell, k(:, :, i), r(:, i))
+            if (n_cell_nodes == 2) self%outer(:, nodes(:, i)) = self%outer(:, nodes(:, i)) - reshape(r(:12, i), [6, 2])
+         end associate
+      end do
+      call domain%add_cells(nodes, motion_slots, motion_slots, k(:n, :n, :), r(:n, :))
+   end subroutine add_closed
+
+   !> How the contact of a cell sticks and slips.
+   pure type(sticking_t) function sticking_of(domain, cell) result(sticking)
+      type(domain_t), intent(in) :: domain
+      type(surface_cell_t), intent(in) :: cell
+
+      associate (model => domain%model)
+         associate (this => model%interactions(model%surface_pairs(cell%pair)%interaction), &
+            material => model%materials(model%sections(model%element_section(cell%element))%material))
+            sticking = sticking_t(this%friction, this%stick_law, this%stick_value, material%young, material%poisson)
+         end associate
+      end associate
+   end function sticking_of
+
+   !> Add the friction of a cell that touches.
+   subroutine rub(domain, cell, k, r)
+      type(domain_t), intent(inout) :: domain
+      type(surface_cell_t), intent(inout) :: cell
+      !> Tangent (18, 18), and residual (18)
+      real(dp), intent(inout) :: k(:, :), r(:)
+      type(rigid_surface_t) :: before, now
+      type(wire_axis_t) :: axis_before, axis
+      type(surface_slip_t) :: slip
+      real(dp) :: turned(3, 3, 2), difference(18)
+      integer :: side
+
+      associate (model => domain%model, iterate => domain%iterate, start => domain%state%rotation)
+         associate (interaction => model%interactions(model%surface_pairs(cell%pair)%interaction))
+            if (.not. interaction%friction > 0) return
+            before = surface_moved_by(model, cell%pair, iterate%x_start, start)
+            axis_before = axis_moved_by(domain, cell%element, cell%pair, iterate%x_start, start)
+            now = present_surface(domain, cell%pair)
+            axis = element_axis(domain, cell%element, cell%pair)
+            do side = 1, 2
+               associate (node => model%connectivity(side, cell%element))
+                  turned(:, :, side) = matmul(iterate%rotation(:, :, node), transpose(start(:, :, node)))
+               end associate
+            end do
+            if (.not. cell%has_place) then
+               call place_friction(before, axis_before, now, axis, cell)
+               cell%stick_stiffness = stick_stiffness_of(sticking_of(domain, cell), cell)
+            end if
+            slip = surface_slip(before, axis_before, now, axis, turned, cell%xi)
+            call rub_cell(sticking_of(domain, cell), slip, cell, k, r, difference)
+            call add_difference(model%connectivity(1, cell%element), difference(1:6))
+            call add_difference(model%connectivity(2, cell%element), difference(7:12))
+            if (surface_node(domain, cell) > 0) call add_difference(surface_node(domain, cell), difference(13:18))
+         end associate
+      end associate
+      domain%matrix%symmetric(group_mechanical) = .false.
+
+   contains
+
+      subroutine add_difference(node, values)
+         !> Of a cell
+         integer, intent(in) :: node
+         !> Forces and moments on it (6) [N, N m]
+         real(dp), intent(in) :: values(6)
+
+         associate (iteration => domain%forces%iteration(motion_slots(1):motion_slots(2), node))
+            iteration = iteration + values
+         end associate
+      end subroutine add_difference
+
+   end subroutine rub
+
+   subroutine count_status(self, status)
+      class(surface_term_t), intent(in) :: self
+      type(status_t), intent(inout) :: status
+
+      associate (cells => self%cells)
+         status%active = status%active + count(cells%force > 0)
+         status%new = status%new + count(cells%force > 0 .and. abs(cells%predicted) <= 0)
+         status%lost = status%lost + count(.not. cells%force > 0 .and. cells%predicted > 0)
+         status%penetration = max(status%penetration, maxval(-cells%overlap%gap))
+      end associate
+   end subroutine count_status
+
+   subroutine predict(self, domain, eta, correction)
+      class(surface_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      !> Fraction of the step that is taken, and the step (n_slots, n_nodes)
+      real(dp), intent(in) :: eta, correction(:, :)
+      real(dp) :: step(18)
+      integer :: i
+
+      do i = 1, size(self%cells)
+         associate (cell => self%cells(i), node => surface_node(domain, self%cells(i)))
+            step = 0
+            step(:12) = reshape(correction(motion_slots(1):motion_slots(2), &
+               domain%model%connectivity(:, cell%element)), [12])
+            if (node > 0) step(13:) = correction(motion_slots(1):motion_slots(2), node)
+            cell%predicted = predicted_force(cell, eta*step)
+            call predict_friction(eta*[step, spread(0.0_dp, 1, n_motions - 18)], cell%iteration)
+         end associate
+      end do
+   end subroutine predict
+
+   !> The lenses have changed since the increment began: the forces are to balance with what they are now.
+   subroutine settle(self, domain, has_moved)
+      class(surface_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      !> The forces must be evaluated again
+      logical, intent(inout) :: has_moved
+      logical :: has_changed
+
+      if (size(self%cells) == 0) return
+      if (any(domain%elements%shear_flexible)) then
+         call follow_centre_line(domain%model, domain%elements, domain%iterate%x, domain%iterate%rotation, domain%wires)
+         call survey(self, domain)
+         has_moved = .true.
+      end if
+      has_changed = .false.
+      if (self%updates < most_updates) call update_laws(self, domain, settled, has_changed)
+      if (has_changed) self%updates = self%updates + 1
+      has_moved = has_moved .or. has_changed
+   end subroutine settle
+
+   subroutine add_energies(self, domain, energies)
+      class(surface_term_t), intent(in) :: self
+      type(domain_t), intent(in) :: domain
+      type(energies_t), intent(inout) :: energies
+
+      associate (cells => self%cells)
+         energies%contact = energies%contact + sum(cells%energy) + sum(cells%memory%start%elastic_energy &
+            + cells%friction%elastic_work, mask=cells%force > 0)
+         energies%work = energies%work + sum(cells%friction%work_beyond_mean)
+         ! what a contact held elastically when it opened is lost
+         energies%friction = energies%friction + sum(cells%friction%dissipation) &
+            + sum(cells%memory%start%elastic_energy, mask=.not. cells%force > 0)
+      end associate
+   end subroutine add_energies
+
+   !> Contacts for the results; surfaces that are fixed in space push from outside.
+   subroutine accept(self, domain)
+      class(surface_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      integer, allocatable :: closed(:)
+      integer :: i
+
+      if (size(self%cells) == 0) return
+      do i = 1, size(self%cells)
+         self%cells(i)%memory = advanced_memory(self%cells(i))
+         associate (m => self%cells(i)%memory)
+            domain%state%surface_memory(:, i) = [merge(1.0_dp, 0.0_dp, m%closed), m%start%traction, m%start%force, &
+               m%start%stiffness, m%start%elastic_energy, m%slip_path, m%dissipation]
+         end associate
+      end do
+      closed = pack([(i, i=1, size(self%cells))], self%cells%force > 0)
+      domain%state%surface_contacts = [(contact_of_cell(present_surface(domain, self%cells(closed(i))%pair), &
+         element_axis(domain, self%cells(closed(i))%element, self%cells(closed(i))%pair), self%cells(closed(i))), &
+         i=1, size(closed))]
+      associate (outer => domain%state%outer_force(motion_slots(1):motion_slots(2), :))
+         outer = outer + self%outer
+      end associate
+   end subroutine accept
+
+end module litz_surface_term

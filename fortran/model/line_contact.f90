@@ -1,0 +1,79 @@
+!> Whether a surface interaction describes wires that touch along a line, and if not, what of it does not.
+module litz_line_contact
+   use litz_model, only: model_t, interaction_t, axis_hermite
+   use litz_stick_laws, only: stick_laws, stick_stiffness
+   implicit none
+   private
+   public :: serves_lines, line_obstacle
+
+   !> Nothing is in the way; a normal law at points only; straight axes; friction that sticks with the stiffness of a
+   !> point; overlap without limit; a spot that remembers its largest force; an interference fit; a law of one spot
+   integer, parameter :: obstacle_none = 0, obstacle_normal_law = 1, obstacle_axis = 2, obstacle_stick = 3, &
+      obstacle_penetration = 4, obstacle_memory = 5, obstacle_fit = 6, obstacle_spot_law = 7
+
+contains
+
+   !> Wires of a contact pair can touch along lines.
+   pure logical function serves_lines(model, pair)
+      type(model_t), intent(in) :: model
+      !> Contact pair
+      integer, intent(in) :: pair
+
+      associate (contact_pair => model%contact_pairs(pair))
+         serves_lines = obstacle(model%interactions(contact_pair%interaction), contact_pair%interference_fit) &
+            == obstacle_none
+      end associate
+   end function serves_lines
+
+   pure integer function obstacle(law, interference_fit)
+      type(interaction_t), intent(in) :: law
+      !> Of the contact pair
+      logical, intent(in) :: interference_fit
+
+      obstacle = obstacle_none
+      if (.not. law%normal%serves_lines()) then
+         obstacle = obstacle_normal_law
+      else if (law%axis /= axis_hermite) then
+         obstacle = obstacle_axis
+      else if (law%friction > 0 .and. law%stick_law == stick_stiffness) then
+         obstacle = obstacle_stick
+      else if (law%unlimited_penetration) then
+         obstacle = obstacle_penetration
+      else if (law%spot_memory) then
+         obstacle = obstacle_memory
+      else if (interference_fit) then
+         obstacle = obstacle_fit
+      else if (law%spot%exists() .and. .not. (law%spot%serves_lines .or. law%spot%is_per_length)) then
+         obstacle = obstacle_spot_law
+      end if
+   end function obstacle
+
+   !> What of an interaction is for contact at points only; empty: nothing.
+   pure function line_obstacle(law, interference_fit) result(words)
+      type(interaction_t), intent(in) :: law
+      !> Of the contact pair
+      logical, intent(in) :: interference_fit
+      character(len=:), allocatable :: words
+
+      select case (obstacle(law, interference_fit))
+      case (obstacle_normal_law)
+         words = trim(law%normal%name)//' without a stiffness per length'
+      case (obstacle_axis)
+         words = 'AXIS=LINEAR'
+      case (obstacle_stick)
+         words = trim(stick_laws(law%stick_law)%parameter)//' of *FRICTION, which is that of a contact at a point'
+      case (obstacle_penetration)
+         words = 'PENETRATION=UNLIMITED'
+      case (obstacle_memory)
+         words = 'SPOT=LARGESTFORCE'
+      case (obstacle_fit)
+         words = 'INTERFERENCE FIT'
+      case (obstacle_spot_law)
+         words = 'LAW='//trim(law%spot%name)//' of *GAP ELECTRICAL CONDUCTANCE, which is that of a spot'
+         if (law%spot%can_be_per_length) words = words//' without PER=LENGTH'
+      case default
+         words = ''
+      end select
+   end function line_obstacle
+
+end module litz_line_contact

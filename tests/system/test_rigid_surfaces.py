@@ -1,0 +1,250 @@
+"""Wires on rigid planes and cylinders: press plates, drums, jackets."""
+
+import numpy as np
+import pytest
+
+from test_restart import KEEP_ALL, assert_goes_on_from_everywhere
+
+YOUNG, POISSON = 200e9, 0.3
+ELASTIC = f"*MATERIAL, NAME=M\n*ELASTIC\n {YOUNG}, {POISSON}\n"
+STIFF = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n 1e7, 1e10\n"
+
+
+def wire(points, radius, closed=False):
+    """Elements from 1 on through the points; set WIRE, node set W."""
+    n = len(points)
+    nodes = "".join(f" {i}, {x:.17g}, {y:.17g}, {z:.17g}\n" for i, (x, y, z) in enumerate(points, 1))
+    ends = [(i, i % n + 1) for i in range(1, n + closed)]
+    elements = "".join(f" {i}, {a}, {b}\n" for i, (a, b) in enumerate(ends, 1))
+    section = f"*BEAM SECTION, ELSET=WIRE, MATERIAL=M, SECTION=CIRC\n {radius}\n"
+    return f"*NODE, NSET=W\n{nodes}*ELEMENT, TYPE=B33, ELSET=WIRE\n{elements}{ELASTIC}{section}"
+
+
+def surface(shape, data, node=None, laws="", name="S"):
+    """A surface, on the node of this number and place, with its contact pair; `laws` follow *SURFACE INTERACTION."""
+    words = f"*SURFACE INTERACTION, NAME=I{name}\n{laws}*RIGID SURFACE, NAME={name}, TYPE={shape}"
+    if node:
+        words = f"*NODE\n {node[0]}, {node[1]}\n" + words + f", REF NODE={node[0]}"
+    return words + f"\n {data}\n*CONTACT PAIR, INTERACTION=I{name}\n WIRE, {name}\n"
+
+
+def step(words, static="0.5, 1"):
+    return f"*STEP, INC=400\n*STATIC\n {static}\n{words}*END STEP\n"
+
+
+def along_x(length, n, height=0.0):
+    return [(x, 0, height) for x in np.linspace(-length / 2, length / 2, n + 1)]
+
+
+def crossing(depth, shift=0.0, radius=5e-4):
+    """A drum is pushed this deep into a straight wire that is held everywhere."""
+    points = [(x + shift, y, z) for x, y, z in along_x(0.016, 4)]
+    drum = surface("CYLINDER", f"0, 0, {2 * radius}, 0, 1, 0, {radius}", (99, f"0, 0, {2 * radius}"))
+    hold = "*BOUNDARY\n W, 1, 3\n W, 5, 6\n 1, 4\n 99, 1, 2\n 99, 4, 6\n"
+    return wire(points, radius) + drum + hold + step(f"*BOUNDARY\n 99, 3, 3, {-depth:.17g}\n")
+
+
+def test_a_drum_across_a_wire_is_a_hertz_contact(run):
+    """Equal radii at a right angle: a circle, `F = 4/3 E* sqrt(r) delta^1.5`. The law joins that to the strip of a long
+    contact, which makes it stiffer by less than 0.3 % here."""
+    radius, depth = 5e-4, 8.5e-8
+    _, results = run(crossing(depth))
+    hertz = 4 / 3 * YOUNG / (1 - POISSON**2) * np.sqrt(radius) * depth**1.5
+    assert -results.field("reaction_force")[-1, 2] == pytest.approx(hertz, rel=3e-3)
+    table = results.surface_contacts
+    # at a node: either element has its part
+    assert table["force"][table["increment"] == 2].sum() == pytest.approx(hertz, rel=3e-3)
+    np.testing.assert_allclose(table["normal_z"], -1, rtol=1e-4)
+
+
+def test_the_force_does_not_depend_on_where_it_is_in_the_mesh(run):
+    """In the middle of an element, near a node, at a node."""
+    runs = [run(crossing(3e-7, shift), name=f"at{i}")[1] for i, shift in enumerate((0, 1e-3, 1.9999e-3))]
+    forces = [-results.field("reaction_force")[-1, 2] for results in runs]
+    # the quadrature over a lens that a node divides
+    np.testing.assert_allclose(forces, forces[1], rtol=1e-4)
+
+
+def hanging(n, tension, laws, pull=""):
+    """Benchmark of a rod over a drum: centre line on a circle of 50 mm, tails pulled down at both ends."""
+    radius, r = 0.05, 5e-4
+    length = np.pi * radius + 6 * radius
+    force = tension * YOUNG * np.pi * r**4 / 4 / radius**2
+    drum = surface("CYLINDER", f"0, 0, 0, 0, 1, 0, {radius - r}", laws=laws)
+    middle, last = n // 2 + 1, n + 1
+    hold = " W, 2, 2\n W, 4, 4\n W, 6, 6\n"
+    held = hold + f" {middle}, 1\n {middle}, 5\n"
+    text = wire(along_x(length, n, radius + 1e-7), r) + drum + f"*NSET, NSET=END\n {last}\n*BOUNDARY\n{held}"
+    text += step(f"*BOUNDARY\n 1, 3, 3, -2e-4\n {last}, 3, 3, -2e-4\n", "1, 1")
+    text += step(f"*BOUNDARY, OP=NEW\n{held}*CLOAD\n 1, 3, {-force}\n {last}, 3, {-force}\n", "0.01, 1, 1e-5, 0.1")
+    if pull:
+        end = f"*BOUNDARY, OP=NEW\n{hold} {last}, 3, 3, {pull}\n*CLOAD, OP=NEW\n 1, 3, {-force}\n"
+        text += step(end, "0.02, 1, 1e-5, 0.2")
+    return text, force, radius
+
+
+def test_a_rod_over_a_drum_touches_it_along_an_arc_with_forces_at_its_ends(run):
+    """Exact: arc of 128.316 degrees, between points with the force 2.17945 B/R^2 (rigid drum)."""
+    n = 120
+    text, force, _ = hanging(n, 5, STIFF.replace("1e10", "1e9"))
+    process, results = run(text)
+    assert process.returncode == 0, process.stderr
+    table = results.surface_contacts
+    last = (table["step"] == 2) & (table["increment"] == table["increment"][-1])
+    angle = np.arctan2(table["point_x"][last], table["point_z"][last])
+    order = np.argsort(angle)
+    angle, load = angle[order], table["force"][last][order] / (force / 5)
+    # force and moment of the first spans are those of the point force P at the angle a and of N/R from there on
+    spans, line = 10, 4.5
+    to = (angle[spans - 1] + angle[spans]) / 2
+    total, moment = load[:spans].sum(), (load * angle)[:spans].sum()
+    # P = total - line (to - a), P a = moment - line (to^2 - a^2)/2
+    a = np.roots([line / 2, total - line * to, line * to**2 / 2 - moment])
+    a = a[np.argmin(abs(a - angle[0]))]
+    assert np.degrees(-2 * a) == pytest.approx(128.316134, rel=1e-3)
+    assert total - line * (to - a) == pytest.approx(2.17944947, rel=5e-3)
+
+
+@pytest.mark.parametrize(("tension", "friction", "expected"), [(5, 0.1, 1.33855346), (5, 0.3, 2.42600087)])
+def test_a_rod_that_is_pulled_over_a_drum_multiplies_its_tension(run, tension, friction, expected):
+    """Exact for friction on the centre line; on the surface its moment takes off about `mu wrap a/R`, a/R = 0.01."""
+    text, force, _ = hanging(200, tension, f"*FRICTION\n {friction}\n", pull=-0.2015)
+    process, results = run(text.replace("*STATIC\n 0.02", "*NODE PRINT, NSET=END\n RF\n*STATIC\n 0.02"))
+    assert process.returncode == 0, process.stderr
+    ratio = -results.field("reaction_force")[200, 2] / force
+    assert ratio == pytest.approx(expected * (1 - friction * np.pi * 0.01), rel=1e-3)
+    assert set(results.surface_contacts["friction"][-20:]) == {"slip"}
+    # the first step has forces of round-off
+    assert max(figure[-100:].max() for name, figure in results.audit.items() if name.endswith("balance")) < 1e-7
+
+
+def test_a_ring_between_two_plates_is_shortened_as_by_two_forces(run):
+    """`delta = F R^3/(EI) (pi/4 - 2/pi)` of a thin ring (S. Timoshenko, Strength of Materials II); displacements of 0.1 %
+    of the radius, and plates that are a thousand times stiffer."""
+    radius, r, n, push = 0.05, 5e-4, 80, 5e-5
+    angle = 2 * np.pi * np.arange(n) / n
+    points = [(radius * np.cos(a), 0, radius * np.sin(a)) for a in angle]
+    top = radius + r
+    plates = surface("PLANE", f"0, 0, {-top}, 0, 0, 1", laws=STIFF, name="LOWER")
+    plates += surface("PLANE", f"0.01, 0, {top}, 0, 0, -1", (99, f"0, 0, {top}"), laws=STIFF, name="UPPER")
+    hold = "*BOUNDARY\n W, 2, 2\n W, 4, 4\n W, 6, 6\n 1, 1\n 1, 3\n 1, 5\n 99, 1, 2\n 99, 4, 6\n"
+    text = wire(points, r, closed=True) + plates + hold
+    text += step(f"*BOUNDARY\n 99, 3, 3, {-push}\n 1, 3, 3, {-push / 2}\n", "0.25, 1")
+    process, results = run(text)
+    assert process.returncode == 0, process.stderr
+    force = -results.field("reaction_force")[-1, 2]
+    stiffness = YOUNG * np.pi * r**4 / 4 / radius**3 / (np.pi / 4 - 2 / np.pi)
+    table = results.surface_contacts
+    last = table["increment"] == table["increment"][-1]
+    assert set(table["surface"][last]) == {"LOWER", "UPPER"}
+    assert table["force"][last][table["surface"][last] == "LOWER"].sum() == pytest.approx(force, rel=1e-6)
+    assert force == pytest.approx(stiffness * push, rel=0.02)
+
+
+def test_a_rod_that_buckles_in_a_bore_leans_on_its_wall(run):
+    """Between the first and four times that load of Euler it touches in one point. With `k^2 = P/(EI)`, half length l and
+    clearance c the force there is `Q = 2 P c/(l - tan(k l)/k)`, from the equation of the bent half."""
+    length, r, clearance, n = 0.2, 5e-4, 2e-4, 40
+    bending = YOUNG * np.pi * r**4 / 4
+    force = 2 * np.pi**2 * bending / length**2
+    bore = surface("BORE", f"0, 0, 0, 1, 0, 0, {r + clearance}", laws=STIFF)
+    hold = f" 1, 1, 4\n {n + 1}, 2, 4\n W, 2, 2\n W, 4, 4\n W, 6, 6\n"
+    middle = n // 2 + 1
+    text = wire(along_x(length, n), r) + bore + f"*BOUNDARY\n{hold}"
+    text += step(f"*BOUNDARY\n {middle}, 3, 3, {-1.0001 * clearance}\n", "1, 1")
+    text += step(f"*BOUNDARY, OP=NEW\n{hold}*CLOAD\n {middle}, 3, -0.02\n {n + 1}, 1, {-force}\n", "0.2, 1")
+    text += step(f"*BOUNDARY, OP=NEW\n{hold}*CLOAD, OP=NEW\n {n + 1}, 1, {-force}\n", "0.2, 1")
+    process, results = run(text)
+    assert process.returncode == 0, process.stderr
+    table = results.surface_contacts
+    last = (table["step"] == 3) & (table["increment"] == table["increment"][-1])
+    half, k = length / 2, np.sqrt(force / bending)
+    assert table["force"][last].sum() == pytest.approx(2 * force * clearance / (half - np.tan(k * half) / k), rel=5e-3)
+
+
+ROLLER = wire([(0, -1e-3, 1e-3), (0, 1e-3, 1e-3)], 1e-3) + surface(
+    "PLANE", "0, 0, 0, 0, 0, 1", (99, "0, 0, 0"), laws=STIFF + "*FRICTION\n 0.5\n"
+)
+
+
+def test_a_wire_that_is_pushed_over_a_plane_rolls(run):
+    """The slip is that of the surfaces: a wire that is free to turn does so by its path over its radius."""
+    text = ROLLER + "*BOUNDARY\n W, 2, 2\n W, 4, 4\n W, 6, 6\n 99, 1, 6\n"
+    text += step("*BOUNDARY\n W, 1, 1\n W, 5, 5\n W, 3, 3, -1e-7\n", "1, 1")
+    text += step(
+        "*BOUNDARY, OP=NEW\n W, 2, 2\n W, 3, 3, -1e-7\n W, 4, 4\n W, 6, 6\n 99, 1, 6\n W, 1, 1, 5e-4\n", "0.1, 1"
+    )
+    process, results = run(text)
+    assert process.returncode == 0, process.stderr
+    np.testing.assert_allclose(results.field("rotation")[:2, 1], 0.5, rtol=1e-2)
+    table = results.surface_contacts
+    assert set(table["friction"][table["step"] == 2]) == {"stick"}
+    # without a moment on it there is nothing that friction could push against
+    assert abs(table["traction_x"][-1]) < 1e-3 * table["force"][-1]
+
+
+def test_a_plane_that_moves_takes_a_wire_along_and_feels_its_forces(run):
+    """A plate pressed onto a held wire and moved along it: Coulomb's force, and its moment about the reference node."""
+    plate = ROLLER.replace(" 99, 0, 0, 0\n", " 99, 0, 0, -0.01\n")
+    text = plate + "*BOUNDARY\n W, 1, 6\n 99, 1, 2\n 99, 4, 6\n"
+    text = text.replace(" W, 1, 6\n", " W, 1, 4\n W, 6, 6\n 1, 5\n")
+    text += step("*BOUNDARY\n 99, 3, 3, 1e-7\n", "1, 1")
+    text += step("*BOUNDARY\n 99, 2, 2, 1e-4\n", "0.1, 1")
+    process, results = run(text)
+    assert process.returncode == 0, process.stderr
+    force, moment = results.field("reaction_force")[-1], results.field("reaction_moment")[-1]
+    # what the support of the plate does to it: presses it up and drags it along
+    assert force[2] > 1
+    np.testing.assert_allclose(force, [0, 0.5 * force[2], force[2]], rtol=1e-6, atol=1e-6 * force[2])
+    # the node is 10 mm below the plane, and has moved by 0.1 mm along the wire
+    assert moment[0] == pytest.approx(-0.01 * force[1] - 1e-4 * force[2], rel=1e-3)
+
+
+def test_a_run_with_friction_on_a_drum_goes_on_from_everywhere(litz, tmp_path):
+    text, _, _ = hanging(60, 5, "*FRICTION\n 0.1\n")
+    head, first, _ = text.split("*STEP, INC=400\n")
+    pull = f"*STATIC\n 0.25, 1\n{KEEP_ALL}*BOUNDARY\n 1, 3, 3, -2e-3\n 61, 3, 3, -1e-3\n*END STEP\n"
+    assert_goes_on_from_everywhere(litz, tmp_path, head + "*STEP, INC=400\n" + first + "*STEP, INC=400\n" + pull)
+
+
+def test_a_run_goes_on_with_the_same_shapes_only(litz, tmp_path):
+    deck, there = tmp_path / "deck.inp", tmp_path / "there"
+    soft = STIFF.replace("LINEAR", "LINEAR, PENETRATION=UNLIMITED")
+    drum = surface("CYLINDER", "0, 0, 1e-2, 0, 1, 0, 2e-3", laws=soft)
+    words = wire(along_x(0.016, 4), 5e-4) + drum + "*BOUNDARY\n W, 1, 5\n"
+    text = words + step("*RESTART, WRITE\n*BOUNDARY\n W, 6, 6, 1e-3\n", "1, 1") + step("")
+    deck.write_text(text)
+    assert litz("run", deck, "-o", there).returncode == 0
+    deck.write_text(text.replace("CYLINDER", "BORE"))
+    refused = litz("run", deck, "-o", tmp_path / "here", "--restart", there / "deck.restart.h5")
+    assert refused.returncode == 1
+    assert "rigid surface S" in refused.stderr
+    assert "TYPE" in refused.stderr
+
+
+def test_a_wire_does_not_pass_through_a_drum(run):
+    drum = surface("CYLINDER", "0, 0, 1e-2, 0, 1, 0, 2e-3")
+    text = wire(along_x(0.016, 4), 5e-4) + drum + "*BOUNDARY\n W, 1, 2\n W, 4, 4\n W, 6, 6\n 1, 5\n"
+    process, _ = run(text + step("*BOUNDARY\n W, 3, 3, 0.02\n", "1, 1, 0.5"))
+    assert process.returncode == 2
+    assert "the rigid surface S: the wire would pass through it" in process.stderr
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        (STIFF, "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n 1e7\n", "needs its second number"),
+        (", REF NODE=99", ", REF NODE=98", 'there is no node "98"'),
+        ("NAME=S,", "NAME=WIRE,", 'there is an element set of the name "WIRE"'),
+        ("0, 0, 0, 0, 0, 1\n", "0, 0, 0, 0, 0, 0\n", "the direction of a surface cannot be 0 0 0"),
+        ("0, 0, 0, 0, 0, 1\n", "0, 0, 1e-4, 0, 0, 1\n", "overlaps the rigid surface S at the start by 10 %"),
+        ("TYPE=PLANE", "TYPE=BORE", "radius"),
+        ("INTERACTION=IS\n", "INTERACTION=IS, INTERFERENCE FIT\n", "INTERFERENCE FIT is for wires"),
+    ],
+)
+def test_what_is_wrong_with_a_surface_is_said(run, old, new, message):
+    text = ROLLER + "*BOUNDARY\n W, 1, 5\n 99, 1, 6\n" + step("*BOUNDARY\n W, 6, 6, 0.1\n")
+    assert old in text
+    process, _ = run(text.replace(old, new))
+    assert process.returncode != 0
+    assert message in process.stderr
