@@ -91,7 +91,8 @@ contains
          call pair_geometry(model, wires, elements, pair(1), pair(2), x, rotation, xe, t, length)
          p = axes_of(xe, t, length)
          if (surface_distance(elements%radius(pair), xe, p) > skin/2*sum(elements%radius(pair))) return
-         if (.not. may_be_long(model, wires, elements, x_start, rotation_start, pair)) return
+         if (.not. may_be_long(model, wires, elements, x_start, rotation_start, contact%depth, &
+            pair)) return
          allocate (found(sum(places%n_parts(pair) + 1)))
          n = 0
          do side = 1, 2
@@ -113,12 +114,14 @@ contains
    !> The wires may overlap over a length that is long beside their radii: at small angles, and where the overlap is
    !> deep.
    !> So it was when the increment began: within it, places do not come and go.
-   pure logical function may_be_long(model, wires, elements, x_start, rotation_start, pair) result(may_be)
+   pure logical function may_be_long(model, wires, elements, x_start, rotation_start, depth, pair) result(may_be)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes) when the increment began
       real(dp), intent(in) :: x_start(:, :), rotation_start(:, :, :)
+      !> Largest overlap of any contact then [m]
+      real(dp), intent(in) :: depth
       !> Two elements
       integer, intent(in) :: pair(2)
       real(dp) :: xe(3, 4), t(3, 4), length(2), chord(3, 2), p(3, 0:3, 2), bow(2), sine, overlap
@@ -134,7 +137,7 @@ contains
       may_be = sine < small_sine
       if (may_be) return
       associate (radius => elements%radius(pair))
-         overlap = max(0.0_dp, -surface_distance(radius, xe, p))
+         overlap = min(depth, max(0.0_dp, -surface_distance(radius, xe, p)))
          may_be = 2*sum(radius)*overlap > (sine*longest_point*minval(radius))**2                ! aW = sqrt(2 d delta)/s
       end associate
    end function may_be_long
