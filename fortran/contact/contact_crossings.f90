@@ -11,7 +11,7 @@ module litz_contact_crossings
    use litz_contact_kinematics, only: contact_kinematics, kinematics_ok
    use litz_contact_matching, only: match_points, slides_of
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_wire_t, pair_geometry, axis_of_pair, &
-      arc_at, crossing_at, clearance_of, chain_by_wire
+      arc_at, crossing_at, clearance_of, chain_by_wire, inherit
    use litz_contact_side, only: have_passed
    use litz_element_library, only: elements_t
    use litz_model, only: model_t
@@ -208,44 +208,6 @@ contains
       end function is_same
 
    end function is_found_before
-
-   !> What a point takes over: the predictions of the last iterate, and the identity and the memory of the last
-   !> converged state.
-   pure subroutine inherit(old, from, converged, from_converged, point)
-      !> Points of the last iterate, and of the last converged state
-      type(contact_point_t), intent(in) :: old(:), converged(:)
-      !> Those that the point continues; 0: none
-      integer, intent(in) :: from, from_converged
-      type(contact_point_t), intent(inout) :: point
-
-      if (from > 0) then
-         point%predicted = old(from)%predicted
-         point%predicted_gap = old(from)%predicted_gap
-         point%mixed_force = old(from)%mixed_force
-         point%friction_iteration = old(from)%friction_iteration
-         call take_shares(old(from), point)
-      else if (from_converged > 0) then
-         call take_shares(converged(from_converged), point)
-      end if
-      if (from_converged > 0) then
-         point%id = converged(from_converged)%id
-         point%history = converged(from_converged)%history
-         point%fit = converged(from_converged)%fit
-      end if
-   end subroutine inherit
-
-   !> How much of the contact it carries, and how far the length of its lens counts, stay what they were.
-   pure subroutine take_shares(earlier, point)
-      type(contact_point_t), intent(in) :: earlier
-      type(contact_point_t), intent(inout) :: point
-
-      point%is_shared = earlier%is_shared
-      point%is_long = earlier%is_long
-      point%weight = earlier%weight
-      point%section_share = earlier%section_share
-      point%lens_share = earlier%lens_share
-      point%lens_sine = earlier%lens_sine
-   end subroutine take_shares
 
    !> Kinematics and gap of a point, on the side that its wires had in the last converged state.
    pure subroutine set_geometry(model, wires, elements, contact, converged_by_wire, from_converged, x_start, &

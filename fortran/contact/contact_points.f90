@@ -19,7 +19,7 @@ module litz_contact_points
    private
    public :: contact_point_t, contact_set_t, points_by_wire_t
    public :: law_ok, law_parallel, law_bad_data, law_too_curved
-   public :: pair_geometry, axis_of_pair, arc_at, crossing_at, clearance_of, chain_by_wire
+   public :: pair_geometry, axis_of_pair, arc_at, crossing_at, clearance_of, chain_by_wire, inherit
 
    !> What has become of the laws of a contact: nothing; the axes are parallel, so that there is no Hertz ellipse; the
    !> data of the law are none for it; a wire is curved about the other so much that the foot of a line is hardly known
@@ -57,7 +57,7 @@ module litz_contact_points
       logical :: foot_at_end = .false.
       !> Point of a line contact: its place on the unbarred wire, see litz_line_places; 0: the wires cross here
       integer :: line_place = 0
-      !> Of a point of a line contact: its normal in the last converged state (3); 0: none
+      !> Normal in the last converged state (3); 0: none
       real(dp) :: normal_before(3) = 0
       !> Law per length at the present angle, of a point of a line contact
       type(line_wires_t) :: line
@@ -198,6 +198,49 @@ contains
       crossing = crossing_of(point%kinematics, wires%direction([point%element_bar, point%element]), &
          [point%arc_bar, point%arc])
    end function crossing_at
+
+   !> What a point takes over: the predictions of the last iterate, and the identity and the memory of the last
+   !> converged state.
+   pure subroutine inherit(old, from, converged, from_converged, point)
+      !> Points of the last iterate, and of the last converged state
+      type(contact_point_t), intent(in) :: old(:), converged(:)
+      !> Those that the point continues; 0: none
+      integer, intent(in) :: from, from_converged
+      type(contact_point_t), intent(inout) :: point
+
+      if (from > 0) then
+         point%predicted = old(from)%predicted
+         point%predicted_gap = old(from)%predicted_gap
+         point%mixed_force = old(from)%mixed_force
+         point%friction_iteration = old(from)%friction_iteration
+         call take_shares(old(from), point)
+      else if (from_converged > 0) then
+         call take_shares(converged(from_converged), point)
+      end if
+      if (from_converged > 0) then
+         point%id = converged(from_converged)%id
+         point%history = converged(from_converged)%history
+         point%fit = converged(from_converged)%fit
+         point%normal_before = converged(from_converged)%kinematics%normal
+      end if
+   end subroutine inherit
+
+   !> What it carries of the contact, and by which law, stay what they were.
+   pure subroutine take_shares(earlier, point)
+      type(contact_point_t), intent(in) :: earlier
+      type(contact_point_t), intent(inout) :: point
+
+      point%is_shared = earlier%is_shared
+      point%is_long = earlier%is_long
+      point%weight = earlier%weight
+      point%line_share = earlier%line_share
+      point%section_share = earlier%section_share
+      point%lens_share = earlier%lens_share
+      point%lens_sine = earlier%lens_sine
+      point%law_angle = earlier%law_angle
+      point%law_sine = earlier%law_sine
+      if (earlier%law_status == law_too_curved) point%law_status = law_too_curved
+   end subroutine take_shares
 
    !> Put points into chains, one for each barred wire.
    pure type(points_by_wire_t) function chain_by_wire(wires, points) result(by_wire)

@@ -9,7 +9,7 @@ module litz_contact_spots
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
    use litz_law_input, only: wire_pair_t
    use litz_lens_law, only: lens_t, lens_force, lens_spot_t, lens_spot, lens_integral, n_depths
-   use litz_line_law, only: line_wires_t, line_spot
+   use litz_line_law, only: line_spot
    use litz_line_point, only: spot_of_line
    use litz_model, only: interaction_t
    use litz_normal_forces, only: is_lens
@@ -38,7 +38,7 @@ contains
          circuit%spot = spot_of_line(line_spot(point%line, point%force/point%weight, &
             number_of(law%spot, law%spot%film_number), number_of(law%spot, law%spot%hardness_number)), point%weight)
       else if (is_lens(law%normal, point)) then
-         circuit%spot = spot_of_lens(law%normal%line_penalty(), law%spot, pair, point)
+         circuit%spot = spot_of_lens(law%normal%line_penalty(), law%spot, point)
       else
          if (law%spot_memory) point%new_spot = leaves_spot(law, wires, pair, point)
          call force_of_spot(law%spot_memory, point%history, point%force/point%weight, point%new_spot, spot_force, &
@@ -81,19 +81,16 @@ contains
    end subroutine spot_per_length
 
    !> The strip along the lens of a crossing.
-   pure type(contact_spot_t) function spot_of_lens(penalty, law, pair, point) result(spot)
+   pure type(contact_spot_t) function spot_of_lens(penalty, law, point) result(spot)
       !> eps_l [N/m^2]; 0: the elastic law
       real(dp), intent(in) :: penalty
       type(spot_law_t), intent(in) :: law
-      type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(in) :: point
-      type(line_wires_t) :: line
       type(lens_t) :: lens
       type(lens_spot_t) :: strip
 
-      line = point%line
-      lens = lens_force(line, point%gap, point%law_sine, penalty)
-      strip = lens_spot(line, lens, number_of(law, law%film_number), number_of(law, law%hardness_number))
+      lens = lens_force(point%line, point%gap, point%law_sine, penalty)
+      strip = lens_spot(point%line, lens, number_of(law, law%film_number), number_of(law, law%hardness_number))
       spot%semi_major = lens%half_length
       spot%semi_minor = strip%half_width
       spot%conductance = point%weight*strip%conductance

@@ -86,20 +86,24 @@ contains
 
       associate (contact => self%contact)
          contact%points = contact%converged
-         contact%points%predicted = .false.
-         contact%points%mixed_force = contact%points%force
-         contact%points%friction_iteration = friction_iteration_t()
          contact%line_points = contact%converged_line_points
-         contact%line_points%predicted = .false.
-         contact%line_points%friction_iteration = friction_iteration_t()
+         call forget_predictions(contact%points)
+         call forget_predictions(contact%line_points)
          contact%n_settled = 0
-         contact%line_points%mixed_force = contact%line_points%force
          call follow_centre_line(domain%model, domain%elements, domain%iterate%x, domain%iterate%rotation, &
             domain%wires)
          contact%depth = max(0.0_dp, maxval(-contact%points%kinematics%gap), &
             maxval(-contact%line_points%kinematics%gap))
       end associate
    end subroutine start
+
+   elemental subroutine forget_predictions(point)
+      type(contact_point_t), intent(inout) :: point
+
+      point%predicted = .false.
+      point%mixed_force = point%force
+      point%friction_iteration = friction_iteration_t()
+   end subroutine forget_predictions
 
    !> Where wires cross, and with which force; new candidates when a node has moved too far since they were collected.
    subroutine locate(self, domain, error)

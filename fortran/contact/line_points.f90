@@ -8,13 +8,13 @@ module litz_line_points
    use litz_contact_candidates, only: skin
    use litz_contact_kinematics, only: kinematics_ok
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_wire_t, chain_by_wire, pair_geometry, &
-      arc_at
+      arc_at, inherit
    use litz_element_library, only: elements_t
    use litz_line_contact, only: serves_lines
    use litz_line_feet, only: foot_t, find_feet
    use litz_line_foot, only: foot_at_end
    use litz_line_kinematics, only: line_kinematics
-   use litz_line_shares, only: share_line_point, take_line_share, points_by_place_t, chain_by_place
+   use litz_line_shares, only: share_line_point, points_by_place_t, chain_by_place
    use litz_model, only: model_t
    use litz_parallel, only: worth_threads
    use litz_wires, only: wires_t
@@ -92,8 +92,9 @@ contains
       real(dp) :: distance, nearest
       integer :: i, k
 
-      by_place = chain_by_place(n_places, earlier)
       allocate (origin(size(points)), source=0)
+      if (size(earlier) == 0 .or. size(points) == 0) return
+      by_place = chain_by_place(n_places, earlier)
       do i = 1, size(points)
          nearest = huge(nearest)
          k = by_place%last(points(i)%line_place)
@@ -108,31 +109,6 @@ contains
       end do
    end subroutine match_line_points
 
-   !> What a point takes over from the last iterate and from the last converged state.
-   pure subroutine inherit(old, from, converged, from_converged, point)
-      !> Points of the last iterate, and of the last converged state
-      type(contact_point_t), intent(in) :: old(:), converged(:)
-      !> Those that the point continues; 0: none
-      integer, intent(in) :: from, from_converged
-      type(contact_point_t), intent(inout) :: point
-
-      if (from > 0) then
-         point%predicted = old(from)%predicted
-         point%predicted_gap = old(from)%predicted_gap
-         point%mixed_force = old(from)%mixed_force
-         point%friction_iteration = old(from)%friction_iteration
-         call take_line_share(old(from), point)
-      else if (from_converged > 0) then
-         call take_line_share(converged(from_converged), point)
-      end if
-      if (from_converged > 0) then
-         point%id = converged(from_converged)%id
-         point%history = converged(from_converged)%history
-         point%kinematics%normal = converged(from_converged)%kinematics%normal
-         point%normal_before = point%kinematics%normal
-      end if
-   end subroutine inherit
-
    !> Kinematics and gap of a point, on the side on which its wires were in the last converged state.
    pure subroutine set_geometry(model, wires, elements, contact, by_wire, x, rotation, foot, is_new, point)
       type(model_t), intent(in) :: model
@@ -146,22 +122,19 @@ contains
       type(foot_t), intent(in) :: foot
       !> No earlier point says what is carried along the line
       logical, intent(in) :: is_new
-      !> In: with the normal of the last converged state, 0: none
       type(contact_point_t), intent(inout) :: point
-      real(dp) :: xe(3, 4), t(3, 4), length(2), normal_before(3)
+      real(dp) :: xe(3, 4), t(3, 4), length(2)
       integer :: info
 
-      normal_before = point%kinematics%normal
       associate (radius => elements%radius([point%element_bar, point%element]))
          call pair_geometry(model, wires, elements, point%element_bar, point%element, x, rotation, xe, t, length)
          call line_kinematics(xe, t, length, axis_hermite, radius, point%xi_bar, point%xi, &
-            foot%status == foot_at_end, normal_before, point%kinematics, info)
+            foot%status == foot_at_end, point%normal_before, point%kinematics, info)
          point%gap = point%kinematics%gap
          point%regular = info == kinematics_ok .and. point%gap < skin/2*sum(radius)
       end associate
       point%foot_at_end = foot%status == foot_at_end
-      if (point%regular .and. is_new) call share_line_point(wires, elements, contact, by_wire, &
-         xe, t, length, point)
+      if (point%regular .and. is_new) call share_line_point(wires, elements, contact, by_wire, xe, t, length, point)
    end subroutine set_geometry
 
 end module litz_line_points

@@ -18,7 +18,7 @@ module litz_line_shares
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: share_crossings, share_line_point, take_line_share, renew_shares, points_by_place_t, chain_by_place
+   public :: share_crossings, share_line_point, renew_shares, points_by_place_t, chain_by_place
 
    !> Weight of one of the two passes
    real(dp), parameter :: half_pass = 0.5_dp
@@ -63,7 +63,7 @@ contains
       type(points_by_place_t) :: by_place
       integer :: i
 
-      by_place = chain_by_place(size(contact%places%xi), contact%line_points)
+      if (size(contact%line_points) > 0) by_place = chain_by_place(size(contact%places%xi), contact%line_points)
       do i = 1, size(contact%points)
          associate (point => contact%points(i))
             point%law_angle = point%kinematics%angle
@@ -100,7 +100,7 @@ contains
       if (.not. point%lens_sine > 0) return
       point%weight = 1 - line_share_at(wires, elements, contact, by_place, point)
       radius = minval(elements%radius([point%element_bar, point%element]))
-      half_length = half_length_of(point, point%lens_sine, radius)
+      half_length = half_length_of(point, point%lens_sine, deepest*radius)
       point%section_share = smooth_step((half_length/radius - section_from)/(section_at - section_from))
       ! a penalty does not depend on the far field
       if (law%line_penalty() > 0) point%section_share = 0
@@ -120,6 +120,8 @@ contains
       type(contact_point_t), intent(in) :: point
       real(dp) :: quality(2)
 
+      share = 0
+      if (size(contact%line_points) == 0) return
       quality = crossing_qualities(point%kinematics)
       share = share_of_pass(quality)*share_along(wires, elements, contact, by_place, point%element_bar, point%xi_bar, &
          point%element, point%arc) + share_of_pass(quality([2, 1]))*share_along(wires, elements, contact, by_place, &
@@ -197,7 +199,7 @@ contains
             if (point%gap < 0) largest_change = max(largest_change, abs(point%line_share - before))
          end associate
       end do
-      by_place = chain_by_place(size(contact%places%xi), contact%line_points)
+      if (size(contact%line_points) > 0) by_place = chain_by_place(size(contact%places%xi), contact%line_points)
       do i = 1, size(contact%points)
          associate (point => contact%points(i))
             if (.not. (point%is_shared .and. point%gap < 0)) cycle
@@ -232,19 +234,6 @@ contains
          by_place%last(points(k)%line_place) = k
       end do
    end function chain_by_place
-
-   !> What is carried along the line stays what it was.
-   pure subroutine take_line_share(earlier, point)
-      type(contact_point_t), intent(in) :: earlier
-      type(contact_point_t), intent(inout) :: point
-
-      point%weight = earlier%weight
-      point%line_share = earlier%line_share
-      point%section_share = earlier%section_share
-      point%law_angle = earlier%law_angle
-      point%law_sine = earlier%law_sine
-      if (earlier%law_status == law_too_curved) point%law_status = law_too_curved
-   end subroutine take_line_share
 
    !> What the point carries: nothing where the overlap that it lies in is short, which is the matter of a crossing, and
    !> nothing where one wire runs into the other.
@@ -305,11 +294,21 @@ contains
       !> The crossings by their barred wires
       type(points_by_wire_t), intent(in) :: by_wire
       type(contact_set_t), intent(inout) :: contact
+      !> aW [m]; 0: no lens (n_points)
+      real(dp) :: half_length(size(contact%points))
       real(dp) :: reach, distance, sine
       integer :: i, nearest
 
+      half_length = 0
+      do i = 1, size(contact%points)
+         associate (crossing => contact%points(i))
+            sine = lens_sine(crossing%kinematics)
+            if (.not. (sine > 0 .and. crossing%gap < 0 .and. crossing%kinematics%distance > 0)) cycle
+            half_length(i) = half_length_of(crossing, sine, huge(sine))
+         end associate
+      end do
       contact%points%is_long = .false.
-      call find_common_lenses(wires, by_wire, contact%points)
+      call find_common_lenses(wires, by_wire, half_length, contact%points)
       do i = 1, size(contact%line_points)
          associate (point => contact%line_points(i), pair => [contact%line_points(i)%element_bar, &
             contact%line_points(i)%element])
@@ -317,45 +316,38 @@ contains
             reach = sum(elements%length(pair))
             call find_nearest_crossing(wires, contact%points, by_wire, reach, reach, point, nearest, distance)
             if (nearest == 0) cycle
-            associate (crossing => contact%points(nearest))
-               sine = lens_sine(crossing%kinematics)
-               if (.not. (sine > 0 .and. crossing%gap < 0 .and. crossing%kinematics%distance > 0)) cycle
-               crossing%is_long = crossing%is_long .or. distance > lens_ends*sqrt(-2*crossing%kinematics%distance &
-                  *crossing%gap)/sine + spacing_of_places(contact%places, pair, elements%length(pair))
-            end associate
+            if (.not. half_length(nearest) > 0) cycle
+            contact%points(nearest)%is_long = contact%points(nearest)%is_long .or. distance > &
+               lens_ends*half_length(nearest) + spacing_of_places(contact%places, pair, elements%length(pair))
          end associate
       end do
    end subroutine find_long_overlaps
 
    !> Crossings of the same two wires whose lenses reach into each other: one overlap with ripples.
-   subroutine find_common_lenses(wires, by_wire, crossings)
+   pure subroutine find_common_lenses(wires, by_wire, half_length, crossings)
       type(wires_t), intent(in) :: wires
       !> The crossings by their barred wires
       type(points_by_wire_t), intent(in) :: by_wire
+      !> aW [m]; 0: no lens (n_crossings)
+      real(dp), intent(in) :: half_length(:)
       type(contact_point_t), intent(inout) :: crossings(:)
-      real(dp) :: half_length(size(crossings)), sine
+      real(dp) :: together
       integer :: i, k
 
-      half_length = 0
-      do i = 1, size(crossings)
-         associate (crossing => crossings(i))
-            sine = lens_sine(crossing%kinematics)
-            if (sine > 0 .and. crossing%gap < 0 .and. crossing%kinematics%distance > 0) half_length(i) = &
-               sqrt(-2*crossing%kinematics%distance*crossing%gap)/sine                     ! aW = sqrt(2 d delta)/s
-         end associate
-      end do
       do i = 1, size(crossings)
          if (.not. half_length(i) > 0) cycle
          k = by_wire%next(i)
          do while (k > 0)
-            if (wires%wire(crossings(k)%element) == wires%wire(crossings(i)%element) .and. half_length(k) > 0) then
-               if (wires%arc_between(wires%wire(crossings(i)%element_bar), crossings(i)%arc_bar, crossings(k)%arc_bar) &
-                  < half_length(i) + half_length(k) .and. wires%arc_between(wires%wire(crossings(i)%element), &
-                  crossings(i)%arc, crossings(k)%arc) < half_length(i) + half_length(k)) then
-                  crossings(i)%is_long = .true.
-                  crossings(k)%is_long = .true.
+            associate (a => crossings(i), b => crossings(k))
+               together = half_length(i) + half_length(k)
+               if (wires%wire(a%element) == wires%wire(b%element) .and. half_length(k) > 0) then
+                  if (wires%arc_between(wires%wire(a%element_bar), a%arc_bar, b%arc_bar) < together .and. &
+                     wires%arc_between(wires%wire(a%element), a%arc, b%arc) < together) then
+                     a%is_long = .true.
+                     b%is_long = .true.
+                  end if
                end if
-            end if
+            end associate
             k = by_wire%next(k)
          end do
       end do
@@ -413,7 +405,7 @@ contains
       if (crossing%is_long .or. .not. (sine > 0 .and. crossing%kinematics%distance > 0)) return
       associate (pair => [crossing%element_bar, crossing%element])
          radius = minval(elements%radius(pair))
-         half_length = half_length_of(crossing, sine, radius)
+         half_length = half_length_of(crossing, sine, deepest*radius)
          call share_of_point(half_length, resolution*spacing_of_places(places, pair, elements%length(pair)), &
             of_crossing, slope)
       end associate
@@ -421,13 +413,15 @@ contains
       point%section_share = smooth_step((half_length/radius - section_from)/(section_at - section_from))
    end subroutine share_with
 
-   !> `aW = sqrt(2 d delta)/s` [m]; iterates overlap deeply for a moment: that makes no lines of them.
-   pure real(dp) function half_length_of(crossing, sine, radius) result(half_length)
+   !> `aW = sqrt(2 d delta)/s` [m].
+   pure real(dp) function half_length_of(crossing, sine, largest_overlap) result(half_length)
       type(contact_point_t), intent(in) :: crossing
-      !> s, and the smaller radius [m]
-      real(dp), intent(in) :: sine, radius
+      !> s
+      real(dp), intent(in) :: sine
+      !> Overlap that counts at most [m]: iterates overlap deeply for a moment, which makes no lines of them
+      real(dp), intent(in) :: largest_overlap
 
-      half_length = sqrt(2*crossing%kinematics%distance*max(0.0_dp, min(-crossing%gap, deepest*radius)))/sine
+      half_length = sqrt(2*crossing%kinematics%distance*max(0.0_dp, min(-crossing%gap, largest_overlap)))/sine
    end function half_length_of
 
    !> Of the two passes: half, unless one wire is curved about the other so that the other's places have no clear foot

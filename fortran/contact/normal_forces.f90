@@ -68,6 +68,7 @@ contains
       type(elements_t), intent(in) :: elements
       type(contact_point_t), intent(inout) :: point
       type(wire_pair_t) :: pair
+      logical :: needs_line
 
       point%closed = point%gap < 0 .and. point%weight > 0
       point%active = merge(point%predicted_gap < 0, point%closed, point%predicted) .and. point%weight > 0
@@ -78,12 +79,12 @@ contains
       point%iteration_force = 0
       point%geometric_force = max(point%mixed_force, 0.0_dp)
       if (.not. point%active) point%mixed_force = 0
-      pair = wires_of(model, elements, point)
       associate (law => model%interactions(model%contact_pairs(point%pair)%interaction))
-         if (point%weight > 0 .and. (point%line_place > 0 .or. is_lens(law%normal, point) .or. &
-            law%spot%is_per_length)) then
-            point%line = line_of_point(pair, point)
-         end if
+         needs_line = point%weight > 0 .and. (point%line_place > 0 .or. is_lens(law%normal, point) .or. &
+            law%spot%is_per_length)
+         if (.not. (point%active .or. point%closed .or. needs_line)) return
+         pair = wires_of(model, elements, point)
+         if (needs_line) point%line = line_of_point(pair, point)
          if (.not. (point%active .or. point%closed)) return
          if (point%line_place > 0) then
             call press_line(law%normal%line_penalty(), point)
@@ -137,24 +138,22 @@ contains
       real(dp), intent(in) :: penalty
       type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(inout) :: point
-      type(line_wires_t) :: line
       type(lens_t) :: lens
       type(force_of_gap_t) :: law
       real(dp) :: first, overlap
 
-      line = point%line
-      lens = lens_force(line, point%gap, point%law_sine, penalty)
+      lens = lens_force(point%line, point%gap, point%law_sine, penalty)
       law = force_of_gap_t(lens%force, lens%dforce_dgap, lens%dforce_dangle, &
-         lens_energy(line, point%gap, point%law_sine, penalty))
+         lens_energy(point%line, point%gap, point%law_sine, penalty))
       point%at_gap = scaled(law, point%weight)
       if (.not. point%active) return
       first = first_overlap*minval(pair%radius)
       if (point%mixed_force > 0) then
-         call find_overlap_of_lens(line, point%law_sine, penalty, point%mixed_force/point%weight, &
+         call find_overlap_of_lens(point%line, point%law_sine, penalty, point%mixed_force/point%weight, &
             max(-point%gap, first), overlap, lens)
       else
          overlap = merge(min(-point%gap, first), first, point%gap < 0)
-         lens = lens_force(line, -overlap, point%law_sine, penalty)
+         lens = lens_force(point%line, -overlap, point%law_sine, penalty)
       end if
       point%mixed_force = point%weight*lens%force
       point%stiffness = -point%weight*lens%dforce_dgap

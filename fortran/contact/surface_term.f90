@@ -157,7 +157,7 @@ contains
          associate (cell => self%cells(i))
             associate (law => domain%model%interactions(domain%model%surface_pairs(cell%pair)%interaction)%normal)
                call press_cell(present_surface(domain, cell%pair), element_axis(domain, cell%element, cell%pair), &
-                  merge(law%data(2), 0.0_dp, law%is_straight), cell)
+                  law%line_penalty(), cell)
             end associate
             cell%friction = friction_law_t()
             cell%traction = 0

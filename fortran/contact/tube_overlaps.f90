@@ -18,8 +18,8 @@ module litz_tube_overlaps
       real(dp) :: place(2) = 0
       !> From the unbarred to the barred axis [m]
       real(dp) :: line(3) = 0
-      !> First and second derivatives of the axes with respect to the places, barred first (3, 2) [m]
-      real(dp) :: tangent(3, 2) = 0, curvature(3, 2) = 0
+      !> Derivatives of the axes with respect to the places, barred first (3, 2) [m]
+      real(dp) :: tangent(3, 2) = 0
       !> Over the smaller radius; negative: none
       real(dp) :: depth = 0
    end type tube_overlap_t
@@ -38,11 +38,9 @@ contains
       call axis_shape(axis, length(1), place(1), h, h1, h2)
       overlap%line = on_axis(h, x(:, 1:2), t(:, 1:2))
       overlap%tangent(:, 1) = on_axis(h1, x(:, 1:2), t(:, 1:2))
-      overlap%curvature(:, 1) = on_axis(h2, x(:, 1:2), t(:, 1:2))
       call axis_shape(axis, length(2), place(2), h, h1, h2)
       overlap%line = overlap%line - on_axis(h, x(:, 3:4), t(:, 3:4))
       overlap%tangent(:, 2) = on_axis(h1, x(:, 3:4), t(:, 3:4))
-      overlap%curvature(:, 2) = on_axis(h2, x(:, 3:4), t(:, 3:4))
       overlap%depth = (sum(radius) - norm2(overlap%line))/minval(radius)
    end function overlap_at
 

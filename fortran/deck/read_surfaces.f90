@@ -147,12 +147,15 @@ contains
 
       if (pair%interaction == 0) return
       associate (this => model%interactions(pair%interaction))
-         if (this%normal%is_straight .and. .not. this%normal%data(2) > 0) call fail_at(self, &
-            self%values%token(2), 'a wire touches a rigid surface along a line: the law LINEAR of '//this%name// &
-            ' needs its second number, the force per length and penetration')
-         if (.not. (this%normal%is_straight .or. this%normal%uses_ellipse)) call fail_at(self, &
-            self%values%token(2), 'a wire touches a rigid surface along a line; the law '//trim(this%normal%name)// &
-            ' of '//this%name//' is one of crossings')
+         if (this%normal%serves_lines()) return
+         if (this%normal%line_penalty_number > 0) then
+            call fail_at(self, self%values%token(2), 'a wire touches a rigid surface along a line: the law '// &
+               trim(this%normal%name)//' of '//this%name//' needs its second number, the force per length and'// &
+               ' penetration')
+         else
+            call fail_at(self, self%values%token(2), 'a wire touches a rigid surface along a line; the law '// &
+               trim(this%normal%name)//' of '//this%name//' is one of crossings')
+         end if
       end associate
    end subroutine check_laws
 

@@ -49,9 +49,9 @@ contains
          do i = 2, n
             if (gap(i) < 0 .and. gap(i - 1) >= 0) then
                parts = parts + 1
-               first(parts) = place_of_touch(surface, p, radius, place(i), place(i - 1))
+               first(parts) = place_of_change(surface, p, radius, .false., place(i), place(i - 1))
             else if (gap(i) >= 0 .and. gap(i - 1) < 0) then
-               last(parts) = place_of_touch(surface, p, radius, place(i - 1), place(i))
+               last(parts) = place_of_change(surface, p, radius, .false., place(i - 1), place(i))
             end if
          end do
          if (gap(n) < 0) last(parts) = place(n)
@@ -82,7 +82,7 @@ contains
          if (slope_before < 0 .and. slope > 0) then
             place(n + 1) = place(n)
             gap(n + 1) = gap(n)
-            place(n) = place_of_minimum(surface, p, radius, place(n - 1), xi)
+            place(n) = place_of_change(surface, p, radius, .true., place(n - 1), xi)
             call gap_at(surface, p, radius, place(n), gap(n), unused_slope)
             n = n + 1
          end if
@@ -106,44 +106,31 @@ contains
       slope = dot_product(normal, p(:, 1) + xi*(2*p(:, 2) + xi*3*p(:, 3)))
    end subroutine gap_at
 
-   !> Between a place with a falling gap and one with a rising gap.
-   pure real(dp) function place_of_minimum(surface, p, radius, falling, rising) result(xi)
+   !> Where the gap, or its slope, changes its sign, by halving the way between two places.
+   pure real(dp) function place_of_change(surface, p, radius, of_slope, negative, positive) result(xi)
       type(rigid_surface_t), intent(in) :: surface
       !> Axis in powers of xi (3, 0:3) [m]
       real(dp), intent(in) :: p(3, 0:3)
-      !> Of the wire [m], and the two places
-      real(dp), intent(in) :: radius, falling, rising
+      !> Of the wire [m]
+      real(dp), intent(in) :: radius
+      !> Of the slope: its least gap; else where it touches
+      logical, intent(in) :: of_slope
+      !> A place where it is negative, and one where it is not
+      real(dp), intent(in) :: negative, positive
       real(dp) :: low, high, gap, slope
       integer :: i
 
-      low = falling
-      high = rising
+      low = negative
+      high = positive
       do i = 1, n_halvings
          xi = (low + high)/2
          call gap_at(surface, p, radius, xi, gap, slope)
-         if (slope < 0) low = xi
-         if (slope >= 0) high = xi
+         if (merge(slope, gap, of_slope) < 0) then
+            low = xi
+         else
+            high = xi
+         end if
       end do
-   end function place_of_minimum
-
-   !> Between a place that overlaps and one that does not.
-   pure real(dp) function place_of_touch(surface, p, radius, inside, outside) result(xi)
-      type(rigid_surface_t), intent(in) :: surface
-      !> Axis in powers of xi (3, 0:3) [m]
-      real(dp), intent(in) :: p(3, 0:3)
-      !> Of the wire [m], and the two places
-      real(dp), intent(in) :: radius, inside, outside
-      real(dp) :: low, high, gap, slope
-      integer :: i
-
-      low = inside
-      high = outside
-      do i = 1, n_halvings
-         xi = (low + high)/2
-         call gap_at(surface, p, radius, xi, gap, slope)
-         if (gap < 0) low = xi
-         if (gap >= 0) high = xi
-      end do
-   end function place_of_touch
+   end function place_of_change
 
 end module litz_surface_overlap
