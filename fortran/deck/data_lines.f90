@@ -10,7 +10,7 @@ module litz_data_lines
    use litz_value_checks, only: check_value, behind_semicolon, hint_about_blanks
    implicit none
    private
-   public :: read_line
+   public :: read_line, describe_form
 
 contains
 
@@ -195,6 +195,7 @@ contains
       if (len_trim(field%help) > 0 .and. index(field%help, ';') == 0) words = words//' ('//trim(field%help)//')'
    end function describe_field
 
+   !> The names of its values.
    pure function describe_form(form) result(words)
       type(data_spec_t), intent(in) :: form
       character(len=:), allocatable :: words

@@ -11,7 +11,7 @@ module litz_read_contact
       n_cards_of
    use litz_spot_laws, only: spot_law
    use litz_stick_laws, only: stick_laws, stick_mindlin
-   use litz_data_lines, only: read_line
+   use litz_data_lines, only: read_line, describe_form
    use litz_definitions, only: add_definition, find_definition
    use litz_line_contact, only: line_obstacle
    use litz_read_surfaces, only: names_surface, read_surface_pair
@@ -119,9 +119,11 @@ contains
       interaction%spot_memory = choice_of(self, card, 'SPOT') == 'LARGESTFORCE'
       interaction%spot = spot_law(choice_of(self, card, 'LAW'))
       interaction%spot%is_per_length = choice_of(self, card, 'PER') == 'LENGTH'
-      if (interaction%spot%is_per_length .and. .not. interaction%spot%can_be_per_length) call fail_at(self, &
-         parameter_of(self, card, 'PER'), 'PER=LENGTH is for LAW=CONSTANT and LAW=TABLE; the other laws serve'// &
-         ' contact along lines as they are, but for PAPER')
+      if (interaction%spot%is_per_length .and. .not. interaction%spot%can_be_per_length) then
+         call fail_at(self, parameter_of(self, card, 'PER'), 'PER=LENGTH is for LAW=CONSTANT and LAW=TABLE;'// &
+            ' the other laws serve contact along lines as they are, but for PAPER')
+         interaction%spot%is_per_length = .false.
+      end if
       call read_law_data(self, card, interaction%spot)
    end subroutine read_spot_law
 
@@ -152,7 +154,8 @@ contains
             n = n + 1
             rows(:, n) = self%values%real(:size(rows, 1))
             if (.not. any(abs(rows(:, n)) > 0)) call fail_at(self, self%values%token(1), &
-               'the line has none of the numbers of '//trim(law%name))
+               'the line has none of the numbers of '//trim(law%name)//': it holds '// &
+               describe_form(self%table%keywords(self%spec(card))%data(self%form)))
          end do
       end associate
       if (n > 0 .or. law%has_table) call law%take(reshape(rows(:, :n), [n*size(rows, 1)]))
