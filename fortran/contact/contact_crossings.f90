@@ -1,4 +1,5 @@
-!> Where wires cross: a point for each candidate whose axes are nearest to each other within both elements.
+!> Where wires touch at points: a point for each candidate whose axes are nearest to each other within both elements, or
+!> at an end or a kink of one of them (litz_contact_ends).
 !>
 !> A crossing belongs to the pair of wires, not of elements, so that points take over the memory of those before them
 !> (litz_contact_matching). On which side of each other the two wires are is a fact of the last converged state
@@ -8,12 +9,15 @@ module litz_contact_crossings
    use litz_closest_points, only: closest_points, end_tolerance, max_minima, closest_inside, closest_not_unique, &
       closest_parallel
    use litz_contact_candidates, only: skin
+   use litz_contact_ends, only: minimum_t, add_ends, max_ends
    use litz_contact_kinematics, only: contact_kinematics, kinematics_ok
    use litz_contact_matching, only: match_points, slides_of
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_wire_t, pair_geometry, axis_of_pair, &
       arc_at, crossing_at, clearance_of, chain_by_wire, inherit
    use litz_contact_side, only: have_passed
    use litz_element_library, only: elements_t
+   use litz_end_kinematics, only: end_kinematics, mirrored_nodes
+   use litz_line_kinematics, only: line_profile_t, line_profile
    use litz_model, only: model_t
    use litz_parallel, only: worth_threads
    use litz_start_crossings, only: crossing_at_start, relative_motion
@@ -26,6 +30,12 @@ module litz_contact_crossings
    real(dp), parameter :: near_node = 1.0e-6_dp
    !> Further places at which one pair of elements may touch
    integer, parameter :: max_others = 3
+
+   !> Where the elements of a candidate are nearest to each other, the nearest place of both axes first.
+   type :: minima_t
+      type(minimum_t) :: at(1 + max_others + max_ends)
+      integer :: n = 0
+   end type minima_t
 
 contains
 
@@ -41,23 +51,21 @@ contains
       type(contact_set_t), intent(inout) :: contact
       type(contact_point_t), allocatable :: old(:), points(:)
       type(points_by_wire_t) :: converged_by_wire
-      !> Where each candidate crosses: the nearest place and others (2, 1 + max_others, n_candidates), and how many
-      real(dp), allocatable :: xi(:, :, :)
-      integer, allocatable :: n_minima(:)
+      !> Of each candidate
+      type(minima_t), allocatable :: minima(:)
       !> The points of the last call, and of the last converged state, that the present ones continue; 0: none
       integer, allocatable :: origin(:), converged(:)
       integer :: i, n
 
       n = size(contact%candidates, 2)
-      allocate (xi(2, 1 + max_others, n), n_minima(n))
+      allocate (minima(n))
       !$omp parallel do schedule(dynamic, 64) if (n >= worth_threads)
       do i = 1, n
-         call find_closest(model, wires, elements, contact%candidates(:, i), contact%depth, x_start, x, rotation, &
-            xi(:, :, i), n_minima(i))
+         call find_closest(model, wires, elements, contact, contact%candidates(:, i), x_start, x, rotation, minima(i))
       end do
       !$omp end parallel do
       call move_alloc(contact%points, old)
-      call collect_points(wires, elements, contact%candidates, xi, n_minima, points)
+      call collect_points(model, wires, elements, contact%candidates, minima, points)
       call match_points(wires, elements, old, points, origin)
       call match_points(wires, elements, contact%converged, points, converged, &
          slides_of(model, wires, elements, contact%converged, x_start, x))
@@ -74,73 +82,74 @@ contains
       call move_alloc(points, contact%points)
    end subroutine locate_points
 
-   !> Where the axes of a candidate are nearest to each other, the nearest place first.
-   pure subroutine find_closest(model, wires, elements, candidate, depth, x_start, x, rotation, xi, n)
+   !> Where the axes of a candidate are nearest to each other.
+   pure subroutine find_closest(model, wires, elements, contact, candidate, x_start, x, rotation, minima)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
+      !> With the largest overlap when the increment began
+      type(contact_set_t), intent(in) :: contact
       !> Barred element, unbarred element, contact pair (3)
       integer, intent(in) :: candidate(3)
-      !> Largest overlap when the increment began [m]
-      real(dp), intent(in) :: depth
       !> Positions (3, n_nodes) when the increment began, and now [m]; rotations (3, 3, n_nodes)
       real(dp), intent(in) :: x_start(:, :), x(:, :), rotation(:, :, :)
-      !> Places in the barred and the unbarred element (2, 1 + max_others)
-      real(dp), intent(out) :: xi(:, :)
-      !> How many there are within both elements
-      integer, intent(out) :: n
-      real(dp) :: xe(3, 4), t(3, 4), length(2), distance, others(2, max_minima)
-      integer :: status, n_others
+      type(minima_t), intent(out) :: minima
+      real(dp) :: xe(3, 4), t(3, 4), length(2), distance, nearest(2), others(2, max_minima)
+      integer :: status, i, n_others
 
       associate (eb => candidate(1), e => candidate(2))
          call pair_geometry(model, wires, elements, eb, e, x, rotation, xe, t, length)
          distance = norm2(sum(xe(:, 1:2), 2) - sum(xe(:, 3:4), 2))/2 - sum(length) &
             - (1 + skin/2)*(elements%radius(eb) + elements%radius(e))
          ! wires that have passed each other are apart again
-         if (distance > 0) distance = distance - depth - relative_motion(model, x_start, x, eb, e)
-         n = 0
+         if (distance > 0) distance = distance - contact%depth - relative_motion(model, x_start, x, eb, e)
          if (distance > 0) return
-         call closest_points(xe, t, length, axis_of_pair(model, candidate(3)), xi(1, 1), xi(2, 1), status, &
+         call closest_points(xe, t, length, axis_of_pair(model, candidate(3)), nearest(1), nearest(2), status, &
             others=others, n_others=n_others)
          if (any(status == [closest_inside, closest_not_unique, closest_parallel]) .and. &
-            all(abs(xi(:, 1)) <= 1 + end_tolerance)) n = 1
-         n_others = min(n_others, max_others)
-         xi(:, n + 1:n + n_others) = others(:, :n_others)
-         n = n + n_others
+            all(abs(nearest) <= 1 + end_tolerance)) minima%n = 1
+         minima%at(1)%xi = nearest
+         do i = 1, min(n_others, max_others)
+            minima%n = minima%n + 1
+            minima%at(minima%n)%xi = others(:, i)
+         end do
       end associate
+      call add_ends(model, wires, elements, contact, candidate, x, rotation, minima%at, minima%n)
    end subroutine find_closest
 
-   !> Points without memory for the candidates that cross.
-   pure subroutine collect_points(wires, elements, candidates, xi, n_minima, points)
+   !> Points without memory for the candidates that touch.
+   pure subroutine collect_points(model, wires, elements, candidates, minima, points)
+      type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       !> Barred element, unbarred element, contact pair (3, n_candidates)
       integer, intent(in) :: candidates(:, :)
-      !> Places in the barred and the unbarred element (2, 1 + max_others, n_candidates)
-      real(dp), intent(in) :: xi(:, :, :)
-      !> How many of these each candidate has (n_candidates)
-      integer, intent(in) :: n_minima(:)
+      !> (n_candidates)
+      type(minima_t), intent(in) :: minima(:)
       type(contact_point_t), allocatable, intent(out) :: points(:)
       type(contact_point_t), allocatable :: all_points(:)
       logical, allocatable :: keep(:)
       integer :: k, i, m
 
-      allocate (all_points(sum(n_minima)))
+      allocate (all_points(sum(minima%n)))
       m = 0
-      do k = 1, size(n_minima)
-         do i = 1, n_minima(k)
+      do k = 1, size(minima)
+         do i = 1, minima(k)%n
             m = m + 1
-            all_points(m)%candidate = k
-            all_points(m)%element_bar = candidates(1, k)
-            all_points(m)%element = candidates(2, k)
-            all_points(m)%pair = candidates(3, k)
-            all_points(m)%xi_bar = xi(1, i, k)
-            all_points(m)%xi = xi(2, i, k)
-            all_points(m)%arc_bar = arc_at(wires, elements, candidates(1, k), xi(1, i, k))
-            all_points(m)%arc = arc_at(wires, elements, candidates(2, k), xi(2, i, k))
+            associate (point => all_points(m), minimum => minima(k)%at(i))
+               point%candidate = k
+               point%element_bar = candidates(1, k)
+               point%element = candidates(2, k)
+               point%pair = candidates(3, k)
+               point%xi_bar = minimum%xi(1)
+               point%xi = minimum%xi(2)
+               point%held = minimum%held
+               point%arc_bar = arc_at(wires, elements, candidates(1, k), minimum%xi(1))
+               point%arc = arc_at(wires, elements, candidates(2, k), minimum%xi(2))
+            end associate
          end do
       end do
-      keep = are_new(wires, elements, all_points)
+      keep = are_new(model, wires, elements, all_points)
       allocate (points(count(keep)))
       m = 0
       do i = 1, size(keep)
@@ -150,35 +159,50 @@ contains
       end do
    end subroutine collect_points
 
-   !> Each crossing once (n_points): one at a node may be found by both elements there, and the first one keeps it.
-   pure function are_new(wires, elements, points) result(keep)
+   !> Each contact once (n_points): one at a node may be found by all elements there, and the first one keeps it.
+   pure function are_new(model, wires, elements, points) result(keep)
+      type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(contact_point_t), intent(in) :: points(:)
       logical :: keep(size(points))
-      !> The last point at a node that each barred wire has so far, and the one before each of them
-      integer :: last_at_node(wires%n_wires), before(size(points))
-      integer :: k
+      !> The last point so far at each node of a barred wire, and behind these elsewhere on each barred wire, and the one
+      !> before each point
+      integer :: last_at(model%n_nodes + wires%n_wires), before(size(points))
+      integer :: k, place
 
-      last_at_node = 0
+      last_at = 0
       before = 0
       keep = .true.
       do k = 1, size(points)
          if (all(abs([points(k)%xi_bar, points(k)%xi]) < 1 - near_node)) cycle
-         associate (last => last_at_node(wires%wire(points(k)%element_bar)))
-            keep(k) = .not. is_found_before(wires, elements, points, k, last, before)
-            before(k) = last
-            last = k
-         end associate
+         place = node_at(model, points(k)%element_bar, points(k)%xi_bar)
+         if (place == 0) place = model%n_nodes + wires%wire(points(k)%element_bar)
+         keep(k) = .not. is_found_before(model, wires, elements, points, k, last_at(place), before)
+         before(k) = last_at(place)
+         last_at(place) = k
       end do
    end function are_new
 
+   !> Node at a place of an element; 0: it lies between.
+   pure integer function node_at(model, e, xi) result(node)
+      type(model_t), intent(in) :: model
+      !> Element
+      integer, intent(in) :: e
+      !> Place in it
+      real(dp), intent(in) :: xi
+
+      node = 0
+      if (abs(xi) >= 1 - near_node) node = model%connectivity(merge(1, 2, xi < 0), e)
+   end function node_at
+
    !> Whether one of the points before this one is at the same place of both wires.
-   pure logical function is_found_before(wires, elements, points, k, last, before) result(found)
+   pure logical function is_found_before(model, wires, elements, points, k, last, before) result(found)
+      type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(contact_point_t), intent(in) :: points(:)
-      !> A point, the last one at a node of the same barred wire, and the one before each of those (n_points)
+      !> A point, the last one there, and the one before each point (n_points)
       integer, intent(in) :: k, last, before(:)
       integer :: other
 
@@ -186,8 +210,8 @@ contains
       other = last
       do while (other > 0)
          associate (point => points(k), earlier => points(other))
-            found = is_same(point%element_bar, point%arc_bar, earlier%element_bar, earlier%arc_bar) .and. &
-               is_same(point%element, point%arc, earlier%element, earlier%arc)
+            found = is_same(point%element_bar, point%xi_bar, earlier%element_bar, earlier%xi_bar) .and. &
+               is_same(point%element, point%xi, earlier%element, earlier%xi)
          end associate
          if (found) return
          other = before(other)
@@ -195,16 +219,19 @@ contains
 
    contains
 
-      !> The same place of one wire.
-      pure logical function is_same(e, arc, e_other, arc_other)
+      !> The same node, or the same place of one wire.
+      pure logical function is_same(e, xi, e_other, xi_other)
          !> Elements
          integer, intent(in) :: e, e_other
-         !> Arc lengths there [m]
-         real(dp), intent(in) :: arc, arc_other
+         !> Places in them
+         real(dp), intent(in) :: xi, xi_other
+         integer :: node
 
-         is_same = wires%wire(e) == wires%wire(e_other)
-         if (is_same) is_same = abs(arc_from_to(arc, arc_other, wires%circumference(wires%wire(e)))) &
-            <= near_node*elements%length(e)
+         node = node_at(model, e, xi)
+         is_same = node > 0 .and. node == node_at(model, e_other, xi_other)
+         if (is_same .or. wires%wire(e) /= wires%wire(e_other)) return
+         is_same = abs(arc_from_to(arc_at(wires, elements, e, xi), arc_at(wires, elements, e_other, xi_other), &
+            wires%circumference(wires%wire(e)))) <= near_node*elements%length(e)
       end function is_same
 
    end function is_found_before
@@ -229,9 +256,16 @@ contains
       axis = axis_of_pair(model, point%pair)
       associate (eb => point%element_bar, e => point%element, kinematics => point%kinematics)
          call pair_geometry(model, wires, elements, eb, e, x, rotation, xe, t, length)
-         call contact_kinematics(xe, t, length, axis, elements%radius([eb, e]), point%xi_bar, point%xi, 0, kinematics, &
-            info)
-         if (info == kinematics_ok) then
+         if (any(point%held)) then
+            call end_kinematics(xe, t, length, axis, elements%radius([eb, e]), point%xi_bar, point%xi, point%held, &
+               point%normal_before, kinematics, info)
+            if (info == kinematics_ok) call set_profiles(xe, t, length, axis, point)
+            if (from_converged > 0) point%start = crossing_at(wires, contact%converged(from_converged))
+         else
+            call contact_kinematics(xe, t, length, axis, elements%radius([eb, e]), point%xi_bar, point%xi, 0, &
+               kinematics, info)
+         end if
+         if (info == kinematics_ok .and. .not. any(point%held)) then
             point%start = crossing_at_start(model, wires, elements, contact, converged_by_wire, x_start, &
                rotation_start, relative_motion(model, x_start, x, eb, e), point, from_converged)
             if (have_passed(point%start, crossing_at(wires, point))) call contact_kinematics(xe, t, length, axis, &
@@ -241,5 +275,29 @@ contains
          point%gap = kinematics%gap + clearance_of(point%fit, contact%clearance(point%pair))
       end associate
    end subroutine set_geometry
+
+   !> How the distance grows from the ends of the wires on.
+   pure subroutine set_profiles(xe, t, length, axis, point)
+      !> Nodal positions [m] and unit tangents (3, 4), reference lengths (2) [m]: barred first
+      real(dp), intent(in) :: xe(3, 4), t(3, 4), length(2)
+      !> `axis_linear` or `axis_hermite`
+      integer, intent(in) :: axis
+      type(contact_point_t), intent(inout) :: point
+      type(line_profile_t) :: profile
+
+      associate (kinematics => point%kinematics, m => mirrored_nodes)
+         if (point%held(1)) then
+            profile = line_profile(xe(:, m), t(:, m), length([2, 1]), axis, point%xi, point%xi_bar, -kinematics%normal, &
+               kinematics%distance)
+            point%tilt(1) = -point%xi_bar*profile%slope
+            point%bend(1) = profile%bend
+         end if
+         if (point%held(2)) then
+            profile = line_profile(xe, t, length, axis, point%xi_bar, point%xi, kinematics%normal, kinematics%distance)
+            point%tilt(2) = -point%xi*profile%slope
+            point%bend(2) = profile%bend
+         end if
+      end associate
+   end subroutine set_profiles
 
 end module litz_contact_crossings

@@ -145,11 +145,11 @@ contains
          text = 'Joined elements, and those within 8 radii of each other along a wire, have no contact: use shorter'// &
             ' elements, or bend the wire less. '
       case (finding_end, finding_departed)
-         text = 'Contact at the end of a wire, or of the part of it that *CONTACT PAIR names, is not modelled:'// &
-            ' extend both beyond their crossings. '
+         text = 'Contact at the end of the part of a wire that *CONTACT PAIR names is not modelled: let it name the'// &
+            ' whole wire. '
       case (finding_kink)
-         text = 'Contact at a kink is not modelled: round the kink with shorter elements (less than 20 degrees at'// &
-            ' each node); with AXIS=LINEAR each node of a bent wire is one. '
+         text = 'With AXIS=LINEAR a wire has a kink at each node, and both of its elements touch what lies in its'// &
+            ' crook: use AXIS=HERMITE, or shorter elements. '
       case (finding_line)
          text = 'Their surface interaction is for contact at points: '//trim(self%obstacle)//' does not serve'// &
             ' contact along a line. Change it, keep such wires apart, or let them cross at larger angles. '

@@ -152,6 +152,12 @@ contains
             t_bar = direction_along(eb)
             t = direction_along(e)
          end associate
+         if (any(points(k)%held)) then
+            ! the foot of the end
+            if (.not. points(k)%held(1)) slides(1, k) = -dot_product(t_bar, apart)
+            if (.not. points(k)%held(2)) slides(2, k) = dot_product(t, apart)
+            cycle
+         end if
          cosine = dot_product(t_bar, t)
          if (1 - cosine**2 < shallow_sine**2) cycle
          ! the closest points of two straight lines

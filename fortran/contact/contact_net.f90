@@ -7,6 +7,7 @@
 module litz_contact_net
    use litz_kinds, only: dp
    use litz_contact_findings, only: finding_t, worse_of, finding_deep, finding_kink, finding_line, finding_passed
+   use litz_contact_lens, only: half_length_of
    use litz_contact_points, only: contact_set_t, contact_point_t, points_by_wire_t, chain_by_wire
    use litz_element_library, only: elements_t
    use litz_contact_candidates, only: find_contact_pair
@@ -99,8 +100,12 @@ contains
             if (has_neighbour(wires, elements, points, by_wire, point)) finding%kind = finding_kink
          end if
       end associate
-      half_length = sqrt(2*max(point%kinematics%distance, 0.0_dp)*(-point%gap) &
-         /max(squared_sine(elements, point), tiny(1.0_dp)))
+      if (any(point%held)) then
+         half_length = half_length_of(point, huge(radius))
+      else
+         half_length = sqrt(2*max(point%kinematics%distance, 0.0_dp)*(-point%gap) &
+            /max(squared_sine(elements, point), tiny(1.0_dp)))
+      end if
       if (half_length > longest_point*radius .and. .not. serves_lines(model, point%pair)) finding%kind = finding_line
       if (point%kinematics%distance <= 0) finding%kind = finding_passed
    end function inspect_point

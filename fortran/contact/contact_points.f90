@@ -34,6 +34,14 @@ module litz_contact_points
       !> Arc lengths along the two wires [m]
       real(dp) :: arc_bar = 0, arc = 0
       type(contact_kinematics_t) :: kinematics
+      !> On the barred, on the unbarred wire it is at a round end, or at the round joint of a kink
+      logical :: held(2) = .false.
+      !> Curvature of the surface of either wire along its axis, times its radius: 1 at an end, 0 where no end is near
+      real(dp) :: roundness(2) = 0
+      !> That has been found: within an iteration it stays
+      logical :: is_rounded = .false.
+      !> Where it is: slope of the distance along the wire from there, not negative, and its curvature (2) [-, 1/m]
+      real(dp) :: tilt(2) = 0, bend(2) = 0
       !> The crossing of the same two wires that it was when the increment began
       type(crossing_t) :: start
       !> .false.: the axes are nearly parallel there, or touch along a line
@@ -80,6 +88,10 @@ module litz_contact_points
       real(dp) :: geometric_force = 0
       !> Memory of the converged state: from when the increment began until it has converged
       type(contact_history_t) :: history
+      !> It was at an end or a kink then and is no longer, or the other way round; and the friction of then, as the barred
+      !> wire felt it (3) [N]
+      logical :: has_changed_kind = .false.
+      real(dp) :: traction_before(3) = 0
       !> It has left the spot of its largest force: by slip, or without friction by moving
       logical :: new_spot = .false.
       !> Traction at the present place
@@ -196,7 +208,7 @@ contains
       type(contact_point_t), intent(in) :: point
 
       crossing = crossing_of(point%kinematics, wires%direction([point%element_bar, point%element]), &
-         [point%arc_bar, point%arc])
+         [point%arc_bar, point%arc], any(point%held))
    end function crossing_at
 
    !> What a point takes over: the predictions of the last iterate, and the identity and the memory of the last
@@ -212,7 +224,7 @@ contains
          point%predicted = old(from)%predicted
          point%predicted_gap = old(from)%predicted_gap
          point%mixed_force = old(from)%mixed_force
-         point%friction_iteration = old(from)%friction_iteration
+         if (all(old(from)%held .eqv. point%held)) point%friction_iteration = old(from)%friction_iteration
          call take_shares(old(from), point)
       else if (from_converged > 0) then
          call take_shares(converged(from_converged), point)
@@ -222,6 +234,8 @@ contains
          point%history = converged(from_converged)%history
          point%fit = converged(from_converged)%fit
          point%normal_before = converged(from_converged)%kinematics%normal
+         point%has_changed_kind = any(converged(from_converged)%held .neqv. point%held)
+         point%traction_before = converged(from_converged)%traction
       end if
    end subroutine inherit
 
@@ -239,6 +253,8 @@ contains
       point%lens_sine = earlier%lens_sine
       point%law_angle = earlier%law_angle
       point%law_sine = earlier%law_sine
+      point%is_rounded = earlier%is_rounded
+      point%roundness = earlier%roundness
       if (earlier%law_status == law_too_curved) point%law_status = law_too_curved
    end subroutine take_shares
 

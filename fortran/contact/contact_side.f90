@@ -18,7 +18,7 @@ module litz_contact_side
    !> What distinguishes a crossing of two wires from its mirror image, and where it is.
    type :: crossing_t
       logical :: known = .false.
-      !> +1, -1: right-handed, left-handed, with both tangents along their wires
+      !> +1, -1: right-handed, left-handed, with both tangents along their wires; 0: at an end or a kink, which has no hand
       integer :: hand = 0
       !> Unit normal from the unbarred to the barred wire
       real(dp) :: normal(3) = 0
@@ -31,15 +31,17 @@ module litz_contact_side
 contains
 
    !> The crossing with the orientation that its kinematics have.
-   pure type(crossing_t) function crossing_of(kinematics, direction, arc) result(crossing)
+   pure type(crossing_t) function crossing_of(kinematics, direction, arc, is_at_end) result(crossing)
       type(contact_kinematics_t), intent(in) :: kinematics
       !> +1: the element runs along its wire, -1: against it; barred, unbarred (2)
       integer, intent(in) :: direction(2)
       !> Arc lengths along the barred and the unbarred wire (2) [m]
       real(dp), intent(in) :: arc(2)
+      !> One of the wires touches with its end or at a kink
+      logical, intent(in) :: is_at_end
 
       crossing%known = .true.
-      crossing%hand = kinematics%side*product(direction)
+      if (.not. is_at_end) crossing%hand = kinematics%side*product(direction)
       crossing%normal = kinematics%normal
       crossing%angle = kinematics%angle
       if (product(direction) < 0) crossing%angle = acos(-1.0_dp) - kinematics%angle
@@ -52,7 +54,7 @@ contains
 
       have_passed = .false.
       if (.not. before%known) return
-      if (min(sin(before%angle), sin(now%angle)) < shallow_sine) then
+      if (min(sin(before%angle), sin(now%angle)) < shallow_sine .or. before%hand*now%hand == 0) then
          have_passed = dot_product(before%normal, now%normal) < 0
       else
          have_passed = before%hand /= now%hand
@@ -63,8 +65,9 @@ contains
    pure logical function have_kept(before, now)
       type(crossing_t), intent(in) :: before, now
 
-      have_kept = before%known .and. now%known .and. before%hand == now%hand .and. &
-         dot_product(before%normal, now%normal) > small_turn .and. cos(before%angle - now%angle) > small_turn
+      have_kept = before%known .and. now%known .and. dot_product(before%normal, now%normal) > small_turn
+      if (before%hand*now%hand == 0) return
+      have_kept = have_kept .and. before%hand == now%hand .and. cos(before%angle - now%angle) > small_turn
    end function have_kept
 
 end module litz_contact_side

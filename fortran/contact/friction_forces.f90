@@ -5,6 +5,7 @@ module litz_friction_forces
    use litz_contact_kinematics, only: contact_kinematics_t, n_motions
    use litz_contact_friction, only: slip_t, slip_kinematics, friction_residual, friction_tangent
    use litz_contact_points, only: contact_point_t
+   use litz_end_kinematics, only: mirrored, mirrored_nodes, mirrored_motions
    use litz_friction_iteration, only: place_touch, place_line_touch
    use litz_friction_law, only: friction_law_t, friction_start_t, friction_law, friction_none, friction_stick
    use litz_law_input, only: wire_pair_t
@@ -34,7 +35,8 @@ module litz_friction_forces
       real(dp) :: slip(2) = 0, dslip(n_motions, 2) = 0
       !> Directions (3, 2)
       real(dp) :: frame(3, 2) = 0
-      logical :: is_of_line = .false.
+      !> On the surfaces; and with the two wires exchanged, where the barred one is that with the place
+      logical :: is_of_line = .false., is_mirrored = .false.
       type(slip_t) :: crossing
       type(line_slip_t) :: line
    contains
@@ -64,12 +66,14 @@ contains
       if (.not. (point%history%closed .or. point%friction_iteration%touched)) then
          call find_touch(wires, length, pair%radius, before, point)
       end if
-      if (point%line_place > 0) then
+      if (is_on_surfaces(point)) then
          slip = slip_on_line(wires, x, t, length, pair%radius, before, point)
       else
          slip = slip_of_crossing(law%axis, wires, x, t, length, point)
       end if
       start = start_of_friction(law, pair, point)
+      ! what sticks keeps its force, whatever its components
+      if (point%has_changed_kind) start%traction = -matmul(point%traction_before, slip%frame)
       k = 0
       r = 0
       if (point%closed) then
@@ -80,7 +84,7 @@ contains
          if (.not. point%history%closed) call grow_with_force(dot_product(r, before%dq), point%friction)
       end if
 
-      if (point%friction_iteration%status == friction_none) call suppose(point)
+      if (point%friction_iteration%status == friction_none) call suppose(start%traction, point)
       associate (iteration => point%friction_iteration)
          iteration%difference = -r
          iteration%limit = 0
@@ -104,7 +108,9 @@ contains
 
    !> What the iteration supposes of a contact at first: it sticks when it was closed before, or else does what it would
    !> do here. A stick far beyond the limit would throw open again a contact that closes with a small force.
-   pure subroutine suppose(point)
+   pure subroutine suppose(traction_before, point)
+      !> When the increment began (2) [N]
+      real(dp), intent(in) :: traction_before(2)
       type(contact_point_t), intent(inout) :: point
 
       associate (iteration => point%friction_iteration)
@@ -112,7 +118,7 @@ contains
          if (point%predicted .or. .not. point%history%closed) then
             if (point%closed) iteration%status = point%friction%status
          else
-            iteration%mixed_traction = point%history%traction
+            iteration%mixed_traction = traction_before
          end if
       end associate
    end subroutine suppose
@@ -135,7 +141,21 @@ contains
       slip%frame = slip%crossing%frame
    end function slip_of_crossing
 
-   !> Slip on the surfaces at a point of a line.
+   !> Friction acts on the surfaces: along lines, and at ends and kinks.
+   pure logical function is_on_surfaces(point)
+      type(contact_point_t), intent(in) :: point
+
+      is_on_surfaces = point%line_place > 0 .or. any(point%held)
+   end function is_on_surfaces
+
+   !> The place stays on the barred wire, and the foot is on the unbarred one.
+   pure logical function is_mirrored(point)
+      type(contact_point_t), intent(in) :: point
+
+      is_mirrored = point%held(1) .and. .not. point%held(2)
+   end function is_mirrored
+
+   !> Slip on the surfaces at a place of one wire over its foot on the other.
    pure type(contact_slip_t) function slip_on_line(wires, x, t, length, radius, before, point) result(slip)
       type(wires_t), intent(in) :: wires
       !> As in `find_friction`, and radii (2) [m]
@@ -144,22 +164,33 @@ contains
       type(contact_point_t), intent(in) :: point
       real(dp) :: arc, normal(3), part
 
+      slip%is_of_line = .true.
+      slip%is_mirrored = is_mirrored(point)
       arc = point%friction_iteration%arc_before
       normal = point%friction_iteration%normal_before
       part = point%friction_iteration%part
       if (point%history%closed) then
-         arc = point%history%arc(1)
+         arc = point%history%arc(merge(2, 1, slip%is_mirrored))
          normal = point%normal_before
          part = 1
       end if
-      associate (e => point%element_bar)
-         slip%line = line_slip(point%kinematics, x, t, length, radius, before%turned, normal, &
-            wires%direction(e)*arc_from_to(arc, point%arc_bar, wires%circumference(wires%wire(e))))
-      end associate
-      slip%is_of_line = .true.
+      if (slip%is_mirrored) then
+         associate (m => mirrored_nodes, e => point%element)
+            slip%line = line_slip(mirrored(point%kinematics), x(:, m), t(:, m), length([2, 1]), radius([2, 1]), &
+               before%turned(:, :, m), -normal, wires%direction(e)*arc_from_to(arc, point%arc, &
+               wires%circumference(wires%wire(e))))
+         end associate
+         slip%dslip = part*slip%line%dslip(mirrored_motions, :)
+         slip%frame = -slip%line%frame
+      else
+         associate (e => point%element_bar)
+            slip%line = line_slip(point%kinematics, x, t, length, radius, before%turned, normal, &
+               wires%direction(e)*arc_from_to(arc, point%arc_bar, wires%circumference(wires%wire(e))))
+         end associate
+         slip%dslip = part*slip%line%dslip
+         slip%frame = slip%line%frame
+      end if
       slip%slip = part*slip%line%slip
-      slip%dslip = part*slip%line%dslip
-      slip%frame = slip%line%frame
    end function slip_on_line
 
    pure function residual(self, kinematics, traction) result(r)
@@ -171,6 +202,7 @@ contains
 
       if (self%is_of_line) then
          r = line_friction_residual(self%line, traction)
+         if (self%is_mirrored) r = r(mirrored_motions)
       else
          r = friction_residual(kinematics, self%crossing, traction)
       end if
@@ -187,14 +219,20 @@ contains
       real(dp), intent(in) :: dforce(n_motions), geometric_traction(2)
       real(dp) :: k(n_motions, n_motions)
 
-      if (self%is_of_line) then
+      if (self%is_mirrored) then
+         associate (m => mirrored_motions)
+            k = line_friction_tangent(mirrored(kinematics), self%line, self%dslip(m, :), t(:, mirrored_nodes), law, &
+               dforce(m), geometric_traction)
+            k = k(m, m)
+         end associate
+      else if (self%is_of_line) then
          k = line_friction_tangent(kinematics, self%line, self%dslip, t, law, dforce, geometric_traction)
       else
          k = friction_tangent(kinematics, self%crossing, t, law, dforce, geometric_traction)
       end if
    end function tangent
 
-   !> Where the foot of a point of a line was when an increment began in which it closes, and how much of the increment
+   !> Where the foot was when an increment began in which it closes, and how much of the increment
    !> follows the touch, for a motion in proportion.
    pure subroutine find_line_touch(wires, length, radius, before, gap, point)
       type(wires_t), intent(in) :: wires
@@ -204,13 +242,21 @@ contains
       !> Now, below zero [m]
       real(dp), intent(in) :: gap
       type(contact_point_t), intent(inout) :: point
-      real(dp) :: xi_bar, distance, normal(3)
+      real(dp) :: xi, distance, normal(3)
 
-      associate (kinematics => point%kinematics)
-         xi_bar = point%xi_bar - dot_product(kinematics%dxi_bar, before%dq)
-         call side_at(before%x, before%t, length, xi_bar, point%xi, kinematics%side, normal, distance)
-         call place_line_touch(distance - sum(radius), gap, point%arc_bar + wires%direction(point%element_bar) &
-            *length(1)/2*(xi_bar - point%xi_bar), normal, point%friction_iteration)
+      associate (kinematics => point%kinematics, m => mirrored_nodes)
+         if (is_mirrored(point)) then
+            xi = point%xi - dot_product(kinematics%dxi, before%dq)
+            call side_at(before%x(:, m), before%t(:, m), length([2, 1]), xi, point%xi_bar, kinematics%side, normal, &
+               distance)
+            call place_line_touch(distance - sum(radius), gap, point%arc + wires%direction(point%element)*length(2)/2 &
+               *(xi - point%xi), -normal, point%friction_iteration)
+         else
+            xi = point%xi_bar - dot_product(kinematics%dxi_bar, before%dq)
+            call side_at(before%x, before%t, length, xi, point%xi, kinematics%side, normal, distance)
+            call place_line_touch(distance - sum(radius), gap, point%arc_bar + wires%direction(point%element_bar) &
+               *length(1)/2*(xi - point%xi_bar), normal, point%friction_iteration)
+         end if
       end associate
    end subroutine find_line_touch
 
@@ -225,7 +271,7 @@ contains
 
       gap = point%gap
       if (point%predicted) gap = min(gap, point%predicted_gap)
-      if (point%line_place > 0) then
+      if (is_on_surfaces(point)) then
          call find_line_touch(wires, length, radius, before, gap, point)
          return
       end if

@@ -4,14 +4,14 @@
 !> places along it; between the two each has a share. Within an iteration the shares stay. Source: theory section 10.
 module litz_line_shares
    use litz_kinds, only: dp
-   use litz_axis, only: axis_shape, on_axis
    use litz_axis_choices, only: axis_hermite
+   use litz_contact_lens, only: has_lens, half_length_of, set_roundness, smooth_step, deepest
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_wire_t, chain_by_wire, pair_geometry, &
       law_too_curved
    use litz_element_library, only: elements_t
    use litz_lens_law, only: share_of_point
    use litz_line_contact, only: serves_lines
-   use litz_line_kinematics, only: lens_sine, crossing_qualities
+   use litz_line_kinematics, only: lens_sine, crossing_qualities, line_profile_t, line_profile
    use litz_line_places, only: line_places_t, place_at, spacing_of_places
    use litz_model, only: model_t
    use litz_normal_law, only: normal_law_t
@@ -29,8 +29,6 @@ module litz_line_shares
    real(dp), parameter :: least_quality = 0.25_dp, good_quality = 0.5_dp
    !> Evenly spaced places resolve an overlap as those of Lobatto's rule at this part of their distance do
    real(dp), parameter :: resolution = 0.65_dp
-   !> Overlap beyond which a lens counts as no longer, in smaller radii
-   real(dp), parameter :: deepest = 0.02_dp
    !> The sections of the wires bound the field of a lens from the first half length on, wholly from the second one, in
    !> smaller radii
    real(dp), parameter :: section_from = 1, section_at = 3
@@ -66,6 +64,7 @@ contains
       if (size(contact%line_points) > 0) by_place = chain_by_place(size(contact%places%xi), contact%line_points)
       do i = 1, size(contact%points)
          associate (point => contact%points(i))
+            call set_roundness(wires, elements, point)
             point%law_angle = point%kinematics%angle
             point%law_sine = sin(point%law_angle)
             if (.not. serves_lines(model, point%pair)) cycle
@@ -96,11 +95,15 @@ contains
       if (.not. point%kinematics%distance > 0) return
       point%is_shared = .true.
       point%weight = 0
+      if (.not. has_lens(point)) return
+      if (any(point%held)) then
+         call share_end(law, wires, elements, contact, by_place, point)
+         return
+      end if
       point%lens_sine = lens_sine(point%kinematics)
-      if (.not. point%lens_sine > 0) return
       point%weight = 1 - line_share_at(wires, elements, contact, by_place, point)
       radius = minval(elements%radius([point%element_bar, point%element]))
-      half_length = half_length_of(point, point%lens_sine, deepest*radius)
+      half_length = half_length_of(point, deepest*radius)
       point%section_share = smooth_step((half_length/radius - section_from)/(section_at - section_from))
       ! a penalty does not depend on the far field
       if (law%line_penalty() > 0) point%section_share = 0
@@ -108,6 +111,35 @@ contains
          1 - smooth_step((sin(point%kinematics%angle) - small_sine)/(moderate_sine - small_sine)))
       if (law%is_per_length_only()) point%lens_share = 1
    end subroutine share_crossing
+
+   !> What the end of a wire carries: all but the share of the places there, which lose theirs where the axis leans
+   !> towards the other wire.
+   pure subroutine share_end(law, wires, elements, contact, by_place, point)
+      type(normal_law_t), intent(in) :: law
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(contact_set_t), intent(in) :: contact
+      type(points_by_place_t), intent(in) :: by_place
+      type(contact_point_t), intent(inout) :: point
+      real(dp) :: share
+
+      share = 0
+      if (size(contact%line_points) > 0) share = half_pass*(share_along(wires, elements, contact, by_place, &
+         point%element_bar, point%xi_bar, point%element, point%arc) + share_along(wires, elements, contact, by_place, &
+         point%element, point%xi, point%element_bar, point%arc_bar))
+      point%weight = 1 - share*flatness(maxval(point%tilt))
+      ! its law sees the round end, for which the angle does not matter
+      point%lens_sine = 1
+      if (law%is_per_length_only()) point%lens_share = 1
+   end subroutine share_end
+
+   !> 1 where an axis lies along the surface of the other wire, 0 where it runs into it.
+   pure real(dp) function flatness(tilt)
+      !> Sine of the angle
+      real(dp), intent(in) :: tilt
+
+      flatness = 1 - smooth_step((tilt - flat_tilt)/(steep_tilt - flat_tilt))
+   end function flatness
 
    !> Share of the contact that is carried along the line where two wires cross: of both passes, as their places have
    !> it.
@@ -202,8 +234,12 @@ contains
       if (size(contact%line_points) > 0) by_place = chain_by_place(size(contact%places%xi), contact%line_points)
       do i = 1, size(contact%points)
          associate (point => contact%points(i))
-            if (.not. (point%is_shared .and. point%gap < 0)) cycle
+            if (.not. point%gap < 0) cycle
             earlier = point
+            point%is_rounded = .false.
+            call set_roundness(wires, elements, point)
+            largest_change = max(largest_change, maxval(abs(point%roundness - earlier%roundness)))
+            if (.not. point%is_shared) cycle
             call share_crossing(model%interactions(model%contact_pairs(point%pair)%interaction)%normal, wires, &
                elements, contact, by_place, point)
             largest_change = max(largest_change, change_of(earlier, point))
@@ -249,28 +285,18 @@ contains
       !> Nodal positions (3, 4) [m] and tangents (3, 4), reference lengths (2) [m]: element of the foot first
       real(dp), intent(in) :: xe(3, 4), tangents(3, 4), length(2)
       type(contact_point_t), intent(inout) :: point
-      real(dp), dimension(4) :: h, h1, h2
-      real(dp), dimension(3) :: x1, x2, xb1, xb2
-      real(dp) :: along, square, square_bar, tilt, bend, quality(2), reach, distance
+      type(line_profile_t) :: profile
+      real(dp) :: tilt, reach, distance
       integer :: i
 
-      call axis_shape(axis_hermite, length(2), point%xi, h, h1, h2)
-      x1 = on_axis(h1, xe(:, 3:4), tangents(:, 3:4))
-      x2 = on_axis(h2, xe(:, 3:4), tangents(:, 3:4))
-      call axis_shape(axis_hermite, length(1), point%xi_bar, h, h1, h2)
-      xb1 = on_axis(h1, xe(:, 1:2), tangents(:, 1:2))
-      xb2 = on_axis(h2, xe(:, 1:2), tangents(:, 1:2))
-      associate (n => point%kinematics%normal, d => point%kinematics%distance, &
+      profile = line_profile(xe, tangents, length, axis_hermite, point%xi_bar, point%xi, point%kinematics%normal, &
+         point%kinematics%distance)
+      associate (d => point%kinematics%distance, bend => profile%bend, quality => profile%quality, &
          pair => [point%element_bar, point%element])
-         along = dot_product(x1, xb1)
-         square = dot_product(x1, x1)
-         square_bar = dot_product(xb1, xb1)
-         tilt = abs(dot_product(n, x1))/sqrt(square)                                            ! |t|
-         quality = 1 - d*[-dot_product(n, xb2)/square_bar, dot_product(n, x2)/square]           ! q of either pass
-         bend = (quality(2) - along**2/(square*square_bar*quality(1)) - tilt**2)/d              ! k
+         tilt = abs(profile%slope)
          point%law_sine = sqrt(max(0.0_dp, d*bend))
          point%law_angle = asin(min(1.0_dp, point%law_sine))
-         if (point%foot_at_end) tilt = max(tilt, abs(dot_product(n, xb1))/norm2(xb1))
+         if (point%foot_at_end) tilt = max(tilt, abs(profile%slope_bar))
          point%line_share = 1
          point%section_share = 1
          if (bend > 0) then
@@ -281,8 +307,7 @@ contains
             ! the lens is still open
             if (i == 0 .and. -point%gap + tilt**2/(2*bend) <= 0) point%line_share = 0
          end if
-         point%weight = point%line_share*share_of_pass(quality)*contact%places%length(point%line_place) &
-            *(1 - smooth_step((tilt - flat_tilt)/(steep_tilt - flat_tilt)))
+         point%weight = point%line_share*share_of_pass(quality)*contact%places%length(point%line_place)*flatness(tilt)
          if (.not. any(quality > least_quality)) point%law_status = law_too_curved
       end associate
    end subroutine share_line_point
@@ -296,15 +321,13 @@ contains
       type(contact_set_t), intent(inout) :: contact
       !> aW [m]; 0: no lens (n_points)
       real(dp) :: half_length(size(contact%points))
-      real(dp) :: reach, distance, sine
+      real(dp) :: reach, distance
       integer :: i, nearest
 
       half_length = 0
       do i = 1, size(contact%points)
          associate (crossing => contact%points(i))
-            sine = lens_sine(crossing%kinematics)
-            if (.not. (sine > 0 .and. crossing%gap < 0 .and. crossing%kinematics%distance > 0)) cycle
-            half_length(i) = half_length_of(crossing, sine, huge(sine))
+            if (crossing%gap < 0 .and. has_lens(crossing)) half_length(i) = half_length_of(crossing, huge(distance))
          end associate
       end do
       contact%points%is_long = .false.
@@ -399,30 +422,18 @@ contains
       type(elements_t), intent(in) :: elements
       !> Out: with `line_share` and `section_share`
       type(contact_point_t), intent(inout) :: point
-      real(dp) :: half_length, of_crossing, slope, sine, radius
+      real(dp) :: half_length, of_crossing, slope, radius
 
-      sine = lens_sine(crossing%kinematics)
-      if (crossing%is_long .or. .not. (sine > 0 .and. crossing%kinematics%distance > 0)) return
+      if (crossing%is_long .or. .not. has_lens(crossing)) return
       associate (pair => [crossing%element_bar, crossing%element])
          radius = minval(elements%radius(pair))
-         half_length = half_length_of(crossing, sine, deepest*radius)
+         half_length = half_length_of(crossing, deepest*radius)
          call share_of_point(half_length, resolution*spacing_of_places(places, pair, elements%length(pair)), &
             of_crossing, slope)
       end associate
       point%line_share = 1 - of_crossing
       point%section_share = smooth_step((half_length/radius - section_from)/(section_at - section_from))
    end subroutine share_with
-
-   !> `aW = sqrt(2 d delta)/s` [m].
-   pure real(dp) function half_length_of(crossing, sine, largest_overlap) result(half_length)
-      type(contact_point_t), intent(in) :: crossing
-      !> s
-      real(dp), intent(in) :: sine
-      !> Overlap that counts at most [m]: iterates overlap deeply for a moment, which makes no lines of them
-      real(dp), intent(in) :: largest_overlap
-
-      half_length = sqrt(2*crossing%kinematics%distance*max(0.0_dp, min(-crossing%gap, largest_overlap)))/sine
-   end function half_length_of
 
    !> Of the two passes: half, unless one wire is curved about the other so that the other's places have no clear foot
    !> on it.
@@ -436,15 +447,5 @@ contains
       share_of_pass = half_pass
       if (sum(clear) > 0) share_of_pass = clear(1)/sum(clear)
    end function share_of_pass
-
-   !> 0 up to 0, 1 from 1 on, without a corner.
-   pure real(dp) function smooth_step(u)
-      !> [-]
-      real(dp), intent(in) :: u
-
-      associate (v => max(0.0_dp, min(1.0_dp, u)))
-         smooth_step = v**2*(3 - 2*v)
-      end associate
-   end function smooth_step
 
 end module litz_line_shares

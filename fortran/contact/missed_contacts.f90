@@ -100,7 +100,7 @@ contains
          if (.not. overlap0%depth > 0) kind = finding_joined
       else if (is_joined) then
          if (.not. is_part_of_joint(model, wires, elements, candidate(1:2), overlap%place)) kind = finding_joined
-      else if (.not. (is_known(wires, elements, contact%points, by_wire, candidate(1:2), overlap%place) .or. &
+      else if (.not. (is_known(model, wires, elements, contact%points, by_wire, candidate(1:2), overlap%place) .or. &
          is_on_known_line(wires, elements, contact%line_points, line_by_wire, candidate(1:2), &
          elements%radius(candidate(1:2)), overlap))) then
          kind = kind_of_missed(model, wires, contact, candidate, has_point, overlap)
@@ -167,8 +167,9 @@ contains
       is_named = contact%in_bar(e, pair) .or. contact%in_set(e, pair)
    end function is_named
 
-   !> The contacts have one of these two wires at this place.
-   pure logical function is_known(wires, elements, points, by_wire, pair, place)
+   !> The contacts have one of these two wires at this place; of others that meet in the same node, at a kink.
+   pure logical function is_known(model, wires, elements, points, by_wire, pair, place)
+      type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       !> All points, and these by their barred wires
@@ -178,17 +179,60 @@ contains
       integer, intent(in) :: pair(2)
       !> In [-1, 1] (2)
       real(dp), intent(in) :: place(2)
-      real(dp) :: arc(2)
-      integer :: k
+      integer, allocatable :: barred(:), unbarred(:)
+      integer :: i, j
 
-      arc = arc_at(wires, elements, pair, place)
+      allocate (barred, source=elements_at(model, wires, pair(1), place(1)))
+      allocate (unbarred, source=elements_at(model, wires, pair(2), place(2)))
       is_known = .false.
-      k = by_wire%first(wires%wire(pair(1)))
-      do while (k > 0 .and. .not. is_known)
-         is_known = points(k)%weight > 0 .and. is_at(wires, elements, points(k), pair, arc)
-         k = by_wire%next(k)
+      do i = 1, size(barred)
+         do j = 1, size(unbarred)
+            call look_up([barred(i), unbarred(j)], [1, 2])
+            ! which of two wires is the barred one may differ along a kinked wire
+            if (size(barred)*size(unbarred) > 1) call look_up([unbarred(j), barred(i)], [2, 1])
+            if (is_known) return
+         end do
       end do
+
+   contains
+
+      !> Whether there is a contact of two elements, given by which of their nodes they have at the place, if any.
+      pure subroutine look_up(signed, order)
+         !> Elements, - : at their first node, and what they are: 1 barred, 2 unbarred (2)
+         integer, intent(in) :: signed(2), order(2)
+         real(dp) :: xi(2)
+         integer :: k
+
+         xi = sign(1.0_dp, real(signed, dp))
+         where (abs(place(order)) < 1) xi = place(order)
+         k = by_wire%first(wires%wire(abs(signed(1))))
+         do while (k > 0 .and. .not. is_known)
+            is_known = points(k)%weight > 0 .and. is_at(wires, elements, points(k), abs(signed), &
+               arc_at(wires, elements, abs(signed), xi))
+            k = by_wire%next(k)
+         end do
+      end subroutine look_up
+
    end function is_known
+
+   !> All elements at a place, as +-element (- : at its first node).
+   pure function elements_at(model, wires, e, place) result(signed)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      !> Element
+      integer, intent(in) :: e
+      !> In [-1, 1]
+      real(dp), intent(in) :: place
+      integer, allocatable :: signed(:)
+
+      if (abs(place) < 1) then
+         signed = [e]
+      else
+         associate (node => model%connectivity(merge(1, 2, place < 0), e))
+            signed = wires%at_node(wires%first_at_node(node):wires%first_at_node(node + 1) - 1)
+         end associate
+      end if
+   end function elements_at
 
    !> A contact of a barred wire is that with another wire at these arc lengths.
    pure logical function is_at(wires, elements, point, pair, arc)

@@ -4,10 +4,11 @@
 !> `delta(F)`, whether a point is active follows from the predicted gap and force, and the geometric stiffness takes the
 !> independent force. The converged force is that of the law at the true gap.
 module litz_normal_forces
-   use litz_kinds, only: dp
+   use litz_kinds, only: dp, pi
+   use litz_contact_lens, only: rounded_share
    use litz_contact_points, only: contact_point_t, law_ok, law_parallel, law_too_curved
    use litz_element_library, only: elements_t
-   use litz_hertz, only: hertz_ellipse, hertz_ok
+   use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
    use litz_law_input, only: wire_pair_t
    use litz_lens_law, only: lens_t, lens_force, lens_energy
    use litz_line_point, only: force_of_line
@@ -18,7 +19,7 @@ module litz_normal_forces
    use litz_parallel, only: worth_threads
    implicit none
    private
-   public :: apply_normal_law, wires_of, is_lens, overlap_of_point
+   public :: apply_normal_law, wires_of, is_lens, weight_of_lens, sine_of_lens, overlap_of_point
 
    !> At first touch the Hertz law is linearised about the force of an overlap of at most this fraction of the radius
    real(dp), parameter :: first_overlap = 1.0e-3_dp
@@ -112,9 +113,36 @@ contains
       type(contact_point_t), intent(inout) :: point
       integer :: info
 
-      call hertz_ellipse(pair%radius, pair%young, pair%poisson, point%law_angle, point%ellipse, info)
+      if (any(point%roundness > 0)) then
+         call hertz_ellipse(pair%radius, pair%young, pair%poisson, point%law_angle, point%ellipse, info, point%roundness)
+      else
+         call hertz_ellipse(pair%radius, pair%young, pair%poisson, point%law_angle, point%ellipse, info)
+      end if
       if (info /= hertz_ok) point%law_status = law_parallel
    end subroutine find_ellipse
+
+   !> Sine of the lens that a law per length is integrated over: at the end of a wire that of crossed wires, see
+   !> `weight_of_lens`.
+   pure real(dp) function sine_of_lens(point) result(sine)
+      type(contact_point_t), intent(in) :: point
+
+      sine = (1 - rounded_share(point))*point%law_sine + rounded_share(point)
+   end function sine_of_lens
+
+   !> Share of the contact that the lens carries. A law per length knows no round ends: they have as much less force than
+   !> crossed wires as Hertz has it for the same overlap.
+   pure real(dp) function weight_of_lens(pair, point) result(weight)
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(in) :: point
+      type(hertz_ellipse_t) :: ellipse, round_ellipse
+      integer :: info
+
+      weight = point%weight
+      if (.not. any(point%roundness > 0)) return
+      call hertz_ellipse(pair%radius, pair%young, pair%poisson, pi/2, ellipse, info)
+      call hertz_ellipse(pair%radius, pair%young, pair%poisson, pi/2, round_ellipse, info, point%roundness)
+      weight = weight*(ellipse%approach/round_ellipse%approach)**1.5_dp                    ! delta = cd F^(2/3)
+   end function weight_of_lens
 
    !> A crossing, with the share that it carries.
    pure subroutine press_point(law, pair, point)
@@ -140,23 +168,25 @@ contains
       type(contact_point_t), intent(inout) :: point
       type(lens_t) :: lens
       type(force_of_gap_t) :: law
-      real(dp) :: first, overlap
+      real(dp) :: first, overlap, sine, weight
 
-      lens = lens_force(point%line, point%gap, point%law_sine, penalty)
+      sine = sine_of_lens(point)
+      weight = weight_of_lens(pair, point)
+      lens = lens_force(point%line, point%gap, sine, penalty)
       law = force_of_gap_t(lens%force, lens%dforce_dgap, lens%dforce_dangle, &
-         lens_energy(point%line, point%gap, point%law_sine, penalty))
-      point%at_gap = scaled(law, point%weight)
+         lens_energy(point%line, point%gap, sine, penalty))
+      point%at_gap = scaled(law, weight)
       if (.not. point%active) return
       first = first_overlap*minval(pair%radius)
       if (point%mixed_force > 0) then
-         call find_overlap_of_lens(point%line, point%law_sine, penalty, point%mixed_force/point%weight, &
-            max(-point%gap, first), overlap, lens)
+         call find_overlap_of_lens(point%line, sine, penalty, point%mixed_force/weight, max(-point%gap, first), &
+            overlap, lens)
       else
          overlap = merge(min(-point%gap, first), first, point%gap < 0)
-         lens = lens_force(point%line, -overlap, point%law_sine, penalty)
+         lens = lens_force(point%line, -overlap, sine, penalty)
       end if
-      point%mixed_force = point%weight*lens%force
-      point%stiffness = -point%weight*lens%dforce_dgap
+      point%mixed_force = weight*lens%force
+      point%stiffness = -weight*lens%dforce_dgap
       point%iteration_force = point%mixed_force + point%stiffness*(-point%gap - overlap)
    end subroutine press_lens
 
@@ -210,12 +240,16 @@ contains
       !> Greater than 0 [N], and the share of a crossing [-] or the length of a line [m] that carries it
       real(dp), intent(in) :: force, weight
       type(line_overlap_t) :: line
+      real(dp) :: share
 
       if (point%line_place > 0) then
          line = line_overlap(point%line, force/weight, law%line_penalty())
          found = overlap_of_force_t(line%overlap, line%stiffness, line%dstiffness_dforce)
       else if (is_lens(law, point)) then
-         found = overlap_of_lens(law, pair, point, force/weight)
+         share = weight*weight_of_lens(pair, point)/point%weight
+         found = overlap_of_lens(law, pair, point, force/share)
+         found%stiffness = share*found%stiffness
+         return
       else
          found = overlap_at_force(law, force/weight, pair, point%ellipse)
       end if
@@ -232,7 +266,7 @@ contains
       real(dp), intent(in) :: force
       type(lens_t) :: lens
 
-      call find_overlap_of_lens(point%line, point%law_sine, law%line_penalty(), force, &
+      call find_overlap_of_lens(point%line, sine_of_lens(point), law%line_penalty(), force, &
          max(-point%gap, first_overlap*minval(pair%radius)), found%overlap, lens)
       found%stiffness = -lens%dforce_dgap
       found%dstiffness_dforce = (found%stiffness - force/found%overlap)/force
@@ -251,9 +285,16 @@ contains
       type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(in) :: point
 
-      line = line_wires(pair, point%law_angle)
-      line%section = point%section_share*line%section
-      line%electric_section = point%section_share*line%electric_section
+      real(dp) :: section_share
+
+      if (any(point%roundness > 0)) then
+         line = line_wires(pair, asin(min(1.0_dp, sine_of_lens(point))))
+      else
+         line = line_wires(pair, point%law_angle)
+      end if
+      section_share = (1 - rounded_share(point))*point%section_share
+      line%section = section_share*line%section
+      line%electric_section = section_share*line%electric_section
    end function line_of_point
 
 end module litz_normal_forces

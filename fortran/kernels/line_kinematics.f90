@@ -14,7 +14,17 @@ module litz_line_kinematics
    use litz_contact_kinematics, only: contact_kinematics_t, kinematics_ok, kinematics_singular
    implicit none
    private
-   public :: line_kinematics, lens_sine, crossing_qualities
+   public :: line_kinematics, lens_sine, crossing_qualities, line_profile_t, line_profile
+
+   !> The distance to the barred wire along the unbarred one, round a place: `D(s) = D + t s + k s^2/2`.
+   type :: line_profile_t
+      !> Slope along xi [-] and curvature [1/m], k
+      real(dp) :: slope = 0, bend = 0
+      !> Sine of the angle at which the barred axis runs into the surface, along its xi
+      real(dp) :: slope_bar = 0
+      !> q (10.3) of a foot on the barred and on the unbarred wire
+      real(dp) :: quality(2) = 0
+   end type line_profile_t
 
 contains
 
@@ -136,6 +146,40 @@ contains
       row(1:12) = axis_row(hb, t(:, 1:2), v)
       row(13:24) = axis_row(h, t(:, 3:4), -v)
    end function over_w
+
+   !> How the distance changes along the unbarred wire.
+   pure type(line_profile_t) function line_profile(x, t, length, axis, xi_bar, xi, normal, distance) result(profile)
+      !> Nodal positions [m] and unit tangents (3, 4): barred 1, barred 2, 1, 2
+      real(dp), intent(in) :: x(3, 4), t(3, 4)
+      !> Reference lengths (2) [m]: barred, unbarred
+      real(dp), intent(in) :: length(2)
+      !> `axis_linear` or `axis_hermite` of litz_axis_choices
+      integer, intent(in) :: axis
+      !> The foot, and the place
+      real(dp), intent(in) :: xi_bar, xi
+      !> Normal (3) and distance of the axes [m] there
+      real(dp), intent(in) :: normal(3), distance
+      real(dp), dimension(4) :: h, h1, h2
+      real(dp), dimension(3) :: x1, x2, xb1, xb2
+      real(dp) :: along, square, square_bar, tilt
+
+      call axis_shape(axis, length(2), xi, h, h1, h2)
+      x1 = on_axis(h1, x(:, 3:4), t(:, 3:4))
+      x2 = on_axis(h2, x(:, 3:4), t(:, 3:4))
+      call axis_shape(axis, length(1), xi_bar, h, h1, h2)
+      xb1 = on_axis(h1, x(:, 1:2), t(:, 1:2))
+      xb2 = on_axis(h2, x(:, 1:2), t(:, 1:2))
+      associate (n => normal, d => distance, quality => profile%quality)
+         along = dot_product(x1, xb1)
+         square = dot_product(x1, x1)
+         square_bar = dot_product(xb1, xb1)
+         profile%slope = -dot_product(n, x1)/sqrt(square)
+         tilt = abs(dot_product(n, x1))/sqrt(square)                                            ! |t|
+         profile%slope_bar = dot_product(n, xb1)/norm2(xb1)
+         quality = 1 - d*[-dot_product(n, xb2)/square_bar, dot_product(n, x2)/square]           ! q of either pass
+         profile%bend = (quality(2) - along**2/(square*square_bar*quality(1)) - tilt**2)/d      ! k
+      end associate
+   end function line_profile
 
    !> Sine `s` of a crossing by which `aW = sqrt(2 d delta)/s` is the half length of the lens of overlap, the mean of
    !> those along the two wires: `sqrt(2 d delta q)/s0`, `s0^2 = det M/(|x'|^2 |xb'|^2)` and `q = M/|x'|^2` of each

@@ -43,7 +43,7 @@ contains
    end function effective_modulus
 
    !> Ratio and coefficients of the ellipse, and their derivatives with respect to the angle.
-   pure subroutine hertz_ellipse(radius, young, poisson, angle, ellipse, info)
+   pure subroutine hertz_ellipse(radius, young, poisson, angle, ellipse, info, roundness)
       !> Wire radii (2) [m]: barred, unbarred
       real(dp), intent(in) :: radius(2)
       !> Young's moduli (2) [Pa] and Poisson's ratios (2) [-]: barred, unbarred
@@ -53,17 +53,23 @@ contains
       type(hertz_ellipse_t), intent(out) :: ellipse
       !> `hertz_ok` or `hertz_parallel`
       integer, intent(out) :: info
+      !> Curvature of each wire along its axis, times its radius (2): 0, a cylinder, to 1, a sphere; absent: cylinders
+      real(dp), intent(in), optional :: roundness(2)
       type(elliptic_t) :: f
       real(dp) :: mean_curvature, product, q, c, dc_dangle, a_curvature, log_slope, dratio_dc, dlog_major_dc, ca
 
       info = hertz_parallel
-      ! c = (B-A)/(A+B) and q = 1 - c^2 = 4 A B/(A+B)^2, each without a cancellation
-      product = 4*radius(1)*radius(2)/sum(radius)**2
-      q = product*sin(angle)**2
+      if (present(roundness)) then
+         call curvatures_of_round_wires(radius, angle, roundness, mean_curvature, product, q, c)
+      else
+         ! c = (B-A)/(A+B) and q = 1 - c^2 = 4 A B/(A+B)^2, each without a cancellation
+         product = 4*radius(1)*radius(2)/sum(radius)**2
+         q = product*sin(angle)**2
+         c = sqrt(((radius(1) - radius(2))/sum(radius))**2 + product*cos(angle)**2)
+         mean_curvature = (1/radius(1) + 1/radius(2))/2                                                    ! A + B
+      end if
       if (.not. q > tiny(q)) return
       info = hertz_ok
-      c = sqrt(((radius(1) - radius(2))/sum(radius))**2 + product*cos(angle)**2)
-      mean_curvature = (1/radius(1) + 1/radius(2))/2                                                       ! A + B
       a_curvature = mean_curvature*q/(2*(1 + c))                                                           ! A
       ellipse%modulus = effective_modulus(young, poisson)
 
@@ -82,6 +88,23 @@ contains
       ! (3/5) F d(delta) = F <x^2> dA + F <y^2> dB, with the mean squares a^2/5 and b^2/5 of Hertz's pressure
       ellipse%dapproach_dangle = -mean_curvature*ca**2*f%m/6*dc_dangle
    end subroutine hertz_ellipse
+
+   !> Mean and difference of the curvatures of two wires that are round along their axes, too, by K. L. Johnson, Contact
+   !> Mechanics, (4.4): each has `1/r` across and `roundness/r` along its axis, `D` is the difference of the two.
+   pure subroutine curvatures_of_round_wires(radius, angle, roundness, mean_curvature, product, q, c)
+      !> As in `hertz_ellipse`
+      real(dp), intent(in) :: radius(2), angle, roundness(2)
+      !> A + B [1/m]; D1 D2/(A + B)^2; 4 A B/(A + B)^2 and (B - A)/(A + B), each without a cancellation
+      real(dp), intent(out) :: mean_curvature, product, q, c
+      real(dp) :: difference(2), along(2)
+
+      along = roundness/radius
+      difference = 1/radius - along
+      mean_curvature = sum(difference + 2*along)/2
+      product = difference(1)*difference(2)/mean_curvature**2
+      q = sum(along)*sum(difference + along)/mean_curvature**2 + product*sin(angle)**2
+      c = sqrt(((difference(1) - difference(2))/(2*mean_curvature))**2 + product*cos(angle)**2)
+   end subroutine curvatures_of_round_wires
 
    !> The ratio `b/a` from `B/A = (E - m1 K)/(m1 (K - E))`, with `m1 = (b/a)^2`.
    !>

@@ -50,6 +50,8 @@ contains
       call table%field('pair', point%pair)
       call table%field('closed', point%closed)
       call table%field('line_place', point%line_place)
+      call table%field('held_bar', point%held(1))
+      call table%field('held', point%held(2))
       call table%field('xi_bar', point%xi_bar)
       call table%field('xi', point%xi)
       call table%field('arc_bar', point%arc_bar)
@@ -61,6 +63,7 @@ contains
       call table%field('side', point%kinematics%side)
       call table%field('angle', point%kinematics%angle)
       call table%field('force', point%force)
+      call table%field('traction', point%traction)
       call list_shares(table, point)
       call list_history(table, point%history)
    end subroutine list_point
@@ -80,6 +83,9 @@ contains
       call table%field('law_angle', point%law_angle)
       call table%field('law_sine', point%law_sine)
       call table%field('law_status', point%law_status)
+      call table%field('is_rounded', point%is_rounded)
+      call table%field('roundness_bar', point%roundness(1))
+      call table%field('roundness', point%roundness(2))
    end subroutine list_shares
 
    pure subroutine list_history(table, history)

@@ -6,7 +6,6 @@ module litz_increment_warnings
    use litz_contact_net, only: allowed_penetration
    use litz_convergence, only: measure_scales
    use litz_errors, only: error_list_t
-   use litz_kinked_wires, only: kink_warning
    use litz_model, only: model_t, request_electrode
    use litz_newton, only: outcome_t
    use litz_line_contact, only: serves_lines
@@ -43,8 +42,6 @@ contains
       call problem%warnings%set_place(0, 0, 0.0_dp)
       text = parallel_warning(problem%model, problem%elements, problem%contact)
       if (len(text) > 0) call problem%warnings%add('side_by_side', text)
-      text = kink_warning(problem%model, problem%wires, problem%contact)
-      if (len(text) > 0) call problem%warnings%add('kink', text)
       call add_unpaired_overlaps(problem, problem%model%x)
    end subroutine add_start_warnings
 
