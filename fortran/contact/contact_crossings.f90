@@ -289,12 +289,12 @@ contains
          if (point%held(1)) then
             profile = line_profile(xe(:, m), t(:, m), length([2, 1]), axis, point%xi, point%xi_bar, -kinematics%normal, &
                kinematics%distance)
-            point%tilt(1) = -point%xi_bar*profile%slope
+            point%tilt(1) = max(0.0_dp, -point%xi_bar*profile%slope)
             point%bend(1) = profile%bend
          end if
          if (point%held(2)) then
             profile = line_profile(xe, t, length, axis, point%xi_bar, point%xi, kinematics%normal, kinematics%distance)
-            point%tilt(2) = -point%xi*profile%slope
+            point%tilt(2) = max(0.0_dp, -point%xi*profile%slope)
             point%bend(2) = profile%bend
          end if
       end associate

@@ -1,18 +1,22 @@
 !> How far the overlap of a contact reaches along its wires, and what the end of a wire changes of its law.
 !>
-!> The surface of a wire is curved across the axis alone, but for its round ends. Where the overlap reaches up to the end
-!> the curvature along the axis counts in part, so that a contact slides from a crossing on to the round end without a
-!> jump. Source: theory section 10.
+!> The overlap of a crossing falls from its middle as a parabola. Where it is cut by the end of a wire the cylinder has
+!> its integral up to there, and the round end has the rest, so that a contact slides on to the round end without a jump.
+!> Source: theory section 10.
 module litz_contact_lens
    use litz_kinds, only: dp
    use litz_contact_points, only: contact_point_t
    use litz_element_library, only: elements_t
    use litz_line_kinematics, only: lens_sine
+   use litz_line_laps, only: distances_to_ends
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: has_lens, half_length_of, set_roundness, rounded_share, smooth_step, deepest
+   public :: has_lens, half_length_of, divide_at_ends, flatness, smooth_step, deepest
 
+   !> Sines of the angle between an axis and the surface of the other wire up to which they lie side by side, and from
+   !> which on one runs into the other (5 and 15 degrees)
+   real(dp), parameter :: flat_tilt = 0.0872_dp, steep_tilt = 0.2588_dp
    !> Overlap beyond which a lens counts as no longer, in smaller radii
    real(dp), parameter :: deepest = 0.02_dp
    !> Nearer to an end than this part of its element is there
@@ -50,76 +54,69 @@ contains
       end if
    end function half_length_of
 
-   !> How round the surfaces are where they touch: not at all where the overlap does not reach up to the end of the wire,
-   !> half where its middle is at the end, wholly where the wires would be nearest to each other so far beyond it that the
-   !> overlap would end there. What has been found for a closed contact stays until the forces balance.
-   pure subroutine set_roundness(wires, elements, point)
+   !> What the cylinders and the round ends of the two wires have of the force. What has been found for a closed contact
+   !> stays until the forces balance.
+   pure subroutine divide_at_ends(wires, elements, point)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(contact_point_t), intent(inout) :: point
       real(dp) :: overlap, sine, to_end
       integer :: side
 
-      if (point%is_rounded .or. point%gap >= 0 .or. .not. point%kinematics%distance > 0) return
-      point%is_rounded = .true.
-      point%roundness = 0
+      if (point%is_divided .or. point%gap >= 0 .or. .not. point%kinematics%distance > 0) return
+      point%is_divided = .true.
       associate (pair => [point%element_bar, point%element], arc => [point%arc_bar, point%arc], &
          d => point%kinematics%distance)
          overlap = min(-point%gap, deepest*minval(elements%radius(pair)))
          sine = 1
          if (.not. any(point%held)) sine = max(lens_sine(point%kinematics), sin(point%kinematics%angle))
          do side = 1, 2
-            to_end = distance_to_end(wires, elements, pair(side), arc(side))
+            to_end = minval(distances_to_ends(wires, elements, pair(side), arc(side)))
             if (.not. point%held(side) .or. to_end > at_end*elements%length(pair(side))) then
-               point%roundness(side) = roundness_at(to_end, sine**2/d, overlap)
-            else if (all(point%held)) then
-               point%roundness(side) = roundness_beyond(point%tilt(side), 1/d, overlap)
+               call divide(to_end*sine/sqrt(2*d*overlap), point%of_cylinder(side), point%of_end(side))
             else
-               point%roundness(side) = roundness_beyond(point%tilt(side), point%bend(side), overlap)
+               call divide(beyond_end(point%tilt(side), merge(1/d, point%bend(side), all(point%held)), overlap), &
+                  point%of_cylinder(side), point%of_end(side))
+               point%of_cylinder(side) = flatness(point%tilt(side))*point%of_cylinder(side)
             end if
          end do
       end associate
-   end subroutine set_roundness
+   end subroutine divide_at_ends
 
-   !> With the nearest place so far within the end of a wire.
-   pure real(dp) function roundness_at(to_end, bend, overlap) result(roundness)
-      !> [m], curvature of the distance [1/m], and overlap there [m]
-      real(dp), intent(in) :: to_end, bend, overlap
+   !> The parts of cylinder and end, of the force that each would have with the overlap at the point. Of a parabola that
+   !> is `1 - u^2` of its middle, the cylinder has the integral from the end on, `S = (2 + 3u - u^3)/4`; forces go with
+   !> the power 3/2 of the overlap.
+   pure subroutine divide(u, of_cylinder, of_end)
+      !> From the end to the middle of the overlap, over its half length: positive on the wire, negative beyond its end
+      real(dp), intent(in) :: u
+      real(dp), intent(out) :: of_cylinder, of_end
+      real(dp) :: integral
 
-      roundness = 0
-      if (to_end < sqrt(2*overlap/bend)) roundness = 1 - smooth_step((1 + to_end/sqrt(2*overlap/bend))/2)
-   end function roundness_at
+      integral = smooth_step((1 + u)/2)                                                    ! S
+      of_cylinder = integral
+      of_end = 1 - integral
+      if (abs(u) >= 1) return
+      if (u > 0) of_end = of_end*(1 - u**2)**1.5_dp
+      if (u < 0) of_cylinder = of_cylinder/(1 - u**2)**1.5_dp
+   end subroutine divide
 
-   !> At the end of a wire, with the nearest place beyond it, at `-t/k`, with the overlap `delta + t^2/(2 k)` there.
-   pure real(dp) function roundness_beyond(tilt, bend, overlap) result(roundness)
+   !> u of a contact at the end of a wire, where the distance would be least beyond it, at `-t/k`, with the overlap
+   !> `delta + t^2/(2 k)`.
+   pure real(dp) function beyond_end(tilt, bend, overlap) result(u)
       !> Slope [-] and curvature [1/m] of the distance along the wire, and overlap at the end [m]
       real(dp), intent(in) :: tilt, bend, overlap
 
-      roundness = 1
-      if (bend > 0) roundness = roundness_at(-tilt/bend, bend, overlap + tilt**2/(2*bend))
-   end function roundness_beyond
+      u = -1
+      if (bend > 0) u = -tilt/sqrt(2*bend*overlap + tilt**2)
+   end function beyond_end
 
-   !> Both surfaces as one: 0, cylinders, to 1.
-   pure real(dp) function rounded_share(point)
-      type(contact_point_t), intent(in) :: point
+   !> 1 where an axis lies along the surface of the other wire, 0 where it runs into it.
+   pure real(dp) function flatness(tilt)
+      !> Sine of the angle
+      real(dp), intent(in) :: tilt
 
-      rounded_share = 1 - product(1 - point%roundness)
-   end function rounded_share
-
-   !> Length of wire to the nearer end of its wire [m]; huge along a closed wire.
-   pure real(dp) function distance_to_end(wires, elements, e, arc) result(distance)
-      type(wires_t), intent(in) :: wires
-      type(elements_t), intent(in) :: elements
-      !> Element
-      integer, intent(in) :: e
-      !> Arc length along its wire [m]
-      real(dp), intent(in) :: arc
-
-      distance = huge(distance)
-      associate (w => wires%wire(e), last => wires%element(wires%first(wires%wire(e) + 1) - 1))
-         if (.not. wires%circumference(w) > 0) distance = min(arc, wires%arc(last) + elements%length(last)/2 - arc)
-      end associate
-   end function distance_to_end
+      flatness = 1 - smooth_step((tilt - flat_tilt)/(steep_tilt - flat_tilt))
+   end function flatness
 
    !> 0 up to 0, 1 from 1 on, without a corner.
    elemental real(dp) function smooth_step(u)

@@ -36,10 +36,11 @@ module litz_contact_points
       type(contact_kinematics_t) :: kinematics
       !> On the barred, on the unbarred wire it is at a round end, or at the round joint of a kink
       logical :: held(2) = .false.
-      !> Curvature of the surface of either wire along its axis, times its radius: 1 at an end, 0 where no end is near
-      real(dp) :: roundness(2) = 0
-      !> That has been found: within an iteration it stays
-      logical :: is_rounded = .false.
+      !> Near the end of a wire: what the law of its cylinder and that of its round end have of the force, in parts of what
+      !> either would have alone (2)
+      real(dp) :: of_cylinder(2) = 1, of_end(2) = 0
+      !> These have been found: within an iteration they stay
+      logical :: is_divided = .false.
       !> Where it is: slope of the distance along the wire from there, not negative, and its curvature (2) [-, 1/m]
       real(dp) :: tilt(2) = 0, bend(2) = 0
       !> The crossing of the same two wires that it was when the increment began
@@ -253,8 +254,9 @@ contains
       point%lens_sine = earlier%lens_sine
       point%law_angle = earlier%law_angle
       point%law_sine = earlier%law_sine
-      point%is_rounded = earlier%is_rounded
-      point%roundness = earlier%roundness
+      point%is_divided = earlier%is_divided
+      point%of_cylinder = earlier%of_cylinder
+      point%of_end = earlier%of_end
       if (earlier%law_status == law_too_curved) point%law_status = law_too_curved
    end subroutine take_shares
 

@@ -12,7 +12,8 @@ module litz_contact_spots
    use litz_line_law, only: line_spot
    use litz_line_point, only: spot_of_line
    use litz_model, only: interaction_t
-   use litz_normal_forces, only: is_lens, weight_of_lens, sine_of_lens
+   use litz_normal_law, only: normal_law_t
+   use litz_normal_forces, only: is_lens, weight_of_lens
    use litz_spot_law, only: contact_spot_t, contact_spot, spot_law_t, spot_ok
    use litz_wires, only: wires_t, arc_from_to
    implicit none
@@ -33,12 +34,12 @@ contains
 
       circuit%series_resistance = pair%series_resistance
       if (law%spot%is_per_length) then
-         call spot_per_length(law%normal%line_penalty(), law%spot, pair, point, circuit%spot)
+         call spot_per_length(law%normal, law%spot, pair, point, circuit%spot)
       else if (point%line_place > 0) then
          circuit%spot = spot_of_line(line_spot(point%line, point%force/point%weight, &
             number_of(law%spot, law%spot%film_number), number_of(law%spot, law%spot%hardness_number)), point%weight)
       else if (is_lens(law%normal, point)) then
-         circuit%spot = spot_of_lens(law%normal%line_penalty(), law%spot, pair, point)
+         circuit%spot = spot_of_lens(law%normal, law%spot, pair, point)
       else
          if (law%spot_memory) point%new_spot = leaves_spot(law, wires, pair, point)
          call force_of_spot(law%spot_memory, point%history, point%force/point%weight, point%new_spot, spot_force, &
@@ -50,9 +51,8 @@ contains
    end subroutine find_spot
 
    !> A resistance that is given per length: at a point of a line, or over the lens of a crossing.
-   pure subroutine spot_per_length(penalty, law, pair, point, spot)
-      !> eps_l [N/m^2]; 0: the elastic law
-      real(dp), intent(in) :: penalty
+   pure subroutine spot_per_length(normal, law, pair, point, spot)
+      type(normal_law_t), intent(in) :: normal
       type(spot_law_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(inout) :: point
@@ -69,32 +69,31 @@ contains
          spot%semi_major = point%weight/2
          return
       end if
-      lens = lens_force(point%line, point%gap, sine_of_lens(point), penalty)
+      lens = lens_force(point%line, point%gap, point%law_sine, normal%line_penalty())
       do i = 1, n_depths
          call contact_spot(law, lens%along(i)%force, pair, point%ellipse, at(i), info)
          if (info /= spot_ok) point%law_status = law_bad_data
       end do
       call lens_integral(lens, at%conductance, at%dconductance_dforce, spot%conductance, dconductance_dgap)
-      spot%conductance = weight_of_lens(pair, point)*spot%conductance
+      spot%conductance = weight_of_lens(normal, pair, point)*spot%conductance
       spot%dconductance_dforce = dconductance_dgap/lens%dforce_dgap
       spot%semi_major = lens%half_length
    end subroutine spot_per_length
 
    !> The strip along the lens of a crossing.
-   pure type(contact_spot_t) function spot_of_lens(penalty, law, pair, point) result(spot)
-      !> eps_l [N/m^2]; 0: the elastic law
-      real(dp), intent(in) :: penalty
+   pure type(contact_spot_t) function spot_of_lens(normal, law, pair, point) result(spot)
+      type(normal_law_t), intent(in) :: normal
       type(spot_law_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(in) :: point
       type(lens_t) :: lens
       type(lens_spot_t) :: strip
 
-      lens = lens_force(point%line, point%gap, sine_of_lens(point), penalty)
+      lens = lens_force(point%line, point%gap, point%law_sine, normal%line_penalty())
       strip = lens_spot(point%line, lens, number_of(law, law%film_number), number_of(law, law%hardness_number))
       spot%semi_major = lens%half_length
       spot%semi_minor = strip%half_width
-      spot%conductance = weight_of_lens(pair, point)*strip%conductance
+      spot%conductance = weight_of_lens(normal, pair, point)*strip%conductance
       spot%dconductance_dforce = strip%dconductance_dgap/lens%dforce_dgap
    end function spot_of_lens
 

@@ -3,15 +3,16 @@
 !> A short overlap is the matter of the crossing in it, which has its integral in closed form; a long one that of the
 !> places along it; between the two each has a share. Within an iteration the shares stay. Source: theory section 10.
 module litz_line_shares
-   use litz_kinds, only: dp
+   use litz_kinds, only: dp, pi
    use litz_axis_choices, only: axis_hermite
-   use litz_contact_lens, only: has_lens, half_length_of, set_roundness, smooth_step, deepest
+   use litz_contact_lens, only: has_lens, half_length_of, divide_at_ends, flatness, smooth_step, deepest
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_wire_t, chain_by_wire, pair_geometry, &
       law_too_curved
    use litz_element_library, only: elements_t
    use litz_lens_law, only: share_of_point
    use litz_line_contact, only: serves_lines
    use litz_line_kinematics, only: lens_sine, crossing_qualities, line_profile_t, line_profile
+   use litz_line_laps, only: share_at_lap
    use litz_line_places, only: line_places_t, place_at, spacing_of_places
    use litz_model, only: model_t
    use litz_normal_law, only: normal_law_t
@@ -22,9 +23,6 @@ module litz_line_shares
 
    !> Weight of one of the two passes
    real(dp), parameter :: half_pass = 0.5_dp
-   !> Sines of the angle between an axis and the surface of the other wire up to which they lie side by side, and from
-   !> which on one runs into the other (5 and 15 degrees)
-   real(dp), parameter :: flat_tilt = 0.0872_dp, steep_tilt = 0.2588_dp
    !> q below which places have no clear foot, and from which on they have (theory section 10)
    real(dp), parameter :: least_quality = 0.25_dp, good_quality = 0.5_dp
    !> Evenly spaced places resolve an overlap as those of Lobatto's rule at this part of their distance do
@@ -35,6 +33,8 @@ module litz_line_shares
    !> Sines of the angle between the axes up to which the lens alone gives the angle of the law, and from which on the
    !> axes do (5 and 10 degrees)
    real(dp), parameter :: small_sine = 0.0872_dp, moderate_sine = 0.1736_dp
+   !> Least angle that the law of a contact at an end sees [rad]
+   real(dp), parameter :: least_sine = 1.0e-3_dp
 
    !> A change of the sine of a lens, relative to it, matters this much more than one of a share
    real(dp), parameter :: sine_matters = 20
@@ -64,8 +64,10 @@ contains
       if (size(contact%line_points) > 0) by_place = chain_by_place(size(contact%places%xi), contact%line_points)
       do i = 1, size(contact%points)
          associate (point => contact%points(i))
-            call set_roundness(wires, elements, point)
+            call divide_at_ends(wires, elements, point)
             point%law_angle = point%kinematics%angle
+            ! wires that are parallel may well meet end to end
+            if (any(point%held)) point%law_angle = max(least_sine, min(pi - least_sine, point%law_angle))
             point%law_sine = sin(point%law_angle)
             if (.not. serves_lines(model, point%pair)) cycle
             associate (law => model%interactions(model%contact_pairs(point%pair)%interaction)%normal)
@@ -107,10 +109,18 @@ contains
       point%section_share = smooth_step((half_length/radius - section_from)/(section_at - section_from))
       ! a penalty does not depend on the far field
       if (law%line_penalty() > 0) point%section_share = 0
-      point%lens_share = max(point%section_share, &
-         1 - smooth_step((sin(point%kinematics%angle) - small_sine)/(moderate_sine - small_sine)))
-      if (law%is_per_length_only()) point%lens_share = 1
+      point%lens_share = share_of_lens(law, point)
    end subroutine share_crossing
+
+   !> How much the lens counts beside the angle of the axes.
+   pure real(dp) function share_of_lens(law, point) result(share)
+      type(normal_law_t), intent(in) :: law
+      type(contact_point_t), intent(in) :: point
+
+      share = max(point%section_share, &
+         1 - smooth_step((sin(point%kinematics%angle) - small_sine)/(moderate_sine - small_sine)))
+      if (law%is_per_length_only()) share = 1
+   end function share_of_lens
 
    !> What the end of a wire carries: all but the share of the places there, which lose theirs where the axis leans
    !> towards the other wire.
@@ -128,18 +138,16 @@ contains
          point%element_bar, point%xi_bar, point%element, point%arc) + share_along(wires, elements, contact, by_place, &
          point%element, point%xi, point%element_bar, point%arc_bar))
       point%weight = 1 - share*flatness(maxval(point%tilt))
-      ! its law sees the round end, for which the angle does not matter
-      point%lens_sine = 1
-      if (law%is_per_length_only()) point%lens_share = 1
+      point%lens_sine = sine_at_end(point)
+      point%lens_share = share_of_lens(law, point)
    end subroutine share_end
 
-   !> 1 where an axis lies along the surface of the other wire, 0 where it runs into it.
-   pure real(dp) function flatness(tilt)
-      !> Sine of the angle
-      real(dp), intent(in) :: tilt
+   !> Sine of straight wires between which the distance would be as curved.
+   pure real(dp) function sine_at_end(point) result(sine)
+      type(contact_point_t), intent(in) :: point
 
-      flatness = 1 - smooth_step((tilt - flat_tilt)/(steep_tilt - flat_tilt))
-   end function flatness
+      sine = max(least_sine, min(1.0_dp, sqrt(point%kinematics%distance*max(0.0_dp, maxval(point%bend)))))
+   end function sine_at_end
 
    !> Share of the contact that is carried along the line where two wires cross: of both passes, as their places have
    !> it.
@@ -225,10 +233,11 @@ contains
       call find_long_overlaps(wires, elements, by_wire, contact)
       do i = 1, size(contact%line_points)
          associate (point => contact%line_points(i))
-            before = point%line_share
+            before = point%weight
             call pair_geometry(model, wires, elements, point%element_bar, point%element, x, rotation, xe, t, length)
             call share_line_point(wires, elements, contact, by_wire, xe, t, length, point)
-            if (point%gap < 0) largest_change = max(largest_change, abs(point%line_share - before))
+            if (point%gap < 0) largest_change = max(largest_change, abs(point%weight - before) &
+               /contact%places%length(point%line_place))
          end associate
       end do
       if (size(contact%line_points) > 0) by_place = chain_by_place(size(contact%places%xi), contact%line_points)
@@ -236,9 +245,10 @@ contains
          associate (point => contact%points(i))
             if (.not. point%gap < 0) cycle
             earlier = point
-            point%is_rounded = .false.
-            call set_roundness(wires, elements, point)
-            largest_change = max(largest_change, maxval(abs(point%roundness - earlier%roundness)))
+            point%is_divided = .false.
+            call divide_at_ends(wires, elements, point)
+            largest_change = max(largest_change, maxval(abs(point%of_cylinder - earlier%of_cylinder)), &
+               maxval(abs(point%of_end - earlier%of_end)))
             if (.not. point%is_shared) cycle
             call share_crossing(model%interactions(model%contact_pairs(point%pair)%interaction)%normal, wires, &
                elements, contact, by_place, point)
@@ -307,7 +317,8 @@ contains
             ! the lens is still open
             if (i == 0 .and. -point%gap + tilt**2/(2*bend) <= 0) point%line_share = 0
          end if
-         point%weight = point%line_share*share_of_pass(quality)*contact%places%length(point%line_place)*flatness(tilt)
+         point%weight = point%line_share*share_of_pass(quality)*flatness(tilt)*contact%places%length(point%line_place) &
+            *share_at_lap(wires, elements, contact%places, point%kinematics%cos_angle, point)
          if (.not. any(quality > least_quality)) point%law_status = law_too_curved
       end associate
    end subroutine share_line_point

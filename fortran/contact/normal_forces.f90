@@ -5,10 +5,9 @@
 !> independent force. The converged force is that of the law at the true gap.
 module litz_normal_forces
    use litz_kinds, only: dp, pi
-   use litz_contact_lens, only: rounded_share
    use litz_contact_points, only: contact_point_t, law_ok, law_parallel, law_too_curved
    use litz_element_library, only: elements_t
-   use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
+   use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_near_ends, hertz_ok
    use litz_law_input, only: wire_pair_t
    use litz_lens_law, only: lens_t, lens_force, lens_energy
    use litz_line_point, only: force_of_line
@@ -19,7 +18,7 @@ module litz_normal_forces
    use litz_parallel, only: worth_threads
    implicit none
    private
-   public :: apply_normal_law, wires_of, is_lens, weight_of_lens, sine_of_lens, overlap_of_point
+   public :: apply_normal_law, wires_of, is_lens, weight_of_lens, overlap_of_point
 
    !> At first touch the Hertz law is linearised about the force of an overlap of at most this fraction of the radius
    real(dp), parameter :: first_overlap = 1.0e-3_dp
@@ -90,7 +89,7 @@ contains
          if (point%line_place > 0) then
             call press_line(law%normal%line_penalty(), point)
          else if (is_lens(law%normal, point)) then
-            call press_lens(law%normal%line_penalty(), pair, point)
+            call press_lens(law%normal, pair, point)
          else
             if (law%normal%uses_ellipse .or. law%spot%uses_ellipse) call find_ellipse(pair, point)
             if (point%law_status /= law_ok) return
@@ -113,35 +112,45 @@ contains
       type(contact_point_t), intent(inout) :: point
       integer :: info
 
-      if (any(point%roundness > 0)) then
-         call hertz_ellipse(pair%radius, pair%young, pair%poisson, point%law_angle, point%ellipse, info, point%roundness)
+      if (is_near_end(point)) then
+         call hertz_near_ends(pair%radius, pair%young, pair%poisson, point%law_angle, point%of_cylinder, point%of_end, &
+            point%ellipse, info)
       else
          call hertz_ellipse(pair%radius, pair%young, pair%poisson, point%law_angle, point%ellipse, info)
       end if
       if (info /= hertz_ok) point%law_status = law_parallel
    end subroutine find_ellipse
 
-   !> Sine of the lens that a law per length is integrated over: at the end of a wire that of crossed wires, see
-   !> `weight_of_lens`.
-   pure real(dp) function sine_of_lens(point) result(sine)
+   !> The end of a wire has a part of the force.
+   pure logical function is_near_end(point)
       type(contact_point_t), intent(in) :: point
 
-      sine = (1 - rounded_share(point))*point%law_sine + rounded_share(point)
-   end function sine_of_lens
+      is_near_end = any(point%of_end > 0)
+   end function is_near_end
 
-   !> Share of the contact that the lens carries. A law per length knows no round ends: they have as much less force than
-   !> crossed wires as Hertz has it for the same overlap.
-   pure real(dp) function weight_of_lens(pair, point) result(weight)
+   !> Share of the contact that its lens carries. A law per length knows no round ends: they have the part of the force of
+   !> crossed wires that Hertz has for the same overlap; the force of a penalty goes with the length of the lens.
+   pure real(dp) function weight_of_lens(law, pair, point) result(weight)
+      type(normal_law_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(in) :: point
-      type(hertz_ellipse_t) :: ellipse, round_ellipse
+      type(hertz_ellipse_t) :: ellipse, near_end
+      real(dp) :: angle, of_cylinder
       integer :: info
 
       weight = point%weight
-      if (.not. any(point%roundness > 0)) return
-      call hertz_ellipse(pair%radius, pair%young, pair%poisson, pi/2, ellipse, info)
-      call hertz_ellipse(pair%radius, pair%young, pair%poisson, pi/2, round_ellipse, info, point%roundness)
-      weight = weight*(ellipse%approach/round_ellipse%approach)**1.5_dp                    ! delta = cd F^(2/3)
+      if (.not. is_near_end(point)) return
+      angle = point%law_angle
+      of_cylinder = 0
+      if (law%line_penalty() > 0) then
+         angle = pi/2
+         of_cylinder = product(point%of_cylinder)
+      end if
+      call hertz_ellipse(pair%radius, pair%young, pair%poisson, angle, ellipse, info)
+      call hertz_near_ends(pair%radius, pair%young, pair%poisson, angle, point%of_cylinder, point%of_end, near_end, info)
+      weight = (ellipse%approach/near_end%approach)**1.5_dp                                ! delta = cd F^(2/3)
+      if (law%line_penalty() > 0) weight = of_cylinder + (weight - of_cylinder)*point%law_sine
+      weight = point%weight*weight
    end function weight_of_lens
 
    !> A crossing, with the share that it carries.
@@ -161,29 +170,28 @@ contains
    end subroutine press_point
 
    !> A crossing whose lens is long beside the radii: the integral of the law per length over it.
-   pure subroutine press_lens(penalty, pair, point)
-      !> eps_l [N/m^2]; 0: the elastic law
-      real(dp), intent(in) :: penalty
+   pure subroutine press_lens(normal, pair, point)
+      type(normal_law_t), intent(in) :: normal
       type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(inout) :: point
       type(lens_t) :: lens
       type(force_of_gap_t) :: law
-      real(dp) :: first, overlap, sine, weight
+      real(dp) :: penalty, first, overlap, weight
 
-      sine = sine_of_lens(point)
-      weight = weight_of_lens(pair, point)
-      lens = lens_force(point%line, point%gap, sine, penalty)
+      penalty = normal%line_penalty()
+      weight = weight_of_lens(normal, pair, point)
+      lens = lens_force(point%line, point%gap, point%law_sine, penalty)
       law = force_of_gap_t(lens%force, lens%dforce_dgap, lens%dforce_dangle, &
-         lens_energy(point%line, point%gap, sine, penalty))
+         lens_energy(point%line, point%gap, point%law_sine, penalty))
       point%at_gap = scaled(law, weight)
       if (.not. point%active) return
       first = first_overlap*minval(pair%radius)
       if (point%mixed_force > 0) then
-         call find_overlap_of_lens(point%line, sine, penalty, point%mixed_force/weight, max(-point%gap, first), &
+         call find_overlap_of_lens(point%line, point%law_sine, penalty, point%mixed_force/weight, max(-point%gap, first), &
             overlap, lens)
       else
          overlap = merge(min(-point%gap, first), first, point%gap < 0)
-         lens = lens_force(point%line, -overlap, sine, penalty)
+         lens = lens_force(point%line, -overlap, point%law_sine, penalty)
       end if
       point%mixed_force = weight*lens%force
       point%stiffness = -weight*lens%dforce_dgap
@@ -246,7 +254,7 @@ contains
          line = line_overlap(point%line, force/weight, law%line_penalty())
          found = overlap_of_force_t(line%overlap, line%stiffness, line%dstiffness_dforce)
       else if (is_lens(law, point)) then
-         share = weight*weight_of_lens(pair, point)/point%weight
+         share = weight*weight_of_lens(law, pair, point)/point%weight
          found = overlap_of_lens(law, pair, point, force/share)
          found%stiffness = share*found%stiffness
          return
@@ -266,7 +274,7 @@ contains
       real(dp), intent(in) :: force
       type(lens_t) :: lens
 
-      call find_overlap_of_lens(point%line, sine_of_lens(point), law%line_penalty(), force, &
+      call find_overlap_of_lens(point%line, point%law_sine, law%line_penalty(), force, &
          max(-point%gap, first_overlap*minval(pair%radius)), found%overlap, lens)
       found%stiffness = -lens%dforce_dgap
       found%dstiffness_dforce = (found%stiffness - force/found%overlap)/force
@@ -285,16 +293,9 @@ contains
       type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(in) :: point
 
-      real(dp) :: section_share
-
-      if (any(point%roundness > 0)) then
-         line = line_wires(pair, asin(min(1.0_dp, sine_of_lens(point))))
-      else
-         line = line_wires(pair, point%law_angle)
-      end if
-      section_share = (1 - rounded_share(point))*point%section_share
-      line%section = section_share*line%section
-      line%electric_section = section_share*line%electric_section
+      line = line_wires(pair, point%law_angle)
+      line%section = point%section_share*line%section
+      line%electric_section = point%section_share*line%electric_section
    end function line_of_point
 
 end module litz_normal_forces

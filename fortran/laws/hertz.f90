@@ -8,7 +8,7 @@ module litz_hertz
    use litz_elliptic, only: elliptic_t, elliptic_integrals_complementary
    implicit none
    private
-   public :: hertz_ellipse_t, hertz_ellipse, effective_modulus
+   public :: hertz_ellipse_t, hertz_ellipse, hertz_near_ends, effective_modulus
    public :: hertz_ok, hertz_parallel
 
    integer, parameter :: hertz_ok = 0
@@ -25,6 +25,8 @@ module litz_hertz
       !> Derivatives with respect to the angle, per radian: of cd, and of log(a b). Both are smooth and vanish at 90
       !> degrees, where a and b of equal wires change places and have no derivative of their own.
       real(dp) :: dapproach_dangle = 0, dlog_area_dangle = 0
+      !> The same of log(b/a); 0 at 90 degrees, where equal wires have none
+      real(dp) :: dlog_ratio_dangle = 0
    end type hertz_ellipse_t
 
    !> Newton on the ratio equation stops at this change of log(b/a); it converges quadratically, so that the error left
@@ -43,7 +45,7 @@ contains
    end function effective_modulus
 
    !> Ratio and coefficients of the ellipse, and their derivatives with respect to the angle.
-   pure subroutine hertz_ellipse(radius, young, poisson, angle, ellipse, info, roundness)
+   pure subroutine hertz_ellipse(radius, young, poisson, angle, ellipse, info, is_round)
       !> Wire radii (2) [m]: barred, unbarred
       real(dp), intent(in) :: radius(2)
       !> Young's moduli (2) [Pa] and Poisson's ratios (2) [-]: barred, unbarred
@@ -53,14 +55,14 @@ contains
       type(hertz_ellipse_t), intent(out) :: ellipse
       !> `hertz_ok` or `hertz_parallel`
       integer, intent(out) :: info
-      !> Curvature of each wire along its axis, times its radius (2): 0, a cylinder, to 1, a sphere; absent: cylinders
-      real(dp), intent(in), optional :: roundness(2)
+      !> Which wires touch with their round ends (2); absent: none
+      logical, intent(in), optional :: is_round(2)
       type(elliptic_t) :: f
       real(dp) :: mean_curvature, product, q, c, dc_dangle, a_curvature, log_slope, dratio_dc, dlog_major_dc, ca
 
       info = hertz_parallel
-      if (present(roundness)) then
-         call curvatures_of_round_wires(radius, angle, roundness, mean_curvature, product, q, c)
+      if (present(is_round)) then
+         call curvatures_of_ends(radius, angle, is_round, mean_curvature, product, q, c)
       else
          ! c = (B-A)/(A+B) and q = 1 - c^2 = 4 A B/(A+B)^2, each without a cancellation
          product = 4*radius(1)*radius(2)/sum(radius)**2
@@ -84,27 +86,78 @@ contains
       dratio_dc = -2/(q*log_slope)                                              ! d log(b/a)/dc
       dlog_major_dc = ((f%c/f%d - 1)*dratio_dc + 1/(1 - c))/3                   ! d log(a)/dc
       ellipse%dlog_area_dangle = (2*dlog_major_dc + dratio_dc)*dc_dangle
+      ellipse%dlog_ratio_dangle = dratio_dc*dc_dangle
       ! The complementary energy (3/5) F delta is stationary in the ellipse, so only the curvatures vary:
       ! (3/5) F d(delta) = F <x^2> dA + F <y^2> dB, with the mean squares a^2/5 and b^2/5 of Hertz's pressure
       ellipse%dapproach_dangle = -mean_curvature*ca**2*f%m/6*dc_dangle
    end subroutine hertz_ellipse
 
-   !> Mean and difference of the curvatures of two wires that are round along their axes, too, by K. L. Johnson, Contact
-   !> Mechanics, (4.4): each has `1/r` across and `roundness/r` along its axis, `D` is the difference of the two.
-   pure subroutine curvatures_of_round_wires(radius, angle, roundness, mean_curvature, product, q, c)
-      !> As in `hertz_ellipse`
-      real(dp), intent(in) :: radius(2), angle, roundness(2)
+   !> Mean and difference of the curvatures of two wires that may touch with their round ends, by K. L. Johnson, Contact
+   !> Mechanics, (4.4): each has `1/r` across and, where it is round, along its axis; `D` is the difference of the two.
+   pure subroutine curvatures_of_ends(radius, angle, is_round, mean_curvature, product, q, c)
+      !> Radii (2) [m] and angle [rad]
+      real(dp), intent(in) :: radius(2), angle
+      !> (2)
+      logical, intent(in) :: is_round(2)
       !> A + B [1/m]; D1 D2/(A + B)^2; 4 A B/(A + B)^2 and (B - A)/(A + B), each without a cancellation
       real(dp), intent(out) :: mean_curvature, product, q, c
       real(dp) :: difference(2), along(2)
 
-      along = roundness/radius
-      difference = 1/radius - along
+      along = merge(1/radius, 0.0_dp, is_round)
+      difference = merge(0.0_dp, 1/radius, is_round)
       mean_curvature = sum(difference + 2*along)/2
       product = difference(1)*difference(2)/mean_curvature**2
       q = sum(along)*sum(difference + along)/mean_curvature**2 + product*sin(angle)**2
       c = sqrt(((difference(1) - difference(2))/(2*mean_curvature))**2 + product*cos(angle)**2)
-   end subroutine curvatures_of_round_wires
+   end subroutine curvatures_of_ends
+
+   !> Where the ends of wires have a part of the force: the ellipse with that force at any overlap, whose ratio is the
+   !> mean of those of cylinders and ends, and which has the axis that goes with both.
+   pure subroutine hertz_near_ends(radius, young, poisson, angle, of_cylinder, of_end, ellipse, info)
+      !> As in `hertz_ellipse`
+      real(dp), intent(in) :: radius(2), young(2), poisson(2), angle
+      !> Parts of the forces that cylinder and end would have alone, of either wire (2)
+      real(dp), intent(in) :: of_cylinder(2), of_end(2)
+      type(hertz_ellipse_t), intent(out) :: ellipse
+      !> `hertz_ok` or `hertz_parallel`
+      integer, intent(out) :: info
+      type(hertz_ellipse_t) :: one
+      type(elliptic_t) :: f
+      logical :: is_round(2)
+      real(dp) :: part, force, log_ratio, dforce, dratio
+      integer :: i, j
+
+      force = 0
+      log_ratio = 0
+      dforce = 0
+      dratio = 0
+      do j = 0, 1
+         do i = 0, 1
+            is_round = [i, j] == 1
+            part = product(merge(of_end, of_cylinder, is_round))
+            if (.not. part > 0) cycle
+            call hertz_ellipse(radius, young, poisson, angle, one, info, is_round)
+            if (info /= hertz_ok) return
+            part = part/one%approach**1.5_dp                                    ! F = (delta/cd)^(3/2)
+            force = force + part
+            log_ratio = log_ratio + part*log(one%ratio)
+            dforce = dforce - 1.5_dp*part*one%dapproach_dangle/one%approach
+            dratio = dratio + part*(one%dlog_ratio_dangle &
+               - 1.5_dp*one%dapproach_dangle/one%approach*log(one%ratio))
+         end do
+      end do
+      ellipse%modulus = one%modulus
+      ellipse%approach = force**(-2.0_dp/3)
+      ellipse%dapproach_dangle = -2*ellipse%approach/(3*force)*dforce
+      log_ratio = log_ratio/force
+      dratio = dratio/force - log_ratio*dforce/force
+      ellipse%ratio = exp(log_ratio)
+      f = elliptic_integrals_complementary(ellipse%ratio**2)
+      ellipse%semi_major = 3*f%k/(2*pi*ellipse%approach*ellipse%modulus)        ! delta = 3F K/(2 pi a E*)
+      ellipse%dlog_ratio_dangle = dratio
+      ! d log(K)/d log(b/a) = -B/K
+      ellipse%dlog_area_dangle = dratio - 2*(f%b/f%k*dratio + ellipse%dapproach_dangle/ellipse%approach)
+   end subroutine hertz_near_ends
 
    !> The ratio `b/a` from `B/A = (E - m1 K)/(m1 (K - E))`, with `m1 = (b/a)^2`.
    !>

@@ -83,9 +83,11 @@ contains
       call table%field('law_angle', point%law_angle)
       call table%field('law_sine', point%law_sine)
       call table%field('law_status', point%law_status)
-      call table%field('is_rounded', point%is_rounded)
-      call table%field('roundness_bar', point%roundness(1))
-      call table%field('roundness', point%roundness(2))
+      call table%field('is_divided', point%is_divided)
+      call table%field('of_cylinder_bar', point%of_cylinder(1))
+      call table%field('of_cylinder', point%of_cylinder(2))
+      call table%field('of_end_bar', point%of_end(1))
+      call table%field('of_end', point%of_end(2))
    end subroutine list_shares
 
    pure subroutine list_history(table, history)

@@ -191,7 +191,7 @@ contains
       call contact_kinematics(x, t, [2.0_dp, 2.0_dp], axis_linear, [0.1_dp, 0.1_dp], 0.0_dp, 0.0_dp, 0, kinematics, &
          info)
       call check(info == kinematics_ok, 'the elements cross')
-      crossing = crossing_of(kinematics, [1, 1], [0.0_dp, 0.0_dp])
+      crossing = crossing_of(kinematics, [1, 1], [0.0_dp, 0.0_dp], .false.)
    end function crossing
 
    !> Least distance of the points of two segments.

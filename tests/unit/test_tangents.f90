@@ -95,6 +95,17 @@ program test_tangents
       0.0_dp, 3.5e-5_dp, 0.01_dp)
    call check_lines('line that slips', hertz//'*FRICTION'//nl//'1e-4'//nl, 0.0_dp, 4.0e-6_dp, 0.02_dp)
    call check_lines('bow that slips on a straight wire', hertz//'*FRICTION'//nl//'1e-4'//nl, 5.0_dp, 1.2e-5_dp, 0.02_dp)
+   call check_ends('end on a wire', hertz//spot, 'end', 'A, B')
+   call check_ends('end of the barred wire on a wire', hertz//spot, 'end', 'B, A')
+   call check_ends('end that sticks', hertz//'*FRICTION'//nl//'1e3'//nl, 'end', 'A, B')
+   call check_ends('end of the barred wire that sticks', penalty//'*FRICTION, ELASTIC SLIP=1e-7'//nl//'1e3'//nl, 'end', &
+      'B, A')
+   call check_ends('end that slips', hertz//'*FRICTION'//nl//'1e-4'//nl, 'end', 'A, B')
+   call check_ends('end of the barred wire that slips', hertz//'*FRICTION'//nl//'1e-4'//nl, 'end', 'B, A')
+   call check_ends('kink on a wire', hertz//spot, 'kink', 'A, B')
+   call check_ends('kink that slips', hertz//'*FRICTION'//nl//'1e-4'//nl, 'kink', 'A, B')
+   call check_ends('end on an end', penalty_of_line//clean, 'tips', 'A, B')
+   call check_ends('end on an end that slips', hertz//'*FRICTION'//nl//'1e-4'//nl, 'tips', 'A, B')
    do term = 1, size(has_added)
       if (has_added(term)) cycle
       failures = failures + 1
@@ -137,17 +148,47 @@ contains
          step_of(-push, '')//step_of(-1.25_dp*push, '')
    end function deck_along
 
+   !> A wire whose end is lowered on another one, or meets its end; or one that is lowered on the kink of another.
+   function deck_at_end(laws, place, pair) result(deck)
+      !> `end`, `tips` or `kink`; and the data line of the contact pair
+      character(len=*), intent(in) :: laws, place, pair
+      character(len=:), allocatable :: deck
+
+      select case (place)
+      case ('end')
+         deck = '*NODE'//nl//'1, -0.03, 0, 0'//nl//'2, -0.012, 0, 0'//nl//'3, 0.009, 0.001, 0'//nl//'4, 0.03, 0, 0'// &
+            nl//'11, 0.012, 0.009, 0.016'//nl//'12, 0.009, 0.006, 0.0112'//nl//'13, 0.005, 0.003, 0.0065'//nl// &
+            '14, 0.001, 0.0004, 0.0018'//nl
+      case ('tips')
+         deck = '*NODE'//nl//'1, -0.03, 0, 0'//nl//'2, -0.02, 0, 0'//nl//'3, -0.01, 0.001, 0'//nl//'4, 0, 0, 0'// &
+            nl//'11, 0.02, 0.009, 0.016'//nl//'12, 0.014, 0.006, 0.0112'//nl//'13, 0.008, 0.003, 0.0065'//nl// &
+            '14, 0.0009, 0.0004, 0.0016'//nl
+      case ('kink')
+         deck = '*NODE'//nl//'1, -0.02, 0, -0.008'//nl//'2, -0.008, 0.001, -0.0032'//nl//'3, 0, 0, 0'//nl// &
+            '4, 0.02, 0, -0.008'//nl//'11, 0.0002, -0.02, 0.00185'//nl//'12, -0.0002, -0.006, 0.00185'//nl// &
+            '13, 0.0001, 0.008, 0.00185'//nl//'14, -0.0003, 0.02, 0.00185'//nl
+      end select
+      deck = deck//elements_and_contact('B33', 'B33', '', laws, pair)//'*BOUNDARY'//nl//'1, 1, 6'//nl
+      if (place /= 'tips') deck = deck//'4, 1, 6'//nl
+      deck = deck//step_of(-2.0e-4_dp, '', place == 'kink')//step_of(-2.4e-4_dp, '', place == 'kink')
+   end function deck_at_end
+
    !> The elements of two wires of four nodes each, and their contact.
-   function elements_and_contact(type_1, type_2, options, laws) result(cards)
+   function elements_and_contact(type_1, type_2, options, laws, pair) result(cards)
       character(len=*), intent(in) :: type_1, type_2, options, laws
-      character(len=:), allocatable :: cards
+      !> The data line of the contact pair, if it is not `A, B`
+      character(len=*), intent(in), optional :: pair
+      character(len=:), allocatable :: cards, names
+
+      names = 'A, B'
+      if (present(pair)) names = pair
 
       cards = '*ELEMENT, TYPE='//type_1//', ELSET=A'//nl//'1, 1, 2'//nl//'2, 2, 3'//nl//'3, 3, 4'//nl// &
          '*ELEMENT, TYPE='//type_2//', ELSET=B'//nl//'11, 11, 12'//nl//'12, 12, 13'//nl//'13, 13, 14'//nl// &
          '*MATERIAL, NAME=M'//nl//'*ELASTIC'//nl//'1.1e11, 0.3'//nl//'*ELECTRICAL CONDUCTIVITY'//nl//'5e7'//nl// &
          '*BEAM SECTION, ELSET=A, MATERIAL=M, SECTION=CIRC'//nl//'1e-3'//nl// &
          '*BEAM SECTION, ELSET=B, MATERIAL=M, SECTION=CIRC'//nl//'0.8e-3'//nl// &
-         '*SURFACE INTERACTION, NAME=T'//options//nl//laws//'*CONTACT PAIR, INTERACTION=T'//nl//'A, B'//nl
+         '*SURFACE INTERACTION, NAME=T'//options//nl//laws//'*CONTACT PAIR, INTERACTION=T'//nl//names//nl
    end function elements_and_contact
 
    !> Two rigid bodies, with a node on each of the elements that touch: one whose reference node is outside the wires,
@@ -179,17 +220,22 @@ contains
          '*CONTACT PAIR, INTERACTION=F'//nl//'A, S'//nl//'*BOUNDARY'//nl//'22, 1, 6'//nl
    end function surfaces
 
-   function step_of(push, loads) result(step)
+   function step_of(push, loads, both_ends) result(step)
       real(dp), intent(in) :: push
       character(len=*), intent(in) :: loads
+      !> The second wire is led at both of its ends; absent: it is
+      logical, intent(in), optional :: both_ends
       character(len=:), allocatable :: step
       character(len=24) :: number
+      logical :: both
 
+      both = .true.
+      if (present(both_ends)) both = both_ends
       write (number, '(es12.4)') push
       step = '*STEP, INC=200'//nl//'*STATIC'//nl//'0.25, 1.'//nl//loads//'*BOUNDARY'//nl//'11, 1, 2'//nl// &
-         '11, 4, 6'//nl//'14, 1, 2'//nl//'14, 4, 6'//nl//'11, 3, 3, '//number//nl//'14, 3, 3, '//number//nl// &
-         '1, 9, 9, 0.001'//nl// &
-         '11, 9, 9, 0'//nl//'*END STEP'//nl
+         '11, 4, 6'//nl//'11, 3, 3, '//number//nl
+      if (both) step = step//'14, 1, 2'//nl//'14, 4, 6'//nl//'14, 3, 3, '//number//nl
+      step = step//'1, 9, 9, 0.001'//nl//'11, 9, 9, 0'//nl//'*END STEP'//nl
    end function step_of
 
    subroutine check_terms(name, type_1, type_2, laws, options, loads, tolerance, part, bodies)
@@ -230,6 +276,21 @@ contains
          call check(count(problem%contact%line_points%closed) > 1, name//': points of a line in contact', 0.0_dp)
       end do
    end subroutine check_lines
+
+   !> Wires that touch with an end or at a kink.
+   subroutine check_ends(name, laws, place, pair)
+      character(len=*), intent(in) :: name, laws, place, pair
+      type(problem_t) :: problem
+      integer :: trial, i
+
+      call start_random_numbers()
+      call solve_first_step(deck_at_end(laws, place, pair), problem)
+      do trial = 1, 3
+         call compare(name, problem, exact, 0.01_dp)
+         call check(any([(any(problem%contact%points(i)%held) .and. problem%contact%points(i)%closed, &
+            i=1, size(problem%contact%points))]), name//': an end in contact', 0.0_dp)
+      end do
+   end subroutine check_ends
 
    !> Which terms change what those before them have made.
    subroutine note_terms(problem)

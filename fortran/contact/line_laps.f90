@@ -1,0 +1,60 @@
+!> What a place stands for next to the end of the wire that it lies along.
+!>
+!> There the overlap ends between two places, wherever the end comes to lie: the last place that has its foot on the wire
+!> stands for all that lies between it and the end, the next one, which is beyond, for nothing.
+module litz_line_laps
+   use litz_kinds, only: dp
+   use litz_contact_points, only: contact_point_t
+   use litz_element_library, only: elements_t
+   use litz_line_places, only: line_places_t
+   use litz_wires, only: wires_t
+   implicit none
+   private
+   public :: share_at_lap, distances_to_ends
+
+contains
+
+   !> Part of its length for which a place stands; more than 1 where the next one is beyond the end.
+   pure real(dp) function share_at_lap(wires, elements, places, cosine, point) result(share)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(line_places_t), intent(in) :: places
+      !> Of the angle between the elements, the sign of which says whether they run the same way
+      real(dp), intent(in) :: cosine
+      type(contact_point_t), intent(in) :: point
+      real(dp) :: to_end(2), own(2), spacing
+      integer :: side, ahead
+
+      share = 1
+      to_end = distances_to_ends(wires, elements, point%element_bar, point%arc_bar)
+      side = minloc(to_end, 1)
+      spacing = elements%length(point%element)/places%n_parts(point%element)
+      if (to_end(side) >= spacing) return
+      ahead = merge(side, 3 - side, cosine*wires%direction(point%element_bar)*wires%direction(point%element) > 0)
+      own = distances_to_ends(wires, elements, point%element, point%arc)
+      ! the wire of the place ends first
+      if (own(ahead) <= to_end(side) .and. .not. point%foot_at_end) return
+      share = 0
+      if (point%foot_at_end) return
+      associate (length => places%length(point%line_place))
+         share = (length - spacing/2 + to_end(side))/length
+      end associate
+   end function share_at_lap
+
+   !> Lengths of wire from a place to the first and to the second end [m]; huge along a closed wire.
+   pure function distances_to_ends(wires, elements, e, arc) result(distance)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> Element
+      integer, intent(in) :: e
+      !> Arc length along its wire [m]
+      real(dp), intent(in) :: arc
+      real(dp) :: distance(2)
+
+      distance = huge(distance)
+      associate (w => wires%wire(e), last => wires%element(wires%first(wires%wire(e) + 1) - 1))
+         if (.not. wires%circumference(w) > 0) distance = [arc, wires%arc(last) + elements%length(last)/2 - arc]
+      end associate
+   end function distances_to_ends
+
+end module litz_line_laps
