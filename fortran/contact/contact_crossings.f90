@@ -16,7 +16,7 @@ module litz_contact_crossings
       arc_at, crossing_at, clearance_of, chain_by_wire, inherit
    use litz_contact_side, only: have_passed
    use litz_element_library, only: elements_t
-   use litz_end_kinematics, only: end_kinematics, mirrored_nodes
+   use litz_end_kinematics, only: end_kinematics
    use litz_line_kinematics, only: line_profile_t, line_profile
    use litz_model, only: model_t
    use litz_parallel, only: worth_threads
@@ -259,7 +259,7 @@ contains
          if (any(point%held)) then
             call end_kinematics(xe, t, length, axis, elements%radius([eb, e]), point%xi_bar, point%xi, point%held, &
                point%normal_before, kinematics, info)
-            if (info == kinematics_ok) call set_profiles(xe, t, length, axis, point)
+            if (info == kinematics_ok) call set_profiles(model, wires, elements, axis, x, rotation, point)
             if (from_converged > 0) point%start = crossing_at(wires, contact%converged(from_converged))
          else
             call contact_kinematics(xe, t, length, axis, elements%radius([eb, e]), point%xi_bar, point%xi, 0, &
@@ -276,28 +276,52 @@ contains
       end associate
    end subroutine set_geometry
 
-   !> How the distance grows from the ends of the wires on.
-   pure subroutine set_profiles(xe, t, length, axis, point)
-      !> Nodal positions [m] and unit tangents (3, 4), reference lengths (2) [m]: barred first
-      real(dp), intent(in) :: xe(3, 4), t(3, 4), length(2)
+   !> How the distance grows from the ends of the wires on; from a kink along that leg along which it grows least.
+   pure subroutine set_profiles(model, wires, elements, axis, x, rotation, point)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
       !> `axis_linear` or `axis_hermite`
       integer, intent(in) :: axis
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
+      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
       type(contact_point_t), intent(inout) :: point
       type(line_profile_t) :: profile
+      real(dp) :: xi(2), tilt
+      integer :: own, node, i, leg(2)
 
-      associate (kinematics => point%kinematics, m => mirrored_nodes)
-         if (point%held(1)) then
-            profile = line_profile(xe(:, m), t(:, m), length([2, 1]), axis, point%xi, point%xi_bar, -kinematics%normal, &
-               kinematics%distance)
-            point%tilt(1) = max(0.0_dp, -point%xi_bar*profile%slope)
-            point%bend(1) = profile%bend
-         end if
-         if (point%held(2)) then
-            profile = line_profile(xe, t, length, axis, point%xi_bar, point%xi, kinematics%normal, kinematics%distance)
-            point%tilt(2) = max(0.0_dp, -point%xi*profile%slope)
-            point%bend(2) = profile%bend
-         end if
-      end associate
+      do own = 1, 2
+         if (.not. point%held(own)) cycle
+         leg = [point%element_bar, point%element]
+         xi = [point%xi_bar, point%xi]
+         node = model%connectivity(merge(1, 2, xi(own) < 0), leg(own))
+         point%tilt(own) = huge(tilt)
+         do i = wires%first_at_node(node), wires%first_at_node(node + 1) - 1
+            leg(own) = abs(wires%at_node(i))
+            xi(own) = sign(1.0_dp, real(wires%at_node(i), dp))
+            profile = profile_along(own, leg, xi)
+            tilt = max(0.0_dp, -xi(own)*profile%slope)
+            if (tilt >= point%tilt(own)) cycle
+            point%tilt(own) = tilt
+            point%bend(own) = profile%bend
+         end do
+      end do
+
+   contains
+
+      !> Along one of two elements, from the places at which they touch.
+      pure type(line_profile_t) function profile_along(own, pair, xi) result(profile)
+         !> 1: barred, 2: unbarred; both elements (2)
+         integer, intent(in) :: own, pair(2)
+         !> (2)
+         real(dp), intent(in) :: xi(2)
+         real(dp) :: xe(3, 4), t(3, 4), length(2)
+
+         call pair_geometry(model, wires, elements, pair(3 - own), pair(own), x, rotation, xe, t, length)
+         profile = line_profile(xe, t, length, axis, xi(3 - own), xi(own), &
+            (2*own - 3)*point%kinematics%normal, point%kinematics%distance)
+      end function profile_along
+
    end subroutine set_profiles
 
 end module litz_contact_crossings

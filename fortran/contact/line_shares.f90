@@ -38,6 +38,8 @@ module litz_line_shares
 
    !> A change of the sine of a lens, relative to it, matters this much more than one of a share
    real(dp), parameter :: sine_matters = 20
+   !> So does one of the parts of cylinder and end, which all of the contact goes with
+   real(dp), parameter :: ends_matter = 10
 
    !> Half lengths of a lens from its crossing where it has certainly ended
    real(dp), parameter :: lens_ends = 1.2_dp
@@ -247,8 +249,8 @@ contains
             earlier = point
             point%is_divided = .false.
             call divide_at_ends(wires, elements, point)
-            largest_change = max(largest_change, maxval(abs(point%of_cylinder - earlier%of_cylinder)), &
-               maxval(abs(point%of_end - earlier%of_end)))
+            largest_change = max(largest_change, ends_matter*maxval(abs([point%of_cylinder - earlier%of_cylinder, &
+               point%of_end - earlier%of_end])))
             if (.not. point%is_shared) cycle
             call share_crossing(model%interactions(model%contact_pairs(point%pair)%interaction)%normal, wires, &
                elements, contact, by_place, point)
@@ -306,7 +308,10 @@ contains
          tilt = abs(profile%slope)
          point%law_sine = sqrt(max(0.0_dp, d*bend))
          point%law_angle = asin(min(1.0_dp, point%law_sine))
-         if (point%foot_at_end) tilt = max(tilt, abs(profile%slope_bar))
+         if (point%foot_at_end) then
+            bend = (quality(2) - tilt**2)/d
+            tilt = max(tilt, abs(profile%slope_bar))
+         end if
          point%line_share = 1
          point%section_share = 1
          if (bend > 0) then

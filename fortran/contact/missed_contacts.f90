@@ -180,10 +180,12 @@ contains
       !> In [-1, 1] (2)
       real(dp), intent(in) :: place(2)
       integer, allocatable :: barred(:), unbarred(:)
+      real(dp) :: near_node(2)
       integer :: i, j
 
-      allocate (barred, source=elements_at(model, wires, pair(1), place(1)))
-      allocate (unbarred, source=elements_at(model, wires, pair(2), place(2)))
+      near_node = 2*same_contact*sum(elements%radius(pair))/elements%length(pair)
+      allocate (barred, source=elements_at(model, wires, pair(1), place(1), near_node(1)))
+      allocate (unbarred, source=elements_at(model, wires, pair(2), place(2), near_node(2)))
       is_known = .false.
       do i = 1, size(barred)
          do j = 1, size(unbarred)
@@ -203,8 +205,7 @@ contains
          real(dp) :: xi(2)
          integer :: k
 
-         xi = sign(1.0_dp, real(signed, dp))
-         where (abs(place(order)) < 1) xi = place(order)
+         xi = merge(place(order), sign(1.0_dp, real(signed, dp)), abs(signed) == pair(order))
          k = by_wire%first(wires%wire(abs(signed(1))))
          do while (k > 0 .and. .not. is_known)
             is_known = points(k)%weight > 0 .and. is_at(wires, elements, points(k), abs(signed), &
@@ -216,16 +217,16 @@ contains
    end function is_known
 
    !> All elements at a place, as +-element (- : at its first node).
-   pure function elements_at(model, wires, e, place) result(signed)
+   pure function elements_at(model, wires, e, place, near_node) result(signed)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       !> Element
       integer, intent(in) :: e
-      !> In [-1, 1]
-      real(dp), intent(in) :: place
+      !> In [-1, 1], and how near to 1 is at a node
+      real(dp), intent(in) :: place, near_node
       integer, allocatable :: signed(:)
 
-      if (abs(place) < 1) then
+      if (abs(place) < 1 - near_node) then
          signed = [e]
       else
          associate (node => model%connectivity(merge(1, 2, place < 0), e))

@@ -54,9 +54,28 @@ def crossed_wires(force, angle, *, radius, modulus, resistivity):
     """
     with mp.workdps(DIGITS):
         r1, r2 = (mp.mpf(r) for r in radius)
-        angle, force, modulus = mp.mpf(angle), mp.mpf(force), mp.mpf(modulus)
         total = (1 / r1 + 1 / r2) / 2
-        difference = mp.sqrt(1 / r1**2 + 1 / r2**2 + 2 * mp.cos(2 * angle) / (r1 * r2)) / 2
+        difference = mp.sqrt(1 / r1**2 + 1 / r2**2 + 2 * mp.cos(2 * mp.mpf(angle)) / (r1 * r2)) / 2
+        return _spot(force, total, difference, modulus, resistivity)
+
+
+def end_on_wire(force, *, radius, modulus, resistivity):
+    """The spot of a hemisphere, the end of the first wire, on the side of the second wire under `force`."""
+    with mp.workdps(DIGITS):
+        r1, r2 = (mp.mpf(r) for r in radius)
+        return _spot(force, (2 / r1 + 1 / r2) / 2, 1 / r2 / 2, modulus, resistivity)
+
+
+def end_on_end(force, *, radius, modulus, resistivity):
+    """The spot of two hemispheres, the ends of both wires, under `force`."""
+    with mp.workdps(DIGITS):
+        return _spot(force, sum(1 / mp.mpf(r) for r in radius), mp.mpf(0), modulus, resistivity)
+
+
+def _spot(force, total, difference, modulus, resistivity):
+    """By the sum A + B and the difference B - A of the principal curvatures."""
+    with mp.workdps(DIGITS):
+        force, modulus = mp.mpf(force), mp.mpf(modulus)
         ratio = axis_ratio((total + difference) / (total - difference))
         m = 1 - ratio**2
         k, e = mp.ellipk(m), mp.ellipe(m)
