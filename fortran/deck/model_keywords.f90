@@ -182,7 +182,7 @@ contains
          ' *GAP ELECTRICAL CONDUCTANCE follow it.')
       call k%add(name('NAME', 'name of the interaction', required=.true.))
       call k%add(choice('AXIS', 'HERMITE|LINEAR', 'interpolation of the wire axes for contact (litz extension);'// &
-         ' LINEAR has kinks at the nodes of a bent wire, where a contact may be missed or counted twice', &
+         ' LINEAR has a kink at each node of a bent wire', &
          default='HERMITE'))
       call finish(table, k)
 
