@@ -389,7 +389,7 @@ contains
    ! k_me: the five parts of the coupling block
    ! rotation_vectors are looked at when has_rotation_vectors /= 0.
    subroutine contact_em(x, t, length, v, radius, young, poisson, resistivity, normal_law, n_normal_data, &
-      normal_data, spot_law, n_spot_data, spot_data, axis, side, series_resistance, has_rotation_vectors, &
+      normal_data, spot_law, n_spot_data, spot_data, axis, side, ends, series_resistance, has_rotation_vectors, &
       rotation_vectors, k, r, numbers, normal, k_me, info)
       !> Nodal positions (3, 4) [m]: barred 1, barred 2, 1, 2
       real(c_double), intent(in) :: x(3, 4)
@@ -423,6 +423,8 @@ contains
       integer(c_int), intent(in) :: axis
       !> Remembered orientation +1 or -1; 0: none
       integer(c_int), intent(in) :: side
+      !> End, -1 or 1, with which each wire touches (2): barred, unbarred; 0: with its side
+      integer(c_int), intent(in) :: ends(2)
       !> Not 0: `rotation_vectors` count
       integer(c_int), intent(in) :: has_rotation_vectors
       !> rho L0/(4 A) (2) [ohm]; 0: the paper's linear voltage
@@ -450,9 +452,9 @@ contains
       laws%normal = find_normal_law(normal_law, normal_data)
       laws%spot = find_spot_law(spot_law, spot_data)
       if (has_rotation_vectors /= 0) then
-         call core_contact_em(x, t, length, v, wires, laws, side, k, r, contact, info, rotation_vectors)
+         call core_contact_em(x, t, length, v, wires, laws, side, k, r, contact, info, rotation_vectors, ends)
       else
-         call core_contact_em(x, t, length, v, wires, laws, side, k, r, contact, info)
+         call core_contact_em(x, t, length, v, wires, laws, side, k, r, contact, info, ends=ends)
       end if
       numbers = [contact%xi_bar, contact%xi, contact%gap, contact%angle, contact%force, contact%semi_major, &
          contact%semi_minor, contact%resistance, contact%current, contact%voltage_gap, real(contact%side, c_double)]

@@ -5,7 +5,8 @@
 !> `ux uy uz phix phiy phiz`, and its block structure `K = [K_mm 0; K_me K_ee]`, `R = [R_m; R_e]`. Residual: internal
 !> minus external forces [N], moments [N m] and currents leaving the nodes [A]; Newton solves `K dq = -R`.
 !>
-!> The steps, each its own kernel: closest points, kinematics, force, spot, and the blocks that these make.
+!> The steps, each its own kernel: closest points, kinematics, force, spot, and the blocks that these make. Where a wire
+!> touches with its round end, or at a kink, the place on it is its node, and the law is that of a hemisphere.
 module litz_contact_em
    use litz_kinds, only: dp
    use litz_axis_choices, only: axis_hermite
@@ -13,9 +14,11 @@ module litz_contact_em
    use litz_law_input, only: wire_pair_t
    use litz_normal_law, only: normal_law_t, force_of_gap_t, force_at_gap
    use litz_spot_law, only: spot_law_t, contact_spot_t, contact_spot, spot_ok, spot_bad_data
-   use litz_axis, only: axis_shape
+   use litz_axis, only: axis_shape, axis_polynomial
    use litz_closest_points, only: closest_points, closest_inside, closest_beyond, closest_parallel, closest_not_unique
    use litz_contact_kinematics, only: contact_kinematics_t, contact_kinematics, kinematics_ok, kinematics_parallel
+   use litz_end_kinematics, only: end_kinematics
+   use litz_line_foot, only: line_foot, foot_inside, foot_beyond
    use litz_contact_blocks, only: contact_blocks, contact_force_t, spot_in_circuit_t
    use litz_contact_electricity, only: contact_electricity_t
    use litz_contact_mechanics, only: form_spin
@@ -77,7 +80,7 @@ module litz_contact_em
 contains
 
    !> Tangent and residual of one pair of elements.
-   pure subroutine contact_em(x, t, length, v, wires, laws, side, k, r, contact, info, rotation_vectors)
+   pure subroutine contact_em(x, t, length, v, wires, laws, side, k, r, contact, info, rotation_vectors, ends)
       !> Nodal positions [m] and unit tangents (3, 4): barred 1, barred 2, 1, 2
       real(dp), intent(in) :: x(3, 4), t(3, 4)
       !> Reference lengths (2) [m]: barred, unbarred
@@ -95,20 +98,33 @@ contains
       integer, intent(out) :: info
       !> Rotation vectors of the nodes (3, 4) [rad], when rotations are additive changes of these instead
       real(dp), intent(in), optional :: rotation_vectors(3, 4)
+      !> The end, -1 or 1, with which the barred, the unbarred wire touches (2); 0: with its side; absent: both do
+      integer, intent(in), optional :: ends(2)
       type(hertz_ellipse_t) :: ellipse
       type(contact_spot_t) :: spot
       type(force_of_gap_t) :: normal
       real(dp) :: k_mm(24, 24), r_m(24), k_me(4, 24), k_ee(4, 4), r_e(4)
       integer :: law_info
+      logical :: is_round(2)
 
       k = 0
       r = 0
-      call find_contact(x, t, length, laws%axis, wires%radius, side, contact, info)
+      is_round = .false.
+      if (present(ends)) is_round = ends /= 0
+      if (any(is_round)) then
+         call find_contact_at_ends(x, t, length, laws%axis, wires%radius, ends, contact, info)
+      else
+         call find_contact(x, t, length, laws%axis, wires%radius, side, contact, info)
+      end if
       if (info /= contact_active) return
 
       ! the force ...
       if (laws%normal%uses_ellipse .or. laws%spot%uses_ellipse) then
-         call hertz_ellipse(wires%radius, wires%young, wires%poisson, contact%angle, ellipse, law_info)
+         if (any(is_round)) then
+            call hertz_ellipse(wires%radius, wires%young, wires%poisson, contact%angle, ellipse, law_info, is_round)
+         else
+            call hertz_ellipse(wires%radius, wires%young, wires%poisson, contact%angle, ellipse, law_info)
+         end if
          info = contact_parallel
          if (law_info /= hertz_ok) return
       end if
@@ -186,6 +202,48 @@ contains
          info = contact_not_converged
       end select
    end subroutine find_contact
+
+   !> The foot of an end of one wire on the other one, or the distance of two ends.
+   pure subroutine find_contact_at_ends(x, t, length, axis, radius, ends, contact, info)
+      !> As in `find_contact`
+      real(dp), intent(in) :: x(3, 4), t(3, 4), length(2)
+      !> `axis_linear` or `axis_hermite`
+      integer, intent(in) :: axis
+      !> Radii (2) [m]: barred, unbarred
+      real(dp), intent(in) :: radius(2)
+      !> -1 or 1: the end of the barred, of the unbarred wire; 0: its side (2)
+      integer, intent(in) :: ends(2)
+      type(contact_em_t), intent(inout) :: contact
+      !> One of the constants above
+      integer, intent(out) :: info
+      real(dp) :: xi(2), quality, origin(3)
+      integer :: other, first, status, kinematics_info
+
+      xi = ends
+      origin = x(:, 1)
+      if (any(ends == 0)) then
+         other = minloc(abs(ends), 1)
+         first = 2*other - 1
+         associate (node => 2*(3 - other) - merge(1, 0, ends(3 - other) < 0))
+            call line_foot(axis_polynomial(axis, length(other), x(:, first:first + 1) - spread(origin, 2, 2), &
+               t(:, first:first + 1)), x(:, node) - origin, [.false., .false.], xi(other), quality, status)
+         end associate
+      else
+         status = foot_inside
+      end if
+      contact%xi_bar = xi(1)
+      contact%xi = xi(2)
+      contact%gap = distance_at(x, t, length, axis, xi(1), xi(2)) - sum(radius)
+      info = merge(contact_beyond, contact_not_converged, status == foot_beyond)
+      if (status /= foot_inside) return
+      call end_kinematics(x, t, length, axis, radius, xi(1), xi(2), ends /= 0, [0.0_dp, 0.0_dp, 0.0_dp], &
+         contact%kinematics, kinematics_info)
+      info = contact_not_unique
+      if (kinematics_info /= kinematics_ok) return
+      contact%normal = contact%kinematics%normal
+      contact%angle = contact%kinematics%angle
+      info = merge(contact_open, contact_active, contact%gap >= 0)
+   end subroutine find_contact_at_ends
 
    !> Distance of two axis points [m].
    pure real(dp) function distance_at(x, t, length, axis, xi_bar, xi) result(distance)

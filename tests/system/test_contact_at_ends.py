@@ -85,7 +85,11 @@ def test_two_ends_are_two_spheres(run):
 
 @pytest.mark.parametrize(
     ("degrees", "law"),
-    [*((each, law) for each in (90, 30, 5, 2) for law in (HERTZ, linear("", 1e10))), (90, linear(1e5)), (30, linear(1e5))],
+    [
+        *((each, law) for each in (90, 30, 5, 2) for law in (HERTZ, linear("", 1e10))),
+        (90, linear(1e5)),
+        (30, linear(1e5)),
+    ],
 )
 def test_a_crossing_slides_off_the_end_of_a_wire_without_a_jump(run, degrees, law):
     """The force falls from that of crossed wires to zero; half way there, the wires cross at the very end."""
@@ -199,7 +203,9 @@ def test_a_contact_that_slides_on_to_an_end_keeps_its_identity_and_its_friction(
     angle, distance = np.pi / 2, 2 * COPPER.radius
     reach = math.sqrt(2 * distance * OVERLAP)
     lower = np.linspace((-0.02, 0, 0), (0, 0, 0), 9)
-    upper = np.array([-0.3 * reach, 0, distance - OVERLAP]) + np.outer(np.linspace(-0.0151, 0.0149, 13), [0, np.sin(angle), 0])
+    upper = np.array([-0.3 * reach, 0, distance - OVERLAP]) + np.outer(
+        np.linspace(-0.0151, 0.0149, 13), [0, np.sin(angle), 0]
+    )
     drag = 0.6 * reach
     deck = two_wires(lower, upper, HELD, moved(drag, increments=60), law=HERTZ + "*FRICTION, ELASTIC SLIP=1e-4\n 5.\n")
     results = solved(run(deck))

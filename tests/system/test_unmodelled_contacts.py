@@ -97,7 +97,9 @@ def test_a_ring_of_few_elements_rests_on_a_wire_with_one_of_its_nodes(run, axis,
     contacts = results.contacts_at(-1)
     # at the lowest node, which leads the load to the top of the ring
     assert contacts["point_2_x"] == pytest.approx([0], abs=1e-9)
-    assert contacts["force"] == pytest.approx(-results.field("reaction_force", len(results.times) - 1)[6 + n // 2, 2], rel=1e-6)
+    assert contacts["force"] == pytest.approx(
+        -results.field("reaction_force", len(results.times) - 1)[6 + n // 2, 2], rel=1e-6
+    )
 
 
 def test_a_concave_kink_of_a_straight_axis_does_not_count_twice(run):

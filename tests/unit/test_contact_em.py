@@ -459,3 +459,101 @@ def test_bad_input_is_refused_in_words(change, words):
     good = dict(x=hand.x(0.15), t=hand.t, length=hand.length, v=hand.v, eps_n=5.0, **hand.wires)
     with pytest.raises(ValueError, match=words):
         contact_em(**{**good, **change})
+
+
+class PairAtEnds:
+    """A bent element whose end overlaps the side, or an end, of another one."""
+
+    def __init__(self, seed, ends):
+        self.rng = rng = np.random.default_rng(seed)
+        self.ends, self.length = ends, np.array([2.0, 1.7])
+        self.wires = dict(radius=[0.1, 0.13], young=[3.0, 2.0], poisson=[0.3, 0.2], resistivity=[0.5, 0.7])
+        self.laws = [
+            dict(eps_n=2.0, spot_law="hertz"),
+            dict(normal_law="hertz", spot_law="film", film_resistivity=0.02),
+        ][seed % 2]
+        self.v = rng.normal(size=4)
+        self.x, self.t = np.zeros((4, 3)), np.zeros((4, 3))
+        for wire in range(2):
+            direction = np.array([1.0, 0.0, 0.0]) if wire == 0 else rng.normal(size=3)
+            direction /= np.linalg.norm(direction)
+            # the place that touches, about in the origin
+            place = ends[wire] or rng.uniform(-0.5, 0.5)
+            for node, xi in ((2 * wire, -1), (2 * wire + 1, 1)):
+                self.x[node] = (xi - place) * self.length[wire] / 2 * direction
+                self.t[node] = direction + rng.uniform(-0.15, 0.15, 3)
+                self.t[node] /= np.linalg.norm(self.t[node])
+        self.depth = rng.uniform(0.01, 0.03)
+        apart = (
+            np.array([0.2, rng.normal(), rng.normal()]) if all(ends) else np.array([0.0, rng.normal(), rng.normal()])
+        )
+        self.x[2:] += apart / np.linalg.norm(apart) * 0.5
+        for _ in range(30):
+            contact = self.evaluate()
+            self.x[2:] += (contact.gap + self.depth) * self.between(contact)
+
+    def between(self, contact):
+        """Unit vector from the unbarred to the barred wire at the places of a contact that may be open."""
+        ends = [self.point(0, contact.xi_bar), self.point(1, contact.xi)]
+        return (ends[0] - ends[1]) / np.linalg.norm(ends[0] - ends[1])
+
+    def point(self, wire, xi):
+        n = 2 * wire
+        weights = [(2 - 3 * xi + xi**3) / 4, (2 + 3 * xi - xi**3) / 4]
+        slopes = self.length[wire] / 8 * np.array([1 - xi - xi**2 + xi**3, -1 - xi + xi**2 + xi**3])
+        return weights @ self.x[n : n + 2] + slopes @ self.t[n : n + 2]
+
+    def evaluate(self, dq=None, **changed):
+        x, t, v = self.x.copy(), self.t.copy(), self.v.copy()
+        if dq is not None:
+            moves = dq[:24].reshape(4, 6)
+            x, v = x + moves[:, :3], v + dq[24:]
+            t = np.stack([rotation(spin) @ tangent for spin, tangent in zip(moves[:, 3:], t, strict=True)])
+        return contact_em(x, t, self.length, v, **self.wires, **self.laws, **{"ends": self.ends, **changed})
+
+    def residual(self, dq):
+        return self.evaluate(dq).R
+
+
+ENDS = [(0, -1), (0, 1), (-1, 0), (1, 0), (1, -1), (-1, -1)]
+
+
+@pytest.mark.parametrize("ends", ENDS)
+def test_the_tangent_of_a_contact_at_an_end_is_the_derivative_of_its_residual(ends):
+    for seed in range(20):
+        pair = PairAtEnds(seed, ends)
+        result = pair.evaluate()
+        assert result.active, seed
+        assert result.gap == pytest.approx(-pair.depth, rel=1e-6)
+        errors = block_errors(result.K, derivative(pair.residual, np.zeros(28), 0.02 * pair.depth))
+        assert max(errors.values()) < TOLERANCE, (seed, errors)
+
+
+@pytest.mark.parametrize("ends", ENDS)
+def test_which_wire_is_barred_makes_no_difference_at_an_end(ends):
+    pair = PairAtEnds(3, ends)
+    result = pair.evaluate()
+    order = [2, 3, 0, 1]
+    wires = {name: values[::-1] for name, values in pair.wires.items()}
+    other = contact_em(
+        pair.x[order], pair.t[order], pair.length[::-1], pair.v[order], **wires, **pair.laws, ends=ends[::-1]
+    )
+    columns = np.concatenate([np.arange(12, 24), np.arange(12), [26, 27, 24, 25]])
+    assert other.force == pytest.approx(result.force, rel=1e-12)
+    assert other.normal == pytest.approx(-result.normal, rel=1e-12)
+    assert other.R[columns] == pytest.approx(result.R, rel=1e-10, abs=1e-12)
+    assert np.abs(other.K[np.ix_(columns, columns)] - result.K).max() < 1e-10 * np.abs(result.K).max()
+
+
+def test_an_end_has_the_force_of_a_sphere():
+    """A hemisphere on the end of another one: F = 4/3 E* sqrt(R) delta^1.5, R = r rb/(r + rb)."""
+    pair = PairAtEnds(1, (1, -1))
+    result = pair.evaluate()
+    modulus = 1 / ((1 - 0.3**2) / 3 + (1 - 0.2**2) / 2)
+    assert result.force == pytest.approx(4 / 3 * modulus * np.sqrt(0.1 * 0.13 / 0.23) * pair.depth**1.5, rel=1e-6)
+
+
+def test_an_end_is_one_of_two():
+    pair = PairAtEnds(1, (1, -1))
+    with pytest.raises(ValueError, match="ends must be -1, 0 or 1 each"):
+        pair.evaluate(ends=(2, 0))

@@ -100,6 +100,7 @@ def contact_em(
     table: ArrayLike | None = None,
     side: Literal[-1, 0, 1] = 0,
     series_resistance: ArrayLike = (0.0, 0.0),
+    ends: ArrayLike = (0, 0),
 ) -> ContactEM:
     """Electric-mechanical beam-to-beam contact element: tangent and residual of one pair of elements.
 
@@ -138,6 +139,10 @@ def contact_em(
     series_resistance : array_like, shape (2,)
         ``rho L0/(4 A)`` of each element [ohm], added in series as ``s (1 - xi^2)``: what the linear voltage within an
         element misses of the current that enters it at ``xi``. 0: the paper's voltage.
+    ends : array_like of int, shape (2,)
+        End of the barred and of the unbarred element, -1 or 1, with which that wire touches, as a hemisphere; 0: it
+        touches with its side. The place is held at the node, and its foot on the other wire moves (a kink of a wire is
+        a round joint, too). Whether the distance is least there is not looked at.
 
     Returns
     -------
@@ -175,7 +180,7 @@ def contact_em(
     """
     k, r, numbers, normal, _, info = _contact_em(
         x, t, length, v, radius, young, poisson, resistivity, eps_n, axis, spot_law, rotation_vectors, normal_law,
-        hardness, film_resistivity, resistance, law_value, normal_value, table, side, series_resistance,
+        hardness, film_resistivity, resistance, law_value, normal_value, table, side, series_resistance, ends,
     )  # fmt: skip
     xi_bar, xi, gap, angle, force, semi_major, semi_minor, spot_resistance, current, voltage_gap, now_on = map(
         float, numbers
@@ -222,12 +227,13 @@ def contact_coupling(
     table: ArrayLike | None = None,
     side: Literal[-1, 0, 1] = 0,
     series_resistance: ArrayLike = (0.0, 0.0),
+    ends: ArrayLike = (0, 0),
 ) -> ContactCoupling:
     """Parts of the coupling block of `contact_em`, as the paper names them; their sum is ``K[24:, :24]`` (spins).
 
     Parameters
     ----------
-    x, t, ..., series_resistance
+    x, t, ..., ends
         All as for `contact_em`.
 
     Returns
@@ -242,7 +248,7 @@ def contact_coupling(
     """
     parts = _contact_em(
         x, t, length, v, radius, young, poisson, resistivity, eps_n, axis, spot_law, None, normal_law,
-        hardness, film_resistivity, resistance, law_value, normal_value, table, side, series_resistance,
+        hardness, film_resistivity, resistance, law_value, normal_value, table, side, series_resistance, ends,
     )[4]  # fmt: skip
     return ContactCoupling(*np.moveaxis(parts, -1, 0))
 
@@ -269,6 +275,7 @@ def _contact_em(
     table: ArrayLike | None,
     side: int,
     series_resistance: ArrayLike,
+    ends: ArrayLike,
 ) -> tuple[Any, ...]:
     """Check the input, call the kernel, raise what it could not do."""
     places = geometry(x, t, length)
@@ -289,13 +296,16 @@ def _contact_em(
     series = checks.array("series_resistance", series_resistance, (2,))
     if (series < 0).any():
         raise ValueError(f"series_resistance must not be negative, but holds {series.min():g}")
+    of_ends = checks.array("ends", ends, (2,))
+    if not np.isin(of_ends, (-1, 0, 1)).all():
+        raise ValueError(f"ends must be -1, 0 or 1 each, not {ends!r}")
     has_vectors = rotation_vectors is not None
     vectors = (
         np.zeros((4, 3)) if rotation_vectors is None else checks.array("rotation_vectors", rotation_vectors, (4, 3))
     )
     result = _core.f2py_contact.contact_em(
         *places, voltages, *of_wires, normal_number, normal_data, spot_number, spot_data,
-        checks.choice("axis", axis, AXES), side, series, has_vectors, vectors.T,
+        checks.choice("axis", axis, AXES), side, of_ends.astype(int), series, has_vectors, vectors.T,
     )  # fmt: skip
     if result[-1] < 0:
         raise ValueError(_FAILURES[result[-1]])
