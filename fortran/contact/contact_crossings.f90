@@ -166,8 +166,8 @@ contains
       type(elements_t), intent(in) :: elements
       type(contact_point_t), intent(in) :: points(:)
       logical :: keep(size(points))
-      !> The last point so far at each node of a barred wire, and behind these elsewhere on each barred wire, and the one
-      !> before each point
+      !> The last point so far at each node of a barred wire, and behind these elsewhere on each barred wire, and the
+      !> one before each point
       integer :: last_at(model%n_nodes + wires%n_wires), before(size(points))
       integer :: k, place
 

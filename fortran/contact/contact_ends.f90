@@ -81,6 +81,7 @@ contains
          !> 1: barred, 2: unbarred; which of its ends; and the other element
          integer, intent(in) :: own, end_side, other
          type(minimum_t), intent(out) :: found
+         !> The distance grows from there on
          logical, intent(out) :: is_minimum
          real(dp) :: xi, quality
          integer :: status, node, foot_side

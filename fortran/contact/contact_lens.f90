@@ -1,8 +1,8 @@
 !> How far the overlap of a contact reaches along its wires, and what the end of a wire changes of its law.
 !>
 !> The overlap of a crossing falls from its middle as a parabola. Where it is cut by the end of a wire the cylinder has
-!> its integral up to there, and the round end has the rest, so that a contact slides on to the round end without a jump.
-!> Source: theory section 10.
+!> its integral up to there, and the round end has the rest, so that a contact slides on to the round end without a
+!> jump. Source: theory section 10.
 module litz_contact_lens
    use litz_kinds, only: dp
    use litz_contact_points, only: contact_point_t
@@ -89,6 +89,7 @@ contains
    pure subroutine divide(u, of_cylinder, of_end)
       !> From the end to the middle of the overlap, over its half length: positive on the wire, negative beyond its end
       real(dp), intent(in) :: u
+      !> In parts of these forces
       real(dp), intent(out) :: of_cylinder, of_end
       real(dp) :: integral
 

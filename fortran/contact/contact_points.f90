@@ -36,8 +36,8 @@ module litz_contact_points
       type(contact_kinematics_t) :: kinematics
       !> On the barred, on the unbarred wire it is at a round end, or at the round joint of a kink
       logical :: held(2) = .false.
-      !> Near the end of a wire: what the law of its cylinder and that of its round end have of the force, in parts of what
-      !> either would have alone (2)
+      !> Near the end of a wire: what the law of its cylinder and that of its round end have of the force, in parts of
+      !> what either would have alone (2)
       real(dp) :: of_cylinder(2) = 1, of_end(2) = 0
       !> These have been found: within an iteration they stay
       logical :: is_divided = .false.
@@ -89,8 +89,8 @@ module litz_contact_points
       real(dp) :: geometric_force = 0
       !> Memory of the converged state: from when the increment began until it has converged
       type(contact_history_t) :: history
-      !> It was at an end or a kink then and is no longer, or the other way round; and the friction of then, as the barred
-      !> wire felt it (3) [N]
+      !> It was at an end or a kink then and is no longer, or the other way round; and the friction of then, as the
+      !> barred wire felt it (3) [N]
       logical :: has_changed_kind = .false.
       real(dp) :: traction_before(3) = 0
       !> It has left the spot of its largest force: by slip, or without friction by moving

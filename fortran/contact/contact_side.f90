@@ -18,7 +18,8 @@ module litz_contact_side
    !> What distinguishes a crossing of two wires from its mirror image, and where it is.
    type :: crossing_t
       logical :: known = .false.
-      !> +1, -1: right-handed, left-handed, with both tangents along their wires; 0: at an end or a kink, which has no hand
+      !> +1, -1: right-handed, left-handed, with both tangents along their wires; 0: at an end or a kink, which has no
+      !> hand
       integer :: hand = 0
       !> Unit normal from the unbarred to the barred wire
       real(dp) :: normal(3) = 0

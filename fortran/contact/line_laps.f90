@@ -1,7 +1,7 @@
 !> What a place stands for next to the end of the wire that it lies along.
 !>
-!> There the overlap ends between two places, wherever the end comes to lie: the last place that has its foot on the wire
-!> stands for all that lies between it and the end, the next one, which is beyond, for nothing.
+!> There the overlap ends between two places, wherever the end comes to lie: the last place that has its foot on the
+!> wire stands for all that lies between it and the end, the next one, which is beyond, for nothing.
 module litz_line_laps
    use litz_kinds, only: dp
    use litz_contact_points, only: contact_point_t

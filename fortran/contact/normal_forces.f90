@@ -128,8 +128,8 @@ contains
       is_near_end = any(point%of_end > 0)
    end function is_near_end
 
-   !> Share of the contact that its lens carries. A law per length knows no round ends: they have the part of the force of
-   !> crossed wires that Hertz has for the same overlap; the force of a penalty goes with the length of the lens.
+   !> Share of the contact that its lens carries. A law per length knows no round ends: they have the part of the force
+   !> of crossed wires that Hertz has for the same overlap; the force of a penalty goes with the length of the lens.
    pure real(dp) function weight_of_lens(law, pair, point) result(weight)
       type(normal_law_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair
@@ -147,7 +147,8 @@ contains
          of_cylinder = product(point%of_cylinder)
       end if
       call hertz_ellipse(pair%radius, pair%young, pair%poisson, angle, ellipse, info)
-      call hertz_near_ends(pair%radius, pair%young, pair%poisson, angle, point%of_cylinder, point%of_end, near_end, info)
+      call hertz_near_ends(pair%radius, pair%young, pair%poisson, angle, point%of_cylinder, point%of_end, near_end, &
+         info)
       weight = (ellipse%approach/near_end%approach)**1.5_dp                                ! delta = cd F^(2/3)
       if (law%line_penalty() > 0) weight = of_cylinder + (weight - of_cylinder)*point%law_sine
       weight = point%weight*weight
@@ -187,8 +188,8 @@ contains
       if (.not. point%active) return
       first = first_overlap*minval(pair%radius)
       if (point%mixed_force > 0) then
-         call find_overlap_of_lens(point%line, point%law_sine, penalty, point%mixed_force/weight, max(-point%gap, first), &
-            overlap, lens)
+         call find_overlap_of_lens(point%line, point%law_sine, penalty, point%mixed_force/weight, &
+            max(-point%gap, first), overlap, lens)
       else
          overlap = merge(min(-point%gap, first), first, point%gap < 0)
          lens = lens_force(point%line, -overlap, point%law_sine, penalty)

@@ -449,12 +449,13 @@ contains
       type(contact_laws_t) :: laws
       wires = wire_pair_t(radius, young, poisson, resistivity, series_resistance)
       laws%axis = axis
+      laws%ends = ends
       laws%normal = find_normal_law(normal_law, normal_data)
       laws%spot = find_spot_law(spot_law, spot_data)
       if (has_rotation_vectors /= 0) then
-         call core_contact_em(x, t, length, v, wires, laws, side, k, r, contact, info, rotation_vectors, ends)
+         call core_contact_em(x, t, length, v, wires, laws, side, k, r, contact, info, rotation_vectors)
       else
-         call core_contact_em(x, t, length, v, wires, laws, side, k, r, contact, info, ends=ends)
+         call core_contact_em(x, t, length, v, wires, laws, side, k, r, contact, info)
       end if
       numbers = [contact%xi_bar, contact%xi, contact%gap, contact%angle, contact%force, contact%semi_major, &
          contact%semi_minor, contact%resistance, contact%current, contact%voltage_gap, real(contact%side, c_double)]

@@ -48,6 +48,8 @@ module litz_contact_em
    type :: contact_laws_t
       !> `axis_linear` or `axis_hermite`
       integer :: axis = axis_hermite
+      !> The end, -1 or 1, with which the barred, the unbarred wire touches (2); 0: with its side
+      integer :: ends(2) = 0
       !> See litz_normal_laws
       type(normal_law_t) :: normal
       !> See litz_spot_laws; left as it is: no current
@@ -80,7 +82,7 @@ module litz_contact_em
 contains
 
    !> Tangent and residual of one pair of elements.
-   pure subroutine contact_em(x, t, length, v, wires, laws, side, k, r, contact, info, rotation_vectors, ends)
+   pure subroutine contact_em(x, t, length, v, wires, laws, side, k, r, contact, info, rotation_vectors)
       !> Nodal positions [m] and unit tangents (3, 4): barred 1, barred 2, 1, 2
       real(dp), intent(in) :: x(3, 4), t(3, 4)
       !> Reference lengths (2) [m]: barred, unbarred
@@ -98,8 +100,6 @@ contains
       integer, intent(out) :: info
       !> Rotation vectors of the nodes (3, 4) [rad], when rotations are additive changes of these instead
       real(dp), intent(in), optional :: rotation_vectors(3, 4)
-      !> The end, -1 or 1, with which the barred, the unbarred wire touches (2); 0: with its side; absent: both do
-      integer, intent(in), optional :: ends(2)
       type(hertz_ellipse_t) :: ellipse
       type(contact_spot_t) :: spot
       type(force_of_gap_t) :: normal
@@ -109,10 +109,9 @@ contains
 
       k = 0
       r = 0
-      is_round = .false.
-      if (present(ends)) is_round = ends /= 0
+      is_round = laws%ends /= 0
       if (any(is_round)) then
-         call find_contact_at_ends(x, t, length, laws%axis, wires%radius, ends, contact, info)
+         call find_contact_at_ends(x, t, length, laws%axis, wires%radius, laws%ends, contact, info)
       else
          call find_contact(x, t, length, laws%axis, wires%radius, side, contact, info)
       end if

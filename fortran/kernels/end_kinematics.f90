@@ -1,5 +1,5 @@
-!> Gap and normal where a wire touches with its round end, or with the round joint of a kink, and how they change with the
-!> 24 mechanical unknowns.
+!> Gap and normal where a wire touches with its round end, or with the round joint of a kink, and how they change with
+!> the 24 mechanical unknowns.
 !>
 !> The place on that wire is held at its node, and only the foot on the other wire moves: the kinematics of a point of a
 !> line (litz_line_kinematics), with either wire as the one that is held. Where both are held, end meets end.

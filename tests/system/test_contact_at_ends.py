@@ -138,10 +138,10 @@ def carried_over(degrees, law, increments):
     path = np.concatenate([before, path, after])
     rod = path[0] + np.outer(np.linspace(-0.0121, 0.0119, 11), [0, 1, 0])
     times = np.linspace(0, 1, len(path))
-    amplitudes = "".join(
-        f"*AMPLITUDE, NAME=P{d + 1}\n" + "".join(f" {t:.17g}, {u:.17g}\n" for t, u in zip(times, path[:, d] - path[0, d], strict=True))
-        for d in (0, 2)
-    )  # fmt: skip
+    amplitudes = ""
+    for d in (0, 2):
+        rows = zip(times, path[:, d] - path[0, d], strict=True)
+        amplitudes += f"*AMPLITUDE, NAME=P{d + 1}\n" + "".join(f" {t:.17g}, {u:.17g}\n" for t, u in rows)
     motion = "".join(f"*BOUNDARY, AMPLITUDE=P{d}\n UPPER, {d}, {d}, 1.\n" for d in (1, 3))
     static = f"*STATIC\n {times[1]:.17g}, 1., 1e-9, {times[1]:.17g}\n"
     return two_wires(kinked(degrees), rod, HELD, amplitudes, f"*STEP, INC=500\n{static}{motion}*END STEP\n", law=law)
@@ -243,7 +243,7 @@ def test_a_cantilever_rests_on_a_wire_with_its_end(run):
 
 
 def test_kinks_bring_no_warning(run):
-    solved(run(two_wires(kinked(60), ALONG_X + [0, 0.005, 0.004], HELD, moved(0, 0, -1e-4))))
+    solved(run(two_wires(kinked(60), ALONG_X + np.array([0, 0.005, 0.004]), HELD, moved(0, 0, -1e-4))))
 
 
 def test_a_wire_is_wire_again_behind_its_kink(run):

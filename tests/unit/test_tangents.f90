@@ -98,8 +98,8 @@ program test_tangents
    call check_ends('end on a wire', hertz//spot, 'end', 'A, B')
    call check_ends('end of the barred wire on a wire', hertz//spot, 'end', 'B, A')
    call check_ends('end that sticks', hertz//'*FRICTION'//nl//'1e3'//nl, 'end', 'A, B')
-   call check_ends('end of the barred wire that sticks', penalty//'*FRICTION, ELASTIC SLIP=1e-7'//nl//'1e3'//nl, 'end', &
-      'B, A')
+   call check_ends('end of the barred wire that sticks', penalty//'*FRICTION, ELASTIC SLIP=1e-7'//nl//'1e3'//nl, &
+      'end', 'B, A')
    call check_ends('end that slips', hertz//'*FRICTION'//nl//'1e-4'//nl, 'end', 'A, B')
    call check_ends('end of the barred wire that slips', hertz//'*FRICTION'//nl//'1e-4'//nl, 'end', 'B, A')
    call check_ends('kink on a wire', hertz//spot, 'kink', 'A, B')
