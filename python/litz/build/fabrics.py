@@ -118,7 +118,7 @@ def woven_fabric(
         Gap at the crossings and between plates and yarns [m], a fiftieth of the radius when left out.
     elements_per_pitch : int
         Elements of each yarn between two crossings, an even number; when left out, as many as turn by less than 15 degrees
-        from one to the next, 4 at least. At 20 degrees a yarn would have a kink, where contact is not modelled.
+        from one to the next, 4 at least. At 20 degrees a yarn would have a kink, and be no smooth wire.
     plates : bool
         With the two plates; without them `model.guides` has the ends of the yarns alone.
     bar_radius : float, optional
@@ -147,7 +147,7 @@ def woven_fabric(
     elif _largest_turn(crimp, pitch, elements_per_pitch) >= _KINK:
         raise ValueError(
             f"with {elements_per_pitch} elements_per_pitch the yarns have kinks of "
-            f"{math.degrees(_largest_turn(crimp, pitch, elements_per_pitch)):.1f} degrees, where contact is not modelled: "
+            f"{math.degrees(_largest_turn(crimp, pitch, elements_per_pitch)):.1f} degrees, where they are no smooth wires: "
             "use more elements, so that they are below 20 degrees"
         )
     amplitude = _amplitude(crimp, pitch, elements_per_pitch)
