@@ -12,6 +12,10 @@ module litz_line_laps
    private
    public :: share_at_lap, distances_to_ends
 
+   !> Ends and places that are nearer to each other than this part of the distance of places lie side by side: all
+   !> places of a lap have to find the same
+   real(dp), parameter :: tie = 1.0e-8_dp
+
 contains
 
    !> Part of its length for which a place stands; more than 1 where the next one is beyond the end.
@@ -29,11 +33,11 @@ contains
       to_end = distances_to_ends(wires, elements, point%element_bar, point%arc_bar)
       side = minloc(to_end, 1)
       spacing = elements%length(point%element)/places%n_parts(point%element)
-      if (to_end(side) >= spacing) return
+      if (to_end(side) >= spacing - tie*spacing) return
       ahead = merge(side, 3 - side, cosine*wires%direction(point%element_bar)*wires%direction(point%element) > 0)
       own = distances_to_ends(wires, elements, point%element, point%arc)
       ! the wire of the place ends first
-      if (own(ahead) <= to_end(side) .and. .not. point%foot_at_end) return
+      if (own(ahead) <= to_end(side) + tie*spacing .and. .not. point%foot_at_end) return
       share = 0
       if (point%foot_at_end) return
       associate (length => places%length(point%line_place))
