@@ -80,6 +80,8 @@ module litz_surface_cells
       type(friction_law_t) :: friction
       type(friction_iteration_t) :: iteration
       real(dp) :: stick_stiffness = 0, traction(3) = 0
+      !> Forces and moments on the surface about its centre, with friction (6) [N, N m]
+      real(dp) :: on_surface(6) = 0
    end type surface_cell_t
 
 contains
@@ -250,6 +252,8 @@ contains
       end associate
       contact%xi = centre_of_force(cell)
       contact%traction = cell%traction
+      contact%surface_force = cell%on_surface(1:3)
+      contact%surface_moment = cell%on_surface(4:6)
       contact%friction_status = cell%friction%status
       contact%slip_path = cell%memory%slip_path
       contact%dissipation = cell%memory%dissipation

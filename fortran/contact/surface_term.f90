@@ -272,6 +272,7 @@ contains
             call cell_forces(present_surface(domain, cell%pair), element_axis(domain, cell%element, cell%pair), cell, &
                k(:, :, i), r(:, i))
             call rub(domain, cell, k(:, :, i), r(:, i))
+            cell%on_surface = -r(13:18, i)
             if (n_cell_nodes == 2) self%outer(:, nodes(:, i)) = self%outer(:, nodes(:, i)) - reshape(r(:12, i), [6, 2])
          end associate
       end do

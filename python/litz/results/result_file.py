@@ -14,6 +14,7 @@ from ..base.names import unknown_name
 from ..base.table import Table
 from ..errors import FileError, WarningEntry
 from ..wires import Wire, find_wires, numbered_wires
+from .rigid_surfaces import SurfaceShape, read_surfaces, surface_forces
 from .run_warnings import read_warnings
 from .text_tables import read_aligned, read_csv
 
@@ -181,6 +182,12 @@ class ResultFile:
         """Rows of `elements` in each element set."""
         return self._sets("litz/element_sets", self.element_ids)
 
+    @cached_property
+    def rigid_surfaces(self) -> dict[str, SurfaceShape]:
+        """The rigid surfaces by their names, as they are before any deformation."""
+        with self._open() as file:
+            return read_surfaces(file)
+
     def _static(self, name: str) -> np.ndarray:
         with self._open() as file:
             return file[name][()]
@@ -310,16 +317,40 @@ class ResultFile:
 
     @property
     def surface_contacts(self) -> Table:
-        """The contacts with rigid surfaces: a row for each element that touches one, at each increment."""
+        """The contacts with rigid surfaces: a row for each element that touches one, at each increment.
+
+        Empty for a model without rigid surfaces.
+        """
+        if not self.rigid_surfaces:
+            return Table({}, {})
         return self._whole(self._table("_surfaces.csv", read_csv))
+
+    @property
+    def surface_forces(self) -> Table:
+        """What each rigid surface feels of all wires, with friction: a row for each surface and increment.
+
+        `force` is the sum of the contact forces, `surface_force` the resultant and `surface_moment` its moment about the
+        reference node, or about the origin for a surface that is fixed in space. In balance they are what the
+        loads on the reference node and its reactions do to it, reversed.
+        """
+        return surface_forces(self)
+
+    def surface_contacts_at(self, increment: int = -1) -> Table:
+        """The contacts with rigid surfaces at one increment."""
+        return self._at(self.surface_contacts, increment)
 
     def contacts_at(self, increment: int = -1) -> Table:
         """The contacts at one increment."""
-        ledger = self.contacts
+        return self._at(self.contacts, increment)
+
+    def _at(self, table: Table, increment: int) -> Table:
+        """The rows of one increment."""
         with self._open() as file:
             increment = self._checked(increment, file)
-        return ledger.where(
-            (ledger["step"] == self.steps[increment]) & (ledger["increment"] == self.increments[increment])
+        if not table.n_rows:
+            return table
+        return table.where(
+            (table["step"] == self.steps[increment]) & (table["increment"] == self.increments[increment])
         )
 
     def contact(self, contact_id: int) -> Table:
