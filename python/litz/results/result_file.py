@@ -422,7 +422,7 @@ class ResultFile:
 def _find(path: Path) -> Path:
     """Find the result file of the wires for a path."""
     if path.is_dir():
-        found = sorted(file for file in path.glob("*.vtkhdf") if not file.stem.endswith(("_contacts", "_unconverged")))
+        found = sorted(file for file in path.glob("*.vtkhdf") if not _is_beside_another(file))
         if len(found) == 1:
             return found[0]
         what = "several: " + ", ".join(file.name for file in found) if found else "none"
@@ -439,6 +439,14 @@ def _find(path: Path) -> Path:
     raise FileError(
         f"there is no result file {' or '.join(dict.fromkeys(map(str, candidates)))}: has the deck been run?"
     )
+
+
+def _is_beside_another(file: Path) -> bool:
+    """It is no result file of wires, but has been written beside one."""
+    if file.stem.endswith(("_contacts", "_unconverged")):
+        return True
+    stem, _, ending = file.stem.rpartition("_")
+    return ending in ("rigid", "surfaces") and file.with_name(f"{stem}.vtkhdf").exists()
 
 
 def _n_steps(file: h5py.File) -> int:

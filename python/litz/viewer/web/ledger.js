@@ -86,7 +86,8 @@ export class Ledger {
       row.classList.toggle("selected", id === this.selected);
       row.append(...COLUMNS.map((name) => {
          const cell = document.createElement("td");
-         cell.textContent = TEXT_COLUMNS.includes(name) ? this.contacts[name][k]
+         // the elements of a contact with a surface are its number
+         cell.textContent = name === "id" && isOnSurface(id) ? "–" : TEXT_COLUMNS.includes(name) ? this.contacts[name][k]
             : Number((scales[name][0] * this.contacts[name][k]).toPrecision(4));
          return cell;
       }));

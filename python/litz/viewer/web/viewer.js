@@ -43,6 +43,7 @@ class Viewer {
       const fields = this.find("field");
       fields.append(...model.scalars.map(({ name, text }) => new Option(text.replaceAll("_", " "), name)));
       fields.value = model.scalar;
+      if (!model.largest.current) this.find("spot-size").value = "force";
       const slider = this.find("increment");
       slider.max = model.times.length - 1;
       slider.value = slider.max;
