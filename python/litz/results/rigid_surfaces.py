@@ -84,6 +84,8 @@ def read_surfaces(file: h5py.File) -> dict[str, SurfaceShape]:
 
 def surface_forces(results: ResultFile) -> Table:
     """What each surface feels at each increment of the history: a row for each surface and increment."""
+    if not results.rigid_surfaces:
+        return Table({}, {})
     contacts, history = results.surface_contacts, results.history
     unit = results.unit_labels
     names = np.array(list(results.rigid_surfaces), dtype=str)
