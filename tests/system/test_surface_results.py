@@ -120,8 +120,8 @@ class TestPlaces:
         """The plate has turned by 0.3 rad about the node, and has moved with it."""
         plate, arm = results.rigid_surfaces["PLATE"], np.array([0.002, 0.001, -0.003])
         c, s = np.cos(0.3), np.sin(0.3)
-        turned = [c * arm[0] - s * arm[1], s * arm[0] + c * arm[1], arm[2]]
-        expected = np.array(HANDLE) + [2e-4, 0, -1e-6] + turned
+        turned = np.array([c * arm[0] - s * arm[1], s * arm[0] + c * arm[1], arm[2]])
+        expected = turned + HANDLE + np.array([2e-4, 0, -1e-6])
         moved = plate.moved(results, np.array([HANDLE + arm]))
         np.testing.assert_allclose(moved, [expected], rtol=1e-9)
         np.testing.assert_allclose(plate.brought_back(results, moved), [HANDLE + arm], rtol=1e-12)
@@ -208,7 +208,9 @@ class TestViewer:
         assert len(last["surfaces"]) == 2
         n = results.contacts_at(-1).n_rows + results.surface_contacts_at(-1).n_rows
         assert {len(values) for values in last["contacts"].values()} == {n}
-        assert model["largest"]["force"] == max(results.contacts["force"].max(), results.surface_contacts["force"].max())
+        assert model["largest"]["force"] == max(
+            results.contacts["force"].max(), results.surface_contacts["force"].max()
+        )
 
     def test_the_surfaces_are_seen_and_their_contacts_are_picked(self, results):
         with open_browser() as browser, ViewServer(results.path) as server:
@@ -219,9 +221,7 @@ class TestViewer:
             bluish = (picture[..., 2] > picture[..., 0] + 0.02) & (picture.min(axis=2) > 0.5)
             assert bluish.mean() > 0.1
             now = results.surface_contacts_at(-1)
-            row = next(
-                row for row in browser.find_elements("css selector", ".litz-contacts tr") if "PLATE" in row.text
-            )
+            row = next(row for row in browser.find_elements("css selector", ".litz-contacts tr") if "PLATE" in row.text)
             row.click()
             shown = ledger_row(browser)
             assert (shown["surface"], shown["wires"]) == ("PLATE", "UPPER")

@@ -14,7 +14,7 @@ from ..base.names import unknown_name
 from ..base.table import Table
 from ..errors import FileError, WarningEntry
 from ..wires import Wire, find_wires, numbered_wires
-from .rigid_surfaces import SurfaceShape, read_surfaces, surface_forces
+from .rigid_surfaces import SurfaceShape, read_surfaces
 from .run_warnings import read_warnings
 from .text_tables import read_aligned, read_csv
 
@@ -324,16 +324,6 @@ class ResultFile:
         if not self.rigid_surfaces:
             return Table({}, {})
         return self._whole(self._table("_surfaces.csv", read_csv))
-
-    @property
-    def surface_forces(self) -> Table:
-        """What each rigid surface feels of all wires, with friction: a row for each surface and increment.
-
-        `force` is the sum of the contact forces, `surface_force` the resultant and `surface_moment` its moment about the
-        reference node, or about the origin for a surface that is fixed in space. In balance they are what the
-        loads on the reference node and its reactions do to it, reversed.
-        """
-        return surface_forces(self)
 
     def surface_contacts_at(self, increment: int = -1) -> Table:
         """The contacts with rigid surfaces at one increment."""

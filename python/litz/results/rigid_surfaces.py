@@ -1,18 +1,29 @@
-"""The rigid surfaces of a run: where they are, and what they feel."""
+"""The rigid surfaces of a run: what they are, and where they are."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import h5py
 import numpy as np
 
-from ..base.table import Table
 from ..wires.curves import rotate
 
-if TYPE_CHECKING:
-    from .result_file import ResultFile
+
+class NodalResults(Protocol):
+    """What tells where a reference node is."""
+
+    @property
+    def nodes(self) -> np.ndarray:
+        """Reference positions of the nodes, (n_nodes, 3) [m]."""
+
+    @property
+    def node_ids(self) -> np.ndarray:
+        """Numbers of the nodes in the deck, (n_nodes)."""
+
+    def field(self, name: str, increment: int | None = -1) -> np.ndarray:
+        """A field over nodes at an increment."""
 
 
 @dataclass(frozen=True)
@@ -40,17 +51,17 @@ class SurfaceShape:
     radius: float
     reference_node: int | None
 
-    def moved(self, results: ResultFile, points: np.ndarray, increment: int = -1) -> np.ndarray:
+    def moved(self, results: NodalResults, points: np.ndarray, increment: int = -1) -> np.ndarray:
         """Where points (n, 3) of the surface have moved to at an increment, (n, 3) [m]."""
         pose = self._pose(results, increment)
         return points if pose is None else pose.place + rotate(points - pose.start, pose.turns(len(points)))
 
-    def brought_back(self, results: ResultFile, points: np.ndarray, increment: int = -1) -> np.ndarray:
+    def brought_back(self, results: NodalResults, points: np.ndarray, increment: int = -1) -> np.ndarray:
         """The reverse of `moved`: points (n, 3) of an increment as seen from the surface, (n, 3) [m]."""
         pose = self._pose(results, increment)
         return points if pose is None else pose.start + rotate(points - pose.place, -pose.turns(len(points)))
 
-    def _pose(self, results: ResultFile, increment: int) -> _Pose | None:
+    def _pose(self, results: NodalResults, increment: int) -> _Pose | None:
         if self.reference_node is None:
             return None
         row = int(np.flatnonzero(results.node_ids == self.reference_node)[0])
@@ -80,36 +91,3 @@ def read_surfaces(file: h5py.File) -> dict[str, SurfaceShape]:
         name = link.replace("|", "/")
         found[name] = SurfaceShape(name, shape.strip("\0 "), values[:3], values[3:6], float(values[6]), node or None)
     return found
-
-
-def surface_forces(results: ResultFile) -> Table:
-    """What each surface feels at each increment of the history: a row for each surface and increment."""
-    if not results.rigid_surfaces:
-        return Table({}, {})
-    contacts, history = results.surface_contacts, results.history
-    unit = results.unit_labels
-    names = np.array(list(results.rigid_surfaces), dtype=str)
-    keys = ("step", "increment", "time")
-    columns = {key: np.repeat(history[key], len(names)) for key in keys}
-    row_of = {key: row for row, key in enumerate(zip(history["step"], history["increment"], strict=True))}
-    place_of = {name: place for place, name in enumerate(names)}
-    rows = np.array(
-        [
-            row_of[step, increment] * len(names) + place_of[name]
-            for step, increment, name in zip(contacts["step"], contacts["increment"], contacts["surface"], strict=True)
-        ],
-        dtype=int,
-    )
-    n = len(columns["time"])
-    columns["contacts"] = np.bincount(rows, minlength=n)
-    for name in ("length", "force", *_components("surface_force"), *_components("surface_moment"), "dissipation"):
-        columns[name] = np.bincount(rows, contacts[name], minlength=n)
-    columns["penetration"] = np.zeros(n)
-    np.maximum.at(columns["penetration"], rows, -contacts["gap"])
-    columns["surface"] = np.tile(names, history.n_rows)
-    units = {**contacts.units, "time": unit["s"], "contacts": "", "penetration": unit["m"]}
-    return Table(columns, {name: units.get(name, "") for name in columns})
-
-
-def _components(name: str) -> list[str]:
-    return [f"{name}_{axis}" for axis in "xyz"]

@@ -6,6 +6,7 @@ import numpy as np
 
 from ..errors import WarningEntry
 from .result_file import ResultFile
+from .surface_forces import surface_forces
 
 _MAX_ROWS = 30
 
@@ -87,7 +88,7 @@ def _on_surfaces(results: ResultFile) -> list[str]:
     """A line for each rigid surface: the resultant of the wires on it."""
     if not results.rigid_surfaces:
         return []
-    table, unit = results.surface_forces, results.unit_labels
+    table, unit = surface_forces(results), results.unit_labels
     now = table.where((table["step"] == results.steps[-1]) & (table["increment"] == results.increments[-1]))
     lines = []
     for k, name in enumerate(now["surface"]):

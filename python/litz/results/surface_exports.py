@@ -5,16 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import h5py
 import numpy as np
 from numpy.typing import NDArray
 
+from .result_file import ResultFile
+from .surface_forces import surface_forces
 from .surface_patches import surface_patches
-
-if TYPE_CHECKING:
-    from .result_file import ResultFile
 
 #: VTK's numbers of cell types
 _VERTEX, _QUAD = 1, 9
@@ -52,7 +50,7 @@ def surface_frames(results: ResultFile) -> Iterator[Frame]:
     first = np.cumsum([0, *counts[:-1]])
     cells = np.concatenate([start + patch.quads for start, patch in zip(first, patches, strict=True)])
     faces = [len(patch.quads) for patch in patches]
-    forces = results.surface_forces
+    forces = surface_forces(results)
     for k in increments:
         now = forces.where((forces["step"] == results.steps[k]) & (forces["increment"] == results.increments[k]))
         row_of = {name: row for row, name in enumerate(now["surface"])}

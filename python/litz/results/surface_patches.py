@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .result_file import ResultFile
 from .rigid_surfaces import SurfaceShape
-
-if TYPE_CHECKING:
-    from .result_file import ResultFile
 
 #: Increments at most whose wires a patch is made for
 _MAX_LOOKS = 20
