@@ -171,6 +171,14 @@ class Names:
             return [target]
         return list(self.groups[target].nodes) if target in self.groups else self.node_sets[target]
 
+    def elements_of(self, elements: str | WireGroup) -> list[int]:
+        """Element numbers of a group or an element set."""
+        name = self.element_set_of(elements)
+        if name in self.groups:
+            return list(self.groups[name].elements)
+        members = self.element_sets[name]
+        return [number for one in members for number in ([one] if isinstance(one, int) else self.elements_of(one))]
+
     @property
     def x(self) -> NDArray[np.float64]:
         """Positions of the nodes, (n, 3) [m]; node i is in row i - 1."""
