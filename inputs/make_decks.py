@@ -83,6 +83,52 @@ Expect   axial force on the moving clamp [N], that of a long strand to 0.1 %
     return model
 
 
+def rod_over_drum() -> build.Model:
+    """A steel rod hangs over a rigid drum by two weights, and one end is drawn down."""
+    radius, on_drum, tension = 0.5e-3, 50e-3, 19.6349540849
+    model = build.Model("A rod with bending stiffness is drawn over a rigid drum")
+    model.comments = """\
+Model    A straight steel rod of 0.5 mm radius is laid on a rigid drum, hung over it by a weight of 5 B/R^2 = 19.635 N at either
+         end, where R = 50 mm is the radius of its axis on the drum and B its bending stiffness, and then drawn down by
+         one end, against the other weight, until it slips on the whole arc. Friction 0.3.
+Contact  Hertz per length on a *RIGID SURFACE, along an arc with a point force at either end of it. The drum has a reference
+         node on its axis, which is held: its reactions are what the rod does to the drum.
+Source   inputs/make_decks.py; references/capstan.py of the verification: H. Singh, J. Elast. 151 (2022) 321-346, with friction
+         on the surface of the rod, 0.5 mm off its axis.
+Expect   tension of the drawn end [N] and moment on the drum about its axis [N m], (T2 - T1) R, both to 0.05 %
+         time s   tension N   moment N m
+         3        47.171      1.3768
+         Contact along an arc of 137.7 degrees, within an element of 3.3 degrees; without bending stiffness it would be 180
+         degrees, and T2/T1 2.566, Euler's, in place of 2.402.""".splitlines()
+    rod = model.wire(
+        "ROD",
+        (-0.2285, 0, on_drum),
+        (0.2285, 0, on_drum),
+        elements=160,
+        radius=radius,
+        material=model.material("STEEL", young=200e9, poisson=0.3),
+    )
+    drum = model.cylinder("DRUM", (0, 0, -1e-7), (0, 1, 0), on_drum - radius, reference=(0, 0, 0))
+    model.contact(rod, drum, friction=0.3)
+    model.fix(rod, "y", "rx", "rz")
+    model.fix(drum)
+    lay = model.step("LAY")
+    lay.hold(rod.middle, "x", "ry")
+    lay.move(rod.ends, "z", -2e-4)
+    hang = model.step("HANG", first=0.01, largest=0.1, inc=400, boundary_op="NEW")
+    draw = model.step("DRAW", first=0.02, largest=0.2, inc=400, boundary_op="NEW", cload_op="NEW")
+    for step in (hang, draw):
+        step.hold(rod, "y", "rx", "rz")
+        step.hold(drum)
+    hang.hold(rod.middle, "x", "ry")
+    hang.force(rod.ends, "z", -tension)
+    draw.force(rod.start, "z", -tension)
+    draw.move(rod.end, "z", -0.2015)
+    draw.node_print(rod.end, "RF")
+    draw.node_print(drum, "RF", "RM")
+    return model
+
+
 def add_step(model: build.Model, displacement: float) -> None:
     """Press, with 1 mV between the electrodes, and request the forces on both."""
     step = model.press(displacement, voltage=1e-3)
@@ -94,3 +140,4 @@ if __name__ == "__main__":
     fibre_mat().write(INPUTS / "11_fibre_mat.inp")
     woven_fabric().write(INPUTS / "12_woven_fabric.inp")
     strand().write(INPUTS / "14_strand.inp")
+    rod_over_drum().write(INPUTS / "17_rod_over_drum.inp")

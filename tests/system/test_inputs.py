@@ -8,6 +8,7 @@ import re
 import numpy as np
 import pytest
 from verification.cases.twisted_pair import approach_of
+from verification.references.capstan import capstan
 from verification.references.helical_rods import Rod, Strand
 
 from litz import Results
@@ -32,6 +33,7 @@ DECKS = [
     "12_woven_fabric",
     "13_stick_slip",
     "14_strand",
+    "17_rod_over_drum",
 ]
 THIN_COPPER = {"radius": 0.1e-3, "young": 120e9, "poisson": 0.34, "resistivity": 1 / 58.8e6}
 
@@ -350,6 +352,23 @@ def test_a_strand_is_pulled_and_twisted_as_one_of_exact_helices(results_of, head
     assert results.history["resistance PLUS to MINUS"][at(results, 2)] == pytest.approx(1 / conductance, rel=1e-3)
 
 
+def test_a_rod_is_drawn_over_a_drum_as_an_exact_elastica_with_friction(results_of, header):
+    results = results_of("17_rod_over_drum")
+    ((time, tension, moment),) = header("17_rod_over_drum")
+    weight = 5 * 200e9 * np.pi * 0.5e-3**4 / 4 / 0.05**2
+    exact = capstan(5, np.pi, 0.3, 0.01)
+    assert tension == pytest.approx(weight * exact.tension / 5, rel=1e-5)
+    assert moment == pytest.approx((tension - weight) * 0.05, rel=1e-4)
+    last = at(results, time)
+    # drawn downwards; the support of the drum turns it against the rod
+    assert -results.history["RF3 node 161"][last] == pytest.approx(tension, rel=5e-4)
+    assert -results.history["RM2 node 162"][last] == pytest.approx(moment, rel=5e-4)
+    contacts = results.surface_contacts_at(last)
+    assert set(contacts["friction"]) == {"slip"}
+    angle = np.degrees(np.arctan2(contacts["point_x"], contacts["point_z"]))
+    assert np.ptp(angle) == pytest.approx(np.degrees(exact.arc), abs=180 / np.pi * 0.457 / 160 / 0.05)
+
+
 def wire_resistance(length):
     return THIN_COPPER["resistivity"] * length / (math.pi * THIN_COPPER["radius"] ** 2)
 
@@ -374,6 +393,7 @@ def test_generated_decks_are_those_of_the_generator(inputs):
         "11_fibre_mat": make_decks.fibre_mat,
         "12_woven_fabric": make_decks.woven_fabric,
         "14_strand": make_decks.strand,
+        "17_rod_over_drum": make_decks.rod_over_drum,
     }
     for name, make in makers.items():
         assert (inputs / f"{name}.inp").read_text(encoding="utf-8") == make().to_deck()
