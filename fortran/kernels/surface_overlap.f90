@@ -2,8 +2,8 @@
 !>
 !> The gap along the axis is followed from place to place; every minimum and maximum between two places is looked up, so
 !> that a short overlap, or a short gap within a long one, is found as well as a long one. A part that overlaps ends
-!> where the gap has a maximum that is far less deep than the rest: where the wire begins to lift off there, the integral
-!> of the forces over the parts changes without a jump.
+!> where the gap has a maximum that is far less deep than the rest: where the wire begins to lift off there, the
+!> integral of the forces over the parts changes without a jump.
 module litz_surface_overlap
    use litz_kinds, only: dp
    use litz_rigid_surface, only: rigid_surface_t, surface_distance
