@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import pyvista as pv
 from matplotlib.image import imread
+from PIL import Image
 
 import litz
 from browser import open_browser
@@ -185,6 +186,16 @@ class TestPictures:
         # most of what the plate covers, and the wires shine through it
         assert bluish.mean() > 0.15
         assert (picture.max(axis=2) - picture.min(axis=2) > 0.25).mean() > 0.005
+
+    @pytest.mark.filterwarnings("ignore:.*drawn with matplotlib only")
+    def test_an_animation_has_them_in_every_frame(self, results, tmp_path):
+        with Image.open(litz.animate(results, tmp_path / "plates.gif", max_frames=2, view="z")) as frames:
+            assert frames.n_frames == 2
+            for k in range(2):
+                frames.seek(k)
+                picture = np.asarray(frames.convert("RGB")).astype(int)
+                bluish = (picture[..., 2] > picture[..., 0] + 5) & (picture.min(axis=2) > 128)
+                assert bluish.mean() > 0.15
 
     def test_the_chart_of_forces_ends_at_the_force_on_each_surface(self, results, tmp_path):
         from matplotlib.figure import Figure

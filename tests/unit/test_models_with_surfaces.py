@@ -2,6 +2,7 @@
 
 import subprocess
 
+import numpy as np
 import pytest
 
 import litz
@@ -109,3 +110,40 @@ def test_what_is_wrong_with_a_surface_is_said(call, message):
     other = beam()[0].plane("TABLE", (0, 0, -1e-3), (0, 0, 1))
     with pytest.raises(ValueError, match=message):
         eval(call, {"model": model, "wire": wire, "table": table, "other": other, "litz": litz, "WIRE": WIRE})
+
+
+def test_plates_just_touch_the_wires_of_a_model():
+    """Wires that cross at the height of two radii, and a bow whose top lies between its nodes."""
+    model = litz.Model("crossed")
+    model.wire("LOWER", (-0.05, 0, 0), (0.05, 0, 0), elements=4, **WIRE)
+    model.wire("BOW", curve=lambda t: (0, 0.02 * np.sin(t), 0.02 * np.cos(t)), span=(-1, 1), elements=9, **WIRE)
+    lower, upper = litz.build.press_plates(model, friction=0.1)
+    assert lower.point[2] == pytest.approx(-1e-3, abs=1e-12)
+    # the top of the bow on its cubic axis, `R angle^4/128` below the circle
+    assert upper.point[2] == pytest.approx(0.021, abs=0.02 * (2 / 9) ** 4 / 100)
+    assert (lower.direction, upper.direction) == ((0, 0, 1), (0, 0, -1))
+    assert (lower.node, tuple(model.x[upper.node - 1])) == (None, upper.point)
+    assert [(pair.first, pair.second) for pair in model.contacts] == [
+        ("LOWER_BOW", "PLATE_1"),
+        ("LOWER_BOW", "PLATE_2"),
+    ]
+    # free along z only
+    assert [(held.first, held.last) for held in model.supports if held.target == upper.node] == [(1, 2), (4, 6)]
+    only = litz.Model("one of two")
+    other = only.wire("OTHER", (0, 0, 1), (1, 0, 1), elements=1, **WIRE)
+    only.wire("FAR", (0, 0, 5), (1, 0, 5), elements=1, **WIRE)
+    low, high = litz.build.press_plates(only, other, axis="y", clearance=1e-4)
+    assert (low.point[1], high.point[1]) == pytest.approx((-1.1e-3, 1.1e-3))
+    assert {pair.first for pair in only.contacts} == {"OTHER"}
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [({"axis": "up"}, 'axis must be "x", "y" or "z"'), ({"clearance": -1e-3}, "clearance must not be negative")],
+)
+def test_plates_need_an_axis_and_room(options, message):
+    model, _ = beam()
+    with pytest.raises(ValueError, match=message):
+        litz.build.press_plates(model, **options)
+    with pytest.raises(ValueError, match="no wires that plates could press"):
+        litz.build.press_plates(litz.Model("nothing"))

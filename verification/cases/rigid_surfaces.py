@@ -1,6 +1,6 @@
 """Beams and wires on rigid planes and in bores: point forces at the ends of contact, and the law of a long contact.
 
-Source: elementary statics and S. Timoshenko's solutions, derived in references/pressed_on_plane.py.
+Source: equilibrium and S. Timoshenko's solutions, derived in references/pressed_on_plane.py.
 """
 
 import math

@@ -7,8 +7,8 @@ a jump, F (l - c) = B K, so that
 
     c = l - B K/F     for F > B K/l, below which the beam touches in one point.
 
-The same from statics alone: where the middle is flat the moment there is B K, so that the forces of the plane on one half have
-the moment F l - B K about it and their centre at the distance c, however stiff the contact is.
+The same from equilibrium alone: where the middle is flat the moment there is B K, so that the forces of the plane on one
+half have the moment F l - B K about it and their centre at the distance c, however stiff the contact is.
 
 A straight beam of length 2 l with hinged ends in a bore with the clearance e buckles under P > P_E = pi^2 B/(4 l^2), and leans
 on the bore in its middle with a force Q. From B w'' + P w = Q x/2 of one half, w(0) = 0, w(l) = e, w'(l) = 0, with k^2 = P/B,

@@ -50,7 +50,7 @@ def press_plates(
     Examples
     --------
     >>> import litz
-    >>> model = litz.build.strand([1, 6], radius=0.5e-3, lay_length=40e-3, length=10e-3)
+    >>> model = litz.build.strand([1, 6], radius=[0.52e-3, 0.5e-3], lay_length=45e-3, length=20e-3)
     >>> lower, upper = litz.build.press_plates(model, axis="x", friction=0.2)
     >>> step = model.step("PRESS", increment=0.25)
     >>> step.move(upper, "x", -2e-6)

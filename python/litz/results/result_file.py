@@ -402,8 +402,14 @@ class ResultFile:
         return self._tables[ending][1]
 
     def to_pandas(self, table: str = "history") -> "pd.DataFrame":
-        """A table as a data frame of pandas: "history", "contacts", "status" or "convergence"; needs pandas."""
-        tables = ("history", "contacts", "status", "convergence")
+        """A table as a data frame of pandas; needs pandas.
+
+        Parameters
+        ----------
+        table : str
+            "history", "contacts", "surface_contacts", "status" or "convergence".
+        """
+        tables = ("history", "contacts", "surface_contacts", "status", "convergence")
         if table not in tables:
             raise ValueError(unknown_name("table", table, tables))
         return getattr(self, table).to_pandas()

@@ -16,8 +16,8 @@ _MAX_LOOKS = 20
 _MARGIN, _MARGIN_IN_RADII = 0.06, 2.0
 #: Smaller over larger side of a patch, at least
 _MIN_ASPECT = 0.3
-#: Sides of a full cylinder
-_N_SIDES = 96
+#: Sides of a full cylinder, and of a sector at least
+_N_SIDES, _MIN_SIDES = 96, 24
 #: A cylinder whose radius is larger than this part of the extent of the wires is shown as a sector
 _MAX_FULL_RADIUS = 1.0
 
@@ -106,7 +106,7 @@ def _sector(angles: np.ndarray, margin: float, extent: float) -> np.ndarray:
     middle = np.arctan2(np.sin(angles).mean(), np.cos(angles).mean())
     away = np.abs((angles - middle + np.pi) % (2 * np.pi) - np.pi).max()
     half = min(np.pi, max(1.1 * away + margin, _MIN_ASPECT * extent / 2))
-    return middle + np.linspace(-half, half, max(2, round(_N_SIDES * half / np.pi)) + 1)
+    return middle + np.linspace(-half, half, max(_MIN_SIDES, round(_N_SIDES * half / np.pi)) + 1)
 
 
 def _grid(surface: SurfaceShape, points: np.ndarray, n: int, *, closed: bool) -> Patch:
