@@ -111,8 +111,8 @@ contains
          text = pair//' touch side by side, along a line, and'//depth//' there'
       case (finding_tight)
          text = 'the wire of elements '//to_text(model%element_id(minval(self%elements)))//' to '// &
-            to_text(model%element_id(maxval(self%elements)))//' is bent more tightly than it is thick: the sides of the'// &
-            ' bend'//depth
+            to_text(model%element_id(maxval(self%elements)))//' is bent more tightly than it is thick: the sides'// &
+            ' of the bend'//depth
       case (finding_departed)
          text = 'the contact of '//pair//' has left the part of one of them that *CONTACT PAIR names, and they'// &
             ' overlap by '//to_text(100*self%overlap)//' % of the smaller radius beyond it'

@@ -38,7 +38,7 @@ contains
       radius = max(elements%radius(a), elements%radius(b))
       if (wires%wire(a) == wires%wire(b)) then
          if (.not. turning%comes_back(wires, a, b)) return
-         if (wires%arc_between(wires%wire(a), wires%arc(a), wires%arc(b)) + (elements%length(a) + elements%length(b))/2 &
+         if (wires%arc_between(wires%wire(a), wires%arc(a), wires%arc(b)) + sum(elements%length([a, b]))/2 &
             < joint_length(wires, elements, [a, b])) return
       else if (wires%is_joined(wires%wire(a)) .and. wires%is_joined(wires%wire(b))) then
          if (joined_within(1) .or. joined_within(2)) return

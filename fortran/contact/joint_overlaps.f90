@@ -17,8 +17,8 @@ module litz_joint_overlaps
 
 contains
 
-   !> Two elements of different wires that share a node, where these fold up: do these overlap where joined elements end to be
-   !> without contact, and did not in the reference configuration?
+   !> Two elements of different wires that share a node, where these fold up: do they overlap where joined elements end
+   !> to be without contact, and did not in the reference configuration?
    subroutine inspect_legs(model, wires, elements, candidate, x, rotation, finding)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
@@ -51,7 +51,8 @@ contains
       end do
    end subroutine inspect_legs
 
-   !> One of two elements of different wires, or the one beyond its end, is joined to the other one or to that beyond its end.
+   !> One of two elements of different wires, or the one beyond its end, is joined to the other one or to that beyond
+   !> its end.
    pure logical function leads_to_joint(model, wires, elements, turning, pair, beyond)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires

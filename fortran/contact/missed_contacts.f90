@@ -109,7 +109,8 @@ contains
       end if
    end function kind_of
 
-   !> Elements of one wire, or of joined wires, overlap so near to each other along them that they do by their construction.
+   !> Elements of one wire, or of joined wires, overlap so near to each other along them that they do by their
+   !> construction.
    pure logical function is_part_of_joint(model, wires, elements, pair, place)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires

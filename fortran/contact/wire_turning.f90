@@ -16,8 +16,8 @@ module litz_wire_turning
    private
    public :: wire_turning_t, measure_turning
 
-   !> A wire that turns by less [rad] does not come back. Along a line a place may carry a contact while its wire is tilted
-   !> by 15 degrees against the other one: by as much less than `pi` the wire may turn
+   !> A wire that turns by less [rad] does not come back. Along a line a place may carry a contact while its wire is
+   !> tilted by 15 degrees against the other one: by as much less than `pi` the wire may turn
    real(dp), parameter :: least_turning = pi - 15*pi/180
 
    type :: wire_turning_t
@@ -61,8 +61,8 @@ contains
       end do
    end subroutine measure_turning
 
-   !> By how much a wire turns from the one to the other of two elements, these included [rad], at most; of a closed wire
-   !> not over the node where its arc lengths begin.
+   !> By how much a wire turns from the one to the other of two elements, these included [rad], at most; of a closed
+   !> wire not over the node where its arc lengths begin.
    pure real(dp) function along(self, wires, a, b)
       class(wire_turning_t), intent(in) :: self
       type(wires_t), intent(in) :: wires

@@ -45,12 +45,13 @@ contains
          p = 2*p - 1
          call check(axis_turning(p) >= sampled_turning(p)*(1 - 1.0e-12_dp), 'bound of the turning of a cubic')
       end do
-      p = axis_polynomial(axis_hermite, pi/6, reshape([0.0_dp, 0.0_dp, 0.0_dp, 0.5_dp, 1 - sqrt(0.75_dp), 0.0_dp], [3, 2]), &
+      p = axis_polynomial(axis_hermite, pi/6, &
+         reshape([0.0_dp, 0.0_dp, 0.0_dp, 0.5_dp, 1 - sqrt(0.75_dp), 0.0_dp], [3, 2]), &
          reshape([1.0_dp, 0.0_dp, 0.0_dp, sqrt(0.75_dp), 0.5_dp, 0.0_dp], [3, 2]))
       call check(abs(axis_turning(p) - pi/6) < 1.0e-12_dp, 'an arc of 30 degrees')
    end subroutine no_axis_turns_by_more_than_its_bound
 
-   !> Sampled tangents turn by a little less than the bound: within 5 % for these wires, which twist out of their planes.
+   !> Sampled tangents turn by a little less than the bound: within 5 % for these wires, which twist out of planes.
    subroutine the_bound_of_a_wire_is_close_to_its_turning()
       real(dp) :: sampled
       integer :: w, e
@@ -224,11 +225,14 @@ contains
       end do
       node = n_wires*(n_along + 1)
       do i = 1, n_ring
-         write (unit, '(i0, 2(a, es23.16), a)') node + i, ', ', 10*cos(i*2*pi/n_ring), ', ', 10*sin(i*2*pi/n_ring), ', 0'
+         associate (angle => i*2*pi/n_ring)
+            write (unit, '(i0, 2(a, es23.16), a)') node + i, ', ', 10*cos(angle), ', ', 10*sin(angle), ', 0'
+         end associate
       end do
       do i = 0, n_arc
          associate (angle => i*160*pi/180/n_arc)
-            write (unit, '(i0, 2(a, es23.16), a)') node + n_ring + 1 + i, ', ', 7*sin(angle), ', ', 7*(1 - cos(angle)), ', 50'
+            write (unit, '(i0, 2(a, es23.16), a)') node + n_ring + 1 + i, ', ', 7*sin(angle), ', ', &
+               7*(1 - cos(angle)), ', 50'
          end associate
       end do
       write (unit, '(a)') '*ELEMENT, TYPE=B33, ELSET=ALL'
