@@ -236,7 +236,7 @@ contains
       end if
    end function elements_at
 
-   !> A contact of a barred wire is that with another wire at these arc lengths.
+   !> A contact of a barred wire is that with another wire at these arc lengths; with itself, in either order.
    pure logical function is_at(wires, elements, point, pair, arc)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
@@ -251,8 +251,9 @@ contains
       is_at = .false.
       if (wires%wire(point%element) /= wires%wire(pair(2))) return
       allowed = same_contact*sum(elements%radius(pair))
-      is_at = wires%arc_between(wires%wire(pair(1)), arc(1), point%arc_bar) < allowed .and. &
-         wires%arc_between(wires%wire(pair(2)), arc(2), point%arc) < allowed
+      is_at = all(wires%arc_between(wires%wire(pair), arc, [point%arc_bar, point%arc]) < allowed)
+      if (.not. is_at .and. wires%wire(pair(1)) == wires%wire(pair(2))) &
+         is_at = all(wires%arc_between(wires%wire(pair), arc, [point%arc, point%arc_bar]) < allowed)
    end function is_at
 
    !> Why an overlap of two elements that are not joined is no contact.
