@@ -173,7 +173,7 @@ def test_a_bend_tighter_than_the_wire_is_thick_is_named_and_no_contact(run):
 
 def test_a_bend_whose_sides_overlap_ends_the_run(run):
     """A turn of 160 degrees with a radius of half the wire's: its legs lie in each other, and no law is for that."""
-    process, results = run(bent_to(160 / 360, 0.5 * RADIUS))
+    process, _ = run(bent_to(160 / 360, 0.5 * RADIUS))
     assert process.returncode == 2
     assert "is bent more tightly than it is thick: the sides of the bend overlap" in process.stderr
     assert "model a thinner one" in process.stderr
