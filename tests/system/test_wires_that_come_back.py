@@ -72,6 +72,17 @@ def test_a_coil_with_closed_turns_touches_itself_turn_by_turn(run, radius):
     assert contacts["length"].sum() == pytest.approx(turn * (turns - 1), abs=3 * RADIUS)
 
 
+def test_a_spring_whose_turns_come_near_each_other_stays_open(run):
+    """Places get a foot on the next turn and on the one before at different times, and neither is the other one."""
+    turns, per_turn, gap = 4, 24, 1.3 * RADIUS
+    points = coil(6 * RADIUS, 2 * RADIUS + gap, turns, per_turn)
+    last = len(points)
+    held = f"*BOUNDARY\n 1, ENCASTRE\n {last}, 1, 2\n {last}, 4, 6\n"
+    process, results = run(model(points) + held + step(f" {last}, 3, 3, {-0.75 * turns * gap:.17g}\n"))
+    assert process.returncode == 0, process.stderr
+    assert len(results.contacts["force"]) == 0
+
+
 def test_the_legs_of_a_hairpin_touch_along_a_line(run):
     """Parts of both legs, 20 mm long, are led together with their clamps: law along their length."""
     bend, leg, n, led = 4 * RADIUS, 40 * RADIUS, 16, 8
