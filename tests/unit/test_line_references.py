@@ -19,6 +19,7 @@ from verification.references.closed_coil import ClosedCoil, next_turn
 from verification.references.helical_rods import STRAIGHT, Helix, Rod, Strand, TwistedPair, energy, loads
 from verification.references.line_joints import LineJoint
 from verification.references.parallel_wires import ParallelWires, PressedWire
+from verification.references.plectoneme import under_tension
 from verification.references.slipping_pair import SlippingPair
 from verification.references.touching_beams import Cantilevers, SharedLoad, ThreePointBending
 from verification.run import main
@@ -123,6 +124,29 @@ def test_a_closed_coil_has_the_loads_of_its_energy():
     push = spring.state(0.99 * spring.free.height)
     shear = rod.young / (2 * (1 + rod.poisson))
     assert push.force == pytest.approx(-shear * 2e-3**4 * 1e-4 / (8 * 0.2**3), rel=2e-3)
+
+
+@pytest.mark.parametrize(
+    ("force", "degrees", "moment", "line"),
+    [(0.005, 13.6227640, 0.0285652835, 0.00346134198), (0.05, 23.5308751, 0.171300110, 0.0372965972)],
+)
+def test_a_ply_is_stationary(force, degrees, moment, line):
+    """The closed forms, computed with 40 digits, and the derivatives of the potential of the ply."""
+    ply = under_tension(force, 1.0, 1.0)
+    assert math.degrees(ply.angle) == pytest.approx(degrees, rel=1e-8)
+    assert [ply.moment, ply.line_force] == pytest.approx([moment, line], rel=1e-8)
+
+    def potential(angle, radius):
+        return math.sin(angle) ** 4 / (2 * radius**2) + ply.force - ply.moment * math.sin(2 * angle) / (2 * radius)
+
+    step = 1e-5
+    assert potential(ply.angle, 1.0) == pytest.approx(0, abs=1e-12)
+    assert potential(ply.angle + step, 1.0) == pytest.approx(potential(ply.angle - step, 1.0), abs=1e-12)
+    pressed = (potential(ply.angle, 1 + step) - potential(ply.angle, 1 - step)) / (2 * step)
+    assert pressed == pytest.approx(line, rel=1e-7)
+    # strands that give way are closer to each other, as far as their force is
+    soft = under_tension(force, 1.0, 1.0, stiffness=2.0)
+    assert soft.line_force == pytest.approx(2.0 * 2 * (1.0 - soft.radius), rel=1e-10)
 
 
 def test_a_strand_of_soft_surfaces_is_softer_and_stands_in_equilibrium():
