@@ -179,9 +179,10 @@ contains
          place = chain_at(points(k)%element_bar, points(k)%xi_bar)
          keep(k) = .not. is_found_before(model, wires, elements, points, k, last_at(place), before)
          ! where the arc lengths of a closed wire begin, its elements change their roles
-         if (keep(k) .and. wires%wire(points(k)%element) == wires%wire(points(k)%element_bar)) keep(k) = &
-            .not. is_found_before(model, wires, elements, points, k, last_at(chain_at(points(k)%element, points(k)%xi)), &
-            before)
+         if (keep(k) .and. wires%wire(points(k)%element) == wires%wire(points(k)%element_bar)) then
+            keep(k) = .not. is_found_before(model, wires, elements, points, k, &
+               last_at(chain_at(points(k)%element, points(k)%xi)), before)
+         end if
          before(k) = last_at(place)
          last_at(place) = k
       end do

@@ -252,8 +252,8 @@ contains
       if (wires%wire(point%element) /= wires%wire(pair(2))) return
       allowed = same_contact*sum(elements%radius(pair))
       is_at = all(wires%arc_between(wires%wire(pair), arc, [point%arc_bar, point%arc]) < allowed)
-      if (.not. is_at .and. wires%wire(pair(1)) == wires%wire(pair(2))) &
-         is_at = all(wires%arc_between(wires%wire(pair), arc, [point%arc, point%arc_bar]) < allowed)
+      if (is_at .or. wires%wire(pair(1)) /= wires%wire(pair(2))) return
+      is_at = all(wires%arc_between(wires%wire(pair), arc, [point%arc, point%arc_bar]) < allowed)
    end function is_at
 
    !> Why an overlap of two elements that are not joined is no contact.
