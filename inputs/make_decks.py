@@ -2,6 +2,9 @@
 
 from pathlib import Path
 
+import numpy as np
+
+import litz
 from litz import build
 
 INPUTS = Path(__file__).parent
@@ -129,6 +132,53 @@ Expect   tension of the drawn end [N] and moment on the drum about its axis [N m
     return model
 
 
+def knot() -> litz.Model:
+    """A wire with an overhand knot is pulled tight, with a current."""
+    radius, pull = 0.25e-3, 14e-3
+    model = litz.Model("A knot in a wire is pulled tight")
+    model.comments = """\
+Model    A wire of nitinol, 0.5 mm thick and 87 mm long, that has the shape of a loose overhand knot without stress: 3 mm times
+         (t^3 - 3t, t^4/2 - 2t^2, 1.2 sin 3t), with round and then straight ends along x. The ends are led apart by 14 mm
+         each, with 1 mV between them.
+Contact  Hertz and Holm, of the wire with itself, without friction. First it touches itself at two crossings, which slide towards
+         each other; from time 0.7 on its strands wind around each other and touch along two lines.
+Source   overhand in inputs/make_decks.py. Half a turn about the y axis leaves the knot as it is. Without contact the resistance
+         is that of the length of the curve, with contacts that of Kirchhoff's laws for the wire between them.
+Expect   The knot short-circuits its loop: the resistance falls from 353.0 mohm, that of the whole wire, to 215 mohm at first
+         contact, and rises to 274.5 mohm as the loop shrinks. The ends are pulled by 17.9 N in the end (17.86 N with twice as
+         many elements), and the wire is strained by 6.5 % in bending, about as much as nitinol bears.""".splitlines()
+    nitinol = model.material("NITINOL", young=60e9, poisson=0.33, conductivity=1.25e6)
+    wire = model.wire("WIRE", curve=overhand, span=(-4.0, 4.0), elements=160, radius=radius, material=nitinol)
+    model.contact(wire, conductance=litz.HertzSpot())
+    model.fix(wire.ends, "y", "z", "rotations")
+    step = model.step("PULL", increment=0.05)
+    step.move(wire.start, "x", -pull)
+    step.move(wire.end, "x", pull)
+    step.potential(wire.start, 1e-3)
+    step.potential(wire.end, 0.0)
+    step.node_print(wire.end, "RF")
+    step.electrode_print(wire.start, wire.end)
+    step.energy_print()
+    return model
+
+
+def overhand(t: float) -> list[float]:
+    """An overhand knot: a curve that crosses itself three times, and beyond |t| = 2 pi/3 an arc and a straight end."""
+    size, bend, last = 3e-3, 6e-3, 2 * np.pi / 3
+    u = min(abs(t), last)
+    x = size * np.array([u**3 - 3 * u, (u**4 - 4 * u**2) / 2, 1.2 * np.sin(3 * u)])
+    along = size * np.array([3 * u**2 - 3, 2 * u**3 - 4 * u, 3.6 * np.cos(3 * u)])
+    if abs(t) > last:
+        along /= np.linalg.norm(along)
+        inwards = np.array([1.0, 0.0, 0.0]) - along[0] * along
+        inwards /= np.linalg.norm(inwards)
+        full = np.arccos(along[0])
+        angle = min(abs(t) - last, full)
+        x += bend * (np.sin(angle) * along + (1 - np.cos(angle)) * inwards)
+        x[0] += bend * (abs(t) - last - angle)
+    return [float(np.copysign(1, t) * x[0]), float(x[1]), float(np.copysign(1, t) * x[2])]
+
+
 def add_step(model: build.Model, displacement: float) -> None:
     """Press, with 1 mV between the electrodes, and request the forces on both."""
     step = model.press(displacement, voltage=1e-3)
@@ -140,4 +190,5 @@ if __name__ == "__main__":
     fibre_mat().write(INPUTS / "11_fibre_mat.inp")
     woven_fabric().write(INPUTS / "12_woven_fabric.inp")
     strand().write(INPUTS / "14_strand.inp")
-    rod_over_drum().write(INPUTS / "17_rod_over_drum.inp")
+    rod_over_drum().write(INPUTS / "18_rod_over_drum.inp")
+    knot().write(INPUTS / "17_knot.inp")
