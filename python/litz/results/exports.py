@@ -12,7 +12,10 @@ from numpy.typing import NDArray
 
 from ..base.names import unknown_name
 from ..base.packages import optional
+from ..base.table import Table
 from ..errors import FileError
+from .contact_places import contact_places
+from .contact_zones import contact_zones, wire_pairs
 from .result_file import ResultFile
 
 #: Fields that do not change, and are columns or cells of their own
@@ -32,7 +35,8 @@ def export(
         What `Results` takes.
     to : {"csv", "vtu", "xdmf", "vtkhdf"}
         "csv": STEM_nodes.csv and STEM_elements.csv, a row for each node and increment, each element and increment, units in
-        the heads. "vtu": STEM.pvd and STEM_contacts.pvd, which name a file for each increment. "xdmf": STEM.xdmf with
+        the heads; STEM_zones.csv and STEM_pairs.csv, the zones of line contact and the pairs of wires that touch, wires
+        counted from 1. "vtu": STEM.pvd, STEM_contacts.pvd and STEM_zones.pvd, which name a file for each increment. "xdmf": STEM.xdmf with
         STEM.h5; needs meshio. "vtkhdf": the result files as they are.
     directory : path, optional
         Output directory; default: that of the results.
@@ -69,7 +73,25 @@ def _to_csv(results: ResultFile, base: Path) -> Path:
     places = {"reference_position": results.nodes}
     _write_table(results, nodes, "node", results.node_ids, places, _fields(results, on_points=True))
     _write_table(results, elements, "element", results.element_ids, {}, _fields(results, on_points=False))
+    places = [contact_places(results, results.contacts_at(i)) for i in range(len(results.times))]
+    for ending, table in (("_zones.csv", contact_zones), ("_pairs.csv", wire_pairs)):
+        _write_rows(results, _beside(base, ending), [table(each, results.unit_labels) for each in places])
     return nodes
+
+
+def _write_rows(results: ResultFile, path: Path, tables: list[Table]) -> None:
+    """The rows of a table at each increment; wires are counted from 1, as in the result file."""
+    units = tables[0].units if tables else {}
+    heads = ["step", "increment", f"time [{results.unit_labels['s']}]"]
+    heads += [f"{name} [{unit}]" if unit else name for name, unit in units.items()]
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(heads)
+        for *place, table in zip(
+            results.steps.tolist(), results.increments.tolist(), results.times.tolist(), tables, strict=True
+        ):
+            columns = [(table[name] + name.startswith("wire_")).tolist() for name in units]
+            writer.writerows([*place, *row] for row in zip(*columns, strict=True))
 
 
 def _write_table(

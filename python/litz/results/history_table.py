@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from .contact_history import contacts_over_time
 from .result_file import ResultFile
 
 _MAX_COLUMNS = 6
@@ -9,12 +10,16 @@ _MAX_ROWS = 40
 
 
 def history_table(results: ResultFile) -> str:
-    """Contacts, contact force and the history of a run, a line per increment; long tables are thinned out."""
+    """Contacts, contact force and the history of a run, a line per increment; long tables are thinned out.
+
+    A zone of contact along a line counts as one contact.
+    """
     history = results.history
     names = [name for name in history if name not in ("step", "increment", "time")]
     shown = names[:_MAX_COLUMNS]
-    number, force = _contacts(results)
-    columns = [history["time"], number, force, *(history[name] for name in shown)]
+    contacts = contacts_over_time(results, history["step"], history["increment"])
+    number = contacts["crossings"] + contacts["zones"]
+    columns = [history["time"], number, contacts["force"], *(history[name] for name in shown)]
     heads = ["time", "contacts", "contact force", *shown]
     units = [results.unit_labels["s"], "", results.unit_labels["N"], *(history.units[name] for name in shown)]
 
@@ -28,14 +33,3 @@ def history_table(results: ResultFile) -> str:
     if len(shown) < len(names):
         lines.append(f"{len(names) - len(shown)} more columns are in {results.path.stem}_history.csv")
     return "\n".join(lines) + "\n"
-
-
-def _contacts(results: ResultFile) -> tuple[np.ndarray, np.ndarray]:
-    """Number of contacts and sum of their forces at each increment of the history."""
-    history, ledger = results.history, results.contacts
-    number, force = np.zeros(history.n_rows, dtype=int), np.zeros(history.n_rows)
-    row_of = {key: row for row, key in enumerate(zip(history["step"], history["increment"], strict=True))}
-    rows = [row_of[key] for key in zip(ledger["step"], ledger["increment"], strict=True)]
-    np.add.at(number, rows, 1)
-    np.add.at(force, rows, ledger["force"])
-    return number, force

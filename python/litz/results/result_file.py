@@ -13,7 +13,7 @@ import numpy as np
 from ..base.names import unknown_name
 from ..base.table import Table
 from ..errors import FileError, WarningEntry
-from ..wires import Wire, find_wires, numbered_wires
+from ..wires import Wire, WireArcs, find_wires, numbered_wires, wire_arcs
 from .run_warnings import read_warnings
 from .text_tables import read_aligned, read_csv
 
@@ -170,6 +170,11 @@ class ResultFile:
                 # files of litz 0.1
                 return find_wires(self.elements)
             return numbered_wires(self.elements, *(cells[name][()] for name in names))
+
+    @cached_property
+    def wire_arcs(self) -> WireArcs:
+        """Where the elements are along the wires, before deformation."""
+        return wire_arcs(self.nodes, self.elements, self.wires)
 
     @cached_property
     def node_sets(self) -> dict[str, np.ndarray]:
