@@ -36,8 +36,8 @@ def export(
     to : {"csv", "vtu", "xdmf", "vtkhdf"}
         "csv": STEM_nodes.csv and STEM_elements.csv, a row for each node and increment, each element and increment, units in
         the heads; STEM_zones.csv and STEM_pairs.csv, the zones of line contact and the pairs of wires that touch, wires
-        counted from 1. "vtu": STEM.pvd, STEM_contacts.pvd and STEM_zones.pvd, which name a file for each increment. "xdmf": STEM.xdmf with
-        STEM.h5; needs meshio. "vtkhdf": the result files as they are.
+        counted from 1. "vtu": STEM.pvd, STEM_contacts.pvd and STEM_zones.pvd, which name a file for each increment. "xdmf":
+        STEM.xdmf with STEM.h5; needs meshio. "vtkhdf": the result files as they are.
     directory : path, optional
         Output directory; default: that of the results.
 

@@ -8,7 +8,8 @@ from functools import cached_property
 import matplotlib as mpl
 import numpy as np
 
-from ..pictures.scene import aim, spot_places
+from ..pictures.contact_marks import spot_places
+from ..pictures.scene import aim
 from ..results import Results
 from ..results.scalars import Scalar, colours_and_limits, default_scalar, scalars
 from ..wires.curves import element_curves
