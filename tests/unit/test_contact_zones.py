@@ -47,7 +47,7 @@ def row(of, foot, place, length=SPACING / 2):
         columns |= {f"element_{side}": of.firsts[wire] + element + 11, f"xi_{side}": xi}
     size = length or SPACING
     columns |= {
-        "force": PER_METRE * size, "current": CURRENT_PER_METRE * size, "joule_heat": 2.0 * size, "resistance": 4.0,
+        "force": PER_METRE * size, "current": CURRENT_PER_METRE * size, "joule_heat": 2.0 * size, "resistance": 4.0, "gap": -1e-6,
         "length": length, "spacing": SPACING if length else 0.0, "x": place[1],
     }  # fmt: skip
     return columns
@@ -228,5 +228,5 @@ def test_ledgers_without_line_contact_have_no_zones():
     for each in (table, older, table.where(np.zeros(1, dtype=bool))):
         zones = contact_zones(contact_places(of, each), UNITS)
         assert zones.n_rows == 0
-        assert len(zones) == 26
+        assert set(zones) >= {"arc_1_begin", "force_per_length"}
     assert wire_pairs(contact_places(of, table), UNITS)["crossings"].tolist() == [1]

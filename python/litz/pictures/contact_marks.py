@@ -6,8 +6,8 @@ from ..base.quantities import engineering, label
 from ..base.table import Table
 from ..results import Results
 from ..results.contact_places import contact_places, rows_of
+from ..results.zone_lines import ZoneLines, zone_lines
 from ..wires.curves import hermite
-from .zone_lines import ZoneLines, zone_lines
 
 
 class ContactMarks:

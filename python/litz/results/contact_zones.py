@@ -44,8 +44,9 @@ def contact_zones(places: ContactPlaces, units: dict[str, str]) -> Table:
     forward = _run_alike(zone, n, stretches)[:, None]
     second = np.stack([stretches[1].begin, stretches[1].end], axis=1)
     second = np.where(forward, second, second[:, ::-1])
-    ids = np.full(n, np.iinfo(np.int64).max)
+    ids, gap = np.full(n, np.iinfo(np.int64).max), np.full(n, np.inf)
     np.minimum.at(ids, zone, inside.ledger["id"])
+    np.minimum.at(gap, zone, inside.ledger["gap"])
     columns = {
         "id": ids,
         "wire_1": inside.wires[first, 0],
@@ -57,6 +58,7 @@ def contact_zones(places: ContactPlaces, units: dict[str, str]) -> Table:
         **{f"begin_{axis}": inside.point[first, i] for i, axis in enumerate("xyz")},
         **{f"end_{axis}": inside.point[last, i] for i, axis in enumerate("xyz")},
         "length": length,
+        "gap": gap,
         "places": np.bincount(zone[on_line], minlength=n),
         "crossings": np.bincount(zone[~on_line], minlength=n),
         **_totals(inside, zone, n),
@@ -85,7 +87,7 @@ def wire_pairs(places: ContactPlaces, units: dict[str, str]) -> Table:
         "wire_2": pairs[:, 1],
         "zones": np.bincount(pair_of_zone, minlength=n),
         "crossings": np.bincount(pair[places.spacing == 0], minlength=n),
-        "length": np.bincount(pair_of_zone, zones["length"], n),
+        "length": np.bincount(pair_of_zone, zones["length"], n).astype(float),
         **_totals(places, pair, n),
     }
     in_units = {**dict.fromkeys(columns, ""), "length": units["m"], **_units_of_totals(units)}
@@ -113,7 +115,8 @@ def _signed(places: ContactPlaces) -> dict[str, np.ndarray]:
 def _totals(places: ContactPlaces, group: np.ndarray, n: int) -> dict[str, np.ndarray]:
     """Sums over groups of rows, (n)."""
     of_rows = _signed(places) | {"conductance": 1 / places.ledger["resistance"]}
-    return {name: np.bincount(group, values, n) for name, values in of_rows.items()}
+    # without rows numpy would count in whole numbers
+    return {name: np.bincount(group, values, n).astype(float) for name, values in of_rows.items()}
 
 
 def _units_of_totals(units: dict[str, str]) -> dict[str, str]:

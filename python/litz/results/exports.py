@@ -17,6 +17,7 @@ from ..errors import FileError
 from .contact_places import contact_places
 from .contact_zones import contact_zones, wire_pairs
 from .result_file import ResultFile
+from .zone_files import ZoneGrid, write_zones
 
 #: Fields that do not change, and are columns or cells of their own
 _STATIC = frozenset(["reference_position", "node_id", "element_id"])
@@ -37,7 +38,8 @@ def export(
         "csv": STEM_nodes.csv and STEM_elements.csv, a row for each node and increment, each element and increment, units in
         the heads; STEM_zones.csv and STEM_pairs.csv, the zones of line contact and the pairs of wires that touch, wires
         counted from 1. "vtu": STEM.pvd, STEM_contacts.pvd and STEM_zones.pvd, which name a file for each increment. "xdmf":
-        STEM.xdmf with STEM.h5; needs meshio. "vtkhdf": the result files as they are.
+        STEM.xdmf with STEM.h5; needs meshio. "vtkhdf": the result files as they are, and
+        STEM_zones.vtkhdf with the zones of line contact as lines.
     directory : path, optional
         Output directory; default: that of the results.
 
@@ -124,7 +126,7 @@ def _to_vtu(results: ResultFile, base: Path) -> Path:
     n = len(results.elements)
     cells = np.column_stack([np.full(n, 2), results.elements]).ravel()
     digits = len(str(len(results.times)))
-    wires, spots = [], []
+    wires, spots, zones = [], [], []
     for i in range(len(results.times)):
         grid = pv.UnstructuredGrid(cells, np.full(n, pv.CellType.LINE, dtype=np.uint8), results.positions(i))
         for name in _fields(results, on_points=True):
@@ -136,7 +138,10 @@ def _to_vtu(results: ResultFile, base: Path) -> Path:
         grid.save(wires[-1])
         spots.append(_beside(base, f"_contacts_{i:0{digits}}.vtp"))
         _contact_points(results, i).save(spots[-1])
+        zones.append(_beside(base, f"_zones_{i:0{digits}}.vtu"))
+        ZoneGrid(results, i).to_pyvista().save(zones[-1])
     _write_pvd(_beside(base, "_contacts.pvd"), results.times, spots)
+    _write_pvd(_beside(base, "_zones.pvd"), results.times, zones)
     pvd = _beside(base, ".pvd")
     _write_pvd(pvd, results.times, wires)
     return pvd
@@ -197,6 +202,7 @@ def _to_vtkhdf(results: ResultFile, base: Path) -> Path:
         source, target = _beside(results.path.with_suffix(""), ending), _beside(base, ending)
         if source.resolve() != target.resolve():
             shutil.copyfile(source, target)
+    write_zones(results, _beside(base, "_zones.vtkhdf"))
     return _beside(base, ".vtkhdf")
 
 

@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 _FORMAT_VERSION = 1
 _AUDIT = ("force_balance", "moment_balance", "current_balance", "power_balance", "penetration_ratio")
 _GROUPS = ("PointData", "CellData")
+#: Ends of the names of files beside the result file of the wires
+_OTHER_FILES = ("_contacts", "_zones", "_unconverged")
 
 
 class ResultFile:
@@ -396,7 +398,7 @@ class ResultFile:
 def _find(path: Path) -> Path:
     """Find the result file of the wires for a path."""
     if path.is_dir():
-        found = sorted(file for file in path.glob("*.vtkhdf") if not file.stem.endswith(("_contacts", "_unconverged")))
+        found = sorted(file for file in path.glob("*.vtkhdf") if not file.stem.endswith(_OTHER_FILES))
         if len(found) == 1:
             return found[0]
         what = "several: " + ", ".join(file.name for file in found) if found else "none"

@@ -86,10 +86,10 @@ class Results(ResultFile):
             `id`: the lowest number of its contacts in the ledger; `wire_1`, `wire_2`: wires, counted from 0, the same for a
             wire that touches itself; `arc_1_begin`, `arc_1_end`, `arc_2_begin`, `arc_2_end`: where it begins and ends on
             either wire before deformation, to half a distance of places (on rings an arc may exceed the length of the
-            wire); `begin_x` to `end_z`: its first and last place; `length`; `places` and `crossings`: rows of the ledger in
-            it; `force`, `current` (from `wire_1` to `wire_2`), `joule_heat`, `conductance`: their sums;
-            `force_per_length`, `current_per_length`, `heat_per_length`: the means, and `max_force_per_length` etc. the
-            largest sizes at a place.
+            wire); `begin_x` to `end_z`: its first and last place; `length`; `gap`: the smallest; `places` and `crossings`:
+            rows of the ledger in it; `force`, `current` (from `wire_1` to `wire_2`), `joule_heat`, `conductance`: their
+            sums; `force_per_length`, `current_per_length`, `heat_per_length`: the means, and `max_force_per_length` etc.
+            the largest sizes at a place.
         """
         return contact_zones(self._places(increment), self.unit_labels)
 

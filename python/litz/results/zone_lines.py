@@ -4,11 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..results import Results
-from ..results.contact_places import ContactPlaces
-from ..results.contact_zones import per_length, stretch_along
+from .contact_places import ContactPlaces
+from .contact_zones import per_length, stretch_along
+from .result_file import ResultFile
 
-_MAX_POINTS = 20_000
+#: Points that a picture shows
+MAX_POINTS = 20_000
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,8 +50,8 @@ class ZoneLines:
         return np.stack([self.starts[:-1], self.starts[1:] - 1], axis=1)[self.has_ends]
 
 
-def zone_lines(places: ContactPlaces) -> ZoneLines:
-    """The lines of an increment; of many places they pass through every second one, every third one, and so on."""
+def zone_lines(places: ContactPlaces, max_points: int | None = MAX_POINTS) -> ZoneLines:
+    """The lines of an increment; of more places than `max_points` they pass through every second or third one, and so on."""
     on_line = np.flatnonzero((places.zone >= 0) & (places.spacing > 0))
     inside = places.where(on_line)
     n = int(inside.zone.max(initial=-1)) + 1
@@ -66,7 +67,7 @@ def zone_lines(places: ContactPlaces) -> ZoneLines:
     wire = inside.wires[order[first], side] if n else np.zeros(0, dtype=int)
     has_ends = ~(inside.closed[wire] & (extent == inside.wire_length[wire]))
 
-    every = max(1, len(order) // _MAX_POINTS)
+    every = 1 if max_points is None else max(1, len(order) // max_points)
     kept = (np.arange(len(order)) - first[inside.zone[order]]) % every == 0
     kept[last - 1] = True
     picked = np.concatenate([np.flatnonzero(kept), first[~has_ends]])
@@ -77,7 +78,7 @@ def zone_lines(places: ContactPlaces) -> ZoneLines:
     return ZoneLines(on_line[order[picked]], starts, value[order[picked]], has_ends)
 
 
-def largest_force_per_length(results: Results) -> float:
+def largest_force_per_length(results: ResultFile) -> float:
     """Of all places at all increments [N/m]; 0 where there is no contact along lines."""
     ledger = results.contacts
     if "length" not in ledger:
