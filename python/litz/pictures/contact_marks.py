@@ -9,6 +9,9 @@ from ..results.contact_places import contact_places, rows_of
 from ..results.zone_lines import ZoneLines, zone_lines
 from ..wires.curves import hermite
 
+#: Points of the lines: more are not seen apart
+_MAX_POINTS = 8_000
+
 
 class ContactMarks:
     """Discs and lines of several increments, with one scale for all of them.
@@ -36,7 +39,7 @@ class ContactMarks:
         self._crossings, self._lines = {}, {}
         for increment, ledger in zip(increments, ledgers, strict=False):
             places = contact_places(results, ledger)
-            lines = zone_lines(places)
+            lines = zone_lines(places, _MAX_POINTS)
             self._crossings[increment] = ledger.where(places.zone < 0)
             self._lines[increment] = lines, ledger.where(lines.rows)
         self._largest = max(

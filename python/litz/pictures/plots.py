@@ -14,6 +14,7 @@ from ..base.names import unknown_name
 from ..base.notebook import Picture
 from ..errors import FileError
 from ..results import Results
+from ..results.contact_history import has_lines
 from . import charts, friction_charts, network_chart, zone_charts
 from .scene import VIEWS, Camera, Scene, SceneMaker, aim
 from .wire_picture import WITHOUT_OPENGL, draw_frame, draw_wires, line_colours, render
@@ -245,7 +246,7 @@ def _chart(draw: Callable, size: tuple[float, float]) -> tuple[Callable, tuple[f
 
 
 def _contacts(figure: Figure, results: Results, increment: int) -> None:
-    draw = zone_charts.contacts if zone_charts.has_lines(results) else charts.contacts
+    draw = zone_charts.contacts if has_lines(results) else charts.contacts
     draw(figure, results, increment)
 
 
@@ -259,7 +260,7 @@ def _overview(figure: Figure, results: Results, increment: int, look: Look) -> N
     figure.text(0.03, 0.98, title(results, increment), va="top", fontsize="x-large", linespacing=1.4)
     boxes = [(0.70, bottom, 0.28, 0.225) for bottom in (0.73, 0.40, 0.07)]
     drawers = [charts.residual_of_last_increment]
-    contacts, lines = results.contacts, zone_charts.has_lines(results)
+    contacts, lines = results.contacts, has_lines(results)
     if lines:
         drawers.append(zone_charts.force_along_wires)
     else:

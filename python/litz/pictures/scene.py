@@ -11,7 +11,7 @@ from ..wires.chains import Wire
 from ..wires.curves import element_curves, hermite
 from .contact_marks import ContactMarks
 
-_MAX_POINTS = 150_000
+_MAX_POINTS = 60_000
 #: Directions to the viewer that have a name
 VIEWS = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1), "-x": (-1, 0, 0), "-y": (0, -1, 0), "-z": (0, 0, -1),
          "iso": (1, -1, 0.8)}  # fmt: skip

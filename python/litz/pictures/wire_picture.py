@@ -82,7 +82,7 @@ def _render(scenes: list[Scene], camera: Camera, pixels: np.ndarray) -> list[np.
                 radius=np.maximum(scene.radius, _MIN_RADIUS * camera.half_width),
                 reference=scene.reference, reference_starts=scene.reference_starts,
                 colours=scene.colours, limits=scene.limits, size=np.round(pixels),
-                sides=24 if len(scene.points) < 50_000 else 12, centre=camera.centre, toward=camera.toward,
+                sides=24 if len(scene.points) < 20_000 else 12, centre=camera.centre, toward=camera.toward,
                 up=camera.up, half_height=camera.half_height, distance=distance,
             )  # fmt: skip
         _run_vtk(folder, len(scenes))

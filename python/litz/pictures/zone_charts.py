@@ -16,12 +16,6 @@ _MAX_POINTS = 20_000
 _NAMES = {"force_per_length": "force", "current_per_length": "current", "heat_per_length": "heat"}
 
 
-def has_lines(results: Results) -> bool:
-    """Wires have touched along a line."""
-    ledger = results.contacts
-    return bool("spacing" in ledger and ledger["spacing"].any())
-
-
 def lines(figure: Figure, results: Results, increment: int, wire: int | None = None) -> None:
     """Force, current and heat per length along the wires, as far as there are any."""
     places = contact_places(results, results.contacts_at(increment))
