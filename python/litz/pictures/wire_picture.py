@@ -155,7 +155,7 @@ def _draw_lines(axes: Axes, scene: Scene, camera: Camera, points_per_metre: floa
             )
         )  # fmt: skip
     ends = camera.project(scene.line_ends)
-    axes.plot(ends[:, 0], ends[:, 1], "o", markersize=width + 3.0, color="#3a1510", markeredgecolor="white",
+    axes.plot(ends[:, 0], ends[:, 1], "o", markersize=width + 2.0, color="#3a1510", markeredgecolor="white",
               markeredgewidth=0.7, zorder=3.5)  # fmt: skip
 
 

@@ -1,8 +1,11 @@
 """Charts of contact along lines: what passes per length, along the wires."""
 
+import matplotlib as mpl
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from ..base.quantities import engineering, label
 from ..results import Results
@@ -47,31 +50,42 @@ def along_wires(axes: Axes, results: Results, places: ContactPlaces, name: str, 
         nothing_to_draw(axes, "No wires touch along a line" + ("" if wire is None else f" of wire {wire + 1}"))
         return
     picked = places.where(wanted)
-    numbers, zone = np.unique(picked.zone, return_inverse=True)
-    picked.zone[:] = zone
+    picked.zone[:] = zone = np.unique(picked.zone, return_inverse=True)[1]
     sides = [stretch_along(picked, side) for side in (0, 1)]
     second = np.zeros(len(zone), dtype=int) if wire is None else (picked.wires[:, 0] != wire).astype(int)
     arc = np.stack([each.arc for each in sides], axis=1)[np.arange(len(zone)), second]
-    order = np.lexsort((arc, zone))[:: max(1, len(zone) // _MAX_POINTS)]
+    order = np.lexsort((arc, zone))
+    ends = np.flatnonzero(np.diff(zone[order], prepend=-1, append=-1))
+    # some of very many places, with the ends of each zone
+    kept = np.arange(len(order)) % max(1, len(order) // _MAX_POINTS) == 0
+    kept[ends[:-1]] = kept[ends[1:] - 1] = True
+    order = order[kept]
     units = results.unit_labels
     unit_of = {"force_per_length": units["N"], "current_per_length": units["A"], "heat_per_length": units["W"]}
     value = per_length(picked)[name]
     factor, unit = engineering(value, f"{unit_of[name]}/{units['m']}")
     length_factor, length_unit = engineering(arc, units["m"])
-    few = len(numbers) <= MAX_LINES
-    for i, rows in enumerate(np.split(order, np.flatnonzero(np.diff(zone[order])) + 1)):
-        pair = picked.wires[rows[0]] + 1
-        colour = colour_of(i, len(numbers))
-        x, y = length_factor * arc[rows], factor * value[rows]
-        axes.plot(x, y, color=colour, linewidth=1.3 if few else 0.7, label=f"{pair[0]}, {pair[1]}" if few else None)
-        axes.plot(x[[0, -1]], y[[0, -1]], "o", markersize=4 if few else 2, color=colour)
+    points = np.stack([length_factor * arc[order], factor * value[order]], axis=1)
+    pairs, pair = np.unique(picked.wires[order], axis=0, return_inverse=True)
+    colours = np.array([mpl.colors.to_rgba(colour_of(i, len(pairs))) for i in range(len(pairs))])
+    few = len(pairs) <= MAX_LINES
+    first = np.flatnonzero(np.diff(zone[order], prepend=-1))
+    last = np.append(first[1:], len(order)) - 1
+    of_zone = colours[pair.ravel()[first]]
+    lines = np.split(points, first[1:])
+    axes.add_collection(LineCollection(lines, colors=of_zone, linewidths=1.3 if few else 0.7))
+    both = np.concatenate([points[first], points[last]])
+    axes.scatter(*both.T, s=14 if few else 4, c=np.tile(of_zone, (2, 1)), zorder=2.5)
     axes.axhline(0.0, color="#888888", linewidth=0.8, zorder=1)
     axes.set_xlabel(
         label(f"reference arc length of {'the first wire' if wire is None else f'wire {wire + 1}'}", length_unit)
     )
     axes.set_ylabel(label(name, unit))
+    axes.autoscale_view()
     if few:
-        axes.legend(title="wires", loc="center left", bbox_to_anchor=(1.0, 0.5))
+        names = [f"{first}, {second}" for first, second in pairs + 1]
+        handles = [Line2D([], [], color=colour) for colour in colours]
+        axes.legend(handles, names, title="wires", loc="center left", bbox_to_anchor=(1.0, 0.5))
 
 
 def forces_and_lengths_over_time(axes: Axes, results: Results, increment: int) -> None:

@@ -75,9 +75,9 @@ def _to_csv(results: ResultFile, base: Path) -> Path:
     places = {"reference_position": results.nodes}
     _write_table(results, nodes, "node", results.node_ids, places, _fields(results, on_points=True))
     _write_table(results, elements, "element", results.element_ids, {}, _fields(results, on_points=False))
-    places = [contact_places(results, results.contacts_at(i)) for i in range(len(results.times))]
+    contacts = [contact_places(results, results.contacts_at(i)) for i in range(len(results.times))]
     for ending, table in (("_zones.csv", contact_zones), ("_pairs.csv", wire_pairs)):
-        _write_rows(results, _beside(base, ending), [table(each, results.unit_labels) for each in places])
+        _write_rows(results, _beside(base, ending), [table(each, results.unit_labels) for each in contacts])
     return nodes
 
 
