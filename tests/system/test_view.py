@@ -32,6 +32,15 @@ def server(run_of_input):
 
 
 @pytest.fixture(scope="module")
+def strand(run_of_input):
+    """The viewer of a strand, whose wires touch along lines."""
+    with ViewServer(run_of_input("14_strand")) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield server
+        server.shutdown()
+
+
+@pytest.fixture(scope="module")
 def browser():
     with open_browser() as browser:
         yield browser
@@ -104,13 +113,6 @@ def in_words(value, unit):
 
 class TestZones:
     """Six wires that touch a core along lines."""
-
-    @pytest.fixture(scope="class")
-    def strand(self, run_of_input):
-        with ViewServer(run_of_input("14_strand")) as server:
-            threading.Thread(target=server.serve_forever, daemon=True).start()
-            yield server
-            server.shutdown()
 
     def test_a_line_is_picked_in_the_picture_and_its_zone_is_read(self, browser, strand):
         load(browser, strand.url)
