@@ -12,6 +12,9 @@ module litz_line_laps
    private
    public :: share_at_lap, distances_to_ends
 
+   !> Ends of two wires that lie together are apart by no more than this, in distances of places
+   real(dp), parameter :: round_off = 1.0e-6_dp
+
 contains
 
    !> Part of its length for which a place stands; more than 1 where the next one is beyond the end.
@@ -32,8 +35,8 @@ contains
       if (to_end(side) >= spacing) return
       ahead = merge(side, 3 - side, cosine*wires%direction(point%element_bar)*wires%direction(point%element) > 0)
       own = distances_to_ends(wires, elements, point%element, point%arc)
-      ! the wire of the place ends first
-      if (own(ahead) <= to_end(side) .and. .not. point%foot_at_end) return
+      ! the wire of the place ends first, or both end together
+      if (own(ahead) <= to_end(side) + round_off*spacing .and. .not. point%foot_at_end) return
       share = 0
       if (point%foot_at_end) return
       associate (length => places%length(point%line_place))
