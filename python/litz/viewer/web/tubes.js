@@ -58,8 +58,8 @@ const FRAGMENT = `
 
 /** The tubes of a model. */
 export class Tubes {
-   /** rest: the undeformed curves, twelve floats per element; radii: one float per element; onTop: in front of everything else. */
-   constructor(rest, radii, onTop = false) {
+   /** rest: the undeformed curves, twelve floats per element; radii: one float per element; overlay: drawn in front of everything else. */
+   constructor(rest, radii, overlay = false) {
       this.rest = rest;
       const n = radii.length;
       this.curves = new Float32Array(rest);
@@ -79,7 +79,7 @@ export class Tubes {
       this.material = new ShaderMaterial({
          vertexShader: VERTEX, fragmentShader: FRAGMENT, side: DoubleSide,
          uniforms: { colours: { value: null }, limits: { value: [0, 1] }, minRadius: { value: 0 },
-            depth: { value: onTop ? [0.1, -0.85] : [1, 0] } },
+            depth: { value: overlay ? [0.1, -0.85] : [1, 0] } },
       });
       this.mesh = new Mesh(geometry, this.material);
       this.mesh.frustumCulled = false;
