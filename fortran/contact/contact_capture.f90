@@ -4,6 +4,7 @@ module litz_contact_capture
    use litz_kinds, only: dp, pi
    use litz_contact_history, only: contact_history_t, advanced_history
    use litz_contact_points, only: contact_set_t, contact_point_t
+   use litz_line_places, only: line_places_t
    use litz_state, only: state_t, contact_t
    implicit none
    private
@@ -18,18 +19,19 @@ contains
 
       deallocate (state%contacts)
       allocate (state%contacts(count(contact%points%closed) + count(contact%line_points%closed)))
-      call capture_points(contact%points, 0, contact%last_id, state)
-      call capture_points(contact%line_points, count(contact%points%closed), contact%last_id, state)
+      call capture_points(contact%points, 0, contact%places, contact%last_id, state)
+      call capture_points(contact%line_points, count(contact%points%closed), contact%places, contact%last_id, state)
       contact%converged = contact%points
       contact%converged_line_points = contact%line_points
       contact%converged_clearance = contact%clearance
    end subroutine capture_contacts
 
    !> Closed contacts, each with an identity that it keeps while it lives.
-   subroutine capture_points(points, n_before, last_id, state)
+   subroutine capture_points(points, n_before, places, last_id, state)
       type(contact_point_t), intent(inout) :: points(:)
       !> Contacts of the state before these
       integer, intent(in) :: n_before
+      type(line_places_t), intent(in) :: places
       !> The last identity given
       integer, intent(inout) :: last_id
       type(state_t), intent(inout) :: state
@@ -50,6 +52,8 @@ contains
             end if
             m = m + 1
             state%contacts(m) = contact_of_point(point)
+            ! the first place of an element lies within it and stands for one of its parts
+            if (point%line_place > 0) state%contacts(m)%spacing = places%length(places%first(point%element))
             ! the current enters within the elements: their heat includes what the linear voltage misses
             state%joule_heat(point%element_bar) = state%joule_heat(point%element_bar) + point%heat_inside(1)
             state%joule_heat(point%element) = state%joule_heat(point%element) + point%heat_inside(2)

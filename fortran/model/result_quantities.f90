@@ -105,6 +105,8 @@ contains
          'gap between the surfaces and what is left of an interference fit, negative in contact')
       call table%field('force', c%force, 'N', 'contact force, pushing the wires apart')
       call table%field('length', c%length, 'm', 'length that a point of a line contact stands for; 0 where wires cross')
+      call table%field('spacing', c%spacing, 'm', &
+         'distance of neighbouring points of a line contact along the second wire; 0 where wires cross')
       call table%field('normal', c%normal, '1', 'unit normal from the unbarred to the barred wire')
       call table%field('point_1', c%point_bar, 'm', 'point of the first axis')
       call table%field('point_2', c%point, 'm', 'point of the second axis')

@@ -40,6 +40,8 @@ module litz_state
       real(dp) :: joule_heat = 0
       !> Length of the wires for which a point of a line contact stands [m]; 0: the wires cross
       real(dp) :: length = 0
+      !> Distance of neighbouring places there, along the unbarred wire [m]; 0: the wires cross
+      real(dp) :: spacing = 0
    end type contact_t
 
    !> The contact of one element with a rigid surface.

@@ -9,8 +9,9 @@ from matplotlib.figure import Figure
 
 import litz
 from litz.pictures import charts
+from litz.pictures.contact_marks import spot_places
 from litz.pictures.friction_charts import friction_loops
-from litz.pictures.scene import SceneMaker, spot_places
+from litz.pictures.scene import SceneMaker
 from litz.wires import element_curves
 
 pytestmark = pytest.mark.filterwarnings("ignore:.*drawn with matplotlib only")

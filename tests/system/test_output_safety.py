@@ -236,13 +236,18 @@ def test_older_results_stay_whole_until_the_new_run_has_an_increment_and_then_al
 ):
     deck, output = older
     before = contents(output)
-    kept = 0
+    kept = killed = 0
     for at in range(1, 10_000, 17):
         done = litz("run", deck, "-o", output, env=kill_at_write(at=at))
         assert done.returncode == -signal.SIGKILL
-        if contents(output) != before:
+        now = contents(output)
+        # the last file to be renamed
+        if now["deck.vtkhdf"] != before["deck.vtkhdf"]:
             break
-        kept += 1
+        killed += 1
+        kept += now == before
+    # one kill may fall between the renamings of six files, which follow each other without other writes
+    assert killed - kept <= 1
     # the header, the datasets, and the state that the run starts from take more writes than that
     assert kept > 10
     with pytest.warns(UserWarning, match="did not finish|still runs"):

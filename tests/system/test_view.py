@@ -32,6 +32,15 @@ def server(run_of_input):
 
 
 @pytest.fixture(scope="module")
+def strand(run_of_input):
+    """The viewer of a strand, whose wires touch along lines."""
+    with ViewServer(run_of_input("14_strand")) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield server
+        server.shutdown()
+
+
+@pytest.fixture(scope="module")
 def browser():
     with open_browser() as browser:
         yield browser
@@ -100,6 +109,41 @@ def picture_of(browser):
 def in_words(value, unit):
     factor, symbol = engineering(np.array([value]), unit)
     return f"{factor * value:.6g} {symbol}".strip()
+
+
+class TestZones:
+    """Six wires that touch a core along lines."""
+
+    def test_a_line_is_picked_in_the_picture_and_its_zone_is_read(self, browser, strand):
+        load(browser, strand.url)
+        assert errors(browser) == []
+        zones = strand.results.contact_zones()
+        assert ask(browser, "viewer.data.zones.id.length") == zones.n_rows
+        place = ask(browser, "viewer.stage.project(viewer.zones.middles[40])")
+        click_at(browser, *place)
+        found = ledger_row(browser)
+        # lines lie above each other in the picture, and a mouse is where there are pixels
+        picked = zones["id"].tolist().index(int(found["id"]))
+        assert ask(browser, "viewer.zones.selected") == picked
+        assert found["force_per_length"] == in_words(zones["force_per_length"][picked], "N/m")
+        assert (found["wire_1"], found["wire_2"]) == tuple(str(zones[f"wire_{k}"][picked] + 1) for k in (1, 2))
+
+    def test_the_colours_of_the_lines_have_a_bar_of_their_own(self, browser, strand):
+        load(browser, strand.url)
+        bar = browser.find_element("css selector", ".litz-zone-colours")
+        assert bar.is_displayed()
+        assert "force per length [kN/m]" in bar.text
+        picture = picture_of(browser)
+        red = (picture[..., 0] > 0.5) & (picture[..., 1] < 0.35) & (picture[..., 2] < 0.3)
+        assert np.count_nonzero(red) > 1000
+        browser.execute_script(
+            "const select = document.querySelector('.litz-spot-size'); select.value = 'none';"
+            "select.dispatchEvent(new Event('change'))"
+        )
+        wait(browser, lambda: not bar.is_displayed(), "the bar stays")
+
+    def test_wires_that_only_cross_have_no_such_bar(self, page):
+        assert not page.find_element("css selector", ".litz-zone-colours").is_displayed()
 
 
 class TestPage:

@@ -41,6 +41,9 @@ def plot_command(arguments: list[str]) -> int:
     parser.add_argument("--view", type=_view, metavar="DIRECTION",
                         help=f"from the wires to the viewer: X,Y,Z or one of {', '.join(VIEWS)} (--view=-z)")  # fmt: skip
     parser.add_argument("--size", type=_size, metavar="WIDTHxHEIGHT", help="in pixels")
+    parser.add_argument(
+        "--wire", type=int, metavar="N", help="for lines: the wire, counted from 1, along which they are drawn"
+    )
     parser.add_argument("--no-reference", action="store_true", help="do not draw the undeformed axes")
     parser.add_argument("--animate", action="store_true", help="the wires over all increments, as .gif or .mp4")
     parser.add_argument("--frames-per-second", type=float, default=10.0, metavar="N", help="default: 10")
@@ -58,7 +61,11 @@ def plot_command(arguments: list[str]) -> int:
             picture = animate(results, options.output, frames_per_second=options.frames_per_second, **look)
         else:
             increment = _increment(results, options.increment)
-            picture = plot(results, options.kind or "overview", options.output, increment=increment, **look)
+            kind, wire = options.kind or "overview", options.wire
+            if wire is not None and (kind != "lines" or not 1 <= wire <= len(results.wires)):
+                raise ValueError(f"--wire is for lines, a number from 1 to {len(results.wires)}")
+            look["wire"] = None if wire is None else wire - 1
+            picture = plot(results, kind, options.output, increment=increment, **look)
     except (ValueError, LookupError) as error:
         parser.error(error.args[0])
     print(f"picture: {picture}")

@@ -10,10 +10,11 @@ from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter, StrMethodF
 from ..base.quantities import engineering, label
 from ..base.table import Table
 from ..results import Results
+from ..results.contact_history import contacts_over_time
 
 _ONE_COLOUR = "#2a6f97"
 # More lines than this have one colour or become a band
-_MAX_LINES = 12
+MAX_LINES = 12
 
 
 def resistance(figure: Figure, results: Results, increment: int) -> None:
@@ -78,12 +79,12 @@ def _quantity(column: str) -> str:
 def _history_of_one_quantity(axes: Axes, table: Table, names: list[str], quantity: str, unit: str) -> None:
     factor, symbol = engineering(np.concatenate([table[name] for name in names]), unit)
     for i, name in enumerate(names):
-        legend = name if i < _MAX_LINES else None
+        legend = name if i < MAX_LINES else None
         axes.plot(
-            table["time"], factor * table[name], **_marker(table.n_rows), color=colour_of(i, len(names)), label=legend
+            table["time"], factor * table[name], **marker(table.n_rows), color=colour_of(i, len(names)), label=legend
         )
-    if len(names) > _MAX_LINES:
-        axes.plot([], [], " ", label=f"and {len(names) - _MAX_LINES} more")
+    if len(names) > MAX_LINES:
+        axes.plot([], [], " ", label=f"and {len(names) - MAX_LINES} more")
     axes.set_ylabel(label(quantity, symbol))
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
 
@@ -100,7 +101,7 @@ def resistance_over_force(axes: Axes, results: Results, increment: int) -> None:
     factor, unit = engineering(shown["resistance"], results.unit_labels["ohm"])
     force, ohms = force_factor * shown["force"], factor * shown["resistance"]
     ids = np.unique(shown["id"])
-    if len(ids) <= _MAX_LINES:
+    if len(ids) <= MAX_LINES:
         for i, contact in enumerate(ids):
             one = shown["id"] == contact
             order = np.argsort(force[one])
@@ -212,7 +213,7 @@ def residual_lines(axes: Axes, table: Table, name: str) -> None:
     distinct = np.unique(tries, axis=0)
     colours = _gradient()(np.linspace(0.0, 1.0, len(distinct)))
     last_attempt = {(step, increment): attempt for step, increment, attempt in distinct}
-    few = len(distinct) <= _MAX_LINES
+    few = len(distinct) <= MAX_LINES
     for one, colour in zip(distinct, colours, strict=True):
         rows = table.where(np.all(tries == one, axis=1))
         size = np.where(rows[name] > 0, rows[name], np.nan)
@@ -251,9 +252,12 @@ def _gradient() -> mpl.colors.Colormap:
 def contact_number(axes: Axes, results: Results) -> None:
     """Number of contacts over time."""
     axes.set_title("Number of contacts")
-    times, counts = _per_increment(results, np.ones(results.contacts.n_rows))
+    table, times = contacts_over_time(results, results.steps, results.increments), results.times
+    counts = table["crossings"] + table["zones"]
+    if table["zones"].any():
+        axes.set_title("Number of crossings and zones of line contact")
     axes.plot(
-        times, counts, drawstyle="steps-post" if len(times) > 1 else "default", **_marker(len(times)), color=_ONE_COLOUR
+        times, counts, drawstyle="steps-post" if len(times) > 1 else "default", **marker(len(times)), color=_ONE_COLOUR
     )
     axes.yaxis.set_major_locator(MaxNLocator(integer=True))
     axes.set_ylim(bottom=0)
@@ -269,8 +273,8 @@ def contact_heat(axes: Axes, results: Results) -> None:
         nothing_to_draw(axes, "No current flows")
         return
     factor, unit = engineering(np.concatenate([spots, wires]), results.unit_labels["W"])
-    axes.plot(times, factor * spots, **_marker(len(times)), color=colour_of(1, 3), label="contacts")
-    axes.plot(results.times, factor * wires, **_marker(len(times)), color=colour_of(0, 3), label="wires")
+    axes.plot(times, factor * spots, **marker(len(times)), color=colour_of(1, 3), label="contacts")
+    axes.plot(results.times, factor * wires, **marker(len(times)), color=colour_of(0, 3), label="wires")
     axes.set_xlabel(time_label(results))
     axes.set_ylabel(label("heat", unit))
     axes.legend(loc="best")
@@ -287,14 +291,14 @@ def forces_over_time(axes: Axes, results: Results, increment: int) -> None:
     factor, unit = engineering(ledger["force"], results.unit_labels["N"])
     axes.set_ylabel(label("force", unit))
     ids = np.unique(ledger["id"])
-    if len(ids) <= _MAX_LINES:
+    if len(ids) <= MAX_LINES:
         for i, contact in enumerate(ids):
             # an open contact is not in the ledger: its force is zero
             times, force = _per_increment(results, np.where(ledger["id"] == contact, ledger["force"], 0.0))
             axes.plot(
                 times,
                 factor * force,
-                **_marker(len(times)),
+                **marker(len(times)),
                 color=colour_of(i, len(ids)),
                 label=f"contact {contact}",
             )
@@ -309,7 +313,7 @@ def forces_over_time(axes: Axes, results: Results, increment: int) -> None:
         axes.fill_between(
             times, spread[:, 1], spread[:, 3], color=_ONE_COLOUR, alpha=0.35, linewidth=0, label="half of them"
         )
-        axes.plot(times, spread[:, 2], **_marker(len(times)), color=_ONE_COLOUR, label="median")
+        axes.plot(times, spread[:, 2], **marker(len(times)), color=_ONE_COLOUR, label="median")
         axes.legend(loc="best")
     axes.set_ylim(bottom=0)
 
@@ -340,7 +344,7 @@ def displacement_over_time(axes: Axes, results: Results, increment: int) -> None
     """Largest displacement over time."""
     size = np.linalg.norm(results.field("displacement", None), axis=2).max(axis=1)
     factor, unit = engineering(size, results.unit_labels["m"])
-    axes.plot(results.times, factor * size, **_marker(len(size)), color=_ONE_COLOUR)
+    axes.plot(results.times, factor * size, **marker(len(size)), color=_ONE_COLOUR)
     axes.set_title("Largest displacement")
     axes.set_xlabel(time_label(results))
     axes.set_ylabel(label("displacement", unit))
@@ -370,7 +374,7 @@ def current_along_wires(axes: Axes, results: Results, increment: int) -> None:
     current = results.field("element_current", increment)
     factor, unit = engineering(current, results.unit_labels["A"])
     length_factor, length_unit = engineering(np.ptp(results.nodes, axis=0), results.unit_labels["m"])
-    few = len(wires) <= _MAX_LINES
+    few = len(wires) <= MAX_LINES
     for i, wire in enumerate(wires):
         length = np.linalg.norm(np.diff(results.nodes[wire.nodes], axis=0), axis=1)
         edges = length_factor * np.concatenate(([0.0], np.cumsum(length)))
@@ -400,7 +404,7 @@ def colour_of(i: int, n: int) -> str | tuple[float, float, float, float]:
     return few[i] if n <= len(few) else _gradient()(i / max(1, n - 1))
 
 
-def _marker(n: int) -> dict:
+def marker(n: int) -> dict:
     """Marker of a line: none if the points are too dense."""
     return {"marker": "o", "markersize": 4} if n <= 40 else {}
 

@@ -10,7 +10,6 @@ from ..base.quantities import engineering, label
 from ..results import Results
 from ..wires.curves import arc_lengths, element_curves, hermite_slope
 from .charts import colour_of, nothing_to_draw, time_label
-from .scene import row_of_element
 
 _MAX_LOOPS = 6
 
@@ -53,10 +52,11 @@ def force_over_sliding(axes: Axes, results: Results, increment: int) -> None:
     if not has_friction(results):
         nothing_to_draw(axes, "No friction has acted")
         return
-    ids, counts = np.unique(results.contacts["id"], return_counts=True)
-    heat = [results.contact(contact)["dissipation"].max() for contact in ids]
-    picked = [contact for _, n, contact in sorted(zip(heat, counts, ids, strict=True), reverse=True) if n > 1]
-    drawn = friction_loops(results, sorted(picked[:_MAX_LOOPS]))
+    ids, place, counts = np.unique(results.contacts["id"], return_inverse=True, return_counts=True)
+    heat = np.zeros(len(ids))
+    np.maximum.at(heat, place, results.contacts["dissipation"])
+    order = np.lexsort((ids, counts, heat))[::-1]
+    drawn = friction_loops(results, np.sort(ids[order[counts[order] > 1]][:_MAX_LOOPS]).tolist())
     if not drawn:
         nothing_to_draw(axes, "No contact with friction has lasted two increments")
         return
@@ -82,12 +82,12 @@ def heat_over_time(axes: Axes, results: Results) -> None:
         nothing_to_draw(axes, "No friction has acted")
         return
     ledger = results.contacts
-    latest: dict[int, float] = {}
-    total = []
+    ids, place = np.unique(ledger["id"], return_inverse=True)
+    latest, total = np.zeros(len(ids)), []
     for step, increment in zip(results.steps, results.increments, strict=True):
-        now = ledger.where((ledger["step"] == step) & (ledger["increment"] == increment))
-        latest.update(zip(now["id"], now["dissipation"], strict=True))
-        total.append(sum(latest.values()))
+        now = (ledger["step"] == step) & (ledger["increment"] == increment)
+        latest[place[now]] = ledger["dissipation"][now]
+        total.append(latest.sum())
     factor, unit = engineering(np.array(total), results.unit_labels["J"])
     axes.plot(results.times, factor * np.array(total), color="#2a6f97", marker="o" if len(total) <= 40 else None,
               markersize=4)  # fmt: skip
@@ -112,7 +112,7 @@ def friction_loops(results: Results, ids: list[int]) -> list[Loop]:
     """
     wires = results.wires
     arc_start, lengths, sign = arc_lengths(results.nodes, results.elements, wires)
-    row = row_of_element(results)
+    row = {int(element): row for row, element in enumerate(results.element_ids)}
     ledgers = {contact: results.contact(contact) for contact in ids}
     seen: dict[int, list] = {contact: [] for contact in ids}
     for index, (step, increment) in enumerate(zip(results.steps, results.increments, strict=True)):

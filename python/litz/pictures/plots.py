@@ -14,9 +14,10 @@ from ..base.names import unknown_name
 from ..base.notebook import Picture
 from ..errors import FileError
 from ..results import Results
-from . import charts, friction_charts, network_chart, surface_charts
+from ..results.contact_history import has_lines
+from . import charts, friction_charts, network_chart, surface_charts, zone_charts
 from .scene import VIEWS, Camera, Scene, SceneMaker, aim
-from .wire_picture import WITHOUT_OPENGL, draw_frame, draw_wires, render
+from .wire_picture import WITHOUT_OPENGL, draw_frame, draw_wires, line_colours, render
 
 STYLE = {
     "font.size": 10,
@@ -48,6 +49,7 @@ class Look:
     spots: str | None = None
     reference: bool = True
     view: tuple[float, float, float] | str | None = None
+    wire: int | None = None
 
     def __post_init__(self) -> None:
         """Check the arguments."""
@@ -78,6 +80,7 @@ def plot(
     reference: bool = True,
     view: tuple[float, float, float] | str | None = None,
     size: tuple[int, int] | None = None,
+    wire: int | None = None,
 ) -> Picture:
     """Draw results into a picture file.
 
@@ -91,6 +94,7 @@ def plot(
         - "resistance": contact resistance over contact force, both logarithmic
         - "residuals": residual norms over the iterations of each increment, with the allowed values
         - "contacts": number, forces, spots and heat of the contacts over time
+        - "lines": force, current and heat per length of line contact, along the wires
         - "currents": current of each wire, and along each wire
         - "network": wires as dots, the contacts between them as lines, as thick as their current
         - "friction": friction force over sliding, and the heat of friction over time
@@ -115,6 +119,9 @@ def plot(
         the model well.
     size : tuple of 2 int, optional
         Width and height of the picture in pixels; text grows with the width.
+    wire : int, optional
+        For "lines": the wire, counted from 0, whose zones are drawn over its arc length; default: all zones, each over the
+        arc length of its first wire.
 
     Returns
     -------
@@ -123,8 +130,10 @@ def plot(
     """
     if kind not in _KINDS:
         raise ValueError(unknown_name("kind of plot", kind, _KINDS))
-    look = Look(field, scale, spots, reference, view)
+    look = Look(field, scale, spots, reference, view, wire)
     results = with_increments(results)
+    if wire is not None and not 0 <= wire < len(results.wires):
+        raise ValueError(f"there is no wire {wire}: there are {len(results.wires)}, counted from 0")
     path = Picture(filename or results.path.with_name(f"{results.path.stem}_{kind}.png"))
     draw, default_size = _KINDS[kind]
     with mpl.rc_context(STYLE):
@@ -203,13 +212,19 @@ def place_wires(
     draw_wires(figure.add_axes(box), scene, camera, tubes)
     inch = 1.0 / figure.get_figheight()
     draw_frame(figure.add_axes((left, bottom - 0.75 * inch, width, 0.75 * inch)), camera, scene.length_unit)
-    bar_axes = figure.add_axes((left + 0.04 * width, bottom - 0.30 * inch, 0.40 * width, 0.13 * inch))
-    colours = mpl.cm.ScalarMappable(mpl.colors.Normalize(*scene.limits), scene.colours)
-    bar = figure.colorbar(colours, cax=bar_axes, orientation="horizontal")
-    bar.locator = mpl.ticker.MaxNLocator(6)
-    bar.formatter.set_powerlimits((-3, 4))
-    bar.set_label(scene.title)
-    bar.outline.set_visible(False)
+    bars = [(mpl.cm.ScalarMappable(mpl.colors.Normalize(*scene.limits), scene.colours), scene.title)]
+    if scene.line_title:
+        lines = mpl.cm.ScalarMappable(mpl.colors.Normalize(0.0, scene.line_limit or 1.0), line_colours())
+        bars.append((lines, scene.line_title))
+    share, gap = 0.42 / len(bars), 0.02 if len(bars) == 1 else 0.04
+    for place, (colours, text) in enumerate(bars):
+        start = left + (0.04 + place * share) * width
+        bar_axes = figure.add_axes((start, bottom - 0.30 * inch, (share - gap) * width, 0.13 * inch))
+        bar = figure.colorbar(colours, cax=bar_axes, orientation="horizontal")
+        bar.locator = mpl.ticker.MaxNLocator(6 // len(bars))
+        bar.formatter.set_powerlimits((-3, 4))
+        bar.set_label(text)
+        bar.outline.set_visible(False)
     notes = [scene.spot_text] if scene.spot_text else []
     if len(scene.reference):
         notes.append("grey: undeformed axes")
@@ -230,19 +245,34 @@ def _chart(draw: Callable, size: tuple[float, float]) -> tuple[Callable, tuple[f
     return make, size
 
 
+def _contacts(figure: Figure, results: Results, increment: int) -> None:
+    draw = zone_charts.contacts if has_lines(results) else charts.contacts
+    draw(figure, results, increment)
+
+
+def _lines(figure: Figure, results: Results, increment: int, look: Look) -> None:
+    figure.set_layout_engine("constrained")
+    zone_charts.lines(figure, results, increment, look.wire)
+
+
 def _overview(figure: Figure, results: Results, increment: int, look: Look) -> None:
     _still(figure, results, increment, look, (0.01, 0.115, 0.61, 0.79))
     figure.text(0.03, 0.98, title(results, increment), va="top", fontsize="x-large", linespacing=1.4)
     boxes = [(0.70, bottom, 0.28, 0.225) for bottom in (0.73, 0.40, 0.07)]
     drawers = [charts.residual_of_last_increment]
-    contacts = results.contacts
+    contacts, lines = results.contacts, has_lines(results)
     if results.rigid_surfaces:
         drawers.append(surface_charts.surface_forces_over_time)
-    drawers.append(charts.forces_over_time if contacts.n_rows else charts.displacement_over_time)
+    if lines:
+        drawers.append(zone_charts.force_along_wires)
+    else:
+        drawers.append(charts.forces_over_time if contacts.n_rows else charts.displacement_over_time)
     has_resistances = contacts.n_rows > 0 and np.isfinite(contacts["resistance"]).any()
     has_currents = results.field("element_current", increment).any()
     if friction_charts.has_friction(results):
         drawers.append(friction_charts.force_over_sliding)
+    elif lines:
+        drawers.append(zone_charts.forces_and_lengths_over_time)
     elif has_resistances:
         drawers.append(charts.resistance_over_force)
     elif has_currents:
@@ -256,7 +286,8 @@ _KINDS: dict[str, tuple[Callable[[Figure, Results, int, Look], None], tuple[floa
     "wires": (_wires, (10.0, 7.0)),
     "resistance": _chart(charts.resistance, (7.5, 5.5)),
     "residuals": _chart(charts.residuals, (8.0, 7.5)),
-    "contacts": _chart(charts.contacts, (10.0, 7.0)),
+    "contacts": _chart(_contacts, (10.0, 7.0)),
+    "lines": (_lines, (9.0, 4.0)),
     "currents": _chart(charts.currents, (10.0, 7.0)),
     "network": _chart(network_chart.network, (9.0, 7.0)),
     "friction": _chart(friction_charts.friction, (8.0, 7.0)),

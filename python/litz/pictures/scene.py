@@ -5,14 +5,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..base.quantities import engineering, label
-from ..base.table import Table
 from ..results import Results
 from ..results.scalars import colours_and_limits, default_scalar, end_values, find_scalar, scalar_values
 from ..results.surface_patches import surface_patches
 from ..wires.chains import Wire
 from ..wires.curves import element_curves, hermite
+from .contact_marks import ContactMarks
 
-_MAX_POINTS = 150_000
+_MAX_POINTS = 60_000
 #: Directions to the viewer that have a name
 VIEWS = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1), "-x": (-1, 0, 0), "-y": (0, -1, 0), "-z": (0, 0, -1),
          "iso": (1, -1, 0.8)}  # fmt: skip
@@ -35,6 +35,14 @@ class Scene:
         along the edges (j, 2).
     spots, spot_normal, spot_radius : ndarray
         Centres (m, 3), normals (m, 3) and drawn radii (m) [m] of the discs that stand for the contact spots.
+    lines, line_pieces, line_value : ndarray
+        Zones of contact along lines: points (k, 3), pieces between two of them (p, 2), and force per length (k).
+    line_ends : ndarray
+        Ends of the zones, (e, 3).
+    line_title : str
+        What the colours of the zones mean; empty where there are none at the increments that are shown.
+    line_limit : float
+        Largest force per length; the colours begin at 0.
     title, spot_text : str
         What the colours and the spots mean, with units.
     limits : tuple of float
@@ -57,6 +65,12 @@ class Scene:
     spots: np.ndarray
     spot_normal: np.ndarray
     spot_radius: np.ndarray
+    lines: np.ndarray
+    line_pieces: np.ndarray
+    line_value: np.ndarray
+    line_ends: np.ndarray
+    line_title: str
+    line_limit: float
     title: str
     spot_text: str
     limits: tuple[float, float]
@@ -114,7 +128,7 @@ class SceneMaker:
         self._colours, self._limits = colours_and_limits(
             self._factor * lowest, self._factor * highest, self._scalar.is_length
         )
-        self._spot_scale = _SpotScale(results, increments, spots)
+        self._marks = ContactMarks(results, increments, spots)
         self._patches = surface_patches(results, increments)
         self._wires = results.wires
         self._rest = self._curves(np.zeros_like(results.nodes), np.zeros_like(results.nodes))
@@ -133,7 +147,8 @@ class SceneMaker:
         )
         points, starts = _sample(positions, slopes, wires, n)
         has_reference = self._reference and np.abs(self._scale * displacement).max() > 0.2 * results.radius.min()
-        centres, normals, sizes, spot_text = _spots(results, increment, self._spot_scale, (positions, slopes))
+        centres, normals, sizes = self._marks.spots(increment, (positions, slopes))
+        lines, on_lines = self._marks.lines(increment, (positions, slopes))
         corners, quads, rim = self._surfaces(increment)
         return Scene(
             points=points,
@@ -148,8 +163,14 @@ class SceneMaker:
             spots=centres,
             spot_normal=normals,
             spot_radius=sizes,
+            lines=on_lines,
+            line_pieces=lines.pieces,
+            line_value=self._marks.line_factor * lines.value,
+            line_ends=on_lines[lines.ends.ravel()],
+            line_title=self._marks.line_title,
+            line_limit=self._marks.line_factor * self._marks.line_limit,
             title=self._title,
-            spot_text=spot_text,
+            spot_text=self._marks.text(increment),
             limits=self._limits,
             colours=self._colours,
             length_unit=results.unit_labels["m"],
@@ -195,91 +216,6 @@ def _along(ends: np.ndarray, wires: list[Wire], n: int) -> np.ndarray:
         pairs = np.where(wire.signs[:, None] < 0, ends[wire.elements][:, ::-1], ends[wire.elements])
         values += [(pairs[:, :1] * (1 - fraction) + pairs[:, 1:] * fraction).ravel(), pairs[-1:, 1]]
     return np.concatenate(values)
-
-
-class _SpotScale:
-    """By what the discs are sized, and the largest size at the increments that are shown."""
-
-    def __init__(self, results: Results, increments: list[int], by: str | None):
-        shown = [] if by == "none" else increments
-        self.ledgers = {increment: results.contacts_at(increment) for increment in shown}
-        self.surfaces = {increment: results.surface_contacts_at(increment) for increment in shown}
-        self.by = by or ("current" if any(ledger["current"].any() for ledger in self.ledgers.values()) else "force")
-        self.largest = max((self.sizes(increment).max(initial=0.0) for increment in shown), default=0.0)
-
-    def sizes(self, increment: int) -> np.ndarray:
-        """What sizes the discs at an increment: first between wires, then on rigid surfaces, where no current passes."""
-        surfaces = self.surfaces[increment]
-        on_surfaces = surfaces["force"] if surfaces.n_rows and self.by == "force" else np.zeros(surfaces.n_rows)
-        return np.concatenate([np.abs(self.ledgers[increment][self.by]), on_surfaces])
-
-
-def _spots(
-    results: Results, increment: int, scale: _SpotScale, curves: tuple[np.ndarray, np.ndarray]
-) -> tuple[np.ndarray, np.ndarray, np.ndarray, str]:
-    """Centres, normals, drawn radii and legend of the contact spots; disc areas are proportional to current or force."""
-    size = scale.sizes(increment) if increment in scale.ledgers else np.zeros(0)
-    if not len(size):
-        return np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0), ""
-    centres, normals, thinner = all_spots(results, scale.ledgers[increment], scale.surfaces[increment], curves)
-    largest = max(scale.largest, np.finfo(float).tiny)
-    drawn = thinner * np.clip(0.85 * np.sqrt(size / largest), 0.15, None)
-    factor, unit = engineering(np.array([scale.largest]), results.contacts.units[scale.by])
-    plural = "s" if len(size) > 1 else ""
-    text = f"{len(size)} contact{plural}: disc area proportional to {scale.by},\nmaximum {largest * factor:.3g} {unit}"
-    return centres, normals, drawn, text
-
-
-def all_spots(
-    results: Results, contacts: Table, on_surfaces: Table, curves: tuple[np.ndarray, np.ndarray]
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The places, normals and radii of `spot_places`, and behind them those of contacts with rigid surfaces."""
-    spots = spot_places(results, contacts, curves)
-    if not on_surfaces.n_rows:
-        return spots
-    return tuple(map(np.concatenate, zip(spots, _surface_places(results, on_surfaces, curves), strict=True)))  # type: ignore[return-value]
-
-
-def _surface_places(
-    results: Results, contacts: Table, curves: tuple[np.ndarray, np.ndarray]
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Where wires touch rigid surfaces: places (m, 3) [m], normals (m, 3), and the radius of the wire (m) [m]."""
-    rows = row_of_element(results)
-    elements = np.array([rows[i] for i in contacts["element"]], dtype=int)
-    positions, slopes = curves
-    normals = np.stack([contacts[f"normal_{axis}"] for axis in "xyz"], axis=1)
-    radius = results.radius[elements]
-    axis = hermite(positions[elements], slopes[elements], contacts["xi"])
-    return axis - radius[:, None] * normals, normals, radius
-
-
-def spot_places(
-    results: Results, contacts: Table, curves: tuple[np.ndarray, np.ndarray]
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Where contacts touch: places (m, 3) [m], normals (m, 3), and the smaller radius of the two wires (m) [m].
-
-    Parameters
-    ----------
-    results : Results
-    contacts : Table
-        Rows of the ledger, (m).
-    curves : tuple of ndarray
-        What `element_curves` gives.
-    """
-    rows = row_of_element(results)
-    barred, unbarred = (np.array([rows[i] for i in contacts[name]], dtype=int) for name in ("element_1", "element_2"))
-    positions, slopes = curves
-    point_bar = hermite(positions[barred], slopes[barred], contacts["xi_1"])
-    point = hermite(positions[unbarred], slopes[unbarred], contacts["xi_2"])
-    normals = np.stack([contacts[f"normal_{axis}"] for axis in "xyz"], axis=1)
-    radius_bar, radius = results.radius[barred], results.radius[unbarred]
-    share = (radius_bar / (radius_bar + radius))[:, None]
-    return point_bar + share * (point - point_bar), normals, np.minimum(radius_bar, radius)
-
-
-def row_of_element(results: Results) -> dict[int, int]:
-    """Row of each element in the arrays of the results, by its number in the deck."""
-    return {int(element): row for row, element in enumerate(results.element_ids)}
 
 
 def aim(shown: np.ndarray, margin: float, aspect: float, view: tuple[float, float, float] | None = None) -> Camera:

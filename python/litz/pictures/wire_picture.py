@@ -28,6 +28,8 @@ _MIN_SPOT = 0.007
 _LAYERS = ((1.0, 0.55, 0.02), (0.8, 0.8, 0.06), (0.55, 1.0, 0.10), (0.25, 1.25, 0.14))
 # Thickness over diameter of a spot that is seen from its edge
 _MIN_THICKNESS = 0.18
+# Width of the lines of contact in radii, and its range in points
+_LINE_WIDTH, _LINE_WIDTHS = 0.5, (1.6, 5.0)
 #: Note on pictures that were drawn without OpenGL
 WITHOUT_OPENGL = "drawn without OpenGL: depth is approximate"
 
@@ -58,14 +60,15 @@ def draw_wires(axes: Axes, scene: Scene, camera: Camera, tubes: np.ndarray | Non
     axes.set_xlim(-camera.half_width, camera.half_width)
     axes.set_ylim(-camera.half_height, camera.half_height)
     axes.set_axis_off()
+    points_per_metre = 72 * axes.get_position().width * axes.figure.get_figwidth() / (2 * camera.half_width)
     if tubes is None:
-        width = axes.get_position().width * axes.figure.get_figwidth()
-        _draw_flat(axes, scene, camera, points_per_metre=72 * width / (2 * camera.half_width))
+        _draw_flat(axes, scene, camera, points_per_metre)
     else:
         axes.imshow(
             tubes, extent=(-camera.half_width, camera.half_width, -camera.half_height, camera.half_height),
             aspect="auto", interpolation="antialiased",
         )  # fmt: skip
+    _draw_lines(axes, scene, camera, points_per_metre)
     _draw_spots(axes, scene, camera)
 
 
@@ -82,7 +85,7 @@ def _render(scenes: list[Scene], camera: Camera, pixels: np.ndarray) -> list[np.
                 surface_points=scene.surface_points, surface_quads=scene.surface_quads, surface_rim=scene.surface_rim,
                 surface_colour=SURFACE_COLOUR, surface_opacity=SURFACE_OPACITY,
                 colours=scene.colours, limits=scene.limits, size=np.round(pixels),
-                sides=24 if len(scene.points) < 50_000 else 12, centre=camera.centre, toward=camera.toward,
+                sides=24 if len(scene.points) < 20_000 else 12, centre=camera.centre, toward=camera.toward,
                 up=camera.up, half_height=camera.half_height, distance=distance,
             )  # fmt: skip
         _run_vtk(folder, len(scenes))
@@ -156,6 +159,31 @@ def _draw_surfaces(axes: Axes, scene: Scene, camera: Camera) -> None:
     axes.add_collection(
         LineCollection(flat[scene.surface_rim][:, :, :2], colors=SURFACE_COLOUR, linewidths=0.8, zorder=3)
     )
+
+
+def _draw_lines(axes: Axes, scene: Scene, camera: Camera, points_per_metre: float) -> None:
+    """Zones of contact along lines, on top of the wires, with a dark rim and dots at their ends."""
+    if not len(scene.lines):
+        return
+    width = np.clip(_LINE_WIDTH * scene.radius.min() * points_per_metre, *_LINE_WIDTHS)
+    flat = camera.project(scene.lines)
+    pieces = flat[scene.line_pieces]
+    order = np.argsort(pieces[:, :, 2].mean(axis=1))
+    colour = line_colours()(scene.line_value[scene.line_pieces].mean(axis=1)[order] / (scene.line_limit or 1.0))
+    for wider, colours in ((1.2, "#3a1510"), (0.0, colour)):
+        axes.add_collection(
+            LineCollection(
+                pieces[order, :, :2], colors=colours, linewidths=width + wider, capstyle="round", zorder=3
+            )
+        )  # fmt: skip
+    ends = camera.project(scene.line_ends)
+    axes.plot(ends[:, 0], ends[:, 1], "o", markersize=width + 2.0, color="#3a1510", markeredgecolor="white",
+              markeredgewidth=0.7, zorder=3.5)  # fmt: skip
+
+
+def line_colours() -> mpl.colors.Colormap:
+    """Colours of the force per length: without the palest part of the map, which is hard to see."""
+    return mpl.colors.ListedColormap(mpl.colormaps["YlOrRd"](np.linspace(0.25, 1.0, 256)))
 
 
 def _draw_spots(axes: Axes, scene: Scene, camera: Camera) -> None:

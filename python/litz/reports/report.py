@@ -12,6 +12,7 @@ from ..errors import FileError
 from ..pictures.friction_charts import has_friction
 from ..pictures.plots import plot
 from ..results import Results
+from ..results.contact_history import has_lines
 from ..results.scalars import default_scalar
 from ..viewer.data import WebData
 from ..viewer.page import evenly_chosen, page, viewer, viewer_style
@@ -86,7 +87,8 @@ def report(results: Results | str | Path, filename: str | Path | None = None) ->
         tables.convergence(results),
     ]
     if len(results.times):
-        sections += [*_stage(results), "<h2>Worst contacts</h2>", tables.worst_contacts(results)]
+        sections += [*_stage(results), *tables.line_contact(results)]
+        sections += ["<h2>Worst contacts</h2>", tables.worst_contacts(results)]
         sections += [*surfaces(results), *_pictures(results)]
     sections += ["<h2>Deck</h2>", _deck(results)]
     path.write_text(page(f"{title} - litz", "\n".join(sections), _STYLE + viewer_style()), encoding="utf-8")
@@ -131,9 +133,12 @@ def _pictures(results: Results) -> list[str]:
     wanted.append(("residuals", "Residuals over the iterations.", {}))
     if contacts.n_rows:
         wanted.append(("contacts", "The contacts over time, and their spots at the last increment.", {}))
+    lines = has_lines(results)
+    if lines:
+        wanted.append(("lines", "Contact along lines: what passes per length, along the wires.", {}))
     if results.surface_contacts.n_rows:
         wanted.append(("surfaces", "Forces on the rigid surfaces.", {}))
-    if contacts.n_rows and (contacts["resistance"] < math.inf).any():
+    if contacts.n_rows and not lines and (contacts["resistance"] < math.inf).any():
         wanted.append(("resistance", "Contact resistance over contact force.", {}))
     if field("element_current"):
         wanted.append(("currents", "Currents in the wires.", {}))

@@ -1,13 +1,14 @@
 """The tables of the report."""
 
 import html
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 import numpy as np
 
 from ..base.quantities import engineering
 from ..base.table import Table
 from ..results import Results
+from ..results.contact_history import crossings_by_themselves
 from ..wires.curves import arc_lengths
 
 _MAX_CONTACTS = 8
@@ -232,6 +233,9 @@ def worst_contacts(results: Results) -> str:
     ledger = results.contacts
     if not ledger.n_rows:
         return "<p>No wires have touched.</p>"
+    ledger = ledger.where(crossings_by_themselves(results))
+    if not ledger.n_rows:
+        return "<p>All contact is along lines.</p>"
     measures = [("largest penetration", -ledger["gap"]), ("largest force", ledger["force"])]
     density = current_density(ledger)
     if density.any():
@@ -239,6 +243,68 @@ def worst_contacts(results: Results) -> str:
     return "".join(
         _contact_table(name, ledger, _worst_of_each(ledger["id"], values)[:_MAX_CONTACTS]) for name, values in measures
     )
+
+
+def line_contact(results: Results) -> list[str]:
+    """The zones of line contact and the pairs of wires at the last increment; empty if there are none."""
+    zones = results.contact_zones()
+    if not zones.n_rows:
+        return []
+    pairs = results.wire_pairs()
+    pairs = pairs.where(pairs["zones"] > 0)
+    heads = [
+        "wires",
+        "from",
+        "to",
+        "length",
+        "force",
+        "force per length",
+        "largest",
+        "current",
+        "heat",
+        "crossings in it",
+    ]
+    parts = [_headed(zones, "zones", heads, _zone_row)]
+    heads = ["wires", "zones", "crossings", "length", "force", "current", "heat", "conductance"]
+    parts.append(_headed(pairs, "pairs of wires", heads, _pair_row))
+    return ["<h2>Contact along lines at the last increment</h2>", *parts]
+
+
+def _headed(rows: Table, what: str, heads: list[str], line: Callable[[Table, int], list[str]]) -> str:
+    """A table of those with the largest forces, and a note on how many more there are."""
+    order = np.argsort(-rows["force"], kind="stable")[:_MAX_CONTACTS]
+    text = table(heads, [line(rows, k) for k in order])
+    if rows.n_rows > len(order):
+        text += f'<p class="note">The {len(order)} {what} with the largest forces, of {rows.n_rows}.</p>'
+    return text
+
+
+def _zone_row(zones: Table, k: int) -> list[str]:
+    names = (
+        "arc_1_begin",
+        "arc_1_end",
+        "length",
+        "force",
+        "force_per_length",
+        "max_force_per_length",
+        "current",
+        "joule_heat",
+    )
+    values = (amount(zones[name][k], zones.units[name]) for name in names)
+    return [_wires(zones, k), *values, str(zones["crossings"][k])]
+
+
+def _pair_row(pairs: Table, k: int) -> list[str]:
+    values = (
+        amount(pairs[name][k], pairs.units[name])
+        for name in ("length", "force", "current", "joule_heat", "conductance")
+    )
+    return [_wires(pairs, k), str(pairs["zones"][k]), str(pairs["crossings"][k]), *values]
+
+
+def _wires(rows: Table, k: int) -> str:
+    """Both wires, counted from 1."""
+    return f"{rows['wire_1'][k] + 1}, {rows['wire_2'][k] + 1}"
 
 
 def current_density(ledger: Table) -> np.ndarray:

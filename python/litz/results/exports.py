@@ -12,9 +12,13 @@ from numpy.typing import NDArray
 
 from ..base.names import unknown_name
 from ..base.packages import optional
+from ..base.table import Table
 from ..errors import FileError
+from .contact_places import contact_places
+from .contact_zones import contact_zones, wire_pairs
 from .result_file import ResultFile
 from .surface_exports import Frame, contact_frames, surface_frames, write_vtkhdf, write_vtu
+from .zone_files import ZoneGrid, write_zones
 
 #: Fields that do not change, and are columns or cells of their own
 _STATIC = frozenset(["reference_position", "node_id", "element_id"])
@@ -33,8 +37,10 @@ def export(
         What `Results` takes.
     to : {"csv", "vtu", "xdmf", "vtkhdf"}
         "csv": STEM_nodes.csv and STEM_elements.csv, a row for each node and increment, each element and increment, units in
-        the heads. "vtu": STEM.pvd and STEM_contacts.pvd, which name a file for each increment. "xdmf": STEM.xdmf with
-        STEM.h5; needs meshio. "vtkhdf": the result files as they are. With rigid surfaces, "vtu" and "vtkhdf" also
+        the heads; STEM_zones.csv and STEM_pairs.csv, the zones of line contact and the pairs of wires that touch, wires
+        counted from 1. "vtu": STEM.pvd, STEM_contacts.pvd and STEM_zones.pvd, which name a file for each increment. "xdmf":
+        STEM.xdmf with STEM.h5; needs meshio. "vtkhdf": the result files as they are, and
+        STEM_zones.vtkhdf with the zones of line contact as lines. With rigid surfaces, "vtu" and "vtkhdf" also
         write STEM_rigid, the parts of them that the wires come to lie beside, and STEM_surfaces, the contacts with them
         as points.
     directory : path, optional
@@ -72,7 +78,25 @@ def _to_csv(results: ResultFile, base: Path) -> Path:
     places = {"reference_position": results.nodes}
     _write_table(results, nodes, "node", results.node_ids, places, _fields(results, on_points=True))
     _write_table(results, elements, "element", results.element_ids, {}, _fields(results, on_points=False))
+    contacts = [contact_places(results, results.contacts_at(i)) for i in range(len(results.times))]
+    for ending, table in (("_zones.csv", contact_zones), ("_pairs.csv", wire_pairs)):
+        _write_rows(results, _beside(base, ending), [table(each, results.unit_labels) for each in contacts])
     return nodes
+
+
+def _write_rows(results: ResultFile, path: Path, tables: list[Table]) -> None:
+    """The rows of a table at each increment; wires are counted from 1, as in the result file."""
+    units = tables[0].units if tables else {}
+    heads = ["step", "increment", f"time [{results.unit_labels['s']}]"]
+    heads += [f"{name} [{unit}]" if unit else name for name, unit in units.items()]
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(heads)
+        for *place, table in zip(
+            results.steps.tolist(), results.increments.tolist(), results.times.tolist(), tables, strict=True
+        ):
+            columns = [(table[name] + name.startswith("wire_")).tolist() for name in units]
+            writer.writerows([*place, *row] for row in zip(*columns, strict=True))
 
 
 def _write_table(
@@ -105,7 +129,7 @@ def _to_vtu(results: ResultFile, base: Path) -> Path:
     n = len(results.elements)
     cells = np.column_stack([np.full(n, 2), results.elements]).ravel()
     digits = len(str(len(results.times)))
-    wires, spots = [], []
+    wires, spots, zones = [], [], []
     for i in range(len(results.times)):
         grid = pv.UnstructuredGrid(cells, np.full(n, pv.CellType.LINE, dtype=np.uint8), results.positions(i))
         for name in _fields(results, on_points=True):
@@ -117,7 +141,10 @@ def _to_vtu(results: ResultFile, base: Path) -> Path:
         grid.save(wires[-1])
         spots.append(_beside(base, f"_contacts_{i:0{digits}}.vtp"))
         _contact_points(results, i).save(spots[-1])
+        zones.append(_beside(base, f"_zones_{i:0{digits}}.vtu"))
+        ZoneGrid(results, i).to_pyvista().save(zones[-1])
     _write_pvd(_beside(base, "_contacts.pvd"), results.times, spots)
+    _write_pvd(_beside(base, "_zones.pvd"), results.times, zones)
     for ending, frames in _surface_series(results).items():
         files = [_beside(base, f"{ending}_{i:0{digits}}.vtu") for i in range(len(frames))]
         for frame, file in zip(frames, files, strict=True):
@@ -190,6 +217,7 @@ def _to_vtkhdf(results: ResultFile, base: Path) -> Path:
         source, target = _beside(results.path.with_suffix(""), ending), _beside(base, ending)
         if source.resolve() != target.resolve():
             shutil.copyfile(source, target)
+    write_zones(results, _beside(base, "_zones.vtkhdf"))
     for ending, frames in _surface_series(results).items():
         write_vtkhdf(frames, results.times, _beside(base, f"{ending}.vtkhdf"))
     return _beside(base, ".vtkhdf")

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from .contact_history import contacts_over_time
 from .result_file import ResultFile
 
 _MAX_COLUMNS = 6
@@ -9,12 +10,17 @@ _MAX_ROWS = 40
 
 
 def history_table(results: ResultFile) -> str:
-    """Contacts, contact force and the history of a run, a line per increment; long tables are thinned out."""
+    """Contacts, contact force and the history of a run, a line per increment; long tables are thinned out.
+
+    A zone of contact along a line counts as one contact, and so does each element that touches a rigid surface.
+    """
     history = results.history
     names = [name for name in history if name not in ("step", "increment", "time")]
     shown = names[:_MAX_COLUMNS]
-    number, force = _contacts(results)
-    columns = [history["time"], number, force, *(history[name] for name in shown)]
+    contacts = contacts_over_time(results, history["step"], history["increment"])
+    on_surfaces, surface_force = _on_surfaces(results)
+    number = contacts["crossings"] + contacts["zones"] + on_surfaces
+    columns = [history["time"], number, contacts["force"] + surface_force, *(history[name] for name in shown)]
     heads = ["time", "contacts", "contact force", *shown]
     units = [results.unit_labels["s"], "", results.unit_labels["N"], *(history.units[name] for name in shown)]
 
@@ -30,14 +36,12 @@ def history_table(results: ResultFile) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _contacts(results: ResultFile) -> tuple[np.ndarray, np.ndarray]:
-    """Number of contacts, those with rigid surfaces too, and sum of their forces at each increment of the history."""
-    history = results.history
+def _on_surfaces(results: ResultFile) -> tuple[np.ndarray, np.ndarray]:
+    """Number of contacts with rigid surfaces and sum of their forces at each increment of the history."""
+    history, ledger = results.history, results.surface_contacts
     number, force = np.zeros(history.n_rows, dtype=int), np.zeros(history.n_rows)
-    row_of = {key: row for row, key in enumerate(zip(history["step"], history["increment"], strict=True))}
-    for ledger in (results.contacts, results.surface_contacts):
-        if not ledger.n_rows:
-            continue
+    if ledger.n_rows:
+        row_of = {key: row for row, key in enumerate(zip(history["step"], history["increment"], strict=True))}
         rows = [row_of[key] for key in zip(ledger["step"], ledger["increment"], strict=True)]
         np.add.at(number, rows, 1)
         np.add.at(force, rows, ledger["force"])

@@ -1,7 +1,7 @@
 """The contact network of a run: wires as nodes, contacts as edges, for numpy and for network tools."""
 
 import csv
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -11,7 +11,8 @@ import numpy as np
 
 from ..base.packages import optional
 from ..base.table import Table
-from ..wires.curves import arc_lengths
+from .contact_places import ContactPlaces, contact_places, rows_of
+from .contact_zones import contact_zones, stretch_along
 from .result_file import ResultFile
 
 if TYPE_CHECKING:
@@ -33,7 +34,7 @@ _OF_CONTACT = {
 
 @dataclass(frozen=True, repr=False)
 class ContactNetwork:
-    """Wires and the closed contacts between them at one increment.
+    """Wires and the closed contacts between them at one increment: crossings, and zones of contact along lines.
 
     Attributes
     ----------
@@ -46,15 +47,20 @@ class ContactNetwork:
     wire_current : (n,) array
         Largest current along each wire [A], positive from its first to its last node.
     wires : (k, 2) array of int
-        The wires that each contact joins, counted from 0: the barred one first.
+        The wires that each contact joins, counted from 0: of a crossing the barred one first, of a zone in ascending order.
+        A zone of line contact (`Results.contact_zones`) is one contact.
     id : (k,) array of int
-        Number of each contact in the ledger.
+        Number of each contact in the ledger; of a zone the lowest one in it.
     arc : (k, 2) array
-        Where it is along the two wires, before deformation [m].
+        Where it is along the two wires, before deformation; the middle of a zone [m].
     point : (k, 3) array
-        Its place, halfway between the axes [m].
+        Its place, halfway between the axes; of a zone that in its middle [m].
+    length : (k,) array
+        Length of a zone, 0 where wires cross [m].
     force, gap, angle, resistance, current, voltage_gap, joule_heat : (k,) arrays
-        As in the contact ledger [N, m, rad, ohm, A, V, W]; the resistance is infinite where no current can pass.
+        As in the contact ledger [N, m, rad, ohm, A, V, W]; the resistance is infinite where no current can pass. A zone has
+        sums, its places in parallel, the smallest gap, the mean angle, and the voltage that drives its current through
+        its resistance.
     wires_at : dict of (m,) array of int
         The wires that have a node in each node set: `wires_at["PLUS"]` are those at this electrode.
 
@@ -71,6 +77,7 @@ class ContactNetwork:
     id: np.ndarray
     arc: np.ndarray
     point: np.ndarray
+    length: np.ndarray
     force: np.ndarray
     gap: np.ndarray
     angle: np.ndarray
@@ -87,7 +94,7 @@ class ContactNetwork:
     def table(self) -> Table:
         """The contacts as a table, a row for each; wires are counted from 0, as in `wires`."""
         places = {"arc_1": self.arc[:, 0], "arc_2": self.arc[:, 1]}
-        places |= {axis: self.point[:, i] for i, axis in enumerate("xyz")}
+        places |= {axis: self.point[:, i] for i, axis in enumerate("xyz")} | {"length": self.length}
         columns = {"id": self.id, "wire_1": self.wires[:, 0], "wire_2": self.wires[:, 1], **places}
         columns |= {name: getattr(self, name) for name in _OF_CONTACT}
         units = {"id": "", "wire_1": "", "wire_2": "", **dict.fromkeys(places, "m"), **_OF_CONTACT}
@@ -141,8 +148,12 @@ class ContactNetwork:
         with path.open("w", newline="", encoding="utf-8") as file:
             table = csv.writer(file)
             names = [f"{name} [{unit}]" for name, unit in _OF_CONTACT.items()]
-            table.writerow(["id", "wire_1", "wire_2", "arc_1 [m]", "arc_2 [m]", "x [m]", "y [m]", "z [m]", *names])
-            numbers = np.column_stack([self.arc, self.point, *(getattr(self, name) for name in _OF_CONTACT)])
+            table.writerow(
+                ["id", "wire_1", "wire_2", "arc_1 [m]", "arc_2 [m]", "x [m]", "y [m]", "z [m]", "length [m]", *names]
+            )
+            numbers = np.column_stack(
+                [self.arc, self.point, self.length, *(getattr(self, name) for name in _OF_CONTACT)]
+            )
             for contact, pair, row in zip(self.id, self.wires + 1, numbers, strict=True):
                 table.writerow([contact, *pair, *(repr(float(value)) for value in row)])
         return path
@@ -162,6 +173,7 @@ class ContactNetwork:
             "arc_1_m": (self.arc[:, 0], "double"),
             "arc_2_m": (self.arc[:, 1], "double"),
             **{f"{axis}_m": (self.point[:, i], "double") for i, axis in enumerate("xyz")},
+            "length_m": (self.length, "double"),
             **{f"{name}_{unit}": (getattr(self, name), "double") for name, unit in _OF_CONTACT.items()},
         }
         root = ElementTree.Element("graphml", xmlns="http://graphml.graphdrawing.org/xmlns")
@@ -183,30 +195,65 @@ class ContactNetwork:
         return path
 
 
-def contact_network(results: ResultFile, increment: int) -> ContactNetwork:
-    """The network of a run at an increment."""
+def contact_network(results: ResultFile, increment: int, *, every_place: bool = False) -> ContactNetwork:
+    """The network of a run at an increment; `every_place`: each place of a line contact is a contact of its own."""
     wires = results.wires
-    arc_start, lengths, sign = arc_lengths(results.nodes, results.elements, wires)
-    wire_of_element = np.zeros(len(results.elements))
-    for number, wire in enumerate(wires):
-        wire_of_element[wire.elements] = number
     ledger = results.contacts_at(increment)
-    ledger = ledger.where(ledger["force"] > 0)
-    rows = np.stack([_rows_of(results.element_ids, ledger[name]) for name in ("element_1", "element_2")], axis=1)
-    xi = np.stack([ledger["xi_1"], ledger["xi_2"]], axis=1)
+    places = contact_places(results, ledger.where(ledger["force"] > 0))
+    if every_place:
+        places = replace(places, zone=np.full_like(places.zone, -1))
+    # zones come after the crossings, which keep the order of the ledger
+    alone, zones = places.zone < 0, contact_zones(places, results.unit_labels)
+    edge = np.where(alone, np.cumsum(alone) - 1, alone.sum() + places.zone)
+    is_zone = np.arange(alone.sum() + zones.n_rows) >= alone.sum()
+    of_edges = _edges(places, edge, is_zone)
+    of_edges["length"][is_zone] = zones["length"]
     potential = results.field("potential", increment)
     return ContactNetwork(
         first_element=np.array([results.element_ids[wire.elements[0]] for wire in wires]),
-        wire_length=np.array([lengths[wire.elements].sum() for wire in wires]),
+        wire_length=results.wire_arcs.wire_length,
         wire_potential=np.array([potential[wire.nodes].mean() for wire in wires]),
         wire_current=wire_currents(results, increment),
-        wires=wire_of_element[rows].astype(int),
-        id=ledger["id"],
-        arc=arc_start[rows] + (1 + sign[rows] * xi) / 2 * lengths[rows],
-        point=np.stack([(ledger[f"point_1_{axis}"] + ledger[f"point_2_{axis}"]) / 2 for axis in "xyz"], axis=1),
-        **{name: ledger[name] for name in _OF_CONTACT},
         wires_at=_wires_at(results, wires),
+        **of_edges,
     )
+
+
+def _edges(places: ContactPlaces, edge: np.ndarray, is_zone: np.ndarray) -> dict[str, np.ndarray]:
+    """Columns of the contacts, given the contact that each row of the ledger is in (k), and which contacts are zones (n)."""
+    ledger, n = places.ledger, len(is_zone)
+    in_zone = is_zone[edge]
+    # the middle one of the rows of each contact stands for its place
+    along = places.arc[:, 0].copy()
+    along[in_zone] = stretch_along(places.where(in_zone), 0).arc
+    order = np.lexsort((along, edge))
+    first, last = (np.searchsorted(edge[order], np.arange(n), side) for side in ("left", "right"))
+    middle = order[(first + last) // 2]
+    barred_first = np.where((places.flipped[middle] & ~is_zone)[:, None], [1, 0], [0, 1])
+    point = np.stack([(ledger[f"point_1_{axis}"] + ledger[f"point_2_{axis}"]) / 2 for axis in "xyz"], axis=1)
+
+    current = np.where(places.flipped & in_zone, -ledger["current"], ledger["current"])
+    total = {"force": ledger["force"], "current": current, "joule_heat": ledger["joule_heat"]}
+    total = {name: np.bincount(edge, values, n) for name, values in total.items()}
+    conductance = np.bincount(edge, 1 / ledger["resistance"], n)
+    resistance = np.divide(1.0, conductance, out=np.full(n, np.inf), where=conductance > 0)
+    driving = np.divide(total["current"], conductance, out=np.zeros(n), where=conductance > 0)
+    columns = {name: ledger[name][middle] for name in ("gap", "voltage_gap")}
+    np.minimum.at(columns["gap"], edge, ledger["gap"])
+    ids = ledger["id"][middle]
+    np.minimum.at(ids, edge, ledger["id"])
+    return {
+        "id": ids,
+        "wires": np.take_along_axis(places.wires[middle], barred_first, axis=1),
+        "arc": np.take_along_axis(places.arc[middle], barred_first, axis=1),
+        "point": point[middle],
+        "length": np.zeros(n),
+        **total,
+        "gap": columns["gap"],
+        "angle": np.bincount(edge, ledger["angle"], n) / (last - first),
+        "resistance": np.where(is_zone, resistance, ledger["resistance"][middle]),
+        "voltage_gap": np.where(is_zone & (conductance > 0), driving, columns["voltage_gap"]),
+    }
 
 
 def _wires_at(results: ResultFile, wires: list) -> dict[str, np.ndarray]:
@@ -231,7 +278,7 @@ def _largest_in_elements(results: ResultFile, increment: int) -> np.ndarray:
     largest = results.field("element_current", increment).copy()
     ledger = results.contacts_at(increment)
     ledger = ledger.where(ledger["current"] != 0)
-    row = np.concatenate([_rows_of(results.element_ids, ledger[name]) for name in ("element_1", "element_2")])
+    row = np.concatenate([rows_of(results.element_ids, ledger[name]) for name in ("element_1", "element_2")])
     xi = np.concatenate([ledger["xi_1"], ledger["xi_2"]])
     entering = np.concatenate([-ledger["current"], ledger["current"]])
     order = np.lexsort((xi, row))
@@ -252,11 +299,6 @@ def conductance(results: ResultFile, plus: str, minus: str, increment: int) -> f
     if voltage == 0:
         raise ValueError(f"there is no voltage between {plus} and {minus}, so there is no conductance")
     return float(entering[rows[0]].sum() / voltage)
-
-
-def _rows_of(ids: np.ndarray, wanted: np.ndarray) -> np.ndarray:
-    order = np.argsort(ids)
-    return order[np.searchsorted(ids, wanted, sorter=order)]
 
 
 def _add_data(parent: ElementTree.Element, what: str, columns: dict, row: int) -> None:

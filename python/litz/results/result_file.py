@@ -13,7 +13,7 @@ import numpy as np
 from ..base.names import unknown_name
 from ..base.table import Table
 from ..errors import FileError, WarningEntry
-from ..wires import Wire, find_wires, numbered_wires
+from ..wires import Wire, WireArcs, find_wires, numbered_wires, wire_arcs
 from .rigid_surfaces import SurfaceShape, read_surfaces
 from .run_warnings import read_warnings
 from .text_tables import read_aligned, read_csv
@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 _FORMAT_VERSION = 1
 _AUDIT = ("force_balance", "moment_balance", "current_balance", "power_balance", "penetration_ratio")
 _GROUPS = ("PointData", "CellData")
+#: Ends of the names of files that runs and exports write beside the result file of the wires
+_BESIDE_RUNS, _BESIDE_EXPORTS = ("_contacts", "_unconverged"), ("rigid", "surfaces", "zones")
 
 
 class ResultFile:
@@ -171,6 +173,11 @@ class ResultFile:
                 # files of litz 0.1
                 return find_wires(self.elements)
             return numbered_wires(self.elements, *(cells[name][()] for name in names))
+
+    @cached_property
+    def wire_arcs(self) -> WireArcs:
+        """Where the elements are along the wires, before deformation."""
+        return wire_arcs(self.nodes, self.elements, self.wires)
 
     @cached_property
     def node_sets(self) -> dict[str, np.ndarray]:
@@ -439,10 +446,10 @@ def _find(path: Path) -> Path:
 
 def _is_beside_another(file: Path) -> bool:
     """It is no result file of wires, but has been written beside one."""
-    if file.stem.endswith(("_contacts", "_unconverged")):
+    if file.stem.endswith(_BESIDE_RUNS):
         return True
     stem, _, ending = file.stem.rpartition("_")
-    return ending in ("rigid", "surfaces") and file.with_name(f"{stem}.vtkhdf").exists()
+    return ending in _BESIDE_EXPORTS and file.with_name(f"{stem}.vtkhdf").exists()
 
 
 def _n_steps(file: h5py.File) -> int:

@@ -7,6 +7,8 @@ import numpy as np
 from ..base.names import unknown_name
 from ..base.table import Table
 from . import exports, network, summary
+from .contact_places import ContactPlaces, contact_places
+from .contact_zones import contact_zones, wire_pairs
 from .result_file import ResultFile
 from .surface_forces import surface_forces
 
@@ -69,9 +71,57 @@ class Results(ResultFile):
         """Largest current along each wire, with its sign, in the order of `wires`, (n_wires) [A]."""
         return network.wire_currents(self, increment)
 
-    def contact_network(self, increment: int = -1) -> network.ContactNetwork:
-        """Wires and the closed contacts between them, as arrays; `to_csv` and `to_graphml` write them."""
-        return network.contact_network(self, increment)
+    def contact_network(self, increment: int = -1, *, every_place: bool = False) -> network.ContactNetwork:
+        """Wires and the closed contacts between them, as arrays; `to_csv` and `to_graphml` write them.
+
+        Parameters
+        ----------
+        increment : int
+            Index of the increment.
+        every_place : bool
+            Each place of a line contact is a contact of its own, as in the ledger; else a zone of line contact is one.
+        """
+        return network.contact_network(self, increment, every_place=every_place)
+
+    def contact_zones(self, increment: int = -1) -> Table:
+        """Contact along lines at an increment: a row for each zone, a stretch of two wires that touch without a break.
+
+        Parameters
+        ----------
+        increment : int
+            Index of the increment.
+
+        Returns
+        -------
+        Table
+            `id`: the lowest number of its contacts in the ledger; `wire_1`, `wire_2`: wires, counted from 0, the same for a
+            wire that touches itself; `arc_1_begin`, `arc_1_end`, `arc_2_begin`, `arc_2_end`: where it begins and ends on
+            either wire before deformation, to half a distance of places (on rings an arc may exceed the length of the
+            wire); `begin_x` to `end_z`: its first and last place; `length`; `gap`: the smallest; `places` and `crossings`:
+            rows of the ledger in it; `force`, `current` (from `wire_1` to `wire_2`), `joule_heat`, `conductance`: their
+            sums; `force_per_length`, `current_per_length`, `heat_per_length`: the means, and `max_force_per_length` etc.
+            the largest sizes at a place.
+        """
+        return contact_zones(self._places(increment), self.unit_labels)
+
+    def wire_pairs(self, increment: int = -1) -> Table:
+        """What passes between two wires in all at an increment: a row for each pair of wires that touch.
+
+        Parameters
+        ----------
+        increment : int
+            Index of the increment.
+
+        Returns
+        -------
+        Table
+            `wire_1`, `wire_2`: wires, counted from 0; `zones`: number of zones of line contact, with their `length`;
+            `crossings`; `force`, `current` (from `wire_1` to `wire_2`), `joule_heat`, `conductance`: sums of all contacts.
+        """
+        return wire_pairs(self._places(increment), self.unit_labels)
+
+    def _places(self, increment: int) -> ContactPlaces:
+        return contact_places(self, self.contacts_at(increment))
 
     def export(self, to: str, directory: str | Path | None = None) -> Path:
         """Write the results for another program: "csv", "vtu", "xdmf" or "vtkhdf"; see `litz.export`."""

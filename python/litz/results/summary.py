@@ -4,11 +4,15 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from ..base.table import Table
 from ..errors import WarningEntry
+from .contact_places import ContactPlaces, contact_places
+from .contact_zones import contact_zones, wire_pairs
 from .result_file import ResultFile
 from .surface_forces import surface_forces
 
 _MAX_ROWS = 30
+_MAX_PAIRS = 12
 
 
 def summary(results: ResultFile) -> str:
@@ -55,19 +59,15 @@ def _last_increment(results: ResultFile) -> str:
     contacts = results.contacts_at(-1)
     entering = results.field("reaction_current") + results.field("applied_current")
     unit = results.unit_labels
+    places = contact_places(results, contacts)
+    zones = contact_zones(places, unit)
     heat_wires, heat_contacts = results.field("joule_heat").sum(), contacts["joule_heat"].sum()
     lines = [
         f"at time {results.times[-1]:g} {unit['s']} (step {results.steps[-1]}, increment {results.increments[-1]}):",
         f"  largest displacement   {size.max():12.5g} {unit['m']:4} at node {results.node_ids[size.argmax()]}",
         f"  potential              {potential.min():12.5g} {unit['V']:4} to {potential.max():.5g} {unit['V']}",
-        f"  contacts               {contacts.n_rows:12d}",
+        *_contacts(places, zones, unit),
     ]
-    if contacts.n_rows:
-        force = contacts["force"]
-        lines.append(
-            f"  contact forces         {force.min():12.5g} {unit['N']:4} to {force.max():.5g} {unit['N']}, "
-            f"sum {force.sum():.5g} {unit['N']}"
-        )
     lines += _on_surfaces(results)
     if heat_wires + heat_contacts > 0:
         lines += [
@@ -81,7 +81,51 @@ def _last_increment(results: ResultFile) -> str:
     lines += [
         f"  {name}  {history[name][-1]:.8g} {history.units[name]}" for name in history if name.startswith("resistance ")
     ]
-    return "\n".join(lines)
+    return "\n".join(lines + _pairs(places, zones, unit))
+
+
+def _contacts(places: ContactPlaces, zones: Table, unit: dict[str, str]) -> list[str]:
+    """Crossings with the range of their forces, zones of line contact with that of their forces per length."""
+    force = places.ledger["force"]
+    alone = force[places.zone < 0]
+    lines = []
+    if alone.size or not zones.n_rows:
+        lines.append(f"  {'crossings' if zones.n_rows else 'contacts':23}{alone.size:12d}")
+    if alone.size:
+        lines.append(f"  contact forces         {_range(alone, unit['N'])}, sum {alone.sum():.5g} {unit['N']}")
+    if zones.n_rows:
+        length, force, mean, largest = (
+            zones[name] for name in ("length", "force", "force_per_length", "max_force_per_length")
+        )
+        per_length = zones.units["force_per_length"]
+        lines += [
+            f"  zones of line contact  {zones.n_rows:12d}",
+            f"  length of zones        {_range(length, unit['m'])}, sum {length.sum():.5g} {unit['m']}",
+            f"  forces of zones        {_range(force, unit['N'])}, sum {force.sum():.5g} {unit['N']}",
+            f"  forces per length      {_range(mean, per_length)}, largest {largest.max():.5g} {per_length}",
+        ]
+    return lines
+
+
+def _range(values: np.ndarray, unit: str) -> str:
+    return f"{values.min():12.5g} {unit:4} to {values.max():.5g} {unit}"
+
+
+def _pairs(places: ContactPlaces, zones: Table, unit: dict[str, str]) -> list[str]:
+    """The pairs of wires that touch along lines, those with the largest forces first."""
+    if not zones.n_rows:
+        return []
+    pairs = wire_pairs(places, unit)
+    pairs = pairs.where(pairs["zones"] > 0)
+    shown = pairs.where(np.argsort(-pairs["force"], kind="stable")[:_MAX_PAIRS])
+    heads = list(pairs)
+    rows = [tuple(name.rstrip("_12").replace("_", " ") for name in heads)]
+    rows.append(tuple(f"[{pairs.units[name]}]" if pairs.units[name] else "" for name in heads))
+    # wires are counted from 1 where users read their numbers
+    shown = Table({name: values + name.startswith("wire") for name, values in shown.items()}, shown.units)
+    rows += [tuple(_cell(shown[name][i]) for name in heads) for i in range(shown.n_rows)]
+    more = f"\n{pairs.n_rows - shown.n_rows} more pairs" if pairs.n_rows > shown.n_rows else ""
+    return ["", "line contact by pairs of wires, numbered from 1 by their first elements:", _aligned(rows) + more]
 
 
 def _on_surfaces(results: ResultFile) -> list[str]:

@@ -1,7 +1,10 @@
 """The text tables of a run (.csv, .sta, .cvg) as tables."""
 
 import re
+from collections.abc import Iterator
+from itertools import islice
 from pathlib import Path
+from typing import TextIO
 
 import numpy as np
 
@@ -39,6 +42,7 @@ _OLD_NAMES = {
     **{f"point_bar_{axis}": f"point_1_{axis}" for axis in "xyz"},
     **{f"point_{axis}": f"point_2_{axis}" for axis in "xyz"},
 }
+_LINES_AT_ONCE = 10_000
 #: The last columns of a table may contain text
 _TEXT_COLUMNS = frozenset(["friction", "status", "remark", "wires", "surface"])
 
@@ -58,34 +62,54 @@ def read_aligned(path: Path) -> Table:
 
 def _read(path: Path, separator: str | None) -> Table:
     try:
-        text = path.read_text(encoding="utf-8", errors="replace")
+        with path.open(encoding="utf-8", errors="replace") as file:
+            lines = _whole_lines(file)
+            head = next(lines, None)
+            if head is None:
+                raise FileError(f"{path} is empty: the run that wrote it ended before its first line")
+            heads = [_name_and_unit(word) for word in head.split(separator)]
+            names = [name for name, _ in heads]
+            n_numbers = sum(name not in _TEXT_COLUMNS for name in names)
+            # the text of a large table is not kept as a whole
+            parts = [_columns(rows, separator, names, n_numbers) for rows in _batches(lines)]
     except OSError as error:
         raise FileError(f"cannot read {path}: {error.strerror}") from None
-    # text after the last line end is a line that a running or killed program has not completed
-    lines = [line for line in text[: text.rfind("\n") + 1].splitlines() if not line.startswith("#")]
-    if not lines:
-        raise FileError(f"{path} is empty: the run that wrote it ended before its first line")
-    heads = [_name_and_unit(head) for head in lines[0].split(separator)]
-    if "element_bar" in dict(heads):
-        heads = [(_OLD_NAMES.get(name, name), unit) for name, unit in heads]
-    names = [name for name, _ in heads]
-    rows = lines[1:]
-
-    columns: dict[str, np.ndarray] = {}
-    n_numbers = sum(name not in _TEXT_COLUMNS for name in names)
-    numbers = np.empty((0, n_numbers))
-    try:
-        if rows:
-            numbers = np.loadtxt(rows, delimiter=separator, usecols=range(n_numbers), ndmin=2, comments=None)
     except ValueError as error:
         raise FileError(f"{path} is not a table written by litz: {error}") from None
-    for i, name in enumerate(names[:n_numbers]):
-        columns[name] = numbers[:, i].astype(int) if name in _INTEGER_COLUMNS else numbers[:, i]
-    cells = [row.split(separator, len(names) - 1) for row in rows]
-    for i, name in enumerate(names[n_numbers:], start=n_numbers):
-        columns[name] = np.array([row[i].strip() if len(row) > i else "" for row in cells], dtype=str)
+    if "element_bar" in names:
+        heads = [(_OLD_NAMES.get(name, name), unit) for name, unit in heads]
+    columns = {name: np.concatenate(values) for (name, _), values in zip(heads, zip(*parts, strict=True), strict=True)}
     old_names = {old: new for old, new in _OLD_NAMES.items() if new in columns}
     return Table(columns, dict(heads), old_names)
+
+
+def _whole_lines(file: TextIO) -> Iterator[str]:
+    """Lines that are no comments; text after the last line end is one that a running or killed program has not completed."""
+    return (line for line in file if line.endswith("\n") and not line.startswith("#"))
+
+
+def _batches(lines: Iterator[str]) -> Iterator[list[str]]:
+    """Some lines at a time; at least one batch, which may be empty."""
+    yield list(islice(lines, _LINES_AT_ONCE))
+    while rows := list(islice(lines, _LINES_AT_ONCE)):
+        yield rows
+
+
+def _columns(rows: list[str], separator: str | None, names: list[str], n_numbers: int) -> list[np.ndarray]:
+    """Values of each column."""
+    numbers = np.empty((0, n_numbers))
+    if rows:
+        numbers = np.loadtxt(rows, delimiter=separator, usecols=range(n_numbers), ndmin=2, comments=None)
+    columns = [
+        numbers[:, i].astype(int) if name in _INTEGER_COLUMNS else numbers[:, i]
+        for i, name in enumerate(_OLD_NAMES.get(name, name) for name in names[:n_numbers])
+    ]
+    cells = [row.split(separator, len(names) - 1) for row in rows] if n_numbers < len(names) else []
+    texts = (
+        np.array([row[i].strip() if len(row) > i else "" for row in cells], dtype=str)
+        for i in range(n_numbers, len(names))
+    )
+    return [*columns, *texts]
 
 
 def _name_and_unit(head: str) -> tuple[str, str]:

@@ -9,15 +9,24 @@ import matplotlib as mpl
 import numpy as np
 
 from ..base.table import Table
-from ..pictures.scene import aim, all_spots
+from ..pictures.contact_marks import all_spots, spot_places
+from ..pictures.scene import aim
+from ..pictures.wire_picture import line_colours
 from ..results import Results
+from ..results.contact_places import ContactPlaces, contact_places
+from ..results.contact_zones import contact_zones
 from ..results.scalars import Scalar, colours_and_limits, default_scalar, scalars
 from ..results.surface_patches import Patch, surface_patches
+from ..results.zone_lines import ZoneLines, largest_force_per_length, zone_lines
 from ..wires.curves import element_curves
 
 _PLACE_IN_TIME = ("step", "increment", "time")
 _COLOUR_MAPS = ("viridis", "coolwarm")
 _DIGITS = 8
+# Radii of the lines of contact and of the marks at their ends, in radii of the thinner wire
+_LINE_RADIUS, _END_RADIUS = 0.3, 0.55
+# Length of a mark, in distances of places
+_END_PART = 0.6
 
 
 class WebData:
@@ -70,11 +79,18 @@ class WebData:
                 },
                 "scalars": known,
                 "scalar": wanted if wanted in self._ranges else next(iter(self._ranges)),
-                "colours": {name: _colour_table(name) for name in _COLOUR_MAPS},
+                "colours": {name: _colour_table(mpl.colormaps[name]) for name in _COLOUR_MAPS}
+                | {"zones": _colour_table(line_colours())},
                 "surfaces": [self._surface(patch) for patch in self._patches],
-                "ledger": _described_columns(results.contacts),
-                "surface_ledger": _described_columns(results.surface_contacts),
-                "largest": {by: _largest(results, by) for by in ("force", "current")},
+                "ledger": _described_columns(results.contacts.units),
+                "surface_ledger": _described_columns(results.surface_contacts.units),
+                "largest": self._largest(),
+                "zones": {
+                    "columns": _described_columns(self._zone_units),
+                    "title": "force per length",
+                    "unit": self._zone_units["force_per_length"],
+                    "limits": [0.0, largest_force_per_length(results)],
+                },
             }
         )
 
@@ -83,7 +99,10 @@ class WebData:
         results, index = self._results, self.increments[place]
         displacement, rotation = (results.field(name, index) for name in ("displacement", "rotation"))
         curves = element_curves(results.nodes, displacement, rotation, self._wires, len(results.elements))
-        contacts, on_surfaces = results.contacts_at(index), results.surface_contacts_at(index)
+        ledger, on_surfaces = results.contacts_at(index), results.surface_contacts_at(index)
+        places = contact_places(results, ledger)
+        contacts = ledger.where(places.zone < 0)
+        zones = contact_zones(places, results.unit_labels)
         fields = {name for scalar in self._ranges.values() for name in scalar["fields"]}
         now, normals, radii = all_spots(results, contacts, on_surfaces, curves)
         rest, _, _ = all_spots(results, contacts, on_surfaces, self._rest)
@@ -101,8 +120,49 @@ class WebData:
                 "surfaces": [
                     _base64(patch.moved(results, index) - self._centre, np.float32) for patch in self._patches
                 ],
+                "zones": {name: _column(_counted_from_one(name, values)) for name, values in zones.items()},
+                "lines": self._lines(places, curves),
             }
         )
+
+    def _lines(self, places: ContactPlaces, curves: tuple[np.ndarray, np.ndarray]) -> dict:
+        """The pieces of the zones: their curves, values at both ends, radii, and the row of the zone of each."""
+        lines = zone_lines(places)
+        rows = places.ledger.where(lines.rows)
+        now, _, radius = spot_places(self._results, rows, curves)
+        rest, _, _ = spot_places(self._results, rows, self._rest)
+        pieces, ends = lines.pieces, _collars(lines)
+        first, second = np.concatenate([pieces, ends[:, :2].astype(int)]).T
+        # what marks an end is a short, thick piece
+        part = np.concatenate([np.ones(len(pieces)), ends[:, 2]])[:, None]
+        size = np.concatenate([np.full(len(pieces), _LINE_RADIUS), np.full(len(ends), _END_RADIUS)])
+        value = lines.value
+
+        def straight(points: np.ndarray) -> str:
+            begin, along = points[first] - self._centre, part * (points[second] - points[first])
+            return _base64(np.stack([begin, begin + along, along / 2, along / 2], axis=1), np.float32)
+
+        return {
+            "rest": straight(rest),
+            "now": straight(now),
+            "values": _base64(np.stack([value[first], value[second]], axis=1), np.float32),
+            "radii": _base64(size * radius[first], np.float32),
+            "zones": _base64(lines.zone[first], np.int32),
+        }
+
+    @cached_property
+    def _zone_units(self) -> dict[str, str]:
+        nothing = self._results.contacts.where(np.zeros(0, dtype=int))
+        return contact_zones(contact_places(self._results, nothing), self._results.unit_labels).units
+
+    def _largest(self) -> dict[str, float]:
+        """Largest force and current of crossings and, without currents, of contacts with rigid surfaces in the whole run."""
+        ledger, on_surfaces = self._results.contacts, self._results.surface_contacts
+        crosses = ledger["length"] == 0 if "length" in ledger else np.ones(ledger.n_rows, dtype=bool)
+        force, current = (float(np.abs(ledger[by][crosses]).max(initial=0.0)) for by in ("force", "current"))
+        if on_surfaces.n_rows:
+            force = max(force, float(on_surfaces["force"].max()))
+        return {"force": force, "current": current}
 
     @cached_property
     def _ranges(self) -> dict[str, dict]:
@@ -148,18 +208,12 @@ def _described(scalar: Scalar, low: float, high: float) -> dict:
     }  # fmt: skip
 
 
-def _described_columns(table: Table) -> list[dict[str, str]]:
-    return [{"name": name, "unit": unit} for name, unit in table.units.items() if name not in _PLACE_IN_TIME]
-
-
-def _largest(results: Results, by: str) -> float:
-    """The largest force or current of a contact in the whole run; no current passes to a rigid surface."""
-    tables = [results.contacts, *([results.surface_contacts] if by == "force" and results.rigid_surfaces else [])]
-    return max(float(np.abs(table[by]).max(initial=0.0)) for table in tables)
+def _described_columns(units: dict[str, str]) -> list[dict[str, str]]:
+    return [{"name": name, "unit": unit} for name, unit in units.items() if name not in _PLACE_IN_TIME]
 
 
 def _with_surfaces(contacts: Table, on_surfaces: Table) -> dict[str, list]:
-    """Columns of the contacts between wires, and behind them of those with rigid surfaces; None where one has no value."""
+    """Columns of the crossings, and behind them of the contacts with rigid surfaces; None where one has no value."""
     columns = {name: _column(values) for name, values in contacts.items()}
     if not on_surfaces.n_rows:
         return columns
@@ -171,6 +225,21 @@ def _with_surfaces(contacts: Table, on_surfaces: Table) -> dict[str, list]:
         name: columns.get(name, [None] * contacts.n_rows) + more.get(name, [None] * on_surfaces.n_rows)
         for name in [*columns, *(name for name in more if name not in columns)]
     }
+
+
+def _collars(lines: ZoneLines) -> np.ndarray:
+    """For each end of a zone its point, the next one, and the part of the way between them that is marked, (e, 3)."""
+    first, last = lines.ends.T
+    long_enough = last > first
+    first, last = first[long_enough], last[long_enough]
+    to_first, to_last = (
+        np.stack([end, end + step, np.full(len(end), _END_PART)], axis=1) for end, step in ((first, 1), (last, -1))
+    )
+    return np.concatenate([to_first, to_last])
+
+
+def _counted_from_one(name: str, values: np.ndarray) -> np.ndarray:
+    return values + 1 if name.startswith("wire_") else values
 
 
 def _column(values: np.ndarray) -> list:
@@ -190,8 +259,8 @@ def _base64(values: np.ndarray, kind: type) -> str:
     return base64.b64encode(np.ascontiguousarray(values, dtype=kind).tobytes()).decode()
 
 
-def _colour_table(name: str) -> str:
-    return _base64(mpl.colormaps[name](np.arange(256), bytes=True), np.uint8)
+def _colour_table(colours: mpl.colors.Colormap) -> str:
+    return _base64(colours(np.arange(256), bytes=True), np.uint8)
 
 
 def _json(data: dict) -> str:

@@ -13,8 +13,8 @@ from .data import WebData
 _MODULES = {
     "three": "three.min.js",
     **{
-        f"litz/{name}": name
-        for name in ("data.js", "frame.js", "ledger.js", "spots.js", "stage.js", "surfaces.js", "tubes.js", "viewer.js")
+        f"litz/{name}.js": f"{name}.js"
+        for name in ("data", "frame", "ledger", "spots", "stage", "surfaces", "tubes", "viewer", "zones")
     },
 }
 _ICON = "data:,"

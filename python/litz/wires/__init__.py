@@ -1,10 +1,11 @@
 """Wires as chains of elements, and their smooth axes."""
 
 from .chains import Wire, find_wires, numbered_wires
-from .curves import arc_lengths, element_curves, end_tangents, hermite, hermite_slope, rotate
+from .curves import WireArcs, arc_lengths, element_curves, end_tangents, hermite, hermite_slope, rotate, wire_arcs
 
 __all__ = [
     "Wire",
+    "WireArcs",
     "arc_lengths",
     "element_curves",
     "end_tangents",
@@ -13,4 +14,5 @@ __all__ = [
     "hermite_slope",
     "numbered_wires",
     "rotate",
+    "wire_arcs",
 ]

@@ -1,5 +1,7 @@
 """The smooth axes of wires."""
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from .chains import Wire
@@ -26,6 +28,40 @@ def arc_lengths(
         start[wire.elements] = np.cumsum(length[wire.elements]) - length[wire.elements]
         sign[wire.elements] = wire.signs
     return start, length, sign
+
+
+@dataclass(frozen=True, eq=False)
+class WireArcs:
+    """Where the elements are along their wires, before deformation.
+
+    Attributes
+    ----------
+    wire : ndarray
+        Wire of each element, counted from 0, (n_elements).
+    start, length, sign : ndarray
+        As `arc_lengths` gives them.
+    wire_length : ndarray
+        Length of each wire, (n_wires) [m].
+    closed : ndarray of bool
+        The wire is a ring, (n_wires).
+    """
+
+    wire: np.ndarray
+    start: np.ndarray
+    length: np.ndarray
+    sign: np.ndarray
+    wire_length: np.ndarray
+    closed: np.ndarray
+
+
+def wire_arcs(nodes: np.ndarray, elements: np.ndarray, wires: list[Wire]) -> WireArcs:
+    """Where the elements are along their wires."""
+    start, length, sign = arc_lengths(nodes, elements, wires)
+    number = np.zeros(len(elements), dtype=int)
+    for i, wire in enumerate(wires):
+        number[wire.elements] = i
+    closed = np.array([len(wire.elements) > 1 and wire.nodes[0] == wire.nodes[-1] for wire in wires], dtype=bool)
+    return WireArcs(number, start, length, sign, np.bincount(number, length, len(wires)), closed)
 
 
 def end_tangents(nodes: np.ndarray, wire: Wire) -> np.ndarray:

@@ -6,32 +6,37 @@ const COLUMNS = ["id", "elements", "force", "current", "penetration"];
 const TEXT_COLUMNS = ["id", "elements"];
 const MAX_ROWS = 200;
 
-/** A table of the contacts of an increment whose rows can be selected. */
+/** A table of the crossings, contacts with rigid surfaces and zones of an increment whose rows can be selected. */
 export class Ledger {
    /**
-    * columns, surfaceColumns: name and unit of each column of contacts between wires, and with rigid surfaces;
-    * onSelect: called with the number of a contact, or the text that a contact with a surface has in its place.
+    * columns, surfaceColumns, zoneColumns: name and unit of each column of crossings, of contacts with rigid surfaces, and
+    * of zones; onSelect: called with the number of a contact, or the text that a contact with a surface has in its place.
     */
-   constructor(root, columns, surfaceColumns, onSelect) {
+   constructor(root, columns, surfaceColumns, zoneColumns, onSelect) {
       this.table = root.querySelector(".litz-contacts");
       this.note = root.querySelector(".litz-contacts-note");
       this.row = root.querySelector(".litz-ledger");
-      [this.units, this.surfaceUnits] = [columns, surfaceColumns].map((list) => {
-         const units = Object.fromEntries(list.map(({ name, unit }) => [name, unit]));
-         return { ...units, penetration: units.gap };
-      });
+      [this.units, this.surfaceUnits, this.zoneUnits] = [columns, surfaceColumns, zoneColumns].map(
+         (list) => Object.fromEntries(list.map(({ name, unit }) => [name, unit])));
+      this.units.penetration = this.surfaceUnits.penetration = this.units.gap;
       this.onSelect = onSelect;
       this.order = "force";
       this.selected = null;
       this.contacts = {};
+      this.crossings = this.zones = { id: [] };
    }
 
-   /** Show the contacts of an increment: arrays by column. */
-   show(contacts) {
+   /** Show the crossings with the contacts with rigid surfaces behind them, and the zones of an increment: arrays by column. */
+   show(contacts, zones) {
+      this.crossings = { ...contacts, penetration: contacts.gap.map((gap) => Math.max(0, -gap)) };
+      this.zones = zones;
       this.contacts = {
-         ...contacts,
-         penetration: contacts.gap.map((gap) => Math.max(0, -gap)),
-         elements: contacts.element_1.map((first, k) => `${first}, ${contacts.element_2[k]}`),
+         id: [...contacts.id, ...zones.id],
+         force: [...contacts.force, ...zones.force],
+         current: [...contacts.current, ...zones.current],
+         penetration: [...this.crossings.penetration, ...zones.gap.map((gap) => Math.max(0, -gap))],
+         elements: [...contacts.element_1.map((first, k) => `${first}, ${contacts.element_2[k]}`),
+            ...zones.wire_1.map((first, k) => `wires ${first}, ${zones.wire_2[k]}`)],
       };
       this.drawTable();
       this.drawRow();
@@ -98,18 +103,22 @@ export class Ledger {
    drawRow() {
       const k = this.selected === null ? -1 : this.contacts.id.indexOf(this.selected);
       const entries = [];
+      const n = this.crossings.id.length;
+      const [table, row, units] = isOnSurface(this.selected) ? [this.crossings, k, this.surfaceUnits]
+         : k < n ? [this.crossings, k, this.units] : [this.zones, k - n, this.zoneUnits];
       if (k >= 0)
-         for (const [name, unit] of Object.entries(isOnSurface(this.selected) ? this.surfaceUnits : this.units)) {
+         for (const [name, unit] of Object.entries(units)) {
+            if (!(name in table)) continue;
             const term = document.createElement("dt");
             term.textContent = name.replaceAll("_", " ");
             const value = document.createElement("dd");
             value.dataset.name = name;
-            value.textContent = quantity(this.contacts[name][k], unit);
+            value.textContent = quantity(table[name][row], unit);
             entries.push(term, value);
          }
       else {
          const hint = document.createElement("p");
-         hint.textContent = this.selected === null ? "Click a spot in the picture or a row of the table."
+         hint.textContent = this.selected === null ? "Click a spot or a line of contact in the picture, or a row of the table."
             : `Contact ${this.selected} is open at this increment.`;
          entries.push(hint);
       }

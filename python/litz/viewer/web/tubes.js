@@ -17,6 +17,7 @@ const VERTEX = `
    attribute vec2 ends;
    attribute float radius;
    uniform float minRadius;
+   uniform vec2 depth;      // 1, 0: as it is
    varying vec3 viewNormal;
    varying float value;
 
@@ -35,6 +36,7 @@ const VERTEX = `
       viewNormal = normalMatrix * (face == 0. ? outward : face * along);
       value = mix(ends.x, ends.y, (1. + xi) / 2.);
       gl_Position = projectionMatrix * modelViewMatrix * vec4(place, 1.);
+      gl_Position.z = depth.x * gl_Position.z + depth.y * gl_Position.w;
    }`;
 
 const FRAGMENT = `
@@ -56,8 +58,8 @@ const FRAGMENT = `
 
 /** The tubes of a model. */
 export class Tubes {
-   /** rest: the undeformed curves, twelve floats per element; radii: one float per element. */
-   constructor(rest, radii) {
+   /** rest: the undeformed curves, twelve floats per element; radii: one float per element; overlay: drawn in front of everything else. */
+   constructor(rest, radii, overlay = false) {
       this.rest = rest;
       const n = radii.length;
       this.curves = new Float32Array(rest);
@@ -71,11 +73,13 @@ export class Tubes {
       });
       this.ends = new InstancedBufferAttribute(new Float32Array(2 * n), 2);
       geometry.setAttribute("ends", this.ends);
-      geometry.setAttribute("radius", new InstancedBufferAttribute(radii, 1));
+      this.radii = new InstancedBufferAttribute(radii, 1);
+      geometry.setAttribute("radius", this.radii);
       geometry.instanceCount = n;
       this.material = new ShaderMaterial({
          vertexShader: VERTEX, fragmentShader: FRAGMENT, side: DoubleSide,
-         uniforms: { colours: { value: null }, limits: { value: [0, 1] }, minRadius: { value: 0 } },
+         uniforms: { colours: { value: null }, limits: { value: [0, 1] }, minRadius: { value: 0 },
+            depth: { value: overlay ? [0.1, -0.85] : [1, 0] } },
       });
       this.mesh = new Mesh(geometry, this.material);
       this.mesh.frustumCulled = false;
@@ -97,6 +101,11 @@ export class Tubes {
       this.ends.needsUpdate = true;
    }
 
+   setRadii(radii) {
+      this.radii.array.set(radii);
+      this.radii.needsUpdate = true;
+   }
+
    /** table: 256 colours of four bytes; limits: the values of the first and the last colour. */
    setColours(table, limits) {
       this.material.uniforms.colours.value?.dispose();
@@ -105,6 +114,13 @@ export class Tubes {
       texture.needsUpdate = true;
       this.material.uniforms.colours.value = texture;
       this.material.uniforms.limits.value = limits;
+   }
+
+   /** Release what the graphics processor holds of them. */
+   dispose() {
+      this.mesh.geometry.dispose();
+      this.material.uniforms.colours.value?.dispose();
+      this.material.dispose();
    }
 
    /** Set the minimum radius with which wires are drawn. */

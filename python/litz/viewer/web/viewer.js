@@ -1,4 +1,4 @@
-/** Assembles the viewer: results, stage, wires, spots, ledger and controls. */
+/** Assembles the viewer: results, stage, wires, spots, zones, ledger and controls. */
 
 import { Vector3 } from "three";
 import { bytes, endValues, engineering, floats, integers, openResults } from "litz/data.js";
@@ -8,6 +8,7 @@ import { Spots } from "litz/spots.js";
 import { Stage } from "litz/stage.js";
 import { Surfaces } from "litz/surfaces.js";
 import { Tubes, referenceLines } from "litz/tubes.js";
+import { Zones } from "litz/zones.js";
 
 const MIN_PIXELS = 0.8;
 
@@ -22,12 +23,14 @@ class Viewer {
       this.reference = referenceLines(rest);
       this.spots = new Spots(this.stage.scene);
       this.surfaces = new Surfaces(this.stage.scene, model.surfaces);
-      this.ledger = new Ledger(root, model.ledger, model.surface_ledger, (id) => this.select(id));
+      this.zones = new Zones(this.stage.scene);
+      this.ledger = new Ledger(root, model.ledger, model.surface_ledger, model.zones.columns, (id) => this.select(id));
       this.tables = Object.fromEntries(Object.entries(model.colours).map(([name, text]) => [name, bytes(text)]));
       this.stage.scene.add(this.tubes.mesh, this.reference);
       this.stage.beforeDraw(() => {
          this.tubes.setMinRadius(MIN_PIXELS / this.stage.pixelsPerMetre);
          this.spots.place(this.stage.pixelsPerMetre);
+         this.zones.place(this.stage.pixelsPerMetre);
          drawCompass(this.find("compass"), this.stage, model.units.m);
       });
       this.stage.onClick((x, y) => this.pick(x, y));
@@ -85,8 +88,9 @@ class Viewer {
       drawColourBar(this.find("colours"), this.tables[colours], limits, scalar.text.replaceAll("_", " "), scalar.unit);
       this.surfaces.move(data.surfaces, factor);
       this.updateSpots(factor);
+      this.updateZones(factor);
       this.reference.visible = this.find("with-reference").checked;
-      this.ledger.show(data.contacts);
+      this.ledger.show(data.contacts, data.zones);
       this.stage.draw();
       this.root.dataset.increment = this.index;
       this.root.dataset.limits = limits.join(" ");
@@ -117,12 +121,29 @@ class Viewer {
       this.find("spot-note").textContent = this.spotNote(by, n);
    }
 
+   updateZones(factor) {
+      const { data, model } = this;
+      const { limits, title, unit } = model.zones;
+      const hidden = this.find("spot-size").value === "none" || !data.zones.id.length;
+      this.find("zone-colours").hidden = hidden;
+      if (hidden) {
+         this.zones.clear();
+         return;
+      }
+      this.zones.selected = data.zones.id.indexOf(this.ledger.selected);
+      this.zones.set(data.lines, factor, this.tables.zones, limits);
+      drawColourBar(this.find("zone-colours"), this.tables.zones, limits, title, unit);
+   }
+
    spotNote(by, n) {
-      if (by === "none" || !n) return "";
+      if (by === "none") return "";
+      const zones = this.data.zones.id.length;
+      const lines = zones ? `${zones} zone${zones > 1 ? "s" : ""} of line contact` : "";
+      if (!n) return lines;
       const largest = this.data.contacts[by].reduce((a, b) => Math.max(a, Math.abs(b)), 0);
       const [factor, unit] = engineering(largest, this.model.units[{ force: "N", current: "A" }[by]]);
       return `${n} contact${n > 1 ? "s" : ""}, disc area proportional to ${by}, `
-         + `maximum ${Number((factor * largest).toPrecision(3))} ${unit}`;
+         + `maximum ${Number((factor * largest).toPrecision(3))} ${unit}${lines ? `; ${lines}` : ""}`;
    }
 
    /** Select the contact at a position of the picture, if there is one. */
@@ -138,6 +159,7 @@ class Viewer {
             found = this.data.contacts.id[k];
          }
       });
+      if (found === null) found = this.data.zones.id[this.zones.nearest(stage, x, y, 12)] ?? null;
       this.select(found);
    }
 
@@ -145,6 +167,7 @@ class Viewer {
    select(id) {
       this.ledger.select(id);
       this.spots.select(this.data.contacts.id.indexOf(id));
+      this.zones.select(this.data.zones.id.indexOf(id));
       this.stage.draw();
    }
 

@@ -1,0 +1,117 @@
+"""Charts of contact along lines: what passes per length, along the wires."""
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from ..base.quantities import engineering, label
+from ..results import Results
+from ..results.contact_history import contacts_over_time
+from ..results.contact_places import ContactPlaces, contact_places
+from ..results.contact_zones import per_length, stretch_along
+from . import charts
+from .charts import MAX_LINES, colour_of, marker, nothing_to_draw, time_label
+
+_MAX_POINTS = 20_000
+_NAMES = {"force_per_length": "force", "current_per_length": "current", "heat_per_length": "heat"}
+
+
+def lines(figure: Figure, results: Results, increment: int, wire: int | None = None) -> None:
+    """Force, current and heat per length along the wires, as far as there are any."""
+    places = contact_places(results, results.contacts_at(increment))
+    values = per_length(places)
+    names = [name for name in _NAMES if values[name].any()] or ["force_per_length"]
+    figure.set_figheight(1.2 + 2.6 * len(names))
+    all_axes = figure.subplots(len(names), 1, sharex=True, squeeze=False)[:, 0]
+    for axes, name in zip(all_axes, names, strict=True):
+        along_wires(axes, results, places, name, wire)
+    for axes in all_axes[:-1]:
+        axes.set_xlabel("")
+    for axes in all_axes[1:]:
+        if axes.get_legend():
+            axes.get_legend().remove()
+
+
+def force_along_wires(axes: Axes, results: Results, increment: int) -> None:
+    """Force per length along the wires at an increment."""
+    along_wires(axes, results, contact_places(results, results.contacts_at(increment)), "force_per_length", None)
+
+
+def along_wires(axes: Axes, results: Results, places: ContactPlaces, name: str, wire: int | None) -> None:
+    """One quantity per length: a line for each zone over the arc of its first wire, or of the wire that is wanted."""
+    axes.set_title(f"{_NAMES[name].capitalize()} per length of line contact")
+    wanted = (places.zone >= 0) & (places.spacing > 0)
+    if wire is not None:
+        wanted &= (places.wires == wire).any(axis=1)
+    if not wanted.any():
+        nothing_to_draw(axes, "No wires touch along a line" + ("" if wire is None else f" of wire {wire + 1}"))
+        return
+    picked = places.where(wanted)
+    picked.zone[:] = zone = np.unique(picked.zone, return_inverse=True)[1]
+    sides = [stretch_along(picked, side) for side in (0, 1)]
+    second = np.zeros(len(zone), dtype=int) if wire is None else (picked.wires[:, 0] != wire).astype(int)
+    arc = np.stack([each.arc for each in sides], axis=1)[np.arange(len(zone)), second]
+    order = np.lexsort((arc, zone))
+    ends = np.flatnonzero(np.diff(zone[order], prepend=-1, append=-1))
+    # some of very many places, with the ends of each zone
+    kept = np.arange(len(order)) % max(1, len(order) // _MAX_POINTS) == 0
+    kept[ends[:-1]] = kept[ends[1:] - 1] = True
+    order = order[kept]
+    units = results.unit_labels
+    unit_of = {"force_per_length": units["N"], "current_per_length": units["A"], "heat_per_length": units["W"]}
+    value = per_length(picked)[name]
+    factor, unit = engineering(value, f"{unit_of[name]}/{units['m']}")
+    length_factor, length_unit = engineering(arc, units["m"])
+    points = np.stack([length_factor * arc[order], factor * value[order]], axis=1)
+    pairs, pair = np.unique(picked.wires[order], axis=0, return_inverse=True)
+    colours = np.array([mpl.colors.to_rgba(colour_of(i, len(pairs))) for i in range(len(pairs))])
+    few = len(pairs) <= MAX_LINES
+    first = np.flatnonzero(np.diff(zone[order], prepend=-1))
+    last = np.append(first[1:], len(order)) - 1
+    of_zone = colours[pair.ravel()[first]]
+    lines = np.split(points, first[1:])
+    axes.add_collection(LineCollection(lines, colors=of_zone, linewidths=1.3 if few else 0.7))
+    both = np.concatenate([points[first], points[last]])
+    axes.scatter(*both.T, s=14 if few else 4, c=np.tile(of_zone, (2, 1)), zorder=2.5)
+    axes.axhline(0.0, color="#888888", linewidth=0.8, zorder=1)
+    axes.set_xlabel(
+        label(f"reference arc length of {'the first wire' if wire is None else f'wire {wire + 1}'}", length_unit)
+    )
+    axes.set_ylabel(label(name, unit))
+    axes.autoscale_view()
+    if few:
+        names = [f"{first}, {second}" for first, second in pairs + 1]
+        handles = [Line2D([], [], color=colour) for colour in colours]
+        axes.legend(handles, names, title="wires", loc="center left", bbox_to_anchor=(1.0, 0.5))
+
+
+def forces_and_lengths_over_time(axes: Axes, results: Results, increment: int) -> None:
+    """Sum of the contact forces of a run with contact along lines, and the largest force per length."""
+    table = contacts_over_time(results, results.steps, results.increments)
+    axes.set_title("Contact forces")
+    factor, unit = engineering(table["force"], table.units["force"])
+    axes.plot(results.times, factor * table["force"], **marker(table.n_rows), color=colour_of(0, 3), label="sum of all")
+    axes.set_xlabel(time_label(results))
+    axes.set_ylabel(label("force", unit))
+    axes.set_ylim(bottom=0)
+    factor, unit = engineering(table["max_force_per_length"], table.units["max_force_per_length"])
+    right = axes.twinx()
+    right.grid(visible=False)
+    right.plot(results.times, factor * table["max_force_per_length"], "--", **marker(table.n_rows), color=colour_of(1, 3),
+               label="largest per length")  # fmt: skip
+    right.set_ylabel(label("force per length", unit))
+    right.set_ylim(bottom=0)
+    handles = [each.get_lines()[0] for each in (axes, right)]
+    axes.legend(handles, [each.get_label() for each in handles], loc="best")
+
+
+def contacts(figure: Figure, results: Results, increment: int) -> None:
+    """Number, forces and heat of the contacts over time, and the force per length along the wires."""
+    ((number, forces), (along, heat)) = figure.subplots(2, 2)
+    charts.contact_number(number, results)
+    forces_and_lengths_over_time(forces, results, increment)
+    force_along_wires(along, results, increment)
+    charts.contact_heat(heat, results)

@@ -1,0 +1,63 @@
+"""The contacts of a run over time: crossings, and zones of contact along lines."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from ..base.table import Table
+from .contact_places import contact_places
+from .contact_zones import contact_zones
+from .result_file import ResultFile
+
+
+def contacts_over_time(results: ResultFile, steps: np.ndarray, increments: np.ndarray) -> Table:
+    """Numbers of crossings by themselves and of zones, the sum of all forces, and the largest force per length.
+
+    Parameters
+    ----------
+    results : ResultFile
+    steps, increments : (n,) arrays of int
+        The increments of the rows.
+    """
+    ledger, units = results.contacts, results.unit_labels
+    lines = has_lines(results)
+    columns = {name: np.zeros(len(steps), dtype=int) for name in ("crossings", "zones")}
+    columns |= {name: np.zeros(len(steps)) for name in ("force", "max_force_per_length")}
+    for place, rows in enumerate(_rows_of_increments(ledger, steps, increments)):
+        columns["force"][place] = ledger["force"][rows].sum()
+        columns["crossings"][place] = len(rows)
+        if lines and len(rows):
+            places = contact_places(results, ledger.where(rows))
+            zones = contact_zones(places, units)
+            columns["crossings"][place], columns["zones"][place] = (places.zone < 0).sum(), zones.n_rows
+            columns["max_force_per_length"][place] = zones["max_force_per_length"].max(initial=0.0)
+    in_units = {"crossings": "", "zones": "", "force": units["N"], "max_force_per_length": f"{units['N']}/{units['m']}"}
+    return Table(columns, in_units)
+
+
+def crossings_by_themselves(results: ResultFile) -> np.ndarray:
+    """Which rows of the whole ledger are in no zone of line contact, (n_rows)."""
+    ledger = results.contacts
+    alone = np.ones(ledger.n_rows, dtype=bool)
+    if has_lines(results):
+        steps, increments = np.unique(np.stack([ledger["step"], ledger["increment"]]), axis=1)
+        for rows in _rows_of_increments(ledger, steps, increments):
+            alone[rows] = contact_places(results, ledger.where(rows)).zone < 0
+    return alone
+
+
+def has_lines(results: ResultFile) -> bool:
+    """Wires have touched along a line."""
+    ledger = results.contacts
+    return bool("spacing" in ledger and ledger["spacing"].any())
+
+
+def _rows_of_increments(ledger: Table, steps: np.ndarray, increments: np.ndarray) -> Iterator[np.ndarray]:
+    """Rows of the ledger at each increment."""
+    order = np.lexsort((ledger["increment"], ledger["step"]))
+    largest = int(max(ledger["increment"].max(initial=0), increments.max(initial=0))) + 1
+    key = ledger["step"][order] * largest + ledger["increment"][order]
+    wanted = steps * largest + increments
+    first, last = (np.searchsorted(key, wanted, side) for side in ("left", "right"))
+    for begin, end in zip(first, last, strict=True):
+        yield order[begin:end]
