@@ -1,5 +1,6 @@
 """Pictures of results: `plot(results)` for an overview, `plot(results, "residuals")` and the like for one thing."""
 
+import itertools
 import textwrap
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -7,6 +8,7 @@ from pathlib import Path
 
 import matplotlib as mpl
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 
@@ -38,6 +40,10 @@ STYLE = {
 }
 _DPI = 150
 _MIN_PIXELS = 200
+#: Of what stands at the right of an overview, relative to its width
+_RIGHT_EDGE = 0.99
+#: Width that axes keep beside the longest texts, relative to their own
+_LEAST_SHARE = 0.5
 
 
 @dataclass(frozen=True)
@@ -277,8 +283,27 @@ def _overview(figure: Figure, results: Results, increment: int, look: Look) -> N
         drawers.append(charts.resistance_over_force)
     elif has_currents:
         drawers.append(charts.current_per_wire)
+    places = [len(figure.axes)]
     for box, draw in zip(boxes, drawers, strict=False):
         draw(figure.add_axes(box), results, increment)
+        places.append(len(figure.axes))
+    # the texts are measured as they will be shown
+    show_dollars(figure)
+    for first, stop in itertools.pairwise(places):
+        _narrow(figure, figure.axes[first:stop])
+
+
+def _narrow(figure: Figure, drawn: list[Axes]) -> None:
+    """Make room at the right edge of the figure for a legend or a second scale beside the first of some axes."""
+    boxes = [axes.get_position() for axes in drawn]
+    seen = [axes.get_tightbbox() for axes in drawn]
+    over = max(box.x1 for box in seen if box is not None) / figure.bbox.width - _RIGHT_EDGE
+    left = boxes[0].x0
+    share = 1 - over / (max(box.x1 for box in boxes) - left)
+    if not _LEAST_SHARE < share < 1:
+        return
+    for axes, box in zip(drawn, boxes, strict=True):
+        axes.set_position((left + share * (box.x0 - left), box.y0, share * box.width, box.height))
 
 
 _KINDS: dict[str, tuple[Callable[[Figure, Results, int, Look], None], tuple[float, float]]] = {
