@@ -17,7 +17,8 @@ from litz.pictures import charts, plots, wire_picture
 from litz.pictures.scene import SceneMaker, aim
 
 KINDS = (
-    "overview", "wires", "resistance", "residuals", "contacts", "lines", "currents", "network", "friction", "history",
+    "overview", "wires", "resistance", "residuals", "contacts", "lines", "currents", "network", "friction", "surfaces",
+    "history",
 )  # fmt: skip
 
 
@@ -66,8 +67,8 @@ def picture_of(written, tmp_path_factory):
 
 
 class TestPictures:
-    # these wires cross: tests/system/test_zones.py draws contact along lines
-    @pytest.mark.parametrize("kind", [kind for kind in KINDS if kind != "lines"])
+    # these wires cross: tests/system/test_zones.py draws contact along lines, test_surface_results.py rigid surfaces
+    @pytest.mark.parametrize("kind", [kind for kind in KINDS if kind not in ("lines", "surfaces")])
     def test_every_kind_makes_a_picture_with_something_on_it(self, picture_of, kind):
         picture = picture_of(kind)
         assert picture.shape[0] > 500
