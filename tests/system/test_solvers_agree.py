@@ -37,22 +37,26 @@ def nearly_converged(rows, key):
     )
 
 
-#: Without friction its wires turn about the core almost freely, which magnifies round-off: it has a test of its own
-STRAND = "14_strand"
+#: Round-off of a field that is zero: rotations of wires that jaws press [rad]
+NOTHING = 1e-15
+#: Places of line contact that just touch are closed or open by round-off, and without friction wires turn about the core
+#: almost freely, which magnifies it: strands have a test of their own, with the agreement of their forces
+STRANDS = {"14_strand": 2e-5, "16_bent_strand": 1e-8}
 
 
-def test_a_strand_has_the_same_force_with_all_solvers(litz, inputs, tmp_path):
+@pytest.mark.parametrize("deck", STRANDS)
+def test_a_strand_has_the_same_force_with_all_solvers(deck, litz, inputs, tmp_path):
     forces = []
     for solver in ("BLOCK", "UMFPACK", "SKYLINE"):
         path = tmp_path / f"{solver}.inp"
-        path.write_text(with_solver((inputs / f"{STRAND}.inp").read_text(), solver))
+        path.write_text(with_solver((inputs / f"{deck}.inp").read_text(), solver))
         process = litz("run", path, "--quiet", "-o", tmp_path)
         assert process.returncode == 0, process.stderr
         forces.append(Results(tmp_path / f"{solver}.vtkhdf").history["RF3 node 149"])
-    np.testing.assert_allclose(forces[1:], [forces[0]] * 2, rtol=2e-5)
+    np.testing.assert_allclose(forces[1:], [forces[0]] * 2, rtol=STRANDS[deck])
 
 
-@pytest.mark.parametrize("deck", [path for path in INPUTS if path.stem != STRAND], ids=lambda path: path.stem)
+@pytest.mark.parametrize("deck", [path for path in INPUTS if path.stem not in STRANDS], ids=lambda path: path.stem)
 def test_same_iterates(deck, litz, tmp_path):
     """The same iterations, and fields that differ by what round-off makes of a 16-digit solve.
 
@@ -81,9 +85,9 @@ def test_same_iterates(deck, litz, tmp_path):
         for name in ("displacement", "rotation", "potential"):
             expected = block.field(name, None)
             np.testing.assert_allclose(
-                other.field(name, None), expected, rtol=0, atol=1e-8 * np.abs(expected).max() + 1e-300, err_msg=name
+                other.field(name, None), expected, rtol=0, atol=1e-8 * np.abs(expected).max() + NOTHING, err_msg=name
             )
         for column in ("displacement", "rotation", "potential"):
             expected = np.array([rows[key][column] for key in common])
             found = np.array([other_rows[key][column] for key in common])
-            np.testing.assert_allclose(found, expected, rtol=1e-5, atol=1e-7 * expected.max(), err_msg=column)
+            np.testing.assert_allclose(found, expected, rtol=1e-5, atol=1e-7 * expected.max() + NOTHING, err_msg=column)
