@@ -1,4 +1,4 @@
-"""Skyline, UMFPACK and block elimination take the same steps on the decks in inputs/ with contact at points or in a lap.
+"""Skyline, UMFPACK and block elimination take the same steps on all decks in inputs/ but three.
 
 Source: block forward substitution of a block triangular system is exact (G. H. Golub, C. F. Van Loan, Matrix
 Computations, section 3.2): with currents that do not act on forces, one monolithic Newton step is a solve with the
