@@ -4,6 +4,7 @@
 !> wire stands for all that lies between it and the end, the next one, which is beyond, for nothing.
 module litz_line_laps
    use litz_kinds, only: dp
+   use litz_closest_points, only: end_tolerance
    use litz_contact_points, only: contact_point_t
    use litz_element_library, only: elements_t
    use litz_line_places, only: line_places_t
@@ -22,18 +23,20 @@ contains
       !> Of the angle between the elements, the sign of which says whether they run the same way
       real(dp), intent(in) :: cosine
       type(contact_point_t), intent(in) :: point
-      real(dp) :: to_end(2), own(2), spacing
+      real(dp) :: to_end(2), own(2), spacing, alike
       integer :: side, ahead
 
       share = 1
       to_end = distances_to_ends(wires, elements, point%element_bar, point%arc_bar)
       side = minloc(to_end, 1)
       spacing = elements%length(point%element)/places%n_parts(point%element)
-      if (to_end(side) >= spacing) return
+      ! wires that end side by side do so within round-off, and feet are on the wire within as much
+      alike = end_tolerance*elements%length(point%element_bar)
+      if (to_end(side) >= spacing - alike) return
       ahead = merge(side, 3 - side, cosine*wires%direction(point%element_bar)*wires%direction(point%element) > 0)
       own = distances_to_ends(wires, elements, point%element, point%arc)
       ! the wire of the place ends first
-      if (own(ahead) <= to_end(side) .and. .not. point%foot_at_end) return
+      if (own(ahead) <= to_end(side) + alike .and. .not. point%foot_at_end) return
       share = 0
       if (point%foot_at_end) return
       associate (length => places%length(point%line_place))

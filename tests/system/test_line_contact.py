@@ -78,6 +78,13 @@ class TestParallelWires:
         resistance = results.history["resistance LOWER to UPPER"][-1]
         assert 1 / (resistance * LENGTH) == pytest.approx(exact.conductance(per_length), rel=1e-8)
 
+    @pytest.mark.parametrize("elements", [(8, 8), (8, 11), (9, 13), (14, 15), (20, 7)])
+    def test_wires_that_end_together_touch_over_their_length(self, run, elements):
+        """Whose ends lie side by side is a matter of round-off: nothing is lost or counted twice there."""
+        contacts = solved(run(pressed(OVERLAP, elements=elements, cards=(NO_FIELD,)))).contacts_at(-1)
+        assert contacts["length"].sum() == pytest.approx(LENGTH, rel=1e-9)
+        assert contacts["force"].sum() == pytest.approx(LENGTH * ParallelWires(COPPER, COPPER).force(OVERLAP), rel=1e-7)
+
     @pytest.mark.parametrize("stiffnesses", [("", 5e10), (1e6, 5e10)], ids=["eps_l", "eps_N and eps_l"])
     def test_a_penalty_per_length(self, run, stiffnesses):
         results = solved(run(pressed(OVERLAP, law=linear(*stiffnesses) + spot("HERTZ, VOLTAGE=LINEAR"), cards=(VOLT,))))
