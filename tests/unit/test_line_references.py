@@ -412,7 +412,8 @@ EXPECTED = {
             for what, name in (("overlap", "approach"), ("resistance", "resistance"))
         }
         | {
-            "turned_wires.overlap": [nearly_parallel(case, i)[0] for i in case.SMALL],
+            "turned_wires.overlap": [nearly_parallel(case, i)[0] for i in case.SMALL[:2]],
+            "turned_wires.parallel": nearly_parallel(case, -1)[0],
             "turned_wires.resistance": [1 / nearly_parallel(case, i)[1] for i in case.SMALL[1:]],
         }
     ),

@@ -132,7 +132,8 @@ def measure(workspace):
     values |= {
         "turned_wires.crossed.overlap": overlap[CROSSED].tolist(),
         "turned_wires.crossed.resistance": resistance[CROSSED].tolist(),
-        "turned_wires.overlap": overlap[SMALL].tolist(),
+        "turned_wires.overlap": overlap[SMALL[:2]].tolist(),
+        "turned_wires.parallel": float(overlap[-1]),
         "turned_wires.resistance": resistance[SMALL[1:]].tolist(),
         "turned_wires.rise": [float(np.diff(column).max() / column[0]) for column in (overlap, film, with_film)],
         "turned_wires.ripple": [ripple(small, column[:-1]) for column in (overlap, film)],
