@@ -173,8 +173,9 @@ contains
       do i = 1, size(points)
          associate (point => points(i))
             if (point%closed) status%active = status%active + 1
-            ! which points of a line are closed follows from their gaps alone
-            if (point%line_place == 0 .and. point%predicted .and. (point%closed .neqv. point%predicted_gap < 0)) then
+            ! which points of a line are closed follows from their gaps alone; without a share a crossing never is
+            if (point%line_place == 0 .and. point%weight > 0 .and. point%predicted .and. &
+               (point%closed .neqv. point%predicted_gap < 0)) then
                if (point%closed) status%new = status%new + 1
                if (.not. point%closed) status%lost = status%lost + 1
             end if
