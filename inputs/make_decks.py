@@ -129,8 +129,8 @@ Source   Force and conductance per length of parallel wires (K. L. Johnson, Cont
          of a disc), and the transmission line of two wires that conduct into each other,
             R = r lap/2 + r/m coth(m lap/2) + 2 r free,  m^2 = 2 r g,  r = resistivity/area,
          in verification/references/parallel_wires.py and line_joints.py. Written by inputs/make_decks.py.
-Expect   Between wires that touch all over the lap the current passes mostly near its ends. Force of the jaw to 0.5 % and
-         resistance to 0.2 %: the lap ends with the wires, which is resolved to a fraction of a radius.
+Expect   Between wires that touch all over the lap the current passes mostly near its ends. Force of the jaw and resistance
+         between the ends, to 0.1 %
          time s   force N    resistance mohm
          0.25     37.883     0.799172
          0.5      81.281     0.769118
