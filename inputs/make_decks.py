@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
+import litz
 from litz import FilmSpot, HertzSpot, Interaction, Model, build
 from litz.model import HERTZ_AND_HOLM
 
@@ -159,6 +160,99 @@ Expect   Between wires that touch all over the lap the current passes mostly nea
     return model
 
 
+def rod_over_drum() -> build.Model:
+    """A steel rod hangs over a rigid drum by two weights, and one end is drawn down."""
+    radius, on_drum, tension = 0.5e-3, 50e-3, 19.6349540849
+    model = build.Model("A rod with bending stiffness is drawn over a rigid drum")
+    model.comments = """\
+Model    A straight steel rod of 0.5 mm radius is laid on a rigid drum, hung over it by a weight of 5 B/R^2 = 19.635 N at either
+         end, where R = 50 mm is the radius of its axis on the drum and B its bending stiffness, and then drawn down by
+         one end, against the other weight, until it slips on the whole arc. Friction 0.3.
+Contact  Hertz per length on a *RIGID SURFACE, along an arc with a point force at either end of it. The drum has a reference
+         node on its axis, which is held: its reactions are what the rod does to the drum.
+Source   inputs/make_decks.py; references/capstan.py of the verification: H. Singh, J. Elast. 151 (2022) 321-346, with friction
+         on the surface of the rod, 0.5 mm off its axis.
+Expect   tension of the drawn end [N] and moment on the drum about its axis [N m], (T2 - T1) R, both to 0.05 %
+         time s   tension N   moment N m
+         3        47.171      1.3768
+         Contact along an arc of 137.7 degrees, within an element of 3.3 degrees; without bending stiffness it would be 180
+         degrees, and T2/T1 2.566, Euler's, in place of 2.402.""".splitlines()
+    rod = model.wire(
+        "ROD",
+        (-0.2285, 0, on_drum),
+        (0.2285, 0, on_drum),
+        elements=160,
+        radius=radius,
+        material=model.material("STEEL", young=200e9, poisson=0.3),
+    )
+    drum = model.cylinder("DRUM", (0, 0, -1e-7), (0, 1, 0), on_drum - radius, reference=(0, 0, 0))
+    model.contact(rod, drum, friction=0.3)
+    model.fix(rod, "y", "rx", "rz")
+    model.fix(drum)
+    lay = model.step("LAY")
+    lay.hold(rod.middle, "x", "ry")
+    lay.move(rod.ends, "z", -2e-4)
+    hang = model.step("HANG", first=0.01, largest=0.1, inc=400, boundary_op="NEW")
+    draw = model.step("DRAW", first=0.02, largest=0.2, inc=400, boundary_op="NEW", cload_op="NEW")
+    for step in (hang, draw):
+        step.hold(rod, "y", "rx", "rz")
+        step.hold(drum)
+    hang.hold(rod.middle, "x", "ry")
+    hang.force(rod.ends, "z", -tension)
+    draw.force(rod.start, "z", -tension)
+    draw.move(rod.end, "z", -0.2015)
+    draw.node_print(rod.end, "RF")
+    draw.node_print(drum, "RF", "RM")
+    return model
+
+
+def knot() -> litz.Model:
+    """A wire with an overhand knot is pulled tight, with a current."""
+    radius, pull = 0.25e-3, 14e-3
+    model = litz.Model("A knot in a wire is pulled tight")
+    model.comments = """\
+Model    A wire of nitinol, 0.5 mm thick and 87 mm long, that has the shape of a loose overhand knot without stress: 3 mm times
+         (t^3 - 3t, t^4/2 - 2t^2, 1.2 sin 3t), with round and then straight ends along x. The ends are led apart by 14 mm
+         each, with 1 mV between them.
+Contact  Hertz and Holm, of the wire with itself, without friction. First it touches itself at two crossings, which slide towards
+         each other; from time 0.7 on its strands wind around each other and touch along two lines.
+Source   overhand in inputs/make_decks.py. Half a turn about the y axis leaves the knot as it is. Without contact the resistance
+         is that of the length of the curve, with contacts that of Kirchhoff's laws for the wire between them.
+Expect   The knot short-circuits its loop: the resistance falls from 353.0 mohm, that of the whole wire, to 215 mohm at first
+         contact, and rises to 274.5 mohm as the loop shrinks. The ends are pulled by 17.9 N in the end (17.86 N with twice as
+         many elements), and the wire is strained by 6.5 % in bending, about as much as nitinol bears.""".splitlines()
+    nitinol = model.material("NITINOL", young=60e9, poisson=0.33, conductivity=1.25e6)
+    wire = model.wire("WIRE", curve=overhand, span=(-4.0, 4.0), elements=160, radius=radius, material=nitinol)
+    model.contact(wire, conductance=litz.HertzSpot())
+    model.fix(wire.ends, "y", "z", "rotations")
+    step = model.step("PULL", increment=0.05)
+    step.move(wire.start, "x", -pull)
+    step.move(wire.end, "x", pull)
+    step.potential(wire.start, 1e-3)
+    step.potential(wire.end, 0.0)
+    step.node_print(wire.end, "RF")
+    step.electrode_print(wire.start, wire.end)
+    step.energy_print()
+    return model
+
+
+def overhand(t: float) -> list[float]:
+    """An overhand knot: a curve that crosses itself three times, and beyond |t| = 2 pi/3 an arc and a straight end."""
+    size, bend, last = 3e-3, 6e-3, 2 * np.pi / 3
+    u = min(abs(t), last)
+    x = size * np.array([u**3 - 3 * u, (u**4 - 4 * u**2) / 2, 1.2 * np.sin(3 * u)])
+    along = size * np.array([3 * u**2 - 3, 2 * u**3 - 4 * u, 3.6 * np.cos(3 * u)])
+    if abs(t) > last:
+        along /= np.linalg.norm(along)
+        inwards = np.array([1.0, 0.0, 0.0]) - along[0] * along
+        inwards /= np.linalg.norm(inwards)
+        full = np.arccos(along[0])
+        angle = min(abs(t) - last, full)
+        x += bend * (np.sin(angle) * along + (1 - np.cos(angle)) * inwards)
+        x[0] += bend * (abs(t) - last - angle)
+    return [float(np.copysign(1, t) * x[0]), float(x[1]), float(np.copysign(1, t) * x[2])]
+
+
 def add_step(model: build.Model, displacement: float) -> None:
     """Press, with 1 mV between the electrodes, and request the forces on both."""
     step = model.press(displacement, voltage=1e-3)
@@ -172,3 +266,5 @@ if __name__ == "__main__":
     strand().write(INPUTS / "14_strand.inp")
     lap_joint().write(INPUTS / "15_lap_joint.inp")
     bent_strand().write(INPUTS / "16_bent_strand.inp")
+    rod_over_drum().write(INPUTS / "18_rod_over_drum.inp")
+    knot().write(INPUTS / "17_knot.inp")

@@ -1,14 +1,15 @@
 !> Which pairs of elements may touch: the candidates of the broad phase.
 module litz_contact_candidates
    use litz_kinds, only: dp
-   use litz_axis, only: axis_polynomial, axis_sagitta
+   use litz_axis, only: axis_sagitta
    use litz_contact_joints, only: are_joined
    use litz_contact_points, only: contact_set_t
    use litz_contact_search, only: near_segments
+   use litz_contact_tangents, only: axis_of_element
    use litz_element_library, only: elements_t
    use litz_line_places, only: prepare_line_places
    use litz_errors, only: error_t, fail, exit_memory
-   use litz_model, only: model_t, axis_hermite
+   use litz_model, only: model_t
    use litz_parallel, only: worth_threads
    use litz_text, only: to_text
    use litz_wires, only: wires_t
@@ -69,7 +70,8 @@ contains
       end do
    end subroutine prepare_contact
 
-   !> Collect the element pairs that are near in the present positions, or were passed since the increment began.
+   !> Collect the element pairs that are near in the present positions, or were passed since the increment began; how
+   !> wires turn has been measured.
    subroutine find_candidates(model, wires, elements, x_start, rotation_start, x, rotation, contact, changed, error)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
@@ -157,25 +159,8 @@ contains
       if (changed) contact%candidates = found(:, :n_found)
    end subroutine keep_candidates
 
-   !> The axis of an element in powers of xi (3, 0:3) [m].
-   pure function axis_of_element(model, wires, elements, e, x, rotation) result(p)
-      type(model_t), intent(in) :: model
-      type(wires_t), intent(in) :: wires
-      type(elements_t), intent(in) :: elements
-      !> Element
-      integer, intent(in) :: e
-      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
-      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
-      real(dp) :: p(3, 0:3), t(3, 2)
-      integer :: side
-
-      do side = 1, 2
-         t(:, side) = matmul(rotation(:, :, model%connectivity(side, e)), wires%contact_tangents0(:, side, e))
-      end do
-      p = axis_polynomial(axis_hermite, elements%length(e), x(:, model%connectivity(:, e)), t)
-   end function axis_of_element
-
-   !> The candidates are still all that may touch: nothing has moved or bent too far since they were collected.
+   !> The candidates are still all that may touch: nothing has moved or bent too far since they were collected, and no
+   !> wire has turned so far that it comes back to itself.
    pure logical function candidates_hold(model, wires, elements, contact, x, rotation) result(hold)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
@@ -194,6 +179,13 @@ contains
             hold = axis_sagitta(axis_of_element(model, wires, elements, e, x, rotation)) < contact%valid_sagitta(e)
          end associate
       end do
+      do i = 1, size(contact%joined, 2)
+         if (.not. hold) return
+         associate (pair => contact%joined(1:2, i))
+            if (wires%wire(pair(1)) == wires%wire(pair(2))) hold = are_joined(model, wires, elements, contact%turning, &
+               pair(1), pair(2))
+         end associate
+      end do
    end function candidates_hold
 
    !> Which element is the barred one, and by which contact pair they may touch; 0: none; negative: they would, but are
@@ -210,7 +202,7 @@ contains
 
       call find_contact_pair(model, wires, contact, a, b, roles, pair)
       if (pair == 0) return
-      if (are_joined(model, wires, elements, a, b)) pair = -pair
+      if (are_joined(model, wires, elements, contact%turning, a, b)) pair = -pair
    end subroutine assign_roles
 
    !> The last contact pair that names both elements, and which of them is the barred one; 0: none.

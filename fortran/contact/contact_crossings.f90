@@ -176,12 +176,30 @@ contains
       keep = .true.
       do k = 1, size(points)
          if (all(abs([points(k)%xi_bar, points(k)%xi]) < 1 - near_node)) cycle
-         place = node_at(model, points(k)%element_bar, points(k)%xi_bar)
-         if (place == 0) place = model%n_nodes + wires%wire(points(k)%element_bar)
+         place = chain_at(points(k)%element_bar, points(k)%xi_bar)
          keep(k) = .not. is_found_before(model, wires, elements, points, k, last_at(place), before)
+         ! where the arc lengths of a closed wire begin, its elements change their roles
+         if (keep(k) .and. wires%wire(points(k)%element) == wires%wire(points(k)%element_bar)) then
+            keep(k) = .not. is_found_before(model, wires, elements, points, k, &
+               last_at(chain_at(points(k)%element, points(k)%xi)), before)
+         end if
          before(k) = last_at(place)
          last_at(place) = k
       end do
+
+   contains
+
+      !> The chain of points at a place of a barred wire: of its node, or of the wire.
+      pure integer function chain_at(e, xi)
+         !> Element
+         integer, intent(in) :: e
+         !> Place in it
+         real(dp), intent(in) :: xi
+
+         chain_at = node_at(model, e, xi)
+         if (chain_at == 0) chain_at = model%n_nodes + wires%wire(e)
+      end function chain_at
+
    end function are_new
 
    !> Node at a place of an element; 0: it lies between.
@@ -212,6 +230,9 @@ contains
          associate (point => points(k), earlier => points(other))
             found = is_same(point%element_bar, point%xi_bar, earlier%element_bar, earlier%xi_bar) .and. &
                is_same(point%element, point%xi, earlier%element, earlier%xi)
+            if (.not. found .and. wires%wire(point%element) == wires%wire(point%element_bar)) found = &
+               is_same(point%element_bar, point%xi_bar, earlier%element, earlier%xi) .and. &
+               is_same(point%element, point%xi, earlier%element_bar, earlier%xi_bar)
          end associate
          if (found) return
          other = before(other)

@@ -123,7 +123,7 @@ contains
             if (e >= candidate(own)) cycle
             call find_contact_pair(model, wires, contact, e, other_element, roles, pair)
             grows_from = pair == 0
-            if (pair > 0) grows_from = are_joined(model, wires, elements, e, other_element)
+            if (pair > 0) grows_from = are_joined(model, wires, elements, contact%turning, e, other_element)
             if (.not. grows_from) return
          end do
       end function grows_from

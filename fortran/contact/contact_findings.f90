@@ -7,8 +7,8 @@ module litz_contact_findings
    private
    public :: finding_t, worse_of
    public :: finding_none, finding_deep, finding_missed, finding_second, finding_joined, finding_end, finding_kink, &
-      finding_line, finding_departed, finding_passed, finding_turned, finding_unfollowed, finding_surface_deep, &
-      finding_surface_passed
+      finding_line, finding_tight, finding_departed, finding_passed, finding_turned, finding_unfollowed, &
+      finding_surface_deep, finding_surface_passed
 
    !> From harmless to serious: of two findings the later one is reported
    integer, parameter :: finding_none = 0
@@ -19,14 +19,16 @@ module litz_contact_findings
    integer, parameter :: finding_missed = 2, finding_second = 3, finding_joined = 4
    !> ... at the end of a wire; at a kink; side by side, or a contact as long as a line
    integer, parameter :: finding_end = 5, finding_kink = 6, finding_line = 7
+   !> A wire is bent so tightly that both sides of the bend overlap
+   integer, parameter :: finding_tight = 8
    !> The axes of two wires met on their way through the increment; a wire turned so far that its way is not known
-   integer, parameter :: finding_passed = 8, finding_turned = 9
+   integer, parameter :: finding_passed = 9, finding_turned = 10
    !> A contact has left the part of a wire that the contact pair names
-   integer, parameter :: finding_departed = 10
+   integer, parameter :: finding_departed = 11
    !> A contact slides so far in the increment that it may be any of several
-   integer, parameter :: finding_unfollowed = 11
+   integer, parameter :: finding_unfollowed = 12
    !> A wire and a rigid surface overlap by more than is allowed; it would have passed through the surface
-   integer, parameter :: finding_surface_deep = 12, finding_surface_passed = 13
+   integer, parameter :: finding_surface_deep = 13, finding_surface_passed = 14
 
    type :: finding_t
       integer :: kind = finding_none
@@ -107,6 +109,10 @@ contains
          text = pair//' touch at a kink of one of them, and'//depth//' there'
       case (finding_line)
          text = pair//' touch side by side, along a line, and'//depth//' there'
+      case (finding_tight)
+         text = 'the wire of elements '//to_text(model%element_id(minval(self%elements)))//' to '// &
+            to_text(model%element_id(maxval(self%elements)))//' is bent more tightly than it is thick: the sides'// &
+            ' of the bend'//depth
       case (finding_departed)
          text = 'the contact of '//pair//' has left the part of one of them that *CONTACT PAIR names, and they'// &
             ' overlap by '//to_text(100*self%overlap)//' % of the smaller radius beyond it'
@@ -142,8 +148,11 @@ contains
       case (finding_second)
          text = 'Each pair of elements can have four contacts: use shorter elements. '
       case (finding_joined)
-         text = 'Joined elements, and those within 8 radii of each other along a wire, have no contact: use shorter'// &
-            ' elements, or bend the wire less. '
+         text = 'Elements that share a node, and those of wires that meet at a node within 8 radii of it, have no'// &
+            ' contact: use shorter elements, or bend the wire less. '
+      case (finding_tight)
+         text = 'A bend with a radius of curvature below the radius of the wire folds into itself, which no law of'// &
+            ' contact describes: bend the wire less, or model a thinner one. '
       case (finding_end, finding_departed)
          text = 'Contact at the end of the part of a wire that *CONTACT PAIR names is not modelled: let it name the'// &
             ' whole wire. '

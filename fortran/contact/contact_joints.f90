@@ -1,41 +1,45 @@
-!> Elements that are joined: next to each other along a wire, or at a corner or a branch.
+!> Elements that are joined: along a wire that does not come back between them, or at a corner or a branch.
 !>
 !> Near the joint they overlap by their construction; farther along they may touch like any others.
 module litz_contact_joints
-   use litz_kinds, only: dp
+   use litz_kinds, only: dp, pi
    use litz_element_library, only: elements_t
    use litz_model, only: model_t
+   use litz_wire_turning, only: wire_turning_t
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: are_joined, end_paths, path_between, lead_apart, walk_along, joint_radii, self_contact_distance
+   public :: are_joined, end_paths, path_between, lead_apart, walk_along, joint_length, joined_radii
 
-   !> Elements of one wire nearer along it than this many contact radii do not touch each other
-   real(dp), parameter :: self_contact_distance = 8.0_dp
+   !> Elements of two wires that share a node do not touch each other where they are nearer than this many contact
+   !> radii along them
+   real(dp), parameter :: joined_radii = 8.0_dp
    !> Joined wires may overlap up to this many radii along them: a bend has no room for more
-   real(dp), parameter :: joint_radii = 4.0_dp
+   real(dp), parameter :: corner_radii = 4.0_dp
    !> Elements that leave their chords by less than this part of their lengths cannot come round to their neighbours
    real(dp), parameter :: slightly_bent = 0.2_dp
 
 contains
 
-   !> Two elements are near to each other along their wire, or joined by a short path.
-   pure logical function are_joined(model, wires, elements, a, b)
+   !> Two elements share a node, their wire does not come back between them or has no room for that, or a short path
+   !> joins their wires.
+   pure logical function are_joined(model, wires, elements, turning, a, b)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
+      type(wire_turning_t), intent(in) :: turning
       !> Two elements
       integer, intent(in) :: a, b
-      real(dp) :: separation, radius
+      real(dp) :: radius
 
       are_joined = .true.
       if (any(model%connectivity(:, a) == model%connectivity(1, b)) .or. &
          any(model%connectivity(:, a) == model%connectivity(2, b))) return
       radius = max(elements%radius(a), elements%radius(b))
       if (wires%wire(a) == wires%wire(b)) then
-         separation = wires%arc_between(wires%wire(a), wires%arc(a), wires%arc(b)) &
-            - (elements%length(a) + elements%length(b))/2
-         if (separation < self_contact_distance*radius) return
+         if (.not. turning%comes_back(wires, a, b)) return
+         if (wires%arc_between(wires%wire(a), wires%arc(a), wires%arc(b)) + sum(elements%length([a, b]))/2 &
+            < joint_length(wires, elements, [a, b])) return
       else if (wires%is_joined(wires%wire(a)) .and. wires%is_joined(wires%wire(b))) then
          if (joined_within(1) .or. joined_within(2)) return
       end if
@@ -48,8 +52,7 @@ contains
          !> 1, 2: first or second node of the first element
          integer, intent(in) :: side
 
-         joined_within = leads_to(b, model%connectivity(side, a), a, self_contact_distance*radius, model, wires, &
-            elements)
+         joined_within = leads_to(b, model%connectivity(side, a), a, joined_radii*radius, model, wires, elements)
       end function joined_within
 
    end function are_joined
@@ -77,6 +80,17 @@ contains
          if (leads) return
       end do
    end function leads_to
+
+   !> Length along the wires between two places within which they overlap by their construction [m]: of one wire, half
+   !> the circumference of the tightest bend that it has room for.
+   pure real(dp) function joint_length(wires, elements, pair)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> Two elements
+      integer, intent(in) :: pair(2)
+
+      joint_length = merge(pi, corner_radii, wires%wire(pair(1)) == wires%wire(pair(2)))*maxval(elements%radius(pair))
+   end function joint_length
 
    !> Lengths of the shortest ways along elements between the ends of two elements [m]; `huge` beyond a limit.
    pure function end_paths(model, wires, elements, pair, limit) result(between)

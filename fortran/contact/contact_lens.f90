@@ -19,6 +19,8 @@ module litz_contact_lens
    real(dp), parameter :: flat_tilt = 0.0872_dp, steep_tilt = 0.2588_dp
    !> Overlap beyond which a lens counts as no longer, in smaller radii
    real(dp), parameter :: deepest = 0.02_dp
+   !> Overlap at an end by which its length is told, at least, in distances of the axes
+   real(dp), parameter :: least_overlap = 1.0e-5_dp
    !> Nearer to an end than this part of its element is there
    real(dp), parameter :: at_end = 1.0e-9_dp
 
@@ -45,8 +47,10 @@ contains
       overlap = max(0.0_dp, min(-point%gap, largest_overlap))
       if (any(point%held)) then
          associate (tilt => point%tilt(merge(2, 1, point%held(2))), bend => point%bend(merge(2, 1, point%held(2))))
+            ! at first touch a tilt of round-off would tell lines from ends
+            overlap = max(overlap, least_overlap*point%kinematics%distance)
             square = tilt**2 + 2*bend*overlap
-            half_length = merge(huge(half_length), 0.0_dp, overlap > 0)
+            half_length = huge(half_length)
             if (square > 0) half_length = 2*overlap/(tilt + sqrt(square))
          end associate
       else

@@ -14,6 +14,7 @@ module litz_contact_points
    use litz_normal_law, only: force_of_gap_t
    use litz_shared_conductors, only: shared_conductors_t
    use litz_state, only: contact_t
+   use litz_wire_turning, only: wire_turning_t
    use litz_wires, only: wires_t
    implicit none
    private
@@ -120,6 +121,8 @@ module litz_contact_points
       !> Candidates hold while no node has moved by this much since they were collected (n_nodes) [m], and no axis
       !> leaves its chord by more than this (n_elements) [m]
       real(dp), allocatable :: valid_motion(:), valid_sagitta(:)
+      !> How the wires turn when the increment began, and at most of then and now
+      type(wire_turning_t) :: turning_at_start, turning
       !> Elements with several contacts that carry a current
       type(shared_conductors_t) :: shared
       !> Largest overlap when the increment began [m]

@@ -11,12 +11,14 @@
 !> Source: theory section 3.
 module litz_contact_tangents
    use litz_kinds, only: dp
+   use litz_axis, only: axis_polynomial
+   use litz_axis_choices, only: axis_hermite
    use litz_element_library, only: elements_t
    use litz_model, only: model_t
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: follow_centre_line
+   public :: follow_centre_line, axis_of_element
 
 contains
 
@@ -36,6 +38,24 @@ contains
          end do
       end do
    end subroutine follow_centre_line
+
+   !> The axis of an element in powers of xi (3, 0:3) [m].
+   pure function axis_of_element(model, wires, elements, e, x, rotation) result(p)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> Element
+      integer, intent(in) :: e
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
+      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      real(dp) :: p(3, 0:3), t(3, 2)
+      integer :: side
+
+      do side = 1, 2
+         t(:, side) = matmul(rotation(:, :, model%connectivity(side, e)), wires%contact_tangents0(:, side, e))
+      end do
+      p = axis_polynomial(axis_hermite, elements%length(e), x(:, model%connectivity(:, e)), t)
+   end function axis_of_element
 
    !> Unit tangent of the centre line at one end of an element, turned back by the rotation of the node.
    pure function centre_line_tangent(model, wires, elements, e, side, x, rotation) result(tangent)

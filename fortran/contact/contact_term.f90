@@ -21,6 +21,7 @@ module litz_contact_term
    use litz_state, only: energies_t
    use litz_term, only: term_t, status_t
    use litz_timing, only: phase_search, phase_contact, phase_update
+   use litz_wire_turning, only: measure_turning
    implicit none
    private
    public :: contact_term_t
@@ -92,6 +93,8 @@ contains
          contact%n_settled = 0
          call follow_centre_line(domain%model, domain%elements, domain%iterate%x, domain%iterate%rotation, &
             domain%wires)
+         call measure_turning(domain%model, domain%wires, domain%elements, domain%iterate%x, domain%iterate%rotation, &
+            contact%turning_at_start)
          contact%depth = max(0.0_dp, maxval(-contact%points%kinematics%gap), &
             maxval(-contact%line_points%kinematics%gap))
       end associate
@@ -116,6 +119,8 @@ contains
       associate (contact => self%contact, model => domain%model, wires => domain%wires, elements => domain%elements, &
          iterate => domain%iterate, rotation_start => domain%state%rotation)
          call domain%timing%lap(phase_update)
+         call measure_turning(model, wires, elements, iterate%x, iterate%rotation, contact%turning, &
+            contact%turning_at_start)
          if (.not. candidates_hold(model, wires, elements, contact, iterate%x, iterate%rotation)) then
             call find_candidates(model, wires, elements, iterate%x_start, rotation_start, iterate%x, &
                iterate%rotation, contact, changed, error)
@@ -173,7 +178,7 @@ contains
       do i = 1, size(points)
          associate (point => points(i))
             if (point%closed) status%active = status%active + 1
-            ! which points of a line are closed follows from their gaps alone; without a share a crossing never is
+            ! which points of a line are closed follows from their gaps alone
             if (point%line_place == 0 .and. point%weight > 0 .and. point%predicted .and. &
                (point%closed .neqv. point%predicted_gap < 0)) then
                if (point%closed) status%new = status%new + 1

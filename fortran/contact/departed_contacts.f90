@@ -72,10 +72,11 @@ contains
    end subroutine find_departed_pairs
 
    !> The worst of the contacts that have left; `finding_none`: there is none.
-   function find_departed_contacts(model, wires, elements, pairs, x, rotation) result(worst)
+   function find_departed_contacts(model, wires, elements, contact, pairs, x, rotation) result(worst)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
+      type(contact_set_t), intent(in) :: contact
       !> Those of `find_departed_pairs` (3, n)
       integer, intent(in) :: pairs(:, :)
       !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
@@ -88,7 +89,7 @@ contains
          associate (a => pairs(1, i), b => pairs(2, i))
             overlap = surely_overlap(model, wires, elements, a, b, x, rotation)
             if (overlap <= 0) cycle
-            if (are_joined(model, wires, elements, a, b)) cycle
+            if (are_joined(model, wires, elements, contact%turning, a, b)) cycle
             if (surely_overlap(model, wires, elements, a, b, model%x, spread(identity3, 3, model%n_nodes)) > 0) cycle
             worst = worse_of(worst, finding_t(finding_departed, [a, b], overlap))
          end associate
@@ -143,7 +144,7 @@ contains
          if (named_by > 0) return
          overlap = surely_overlap(model, wires, elements, a, b, x, rotation)
          if (overlap < unseen_overlap) return
-         if (are_joined(model, wires, elements, a, b)) return
+         if (are_joined(model, wires, elements, contact%turning, a, b)) return
          worst = worse_of(worst, finding_t(finding_departed, [a, b], overlap))
       end subroutine inspect
 

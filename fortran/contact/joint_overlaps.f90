@@ -1,12 +1,15 @@
-!> Overlaps near a joint, where elements have no contact: of those that are joined, or next to joined ones.
+!> Overlaps near a joint of two wires, where elements have no contact: of those that are joined, or next to joined ones.
+!>
+!> Along one wire the bends are looked at instead (litz_tight_bends).
 module litz_joint_overlaps
    use litz_kinds, only: dp
    use litz_contact_findings, only: finding_t, worse_of, finding_joined
-   use litz_contact_joints, only: are_joined, walk_along, self_contact_distance
+   use litz_contact_joints, only: are_joined, walk_along, joined_radii
    use litz_contact_points, only: pair_geometry, axis_of_pair
    use litz_element_library, only: elements_t
    use litz_model, only: model_t
    use litz_tube_overlaps, only: tube_overlap_t, overlap_at, overlap_of_reference, unseen_overlap
+   use litz_wire_turning, only: wire_turning_t
    use litz_wires, only: wires_t
    implicit none
    private
@@ -14,8 +17,8 @@ module litz_joint_overlaps
 
 contains
 
-   !> Two elements that share a node, where their wires fold up: do these overlap where joined elements end to be
-   !> without contact, and did not in the reference configuration?
+   !> Two elements of different wires that share a node, where these fold up: do they overlap where joined elements end
+   !> to be without contact, and did not in the reference configuration?
    subroutine inspect_legs(model, wires, elements, candidate, x, rotation, finding)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
@@ -29,8 +32,9 @@ contains
       real(dp) :: xe(3, 4), t(3, 4), length(2), place(2), apart
       integer :: i, j, leg(3)
 
+      if (wires%wire(candidate(1)) == wires%wire(candidate(2))) return
       leg(3) = candidate(3)
-      apart = self_contact_distance*maxval(elements%radius(candidate(1:2)))
+      apart = joined_radii*maxval(elements%radius(candidate(1:2)))
       do i = 1, 2
          do j = 1, 2
             if (model%connectivity(i, candidate(1)) /= model%connectivity(j, candidate(2))) cycle
@@ -47,18 +51,22 @@ contains
       end do
    end subroutine inspect_legs
 
-   !> One of two elements, or the one beyond its end, is joined to the other one or to that beyond its end.
-   pure logical function leads_to_joint(model, wires, elements, pair, beyond)
+   !> One of two elements of different wires, or the one beyond its end, is joined to the other one or to that beyond
+   !> its end.
+   pure logical function leads_to_joint(model, wires, elements, turning, pair, beyond)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
+      type(wire_turning_t), intent(in) :: turning
       !> Two elements; elements beyond their ends, 0: none (2)
       integer, intent(in) :: pair(2), beyond(2)
       integer :: next(2)
 
+      leads_to_joint = .false.
+      if (wires%wire(pair(1)) == wires%wire(pair(2))) return
       next = merge(beyond, pair, beyond > 0)
-      leads_to_joint = are_joined(model, wires, elements, next(1), next(2)) .and. &
-         .not. are_joined(model, wires, elements, pair(1), pair(2))
+      leads_to_joint = are_joined(model, wires, elements, turning, next(1), next(2)) .and. &
+         .not. are_joined(model, wires, elements, turning, pair(1), pair(2))
    end function leads_to_joint
 
 end module litz_joint_overlaps

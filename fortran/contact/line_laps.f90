@@ -4,7 +4,6 @@
 !> wire stands for all that lies between it and the end, the next one, which is beyond, for nothing.
 module litz_line_laps
    use litz_kinds, only: dp
-   use litz_closest_points, only: end_tolerance
    use litz_contact_points, only: contact_point_t
    use litz_element_library, only: elements_t
    use litz_line_places, only: line_places_t
@@ -12,6 +11,10 @@ module litz_line_laps
    implicit none
    private
    public :: share_at_lap, distances_to_ends
+
+   !> Ends and places that are nearer to each other than this part of the distance of places lie side by side: all
+   !> places of a lap have to find the same
+   real(dp), parameter :: tie = 1.0e-8_dp
 
 contains
 
@@ -23,20 +26,18 @@ contains
       !> Of the angle between the elements, the sign of which says whether they run the same way
       real(dp), intent(in) :: cosine
       type(contact_point_t), intent(in) :: point
-      real(dp) :: to_end(2), own(2), spacing, alike
+      real(dp) :: to_end(2), own(2), spacing
       integer :: side, ahead
 
       share = 1
       to_end = distances_to_ends(wires, elements, point%element_bar, point%arc_bar)
       side = minloc(to_end, 1)
       spacing = elements%length(point%element)/places%n_parts(point%element)
-      ! wires that end side by side do so within round-off, and feet are on the wire within as much
-      alike = end_tolerance*elements%length(point%element_bar)
-      if (to_end(side) >= spacing - alike) return
+      if (to_end(side) >= spacing - tie*spacing) return
       ahead = merge(side, 3 - side, cosine*wires%direction(point%element_bar)*wires%direction(point%element) > 0)
       own = distances_to_ends(wires, elements, point%element, point%arc)
       ! the wire of the place ends first
-      if (own(ahead) <= to_end(side) + alike .and. .not. point%foot_at_end) return
+      if (own(ahead) <= to_end(side) + tie*spacing .and. .not. point%foot_at_end) return
       share = 0
       if (point%foot_at_end) return
       associate (length => places%length(point%line_place))

@@ -79,8 +79,8 @@ contains
       point%arc = arc_at(wires, elements, point%element, point%xi)
    end subroutine place_point
 
-   !> Which of some earlier points each point continues: that of the same place with the nearest foot on the same wire;
-   !> 0: none.
+   !> Which of some earlier points each point continues: that of the same place with the nearest foot on the same wire,
+   !> and on the same turn of it; 0: none.
    pure subroutine match_line_points(wires, n_places, earlier, points, origin)
       type(wires_t), intent(in) :: wires
       !> Places on all wires
@@ -101,13 +101,30 @@ contains
          do while (k > 0)
             if (wires%wire(earlier(k)%element_bar) == wires%wire(points(i)%element_bar)) then
                distance = wires%arc_between(wires%wire(points(i)%element_bar), points(i)%arc_bar, earlier(k)%arc_bar)
-               if (distance < nearest) origin(i) = k
-               nearest = min(nearest, distance)
+               if (distance < nearest .and. is_same_turn(wires, earlier(k), points(i), distance)) then
+                  origin(i) = k
+                  nearest = distance
+               end if
             end if
             k = by_place%before(k)
          end do
       end do
    end subroutine match_line_points
+
+   !> A foot on the wire of its own place has not slid by half of the way between the two: it is not on another turn.
+   pure logical function is_same_turn(wires, earlier, point, slid)
+      type(wires_t), intent(in) :: wires
+      !> Two points of one place, with feet on one wire
+      type(contact_point_t), intent(in) :: earlier, point
+      !> Distance of the feet along it [m]
+      real(dp), intent(in) :: slid
+
+      is_same_turn = .true.
+      associate (wire => wires%wire(point%element))
+         if (wires%wire(point%element_bar) == wire) is_same_turn = slid < 0.5_dp*min( &
+            wires%arc_between(wire, point%arc, point%arc_bar), wires%arc_between(wire, earlier%arc, earlier%arc_bar))
+      end associate
+   end function is_same_turn
 
    !> Kinematics and gap of a point, on the side on which its wires were in the last converged state.
    pure subroutine set_geometry(model, wires, elements, contact, by_wire, x, rotation, foot, is_new, point)

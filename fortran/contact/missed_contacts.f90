@@ -5,7 +5,7 @@ module litz_missed_contacts
    use litz_closest_points, only: local_minima, max_minima
    use litz_contact_findings, only: finding_t, worse_of, finding_none, finding_missed, finding_second, finding_joined, &
       finding_end, finding_kink, finding_line
-   use litz_contact_joints, only: end_paths, path_between, lead_apart, joint_radii, self_contact_distance
+   use litz_contact_joints, only: end_paths, path_between, lead_apart, joint_length, joined_radii
    use litz_contact_points, only: contact_set_t, contact_point_t, points_by_wire_t, pair_geometry, axis_of_pair, arc_at
    use litz_element_library, only: elements_t
    use litz_joint_overlaps, only: inspect_legs, leads_to_joint
@@ -95,11 +95,13 @@ contains
          x, rotation)
       if (any(beyond > 0)) then
          ! further along it is found again, but towards a joint it would be called part of that
-         if (.not. leads_to_joint(model, wires, elements, candidate(1:2), beyond)) return
+         if (.not. leads_to_joint(model, wires, elements, contact%turning, candidate(1:2), beyond)) return
          overlap0 = overlap_of_reference(model, wires, elements, candidate, overlap%place)
          if (.not. overlap0%depth > 0) kind = finding_joined
+      else if (is_part_of_joint(model, wires, elements, candidate(1:2), overlap%place)) then
+         return
       else if (is_joined) then
-         if (.not. is_part_of_joint(model, wires, elements, candidate(1:2), overlap%place)) kind = finding_joined
+         kind = finding_joined
       else if (.not. (is_known(model, wires, elements, contact%points, by_wire, candidate(1:2), overlap%place) .or. &
          is_on_known_line(wires, elements, contact%line_points, line_by_wire, candidate(1:2), &
          elements%radius(candidate(1:2)), overlap))) then
@@ -107,7 +109,8 @@ contains
       end if
    end function kind_of
 
-   !> Joined elements overlap so near to their joint that they do by their construction.
+   !> Elements of one wire, or of joined wires, overlap so near to each other along them that they do by their
+   !> construction.
    pure logical function is_part_of_joint(model, wires, elements, pair, place)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
@@ -116,11 +119,9 @@ contains
       integer, intent(in) :: pair(2)
       !> In [-1, 1] (2)
       real(dp), intent(in) :: place(2)
-      real(dp) :: radius
 
-      radius = maxval(elements%radius(pair))
       is_part_of_joint = path_between(wires, elements, pair, place, end_paths(model, wires, elements, pair, &
-         self_contact_distance*radius)) < joint_radii*radius
+         joined_radii*maxval(elements%radius(pair)))) < joint_length(wires, elements, pair)
    end function is_part_of_joint
 
    !> The element of the contact pair that is joined to an end of this one, and along which the distance falls
@@ -235,7 +236,7 @@ contains
       end if
    end function elements_at
 
-   !> A contact of a barred wire is that with another wire at these arc lengths.
+   !> A contact of a barred wire is that with another wire at these arc lengths; with itself, in either order.
    pure logical function is_at(wires, elements, point, pair, arc)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
@@ -250,8 +251,9 @@ contains
       is_at = .false.
       if (wires%wire(point%element) /= wires%wire(pair(2))) return
       allowed = same_contact*sum(elements%radius(pair))
-      is_at = wires%arc_between(wires%wire(pair(1)), arc(1), point%arc_bar) < allowed .and. &
-         wires%arc_between(wires%wire(pair(2)), arc(2), point%arc) < allowed
+      is_at = all(wires%arc_between(wires%wire(pair), arc, [point%arc_bar, point%arc]) < allowed)
+      if (is_at .or. wires%wire(pair(1)) /= wires%wire(pair(2))) return
+      is_at = all(wires%arc_between(wires%wire(pair), arc, [point%arc, point%arc_bar]) < allowed)
    end function is_at
 
    !> Why an overlap of two elements that are not joined is no contact.

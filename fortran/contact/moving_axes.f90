@@ -1,7 +1,7 @@
 !> When two moving axes meet: they are cut into straight pieces, and each pair of pieces is followed.
 module litz_moving_axes
    use litz_kinds, only: dp
-   use litz_contact_joints, only: end_paths, path_between, joint_radii
+   use litz_contact_joints, only: end_paths, path_between, joint_length, joined_radii
    use litz_element_library, only: elements_t
    use litz_model, only: model_t
    use litz_moving_segments, only: meeting_time, never
@@ -16,7 +16,7 @@ module litz_moving_axes
 
 contains
 
-   !> The first meeting of two axes that move uniformly; of joined elements, beyond their joint.
+   !> The first meeting of two axes that move uniformly; of joined elements, and of one wire, beyond their joint.
    pure subroutine find_meeting(model, wires, elements, pair, is_joined, p0, p1, leave, limit, time, place)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
@@ -35,18 +35,19 @@ contains
       integer :: i, j, pieces(2)
 
       apart = 0
-      if (is_joined) apart = joint_radii*maxval(elements%radius(pair))
+      if (is_joined) apart = joined_radii*maxval(elements%radius(pair))
+      if (wires%wire(pair(1)) == wires%wire(pair(2))) apart = joint_length(wires, elements, pair)
       pieces = number_of_pieces(leave, minval(elements%radius(pair)), apart, elements%length(pair))
       call cut(p0(:, :, 1), p1(:, :, 1), pieces(1), a)
       call cut(p0(:, :, 2), p1(:, :, 2), pieces(2), b)
       time = never
       place = 0
-      if (is_joined) between = end_paths(model, wires, elements, pair, 2*apart)
+      if (apart > 0) between = end_paths(model, wires, elements, pair, apart)
       do i = 1, pieces(1)
          do j = 1, pieces(2)
             middle = [-1 + (2*i - 1)/real(pieces(1), dp), -1 + (2*j - 1)/real(pieces(2), dp)]
-            if (is_joined) then
-               if (path_between(wires, elements, pair, middle, between) < 2*apart) cycle
+            if (apart > 0) then
+               if (path_between(wires, elements, pair, middle, between) < apart) cycle
             end if
             meeting = meeting_time(reshape([a(:, 1, i - 1:i), b(:, 1, j - 1:j)], [3, 4]), &
                reshape([a(:, 2, i - 1:i), b(:, 2, j - 1:j)], [3, 4]), limit)
@@ -61,14 +62,14 @@ contains
    pure function number_of_pieces(leave, radius, apart, length) result(pieces)
       !> How far the axes leave their chords (2), and the smaller radius [m]
       real(dp), intent(in) :: leave(2), radius
-      !> Pieces nearer to each other than twice this are part of a joint; 0: there is no joint [m]
+      !> Pieces nearer to each other than this are part of a joint; 0: there is no joint [m]
       real(dp), intent(in) :: apart
       !> Reference lengths (2) [m]
       real(dp), intent(in) :: length(2)
       integer :: pieces(2)
 
       pieces = max(1, min(max_pieces, ceiling(sqrt(leave/(chord_tolerance*radius)))))
-      if (apart > 0) pieces = max(pieces, min(max_pieces, ceiling(2*length/apart)))
+      if (apart > 0) pieces = max(pieces, min(max_pieces, ceiling(4*length/apart)))
    end function number_of_pieces
 
    !> Ends of the pieces of an axis at the start and at the end.

@@ -8,8 +8,10 @@ module litz_surface_cells
    use litz_axis, only: axis_shape, axis_sagitta, on_axis
    use litz_friction_iteration, only: friction_iteration_t
    use litz_friction_law, only: friction_law_t, friction_start_t
+   use litz_contact_lens, only: smooth_step
+   use litz_lens_law, only: share_of_point
    use litz_line_law, only: line_wires_t, line_force_t, line_force
-   use litz_rigid_line, only: rigid_line
+   use litz_rigid_line, only: rigid_line, rigid_end, end_force
    use litz_rigid_surface, only: rigid_surface_t, surface_distance, distance_row, distance_hessian
    use litz_rotations, only: cross
    use litz_state, only: surface_contact_t
@@ -17,14 +19,18 @@ module litz_surface_cells
    use litz_surface_overlap, only: surface_overlap_t, find_surface_overlap, gap_at
    implicit none
    private
-   public :: surface_cell_t, surface_memory_t, surface_point_t, wire_axis_t, survey_cell, law_of_cell, press_cell, &
-      cell_forces, predicted_force, contact_of_cell, centre_of_force, advanced_memory
+   public :: surface_cell_t, surface_memory_t, surface_point_t, wire_axis_t, survey_cell, law_of_cell, &
+      laws_of_ends, press_cell, cell_forces, predicted_force, contact_of_cell, centre_of_force, advanced_memory
 
    !> Gauss's rule of six points
    real(dp), parameter :: gauss_place(6) = [-0.93246951420315202781_dp, -0.66120938646626451366_dp, &
       -0.23861918608319690863_dp, 0.23861918608319690863_dp, 0.66120938646626451366_dp, 0.93246951420315202781_dp]
    real(dp), parameter :: gauss_weight(6) = [0.17132449237917034504_dp, 0.36076157304813860757_dp, &
       0.46791393457269104739_dp, 0.46791393457269104739_dp, 0.36076157304813860757_dp, 0.17132449237917034504_dp]
+
+   !> Unit of length, in radii, of an overlap from the end of a wire on: up to two of them the end carries it, from six
+   !> on the wire beside it
+   real(dp), parameter :: resolution = 0.26_dp
 
    !> The axis of an element as it is now.
    type :: wire_axis_t
@@ -42,7 +48,7 @@ module litz_surface_cells
       real(dp) :: xi = 0, weight = 0
       !> Gap [m], negative
       real(dp) :: gap = 0
-      !> Per length
+      !> Per length; of an end its force, with the weight 1
       type(line_force_t) :: normal
       !> How the gap changes with the unknowns
       real(dp) :: row(18) = 0
@@ -60,8 +66,12 @@ module litz_surface_cells
    type :: surface_cell_t
       !> Element, and pair of the model that it belongs to
       integer :: element = 0, pair = 0
+      !> The element has the round end of its wire, or the round joint of a kink, at its first, at its second node (2)
+      logical :: has_end(2) = .false.
       !> The law at the smallest gap: that of a state in balance, held fixed while the iteration goes there
       type(line_wires_t) :: law
+      !> Force of either end over the overlap to the power of 3/2, with the share that it carries (2) [N/m^1.5]
+      real(dp) :: law_of_end(2) = 0
       !> As last surveyed
       type(surface_overlap_t) :: overlap
       !> As last evaluated
@@ -80,6 +90,8 @@ module litz_surface_cells
       type(friction_law_t) :: friction
       type(friction_iteration_t) :: iteration
       real(dp) :: stick_stiffness = 0, traction(3) = 0
+      !> Forces and moments on the surface about its centre, with friction (6) [N, N m]
+      real(dp) :: on_surface(6) = 0
    end type surface_cell_t
 
 contains
@@ -125,6 +137,53 @@ contains
          along=bend/max(1 + bend*axis%radius, 0.5_dp) + curvature*e(1)**2, mixed=curvature*e(1)*e(2), opening=opening)
    end function law_of_cell
 
+   !> Force of the ends over their overlap to the power of 3/2 (2) [N/m^1.5]: where the wire lies along the surface its
+   !> length has all of it, where it stands on its end the sphere has.
+   pure function laws_of_ends(surface, axis, young, poisson, penalty, has_end) result(laws)
+      type(rigid_surface_t), intent(in) :: surface
+      type(wire_axis_t), intent(in) :: axis
+      !> Of the wire [Pa], [-], and eps_l [N/m^2] or 0
+      real(dp), intent(in) :: young, poisson, penalty
+      !> (2)
+      logical, intent(in) :: has_end(2)
+      real(dp) :: laws(2), curvature
+      integer :: side
+
+      curvature = 0
+      if (surface%shape /= surface_plane) curvature = merge(-1, 1, surface%shape == surface_bore)/surface%radius
+      laws = 0
+      do side = 1, 2
+         if (has_end(side)) laws(side) = share_of_end(surface, axis, 2.0_dp*side - 3) &
+            *rigid_end(axis%radius, young, poisson, penalty, curvature)
+      end do
+   end function laws_of_ends
+
+   !> What an end carries beside the wire: nothing of a long overlap; of a short one, where the wire is nearest to the
+   !> surface at its end or beyond, or so near to it that the overlap is cut there, the rest of the integral (10.16).
+   pure real(dp) function share_of_end(surface, axis, xi) result(share)
+      type(rigid_surface_t), intent(in) :: surface
+      type(wire_axis_t), intent(in) :: axis
+      !> -1 or 1
+      real(dp), intent(in) :: xi
+      real(dp) :: x1(3), x2(3), distance, normal(3), hessian(3, 3), overlap, tilt, opening, square, half_length, dshare
+
+      associate (p => axis%p)
+         call surface_distance(surface, p(:, 0) + xi*(p(:, 1) + xi*(p(:, 2) + xi*p(:, 3))), distance, normal, hessian)
+         x1 = p(:, 1) + xi*(2*p(:, 2) + xi*3*p(:, 3))
+         x2 = 2*p(:, 2) + xi*6*p(:, 3)
+      end associate
+      overlap = axis%radius - distance
+      tilt = -xi*dot_product(normal, x1)/norm2(x1)                                         ! t
+      opening = (dot_product(normal, x2) + dot_product(x1, matmul(hessian, x1)))/dot_product(x1, x1)     ! k
+      square = tilt**2 + 2*opening*overlap
+      share = 1
+      if (overlap <= 0) return
+      half_length = huge(half_length)
+      if (square > 0) half_length = 2*overlap/max(tilt + sqrt(square), tiny(square))
+      call share_of_point(half_length, resolution*axis%radius, share, dshare)
+      if (share > 0) share = share*smooth_step((1 + tilt/sqrt(square))/2)                  ! 1 - S(u)
+   end function share_of_end
+
    !> Places at which the wire overlaps, and the forces there.
    subroutine press_cell(surface, axis, penalty, cell)
       type(rigid_surface_t), intent(in) :: surface
@@ -132,9 +191,9 @@ contains
       !> eps_l [N/m^2] of `f = eps_l delta`; 0: the elastic law
       real(dp), intent(in) :: penalty
       type(surface_cell_t), intent(inout) :: cell
-      type(surface_point_t) :: points(size(gauss_place)*cell%overlap%n)
+      type(surface_point_t) :: points(size(gauss_place)*cell%overlap%n + 2)
       real(dp) :: middle, half
-      integer :: n, part, i
+      integer :: n, part, i, side
 
       n = 0
       do part = 1, cell%overlap%n
@@ -143,6 +202,9 @@ contains
          do i = 1, size(gauss_place)
             call add(middle + half*gauss_place(i), gauss_weight(i)*half*axis%length/2)
          end do
+      end do
+      do side = 1, 2
+         if (cell%has_end(side)) call add_end(2.0_dp*side - 3)
       end do
       cell%points = points(:n)
       cell%force = sum(cell%points%weight*cell%points%normal%force)
@@ -163,6 +225,21 @@ contains
          points(n)%gap = gap
          points(n)%normal = line_force(cell%law, -gap, penalty)
       end subroutine add
+
+      !> A round end is a sphere on the surface.
+      subroutine add_end(xi)
+         !> -1 or 1
+         real(dp), intent(in) :: xi
+         real(dp) :: gap, slope
+
+         call gap_at(surface, axis%p, axis%radius, xi, gap, slope)
+         if (gap >= 0) return
+         n = n + 1
+         points(n)%xi = xi
+         points(n)%weight = 1
+         points(n)%gap = gap
+         points(n)%normal = end_force(cell%law_of_end(merge(1, 2, xi < 0)), -gap)
+      end subroutine add_end
 
    end subroutine press_cell
 
@@ -250,6 +327,8 @@ contains
       end associate
       contact%xi = centre_of_force(cell)
       contact%traction = cell%traction
+      contact%surface_force = cell%on_surface(1:3)
+      contact%surface_moment = cell%on_surface(4:6)
       contact%friction_status = cell%friction%status
       contact%slip_path = cell%memory%slip_path
       contact%dissipation = cell%memory%dissipation

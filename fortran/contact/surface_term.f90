@@ -15,13 +15,14 @@ module litz_surface_term
    use litz_line_law, only: line_wires_t
    use litz_state, only: energies_t
    use litz_rigid_surface, only: rigid_surface_t
-   use litz_surface_cells, only: surface_cell_t, surface_memory_t, wire_axis_t, survey_cell, law_of_cell, press_cell, &
-      cell_forces, predicted_force, contact_of_cell, centre_of_force, advanced_memory
+   use litz_surface_cells, only: surface_cell_t, surface_memory_t, wire_axis_t, survey_cell, law_of_cell, &
+      laws_of_ends, press_cell, cell_forces, predicted_force, contact_of_cell, centre_of_force, advanced_memory
    use litz_surface_friction, only: surface_slip_t, surface_slip, sticking_t, rub_cell, stick_stiffness_of, &
       place_friction
    use litz_surface_poses, only: present_surface, surface_moved_by, element_axis, axis_moved_by
    use litz_term, only: term_t, status_t
    use litz_timing, only: phase_contact, phase_update
+   use litz_wires, only: wires_t
    implicit none
    private
    public :: surface_term_t, new_surface_term, n_remembered
@@ -59,15 +60,41 @@ contains
 
    pure type(surface_term_t) function new_surface_term(domain) result(term)
       type(domain_t), intent(in) :: domain
+      logical :: is_member(domain%model%n_elements)
       integer :: pair, i
 
       allocate (term%cells(0))
       do pair = 1, size(domain%model%surface_pairs)
          associate (members => domain%model%element_sets(domain%model%surface_pairs(pair)%set)%members)
-            term%cells = [term%cells, (surface_cell_t(element=members(i), pair=pair), i=1, size(members))]
+            is_member = .false.
+            is_member(members) = .true.
+            term%cells = [term%cells, (surface_cell_t(element=members(i), pair=pair, &
+               has_end=ends_of(domain%wires, domain%model%connectivity(:, members(i)), is_member, members(i))), &
+               i=1, size(members))]
          end associate
       end do
    end function new_surface_term
+
+   !> Which nodes of an element are round ends or joints (2): at a kink of the first element there that may touch.
+   pure function ends_of(wires, nodes, is_member, e) result(has_end)
+      type(wires_t), intent(in) :: wires
+      !> Nodes of the element (2)
+      integer, intent(in) :: nodes(:)
+      !> Elements that may touch (n_elements)
+      logical, intent(in) :: is_member(:)
+      !> The element
+      integer, intent(in) :: e
+      logical :: has_end(2)
+      integer :: side
+
+      do side = 1, 2
+         associate (first => wires%first_at_node(nodes(side)), last => wires%first_at_node(nodes(side) + 1) - 1)
+            associate (here => abs(wires%at_node(first:last)))
+               has_end(side) = wires%next(side, e) == 0 .and. .not. any(is_member(here) .and. here < e)
+            end associate
+         end associate
+      end do
+   end function ends_of
 
    !> Node of the surface of a cell; 0: it is fixed in space.
    pure integer function surface_node(domain, cell)
@@ -200,6 +227,7 @@ contains
             associate (material => model%materials(model%sections(model%element_section(cell%element))%material))
                law = law_of_cell(present_surface(domain, cell%pair), axis, material%young, material%poisson, &
                   cell%overlap%nearest)
+               if (any(cell%has_end)) call update_ends(material%young, material%poisson, axis, cell)
             end associate
             call update_stick(cell)
             if (tolerance > 0 .and. abs(log_lens(law) - log_lens(cell%law)) <= tolerance*abs(log_lens(law))) cycle
@@ -209,6 +237,23 @@ contains
       end do
 
    contains
+
+      !> What the round ends carry.
+      subroutine update_ends(young, poisson, axis, cell)
+         !> Of the wire [Pa], [-]
+         real(dp), intent(in) :: young, poisson
+         type(wire_axis_t), intent(in) :: axis
+         type(surface_cell_t), intent(inout) :: cell
+         real(dp) :: laws(2)
+
+         associate (interaction => domain%model%interactions(domain%model%surface_pairs(cell%pair)%interaction))
+            laws = laws_of_ends(present_surface(domain, cell%pair), axis, young, poisson, &
+               interaction%normal%line_penalty(), cell%has_end)
+         end associate
+         if (tolerance > 0 .and. all(abs(laws - cell%law_of_end) <= tolerance*maxval(laws))) return
+         cell%law_of_end = laws
+         has_changed = .true.
+      end subroutine update_ends
 
       !> The stiffness of the stick follows the force likewise.
       subroutine update_stick(cell)
@@ -272,6 +317,7 @@ contains
             call cell_forces(present_surface(domain, cell%pair), element_axis(domain, cell%element, cell%pair), cell, &
                k(:, :, i), r(:, i))
             call rub(domain, cell, k(:, :, i), r(:, i))
+            cell%on_surface = -r(13:18, i)
             if (n_cell_nodes == 2) self%outer(:, nodes(:, i)) = self%outer(:, nodes(:, i)) - reshape(r(:12, i), [6, 2])
          end associate
       end do

@@ -9,6 +9,7 @@ module litz_unpaired_overlaps
    use litz_element_library, only: elements_t
    use litz_model, only: model_t
    use litz_text, only: to_text
+   use litz_wire_turning, only: wire_turning_t, measure_turning
    use litz_wires, only: wires_t
    implicit none
    private
@@ -30,6 +31,7 @@ contains
       !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
       real(dp), intent(in) :: x(:, :), rotation(:, :, :)
       character(len=:), allocatable :: text
+      type(wire_turning_t) :: turning
       integer, allocatable :: pairs(:, :)
       integer :: i, n, example(2)
       logical :: too_many
@@ -39,6 +41,7 @@ contains
       call near_segments(x(:, model%connectivity(1, :)), x(:, model%connectivity(2, :)), elements%radius, max_pairs, &
          pairs, too_many)
       if (too_many) return
+      call measure_turning(model, wires, elements, x, rotation, turning)
       n = 0
       example = 0
       do i = 1, size(pairs, 2)
@@ -64,7 +67,7 @@ contains
             if (pair > 0) return
          end if
          if (.not. surely_overlap(model, wires, elements, a, b, x, rotation) > reported_overlap) return
-         overlap_unpaired = .not. are_joined(model, wires, elements, a, b)
+         overlap_unpaired = .not. are_joined(model, wires, elements, turning, a, b)
       end function overlap_unpaired
 
    end function describe_unpaired_overlaps

@@ -229,9 +229,9 @@ contains
       call add_surface(table)
 
       call begin(k, 'CONTACT PAIR', place_model, &
-         'Wires that may touch. All crossings between the two sets are searched;'// &
-         ' with one set, those within it. With the name of a rigid surface in place of the second set: wires that'// &
-         ' may touch this surface, to which no current passes.')
+         'Wires that may touch. All crossings between the two sets are searched; with one set, those within it,'// &
+         ' also of a wire with itself. With the name of a rigid surface in place of the second set: wires that may'// &
+         ' touch this surface, to which no current passes.')
       call k%add(name('INTERACTION', 'the laws of the contact', required=.true.))
       call k%add(flag('INTERFERENCE FIT', &
          'overlaps at the start are intended; they are resolved linearly over the first step'))

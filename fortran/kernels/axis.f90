@@ -8,7 +8,7 @@ module litz_axis
    use litz_rotations, only: cross
    implicit none
    private
-   public :: axis_shape, axis_third_derivative, axis_polynomial, axis_sagitta, on_axis, axis_row
+   public :: axis_shape, axis_third_derivative, axis_polynomial, axis_sagitta, axis_turning, on_axis, axis_row
 
 contains
 
@@ -103,5 +103,27 @@ contains
 
       sagitta = norm2(p(:, 2)) + 2/(3*sqrt(3.0_dp))*norm2(p(:, 3))
    end function axis_sagitta
+
+   !> By what angle the tangent turns along an axis [rad], at most: the sum of all turns, to whichever side.
+   !>
+   !> The derivative of a cubic is a Bezier curve of three vectors, and its direction turns by no more than those of
+   !> these vectors, one after the other. The chord lies between them, so that the polygon of chords turns by no more.
+   pure real(dp) function axis_turning(p) result(turning)
+      !> Axis in powers of xi (3, 0:3) [m]
+      real(dp), intent(in) :: p(3, 0:3)
+      real(dp), dimension(3) :: first, middle, last
+
+      first = p(:, 1) - 2*p(:, 2) + 3*p(:, 3)
+      middle = p(:, 1) - 3*p(:, 3)
+      last = p(:, 1) + 2*p(:, 2) + 3*p(:, 3)
+      turning = max(angle_between(first, middle) + angle_between(middle, last), angle_between(first, last))
+   end function axis_turning
+
+   pure real(dp) function angle_between(a, b) result(angle)
+      !> Two vectors (3)
+      real(dp), intent(in) :: a(3), b(3)
+
+      angle = atan2(norm2(cross(a, b)), dot_product(a, b))
+   end function angle_between
 
 end module litz_axis

@@ -1,7 +1,9 @@
 !> Where the wire of an element overlaps a rigid surface.
 !>
-!> The gap along the axis is followed from place to place; every minimum between two places is looked up, so that a
-!> short overlap is found as well as a long one.
+!> The gap along the axis is followed from place to place; every minimum and maximum between two places is looked up, so
+!> that a short overlap, or a short gap within a long one, is found as well as a long one. A part that overlaps ends
+!> where the gap has a maximum that is far less deep than the rest: where the wire begins to lift off there, the
+!> integral of the forces over the parts changes without a jump.
 module litz_surface_overlap
    use litz_kinds, only: dp
    use litz_rigid_surface, only: rigid_surface_t, surface_distance
@@ -13,6 +15,9 @@ module litz_surface_overlap
    integer, parameter :: n_grid = 17
    !> Most parts of an element that overlap the surface
    integer, parameter :: most_parts = n_grid
+   !> A maximum of the gap divides a part where the overlap has fallen to less than this of the deepest one; what varies
+   !> less is smooth
+   real(dp), parameter :: shallow = 0.9_dp
    !> Halvings of the distance of two places: to round-off
    integer, parameter :: n_halvings = 52
 
@@ -34,9 +39,10 @@ contains
       real(dp), intent(in) :: radius
       type(surface_overlap_t), intent(out) :: overlap
       real(dp) :: place(2*n_grid), gap(2*n_grid)
+      logical :: is_top(2*n_grid)
       integer :: i, n
 
-      call list_places(surface, p, radius, place, gap, n)
+      call list_places(surface, p, radius, place, gap, is_top, n)
       i = minloc(gap(:n), 1)
       overlap%nearest = place(i)
       overlap%gap = gap(i)
@@ -52,14 +58,18 @@ contains
                first(parts) = place_of_change(surface, p, radius, .false., place(i), place(i - 1))
             else if (gap(i) >= 0 .and. gap(i - 1) < 0) then
                last(parts) = place_of_change(surface, p, radius, .false., place(i - 1), place(i))
+            else if (is_top(i) .and. gap(i) < 0 .and. gap(i) > shallow*overlap%gap) then
+               last(parts) = place(i)
+               parts = parts + 1
+               first(parts) = place(i)
             end if
          end do
          if (gap(n) < 0) last(parts) = place(n)
       end associate
    end subroutine find_surface_overlap
 
-   !> Evenly spaced places and the minima between them, in order.
-   pure subroutine list_places(surface, p, radius, place, gap, n)
+   !> Evenly spaced places, and the minima and maxima between them, in order.
+   pure subroutine list_places(surface, p, radius, place, gap, is_top, n)
       type(rigid_surface_t), intent(in) :: surface
       !> Axis in powers of xi (3, 0:3) [m]
       real(dp), intent(in) :: p(3, 0:3)
@@ -67,22 +77,32 @@ contains
       real(dp), intent(in) :: radius
       !> Places and gaps [m] there (n)
       real(dp), intent(out) :: place(:), gap(:)
+      !> The gap is largest there (n)
+      logical, intent(out) :: is_top(:)
       !> How many there are
       integer, intent(out) :: n
       real(dp) :: xi, slope, slope_before, unused_slope
+      logical :: falls_again
       integer :: i
 
       n = 0
       slope_before = 0
+      is_top = .false.
       do i = 1, n_grid
          xi = -1 + 2*real(i - 1, dp)/(n_grid - 1)
          n = n + 1
          place(n) = xi
          call gap_at(surface, p, radius, xi, gap(n), slope)
-         if (slope_before < 0 .and. slope > 0) then
+         falls_again = slope_before > 0 .and. slope <= 0
+         if (falls_again .or. slope_before < 0 .and. slope > 0) then
             place(n + 1) = place(n)
             gap(n + 1) = gap(n)
-            place(n) = place_of_change(surface, p, radius, .true., place(n - 1), xi)
+            is_top(n) = falls_again
+            if (falls_again) then
+               place(n) = place_of_change(surface, p, radius, .true., xi, place(n - 1))
+            else
+               place(n) = place_of_change(surface, p, radius, .true., place(n - 1), xi)
+            end if
             call gap_at(surface, p, radius, place(n), gap(n), unused_slope)
             n = n + 1
          end if

@@ -6,10 +6,10 @@
 module litz_rigid_line
    use litz_kinds, only: dp, pi
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
-   use litz_line_law, only: line_wires_t, line_overlap_t, line_overlap, widest_strip
+   use litz_line_law, only: line_wires_t, line_force_t, line_overlap_t, line_overlap, widest_strip
    implicit none
    private
-   public :: rigid_line
+   public :: rigid_line, rigid_end, end_force
 
    !> Young's modulus of the surface over that of the wire
    real(dp), parameter :: rigid = 1.0e30_dp
@@ -35,6 +35,36 @@ contains
       widest = line_overlap(line, line%max_force, 0.0_dp)
       line%max_overlap = widest%overlap
    end function rigid_line
+
+   !> Force of the round end of a wire on the surface, over the overlap to the power of 3/2 [N/m^1.5]: that of Hertz for
+   !> a sphere; with a penalty per length the part of the force of two such wires crossed that Hertz has.
+   pure real(dp) function rigid_end(radius, young, poisson, penalty, curvature) result(coefficient)
+      !> Of the wire: radius [m], Young's modulus [Pa], Poisson's ratio
+      real(dp), intent(in) :: radius, young, poisson
+      !> eps_l [N/m^2]; 0: the elastic law
+      real(dp), intent(in) :: penalty
+      !> Of the surface, in the direction in which it is curved [1/m]: positive of a cylinder, negative of a bore
+      real(dp), intent(in) :: curvature
+      type(hertz_ellipse_t) :: ellipse, crossed
+      integer :: info
+
+      call hertz_ellipse([radius, 1/(1/radius + curvature)], [young, rigid*young], [poisson, 0.0_dp], pi/2, ellipse, &
+         info)
+      coefficient = ellipse%approach**(-1.5_dp)                                            ! delta = cd F^(2/3)
+      if (.not. penalty > 0) return
+      call hertz_ellipse([radius, radius], [young, rigid*young], [poisson, 0.0_dp], pi/2, crossed, info)
+      coefficient = coefficient*crossed%approach**1.5_dp*4*penalty*sqrt(4*radius)/3        ! (4/3) eps_l delta aW
+   end function rigid_end
+
+   !> Force of an end, its stiffness and energy.
+   elemental type(line_force_t) function end_force(coefficient, overlap) result(law)
+      !> Of `rigid_end` [N/m^1.5]; overlap, not negative [m]
+      real(dp), intent(in) :: coefficient, overlap
+
+      law%force = coefficient*overlap**1.5_dp
+      law%stiffness = 1.5_dp*coefficient*sqrt(overlap)
+      law%energy = 0.4_dp*law%force*overlap
+   end function end_force
 
    !> `A = exp(-2 Lam_H)`, `Lam_H = pi E*/(2 k_H)`, with `k_H = (3/4) C sqrt(D''/2)` of `F = C delta^1.5`: the integral
    !> of `k_H delta` over the lens is then the law of Hertz. 0 where there is no lens.

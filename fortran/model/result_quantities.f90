@@ -134,6 +134,9 @@ contains
       call table%field('normal', c%normal, '1', 'unit normal from the surface to the wire')
       call table%field('point', c%point, 'm', 'point of the axis at the centre of the force')
       call table%field('traction', c%traction, 'N', 'friction force on the wire')
+      call table%field('surface_force', c%surface_force, 'N', 'force on the surface, with friction')
+      call table%field('surface_moment', c%surface_moment, 'N m', &
+         'moment on the surface about its reference node, or about the origin where it is fixed in space')
       call table%field('slip_path', c%slip_path, 'm', 'path of the slip since the contact closed')
       call table%field('dissipation', c%dissipation, 'J', 'frictional heat since the contact closed')
       call table%field('friction', c%friction_status, '1', '0 none, 1 stick, 2 slip', words='none|stick|slip')

@@ -59,6 +59,9 @@ module litz_state
       integer :: friction_status = 0
       !> Path of the slip [m] and heat of friction [J] since the contact closed
       real(dp) :: slip_path = 0, dissipation = 0
+      !> What the surface feels, with friction: force (3) [N], and moment about its reference node, or about the origin
+      !> where it is fixed in space (3) [N m]
+      real(dp) :: surface_force(3) = 0, surface_moment(3) = 0
    end type surface_contact_t
 
    !> Energies since the beginning [J]

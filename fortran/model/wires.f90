@@ -229,7 +229,7 @@ contains
    end function arc_from_to
 
    !> Distance of two places along a wire, the short way around a closed one [m].
-   pure real(dp) function arc_between(self, wire, arc, other)
+   elemental real(dp) function arc_between(self, wire, arc, other)
       class(wires_t), intent(in) :: self
       !> Index of the wire
       integer, intent(in) :: wire

@@ -5,7 +5,7 @@
 !>     STEM_contacts.csv        the contacts as a table      STEM.cvg           a line per iteration
 !>     STEM_surfaces.csv        those with rigid surfaces, where the model has some
 !>
-!> and where the run had to give up, the last iterate as STEM_unconverged with the first three endings.
+!> and where the run had to give up, the last iterate as STEM_unconverged with the endings of fields and contacts.
 !>
 !> Files of an earlier run stay as they are until this one has its first complete increment, and are then replaced
 !> together. Of each increment the fields are written first, then the tables, at last its line in the .sta file: an
@@ -33,8 +33,8 @@ module litz_results
 
    !> What an iterate has of them, and a run that leaves older results alone
    character(len=*), parameter :: unconverged = '_unconverged'
-   character(len=*), parameter :: unconverged_endings(5) = [character(len=16) :: '.vtkhdf', '_contacts.vtkhdf', &
-      '_contacts.csv', '.sta', '.cvg']
+   character(len=*), parameter :: unconverged_endings(6) = [character(len=16) :: '.vtkhdf', '_contacts.vtkhdf', &
+      '_contacts.csv', '_surfaces.csv', '.sta', '.cvg']
 
    type :: results_t
       type(wire_results_t), private :: wires
@@ -46,6 +46,7 @@ module litz_results
       !> The iterate at which the run gave up
       type(wire_results_t), private :: unconverged_wires
       type(contact_ledger_t), private :: unconverged_ledger
+      type(surface_ledger_t), private :: unconverged_surfaces
       type(text_file_t), private :: history_file, status_file, convergence_file
       !> There are results of an earlier run, and these are not yet in their place
       logical, private :: over_older = .false.
@@ -233,6 +234,7 @@ contains
       call self%unconverged_wires%open(model, self%base//unconverged//'.vtkhdf', error)
       call self%unconverged_ledger%open(model, state, self%base//unconverged//'_contacts.csv', &
          self%base//unconverged//'_contacts.vtkhdf', error)
+      call self%unconverged_surfaces%open(model, self%base//unconverged//'_surfaces.csv', error)
    end subroutine results_begin_unconverged
 
    !> Writes the iterate, and closes its files.
@@ -248,10 +250,13 @@ contains
       call self%unconverged_ledger%write_table(model, state, error)
       if (.not. allocated(error)) call self%unconverged_ledger%write_points(model, state, error)
       if (.not. allocated(error)) call self%unconverged_wires%write(model, state, error)
+      call self%unconverged_surfaces%write(model, state, error)
       call self%unconverged_ledger%publish(error)
+      call self%unconverged_surfaces%publish(error)
       call self%unconverged_wires%publish(error)
       self%iterate_written = .not. allocated(error)
       call self%unconverged_ledger%close(.false., error)
+      call self%unconverged_surfaces%close(error)
       call self%unconverged_wires%close(.false., error)
    end subroutine results_write_unconverged
 

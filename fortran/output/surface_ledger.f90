@@ -41,7 +41,7 @@ contains
       do i = 1, size(columns%quantities)
          if (columns%quantities(i)%is_result()) header = header//columns%quantities(i)%columns(',', with_units=.true.)
       end do
-      header = header//',surface'
+      header = header//',wires,surface'
       call self%table%create(path, error)
       call self%table%write_line(model%units%in_header(header), error)
       call self%table%flush(error)
@@ -64,8 +64,9 @@ contains
       rows = surface_contact_table(shown)
       write (place, '(*(g0, :, ","))') state%step, state%increment, state%time
       do i = 1, size(shown)
-         associate (surface => model%surfaces(model%surface_pairs(shown(i)%pair)%surface))
-            call self%table%write_line(trim(place)//row_text(rows, i)//','//surface%name, error)
+         associate (pair => model%surface_pairs(shown(i)%pair))
+            call self%table%write_line(trim(place)//row_text(rows, i)//','//model%element_sets(pair%set)%name//','// &
+               model%surfaces(pair%surface)%name, error)
          end associate
       end do
       call self%table%flush(error)

@@ -9,6 +9,7 @@ module litz_wire_results
    use litz_quantities, only: quantity_t, on_points, on_cells
    use litz_result_quantities, only: wire_quantity_t, list_wire_quantities
    use litz_state, only: state_t
+   use litz_surface_choices, only: surface_shapes
    use litz_hdf5_files, only: hid_t, hdf5_create_group, hdf5_flush
    use litz_hdf5_attributes, only: hdf5_write_attribute, hdf5_write_text
    use litz_hdf5_rows, only: hdf5_rows_t, hdf5_real, hdf5_integer
@@ -57,6 +58,7 @@ contains
       call write_origin(self, model, error)
       call write_sets(self%litz_group, 'node_sets', model%node_sets, model%node_id, error)
       call write_sets(self%litz_group, 'element_sets', model%element_sets, model%element_id, error)
+      call write_surfaces(self%litz_group, model, error)
       call hdf5_flush(self%file, error)
    end subroutine wire_results_open
 
@@ -180,6 +182,41 @@ contains
          call rows%append(reshape(int(ids(sets(i)%members), kind(rows%n_rows)), [1, n]), error)
       end do
    end subroutine write_sets
+
+   !> The rigid surfaces by their names, where there are some: point, direction and radius before any deformation, with
+   !> shape and reference node.
+   subroutine write_surfaces(parent, model, error)
+      !> Identifier of the group that they are written into
+      integer(hid_t), intent(in) :: parent
+      type(model_t), intent(in) :: model
+      type(error_t), allocatable, intent(inout) :: error
+      integer(hid_t) :: group
+      type(hdf5_rows_t) :: rows
+      integer :: i
+
+      if (.not. allocated(model%surfaces)) return
+      if (size(model%surfaces) == 0) return
+      call hdf5_create_group(parent, 'rigid_surfaces', group, error)
+      do i = 1, size(model%surfaces)
+         associate (this => model%surfaces(i))
+            call rows%create(group, link_name(this%name), 7, hdf5_real, 1, error)
+            call rows%append(reshape([this%point, this%direction, this%radius], [7, 1]), error)
+            call hdf5_write_attribute(rows%dataset, 'type', trim(surface_shapes(this%shape)), error)
+            ! 0: it is fixed in space
+            call hdf5_write_attribute(rows%dataset, 'reference_node', number_of_node(model, this%node), error)
+         end associate
+      end do
+   end subroutine write_surfaces
+
+   !> The user's number of a node; 0 for none.
+   pure integer function number_of_node(model, node) result(number)
+      type(model_t), intent(in) :: model
+      !> Index, or 0
+      integer, intent(in) :: node
+
+      number = 0
+      if (node > 0) number = model%node_id(node)
+   end function number_of_node
 
    !> A slash would open a group inside HDF5.
    pure function link_name(name) result(link)

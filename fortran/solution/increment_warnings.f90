@@ -14,6 +14,7 @@ module litz_increment_warnings
    use litz_state, only: contact_t
    use litz_problem, only: problem_t
    use litz_text, only: to_text
+   use litz_tight_bends, only: describe_tight_bends
    use litz_unpaired_overlaps, only: describe_unpaired_overlaps
    implicit none
    private
@@ -42,8 +43,19 @@ contains
       call problem%warnings%set_place(0, 0, 0.0_dp)
       text = parallel_warning(problem%model, problem%elements, problem%contact)
       if (len(text) > 0) call problem%warnings%add('side_by_side', text)
+      call add_tight_bends(problem)
       call add_unpaired_overlaps(problem, problem%model%x)
    end subroutine add_start_warnings
+
+   !> Wires that may touch themselves, and are bent more tightly than they are thick.
+   subroutine add_tight_bends(problem)
+      type(problem_t), intent(inout) :: problem
+      character(len=:), allocatable :: text
+
+      if (.not. problem%contact%present) return
+      text = describe_tight_bends(problem%model, problem%wires, problem%elements, problem%contact)
+      if (len(text) > 0) call problem%warnings%add('tight_bend', text)
+   end subroutine add_tight_bends
 
    !> Overlapping wires that no contact pair names.
    subroutine add_unpaired_overlaps(problem, x)
@@ -78,6 +90,7 @@ contains
          do i = 1, size(state%contacts)
             call add_contact(problem%model, state%contacts(i), warnings)
          end do
+         call add_tight_bends(problem)
          call add_unpaired_overlaps(problem, problem%model%x &
             + state%value(first_slot(field_displacement):last_slot(field_displacement), :))
       end associate

@@ -12,6 +12,7 @@ module litz_initial_contacts
    use litz_problem, only: problem_t
    use litz_surface_findings, only: overlaps_of_surfaces
    use litz_text, only: to_text
+   use litz_wire_turning, only: measure_turning
    implicit none
    private
    public :: find_initial_overlap
@@ -32,6 +33,7 @@ contains
       call refuse_surface_overlap(problem, error)
       if (allocated(error) .or. .not. problem%contact%present) return
       associate (model => problem%model, contact => problem%contact, state => problem%state)
+         call measure_turning(model, problem%wires, problem%elements, model%x, state%rotation, contact%turning)
          call find_candidates(model, problem%wires, problem%elements, model%x, state%rotation, model%x, &
             state%rotation, contact, changed, error)
          if (allocated(error)) return

@@ -606,6 +606,35 @@ def knot(random, number):
 
 
 @family
+def coil(random, number):
+    """A coil, open or nearly closed, that is pressed together, bent over or twisted until its turns touch."""
+    deck = Deck(f"coil {number}", material=(10 ** random.uniform(9, 11), 0.3))
+    r = 10 ** random.uniform(-3.7, -3)
+    laws(random, deck, r)
+    if deck.law != "HERTZ":
+        # turns touch along lines: a second number
+        deck.law += f", {float(deck.law) / r * random.uniform(0.5, 5):.4g}"
+    deck.axis = "HERMITE"
+    size, gap = random.uniform(1.5, 8) * r, random.uniform(0.1, 1.5) * r
+    n, turns = int(random.integers(19, 30)), random.uniform(1.5, 4)
+    angle = np.linspace(0, 2 * np.pi * turns, int(n * turns) + 1)
+    pitch = (2 * r + gap) / np.cos(np.arctan(2 * r / (2 * np.pi * size)))
+    points = np.stack([size * np.cos(angle), size * np.sin(angle), pitch * angle / (2 * np.pi)], 1)
+    a = deck.wire(points, r, element(random))
+    first, last = a.ends
+    deck.fix([first], 1, 6)
+    close = random.uniform(0.3, 1.1) * gap * turns
+    task = pick(random, "press", "bend", "twist")
+    moves = [([last], 1, 0), ([last], 2, 0), ([last], 3, -close)]
+    if task == "bend":
+        moves = [([last], 1, random.uniform(0.5, 3) * r), ([last], 2, 0), ([last], 3, -0.7 * close)]
+    turned = random.uniform(-1, 1) if task == "twist" else 0.0
+    moves += [([last], 4, 0), ([last], 5, 0), ([last], 6, turned)]
+    deck.step(moves, first_increment(random))
+    return deck.text()
+
+
+@family
 def bent(random, number):
     """Coarse wires that bend strongly, and cross a straight one twice with one element."""
     deck = Deck(f"bent {number}", material=(10 ** random.uniform(9.5, 11), 0.3))

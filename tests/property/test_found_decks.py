@@ -15,6 +15,8 @@ RIGHT = {
     "bent_short_wire_pressed_on_its_crest": 1,
     # the fit from the first increment on, and beside it the crossing that closes
     "fit_beside_an_ordinary_crossing": 2,
+    # it slides over the round end, and off it
+    "wire_moved_over_the_end_of_a_post": 0,
 }
 
 

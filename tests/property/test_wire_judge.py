@@ -214,6 +214,29 @@ def test_a_wire_passes_through_itself():
     assert "passage" in scene.found
 
 
+def coil(radius, pitch, turns=1.25, n=20):
+    angle = np.linspace(0, 2 * np.pi * turns, int(turns * n) + 1)
+    return np.stack([radius * np.cos(angle), radius * np.sin(angle), pitch * angle / (2 * np.pi)], 1)
+
+
+@pytest.mark.parametrize("radius", [1.3 * R, 6 * R])
+def test_turns_of_a_coil_overlap_however_short_they_are(radius):
+    """Turns of 8 radii, and of 38: the last quarter overlaps the first one by a fifth of the radius, and no turn itself."""
+    scene = Scene(coil(radius, 2.3 * R))
+    pressed = coil(radius, 1.8 * R) - coil(radius, 2.3 * R)
+    scene.state(pressed, 0 * pressed)
+    assert set(scene.found) == {"unseen"}
+    assert Scene(coil(radius, 2.3 * R)).then(None, (R, 0, 0)).found == []
+
+
+def test_the_legs_of_a_hairpin_overlap_and_its_bend_does_not():
+    scene = Scene(hairpin(gap=3 * R, leg=12 * R))
+    closer = hairpin(gap=0.95 * R, leg=12 * R) - hairpin(gap=3 * R, leg=12 * R)
+    scene.state(closer, 0 * closer)
+    assert set(scene.found) == {"unseen"}
+    assert Scene(hairpin(gap=1.05 * R, leg=12 * R)).then(None, (R, 0, 0)).found == []
+
+
 def test_a_ring_of_few_elements_is_no_overlap():
     angle = np.linspace(0, 2 * np.pi, 8, endpoint=False)
     points = 10 * R * np.stack([np.cos(angle), np.sin(angle), 0 * angle], 1)

@@ -33,8 +33,11 @@ from scipy.spatial.transform import Rotation
 PIECES = 16
 #: Overlap over the smaller radius that is an error with a contact, and without one
 DEEP, UNSEEN = 0.05, 0.005
-#: Neighbours along one wire are nearer than this many radii of arc
+#: Places of two wires that share a node are neighbours where they are nearer than this many radii of arc
 NEIGHBOUR = 8.0
+#: Places of one smooth wire are where they are nearer than half a circle of its radius, or the wire turns by less
+#: between them: places that are nearest to each other have 180 degrees between them, and those of a line that tapers 15 less
+HALF_CIRCLE, TURN = np.pi, np.radians(165)
 #: Between two looks a piece moves by this much of a radius at most
 STRIDE = 0.3
 #: Axes nearer than this much of the sum of radii have met, where they are side by side
@@ -99,17 +102,32 @@ class Motion:
         return found
 
     @cached_property
-    def tangents(self):
-        """Reference tangents at both ends of each element: smooth where two elements meet nearly straight on."""
-        found = np.repeat(self.chords[:, None], 2, axis=1)
-        smooth = np.zeros(self.elements.shape, bool)
+    def smooth_nodes(self):
+        """Where two elements meet nearly straight on: an end of each."""
+        found = []
         for ends in self.elements_at:
             if len(ends) != 2:
                 continue
             (e, i), (f, j) = ends
             sense = 1 if i != j else -1
-            if sense * (self.chords[e] @ self.chords[f]) < np.cos(CORNER):
-                continue
+            if sense * (self.chords[e] @ self.chords[f]) >= np.cos(CORNER):
+                found.append((e, i, f, j))
+        return found
+
+    @cached_property
+    def chain(self):
+        """Number of the smooth wire of each element."""
+        e, _, f, _ = np.reshape(self.smooth_nodes, (-1, 4)).astype(int).T
+        n = len(self.elements)
+        return connected_components(coo_matrix((np.ones(len(e)), (e, f)), shape=(n, n)), directed=False)[1]
+
+    @cached_property
+    def tangents(self):
+        """Reference tangents at both ends of each element: smooth where two elements meet nearly straight on."""
+        found = np.repeat(self.chords[:, None], 2, axis=1)
+        smooth = np.zeros(self.elements.shape, bool)
+        for e, i, f, j in self.smooth_nodes:
+            sense = 1 if i != j else -1
             # the tangent of the parabola through three neighbours
             mean = self.chords[e] * self.length[f] + sense * self.chords[f] * self.length[e]
             mean /= np.linalg.norm(mean)
@@ -178,6 +196,37 @@ class Motion:
                 from_f = (u if j == 0 else 1 - u) * self.length[f]
                 total = np.minimum(total, from_e + self.way[self.elements[e, i], self.elements[f, j]] + from_f)
         return np.where(e == f, np.abs(s - u) * self.length[e], total)
+
+    def are_apart(self, e, s, f, u):
+        """Whether places of two elements are so far apart along the wires that they do not overlap by construction."""
+        radii = np.where(self.chain[e] == self.chain[f], HALF_CIRCLE, NEIGHBOUR)
+        return self.arc_between(e, s, f, u) > radii * np.maximum(self.radius[e], self.radius[f])
+
+    def come_back(self, curves, e, s, f, u):
+        """Whether a wire turns far enough to come back between places of two elements, either way; true of two wires."""
+        pieces = np.diff(curves, axis=1)
+        within = np.zeros(pieces.shape[:2])
+        within[:, 1:] = np.cumsum(angle_between(pieces[:, :-1], pieces[:, 1:]), axis=1)
+        # a graph of the ends of the elements
+        a, i, b, j = np.reshape(self.smooth_nodes, (-1, 4)).astype(int).T
+        corner = angle_between((1 - 2 * i)[:, None] * pieces[a, -i], (2 * j - 1)[:, None] * pieces[b, -j])
+        m = np.arange(len(curves))
+        rows, columns = np.concatenate([2 * m, 2 * a + i]), np.concatenate([2 * m + 1, 2 * b + j])
+        turns = coo_matrix((np.concatenate([within[:, -1], corner]) + 1e-12, (rows, columns)), shape=(2 * len(m),) * 2)
+        asked, at = np.unique(e, return_inverse=True)
+        way = dijkstra(turns.tocsr(), directed=False, indices=np.concatenate([2 * asked, 2 * asked + 1]), limit=TURN)
+        least = np.full(len(e), np.inf)
+        piece_e, piece_f = (np.clip((x * PIECES).astype(int), 0, PIECES - 1) for x in (s, u))
+        for i in (0, 1):
+            from_e = np.abs(within[e, -i] - within[e, piece_e])
+            for j in (0, 1):
+                from_f = np.abs(within[f, -j] - within[f, piece_f])
+                least = np.minimum(least, from_e + way[at + i * len(asked), 2 * f + j] + from_f)
+        return least >= TURN
+
+
+def angle_between(u, v):
+    return np.arctan2(np.linalg.norm(np.cross(u, v), axis=-1), (u * v).sum(-1))
 
 
 @dataclass
@@ -299,8 +348,8 @@ def overlaps(motion, curves, pairs):
         sine = cross / np.linalg.norm(u[k, i], axis=1) / np.linalg.norm(v[k, j], axis=1)
         parts.append((e[some][k], f[some][k], (i + si) / PIECES, (j + tj) / PIECES, depth[k, i, j], middle, sine))
     found = Overlaps(*(np.concatenate(column) for column in zip(*parts, strict=True)))
-    arc = motion.arc_between(found.e, found.s, found.f, found.u)
-    return found.where(arc > NEIGHBOUR * np.maximum(motion.radius[found.e], motion.radius[found.f]))
+    found = found.where(motion.are_apart(found.e, found.s, found.f, found.u))
+    return found.where(motion.come_back(curves, found.e, found.s, found.f, found.u))
 
 
 def sagitta(points):
@@ -487,8 +536,7 @@ def look(motion, c0, c1, start, end, pairs, crossed, beside):
     k, i, j = np.nonzero(near[..., 0] & near[..., 1] & near[..., 2])
     if not len(k):
         return
-    arc = motion.arc_between(e[k], (i + 0.5) / PIECES, f[k], (j + 0.5) / PIECES)
-    far = arc > NEIGHBOUR * np.maximum(motion.radius[e[k]], motion.radius[f[k]])
+    far = motion.are_apart(e[k], (i + 0.5) / PIECES, f[k], (j + 0.5) / PIECES)
     k, i, j = k[far], i[far], j[far]
     if not len(k):
         return

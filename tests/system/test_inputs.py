@@ -8,6 +8,7 @@ import re
 import numpy as np
 import pytest
 from verification.cases.twisted_pair import approach_of
+from verification.references.capstan import capstan
 from verification.references.helical_rods import Rod, Strand
 from verification.references.line_joints import LineJoint
 from verification.references.parallel_wires import ParallelWires, PressedWire
@@ -36,6 +37,8 @@ DECKS = [
     "14_strand",
     "15_lap_joint",
     "16_bent_strand",
+    "18_rod_over_drum",
+    "17_knot",
 ]
 THIN_COPPER = {"radius": 0.1e-3, "young": 120e9, "poisson": 0.34, "resistivity": 1 / 58.8e6}
 
@@ -402,6 +405,23 @@ def test_current_passes_through_a_lap_as_between_two_conducting_lines(results_of
         np.testing.assert_allclose(current[10:] / current[0], mean_current, atol=0.01)
 
 
+def test_a_rod_is_drawn_over_a_drum_as_an_exact_elastica_with_friction(results_of, header):
+    results = results_of("18_rod_over_drum")
+    ((time, tension, moment),) = header("18_rod_over_drum")
+    weight = 5 * 200e9 * np.pi * 0.5e-3**4 / 4 / 0.05**2
+    exact = capstan(5, np.pi, 0.3, 0.01)
+    assert tension == pytest.approx(weight * exact.tension / 5, rel=1e-5)
+    assert moment == pytest.approx((tension - weight) * 0.05, rel=1e-4)
+    last = at(results, time)
+    # drawn downwards; the support of the drum turns it against the rod
+    assert -results.history["RF3 node 161"][last] == pytest.approx(tension, rel=5e-4)
+    assert -results.history["RM2 node 162"][last] == pytest.approx(moment, rel=5e-4)
+    contacts = results.surface_contacts_at(last)
+    assert set(contacts["friction"]) == {"slip"}
+    angle = np.degrees(np.arctan2(contacts["point_x"], contacts["point_z"]))
+    assert np.ptp(angle) == pytest.approx(np.degrees(exact.arc), abs=180 / np.pi * 0.457 / 160 / 0.05)
+
+
 def wire_resistance(length):
     return THIN_COPPER["resistivity"] * length / (math.pi * THIN_COPPER["radius"] ** 2)
 
@@ -418,19 +438,70 @@ def kirchhoff(n_points, links, held):
     return (matrix @ potential)[[point for point, value in held.items() if value == 1.0]].sum()
 
 
-def test_generated_decks_are_those_of_the_generator(inputs):
+@pytest.fixture
+def make_decks(inputs):
+    """The module that writes the long decks."""
     specification = importlib.util.spec_from_file_location("make_decks", inputs / "make_decks.py")
-    make_decks = importlib.util.module_from_spec(specification)
-    specification.loader.exec_module(make_decks)
+    module = importlib.util.module_from_spec(specification)
+    specification.loader.exec_module(module)
+    return module
+
+
+def test_generated_decks_are_those_of_the_generator(inputs, make_decks):
     makers = {
         "11_fibre_mat": make_decks.fibre_mat,
         "12_woven_fabric": make_decks.woven_fabric,
         "14_strand": make_decks.strand,
         "15_lap_joint": make_decks.lap_joint,
         "16_bent_strand": make_decks.bent_strand,
+        "18_rod_over_drum": make_decks.rod_over_drum,
+        "17_knot": make_decks.knot,
     }
     for name, make in makers.items():
         assert (inputs / f"{name}.inp").read_text(encoding="utf-8") == make().to_deck()
+
+
+def test_a_knot_short_circuits_its_loop(results_of, make_decks):
+    """Kirchhoff's laws: the wire between its contacts, and these. Before there are any, the whole wire."""
+    results = results_of("17_knot")
+    curve = np.array([make_decks.overhand(t) for t in np.linspace(-4, 4, 20001)])
+    length = np.linalg.norm(np.diff(curve, axis=0), axis=1).sum()
+    per_length = 1 / (1.25e6 * math.pi * 0.25e-3**2)
+    resistance = results.history["resistance WIRE_START to WIRE_END"]
+    n_elements = len(results.elements)
+    for increment in range(1, len(results.times)):
+        contacts = results.contacts_at(increment)
+        n = contacts.n_rows
+        # elements have equal lengths of the curve; those of its arcs are known to 1e-5
+        arc = [(contacts[f"element_{k}"] - 1 + (contacts[f"xi_{k}"] + 1) / 2) * length / n_elements for k in (1, 2)]
+        places = sorted(zip(np.concatenate([[0, length], *arc]), range(2 * n + 2), strict=True))
+        links = [(p, q, 1 / (per_length * (b - a) + 1e-12)) for (a, p), (b, q) in itertools.pairwise(places)]
+        links += [(2 + k, 2 + n + k, 1 / contacts["resistance"][k]) for k in range(n)]
+        assert 1 / resistance[increment] == pytest.approx(kirchhoff(2 * n + 2, links, {0: 1.0, 1: 0.0}), rel=3e-5)
+    # from the header
+    assert resistance[1] == pytest.approx(0.3530, abs=5e-5)
+    first = next(k for k in range(1, len(results.times)) if results.contacts_at(k).n_rows)
+    assert resistance[first] == pytest.approx(0.215, abs=1e-3)
+    assert resistance[-1] == pytest.approx(0.2745, abs=5e-4)
+
+
+def test_a_knot_stays_as_it_is_when_it_is_turned_about(results_of):
+    """Half a turn about the y axis exchanges its ends; contacts keep to places that have turned far enough to come back."""
+    results = results_of("17_knot")
+    x = results.nodes + results.field("displacement")
+    # the knot is soft against turning on itself; iterations stop at 1e-8 of the forces
+    assert x == pytest.approx(x[::-1] * [-1, 1, -1], abs=1e-6)
+    contacts = results.contacts_at(-1)
+    assert (contacts["length"] > 0).sum() > 20
+    assert np.min(np.abs(contacts["element_1"] - contacts["element_2"])) > 20
+    assert results.history["RF1 node 161"][-1] == pytest.approx(17.9, abs=0.1)
+
+
+def test_the_work_on_a_knot_is_stored_in_it(results_of):
+    history = results_of("17_knot").history
+    stored = history["ALLSE"] + history["ALLCCE"]
+    # the force over the increments by the trapezoidal rule
+    assert stored == pytest.approx(history["ALLWK"], abs=2e-3 * stored[-1])
 
 
 def test_mat_conducts_better_the_more_it_is_pressed(results_of):

@@ -29,7 +29,8 @@ def test_no_fibres_of_a_pressed_mat_pass_through_each_other(litz, tmp_path, seed
 
 
 @pytest.mark.parametrize(
-    "name", ["01_crossed_wires", "03_large_sliding", "04_wire_grid", "10_pushed_cantilever", "13_stick_slip"]
+    "name",
+    ["01_crossed_wires", "03_large_sliding", "04_wire_grid", "10_pushed_cantilever", "13_stick_slip", "17_knot"],
 )
 def test_no_wires_of_the_inputs_pass_through_each_other(run_of_input, name):
     assert_no_passages(run_of_input(name) / f"{name}.vtkhdf")

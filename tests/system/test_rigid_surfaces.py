@@ -7,6 +7,7 @@ from test_restart import KEEP_ALL, assert_goes_on_from_everywhere
 
 YOUNG, POISSON = 200e9, 0.3
 ELASTIC = f"*MATERIAL, NAME=M\n*ELASTIC\n {YOUNG}, {POISSON}\n"
+HERTZ = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ\n"
 STIFF = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n 1e7, 1e10\n"
 
 
@@ -63,6 +64,56 @@ def test_the_force_does_not_depend_on_where_it_is_in_the_mesh(run):
     forces = [-results.field("reaction_force")[-1, 2] for results in runs]
     # the quadrature over a lens that a node divides
     np.testing.assert_allclose(forces, forces[1], rtol=1e-4)
+
+
+def standing(points, depth, laws=HERTZ):
+    """A wire above a plane is lowered this deep into it."""
+    lowest = min(z for _, _, z in points)
+    points = [(x, y, z - lowest + 5e-4) for x, y, z in points]
+    hold = "*BOUNDARY\n W, 1, 2\n W, 4, 6\n"
+    plane = surface("PLANE", "0, 0, 0, 0, 0, 1", laws=laws)
+    return wire(points, 5e-4) + plane + hold + step(f"*BOUNDARY\n W, 3, 3, {-depth:.17g}\n")
+
+
+def leaning(degrees, n=8, length=0.016):
+    """Points of a wire at an angle to the plane."""
+    angle = np.radians(degrees)
+    return [(s * np.cos(angle), 0, s * np.sin(angle)) for s in np.linspace(0, length, n + 1)]
+
+
+def force_on_plane(run, points, depth, **how):
+    _, results = run(standing(points, depth, **how))
+    table = results.surface_contacts
+    return table["force"][table["increment"] == 2].sum()
+
+
+@pytest.mark.parametrize("degrees", [90, 40])
+def test_a_wire_that_stands_on_a_plane_is_a_sphere_on_it(run, degrees):
+    """And what is above its end adds less than 0.5 %."""
+    depth = 1e-7
+    sphere = 4 / 3 * YOUNG / (1 - POISSON**2) * np.sqrt(5e-4) * depth**1.5
+    assert force_on_plane(run, leaning(degrees), depth) == pytest.approx(sphere, rel=5e-3)
+
+
+def test_a_wire_that_stands_on_its_kink_is_a_sphere_on_the_plane(run):
+    depth = 1e-7
+    leg = leaning(40)
+    sphere = 4 / 3 * YOUNG / (1 - POISSON**2) * np.sqrt(5e-4) * depth**1.5
+    assert force_on_plane(run, [(-x, y, z) for x, y, z in leg[:0:-1]] + leg, depth) == pytest.approx(sphere, rel=5e-3)
+
+
+def test_a_wire_that_lies_on_a_plane_has_all_of_the_force_along_it(run):
+    short, long = (force_on_plane(run, along_x(length, 8), 1e-7) for length in (0.016, 0.032))
+    assert long == pytest.approx(2 * short, rel=1e-12)
+
+
+@pytest.mark.parametrize("laws", [HERTZ, STIFF])
+def test_a_wire_that_is_raised_from_a_plane_about_its_end_has_less_force_at_each_angle(run, laws):
+    angles = [0, 0.01, 0.03, 0.1, 0.2, 0.3, 0.5, 1, 3, 10, 45, 90]
+    forces = [force_on_plane(run, leaning(angle), 1e-7, laws=laws) for angle in angles]
+    # (at 90 degrees nothing but the end is left, to half a per cent at 45)
+    assert np.all(np.diff(forces) < 5e-3 * forces[-1])
+    assert forces[0] > 100 * forces[-1]
 
 
 def hanging(n, tension, laws, pull=""):

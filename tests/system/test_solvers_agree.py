@@ -39,24 +39,27 @@ def nearly_converged(rows, key):
 
 #: Round-off of a field that is zero: rotations of wires that jaws press [rad]
 NOTHING = 1e-15
-#: Places of line contact that just touch are closed or open by round-off, and without friction wires turn about the core
-#: almost freely, which magnifies it: strands have a test of their own, with the agreement of their forces
-STRANDS = {"14_strand": 2e-5, "16_bent_strand": 1e-8}
+#: Decks that magnify round-off, with a force that they must agree on: without friction the wires of the strand turn about the
+#: core almost freely; on the drum parts of the arc open and slip in the middle of an iteration
+SENSITIVE = {"14_strand": "RF3 node 149", "16_bent_strand": "RF3 node 149", "18_rod_over_drum": "RF3 node 161"}
 
 
-@pytest.mark.parametrize("deck", STRANDS)
-def test_a_strand_has_the_same_force_with_all_solvers(deck, litz, inputs, tmp_path):
+@pytest.mark.parametrize("name", SENSITIVE)
+def test_decks_that_magnify_round_off_have_the_same_force_with_all_solvers(litz, inputs, tmp_path, name):
     forces = []
     for solver in ("BLOCK", "UMFPACK", "SKYLINE"):
         path = tmp_path / f"{solver}.inp"
-        path.write_text(with_solver((inputs / f"{deck}.inp").read_text(), solver))
+        path.write_text(with_solver((inputs / f"{name}.inp").read_text(), solver))
         process = litz("run", path, "--quiet", "-o", tmp_path)
         assert process.returncode == 0, process.stderr
-        forces.append(Results(tmp_path / f"{solver}.vtkhdf").history["RF3 node 149"])
-    np.testing.assert_allclose(forces[1:], [forces[0]] * 2, rtol=STRANDS[deck])
+        history = Results(tmp_path / f"{solver}.vtkhdf").history
+        ends = np.flatnonzero(np.diff(history["step"], append=np.inf))
+        forces.append(history[SENSITIVE[name]][ends])
+    # before it is drawn the end of the rod is free
+    np.testing.assert_allclose(forces[1:], [forces[0]] * 2, rtol=2e-5, atol=1e-9 * np.abs(forces).max())
 
 
-@pytest.mark.parametrize("deck", [path for path in INPUTS if path.stem not in STRANDS], ids=lambda path: path.stem)
+@pytest.mark.parametrize("deck", [path for path in INPUTS if path.stem not in SENSITIVE], ids=lambda path: path.stem)
 def test_same_iterates(deck, litz, tmp_path):
     """The same iterations, and fields that differ by what round-off makes of a 16-digit solve.
 

@@ -16,6 +16,7 @@ from verification import line_decks
 from verification.cases import turned_wires
 from verification.claims import read_claims
 from verification.references.capstan import capstan
+from verification.references.closed_coil import ClosedCoil, next_turn
 from verification.references.helical_rods import (
     STRAIGHT,
     Bundle,
@@ -29,6 +30,7 @@ from verification.references.helical_rods import (
 )
 from verification.references.line_joints import LineJoint
 from verification.references.parallel_wires import ParallelWires, PressedWire
+from verification.references.plectoneme import under_tension
 from verification.references.slipping_pair import SlippingPair
 from verification.references.touching_beams import Cantilevers, SharedLoad, ThreePointBending
 from verification.run import main
@@ -108,6 +110,55 @@ def test_a_strand_is_pulled(strain, force, moment, line, free_force, free_turn):
     assert [held.force, held.moment, held.line_force] == pytest.approx([force, moment, line], rel=1e-9)
     turn, free = STRAND.pulled_free(strain)
     assert [turn, free.force] == pytest.approx([free_turn, free_force], rel=1e-9)
+
+
+def test_a_closed_coil_has_the_loads_of_its_energy():
+    """Derivatives of the energy by differences; turns that just do not touch, and brute force for the next turn."""
+    rod = Rod(1e-3, 200e9, 0.3)
+    turn = math.hypot(2 * math.pi * 3e-3, 2.2e-3)
+    coil = ClosedCoil(rod, Helix(3e-3, 2.2e-3 / turn, 2 * math.pi / turn), 1e9)
+    for height in (1.99e-3, 2.1e-3):
+        helix = coil.state(height / turn).helix
+        angle = np.linspace(1.5 * math.pi, 2 * math.pi, 400001)
+        places = np.stack([3 * np.cos(angle), 3 * np.sin(angle), 1e3 * helix.height * angle / helix.turn])
+        places[:2] *= helix.radius / 3e-3
+        distance = 1e-3 * np.linalg.norm(places - [[1e3 * helix.radius], [0], [0]], axis=0).min()
+        assert next_turn(helix)[0] == pytest.approx(distance, rel=1e-10)
+        assert coil.line_force(helix) == pytest.approx(1e9 * max(0, 2e-3 - distance), rel=1e-6)
+        for i, load in enumerate(coil.loads(helix)):
+            up, down = (helix._replace(**{helix._fields[i]: helix[i] * (1 + h)}) for h in (1e-6, -1e-6))
+            slope = (coil.energy(up) - coil.energy(down)) / (2e-6 * helix[i])
+            assert slope == pytest.approx(load, rel=1e-5, abs=1e-3 if i == 0 else 0)
+    # a coil is pushed out of its shape by little: the old formula of close-coiled springs
+    spring = ClosedCoil(
+        rod, Helix(0.1, 1e-2 / math.hypot(0.2 * math.pi, 1e-2), 2 * math.pi / math.hypot(0.2 * math.pi, 1e-2)), 1e9
+    )
+    push = spring.state(0.99 * spring.free.height)
+    shear = rod.young / (2 * (1 + rod.poisson))
+    assert push.force == pytest.approx(-shear * 2e-3**4 * 1e-4 / (8 * 0.2**3), rel=2e-3)
+
+
+@pytest.mark.parametrize(
+    ("force", "degrees", "moment", "line"),
+    [(0.005, 13.6227640, 0.0285652835, 0.00346134198), (0.05, 23.5308751, 0.171300110, 0.0372965972)],
+)
+def test_a_ply_is_stationary(force, degrees, moment, line):
+    """The closed forms, computed with 40 digits, and the derivatives of the potential of the ply."""
+    ply = under_tension(force, 1.0, 1.0)
+    assert math.degrees(ply.angle) == pytest.approx(degrees, rel=1e-8)
+    assert [ply.moment, ply.line_force] == pytest.approx([moment, line], rel=1e-8)
+
+    def potential(angle, radius):
+        return math.sin(angle) ** 4 / (2 * radius**2) + ply.force - ply.moment * math.sin(2 * angle) / (2 * radius)
+
+    step = 1e-5
+    assert potential(ply.angle, 1.0) == pytest.approx(0, abs=1e-12)
+    assert potential(ply.angle + step, 1.0) == pytest.approx(potential(ply.angle - step, 1.0), abs=1e-12)
+    pressed = (potential(ply.angle, 1 + step) - potential(ply.angle, 1 - step)) / (2 * step)
+    assert pressed == pytest.approx(line, rel=1e-7)
+    # strands that give way are closer to each other, as far as their force is
+    soft = under_tension(force, 1.0, 1.0, stiffness=2.0)
+    assert soft.line_force == pytest.approx(2.0 * 2 * (1.0 - soft.radius), rel=1e-10)
 
 
 def test_a_strand_of_soft_surfaces_is_softer_and_stands_in_equilibrium():
@@ -376,6 +427,10 @@ EXPECTED = {
     },
     "pulled_strand": lambda case: {
         f"pulled_strand.{name}": getattr(case.exact(), name) for name in ("force", "moment", "line_force")
+    },
+    "closed_coil": lambda case: {
+        "closed_coil.apart.force": case.exact()[0].force,
+        **{f"closed_coil.{name}": getattr(case.exact()[1], name) for name in ("force", "moment", "line_force")},
     },
     "line_joints": lambda case: (
         {

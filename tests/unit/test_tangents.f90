@@ -23,6 +23,7 @@ program test_tangents
    use litz_problem, only: problem_t, prepare_problem
    use litz_rotations, only: cross
    use litz_sparse_pattern, only: csr_multiply
+   use litz_surface_term, only: surface_term_t
    use litz_step_control, only: course_t
    use litz_steps, only: run_step, begin_step
    use silent_observer, only: silent_t
@@ -106,6 +107,7 @@ program test_tangents
    call check_ends('kink that slips', hertz//'*FRICTION'//nl//'1e-4'//nl, 'kink', 'A, B')
    call check_ends('end on an end', penalty_of_line//clean, 'tips', 'A, B')
    call check_ends('end on an end that slips', hertz//'*FRICTION'//nl//'1e-4'//nl, 'tips', 'A, B')
+   call check_ends('end on a rigid plane', surfaces('PLANE', '4.459e-4, 0, -8.918e-4, -0.5, 0, 1'), 'tips', 'A, B')
    do term = 1, size(has_added)
       if (has_added(term)) cycle
       failures = failures + 1
@@ -287,6 +289,11 @@ contains
       call solve_first_step(deck_at_end(laws, place, pair), problem)
       do trial = 1, 3
          call compare(name, problem, exact, 0.01_dp)
+         select type (surfaces => problem%terms(2)%term)
+         type is (surface_term_t)
+            if (any([(any(surfaces%cells(i)%law_of_end > 0) .and. surfaces%cells(i)%force > 0, &
+               i=1, size(surfaces%cells))])) cycle
+         end select
          call check(any([(any(problem%contact%points(i)%held) .and. problem%contact%points(i)%closed, &
             i=1, size(problem%contact%points))]), name//': an end in contact', 0.0_dp)
       end do

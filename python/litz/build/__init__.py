@@ -10,6 +10,7 @@ from .fabrics import wire_grid, woven_fabric
 from .fibre_mats import fibre_mat
 from .films import nanowire_film
 from .geometry import smallest_gap
+from .plates import press_plates
 
 __all__ = [
     "COPPER",
@@ -22,6 +23,7 @@ __all__ = [
     "cable",
     "fibre_mat",
     "nanowire_film",
+    "press_plates",
     "smallest_gap",
     "straight",
     "strand",

@@ -101,7 +101,7 @@ def woven_fabric(
 
     The axes of the yarns are cosines, `z = +-a cos(pi s/pitch)`, which pass each other at every crossing with the clearance,
     in the middle of an element of each.
-    There are no rigid surfaces: each plate is a row of rigid wires, straight and diagonal, one over each diagonal of
+    The plates conduct: each is a row of rigid wires, straight and diagonal, one over each diagonal of
     crests, which it crosses at 45 degrees; at each crest it has an element of two radii, whose nodes
     have the potential of the plate. The ends of the yarns are held across the yarn and follow the pressing by
     half, the middles are held along the yarn: yarns may become longer as their crimp is pressed out.

@@ -21,6 +21,7 @@ from .loading import Amplitude, Load, Prescribed
 from .materials import COPPER, SILVER, STEEL, Circular, General, Material
 from .model import Model
 from .steps import Step
+from .surfaces import RigidSurface
 from .wires import Nodes, Wire, WireGroup
 
 __all__ = [
@@ -48,6 +49,7 @@ __all__ = [
     "PaperSpot",
     "PlasticSpot",
     "Prescribed",
+    "RigidSurface",
     "Step",
     "TableSpot",
     "Wire",

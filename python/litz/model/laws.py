@@ -46,19 +46,25 @@ class Linear(_Law):
 
     Attributes
     ----------
-    penalty : float
-        Contact force per penetration [N/m].
+    penalty : float, optional
+        Contact force per penetration where wires cross [N/m]; without it that follows from `line_penalty`.
     penetration : {"LIMITED", "UNLIMITED"}
         UNLIMITED: the soft penalty is meant, deep penetration is no error.
+    line_penalty : float, optional
+        Contact force per length and penetration [N/m^2]: for contact along lines, and on rigid surfaces.
     """
 
-    penalty: float
+    penalty: float | None = None
     penetration: str = "LIMITED"
+    line_penalty: float | None = None
 
     def card(self) -> CardSpec:
         """The card of the law."""
         parameters = {"PRESSURE-OVERCLOSURE": "LINEAR", **_unless(self, penetration="LIMITED")}
-        return "SURFACE BEHAVIOR", parameters, [[self.penalty]]
+        if self.penalty is None and self.line_penalty is None:
+            raise ValueError("Linear needs a penalty, a line_penalty, or both")
+        line = [] if self.line_penalty is None else [self.line_penalty]
+        return "SURFACE BEHAVIOR", parameters, [[self.penalty, *line]]
 
 
 @dataclass(frozen=True)
@@ -332,14 +338,14 @@ HERTZ_AND_HOLM: Interaction = predefined(
 
 @dataclass(frozen=True)
 class ContactPair:
-    """Two element sets that may touch.
+    """Two element sets that may touch, or an element set and a rigid surface.
 
     Attributes
     ----------
     interaction : Interaction
         The laws of the contact.
     first, second : str
-        Names of groups or element sets; `second` is None for contact within the first.
+        Names of groups or element sets; `second` is None for contact within the first, or a rigid surface.
     interference_fit : bool
         Initial overlaps of the wires are intended.
     """

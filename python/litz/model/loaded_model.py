@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from numbers import Integral
 from typing import Any
 
 from ..base.names import nearest_name
@@ -13,14 +12,15 @@ from .laws import ContactPair, Friction, Hertz, Interaction, Linear, NamedBehavi
 from .loading import Amplitude, Direction, Prescribed, Target, ranges_of
 from .names import AnyNodes
 from .steps import Step
-from .wire_model import WireModel
-from .wires import Nodes, WireGroup
+from .surface_model import Reference, SurfaceModel
+from .surfaces import RigidSurface
+from .wires import WireGroup
 
 #: Maximum number of groups and steps in the description of a model
 _MAX_LISTED = 12
 
 
-class LoadedModel(WireModel):
+class LoadedModel(SurfaceModel):
     """Wires with their contacts, supports and steps; `Model` writes and runs them."""
 
     def __init__(self, title: str, comments: Iterable[str] = (), *, units: str | Mapping[str, str] = "SI"):
@@ -39,6 +39,7 @@ class LoadedModel(WireModel):
         """Short description."""
         lines = [f"<Model {self.title!r}: {len(self._points)} nodes, {self._n_elements} elements"]
         lines += _shortened([repr(group) for group in self.groups.values()])
+        lines += _shortened([f"{one.shape.lower()} {one.name}" for one in self.surfaces.values()])
         for pair in self.contacts[:_MAX_LISTED]:
             among = f"contact {pair.first} with {pair.second}" if pair.second else f"contact among {pair.first}"
             lines.append(f"{among}: {pair.interaction.name}")
@@ -48,7 +49,7 @@ class LoadedModel(WireModel):
     def contact(
         self,
         first: WireGroup | str | Sequence[WireGroup | str],
-        second: WireGroup | str | Sequence[WireGroup | str] | None = None,
+        second: WireGroup | RigidSurface | str | Sequence[WireGroup | str] | None = None,
         *,
         behaviour: Hertz | Linear | NamedBehaviour | None = None,
         conductance: _Spot | None = None,
@@ -63,7 +64,8 @@ class LoadedModel(WireModel):
         Parameters
         ----------
         first, second : WireGroup, str, or sequence of them
-            Groups or element sets; of several an element set is made.
+            Groups or element sets; of several an element set is made. `second` can be a rigid surface, on which wires
+            lie along lines and to which no current passes.
         behaviour : Hertz, Linear or NamedBehaviour, optional
             Contact force over penetration; Hertz when left out.
         conductance : HertzSpot, PaperSpot, PlasticSpot, FilmSpot, ConstantSpot or TableSpot, optional
@@ -88,7 +90,12 @@ class LoadedModel(WireModel):
             interaction = self._named(Interaction("TOUCH", behaviour, conductance, friction, axis), name)
         elif any(known.name == interaction.name and known != interaction for known in self.interactions):
             raise ValueError(f"there is another interaction of the name {interaction.name}")
-        sets = [self._joined(elements) for elements in (first, second) if elements is not None]
+        if self._surface_of(first) is not None:
+            raise ValueError(f"the wires come first, then the rigid surface that they touch, not {first!r}")
+        surface = self._surface_of(second)
+        if surface is not None:
+            _check_surface_laws(surface, conductance, interaction.behaviour, interference_fit)
+        sets = [self._joined(elements) for elements in (first, surface or second) if elements is not None]
         if any({known.first, known.second or known.first} == set(sets) for known in self.contacts):
             raise ValueError(f"there is a contact of {' with '.join(sets)} already")
         pair = ContactPair(interaction, sets[0], sets[1] if len(sets) > 1 else None, interference_fit)
@@ -109,8 +116,17 @@ class LoadedModel(WireModel):
         names = ["TOUCH", *(f"TOUCH{number}" for number in range(2, len(known) + 3))]
         return next(of_name(one) for one in names if known.get(one, of_name(one)) == of_name(one))
 
-    def _joined(self, elements: WireGroup | str | Sequence[WireGroup | str]) -> str:
-        """One element set for groups and sets."""
+    def _surface_of(self, partner: object) -> RigidSurface | None:
+        """The rigid surface that a partner of wires is, by itself or by its name."""
+        if isinstance(partner, RigidSurface):
+            return self._own_surface(partner)
+        names = {squeezed(name): surface for name, surface in self.surfaces.items()}
+        return names.get(squeezed(partner)) if isinstance(partner, str) else None
+
+    def _joined(self, elements: WireGroup | RigidSurface | str | Sequence[WireGroup | str]) -> str:
+        """One element set for groups and sets; the name of a rigid surface."""
+        if isinstance(elements, RigidSurface):
+            return elements.name
         if isinstance(elements, str | WireGroup):
             return self.element_set_of(elements)
         names = [self.element_set_of(one) for one in elements]
@@ -136,9 +152,7 @@ class LoadedModel(WireModel):
         target = self.target(nodes)
         self.supports += [Prescribed(target, first, last) for first, last in ranges_of(directions)]
 
-    def rigid_body(
-        self, reference: int | Nodes | Sequence[float], *, tie: AnyNodes | None = None, pin: AnyNodes | None = None
-    ) -> int:
+    def rigid_body(self, reference: Reference, *, tie: AnyNodes | None = None, pin: AnyNodes | None = None) -> int:
         """Let nodes move with a reference node as one rigid body.
 
         Parameters
@@ -169,10 +183,7 @@ class LoadedModel(WireModel):
         """
         if tie is None and pin is None:
             raise ValueError("a rigid body needs nodes that follow its reference node: tie, pin, or both")
-        known = isinstance(reference, Nodes | Integral)
-        node, *others = self._members(reference) if known else self.nodes([reference])
-        if others:
-            raise ValueError(f"a rigid body has one reference node, not {reference!r}")
+        node = self._reference_node(reference, "a rigid body")
         sets = {"TIE NSET": tie, "PIN NSET": pin}
         named = {key: self.node_set_of(nodes) for key, nodes in sets.items() if nodes is not None}
         self.card("RIGID BODY", {"REF NODE": node, **named})
@@ -266,6 +277,21 @@ class LoadedModel(WireModel):
     def interactions(self) -> list[Interaction]:
         """The interactions in the order of their first use."""
         return list(dict.fromkeys(pair.interaction for pair in self.contacts))
+
+
+def _check_surface_laws(
+    surface: RigidSurface,
+    conductance: _Spot | None,
+    behaviour: Hertz | Linear | NamedBehaviour,
+    interference_fit: bool,
+) -> None:
+    """What a contact with a rigid surface cannot have."""
+    if conductance is not None:
+        raise ValueError(f"no current passes to the rigid surface {surface.name}: leave out conductance")
+    if isinstance(behaviour, Linear) and behaviour.line_penalty is None:
+        raise ValueError(f"a wire touches the rigid surface {surface.name} along a line: Linear needs its line_penalty")
+    if interference_fit:
+        raise ValueError("interference_fit is for wires; move a rigid surface against the wires by its reference node")
 
 
 def _unit_labels(units: str | Mapping[str, str]) -> dict[str, str]:

@@ -35,6 +35,8 @@ class Model(LoadedModel):
         Node numbers of each node set besides those of the groups.
     element_sets : dict of str to list
         Names of groups, and numbers of elements, of each element set.
+    surfaces : dict of str to RigidSurface
+        The rigid surfaces.
     amplitudes : dict of str to Amplitude
         Factors over time.
     contacts : list of ContactPair

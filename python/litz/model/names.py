@@ -10,10 +10,11 @@ from numpy.typing import NDArray
 from ..base.names import nearest_name
 from ..deck.keyword_table import check_name, squeezed
 from .loading import Amplitude, Target
+from .surfaces import RigidSurface
 from .wires import Nodes, Points, WireGroup
 
-#: A node, some nodes, the nodes of a wire, or the name of a node set
-AnyNodes = int | str | Nodes | WireGroup
+#: A node, some nodes, the nodes of a wire, the reference node of a rigid surface, or the name of a node set
+AnyNodes = int | str | Nodes | WireGroup | RigidSurface
 
 
 class Names:
@@ -27,6 +28,8 @@ class Names:
         Node numbers of each node set besides those of the groups.
     element_sets : dict of str to list
         Names of groups, and numbers of elements, of each element set.
+    surfaces : dict of str to RigidSurface
+        The rigid surfaces.
     amplitudes : dict of str to Amplitude
         Factors over time.
     """
@@ -35,6 +38,7 @@ class Names:
         self.groups: dict[str, WireGroup] = {}
         self.node_sets: dict[str, list[int]] = {}
         self.element_sets: dict[str, list[str | int]] = {}
+        self.surfaces: dict[str, RigidSurface] = {}
         self.amplitudes: dict[str, Amplitude] = {}
         self._points = Points()
         self._n_elements = 0
@@ -45,11 +49,13 @@ class Names:
         return int(node)
 
     def _claim(self, name: str) -> None:
-        """Refuse a name that a group or set has."""
+        """Refuse a name that a group, set or surface has."""
         check_name(name)
         known = [*self.groups, *self.node_sets, *self.element_sets]
         if squeezed(name) in map(squeezed, known):
             raise ValueError(f"there is a group or set {name} already")
+        if squeezed(name) in map(squeezed, self.surfaces):
+            raise ValueError(f"there is a rigid surface {name} already")
 
     def node_set(self, name: str, nodes: Any) -> Nodes:
         """Name nodes.
@@ -90,6 +96,8 @@ class Names:
             return self.nodes_of(self._known_node_set(nodes))
         if isinstance(nodes, WireGroup):
             return nodes.nodes
+        if isinstance(nodes, RigidSurface):
+            return [self._own_surface(nodes).reference_node]
         if isinstance(nodes, Integral):
             return [self._check_node(int(nodes))]
         if isinstance(nodes, np.ndarray):
@@ -121,7 +129,9 @@ class Names:
             return self._known_node_set(nodes)
         if isinstance(nodes, WireGroup):
             return self._own(nodes).name
-        if not isinstance(nodes, Nodes):
+        if isinstance(nodes, RigidSurface):
+            nodes = Nodes(f"{nodes.name}_NODE", self._members(nodes))
+        elif not isinstance(nodes, Nodes):
             members = list(dict.fromkeys(self._members(nodes)))
             nodes = Nodes(span_name(members), members)
         if not nodes:
@@ -150,11 +160,24 @@ class Names:
             raise ValueError(f"{group!r} belongs to another model")
         return group
 
+    def _own_surface(self, surface: RigidSurface) -> RigidSurface:
+        if self.surfaces.get(surface.name) is not surface:
+            raise ValueError(f"the rigid surface {surface.name} belongs to another model")
+        return surface
+
     def nodes_of(self, target: Target) -> list[int]:
         """Node numbers of a node, a group or a node set."""
         if isinstance(target, int):
             return [target]
         return list(self.groups[target].nodes) if target in self.groups else self.node_sets[target]
+
+    def elements_of(self, elements: str | WireGroup) -> list[int]:
+        """Element numbers of a group or an element set."""
+        name = self.element_set_of(elements)
+        if name in self.groups:
+            return list(self.groups[name].elements)
+        members = self.element_sets[name]
+        return [number for one in members for number in ([one] if isinstance(one, int) else self.elements_of(one))]
 
     @property
     def x(self) -> NDArray[np.float64]:

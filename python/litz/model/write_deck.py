@@ -29,6 +29,8 @@ def deck_text(model: LoadedModel, mesh_file: str | None = None) -> str:
     lines.append("**")
     for amplitude in model.amplitudes.values():
         lines += _cards(amplitude.cards())
+    for surface in model.surfaces.values():
+        lines += _cards(surface.cards())
     for interaction in model.interactions:
         lines += _cards(interaction.cards())
     for pair in model.contacts:

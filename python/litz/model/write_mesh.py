@@ -26,18 +26,5 @@ def write_mesh_file(model: LoadedModel, path: Path) -> None:
                 file[f"node_sets/{group.name}"] = np.array(group.nodes)
         for name, nodes_of_set in model.node_sets.items():
             file[f"node_sets/{name}"] = nodes_of_set
-        for name, members in model.element_sets.items():
-            file[f"element_sets/{name}"] = _elements_of(model, members)
-
-
-def _elements_of(model: LoadedModel, members: list[str | int]) -> list[int]:
-    """Numbers of the elements of groups, sets and single elements."""
-    numbers: list[int] = []
-    for member in members:
-        if isinstance(member, int):
-            numbers.append(member)
-        elif member in model.groups:
-            numbers += model.groups[member].elements
-        else:
-            numbers += _elements_of(model, model.element_sets[member])
-    return numbers
+        for name in model.element_sets:
+            file[f"element_sets/{name}"] = model.elements_of(name)

@@ -92,6 +92,7 @@ def _frames(results: Results, increments: list[int], look: Look, size: tuple[int
     maker = look.scenes(results, increments)
     shown = [results.nodes + look.scale * results.field("displacement", increment) for increment in increments]
     shown += [results.nodes] if look.reference else []
+    shown += maker.surface_points(increments)
     camera = aim(np.concatenate(shown), 1.5 * results.radius.max(), box[0] / box[1], look.direction)
     for start in range(0, len(increments), _BATCH):
         batch = increments[start : start + _BATCH]

@@ -14,7 +14,7 @@ from ..base.names import unknown_name
 from ..base.notebook import Picture
 from ..errors import FileError
 from ..results import Results
-from . import charts, friction_charts, network_chart
+from . import charts, friction_charts, network_chart, surface_charts
 from .scene import VIEWS, Camera, Scene, SceneMaker, aim
 from .wire_picture import WITHOUT_OPENGL, draw_frame, draw_wires, render
 
@@ -94,6 +94,7 @@ def plot(
         - "currents": current of each wire, and along each wire
         - "network": wires as dots, the contacts between them as lines, as thick as their current
         - "friction": friction force over sliding, and the heat of friction over time
+        - "surfaces": force on each rigid surface over time, and of each element on them
         - "history": the columns requested in the deck, over time
     filename : path, optional
         The picture; its ending chooses the format. Default: `STEM_KIND.png` beside the results.
@@ -185,8 +186,7 @@ def _still(figure: Figure, results: Results, increment: int, look: Look, box: tu
     """The wires at one increment in a box (left, bottom, width, height) of a figure."""
     scene = look.scenes(results, [increment]).scene(increment)
     pixels = box_pixels(figure, box)
-    shown = np.concatenate([scene.points, scene.reference])
-    camera = aim(shown, scene.radius.max(), pixels[0] / pixels[1], look.direction)
+    camera = aim(scene.outline, scene.radius.max(), pixels[0] / pixels[1], look.direction)
     place_wires(figure, box, scene, camera, render([scene], camera, pixels)[0], look.scale)
 
 
@@ -236,6 +236,8 @@ def _overview(figure: Figure, results: Results, increment: int, look: Look) -> N
     boxes = [(0.70, bottom, 0.28, 0.225) for bottom in (0.73, 0.40, 0.07)]
     drawers = [charts.residual_of_last_increment]
     contacts = results.contacts
+    if results.rigid_surfaces:
+        drawers.append(surface_charts.surface_forces_over_time)
     drawers.append(charts.forces_over_time if contacts.n_rows else charts.displacement_over_time)
     has_resistances = contacts.n_rows > 0 and np.isfinite(contacts["resistance"]).any()
     has_currents = results.field("element_current", increment).any()
@@ -258,6 +260,7 @@ _KINDS: dict[str, tuple[Callable[[Figure, Results, int, Look], None], tuple[floa
     "currents": _chart(charts.currents, (10.0, 7.0)),
     "network": _chart(network_chart.network, (9.0, 7.0)),
     "friction": _chart(friction_charts.friction, (8.0, 7.0)),
+    "surfaces": _chart(surface_charts.surfaces, (8.0, 7.0)),
     "history": _chart(charts.history, (8.0, 4.0)),
 }
 #: Kinds of pictures

@@ -38,6 +38,8 @@ def draw(job: Mapping[str, np.ndarray], picture: Path) -> None:
     if len(job["reference_starts"]) > 1:
         lines = polylines(job["reference"], job["reference_starts"])
         plotter.add_mesh(lines, color="#9a9a9a", line_width=1.5, lighting=False)
+    if len(job["surface_quads"]):
+        add_surfaces(plotter, job)
 
     camera = plotter.camera
     camera.focal_point = tuple(job["centre"])
@@ -48,6 +50,18 @@ def draw(job: Mapping[str, np.ndarray], picture: Path) -> None:
     plotter.reset_camera_clipping_range()
     plotter.screenshot(str(picture))
     plotter.close()
+
+
+def add_surfaces(plotter: pv.Plotter, job: Mapping[str, np.ndarray]) -> None:
+    """Rigid surfaces, half transparent, with their edges as lines."""
+    colour, opacity = str(job["surface_colour"]), float(job["surface_opacity"])
+    quads, rim = job["surface_quads"], job["surface_rim"]
+    faces = pv.PolyData(job["surface_points"], np.column_stack([np.full(len(quads), 4), quads]).ravel())
+    plotter.add_mesh(faces, color=colour, opacity=opacity, ambient=0.5, diffuse=0.5, show_edges=False)
+    lines = pv.PolyData()
+    lines.points = job["surface_points"]
+    lines.lines = np.column_stack([np.full(len(rim), 2), rim]).ravel()
+    plotter.add_mesh(lines, color=colour, line_width=1.5, lighting=False)
 
 
 def polylines(points: np.ndarray, starts: np.ndarray) -> pv.PolyData:

@@ -8,6 +8,7 @@ from ..base.quantities import engineering, label
 from ..base.table import Table
 from ..results import Results
 from ..results.scalars import colours_and_limits, default_scalar, end_values, find_scalar, scalar_values
+from ..results.surface_patches import surface_patches
 from ..wires.chains import Wire
 from ..wires.curves import element_curves, hermite
 
@@ -29,6 +30,9 @@ class Scene:
         First point of each wire, and n at the end.
     reference, reference_starts : ndarray
         The axes before any deformation; empty when they are not wanted.
+    surface_points, surface_quads, surface_rim : ndarray
+        Of the rigid surfaces: corners (k, 3), rows of them at the corners of each face (l, 4), and at the ends of each line
+        along the edges (j, 2).
     spots, spot_normal, spot_radius : ndarray
         Centres (m, 3), normals (m, 3) and drawn radii (m) [m] of the discs that stand for the contact spots.
     title, spot_text : str
@@ -47,6 +51,9 @@ class Scene:
     starts: np.ndarray
     reference: np.ndarray
     reference_starts: np.ndarray
+    surface_points: np.ndarray
+    surface_quads: np.ndarray
+    surface_rim: np.ndarray
     spots: np.ndarray
     spot_normal: np.ndarray
     spot_radius: np.ndarray
@@ -55,6 +62,11 @@ class Scene:
     limits: tuple[float, float]
     colours: str
     length_unit: str
+
+    @property
+    def outline(self) -> np.ndarray:
+        """Points (n, 3) between which everything lies, apart from the radii [m]."""
+        return np.concatenate([self.points, self.reference, self.surface_points])
 
 
 @dataclass
@@ -103,6 +115,7 @@ class SceneMaker:
             self._factor * lowest, self._factor * highest, self._scalar.is_length
         )
         self._spot_scale = _SpotScale(results, increments, spots)
+        self._patches = surface_patches(results, increments)
         self._wires = results.wires
         self._rest = self._curves(np.zeros_like(results.nodes), np.zeros_like(results.nodes))
 
@@ -121,6 +134,7 @@ class SceneMaker:
         points, starts = _sample(positions, slopes, wires, n)
         has_reference = self._reference and np.abs(self._scale * displacement).max() > 0.2 * results.radius.min()
         centres, normals, sizes, spot_text = _spots(results, increment, self._spot_scale, (positions, slopes))
+        corners, quads, rim = self._surfaces(increment)
         return Scene(
             points=points,
             starts=starts,
@@ -128,6 +142,9 @@ class SceneMaker:
             value=_along(self._factor * end_values(results, self._scalar, increment), wires, n),
             reference=_sample(*self._rest, wires, n)[0] if has_reference else np.zeros((0, 3)),
             reference_starts=starts if has_reference else np.zeros(0, dtype=int),
+            surface_points=corners,
+            surface_quads=quads,
+            surface_rim=rim,
             spots=centres,
             spot_normal=normals,
             spot_radius=sizes,
@@ -137,6 +154,21 @@ class SceneMaker:
             colours=self._colours,
             length_unit=results.unit_labels["m"],
         )
+
+    def surface_points(self, increments: list[int]) -> list[np.ndarray]:
+        """Corners of the rigid surfaces at increments, each (k, 3) [m]."""
+        return [self._surfaces(increment)[0] for increment in increments]
+
+    def _surfaces(self, increment: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Corners, faces and edges of the rigid surfaces."""
+        points, quads, rims = [np.zeros((0, 3))], [np.zeros((0, 4), dtype=int)], [np.zeros((0, 2), dtype=int)]
+        first = 0
+        for patch in self._patches:
+            points.append(patch.moved(self._results, increment, self._scale))
+            quads.append(first + patch.quads)
+            rims.append(first + patch.rim)
+            first += len(patch.points)
+        return np.concatenate(points), np.concatenate(quads), np.concatenate(rims)
 
 
 def _sample(positions: np.ndarray, slopes: np.ndarray, wires: list[Wire], n: int) -> tuple[np.ndarray, np.ndarray]:
@@ -169,27 +201,56 @@ class _SpotScale:
     """By what the discs are sized, and the largest size at the increments that are shown."""
 
     def __init__(self, results: Results, increments: list[int], by: str | None):
-        ledgers = [] if by == "none" else [results.contacts_at(increment) for increment in increments]
-        self.by = by or ("current" if any(ledger["current"].any() for ledger in ledgers) else "force")
-        self.ledgers = dict(zip(increments, ledgers, strict=False))
-        self.largest = max((np.abs(one[self.by]).max() for one in ledgers if one.n_rows), default=0.0)
+        shown = [] if by == "none" else increments
+        self.ledgers = {increment: results.contacts_at(increment) for increment in shown}
+        self.surfaces = {increment: results.surface_contacts_at(increment) for increment in shown}
+        self.by = by or ("current" if any(ledger["current"].any() for ledger in self.ledgers.values()) else "force")
+        self.largest = max((self.sizes(increment).max(initial=0.0) for increment in shown), default=0.0)
+
+    def sizes(self, increment: int) -> np.ndarray:
+        """What sizes the discs at an increment: first between wires, then on rigid surfaces, where no current passes."""
+        surfaces = self.surfaces[increment]
+        on_surfaces = surfaces["force"] if surfaces.n_rows and self.by == "force" else np.zeros(surfaces.n_rows)
+        return np.concatenate([np.abs(self.ledgers[increment][self.by]), on_surfaces])
 
 
 def _spots(
     results: Results, increment: int, scale: _SpotScale, curves: tuple[np.ndarray, np.ndarray]
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, str]:
     """Centres, normals, drawn radii and legend of the contact spots; disc areas are proportional to current or force."""
-    contacts = scale.ledgers.get(increment)
-    if contacts is None or not contacts.n_rows:
+    size = scale.sizes(increment) if increment in scale.ledgers else np.zeros(0)
+    if not len(size):
         return np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0), ""
-    centres, normals, thinner = spot_places(results, contacts, curves)
-    size = np.abs(contacts[scale.by])
+    centres, normals, thinner = all_spots(results, scale.ledgers[increment], scale.surfaces[increment], curves)
     largest = max(scale.largest, np.finfo(float).tiny)
     drawn = thinner * np.clip(0.85 * np.sqrt(size / largest), 0.15, None)
-    factor, unit = engineering(np.array([scale.largest]), contacts.units[scale.by])
-    plural = "s" if contacts.n_rows > 1 else ""
-    text = f"{contacts.n_rows} contact{plural}: disc area proportional to {scale.by},\nmaximum {largest * factor:.3g} {unit}"
+    factor, unit = engineering(np.array([scale.largest]), results.contacts.units[scale.by])
+    plural = "s" if len(size) > 1 else ""
+    text = f"{len(size)} contact{plural}: disc area proportional to {scale.by},\nmaximum {largest * factor:.3g} {unit}"
     return centres, normals, drawn, text
+
+
+def all_spots(
+    results: Results, contacts: Table, on_surfaces: Table, curves: tuple[np.ndarray, np.ndarray]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The places, normals and radii of `spot_places`, and behind them those of contacts with rigid surfaces."""
+    spots = spot_places(results, contacts, curves)
+    if not on_surfaces.n_rows:
+        return spots
+    return tuple(map(np.concatenate, zip(spots, _surface_places(results, on_surfaces, curves), strict=True)))  # type: ignore[return-value]
+
+
+def _surface_places(
+    results: Results, contacts: Table, curves: tuple[np.ndarray, np.ndarray]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Where wires touch rigid surfaces: places (m, 3) [m], normals (m, 3), and the radius of the wire (m) [m]."""
+    rows = row_of_element(results)
+    elements = np.array([rows[i] for i in contacts["element"]], dtype=int)
+    positions, slopes = curves
+    normals = np.stack([contacts[f"normal_{axis}"] for axis in "xyz"], axis=1)
+    radius = results.radius[elements]
+    axis = hermite(positions[elements], slopes[elements], contacts["xi"])
+    return axis - radius[:, None] * normals, normals, radius
 
 
 def spot_places(

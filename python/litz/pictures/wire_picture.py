@@ -11,13 +11,14 @@ from pathlib import Path
 import matplotlib as mpl
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.collections import EllipseCollection, LineCollection
+from matplotlib.collections import EllipseCollection, LineCollection, PolyCollection
 from matplotlib.image import imread
 
 from ..base.quantities import engineering
 from .scene import Camera, Scene
 
 SPOT_COLOUR = "#e8502a"
+SURFACE_COLOUR, SURFACE_OPACITY = "#8296aa", 0.35
 _MAX_RENDERING_TIME = 300.0
 # Smallest visible radii, relative to half the width of the picture: of a wire, and of the largest contact spot
 _MIN_RADIUS = 0.0015
@@ -70,7 +71,7 @@ def draw_wires(axes: Axes, scene: Scene, camera: Camera, tubes: np.ndarray | Non
 
 def _render(scenes: list[Scene], camera: Camera, pixels: np.ndarray) -> list[np.ndarray]:
     """The pictures, made by `render_wires.py` in a process of its own."""
-    distance = 10 * max(np.ptp(scene.points, axis=0).max() + scene.radius.max() for scene in scenes)
+    distance = 10 * max(np.ptp(scene.outline, axis=0).max() + scene.radius.max() for scene in scenes)
     with tempfile.TemporaryDirectory() as folder:
         for number, scene in enumerate(scenes):
             np.savez(
@@ -78,6 +79,8 @@ def _render(scenes: list[Scene], camera: Camera, pixels: np.ndarray) -> list[np.
                 points=scene.points, starts=scene.starts, value=scene.value,
                 radius=np.maximum(scene.radius, _MIN_RADIUS * camera.half_width),
                 reference=scene.reference, reference_starts=scene.reference_starts,
+                surface_points=scene.surface_points, surface_quads=scene.surface_quads, surface_rim=scene.surface_rim,
+                surface_colour=SURFACE_COLOUR, surface_opacity=SURFACE_OPACITY,
                 colours=scene.colours, limits=scene.limits, size=np.round(pixels),
                 sides=24 if len(scene.points) < 50_000 else 12, centre=camera.centre, toward=camera.toward,
                 up=camera.up, half_height=camera.half_height, distance=distance,
@@ -131,9 +134,28 @@ def _draw_flat(axes: Axes, scene: Scene, camera: Camera, points_per_metre: float
             capstyle="butt",
         )
     )
+    _draw_surfaces(axes, scene, camera)
     for start, stop in zip(scene.reference_starts[:-1], scene.reference_starts[1:], strict=True):
         line = camera.project(scene.reference[start:stop])
         axes.plot(line[:, 0], line[:, 1], color="#9a9a9a", linewidth=0.6, zorder=1)
+
+
+def _draw_surfaces(axes: Axes, scene: Scene, camera: Camera) -> None:
+    """Rigid surfaces above or below the wires, as their faces lie nearer to the viewer than the middle of the wires or not."""
+    if not len(scene.surface_points):
+        return
+    flat = camera.project(scene.surface_points)
+    middle = camera.project(scene.points)[:, 2].mean()
+    is_near = flat[scene.surface_quads, 2].mean(axis=1) > middle
+    for faces, layer in ((scene.surface_quads[~is_near], 1.5), (scene.surface_quads[is_near], 3)):
+        axes.add_collection(
+            PolyCollection(
+                flat[faces][:, :, :2], facecolors=SURFACE_COLOUR, alpha=SURFACE_OPACITY, linewidths=0, zorder=layer
+            )
+        )
+    axes.add_collection(
+        LineCollection(flat[scene.surface_rim][:, :, :2], colors=SURFACE_COLOUR, linewidths=0.8, zorder=3)
+    )
 
 
 def _draw_spots(axes: Axes, scene: Scene, camera: Camera) -> None:

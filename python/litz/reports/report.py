@@ -16,6 +16,7 @@ from ..results.scalars import default_scalar
 from ..viewer.data import WebData
 from ..viewer.page import evenly_chosen, page, viewer, viewer_style
 from . import report_tables as tables
+from .surface_tables import surface_contacts_of_iterate, surfaces
 
 # Maximum size of the data of the three-dimensional view, as text before compression [bytes]
 _MAX_DATA = 30e6
@@ -85,7 +86,8 @@ def report(results: Results | str | Path, filename: str | Path | None = None) ->
         tables.convergence(results),
     ]
     if len(results.times):
-        sections += [*_stage(results), "<h2>Worst contacts</h2>", tables.worst_contacts(results), *_pictures(results)]
+        sections += [*_stage(results), "<h2>Worst contacts</h2>", tables.worst_contacts(results)]
+        sections += [*surfaces(results), *_pictures(results)]
     sections += ["<h2>Deck</h2>", _deck(results)]
     path.write_text(page(f"{title} - litz", "\n".join(sections), _STYLE + viewer_style()), encoding="utf-8")
     return path
@@ -110,6 +112,7 @@ def _failure(results: Results) -> list[str]:
         warnings.filterwarnings("ignore", message=".*did not finish")
         last = Results(iterate)
     found += ["<h3>The iterate that was given up</h3>", tables.contacts_of_iterate(last)]
+    found.append(surface_contacts_of_iterate(last))
     with tempfile.TemporaryDirectory() as folder:
         found.append(_figure(last, "wires", Path(folder), "The last iterate of the failed run: not an equilibrium.",
                              field="displacement", spots="force", size=(1400, 900)))  # fmt: skip
@@ -128,6 +131,8 @@ def _pictures(results: Results) -> list[str]:
     wanted.append(("residuals", "Residuals over the iterations.", {}))
     if contacts.n_rows:
         wanted.append(("contacts", "The contacts over time, and their spots at the last increment.", {}))
+    if results.surface_contacts.n_rows:
+        wanted.append(("surfaces", "Forces on the rigid surfaces.", {}))
     if contacts.n_rows and (contacts["resistance"] < math.inf).any():
         wanted.append(("resistance", "Contact resistance over contact force.", {}))
     if field("element_current"):

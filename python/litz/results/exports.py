@@ -14,6 +14,7 @@ from ..base.names import unknown_name
 from ..base.packages import optional
 from ..errors import FileError
 from .result_file import ResultFile
+from .surface_exports import Frame, contact_frames, surface_frames, write_vtkhdf, write_vtu
 
 #: Fields that do not change, and are columns or cells of their own
 _STATIC = frozenset(["reference_position", "node_id", "element_id"])
@@ -33,7 +34,9 @@ def export(
     to : {"csv", "vtu", "xdmf", "vtkhdf"}
         "csv": STEM_nodes.csv and STEM_elements.csv, a row for each node and increment, each element and increment, units in
         the heads. "vtu": STEM.pvd and STEM_contacts.pvd, which name a file for each increment. "xdmf": STEM.xdmf with
-        STEM.h5; needs meshio. "vtkhdf": the result files as they are.
+        STEM.h5; needs meshio. "vtkhdf": the result files as they are. With rigid surfaces, "vtu" and "vtkhdf" also
+        write STEM_rigid, the parts of them that the wires come to lie beside, and STEM_surfaces, the contacts with them
+        as points.
     directory : path, optional
         Output directory; default: that of the results.
 
@@ -115,9 +118,21 @@ def _to_vtu(results: ResultFile, base: Path) -> Path:
         spots.append(_beside(base, f"_contacts_{i:0{digits}}.vtp"))
         _contact_points(results, i).save(spots[-1])
     _write_pvd(_beside(base, "_contacts.pvd"), results.times, spots)
+    for ending, frames in _surface_series(results).items():
+        files = [_beside(base, f"{ending}_{i:0{digits}}.vtu") for i in range(len(frames))]
+        for frame, file in zip(frames, files, strict=True):
+            write_vtu(frame, file)
+        _write_pvd(_beside(base, f"{ending}.pvd"), results.times, files)
     pvd = _beside(base, ".pvd")
     _write_pvd(pvd, results.times, wires)
     return pvd
+
+
+def _surface_series(results: ResultFile) -> dict[str, list[Frame]]:
+    """Rigid surfaces and the contacts with them over all increments, by the endings of their files."""
+    if not results.rigid_surfaces:
+        return {}
+    return {"_rigid": list(surface_frames(results)), "_surfaces": list(contact_frames(results))}
 
 
 def _contact_points(results: ResultFile, increment: int):  # type: ignore[no-untyped-def]
@@ -175,6 +190,8 @@ def _to_vtkhdf(results: ResultFile, base: Path) -> Path:
         source, target = _beside(results.path.with_suffix(""), ending), _beside(base, ending)
         if source.resolve() != target.resolve():
             shutil.copyfile(source, target)
+    for ending, frames in _surface_series(results).items():
+        write_vtkhdf(frames, results.times, _beside(base, f"{ending}.vtkhdf"))
     return _beside(base, ".vtkhdf")
 
 

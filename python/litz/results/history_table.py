@@ -31,11 +31,14 @@ def history_table(results: ResultFile) -> str:
 
 
 def _contacts(results: ResultFile) -> tuple[np.ndarray, np.ndarray]:
-    """Number of contacts and sum of their forces at each increment of the history."""
-    history, ledger = results.history, results.contacts
+    """Number of contacts, those with rigid surfaces too, and sum of their forces at each increment of the history."""
+    history = results.history
     number, force = np.zeros(history.n_rows, dtype=int), np.zeros(history.n_rows)
     row_of = {key: row for row, key in enumerate(zip(history["step"], history["increment"], strict=True))}
-    rows = [row_of[key] for key in zip(ledger["step"], ledger["increment"], strict=True)]
-    np.add.at(number, rows, 1)
-    np.add.at(force, rows, ledger["force"])
+    for ledger in (results.contacts, results.surface_contacts):
+        if not ledger.n_rows:
+            continue
+        rows = [row_of[key] for key in zip(ledger["step"], ledger["increment"], strict=True)]
+        np.add.at(number, rows, 1)
+        np.add.at(force, rows, ledger["force"])
     return number, force

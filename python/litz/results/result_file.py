@@ -14,6 +14,7 @@ from ..base.names import unknown_name
 from ..base.table import Table
 from ..errors import FileError, WarningEntry
 from ..wires import Wire, find_wires, numbered_wires
+from .rigid_surfaces import SurfaceShape, read_surfaces
 from .run_warnings import read_warnings
 from .text_tables import read_aligned, read_csv
 
@@ -181,6 +182,12 @@ class ResultFile:
         """Rows of `elements` in each element set."""
         return self._sets("litz/element_sets", self.element_ids)
 
+    @cached_property
+    def rigid_surfaces(self) -> dict[str, SurfaceShape]:
+        """The rigid surfaces by their names, as they are before any deformation."""
+        with self._open() as file:
+            return read_surfaces(file)
+
     def _static(self, name: str) -> np.ndarray:
         with self._open() as file:
             return file[name][()]
@@ -310,16 +317,30 @@ class ResultFile:
 
     @property
     def surface_contacts(self) -> Table:
-        """The contacts with rigid surfaces: a row for each element that touches one, at each increment."""
+        """The contacts with rigid surfaces: a row for each element that touches one, at each increment.
+
+        Empty for a model without rigid surfaces.
+        """
+        if not self.rigid_surfaces:
+            return Table({}, {})
         return self._whole(self._table("_surfaces.csv", read_csv))
+
+    def surface_contacts_at(self, increment: int = -1) -> Table:
+        """The contacts with rigid surfaces at one increment."""
+        return self._at(self.surface_contacts, increment)
 
     def contacts_at(self, increment: int = -1) -> Table:
         """The contacts at one increment."""
-        ledger = self.contacts
+        return self._at(self.contacts, increment)
+
+    def _at(self, table: Table, increment: int) -> Table:
+        """The rows of one increment."""
         with self._open() as file:
             increment = self._checked(increment, file)
-        return ledger.where(
-            (ledger["step"] == self.steps[increment]) & (ledger["increment"] == self.increments[increment])
+        if not table.n_rows:
+            return table
+        return table.where(
+            (table["step"] == self.steps[increment]) & (table["increment"] == self.increments[increment])
         )
 
     def contact(self, contact_id: int) -> Table:
@@ -381,8 +402,14 @@ class ResultFile:
         return self._tables[ending][1]
 
     def to_pandas(self, table: str = "history") -> "pd.DataFrame":
-        """A table as a data frame of pandas: "history", "contacts", "status" or "convergence"; needs pandas."""
-        tables = ("history", "contacts", "status", "convergence")
+        """A table as a data frame of pandas; needs pandas.
+
+        Parameters
+        ----------
+        table : str
+            "history", "contacts", "surface_contacts", "status" or "convergence".
+        """
+        tables = ("history", "contacts", "surface_contacts", "status", "convergence")
         if table not in tables:
             raise ValueError(unknown_name("table", table, tables))
         return getattr(self, table).to_pandas()
@@ -391,7 +418,7 @@ class ResultFile:
 def _find(path: Path) -> Path:
     """Find the result file of the wires for a path."""
     if path.is_dir():
-        found = sorted(file for file in path.glob("*.vtkhdf") if not file.stem.endswith(("_contacts", "_unconverged")))
+        found = sorted(file for file in path.glob("*.vtkhdf") if not _is_beside_another(file))
         if len(found) == 1:
             return found[0]
         what = "several: " + ", ".join(file.name for file in found) if found else "none"
@@ -408,6 +435,14 @@ def _find(path: Path) -> Path:
     raise FileError(
         f"there is no result file {' or '.join(dict.fromkeys(map(str, candidates)))}: has the deck been run?"
     )
+
+
+def _is_beside_another(file: Path) -> bool:
+    """It is no result file of wires, but has been written beside one."""
+    if file.stem.endswith(("_contacts", "_unconverged")):
+        return True
+    stem, _, ending = file.stem.rpartition("_")
+    return ending in ("rigid", "surfaces") and file.with_name(f"{stem}.vtkhdf").exists()
 
 
 def _n_steps(file: h5py.File) -> int:

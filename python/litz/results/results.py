@@ -5,8 +5,10 @@ from pathlib import Path
 import numpy as np
 
 from ..base.names import unknown_name
+from ..base.table import Table
 from . import exports, network, summary
 from .result_file import ResultFile
+from .surface_forces import surface_forces
 
 
 class Results(ResultFile):
@@ -37,6 +39,16 @@ class Results(ResultFile):
     >>> print(f"{1e3 * resistance[-1]:.3f} mohm, {results.contacts_at(-1)['force'][0]:.2f} N")
     0.936 mohm, 0.90 N
     """
+
+    @property
+    def surface_forces(self) -> Table:
+        """What each rigid surface feels of all wires, with friction: a row for each surface and increment.
+
+        `force` is the sum of the contact forces, `surface_force` the resultant and `surface_moment` its moment about the
+        reference node, or about the origin for a surface that is fixed in space. In balance they are what the
+        loads on the reference node and its reactions do to it, reversed.
+        """
+        return surface_forces(self)
 
     def conductance(self, plus: str, minus: str, increment: int = -1) -> float:
         """Conductance between two electrodes: current over voltage [S].

@@ -6,6 +6,7 @@ import numpy as np
 
 from ..errors import WarningEntry
 from .result_file import ResultFile
+from .surface_forces import surface_forces
 
 _MAX_ROWS = 30
 
@@ -67,6 +68,7 @@ def _last_increment(results: ResultFile) -> str:
             f"  contact forces         {force.min():12.5g} {unit['N']:4} to {force.max():.5g} {unit['N']}, "
             f"sum {force.sum():.5g} {unit['N']}"
         )
+    lines += _on_surfaces(results)
     if heat_wires + heat_contacts > 0:
         lines += [
             f"  electric power in      {potential @ entering:12.5g} {unit['W']}",
@@ -80,6 +82,24 @@ def _last_increment(results: ResultFile) -> str:
         f"  {name}  {history[name][-1]:.8g} {history.units[name]}" for name in history if name.startswith("resistance ")
     ]
     return "\n".join(lines)
+
+
+def _on_surfaces(results: ResultFile) -> list[str]:
+    """A line for each rigid surface: the resultant of the wires on it."""
+    if not results.rigid_surfaces:
+        return []
+    table, unit = surface_forces(results), results.unit_labels
+    now = table.where((table["step"] == results.steps[-1]) & (table["increment"] == results.increments[-1]))
+    lines = []
+    for k, name in enumerate(now["surface"]):
+        parts = np.array([now[f"surface_force_{axis}"][k] for axis in "xyz"])
+        size = float(np.linalg.norm(parts))
+        parts = np.where(np.abs(parts) > 1e-9 * size, parts, 0.0)
+        lines.append(
+            f"  {'force on ' + name:22} {size:12.5g} {unit['N']:4} ({', '.join(f'{part:.5g}' for part in parts)}), "
+            f"{now['contacts'][k]} elements touch it along {now['length'][k]:.4g} {unit['m']}"
+        )
+    return lines
 
 
 def _cell(value: object) -> str:

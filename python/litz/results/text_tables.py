@@ -40,7 +40,7 @@ _OLD_NAMES = {
     **{f"point_{axis}": f"point_2_{axis}" for axis in "xyz"},
 }
 #: The last columns of a table may contain text
-_TEXT_COLUMNS = frozenset(["friction", "status", "remark", "surface"])
+_TEXT_COLUMNS = frozenset(["friction", "status", "remark", "wires", "surface"])
 
 
 def read_csv(path: Path) -> Table:

@@ -8,12 +8,14 @@ from functools import cached_property
 import matplotlib as mpl
 import numpy as np
 
-from ..pictures.scene import aim, spot_places
+from ..base.table import Table
+from ..pictures.scene import aim, all_spots
 from ..results import Results
 from ..results.scalars import Scalar, colours_and_limits, default_scalar, scalars
+from ..results.surface_patches import Patch, surface_patches
 from ..wires.curves import element_curves
 
-_TEXT_COLUMNS = ("friction", "status")
+_PLACE_IN_TIME = ("step", "increment", "time")
 _COLOUR_MAPS = ("viridis", "coolwarm")
 _DIGITS = 8
 
@@ -36,13 +38,14 @@ class WebData:
         self._centre = (results.nodes.min(axis=0) + results.nodes.max(axis=0)) / 2
         still = np.zeros_like(results.nodes)
         self._rest = element_curves(results.nodes, still, still, self._wires, len(results.elements))
+        self._patches = surface_patches(results, self.increments)
 
     def model(self) -> str:
         """What holds for all increments."""
         results, picked = self._results, self.increments
         places = np.concatenate([results.positions(k) for k in (*picked[:: max(1, len(picked) // 20)], picked[-1])])
         margin = 1.5 * results.radius.max()
-        shown = np.concatenate([results.nodes, places])
+        shown = np.concatenate([results.nodes, places, *self._corners(picked)])
         camera = aim(shown, margin, 1.4)
         known = list(self._ranges.values())
         wanted = default_scalar(results, picked[-1])
@@ -68,12 +71,10 @@ class WebData:
                 "scalars": known,
                 "scalar": wanted if wanted in self._ranges else next(iter(self._ranges)),
                 "colours": {name: _colour_table(name) for name in _COLOUR_MAPS},
-                "ledger": [
-                    {"name": name, "unit": unit}
-                    for name, unit in results.contacts.units.items()
-                    if name not in ("step", "increment", "time")
-                ],
-                "largest": {by: float(max(np.abs(results.contacts[by]), default=0.0)) for by in ("force", "current")},
+                "surfaces": [self._surface(patch) for patch in self._patches],
+                "ledger": _described_columns(results.contacts),
+                "surface_ledger": _described_columns(results.surface_contacts),
+                "largest": {by: _largest(results, by) for by in ("force", "current")},
             }
         )
 
@@ -82,10 +83,10 @@ class WebData:
         results, index = self._results, self.increments[place]
         displacement, rotation = (results.field(name, index) for name in ("displacement", "rotation"))
         curves = element_curves(results.nodes, displacement, rotation, self._wires, len(results.elements))
-        contacts = results.contacts_at(index)
+        contacts, on_surfaces = results.contacts_at(index), results.surface_contacts_at(index)
         fields = {name for scalar in self._ranges.values() for name in scalar["fields"]}
-        now, normals, radii = spot_places(results, contacts, curves)
-        rest, _, _ = spot_places(results, contacts, self._rest)
+        now, normals, radii = all_spots(results, contacts, on_surfaces, curves)
+        rest, _, _ = all_spots(results, contacts, on_surfaces, self._rest)
         return _json(
             {
                 "curves": _base64(self._packed(curves), np.float32),
@@ -96,7 +97,10 @@ class WebData:
                     "normals": _base64(normals, np.float32),
                     "radii": _base64(radii, np.float32),
                 },
-                "contacts": {name: _column(name, values) for name, values in contacts.items()},
+                "contacts": _with_surfaces(contacts, on_surfaces),
+                "surfaces": [
+                    _base64(patch.moved(results, index) - self._centre, np.float32) for patch in self._patches
+                ],
             }
         )
 
@@ -118,6 +122,18 @@ class WebData:
             if np.isfinite([low, high]).all() and (low < high or name == "potential")
         }
 
+    def _corners(self, picked: list[int]) -> list[np.ndarray]:
+        """Corners of the rigid surfaces at the first and the last increment."""
+        return [patch.moved(self._results, index) for patch in self._patches for index in (picked[0], picked[-1])]
+
+    def _surface(self, patch: Patch) -> dict:
+        return {
+            "name": patch.surface.name,
+            "rest": _base64(patch.points - self._centre, np.float32),
+            "quads": _base64(patch.quads, np.int32),
+            "rim": _base64(patch.rim, np.int32),
+        }
+
     def _packed(self, curves: tuple[np.ndarray, np.ndarray]) -> np.ndarray:
         """Both ends of each element and both slopes, (n_elements, 4, 3)."""
         positions, slopes = curves
@@ -132,8 +148,33 @@ def _described(scalar: Scalar, low: float, high: float) -> dict:
     }  # fmt: skip
 
 
-def _column(name: str, values: np.ndarray) -> list:
-    if name in _TEXT_COLUMNS or values.dtype.kind in "iU":
+def _described_columns(table: Table) -> list[dict[str, str]]:
+    return [{"name": name, "unit": unit} for name, unit in table.units.items() if name not in _PLACE_IN_TIME]
+
+
+def _largest(results: Results, by: str) -> float:
+    """The largest force or current of a contact in the whole run; no current passes to a rigid surface."""
+    tables = [results.contacts, *([results.surface_contacts] if by == "force" and results.rigid_surfaces else [])]
+    return max(float(np.abs(table[by]).max(initial=0.0)) for table in tables)
+
+
+def _with_surfaces(contacts: Table, on_surfaces: Table) -> dict[str, list]:
+    """Columns of the contacts between wires, and behind them of those with rigid surfaces; None where one has no value."""
+    columns = {name: _column(values) for name, values in contacts.items()}
+    if not on_surfaces.n_rows:
+        return columns
+    more = {name: _column(values) for name, values in on_surfaces.items()}
+    elements, names = more["element"], more["surface"]
+    more |= {"element_1": elements, "element_2": names, "current": [0.0] * len(names)}
+    more["id"] = [f"{name}:{element}" for name, element in zip(names, elements, strict=True)]
+    return {
+        name: columns.get(name, [None] * contacts.n_rows) + more.get(name, [None] * on_surfaces.n_rows)
+        for name in [*columns, *(name for name in more if name not in columns)]
+    }
+
+
+def _column(values: np.ndarray) -> list:
+    if values.dtype.kind in "iU":
         return values.tolist()
     return [_number(value) for value in values.tolist()]
 

@@ -14,7 +14,7 @@ _MODULES = {
     "three": "three.min.js",
     **{
         f"litz/{name}": name
-        for name in ("data.js", "frame.js", "ledger.js", "spots.js", "stage.js", "tubes.js", "viewer.js")
+        for name in ("data.js", "frame.js", "ledger.js", "spots.js", "stage.js", "surfaces.js", "tubes.js", "viewer.js")
     },
 }
 _ICON = "data:,"

@@ -8,13 +8,18 @@ const MAX_ROWS = 200;
 
 /** A table of the contacts of an increment whose rows can be selected. */
 export class Ledger {
-   /** columns: name and unit of each column; onSelect: called with the number of a contact. */
-   constructor(root, columns, onSelect) {
+   /**
+    * columns, surfaceColumns: name and unit of each column of contacts between wires, and with rigid surfaces;
+    * onSelect: called with the number of a contact, or the text that a contact with a surface has in its place.
+    */
+   constructor(root, columns, surfaceColumns, onSelect) {
       this.table = root.querySelector(".litz-contacts");
       this.note = root.querySelector(".litz-contacts-note");
       this.row = root.querySelector(".litz-ledger");
-      this.units = Object.fromEntries(columns.map(({ name, unit }) => [name, unit]));
-      this.units.penetration = this.units.gap;
+      [this.units, this.surfaceUnits] = [columns, surfaceColumns].map((list) => {
+         const units = Object.fromEntries(list.map(({ name, unit }) => [name, unit]));
+         return { ...units, penetration: units.gap };
+      });
       this.onSelect = onSelect;
       this.order = "force";
       this.selected = null;
@@ -44,9 +49,8 @@ export class Ledger {
    drawTable() {
       const { contacts, order } = this;
       const n = contacts.id.length;
-      const size = (k) => Math.abs(contacts[order][k]);
-      const direction = order === "id" ? -1 : 1;
-      const rows = Array.from({ length: n }, (_, k) => k).sort((a, b) => direction * (size(b) - size(a)));
+      const size = order === "id" ? (k) => -placeOf(contacts.id[k], k, n) : (k) => Math.abs(contacts[order][k]);
+      const rows = Array.from({ length: n }, (_, k) => k).sort((a, b) => size(b) - size(a));
       const scales = Object.fromEntries(COLUMNS.map((name) => {
          if (TEXT_COLUMNS.includes(name)) return [name, [1, ""]];
          const largest = contacts[name].reduce((a, b) => Math.max(a, Math.abs(b)), 0);
@@ -82,7 +86,8 @@ export class Ledger {
       row.classList.toggle("selected", id === this.selected);
       row.append(...COLUMNS.map((name) => {
          const cell = document.createElement("td");
-         cell.textContent = TEXT_COLUMNS.includes(name) ? this.contacts[name][k]
+         // the elements of a contact with a surface are its number
+         cell.textContent = name === "id" && isOnSurface(id) ? "–" : TEXT_COLUMNS.includes(name) ? this.contacts[name][k]
             : Number((scales[name][0] * this.contacts[name][k]).toPrecision(4));
          return cell;
       }));
@@ -94,7 +99,7 @@ export class Ledger {
       const k = this.selected === null ? -1 : this.contacts.id.indexOf(this.selected);
       const entries = [];
       if (k >= 0)
-         for (const [name, unit] of Object.entries(this.units)) {
+         for (const [name, unit] of Object.entries(isOnSurface(this.selected) ? this.surfaceUnits : this.units)) {
             const term = document.createElement("dt");
             term.textContent = name.replaceAll("_", " ");
             const value = document.createElement("dd");
@@ -110,4 +115,14 @@ export class Ledger {
       }
       this.row.replaceChildren(...entries);
    }
+}
+
+/** A contact with a rigid surface has a text in place of a number. */
+function isOnSurface(id) {
+   return typeof id === "string";
+}
+
+/** Place of row k of n in the order of the numbers: contacts with surfaces come last. */
+function placeOf(id, k, n) {
+   return isOnSurface(id) ? Number.MAX_SAFE_INTEGER - n + k : id;
 }

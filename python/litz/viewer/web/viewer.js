@@ -6,6 +6,7 @@ import { drawColourBar, drawCompass } from "litz/frame.js";
 import { Ledger } from "litz/ledger.js";
 import { Spots } from "litz/spots.js";
 import { Stage } from "litz/stage.js";
+import { Surfaces } from "litz/surfaces.js";
 import { Tubes, referenceLines } from "litz/tubes.js";
 
 const MIN_PIXELS = 0.8;
@@ -20,7 +21,8 @@ class Viewer {
       this.tubes = new Tubes(rest, floats(model.radii));
       this.reference = referenceLines(rest);
       this.spots = new Spots(this.stage.scene);
-      this.ledger = new Ledger(root, model.ledger, (id) => this.select(id));
+      this.surfaces = new Surfaces(this.stage.scene, model.surfaces);
+      this.ledger = new Ledger(root, model.ledger, model.surface_ledger, (id) => this.select(id));
       this.tables = Object.fromEntries(Object.entries(model.colours).map(([name, text]) => [name, bytes(text)]));
       this.stage.scene.add(this.tubes.mesh, this.reference);
       this.stage.beforeDraw(() => {
@@ -41,6 +43,7 @@ class Viewer {
       const fields = this.find("field");
       fields.append(...model.scalars.map(({ name, text }) => new Option(text.replaceAll("_", " "), name)));
       fields.value = model.scalar;
+      if (!model.largest.current) this.find("spot-size").value = "force";
       const slider = this.find("increment");
       slider.max = model.times.length - 1;
       slider.value = slider.max;
@@ -80,6 +83,7 @@ class Viewer {
       this.tubes.setValues(ends);
       this.tubes.setColours(this.tables[colours], limits);
       drawColourBar(this.find("colours"), this.tables[colours], limits, scalar.text.replaceAll("_", " "), scalar.unit);
+      this.surfaces.move(data.surfaces, factor);
       this.updateSpots(factor);
       this.reference.visible = this.find("with-reference").checked;
       this.ledger.show(data.contacts);
