@@ -28,6 +28,7 @@ from verification.references.helical_rods import (
     loads,
     neighbour,
 )
+from verification.references.hertz import end_on_end, end_on_wire
 from verification.references.line_joints import LineJoint
 from verification.references.parallel_wires import ParallelWires, PressedWire
 from verification.references.plectoneme import under_tension
@@ -446,6 +447,13 @@ EXPECTED = {
             for kind in ("lap", "hairpin")
         }
     ),
+    "ends": lambda case: {
+        "ends.side.force": [case.exact(end_on_wire)[0]] * len(case.ANGLES),
+        "ends.side.resistance": [case.exact(end_on_wire)[1]] * len(case.ANGLES),
+        "ends.end.force": case.exact(end_on_end)[0],
+        "ends.end.resistance": case.exact(end_on_end)[1],
+        "ends.lap": [1.0] * len(case.LAPS),
+    },
     "touching_beams": lambda case: {
         "touching_beams.tip": [case.TIPS.support_deflection, case.TIPS.deflection],
         "touching_beams.tip_force": case.TIPS.contact_force,
