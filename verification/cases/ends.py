@@ -9,7 +9,7 @@ import numpy as np
 from verification import figures
 from verification.deck_text import chain, heading, join, step
 from verification.line_decks import FIRST, SECOND, material, touching
-from verification.references.hertz import effective_modulus, end_on_end, end_on_wire
+from verification.references.hertz import effective_modulus, end_on_wire
 from verification.references.parallel_wires import PressedWire
 
 COPPER = PressedWire(0.5e-3, 120e9, 0.34, 1 / 5.88e7)
