@@ -72,8 +72,7 @@ contains
       end do
       if (worst%kind /= finding_line) return
       call find_contact_pair(model, wires, contact, worst%elements(1), worst%elements(2), roles, pair)
-      if (pair > 0) worst%obstacle = line_obstacle(model%interactions(model%contact_pairs(pair)%interaction), &
-         model%contact_pairs(pair)%interference_fit)
+      if (pair > 0) worst%obstacle = line_obstacle(model%interactions(model%contact_pairs(pair)%interaction))
    end function inspect_contacts
 
    !> A contact that is too deep, as long as a line, or on the wrong side.

@@ -46,10 +46,11 @@ contains
       end do
    end function is_on_known_line
 
+   !> It carries a part of the contact, or what is left of an interference fit keeps it open.
    pure logical function is_in_contact(point)
       type(contact_point_t), intent(in) :: point
 
-      is_in_contact = point%gap < 0 .and. point%weight > 0
+      is_in_contact = point%kinematics%gap < 0 .and. (point%weight > 0 .or. point%gap >= 0)
    end function is_in_contact
 
    !> One of the axes runs into the other wire there.

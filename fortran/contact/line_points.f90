@@ -8,7 +8,7 @@ module litz_line_points
    use litz_contact_candidates, only: skin
    use litz_contact_kinematics, only: kinematics_ok
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_wire_t, chain_by_wire, pair_geometry, &
-      arc_at, inherit
+      arc_at, clearance_of, inherit
    use litz_element_library, only: elements_t
    use litz_line_contact, only: serves_lines
    use litz_line_feet, only: foot_t, find_feet
@@ -131,7 +131,7 @@ contains
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
-      !> With the crossings, and these by their barred wires
+      !> With the crossings and what is left of interference, and the crossings by their barred wires
       type(contact_set_t), intent(in) :: contact
       type(points_by_wire_t), intent(in) :: by_wire
       !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
@@ -147,8 +147,8 @@ contains
          call pair_geometry(model, wires, elements, point%element_bar, point%element, x, rotation, xe, t, length)
          call line_kinematics(xe, t, length, axis_hermite, radius, point%xi_bar, point%xi, &
             foot%status == foot_at_end, point%normal_before, point%kinematics, info)
-         point%gap = point%kinematics%gap
-         point%regular = info == kinematics_ok .and. point%gap < skin/2*sum(radius)
+         point%gap = point%kinematics%gap + clearance_of(point%fit, contact%clearance(point%pair))
+         point%regular = info == kinematics_ok .and. point%kinematics%gap < skin/2*sum(radius)
       end associate
       point%foot_at_end = foot%status == foot_at_end
       if (point%regular .and. is_new) call share_line_point(wires, elements, contact, by_wire, xe, t, length, point)
