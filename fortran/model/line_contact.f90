@@ -7,9 +7,9 @@ module litz_line_contact
    public :: serves_lines, line_obstacle
 
    !> Nothing is in the way; a normal law at points only; straight axes; friction that sticks with the stiffness of a
-   !> point; overlap without limit; a spot that remembers its largest force; a law of one spot
+   !> point; overlap without limit; a law of one spot
    integer, parameter :: obstacle_none = 0, obstacle_normal_law = 1, obstacle_axis = 2, obstacle_stick = 3, &
-      obstacle_penetration = 4, obstacle_memory = 5, obstacle_spot_law = 6
+      obstacle_penetration = 4, obstacle_spot_law = 5
 
 contains
 
@@ -34,8 +34,6 @@ contains
          obstacle = obstacle_stick
       else if (law%unlimited_penetration) then
          obstacle = obstacle_penetration
-      else if (law%spot_memory) then
-         obstacle = obstacle_memory
       else if (law%spot%exists() .and. .not. (law%spot%serves_lines .or. law%spot%is_per_length)) then
          obstacle = obstacle_spot_law
       end if
@@ -55,8 +53,6 @@ contains
          words = trim(stick_laws(law%stick_law)%parameter)//' of *FRICTION, which is that of a contact at a point'
       case (obstacle_penetration)
          words = 'PENETRATION=UNLIMITED'
-      case (obstacle_memory)
-         words = 'SPOT=LARGESTFORCE'
       case (obstacle_spot_law)
          words = 'LAW='//trim(law%spot%name)//' of *GAP ELECTRICAL CONDUCTANCE, which is that of a spot'
          if (law%spot%can_be_per_length) words = words//' without PER=LENGTH'

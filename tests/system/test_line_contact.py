@@ -286,13 +286,12 @@ class TestWhatLinesAreNotFor:
                 "STICK STIFFNESS of *FRICTION, which is that of a contact at a point",
             ),
             (dict(interaction=", AXIS=LINEAR"), "AXIS=LINEAR"),
-            (dict(law=HERTZ + spot("HERTZ, SPOT=LARGESTFORCE")), "SPOT=LARGESTFORCE"),
             (
                 dict(law=HERTZ + spot("CONSTANT\n 1e-3")),
                 "LAW=CONSTANT of *GAP ELECTRICAL CONDUCTANCE, which is that of a spot without PER=LENGTH",
             ),
         ],
-        ids=["penalty", "stick stiffness", "straight axes", "memory of spots", "constant spot"],
+        ids=["penalty", "stick stiffness", "straight axes", "constant spot"],
     )
     @pytest.mark.parametrize("degrees", [0.0, 0.3])
     def test_the_run_ends_in_words(self, litz, tmp_path, model, words, degrees):
@@ -308,7 +307,6 @@ class TestWhatLinesAreNotFor:
         [
             (dict(law=linear("", 1e10) + "*FRICTION, STICK STIFFNESS=1e6\n 0.2\n"), "STICK STIFFNESS of *FRICTION"),
             (dict(law=linear("", 1e10), interaction=", AXIS=LINEAR"), "AXIS=LINEAR"),
-            (dict(law=linear("", 1e10) + spot("HERTZ, SPOT=LARGESTFORCE")), "SPOT=LARGESTFORCE"),
             (dict(law=linear("", 1e10) + spot("CONSTANT\n 1e-3")), "LAW=CONSTANT"),
         ],
     )

@@ -9,6 +9,7 @@ from line_wires import (
     COPPER,
     HERTZ,
     LED,
+    LOWER,
     UPPER,
     along,
     linear,
@@ -139,3 +140,21 @@ def test_a_pair_that_only_touches_is_pressed_while_a_fit_of_its_contact_pair_is_
         for those, overlap in ((is_led, press), (~is_led, OVERLAP)):
             force = contacts["force"][those].sum()
             assert force == pytest.approx(PENALTY * overlap * increment / n * LENGTH, rel=1e-8)
+
+
+def test_a_place_that_a_fit_closes_slips_from_where_it_has_closed(run):
+    """Lifted off first, and lowered while half of the fit is resolved: it touches half-way, and slips the other half."""
+    unit, slip = 2e-7, 1e-9
+    wires = along(24e-3, 8, start=-12e-3), along(LENGTH, 8, start=-LENGTH / 2, height=2e-3 - 4 * unit)
+    deck = two_wires(
+        "*AMPLITUDE, NAME=LIFT\n 0, 0, 0.25, 1, 0.5, 0\n*AMPLITUDE, NAME=DRAG\n 0, 0, 0.25, 0, 0.5, 1\n"
+        + wire("LOWER", wires[0], LOWER, element="B33"), wires[1], LED,
+        "*STEP\n*STATIC, DIRECT\n 0.25, 1.\n", NO_FIELD,
+        f"*BOUNDARY, AMPLITUDE=LIFT\n UPPER, 3, 3, {3 * unit}\n*BOUNDARY, AMPLITUDE=DRAG\n UPPER, 1, 1, {slip}\n*END STEP\n",
+        law=linear("", PENALTY) + "*FRICTION\n 0.5\n", pair=FIT,
+    )  # fmt: skip
+    contacts = solved(run(deck)).contacts_at(2)
+    # gap of the law: 2 units at the start of the second increment, minus 2 at its end
+    assert contacts["force"] / contacts["length"] == pytest.approx(PENALTY * 2 * unit, rel=1e-8)
+    mindlin = 2 * (1 - COPPER.poisson) / (2 - COPPER.poisson)
+    assert abs(contacts["traction_x"]) / contacts["length"] == pytest.approx(mindlin * PENALTY * slip / 2, rel=1e-7)
