@@ -234,13 +234,14 @@ contains
       allocate (points, source=in_series(contact%points))
       allocate (line_points, source=in_series(contact%line_points))
       n = size(points)
-      associate (a => contact%points(points), b => contact%line_points(line_points))
-         pairs = reshape([elements_by_point(a), elements_by_point(b)], [2, n + size(b)])
+      associate (a => contact%points, b => contact%line_points)
+         pairs = reshape([elements_by_point(a, points), elements_by_point(b, line_points)], [2, n + size(line_points)])
          nodes = reshape([(model%connectivity(:, pairs(1, k)), model%connectivity(:, pairs(2, k)), &
             k=1, size(pairs, 2))], [4, size(pairs, 2)])
-         conductance = [a%conductance, b%conductance]
-         call collect_shared(pairs, nodes, reshape([places_by_point(a), places_by_point(b)], shape(pairs)), &
-            reshape([resistances_by_point(a), resistances_by_point(b)], shape(pairs)), 1/conductance, contact%shared)
+         conductance = [a(points)%conductance, b(line_points)%conductance]
+         call collect_shared(pairs, nodes, reshape([places_by_point(a, points), places_by_point(b, line_points)], &
+            shape(pairs)), reshape([resistances_by_point(a, points), resistances_by_point(b, line_points)], &
+            shape(pairs)), 1/conductance, contact%shared)
       end associate
       if (.not. contact%shared%present) return
       voltage = contact%shared%voltages(potential)
@@ -266,27 +267,33 @@ contains
    end function in_series
 
    !> Elements, places in them, and resistances of the elements, barred before unbarred, point after point.
-   pure function elements_by_point(points) result(elements)
+   pure function elements_by_point(points, members) result(elements)
       type(contact_point_t), intent(in) :: points(:)
-      integer :: elements(2*size(points)), i
+      !> Which of them
+      integer, intent(in) :: members(:)
+      integer :: elements(2*size(members)), i
 
-      elements = [(points(i)%element_bar, points(i)%element, i=1, size(points))]
+      elements = [(points(members(i))%element_bar, points(members(i))%element, i=1, size(members))]
    end function elements_by_point
 
-   pure function places_by_point(points) result(xi)
+   pure function places_by_point(points, members) result(xi)
       type(contact_point_t), intent(in) :: points(:)
-      real(dp) :: xi(2*size(points))
+      !> Which of them
+      integer, intent(in) :: members(:)
+      real(dp) :: xi(2*size(members))
       integer :: i
 
-      xi = [(points(i)%xi_bar, points(i)%xi, i=1, size(points))]
+      xi = [(points(members(i))%xi_bar, points(members(i))%xi, i=1, size(members))]
    end function places_by_point
 
-   pure function resistances_by_point(points) result(resistance)
+   pure function resistances_by_point(points, members) result(resistance)
       type(contact_point_t), intent(in) :: points(:)
-      real(dp) :: resistance(2*size(points))
+      !> Which of them
+      integer, intent(in) :: members(:)
+      real(dp) :: resistance(2*size(members))
       integer :: i
 
-      resistance = [(points(i)%series_resistance, i=1, size(points))]
+      resistance = [(points(members(i))%series_resistance, i=1, size(members))]
    end function resistances_by_point
 
    pure subroutine set_current(current, rise, point)
