@@ -1,6 +1,7 @@
 """Contact of wires side by side in runs: against closed forms, and what must hold whatever the wires do."""
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -112,6 +113,24 @@ class TestParallelWires:
     def test_no_length_belongs_to_a_crossing(self, run):
         contacts = solved(run(pressed(OVERLAP, degrees=60, cards=(NO_FIELD,)))).contacts_at(-1)
         assert contacts["length"].tolist() == [0.0]
+
+
+class TestLongElements:
+    """Over two radii the pressure decays: nodes that do not match and are further apart than three make it uneven."""
+
+    def test_the_longest_one_is_named_once(self, run):
+        process, results = run(pressed(OVERLAP, elements=(5, 7), cards=(NO_FIELD,), static="0.5, 1."))
+        assert process.returncode == 0, process.stderr
+        (warning,) = results.warnings
+        assert (warning.kind, warning.count) == ("long_elements", 2)
+        assert warning.worst == pytest.approx(4, rel=1e-12)
+        assert "is a place of a contact along a line, with elements of up to 4 radii" in process.stderr
+        named = re.search(r"\(elements (\d+) and (\d+)\)", warning.message)
+        assert sorted(int(number) > UPPER - 1 for number in named.groups()) == [False, True]
+
+    @pytest.mark.parametrize("elements", [(5, 5), (8, 7)], ids=["nodes match", "short"])
+    def test_no_others_are(self, run, elements):
+        solved(run(pressed(OVERLAP, elements=elements, cards=(NO_FIELD,))))
 
 
 def bent_pair(lower_first=True, backwards=((), ()), **model):
@@ -240,7 +259,10 @@ class TestCantilevers:
     @pytest.mark.parametrize("gap", [0.0, 2e-5, 2e-4], ids=["just touch", "gap", "wide gap"])
     def test_deflections_are_those_of_a_point_force_at_the_tip(self, run, elements, gap):
         load, ei = 0.2, STEEL.young * math.pi * STEEL.radius**4 / 4
-        results = solved(run(cantilevers(load, gap, elements)))
+        process, results = run(cantilevers(load, gap, elements))
+        assert process.returncode == 0, process.stderr
+        # nodes that do not match, on elements of 4 radii and more
+        assert {each.kind for each in results.warnings} == (set() if elements == (20, 30) else {"long_elements"})
         beams = Cantilevers(0.075, 0.05, ei, ei, load)
         # the gap is closed first: the tip of the shorter one is pushed by what is left
         force = beams.contact_force - gap / (2 * beams.support**3 / (3 * ei))
