@@ -110,6 +110,22 @@ class TestParallelWires:
         assert contacts["length"].min() > 0
         assert contacts["length"].sum() == pytest.approx(LENGTH, rel=1e-12)
 
+    @pytest.mark.parametrize(
+        ("lower", "upper"),
+        [((20e-3, 8), (20e-3, 11)), ((24e-3, 8), (18e-3, 6))],
+        ids=["ends together", "ends at nodes"],
+    )
+    @pytest.mark.parametrize("overlap", [1e-7, 1e-6, 2e-6, 1e-5])
+    def test_a_lap_between_exact_ends_has_its_length(self, run, lower, upper, overlap):
+        """Round-off must not decide which of two places next to an end stands for what is left there."""
+        wires = [
+            along(length, n, start=-length / 2, height=height)
+            for (length, n), height in ((lower, 0.0), (upper, 2e-3 - overlap))
+        ]
+        held = "*BOUNDARY\n LOWER, ENCASTRE\n UPPER, ENCASTRE\n"
+        results = solved(run(two_wires(*wires, held, step(NO_FIELD), pair=", INTERFERENCE FIT")))
+        assert results.contacts_at(-1)["length"].sum() == pytest.approx(upper[0], rel=1e-9)
+
     def test_no_length_belongs_to_a_crossing(self, run):
         contacts = solved(run(pressed(OVERLAP, degrees=60, cards=(NO_FIELD,)))).contacts_at(-1)
         assert contacts["length"].tolist() == [0.0]
