@@ -72,7 +72,7 @@ contains
       contact%dissipation = point%history%dissipation
       contact%resistance = ieee_value(contact%resistance, ieee_positive_inf)
       if (point%conductance > 0) contact%resistance = 1/point%conductance
-      contact%joule_heat = point%current*point%voltage_gap
+      contact%joule_heat = point%current*point%voltage_gap + point%heat_of_strips
       if (point%line_place > 0) contact%length = point%weight
    end function contact_of_point
 
