@@ -5,7 +5,8 @@ from pathlib import Path
 import numpy as np
 
 import litz
-from litz import build
+from litz import FilmSpot, HertzSpot, Interaction, Model, build
+from litz.model import HERTZ_AND_HOLM
 
 INPUTS = Path(__file__).parent
 
@@ -54,8 +55,7 @@ Expect   forces at the four crossings in the middle: plate F = 1.5082 N, wires N
 
 def strand() -> build.Model:
     """Six wires laid on a core between two clamps: pulled, twisted and bent, with a current."""
-    length = 30e-3
-    model = build.strand([1, 6], radius=[0.52e-3, 0.5e-3], lay_length=45e-3, length=length)
+    model = clamped_strand(HERTZ_AND_HOLM)
     model.title = "A strand of 1 + 6 wires is pulled, twisted and bent by clamps"
     model.comments = """\
 Model    A core of 0.52 mm radius with six copper wires of 0.5 mm, laid at 8 degrees over two thirds of a lay of 45 mm.
@@ -69,20 +69,94 @@ Expect   axial force on the moving clamp [N], that of a long strand to 0.1 %
          2        457.746
          The resistance of the strand is that of its seven wires side by side, 92.52 microohm. All wires touch the core
          from end to end, with 5.4 N per mm in all when pulled and 8.5 N per mm when twisted, too.""".splitlines()
+    move_clamp(model, PULL={"z": 15e-6}, TWIST={"rz": 0.05}, BEND={"y": 0.3e-3})
+    return model
+
+
+def bent_strand() -> build.Model:
+    """The same strand with friction, bent forth and back."""
+    model = clamped_strand(Interaction(conductance=HertzSpot(), friction=0.2))
+    model.title = "A strand of 1 + 6 wires with friction is pulled, and bent forth and back"
+    model.comments = """\
+Model    The strand of 14_strand.inp, pulled by 0.05 %. Then its clamp is moved across by 0.3 mm and back.
+Contact  Hertz and Holm per length; friction 0.2 between the surfaces of the wires, which stick and slip along the core.
+Source   litz.build.strand, called in inputs/make_decks.py; a tensioned beam, clamped and guided, whose section is that of
+         seven wires without contact, or that of a rod of them, in which nothing slips (for strands: K. O. Papailiou, IEEE
+         Trans. Power Delivery 12 (1997) 1576-1588).
+Expect   force across on the moving clamp, between that of the wires and that of the rod, both under 324.78 N
+         time s   wires N    rod N
+         2        9.4990     48.747
+         The wires slip: back in the middle, the clamp must be held against them. A dozen iterations each increment, of any
+         size, as wires stick and slip at two thousand places: hence the limits in *CONTROLS.""".splitlines()
+    move_clamp(model, PULL={"z": 15e-6}, BEND={"y": 0.3e-3}, BACK={"y": 0.0})
+    model.steps[0].controls("TIME INCREMENTATION", i_c=24, i_l=16, i_g=8)
+    return model
+
+
+def clamped_strand(interaction: Interaction) -> build.Model:
+    """Two thirds of a lay between a fixed clamp and the node set CLAMP, with 1 mV in between."""
+    length = 30e-3
+    model = build.strand([1, 6], radius=[0.52e-3, 0.5e-3], lay_length=45e-3, length=length, interaction=interaction)
     model.supports = []
     model.fix(model.rigid_body((0, 0, 0), tie="MINUS"), "encastre")
-    clamp = model.rigid_body((0, 0, length), tie="PLUS")
+    model.node_set("CLAMP", model.rigid_body((0, 0, length), tie="PLUS"))
     model.fix("MINUS", "potential")
-    pull, twist, bend = (model.step(name, increment=0.25) for name in ("PULL", "TWIST", "BEND"))
-    pull.potential("PLUS", 1e-3)
-    pull.move(clamp, "z", 5e-4 * length)
-    for direction in ("x", "y", "rx", "ry", "rz"):
-        pull.hold(clamp, direction)
-    twist.move(clamp, "rz", 0.05)
-    bend.move(clamp, "y", 0.3e-3)
-    for step in (pull, twist, bend):
-        step.node_print([clamp], "RF")
+    return model
+
+
+def move_clamp(model: build.Model, **steps: dict[str, float]) -> None:
+    """Steps that move the clamp in the directions given, and hold it in the others from the start."""
+    for name, motion in steps.items():
+        step = model.step(name, increment=0.25)
+        if not model.steps[1:]:
+            step.potential("PLUS", 1e-3)
+            step.hold("CLAMP", "x", "y", "rotations")
+        for direction, value in motion.items():
+            step.move("CLAMP", direction, value)
+        step.node_print("CLAMP", "RF")
         step.electrode_print("PLUS", "MINUS")
+
+
+def lap_joint() -> Model:
+    """Two wires side by side, pressed together by jaws over 20 mm; the current passes from one into the other."""
+    radius, lap, free = 0.5e-3, 20e-3, 10e-3
+    model = Model("Two copper wires lapped and pressed together by jaws")
+    model.comments = """\
+Model    Two copper wires of 0.5 mm radius lie side by side over 20 mm. Each goes on for 10 mm, in opposite directions.
+         Over the lap they are held by two rigid jaws; one is fixed, the other one presses by up to 0.4 micrometres.
+         The current enters one wire at its far end and leaves the other one there; 1 mV between the ends.
+Contact  Along a line: Hertz, and a film of 1e-11 ohm m^2 on tarnished copper.
+Source   Force and conductance per length of parallel wires (K. L. Johnson, Contact Mechanics, sections 4.2 and 5.6; potential
+         of a disc), and the transmission line of two wires that conduct into each other,
+            R = r lap/2 + r/m coth(m lap/2) + 2 r free,  m^2 = 2 r g,  r = resistivity/area,
+         in verification/references/parallel_wires.py and line_joints.py. Written by inputs/make_decks.py.
+Expect   Between wires that touch all over the lap the current passes mostly near its ends. Force of the jaw and resistance
+         between the ends, to 0.1 %
+         time s   force N    resistance mohm
+         0.25     37.883     0.799172
+         0.5      81.281     0.769118
+         1        175.430    0.746741""".splitlines()
+    copper = model.material("COPPER", young=120e9, poisson=0.34, conductivity=58.8e6)
+    lower = model.wire("LOWER", (-free, 0, 0), (lap, 0, 0), radius=radius, material=copper, elements=30)
+    upper = model.wire(
+        "UPPER", (0, 0, 2 * radius), (lap + free, 0, 2 * radius), radius=radius, material=copper, elements=30
+    )
+    model.contact(lower, upper, conductance=FilmSpot(1e-11))
+    model.node_set("PLUS", lower.start)
+    model.node_set("MINUS", upper.end)
+    in_lap = [np.abs(model.x[np.array(wire.nodes) - 1, 0] - lap / 2) < lap / 2 + 1e-6 for wire in (lower, upper)]
+    for name, wire, held in zip(("BELOW", "ABOVE"), (lower, upper), in_lap, strict=True):
+        model.node_set(name, np.array(wire.nodes)[held].tolist())
+    model.fix(model.rigid_body((lap / 2, 0, 0), tie="BELOW"), "encastre")
+    jaw = model.rigid_body((lap / 2, 0, 2 * radius), tie="ABOVE")
+    model.node_set("JAW", jaw)
+    model.fix(jaw, "x", "y", "rotations")
+    step = model.step("PRESS", increment=0.25)
+    step.move(jaw, "z", -0.4e-6)
+    step.potential("PLUS", 1e-3)
+    step.potential("MINUS", 0)
+    step.node_print("JAW", "RF")
+    step.electrode_print("PLUS", "MINUS")
     return model
 
 
@@ -190,5 +264,7 @@ if __name__ == "__main__":
     fibre_mat().write(INPUTS / "11_fibre_mat.inp")
     woven_fabric().write(INPUTS / "12_woven_fabric.inp")
     strand().write(INPUTS / "14_strand.inp")
+    lap_joint().write(INPUTS / "15_lap_joint.inp")
+    bent_strand().write(INPUTS / "16_bent_strand.inp")
     rod_over_drum().write(INPUTS / "18_rod_over_drum.inp")
     knot().write(INPUTS / "17_knot.inp")

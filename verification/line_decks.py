@@ -139,15 +139,19 @@ def amplitude(name, values):
     )
 
 
-def pulled_strand(strand, states, length, elements, *, stiffness=None, element="B33"):
-    """A strand along z, a step for each state of it without a turn; the ends of the wires turn with their helices.
+def pulled_strand(strand, states, length, elements, *, stiffness=None, element="B33", increments=2):
+    """A strand along z, a step for each state of it; the ends of the wires move and turn with their helices.
 
-    strand: `helical_rods.Strand`; length [m]; states: `helical_rods.State` of each step.
+    strand: `helical_rods.Strand` or `helical_rods.Bundle`; length [m]; states: `helical_rods.State` of each step.
     """
     z = np.linspace(0.0, length, elements + 1)
-    zero = np.zeros_like(z)
-    blocks = [chain(np.column_stack([zero, zero, z]), element, "CORE", FIRST)]
-    free, names = strand.free, []
+    free, names, blocks = strand.free, [], []
+    if strand.core:
+        zero = np.zeros_like(z)
+        blocks = [
+            chain(np.column_stack([zero, zero, z]), element, "CORE", FIRST),
+            material("CORE_STEEL", strand.core, "CORE"),
+        ]
     ends = {}
     for number in range(strand.count):
         phase = 2 * math.pi * number / strand.count
@@ -156,26 +160,28 @@ def pulled_strand(strand, states, length, elements, *, stiffness=None, element="
         names.append(f"WIRE{number + 1}")
         points = np.column_stack([free.radius * np.cos(angle), free.radius * np.sin(angle), z])
         blocks.append(chain(points, element, names[-1], first))
-        ends |= {first: angle[0], first + elements: angle[-1]}
-    last = [FIRST + elements, *(SECOND + 1000 * number + elements for number in range(strand.count))]
+        ends |= {first: (phase, 0.0), first + elements: (angle[-1], length)}
+    last = ([FIRST + elements] if strand.core else []) + [
+        SECOND + 1000 * number + elements for number in range(strand.count)
+    ]
     blocks += [
         "*NSET, NSET=PULLED\n " + "\n ".join(map(str, last)),
         "*ELSET, ELSET=WIRES\n " + "\n ".join(names),
-        material("CORE_STEEL", strand.core, "CORE"),
         material("STEEL", strand.wire, *names),
-        touching(("CORE", "WIRES"), stiffness=stiffness),
-        f"*BOUNDARY\n {FIRST}, ENCASTRE\n {FIRST + elements}, 1, 2\n {FIRST + elements}, 4, 6",
+        touching(("CORE", "WIRES") if strand.core else ("WIRES",), stiffness=stiffness),
+        f"*BOUNDARY\n {FIRST}, ENCASTRE\n {FIRST + elements}, 1, 2\n {FIRST + elements}, 4, 5" if strand.core else "",
     ]
     for state in states:
-        strain = state.helix.height / free.height - 1
-        rows = [(FIRST + elements, 3, strain * length)]
-        for node, angle in ends.items():
-            outward = np.array([math.cos(angle), math.sin(angle), 0.0])
-            moved = (state.helix.radius - free.radius) * outward
-            moved[2] = strain * length if node in last else 0.0
-            tilt = -(state.helix.angle - free.angle) * outward
-            rows += [(node, dof, value) for dof, value in enumerate([*moved, *tilt], start=1)]
-        blocks.append(step(prescribed(rows), "*NODE PRINT, NSET=PULLED\n U, RF, RM", increments=2, direct=False))
+        strain, turn = state.helix.height / free.height - 1, (state.helix.turn - free.turn) / free.height
+        rows = [(FIRST + elements, 3, strain * length), (FIRST + elements, 6, turn * length)] if strand.core else []
+        for node, (angle, along) in ends.items():
+            start, tilted = on_helix(free, angle, along)
+            place, rotation = on_helix(state.helix, angle + turn * along, (1 + strain) * along)
+            motion = [*(place - start), *(rotation * tilted.inv()).as_rotvec()]
+            rows += [(node, dof, value) for dof, value in enumerate(motion, start=1)]
+        blocks.append(
+            step(prescribed(rows), "*NODE PRINT, NSET=PULLED\n U, RF, RM", increments=increments, direct=False)
+        )
     note = f"Model   {elements} {element} for each wire on {length:.6g} m, ends as in the exact state"
     return join(heading("A strand is pulled", note), *blocks)
 

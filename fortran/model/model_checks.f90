@@ -298,15 +298,17 @@ contains
          n_alike = 0
          do part = 1, parts%n
             if (held(part) .or. reported(part)) cycle
-            reported(part) = .true.
             if (group_held(group(part))) then
                n_alike = n_alike + 1
                if (n_alike == 1) first_alike = part
+               reported(part) = .true.
             else
                call add(findings, n, describe_conductor(model, parts, part)// &
                   ' has no path to a prescribed potential'//describe_step(step)// &
-                  ': prescribe degree of freedom '//to_text(dof_potential)//' at one of its nodes', &
-                  parts%first_element(part), '')
+                  describe_others(count(group == group(part) .and. .not. reported) - 1)// &
+                  ': prescribe degree of freedom '//to_text(dof_potential)//' at one of its nodes, or leave out '// &
+                  '*ELECTRICAL CONDUCTIVITY where no current is to flow', parts%first_element(part), '')
+               reported = reported .or. group == group(part)
             end if
          end do
          if (n_alike > 0) call add(findings, n, describe_conductor(model, parts, first_alike)// &

@@ -910,6 +910,16 @@ def test_a_conductor_without_potential(litz, tmp_path):
     assert message.startswith("the conductor UPPER (element 2) has no path to a prescribed potential")
 
 
+def test_conductors_that_contacts_can_join_are_one_error_if_none_has_a_potential(litz, tmp_path):
+    deck = DECK.replace("PLUS, 9\n3, 9, 9, 0.01\n", "")
+    code, kind, message, line = check_held(litz, tmp_path, deck)
+    assert (code, kind, int(line)) == (1, "error", line_of("1, 1, 2", deck))
+    assert message.startswith(
+        "the conductor LOWER (element 1) has no path to a prescribed potential; likewise 1 more: "
+    )
+    assert message.endswith("or leave out *ELECTRICAL CONDUCTIVITY where no current is to flow")
+
+
 def test_a_conductor_that_only_contacts_connect(litz, tmp_path):
     deck = DECK.replace("3, 9, 9, 0.01\n", "")
     code, kind, message, line = check_held(litz, tmp_path, deck)

@@ -10,6 +10,8 @@ import pytest
 from verification.cases.twisted_pair import approach_of
 from verification.references.capstan import capstan
 from verification.references.helical_rods import Rod, Strand
+from verification.references.line_joints import LineJoint
+from verification.references.parallel_wires import ParallelWires, PressedWire
 
 from litz import Results
 from litz import closed_forms as cf
@@ -33,6 +35,8 @@ DECKS = [
     "12_woven_fabric",
     "13_stick_slip",
     "14_strand",
+    "15_lap_joint",
+    "16_bent_strand",
     "18_rod_over_drum",
     "17_knot",
 ]
@@ -353,6 +357,54 @@ def test_a_strand_is_pulled_and_twisted_as_one_of_exact_helices(results_of, head
     assert results.history["resistance PLUS to MINUS"][at(results, 2)] == pytest.approx(1 / conductance, rel=1e-3)
 
 
+def guided_beam(bending_stiffness, tension, length, deflection):
+    """Force across on the end of a tensioned beam that is moved aside and does not turn."""
+    k = math.sqrt(tension / bending_stiffness)
+    return tension * deflection / (length - 2 / k * math.tanh(k * length / 2))
+
+
+def test_a_bent_strand_is_stiffer_than_its_wires_and_softer_than_a_rod(results_of, header):
+    results = results_of("16_bent_strand")
+    ((time, least, most),) = header("16_bent_strand")
+    wires = math.pi / 4 * (0.52e-3**4 + 6 * 0.5e-3**4)
+    # six wires at the distance R from the axis: the sum of A R^2 sin^2
+    rod = wires + 3 * math.pi * 0.5e-3**2 * 1.02e-3**2
+    for force, inertia in ((least, wires), (most, rod)):
+        assert force == pytest.approx(guided_beam(120e9 * inertia, 324.78, 30e-3, 0.3e-3), rel=1e-3)
+    across = results.history["RF2 node 149"]
+    assert least < across[at(results, time)] < most
+    # wires that have slipped do not come back by themselves
+    assert across[at(results, 3)] < 0
+    assert {"stick", "slip"} <= set(results.contacts_at(at(results, time))["friction"])
+
+
+def test_current_passes_through_a_lap_as_between_two_conducting_lines(results_of, header):
+    results = results_of("15_lap_joint")
+    rows = header("15_lap_joint")
+    assert len(rows) == 3
+    wire = PressedWire(0.5e-3, 120e9, 0.34, 1 / 58.8e6)
+    pair = ParallelWires(wire, wire, film=1e-11)
+    per_length = wire.resistivity / (math.pi * wire.radius**2)
+    for time, force, resistance in rows:
+        line_force = pair.force(0.4e-6 * time)
+        joint = LineJoint(20e-3, pair.conductance(line_force), per_length, per_length)
+        assert force == pytest.approx(20e-3 * line_force, rel=1e-5)
+        assert 1e-3 * resistance == pytest.approx(joint.lap() + 20e-3 * per_length, rel=1e-5)
+        increment = at(results, time)
+        # the end of a wire is round, and counts as cut off: 0.01 mm of 20 mm at each end
+        assert -results.history["RF3 node 64"][increment] == pytest.approx(force, rel=1e-3)
+        # currents are lumped at places 0.2 mm apart, (m h)^2/12 with 1/m of 5 mm: 1e-4
+        assert results.history["resistance PLUS to MINUS"][increment] == pytest.approx(1e-3 * resistance, rel=1e-3)
+        # from x = -10 mm on; half a contact length of 0.1 mm in 1/m of 5 mm
+        current = results.field("element_current", increment)[:30]
+        np.testing.assert_allclose(current[:10] / current[0], 1.0, rtol=1e-9)
+        x = 1e-3 * np.arange(21)
+        mean_current = (
+            joint.lap_current(x[:-1]) + joint.lap_current(x[1:]) + 4 * joint.lap_current(x[:-1] + 0.5e-3)
+        ) / 6
+        np.testing.assert_allclose(current[10:] / current[0], mean_current, atol=0.01)
+
+
 def test_a_rod_is_drawn_over_a_drum_as_an_exact_elastica_with_friction(results_of, header):
     results = results_of("18_rod_over_drum")
     ((time, tension, moment),) = header("18_rod_over_drum")
@@ -400,6 +452,8 @@ def test_generated_decks_are_those_of_the_generator(inputs, make_decks):
         "11_fibre_mat": make_decks.fibre_mat,
         "12_woven_fabric": make_decks.woven_fabric,
         "14_strand": make_decks.strand,
+        "15_lap_joint": make_decks.lap_joint,
+        "16_bent_strand": make_decks.bent_strand,
         "18_rod_over_drum": make_decks.rod_over_drum,
         "17_knot": make_decks.knot,
     }

@@ -37,9 +37,11 @@ def nearly_converged(rows, key):
     )
 
 
+#: Round-off of a field that is zero: rotations of wires that jaws press [rad]
+NOTHING = 1e-15
 #: Decks that magnify round-off, with a force that they must agree on: without friction the wires of the strand turn about the
 #: core almost freely; on the drum parts of the arc open and slip in the middle of an iteration
-SENSITIVE = {"14_strand": "RF3 node 149", "18_rod_over_drum": "RF3 node 161"}
+SENSITIVE = {"14_strand": "RF3 node 149", "16_bent_strand": "RF3 node 149", "18_rod_over_drum": "RF3 node 161"}
 
 
 @pytest.mark.parametrize("name", SENSITIVE)
@@ -86,9 +88,9 @@ def test_same_iterates(deck, litz, tmp_path):
         for name in ("displacement", "rotation", "potential"):
             expected = block.field(name, None)
             np.testing.assert_allclose(
-                other.field(name, None), expected, rtol=0, atol=1e-8 * np.abs(expected).max() + 1e-300, err_msg=name
+                other.field(name, None), expected, rtol=0, atol=1e-8 * np.abs(expected).max() + NOTHING, err_msg=name
             )
         for column in ("displacement", "rotation", "potential"):
             expected = np.array([rows[key][column] for key in common])
             found = np.array([other_rows[key][column] for key in common])
-            np.testing.assert_allclose(found, expected, rtol=1e-5, atol=1e-7 * expected.max(), err_msg=column)
+            np.testing.assert_allclose(found, expected, rtol=1e-5, atol=1e-7 * expected.max() + NOTHING, err_msg=column)

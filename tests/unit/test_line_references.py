@@ -13,10 +13,22 @@ from scipy.special import j1
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
 from verification import line_decks
+from verification.cases import turned_wires
 from verification.claims import read_claims
 from verification.references.capstan import capstan
 from verification.references.closed_coil import ClosedCoil, next_turn
-from verification.references.helical_rods import STRAIGHT, Helix, Rod, Strand, TwistedPair, energy, loads
+from verification.references.helical_rods import (
+    STRAIGHT,
+    Bundle,
+    Helix,
+    Rod,
+    Strand,
+    TwistedPair,
+    energy,
+    loads,
+    neighbour,
+)
+from verification.references.hertz import end_on_end, end_on_wire
 from verification.references.line_joints import LineJoint
 from verification.references.parallel_wires import ParallelWires, PressedWire
 from verification.references.plectoneme import under_tension
@@ -26,6 +38,7 @@ from verification.run import main
 
 PAIR = TwistedPair(Rod(0.5e-3, 200e9, 0.3), 0.1)
 STRAND = Strand(Rod(1.97e-3, 188e9, 0.3), Rod(1.865e-3, 188e9, 0.3), 6, 0.115)
+TRIPLE = Bundle(PAIR.rod, 3, 30e-3).state(1e-4, 0.1, lambda line: line / 1e10)
 COPPER = PressedWire(1e-3, 120e9, 0.34, 1.7e-8)
 STEEL = PressedWire(0.3e-3, 200e9, 0.28, 1.4e-7)
 
@@ -361,6 +374,51 @@ def test_a_list_of_claims_of_its_own_is_read(capsys, tmp_path):
     assert "there is no case elastica; there are slipping_pair" in capsys.readouterr().err
 
 
+def test_neighbours_on_a_helix_are_as_far_apart_as_fine_polygons():
+    radius, pitch, step = 1.1e-3, 17e-3, 1e-7
+    angle = np.linspace(-2.5, -1.5, 200001)
+    apart = [radius * np.cos(angle) - radius, radius * np.sin(angle), pitch * (angle + 2 * math.pi / 3) / (2 * math.pi)]
+    distance, by_radius, by_pitch = neighbour(radius, pitch, 3)
+    assert distance == pytest.approx(np.sqrt(np.sum(np.square(apart), 0)).min(), rel=1e-9)
+    for slope, change in ((by_radius, (step, 0)), (by_pitch, (0, step))):
+        up, down = (neighbour(radius + sign * change[0], pitch + sign * change[1], 3)[0] for sign in (1, -1))
+        assert slope == pytest.approx((up - down) / (2 * step), rel=1e-5)
+
+
+def test_loads_of_three_wires_are_the_derivatives_of_their_energy():
+    """With an elastic contact, energy and loads at equilibrium."""
+    bundle, stiffness, strain, turn, step = Bundle(PAIR.rod, 3, 30e-3), 1e10, 1e-3, 1.0, 1e-6
+
+    def whole_energy(strain, turn):
+        state = bundle.state(strain, turn, lambda line: line / stiffness)
+        return 3 * (energy(bundle.wire, state.helix, bundle.free) + state.line_force**2 / (2 * stiffness))
+
+    state = bundle.state(strain, turn, lambda line: line / stiffness)
+    # of the wires, per length of the bundle
+    height = bundle.free.height
+    by_strain = (whole_energy(strain + step, turn) - whole_energy(strain - step, turn)) / (2 * step)
+    by_turn = (whole_energy(strain, turn + 1e-2) - whole_energy(strain, turn - 1e-2)) / 2e-2
+    assert state.force == pytest.approx(by_strain / height, rel=1e-5)
+    assert state.moment == pytest.approx(by_turn / height, rel=1e-5)
+
+
+def nearly_parallel(case, i):
+    return case.PAIR.nearly_parallel(case.FORCE, case.ANGLES[i], case.LENGTH)
+
+
+@pytest.mark.parametrize("degrees", [0.0, 0.02, 0.3])
+def test_sections_of_wires_that_cross_at_a_small_angle_carry_the_force(degrees):
+    pair, length, force = ParallelWires(COPPER, STEEL), 30e-3, 20.0
+    overlap, conductance = pair.nearly_parallel(force, math.radians(degrees), length)
+    # the middles of 4000 pieces; the axes of straight wires at their distance
+    x = (np.arange(4000) + 0.5) / 4000 * length / 2
+    distance = pair.first.radius + pair.second.radius
+    apart = np.hypot(distance - overlap, x * math.sin(math.radians(degrees)))
+    forces = [pair.force(distance - each) for each in apart if each < distance]
+    assert 2 * sum(forces) * length / 8000 == pytest.approx(force, rel=1e-3)
+    assert 2 * sum(map(pair.conductance, forces)) * length / 8000 == pytest.approx(conductance, rel=1e-3)
+
+
 #: What the reference solutions give for each claim of a case
 EXPECTED = {
     "twisted_pair": lambda case: {
@@ -389,6 +447,13 @@ EXPECTED = {
             for kind in ("lap", "hairpin")
         }
     ),
+    "ends": lambda case: {
+        "ends.side.force": [case.exact(end_on_wire)[0]] * len(case.ANGLES),
+        "ends.side.resistance": [case.exact(end_on_wire)[1]] * len(case.ANGLES),
+        "ends.end.force": case.exact(end_on_end)[0],
+        "ends.end.resistance": case.exact(end_on_end)[1],
+        "ends.lap": [1.0] * len(case.LAPS),
+    },
     "touching_beams": lambda case: {
         "touching_beams.tip": [case.TIPS.support_deflection, case.TIPS.deflection],
         "touching_beams.tip_force": case.TIPS.contact_force,
@@ -399,13 +464,31 @@ EXPECTED = {
         "slipping_pair.path": case.PAIR.path(case.FORCES),
         "slipping_pair.loss": case.PAIR.loss(case.FORCES[-1]),
     },
+    "turned_strands": lambda case: {
+        f"turned_strands.{name}.{what}": [getattr(state, what) for state in states]
+        for name, states in (("strand", case.strand_states()), ("triangle", case.triangle_states()))
+        for what in ("force", "moment", "line_force")
+    },
+    "turned_wires": lambda case: (
+        {
+            f"turned_wires.crossed.{what}": [getattr(case.crossed(case.ANGLES[i]), name) for i in case.CROSSED]
+            for what, name in (("overlap", "approach"), ("resistance", "resistance"))
+        }
+        | {
+            "turned_wires.overlap": [nearly_parallel(case, i)[0] for i in case.SMALL[:2]],
+            "turned_wires.parallel": nearly_parallel(case, -1)[0],
+            "turned_wires.resistance": [1 / nearly_parallel(case, i)[1] for i in case.SMALL[1:]],
+        }
+    ),
 }
 
 
 @pytest.mark.parametrize("name", EXPECTED)
 def test_the_values_of_the_claims_are_those_of_the_reference_solutions(name):
     case = importlib.import_module(f"verification.cases.{name}")
-    claims = {claim.id: claim.reference for claim in read_claims() if claim.script == name}
+    claims = {
+        claim.id: claim.reference for claim in read_claims() if claim.script == name and claim.comparison != "at_most"
+    }
     expected = EXPECTED[name](case)
     assert set(expected) == set(claims)
     for key, value in expected.items():
@@ -426,8 +509,23 @@ def test_the_values_of_the_claims_are_those_of_the_reference_solutions(name):
         lambda: line_decks.pressed_pair(ParallelWires(COPPER, STEEL), [1e-7], 0.02, 4, elements_2=5),
         lambda: line_decks.pressed_pair(ParallelWires(COPPER, STEEL), [1e-7], 0.02, 4, potentials="lap"),
         lambda: line_decks.slipping_pair(PAIR.rod, SlippingPair(0.5e-3, 50e-3, 200e9, 200.0, 0.3), 4, [0.1], 1e-11),
+        lambda: line_decks.pulled_strand(Bundle(PAIR.rod, 3, 30e-3), [TRIPLE], 0.02, 30),
+        lambda: turned_wires.sweep("HERTZ"),
+        lambda: turned_wires.over_arc("HERTZ"),
     ],
-    ids=["twisted", "strand", "cantilevers", "three points", "shared", "pressed", "lap", "slipping"],
+    ids=[
+        "twisted",
+        "strand",
+        "cantilevers",
+        "three points",
+        "shared",
+        "pressed",
+        "lap",
+        "slipping",
+        "three",
+        "turned",
+        "arc",
+    ],
 )
 def test_the_decks_are_read(text, litz, tmp_path):
     deck = tmp_path / "deck.inp"

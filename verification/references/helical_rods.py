@@ -15,7 +15,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from scipy.optimize import brentq
+from scipy.optimize import brentq, minimize_scalar
 
 
 @dataclass(frozen=True)
@@ -214,3 +214,64 @@ class Strand:
             slope(turned, "moment", turn),
             slope(strained, "line_force", strain),
         )
+
+
+def neighbour(radius, pitch, count):
+    """Distance of neighbours among `count` helices of a pitch [m] on one radius, and its derivatives by radius and pitch."""
+    spacing = 2 * math.pi / count
+
+    def squared(turn):
+        # from the place at the angle 0 to the one at spacing + turn
+        return 2 * radius**2 * (1 - math.cos(spacing + turn)) + (pitch * turn / (2 * math.pi)) ** 2
+
+    turn = minimize_scalar(squared, bounds=(-spacing, 0.5), method="bounded", options={"xatol": 1e-12}).x
+    distance = math.sqrt(squared(turn))
+    by_radius = 2 * radius * (1 - math.cos(spacing + turn)) / distance
+    return distance, by_radius, pitch * (turn / (2 * math.pi)) ** 2 / distance
+
+
+@dataclass(frozen=True)
+class Bundle:
+    """`count` wires without a core, laid without stress so that neighbours touch.
+
+    pitch: lay length [m].
+    """
+
+    wire: Rod
+    count: int
+    pitch: float
+    core = None
+
+    @property
+    def free(self):
+        """A wire without stress."""
+        a = self.wire.radius
+        radius = brentq(lambda r: neighbour(r, self.pitch, self.count)[0] - 2 * a, 0.9 * a, 10 * a, xtol=1e-18)
+        reference = math.hypot(2 * math.pi * radius / self.pitch, 1.0)
+        return Helix(radius, 1 / reference, 2 * math.pi / self.pitch / reference)
+
+    def state(self, strain, turn, approach: Callable):
+        """State at an axial strain and a turn per length [rad/m]; line force of two neighbours per reference length.
+
+        The energy is that of the wires and of what is between neighbours, a line of contact for each wire; its derivative by
+        the radius is zero, those by height and turn are the loads.
+        """
+        free = self.free
+
+        def neighbours(radius):
+            helix = Helix(radius, (1 + strain) * free.height, free.turn + turn * free.height)
+            return helix, *neighbour(radius, 2 * math.pi * helix.height / helix.turn, self.count)
+
+        def excess(radius):
+            helix, distance, by_radius, _ = neighbours(radius)
+            line = loads(self.wire, helix, free).line_force / by_radius
+            return distance + (approach(line) if line > 0 else 0.0) - 2 * self.wire.radius
+
+        radius = brentq(excess, 0.9 * free.radius, 1.1 * free.radius, xtol=1e-18, rtol=1e-15)
+        helix, _, by_radius, by_pitch = neighbours(radius)
+        wire = loads(self.wire, helix, free)
+        line = wire.line_force / by_radius
+        by_height = by_pitch * 2 * math.pi / helix.turn
+        by_turn = -by_height * helix.height / helix.turn
+        force, moment = wire.force - line * by_height, wire.moment - line * by_turn
+        return State(helix, line, self.count * force, self.count * moment)

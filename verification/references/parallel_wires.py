@@ -14,6 +14,7 @@ an arc, sin(b/(2 r)), T. Ransford, Potential Theory in the Complex Plane (1995),
 import math
 from dataclasses import dataclass
 
+import numpy as np
 from scipy.optimize import brentq
 
 
@@ -77,3 +78,28 @@ class ParallelWires:
             wire.resistivity / math.pi * (math.log(1 / math.sin(b / (2 * wire.radius))) + 1 / 8)
             for wire in (self.first, self.second)
         )
+
+    def nearly_parallel(self, force, angle, length):
+        """Overlap [m] and conductance [S] of straight wires of a `length` that cross in their middle under a force [N].
+
+        The angle [rad] is so small that they overlap over many radii: each section is one of parallel wires.
+        """
+        sine, distance = math.sin(angle), self.first.radius + self.second.radius
+        points, weights = np.polynomial.legendre.leggauss(40)
+        # places s = half sin(t): the overlap ends with the square root of a length, a smooth function of t
+        t = math.pi / 4 * (points + 1)
+        weights = weights * math.pi / 4 * np.cos(t)
+
+        def sections(overlap):
+            half = min(length / 2, math.sqrt(2 * distance * overlap) / sine) if sine > 0 else length / 2
+            overlaps = overlap - (half * np.sin(t) * sine) ** 2 / (2 * distance)
+            return half, [self.force(each) for each in overlaps]
+
+        def excess(overlap):
+            half, forces = sections(overlap)
+            return 2 * half * float(weights @ forces) / force - 1
+
+        widest = (min(self.first.radius, self.second.radius) / 4 / self.half_width(1.0)) ** 2
+        overlap = brentq(excess, 1e-6 * distance, 0.999 * self.approach(widest), rtol=1e-12)
+        half, forces = sections(overlap)
+        return overlap, 2 * half * float(weights @ [self.conductance(each) for each in forces])

@@ -1,0 +1,35 @@
+"""Strands and cables of `litz.build` are pulled without a warning."""
+
+import math
+
+import pytest
+
+from litz import Results, build
+
+CABLES = {
+    "1+6": lambda: build.strand([1, 6], radius=[0.52e-3, 0.5e-3], lay_length=45e-3, length=12e-3),
+    "1+6 thin": lambda: build.strand([1, 6], radius=[5.3e-6, 5e-6], lay_angle=math.radians(6), length=0.1e-3),
+    "1+6 laid off": lambda: build.strand([1, 6], radius=0.5e-3, lay_length=45e-3, length=12e-3, enlarge=True),
+    "1+6+12": lambda: build.strand(
+        [1, 6, 12], radius=[0.55e-3, 0.5e-3, 0.5e-3], lay_length=[30e-3, 60e-3], direction="SZ", length=6e-3, enlarge=True
+    ),
+    "3": lambda: build.strand([3], radius=0.41e-3, lay_length=25e-3, length=12e-3),
+    "3 x 3": lambda: build.cable([[3], [3]], radius=0.41e-3, lay_lengths=[20e-3, 40e-3], length=12e-3),
+    "3 x 3, opposite": lambda: build.cable([[3], [3]], radius=0.41e-3, lay_lengths=[20e-3, -40e-3], length=12e-3),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", CABLES)
+def test_a_cable_is_pulled_without_a_warning(name, litz, tmp_path):
+    model = CABLES[name]()
+    model.press(-2e-4 * model.x[:, 2].max(), voltage=1e-3, increment=0.5)
+    deck = model.write(tmp_path / "cable.inp")
+    checked = litz("check", deck)
+    assert (checked.returncode, checked.stderr) == (0, "")
+    process = litz("run", deck, "-o", tmp_path)
+    assert (process.returncode, process.stderr) == (0, "")
+    assert "cut:" not in process.stdout
+    results = Results(tmp_path / "cable.vtkhdf")
+    assert results.warnings == []
+    # wires that are laid on each other hold each other as soon as they are pulled
+    assert results.contacts_at(-1)["force"].sum() > 0
