@@ -209,8 +209,9 @@ contains
          xi = merge(place(order), sign(1.0_dp, real(signed, dp)), abs(signed) == pair(order))
          k = by_wire%first(wires%wire(abs(signed(1))))
          do while (k > 0 .and. .not. is_known)
-            is_known = points(k)%weight > 0 .and. is_at(wires, elements, points(k), abs(signed), &
-               arc_at(wires, elements, abs(signed), xi))
+            ! where an end carries nothing places beside it do
+            is_known = (points(k)%weight > 0 .or. any(points(k)%held)) .and. is_at(wires, elements, points(k), &
+               abs(signed), arc_at(wires, elements, abs(signed), xi))
             k = by_wire%next(k)
          end do
       end subroutine look_up
