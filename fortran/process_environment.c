@@ -5,6 +5,9 @@
    itself. And threads of OpenMP spin while they wait, which is worth nothing here and holds up those of OpenBLAS. */
 #define _GNU_SOURCE
 #include <fcntl.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -67,6 +70,18 @@ static char **own_command(void)
    return words;
 }
 
+/* Arrays of many megabytes come and go in every iteration. The C library gives each back to the system, which has to fill
+   its pages with zeros when it is asked for the next one; up to these sizes [bytes] memory is kept for it instead. */
+static void keep_memory(void)
+{
+#ifdef __GLIBC__
+   enum { largest_kept = 512 * 1024 * 1024, kept_in_all = 1024 * 1024 * 1024 };
+
+   if (getenv("MALLOC_MMAP_THRESHOLD_") || getenv("MALLOC_TRIM_THRESHOLD_")) return;
+   if (mallopt(M_MMAP_THRESHOLD, largest_kept)) mallopt(M_TRIM_THRESHOLD, kept_in_all);
+#endif
+}
+
 /* Where a choice is better made otherwise and the user has made none, make it and start the program again, once: the
    libraries do not look a second time. To be called before anything else is done. Where the program cannot be started
    again it goes on as it is. */
@@ -76,6 +91,7 @@ void litz_set_process_environment(void)
    const int threads_spin = !getenv("OMP_WAIT_POLICY");
    char **command;
 
+   keep_memory();
    if (!kernels && !threads_spin) return;
    if (kernels && setenv("OPENBLAS_CORETYPE", kernels, 1) != 0) return;
    if (threads_spin && setenv("OMP_WAIT_POLICY", "passive", 1) != 0) return;

@@ -2,7 +2,7 @@
 module litz_contact_capture
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf
    use litz_kinds, only: dp, pi
-   use litz_contact_history, only: contact_history_t, advanced_history
+   use litz_contact_history, only: contact_history_t, advanced_history, spot_of_history
    use litz_contact_points, only: contact_set_t, contact_point_t
    use litz_state, only: state_t, contact_t
    implicit none
@@ -39,11 +39,11 @@ contains
       do i = 1, size(points)
          associate (point => points(i))
             if (.not. point%closed) then
-               point%history = contact_history_t()
+               point%history = merge(spot_of_history(point%history), contact_history_t(), point%gap < 0)
                cycle
             end if
             point%history = advanced_history(point%history, [point%arc_bar, point%arc], point%force, point%weight, &
-               point%friction, point%new_spot)
+               merge(point%force/point%weight, point%force, point%line_place > 0), point%friction, point%new_spot)
             if (point%id == 0) then
                last_id = last_id + 1
                point%id = last_id
@@ -72,7 +72,7 @@ contains
       contact%dissipation = point%history%dissipation
       contact%resistance = ieee_value(contact%resistance, ieee_positive_inf)
       if (point%conductance > 0) contact%resistance = 1/point%conductance
-      contact%joule_heat = point%current*point%voltage_gap
+      contact%joule_heat = point%current*point%voltage_gap + point%heat_of_strips
       if (point%line_place > 0) contact%length = point%weight
    end function contact_of_point
 

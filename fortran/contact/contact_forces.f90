@@ -9,6 +9,7 @@ module litz_contact_forces
    use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry, clearance_of, law_parallel, &
       law_bad_data, law_too_curved
    use litz_domain, only: domain_t
+   use litz_element_library, only: elements_t
    use litz_errors, only: error_t, fail, exit_input
    use litz_fields, only: group_mechanical, motion_slots, potential_slots
    use litz_friction_forces, only: find_friction, increment_start_t
@@ -20,8 +21,10 @@ module litz_contact_forces
    use litz_parallel, only: worth_threads
    use litz_scatter, only: forces_t, chunk
    use litz_shared_conductors, only: collect_shared
+   use litz_strips_of_wires, only: strips_t, collect_strips
    use litz_text, only: to_text
    use litz_timing, only: phase_contact, phase_assembly
+   use litz_wires, only: wires_t
    implicit none
    private
    public :: assemble_contacts, share_currents, predict_contacts, refused_contact
@@ -221,37 +224,45 @@ contains
    end subroutine add_iteration_force
 
    !> Where contacts share elements their currents depend on each other: what that changes (theory section 7).
-   subroutine share_currents(model, potential, contact, forces)
+   subroutine share_currents(model, wires, elements, potential, contact, forces)
       type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
       !> Of the nodes (n_nodes) [V]
       real(dp), intent(in) :: potential(:)
       type(contact_set_t), intent(inout) :: contact
       type(forces_t), intent(inout) :: forces
       integer, allocatable :: points(:), line_points(:), pairs(:, :), nodes(:, :)
-      real(dp), allocatable :: current(:), rise(:, :), voltage(:), conductance(:)
+      real(dp), allocatable, dimension(:) :: current, voltage, conductance, of_strips
+      real(dp), allocatable, dimension(:, :) :: rise, xi, normal
+      type(strips_t) :: strips
       integer :: k, n
 
       allocate (points, source=in_series(contact%points))
-      allocate (line_points, source=in_series(contact%line_points))
+      allocate (line_points, source=pack([(k, k=1, size(contact%line_points))], contact%line_points%conductance > 0))
       n = size(points)
-      associate (a => contact%points(points), b => contact%line_points(line_points))
-         pairs = reshape([elements_by_point(a), elements_by_point(b)], [2, n + size(b)])
+      associate (a => contact%points, b => contact%line_points)
+         pairs = reshape([elements_by_point(a, points), elements_by_point(b, line_points)], [2, n + size(line_points)])
          nodes = reshape([(model%connectivity(:, pairs(1, k)), model%connectivity(:, pairs(2, k)), &
             k=1, size(pairs, 2))], [4, size(pairs, 2)])
-         conductance = [a%conductance, b%conductance]
-         call collect_shared(pairs, nodes, reshape([places_by_point(a), places_by_point(b)], shape(pairs)), &
-            reshape([resistances_by_point(a), resistances_by_point(b)], shape(pairs)), 1/conductance, contact%shared)
+         conductance = [a(points)%conductance, b(line_points)%conductance]
+         xi = reshape([places_by_point(a, points), places_by_point(b, line_points)], shape(pairs))
+         normal = reshape([(a(points(k))%kinematics%normal, k=1, n), (b(line_points(k))%kinematics%normal, k=1, &
+            size(line_points))], [3, size(pairs, 2)])
+         call collect_strips(wires, elements, contact%places, pairs, xi, normal, [(k > n, k=1, size(pairs, 2))], strips)
+         call collect_shared(pairs, nodes, xi, reshape([resistances_by_point(a, points), &
+            resistances_by_point(b, line_points)], shape(pairs)), 1/conductance, strips, contact%shared)
       end associate
       if (.not. contact%shared%present) return
       voltage = contact%shared%voltages(potential)
-      allocate (current(size(voltage)), rise(2, size(voltage)))
-      call contact%shared%currents(voltage, current, rise)
+      allocate (current(size(voltage)), rise(2, size(voltage)), of_strips(size(voltage)))
+      call contact%shared%currents(voltage, current, rise, of_strips)
       call contact%shared%add_beyond(voltage, current, forces%internal(potential_slots(1), :))
       do k = 1, n
-         call set_current(current(k), rise(:, k), contact%points(points(k)))
+         call set_current(current(k), rise(:, k), of_strips(k), contact%points(points(k)))
       end do
       do k = 1, size(line_points)
-         call set_current(current(n + k), rise(:, n + k), contact%line_points(line_points(k)))
+         call set_current(current(n + k), rise(:, n + k), of_strips(n + k), contact%line_points(line_points(k)))
       end do
    end subroutine share_currents
 
@@ -266,36 +277,45 @@ contains
    end function in_series
 
    !> Elements, places in them, and resistances of the elements, barred before unbarred, point after point.
-   pure function elements_by_point(points) result(elements)
+   pure function elements_by_point(points, members) result(elements)
       type(contact_point_t), intent(in) :: points(:)
-      integer :: elements(2*size(points)), i
+      !> Which of them
+      integer, intent(in) :: members(:)
+      integer :: elements(2*size(members)), i
 
-      elements = [(points(i)%element_bar, points(i)%element, i=1, size(points))]
+      elements = [(points(members(i))%element_bar, points(members(i))%element, i=1, size(members))]
    end function elements_by_point
 
-   pure function places_by_point(points) result(xi)
+   pure function places_by_point(points, members) result(xi)
       type(contact_point_t), intent(in) :: points(:)
-      real(dp) :: xi(2*size(points))
+      !> Which of them
+      integer, intent(in) :: members(:)
+      real(dp) :: xi(2*size(members))
       integer :: i
 
-      xi = [(points(i)%xi_bar, points(i)%xi, i=1, size(points))]
+      xi = [(points(members(i))%xi_bar, points(members(i))%xi, i=1, size(members))]
    end function places_by_point
 
-   pure function resistances_by_point(points) result(resistance)
+   pure function resistances_by_point(points, members) result(resistance)
       type(contact_point_t), intent(in) :: points(:)
-      real(dp) :: resistance(2*size(points))
+      !> Which of them
+      integer, intent(in) :: members(:)
+      real(dp) :: resistance(2*size(members))
       integer :: i
 
-      resistance = [(points(i)%series_resistance, i=1, size(points))]
+      resistance = [(points(members(i))%series_resistance, i=1, size(members))]
    end function resistances_by_point
 
-   pure subroutine set_current(current, rise, point)
+   pure subroutine set_current(current, rise, of_strips, point)
       !> [A], and rise of the potential above the linear one in either element (2) [V], barred first
       real(dp), intent(in) :: current, rise(2)
+      !> What other strips on its wires add to its voltage [V]
+      real(dp), intent(in) :: of_strips
       type(contact_point_t), intent(inout) :: point
 
       point%current = current
       point%voltage_gap = current/point%conductance
+      point%heat_of_strips = current*of_strips
       point%heat_inside = current*[-rise(1), rise(2)]
    end subroutine set_current
 
@@ -311,6 +331,7 @@ contains
       point%voltage_gap = 0
       point%series_resistance = 0
       point%heat_inside = 0
+      point%heat_of_strips = 0
       point%semi_major = 0
       point%semi_minor = 0
    end subroutine clear_results

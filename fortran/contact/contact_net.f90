@@ -12,6 +12,7 @@ module litz_contact_net
    use litz_element_library, only: elements_t
    use litz_contact_candidates, only: find_contact_pair
    use litz_line_contact, only: serves_lines, line_obstacle
+   use litz_line_shares, only: points_by_place_t, chain_by_place
    use litz_missed_contacts, only: inspect_pair, is_at
    use litz_model, only: model_t, axis_linear
    use litz_normal_law, only: penalty_that_holds
@@ -39,13 +40,14 @@ contains
       real(dp), intent(in) :: x(:, :), rotation(:, :, :)
       type(finding_t) :: worst
       type(finding_t), allocatable :: found(:)
-      type(points_by_wire_t) :: by_wire, line_by_wire
+      type(points_by_wire_t) :: by_wire
+      type(points_by_place_t) :: by_place
       !> The candidate has a point (n_candidates)
       logical, allocatable :: has_point(:)
       integer :: i, n, roles(2), pair
 
       by_wire = chain_by_wire(wires, contact%points)
-      line_by_wire = chain_by_wire(wires, contact%line_points)
+      by_place = chain_by_place(size(contact%places%xi), contact%line_points)
       n = size(contact%candidates, 2)
       allocate (has_point(n), source=.false.)
       has_point(contact%points%candidate) = .true.
@@ -53,10 +55,10 @@ contains
       !$omp parallel do schedule(dynamic, 64) if (size(found) >= worth_threads)
       do i = 1, size(found)
          if (i <= n) then
-            call inspect_pair(model, wires, elements, contact, by_wire, line_by_wire, contact%candidates(:, i), &
+            call inspect_pair(model, wires, elements, contact, by_wire, by_place, contact%candidates(:, i), &
                has_point(i), .false., x, rotation, found(i))
          else
-            call inspect_pair(model, wires, elements, contact, by_wire, line_by_wire, contact%joined(:, i - n), &
+            call inspect_pair(model, wires, elements, contact, by_wire, by_place, contact%joined(:, i - n), &
                .false., .true., x, rotation, found(i))
          end if
       end do
@@ -72,8 +74,7 @@ contains
       end do
       if (worst%kind /= finding_line) return
       call find_contact_pair(model, wires, contact, worst%elements(1), worst%elements(2), roles, pair)
-      if (pair > 0) worst%obstacle = line_obstacle(model%interactions(model%contact_pairs(pair)%interaction), &
-         model%contact_pairs(pair)%interference_fit)
+      if (pair > 0) worst%obstacle = line_obstacle(model%interactions(model%contact_pairs(pair)%interaction))
    end function inspect_contacts
 
    !> A contact that is too deep, as long as a line, or on the wrong side.

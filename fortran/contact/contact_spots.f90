@@ -9,11 +9,11 @@ module litz_contact_spots
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
    use litz_law_input, only: wire_pair_t
    use litz_lens_law, only: lens_t, lens_force, lens_spot_t, lens_spot, lens_integral, n_depths
-   use litz_line_law, only: line_spot
+   use litz_line_law, only: line_spot_t, line_spot
    use litz_line_point, only: spot_of_line
    use litz_model, only: interaction_t
-   use litz_normal_law, only: normal_law_t
-   use litz_normal_forces, only: is_lens, weight_of_lens
+   use litz_normal_forces, only: is_lens, overlap_of_point, weight_of_lens
+   use litz_normal_law, only: overlap_of_force_t
    use litz_spot_law, only: contact_spot_t, contact_spot, spot_law_t, spot_ok
    use litz_wires, only: wires_t, arc_from_to
    implicit none
@@ -23,6 +23,9 @@ module litz_contact_spots
 contains
 
    !> The spot of a closed contact between conductors.
+   !>
+   !> What makes a spot that is remembered is the largest force, of a crossing as a whole or of a place of a line per
+   !> length; at the present angle.
    subroutine find_spot(law, wires, pair, point, circuit)
       type(interaction_t), intent(in) :: law
       type(wires_t), intent(in) :: wires
@@ -33,17 +36,16 @@ contains
       integer :: info
 
       circuit%series_resistance = pair%series_resistance
+      if (law%spot_memory) point%new_spot = leaves_spot(law, wires, pair, point)
+      call force_of_spot(law%spot_memory, point%history, point%force/point%weight, point%new_spot, spot_force, &
+         circuit%follows)
       if (law%spot%is_per_length) then
-         call spot_per_length(law%normal, law%spot, pair, point, circuit%spot)
+         call spot_per_length(law, pair, spot_force, point, circuit%spot)
       else if (point%line_place > 0) then
-         circuit%spot = spot_of_line(line_spot(point%line, point%force/point%weight, &
-            number_of(law%spot, law%spot%film_number), number_of(law%spot, law%spot%hardness_number)), point%weight)
+         circuit%spot = spot_of_line(strip_of(law%spot, point, spot_force), point%weight)
       else if (is_lens(law%normal, point)) then
-         circuit%spot = spot_of_lens(law%normal, law%spot, pair, point)
+         circuit%spot = spot_of_lens(law, pair, point, lens_of_spot(law, pair, point, spot_force))
       else
-         if (law%spot_memory) point%new_spot = leaves_spot(law, wires, pair, point)
-         call force_of_spot(law%spot_memory, point%history, point%force/point%weight, point%new_spot, spot_force, &
-            circuit%follows)
          call contact_spot(law%spot, spot_force, pair, point%ellipse, circuit%spot, info)
          if (info /= spot_ok) point%law_status = law_bad_data
          circuit%spot%conductance = point%weight*circuit%spot%conductance
@@ -51,10 +53,11 @@ contains
    end subroutine find_spot
 
    !> A resistance that is given per length: at a point of a line, or over the lens of a crossing.
-   pure subroutine spot_per_length(normal, law, pair, point, spot)
-      type(normal_law_t), intent(in) :: normal
-      type(spot_law_t), intent(in) :: law
+   pure subroutine spot_per_length(law, pair, spot_force, point, spot)
+      type(interaction_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair
+      !> That makes the spot: of a crossing [N], of a place of a line per length [N/m]
+      real(dp), intent(in) :: spot_force
       type(contact_point_t), intent(inout) :: point
       type(contact_spot_t), intent(out) :: spot
       type(contact_spot_t) :: at(n_depths)
@@ -63,37 +66,64 @@ contains
       integer :: i, info
 
       if (point%line_place > 0) then
-         call contact_spot(law, point%force/point%weight, pair, point%ellipse, spot, info)
+         call contact_spot(law%spot, spot_force, pair, point%ellipse, spot, info)
          if (info /= spot_ok) point%law_status = law_bad_data
          spot%conductance = point%weight*spot%conductance
          spot%semi_major = point%weight/2
          return
       end if
-      lens = lens_force(point%line, point%gap, point%law_sine, normal%line_penalty())
+      lens = lens_of_spot(law, pair, point, spot_force)
       do i = 1, n_depths
-         call contact_spot(law, lens%along(i)%force, pair, point%ellipse, at(i), info)
+         call contact_spot(law%spot, lens%along(i)%force, pair, point%ellipse, at(i), info)
          if (info /= spot_ok) point%law_status = law_bad_data
       end do
       call lens_integral(lens, at%conductance, at%dconductance_dforce, spot%conductance, dconductance_dgap)
-      spot%conductance = weight_of_lens(normal, pair, point)*spot%conductance
+      spot%conductance = weight_of_lens(law%normal, pair, point)*spot%conductance
       spot%dconductance_dforce = dconductance_dgap/lens%dforce_dgap
       spot%semi_major = lens%half_length
    end subroutine spot_per_length
 
-   !> The strip along the lens of a crossing.
-   pure type(contact_spot_t) function spot_of_lens(normal, law, pair, point) result(spot)
-      type(normal_law_t), intent(in) :: normal
+   !> The strip at a place of a line, made by a force per length.
+   pure type(line_spot_t) function strip_of(law, point, spot_force) result(strip)
       type(spot_law_t), intent(in) :: law
+      type(contact_point_t), intent(in) :: point
+      !> [N/m]
+      real(dp), intent(in) :: spot_force
+
+      strip = line_spot(point%line, spot_force, number_of(law, law%film_number), number_of(law, law%hardness_number))
+   end function strip_of
+
+   !> The lens of a crossing in which its spot was made: the present one, or that of a larger force.
+   pure type(lens_t) function lens_of_spot(law, pair, point, spot_force) result(lens)
+      type(interaction_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(in) :: point
-      type(lens_t) :: lens
+      !> Not smaller than the present force [N]
+      real(dp), intent(in) :: spot_force
+      type(overlap_of_force_t) :: made
+      real(dp) :: gap
+
+      gap = point%gap
+      if (spot_force > point%force/point%weight) then
+         made = overlap_of_point(law%normal, pair, point, point%weight*spot_force, point%weight)
+         gap = -made%overlap
+      end if
+      lens = lens_force(point%line, gap, point%law_sine, law%normal%line_penalty())
+   end function lens_of_spot
+
+   !> The strip along the lens of a crossing.
+   pure type(contact_spot_t) function spot_of_lens(law, pair, point, lens) result(spot)
+      type(interaction_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(in) :: point
+      type(lens_t), intent(in) :: lens
       type(lens_spot_t) :: strip
 
-      lens = lens_force(point%line, point%gap, point%law_sine, normal%line_penalty())
-      strip = lens_spot(point%line, lens, number_of(law, law%film_number), number_of(law, law%hardness_number))
+      strip = lens_spot(point%line, lens, number_of(law%spot, law%spot%film_number), &
+         number_of(law%spot, law%spot%hardness_number))
       spot%semi_major = lens%half_length
       spot%semi_minor = strip%half_width
-      spot%conductance = weight_of_lens(normal, pair, point)*strip%conductance
+      spot%conductance = weight_of_lens(law%normal, pair, point)*strip%conductance
       spot%dconductance_dforce = strip%dconductance_dgap/lens%dforce_dgap
    end function spot_of_lens
 
@@ -123,26 +153,46 @@ contains
    end subroutine keep_current
 
    !> A contact that remembers its spot is no longer at it. With friction it has slipped; without, it has moved along
-   !> one of its wires by more than the spot, which where the law has none is that of Hertz.
+   !> one of its wires by more than the spot.
    pure logical function leaves_spot(law, wires, pair, point) result(leaves)
       type(interaction_t), intent(in) :: law
       type(wires_t), intent(in) :: wires
       type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(in) :: point
-      type(contact_spot_t) :: spot
-      real(dp) :: moved(2), size_of_spot
-      integer :: info
+      real(dp) :: moved(2)
 
       leaves = point%friction%status == friction_slip
       if (law%friction > 0 .or. .not. point%history%largest_force > 0) return
       moved = abs(arc_from_to(point%history%spot_arc, [point%arc_bar, point%arc], &
          wires%circumference(wires%wire([point%element_bar, point%element]))))
-      call contact_spot(law%spot, point%history%largest_force, pair, point%ellipse, spot, info)
-      size_of_spot = spot%semi_major
-      if (info /= spot_ok .or. .not. size_of_spot > 0) size_of_spot = &
-         ellipse_of(pair, point%law_angle)*point%history%largest_force**(1.0_dp/3)
-      leaves = maxval(moved) > size_of_spot
+      leaves = maxval(moved) > size_of_spot(law, pair, point, point%history%largest_force)
    end function leaves_spot
+
+   !> Greater half axis of a spot, half length of a lens, half width of a strip [m]; where the law has none, those of
+   !> elastic wires.
+   pure real(dp) function size_of_spot(law, pair, point, force) result(half_size)
+      type(interaction_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(in) :: point
+      !> That has made the spot: of a crossing [N], of a place of a line per length [N/m]
+      real(dp), intent(in) :: force
+      type(contact_spot_t) :: spot
+      type(line_spot_t) :: strip
+      type(lens_t) :: lens
+      integer :: info
+
+      if (point%line_place > 0) then
+         strip = strip_of(law%spot, point, force)
+         half_size = strip%half_width
+      else if (law%spot%is_per_length .or. is_lens(law%normal, point)) then
+         lens = lens_of_spot(law, pair, point, force)
+         half_size = lens%half_length
+      else
+         call contact_spot(law%spot, force, pair, point%ellipse, spot, info)
+         half_size = spot%semi_major
+         if (info /= spot_ok .or. .not. half_size > 0) half_size = ellipse_of(pair, point%law_angle)*force**(1.0_dp/3)
+      end if
+   end function size_of_spot
 
    !> Greater half axis of the Hertz ellipse of 1 N [m].
    pure real(dp) function ellipse_of(pair, angle) result(semi_major)

@@ -149,7 +149,8 @@ contains
       if (allocated(error)) return
       call assemble_contacts(domain, self%contact, self%contact%line_points, error)
       if (allocated(error)) return
-      call share_currents(domain%model, domain%iterate%value(potential_slots(1), :), self%contact, domain%forces)
+      call share_currents(domain%model, domain%wires, domain%elements, domain%iterate%value(potential_slots(1), :), &
+         self%contact, domain%forces)
       call domain%timing%lap(phase_contact)
    end subroutine evaluate
 

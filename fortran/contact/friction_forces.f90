@@ -242,19 +242,20 @@ contains
       !> Now, below zero [m]
       real(dp), intent(in) :: gap
       type(contact_point_t), intent(inout) :: point
-      real(dp) :: xi, distance, normal(3)
+      real(dp) :: xi, distance, normal(3), surfaces
 
       associate (kinematics => point%kinematics, m => mirrored_nodes)
+         surfaces = sum(radius) - (point%gap - kinematics%gap + before%closing)
          if (is_mirrored(point)) then
             xi = point%xi - dot_product(kinematics%dxi, before%dq)
             call side_at(before%x(:, m), before%t(:, m), length([2, 1]), xi, point%xi_bar, kinematics%side, normal, &
                distance)
-            call place_line_touch(distance - sum(radius), gap, point%arc + wires%direction(point%element)*length(2)/2 &
+            call place_line_touch(distance - surfaces, gap, point%arc + wires%direction(point%element)*length(2)/2 &
                *(xi - point%xi), -normal, point%friction_iteration)
          else
             xi = point%xi_bar - dot_product(kinematics%dxi_bar, before%dq)
             call side_at(before%x, before%t, length, xi, point%xi, kinematics%side, normal, distance)
-            call place_line_touch(distance - sum(radius), gap, point%arc_bar + wires%direction(point%element_bar) &
+            call place_line_touch(distance - surfaces, gap, point%arc_bar + wires%direction(point%element_bar) &
                *length(1)/2*(xi - point%xi_bar), normal, point%friction_iteration)
          end if
       end associate

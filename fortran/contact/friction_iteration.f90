@@ -45,6 +45,7 @@ contains
    pure subroutine forget_friction(iteration)
       type(friction_iteration_t), intent(inout) :: iteration
 
+      if (iteration%status == friction_none) return
       iteration = friction_iteration_t(touched=iteration%touched, touch=iteration%touch, &
          arc_before=iteration%arc_before, normal_before=iteration%normal_before, part=iteration%part)
    end subroutine forget_friction

@@ -21,6 +21,8 @@ module litz_line_feet
    real(dp), parameter :: same_foot = 1.0e-6_dp
    !> Sine of the angle between elements below which an overlap may be long (15 degrees)
    real(dp), parameter :: small_sine = 0.2588_dp
+   !> Relative error of a distance that is more than round-off
+   real(dp), parameter :: near_round_off = 1.0e-9_dp
    !> Half length of an overlap that is the matter of a crossing alone, in smaller radii
    real(dp), parameter :: longest_point = 0.5_dp
 
@@ -83,7 +85,7 @@ contains
       integer, intent(in) :: candidate
       type(foot_t), allocatable, intent(inout) :: feet(:)
       type(foot_t), allocatable :: found(:)
-      real(dp) :: xe(3, 4), t(3, 4), length(2), p(3, 0:3, 2), xi_bar, quality
+      real(dp) :: xe(3, 4), t(3, 4), length(2), p(3, 0:3, 2), xi_bar, quality, farthest
       real(dp), dimension(4) :: h, h1, h2
       integer :: side, place, n, status
 
@@ -93,6 +95,8 @@ contains
          if (surface_distance(elements%radius(pair), xe, p) > skin/2*sum(elements%radius(pair))) return
          if (.not. may_be_long(model, wires, elements, x_start, rotation_start, contact%depth, &
             pair)) return
+         ! round-off must not take what the kinematics find within reach
+         farthest = (1 + skin/2)*sum(elements%radius(pair))*(1 + near_round_off)
          allocate (found(sum(places%n_parts(pair) + 1)))
          n = 0
          do side = 1, 2
@@ -102,6 +106,8 @@ contains
                   call line_foot(p(:, :, 3 - side), on_axis(h, xe(:, 2*side - 1:2*side), t(:, 2*side - 1:2*side)), &
                      wires%next(:, other) == 0, xi_bar, quality, status)
                   if (all(status /= [foot_inside, foot_at_end, foot_too_curved])) cycle
+                  if (norm2(place_on_axis(p(:, :, side), places%xi(place)) - place_on_axis(p(:, :, 3 - side), xi_bar)) &
+                     > farthest) cycle
                   n = n + 1
                   found(n) = foot_t(place, other, candidate, xi_bar, status)
                end do
@@ -153,6 +159,15 @@ contains
          p(:, :, side) = axis_polynomial(axis_hermite, length(side), xe(:, 2*side - 1:2*side), t(:, 2*side - 1:2*side))
       end do
    end function axes_of
+
+   !> Position on the axis of an element (3) [m].
+   pure function place_on_axis(p, xi) result(x)
+      !> Axis in powers of xi (3, 0:3) [m], and a place in [-1, 1]
+      real(dp), intent(in) :: p(3, 0:3), xi
+      real(dp) :: x(3)
+
+      x = p(:, 0) + xi*(p(:, 1) + xi*(p(:, 2) + xi*p(:, 3)))
+   end function place_on_axis
 
    !> Lower bound of the distance of the surfaces of two elements [m].
    pure real(dp) function surface_distance(radius, xe, p)

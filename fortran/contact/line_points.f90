@@ -7,8 +7,9 @@ module litz_line_points
    use litz_axis_choices, only: axis_hermite
    use litz_contact_candidates, only: skin
    use litz_contact_kinematics, only: kinematics_ok
-   use litz_contact_points, only: contact_point_t, contact_set_t, points_by_wire_t, chain_by_wire, pair_geometry, &
-      arc_at, inherit
+   use litz_contact_points, only: contact_point_t, contact_set_t, pair_geometry, arc_at, clearance_of, &
+      inherit
+   use litz_crossings_of_wires, only: crossings_of_wires_t, sort_crossings
    use litz_element_library, only: elements_t
    use litz_line_contact, only: serves_lines
    use litz_line_feet, only: foot_t, find_feet
@@ -36,7 +37,7 @@ contains
       type(contact_point_t), allocatable :: old(:), points(:)
       type(foot_t), allocatable :: feet(:)
       integer, allocatable :: newest(:), converged(:)
-      type(points_by_wire_t) :: by_wire
+      type(crossings_of_wires_t) :: sorted
       integer :: i
 
       if (.not. any([(serves_lines(model, i), i=1, size(model%contact_pairs))])) return
@@ -48,11 +49,11 @@ contains
       end do
       call match_line_points(wires, size(contact%places%xi), old, points, newest)
       call match_line_points(wires, size(contact%places%xi), contact%converged_line_points, points, converged)
-      by_wire = chain_by_wire(wires, contact%points)
+      sorted = sort_crossings(wires, contact%points)
       !$omp parallel do schedule(static) if (size(points) >= worth_threads)
       do i = 1, size(points)
          call inherit(old, newest(i), contact%converged_line_points, converged(i), points(i))
-         call set_geometry(model, wires, elements, contact, by_wire, x, rotation, feet(i), &
+         call set_geometry(model, wires, elements, contact, sorted, x, rotation, feet(i), &
             newest(i) == 0 .and. converged(i) == 0, points(i))
       end do
       !$omp end parallel do
@@ -60,13 +61,13 @@ contains
       call move_alloc(points, contact%line_points)
    end subroutine locate_line_points
 
-   !> A point without memory.
+   !> Where a new point is.
    pure subroutine place_point(wires, elements, contact, foot, point)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(contact_set_t), intent(in) :: contact
       type(foot_t), intent(in) :: foot
-      type(contact_point_t), intent(out) :: point
+      type(contact_point_t), intent(inout) :: point
 
       point%line_place = foot%place
       point%candidate = foot%candidate
@@ -127,13 +128,13 @@ contains
    end function is_same_turn
 
    !> Kinematics and gap of a point, on the side on which its wires were in the last converged state.
-   pure subroutine set_geometry(model, wires, elements, contact, by_wire, x, rotation, foot, is_new, point)
+   pure subroutine set_geometry(model, wires, elements, contact, sorted, x, rotation, foot, is_new, point)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
-      !> With the crossings, and these by their barred wires
+      !> With the crossings and what is left of interference, and the crossings along their wires
       type(contact_set_t), intent(in) :: contact
-      type(points_by_wire_t), intent(in) :: by_wire
+      type(crossings_of_wires_t), intent(in) :: sorted
       !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
       real(dp), intent(in) :: x(:, :), rotation(:, :, :)
       type(foot_t), intent(in) :: foot
@@ -147,11 +148,11 @@ contains
          call pair_geometry(model, wires, elements, point%element_bar, point%element, x, rotation, xe, t, length)
          call line_kinematics(xe, t, length, axis_hermite, radius, point%xi_bar, point%xi, &
             foot%status == foot_at_end, point%normal_before, point%kinematics, info)
-         point%gap = point%kinematics%gap
-         point%regular = info == kinematics_ok .and. point%gap < skin/2*sum(radius)
+         point%gap = point%kinematics%gap + clearance_of(point%fit, contact%clearance(point%pair))
+         point%regular = info == kinematics_ok .and. point%kinematics%gap < skin/2*sum(radius)
       end associate
       point%foot_at_end = foot%status == foot_at_end
-      if (point%regular .and. is_new) call share_line_point(wires, elements, contact, by_wire, xe, t, length, point)
+      if (point%regular .and. is_new) call share_line_point(wires, elements, contact, sorted, xe, t, length, point)
    end subroutine set_geometry
 
 end module litz_line_points

@@ -6,8 +6,8 @@ module litz_line_shares
    use litz_kinds, only: dp, pi
    use litz_axis_choices, only: axis_hermite
    use litz_contact_lens, only: has_lens, half_length_of, divide_at_ends, flatness, smooth_step, deepest
-   use litz_contact_points, only: contact_point_t, contact_set_t, points_by_wire_t, chain_by_wire, pair_geometry, &
-      law_too_curved
+   use litz_contact_points, only: contact_point_t, contact_set_t, pair_geometry, law_too_curved
+   use litz_crossings_of_wires, only: crossings_of_wires_t, sort_crossings
    use litz_element_library, only: elements_t
    use litz_lens_law, only: share_of_point
    use litz_line_contact, only: serves_lines
@@ -225,19 +225,19 @@ contains
       !> Of the share of a point that is in contact [-]
       real(dp), intent(out) :: largest_change
       type(points_by_place_t) :: by_place
-      type(points_by_wire_t) :: by_wire
+      type(crossings_of_wires_t) :: sorted
       real(dp) :: xe(3, 4), t(3, 4), length(2), before
       type(contact_point_t) :: earlier
       integer :: i
 
       largest_change = 0
-      by_wire = chain_by_wire(wires, contact%points)
-      call find_long_overlaps(wires, elements, by_wire, contact)
+      sorted = sort_crossings(wires, contact%points)
+      call find_long_overlaps(wires, elements, sorted, contact)
       do i = 1, size(contact%line_points)
          associate (point => contact%line_points(i))
             before = point%weight
             call pair_geometry(model, wires, elements, point%element_bar, point%element, x, rotation, xe, t, length)
-            call share_line_point(wires, elements, contact, by_wire, xe, t, length, point)
+            call share_line_point(wires, elements, contact, sorted, xe, t, length, point)
             if (point%gap < 0) largest_change = max(largest_change, abs(point%weight - before) &
                /contact%places%length(point%line_place))
          end associate
@@ -288,12 +288,12 @@ contains
    !>
    !> Along the wire of the place the distance to the other is `D(s) = D + t s + k s^2/2`, which is below the sum of the
    !> radii over a half length `aW = sqrt(2 (delta + t^2/(2 k))/k)`: for straight wires that of their crossing.
-   pure subroutine share_line_point(wires, elements, contact, by_wire, xe, tangents, length, point)
+   pure subroutine share_line_point(wires, elements, contact, sorted, xe, tangents, length, point)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
-      !> With the crossings, and these by their barred wires
+      !> With the crossings, and these along their wires
       type(contact_set_t), intent(in) :: contact
-      type(points_by_wire_t), intent(in) :: by_wire
+      type(crossings_of_wires_t), intent(in) :: sorted
       !> Nodal positions (3, 4) [m] and tangents (3, 4), reference lengths (2) [m]: element of the foot first
       real(dp), intent(in) :: xe(3, 4), tangents(3, 4), length(2)
       type(contact_point_t), intent(inout) :: point
@@ -316,8 +316,8 @@ contains
          point%section_share = 1
          if (bend > 0) then
             reach = 1.5_dp*tilt/bend + 2*spacing_of_places(contact%places, pair, length)
-            call find_nearest_crossing(wires, contact%points, by_wire, reach, reach + 2*sum(elements%radius(pair)), &
-               point, i, distance)
+            call sorted%find_nearest(wires, contact%points, reach, reach + 2*sum(elements%radius(pair)), point, i, &
+               distance)
             if (i > 0) call share_with(contact%points(i), contact%places, elements, point)
             ! the lens is still open
             if (i == 0 .and. -point%gap + tilt**2/(2*bend) <= 0) point%line_share = 0
@@ -329,11 +329,11 @@ contains
    end subroutine share_line_point
 
    !> Crossings beyond whose lens the places next to it still overlap, or whose lens reaches into that of another one.
-   subroutine find_long_overlaps(wires, elements, by_wire, contact)
+   subroutine find_long_overlaps(wires, elements, sorted, contact)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
-      !> The crossings by their barred wires
-      type(points_by_wire_t), intent(in) :: by_wire
+      !> The crossings of the set
+      type(crossings_of_wires_t), intent(in) :: sorted
       type(contact_set_t), intent(inout) :: contact
       !> aW [m]; 0: no lens (n_points)
       real(dp) :: half_length(size(contact%points))
@@ -347,13 +347,13 @@ contains
          end associate
       end do
       contact%points%is_long = .false.
-      call find_common_lenses(wires, by_wire, half_length, contact%points)
+      call sorted%mark_common_lenses(wires, half_length, contact%points)
       do i = 1, size(contact%line_points)
          associate (point => contact%line_points(i), pair => [contact%line_points(i)%element_bar, &
             contact%line_points(i)%element])
             if (.not. point%gap < 0) cycle
             reach = sum(elements%length(pair))
-            call find_nearest_crossing(wires, contact%points, by_wire, reach, reach, point, nearest, distance)
+            call sorted%find_nearest(wires, contact%points, reach, reach, point, nearest, distance)
             if (nearest == 0) cycle
             if (.not. half_length(nearest) > 0) cycle
             contact%points(nearest)%is_long = contact%points(nearest)%is_long .or. distance > &
@@ -361,74 +361,6 @@ contains
          end associate
       end do
    end subroutine find_long_overlaps
-
-   !> Crossings of the same two wires whose lenses reach into each other: one overlap with ripples.
-   pure subroutine find_common_lenses(wires, by_wire, half_length, crossings)
-      type(wires_t), intent(in) :: wires
-      !> The crossings by their barred wires
-      type(points_by_wire_t), intent(in) :: by_wire
-      !> aW [m]; 0: no lens (n_crossings)
-      real(dp), intent(in) :: half_length(:)
-      type(contact_point_t), intent(inout) :: crossings(:)
-      real(dp) :: together
-      integer :: i, k
-
-      do i = 1, size(crossings)
-         if (.not. half_length(i) > 0) cycle
-         k = by_wire%next(i)
-         do while (k > 0)
-            associate (a => crossings(i), b => crossings(k))
-               together = half_length(i) + half_length(k)
-               if (wires%wire(a%element) == wires%wire(b%element) .and. half_length(k) > 0) then
-                  if (wires%arc_between(wires%wire(a%element_bar), a%arc_bar, b%arc_bar) < together .and. &
-                     wires%arc_between(wires%wire(a%element), a%arc, b%arc) < together) then
-                     a%is_long = .true.
-                     b%is_long = .true.
-                  end if
-               end if
-            end associate
-            k = by_wire%next(k)
-         end do
-      end do
-   end subroutine find_common_lenses
-
-   !> The crossing of the same two wires that is nearest to a point of a line contact; 0: none within reach.
-   pure subroutine find_nearest_crossing(wires, crossings, by_wire, reach, reach_of_foot, point, nearest, least)
-      type(wires_t), intent(in) :: wires
-      type(contact_point_t), intent(in) :: crossings(:)
-      !> These by their barred wires
-      type(points_by_wire_t), intent(in) :: by_wire
-      !> Along the wire of the place, and along that of the foot [m]
-      real(dp), intent(in) :: reach, reach_of_foot
-      type(contact_point_t), intent(in) :: point
-      !> Its number
-      integer, intent(out) :: nearest
-      !> Its distance along the wire of the place [m]
-      real(dp), intent(out) :: least
-      real(dp) :: distance
-      integer :: own, other, k, order
-
-      nearest = 0
-      least = reach
-      own = wires%wire(point%element)
-      other = wires%wire(point%element_bar)
-      do order = 1, 2
-         k = by_wire%first(merge(own, other, order == 1))
-         do while (k > 0)
-            associate (crossing => crossings(k))
-               if (wires%wire(crossing%element) == merge(other, own, order == 1)) then
-                  distance = wires%arc_between(own, point%arc, merge(crossing%arc_bar, crossing%arc, order == 1))
-                  if (distance <= least .and. wires%arc_between(other, point%arc_bar, &
-                     merge(crossing%arc, crossing%arc_bar, order == 1)) <= reach_of_foot) then
-                     least = distance
-                     nearest = k
-                  end if
-               end if
-            end associate
-            k = by_wire%next(k)
-         end do
-      end do
-   end subroutine find_nearest_crossing
 
    !> What the line carries of a crossing, and how much the section of the wires counts in its law: both by the length
    !> of the lens.

@@ -10,6 +10,7 @@ module litz_missed_contacts
    use litz_element_library, only: elements_t
    use litz_joint_overlaps, only: inspect_legs, leads_to_joint
    use litz_known_lines, only: is_on_known_line
+   use litz_line_shares, only: points_by_place_t
    use litz_model, only: model_t, axis_hermite
    use litz_rotations, only: cross
    use litz_straight_segments, only: segment_distance
@@ -29,14 +30,15 @@ module litz_missed_contacts
 contains
 
    !> The worst overlap of two elements that is no contact; `finding_none`: none.
-   subroutine inspect_pair(model, wires, elements, contact, by_wire, line_by_wire, candidate, has_point, is_joined, &
+   subroutine inspect_pair(model, wires, elements, contact, by_wire, by_place, candidate, has_point, is_joined, &
       x, rotation, finding)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
-      !> With the points of this state, and these by their barred wires: crossings, points of lines
+      !> With the points of this state: crossings by their barred wires, points of lines by their places
       type(contact_set_t), intent(in) :: contact
-      type(points_by_wire_t), intent(in) :: by_wire, line_by_wire
+      type(points_by_wire_t), intent(in) :: by_wire
+      type(points_by_place_t), intent(in) :: by_place
       !> Barred element, unbarred element, contact pair (3)
       integer, intent(in) :: candidate(3)
       !> The two elements have a contact point; they are joined, and no candidate
@@ -61,7 +63,7 @@ contains
          do k = 1, n_places
             overlap = overlap_at(axis, radius, xe, t, length, places(:, k))
             if (overlap%depth < unseen_overlap) cycle
-            kind = kind_of(model, wires, elements, contact, by_wire, line_by_wire, candidate, has_point, is_joined, &
+            kind = kind_of(model, wires, elements, contact, by_wire, by_place, candidate, has_point, is_joined, &
                x, rotation, overlap)
             if (kind /= finding_none) finding = worse_of(finding, finding_t(kind, pair, overlap%depth))
          end do
@@ -70,14 +72,15 @@ contains
    end subroutine inspect_pair
 
    !> What is wrong with an overlap; `finding_none`: nothing, or it is found elsewhere.
-   integer function kind_of(model, wires, elements, contact, by_wire, line_by_wire, candidate, has_point, is_joined, &
+   integer function kind_of(model, wires, elements, contact, by_wire, by_place, candidate, has_point, is_joined, &
       x, rotation, overlap) result(kind)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
-      !> With the points of this state, and these by their barred wires
+      !> With the points of this state: crossings by their barred wires, points of lines by their places
       type(contact_set_t), intent(in) :: contact
-      type(points_by_wire_t), intent(in) :: by_wire, line_by_wire
+      type(points_by_wire_t), intent(in) :: by_wire
+      type(points_by_place_t), intent(in) :: by_place
       !> Barred element, unbarred element, contact pair (3)
       integer, intent(in) :: candidate(3)
       !> The two elements have a contact point; they are joined, and no candidate
@@ -103,8 +106,7 @@ contains
       else if (is_joined) then
          kind = finding_joined
       else if (.not. (is_known(model, wires, elements, contact%points, by_wire, candidate(1:2), overlap%place) .or. &
-         is_on_known_line(wires, elements, contact%line_points, line_by_wire, candidate(1:2), &
-         elements%radius(candidate(1:2)), overlap))) then
+         is_on_known_line(wires, elements, contact, by_place, candidate(1:2), overlap))) then
          kind = kind_of_missed(model, wires, contact, candidate, has_point, overlap)
       end if
    end function kind_of

@@ -9,6 +9,7 @@ module litz_shared_conductors
    use litz_kinds, only: dp
    use litz_parallel, only: worth_threads
    use litz_potential_rise, only: potential_rise
+   use litz_strips_of_wires, only: strips_t
    implicit none
    private
    public :: shared_conductors_t, collect_shared
@@ -18,13 +19,14 @@ module litz_shared_conductors
    integer, parameter :: max_steps = 200
 
    type :: shared_conductors_t
-      !> Some element has more than one contact
+      !> Some element has more than one contact, or some wire strips side by side
       logical :: present = .false.
       !> Nodes (4, n) and N_V (4, n) of each contact: barred 1, barred 2, 1, 2
       integer, allocatable :: nodes(:, :)
       real(dp), allocatable :: n_v(:, :)
       !> Of the spot, and diagonal of R + A (n) [ohm]
       real(dp), allocatable :: resistance(:), diagonal(:)
+      type(strips_t) :: strips
       !> First end on each element (elements + 1); contact and side (1: barred) of each end, in order along its element
       integer, allocatable, private :: first(:), contact(:), side(:)
       !> Place of each end, and rho L0/(4 A) [ohm] of each element
@@ -39,11 +41,12 @@ module litz_shared_conductors
 contains
 
    !> The contacts with a current, and which elements they share.
-   subroutine collect_shared(elements, nodes, xi, scale, resistance, shared)
+   subroutine collect_shared(elements, nodes, xi, scale, resistance, strips, shared)
       !> Elements (2, n), barred first, and nodes (4, n)
       integer, intent(in) :: elements(:, :), nodes(:, :)
       !> Places in the elements (2, n), rho L0/(4 A) [ohm] of the elements (2, n), resistances of the spots (n) [ohm]
       real(dp), intent(in) :: xi(:, :), scale(:, :), resistance(:)
+      type(strips_t), intent(in) :: strips
       type(shared_conductors_t), intent(out) :: shared
       integer, allocatable :: number_of(:), place(:)
       integer :: i, n, k, side, n_elements
@@ -59,10 +62,11 @@ contains
             end if
          end do
       end do
-      shared%present = 2*n > n_elements
+      shared%present = size(strips%resistance) > 0 .or. (2*n > n_elements .and. any(scale > 0))
       if (.not. shared%present) return
       shared%nodes = nodes
       shared%resistance = resistance
+      shared%strips = strips
       shared%diagonal = resistance + sum(scale*(1 - xi**2), 1)
       allocate (shared%n_v(4, n), shared%contact(2*n), shared%side(2*n), shared%xi(2*n), shared%scale(n_elements))
       allocate (shared%first(n_elements + 1), source=0)
@@ -121,7 +125,7 @@ contains
    end function voltages
 
    !> Solve `(R + A) I = voltage` by conjugate gradients with the diagonal as preconditioner.
-   subroutine currents(self, voltage, current, rise)
+   subroutine currents(self, voltage, current, rise, of_strips)
       class(shared_conductors_t), intent(in) :: self
       !> (n) [V]
       real(dp), intent(in) :: voltage(:)
@@ -129,19 +133,21 @@ contains
       real(dp), intent(out) :: current(:)
       !> Of the potential above the linear one at the contact in either element (2, n) [V], barred first
       real(dp), intent(out) :: rise(:, :)
+      !> What other strips add to the voltage of each contact (n) [V]
+      real(dp), intent(out) :: of_strips(:)
       real(dp), dimension(size(voltage)) :: left, direction, product
       real(dp) :: error, error_before, error_allowed, step
       integer :: k
 
       current = voltage/self%diagonal
       error_allowed = accurate*sum(voltage*current)
-      call multiply(self, current, product, rise)
+      call multiply(self, current, product, rise, of_strips)
       left = voltage - product
       direction = left/self%diagonal
       error = sum(left**2/self%diagonal)
       do k = 1, max_steps
          if (.not. error > error_allowed) exit
-         call multiply(self, direction, product, rise)
+         call multiply(self, direction, product, rise, of_strips)
          step = error/sum(direction*product)
          current = current + step*direction
          left = left - step*product
@@ -149,16 +155,18 @@ contains
          error = sum(left**2/self%diagonal)
          direction = left/self%diagonal + error/error_before*direction
       end do
-      call multiply(self, current, product, rise)
+      call multiply(self, current, product, rise, of_strips)
    end subroutine currents
 
    !> `(R + A) I`, with the rise of the potential that belongs to it.
-   subroutine multiply(self, current, product, rise)
+   subroutine multiply(self, current, product, rise, of_strips)
       type(shared_conductors_t), intent(in) :: self
       !> From the barred to the unbarred wire (n) [A]
       real(dp), intent(in) :: current(:)
       !> `(R + A) I` (n), and rise of the potential above the linear one in either element (2, n) [V], barred first
       real(dp), intent(out) :: product(:), rise(:, :)
+      !> What other strips add to the voltage of each contact (n) [V]
+      real(dp), intent(out) :: of_strips(:)
       integer :: k
 
       !$omp parallel do schedule(static) if (size(self%scale) >= worth_threads)
@@ -167,6 +175,8 @@ contains
       end do
       !$omp end parallel do
       product = self%resistance*current - rise(1, :) + rise(2, :)
+      of_strips = self%strips%voltages(current)
+      product = product + of_strips
    end subroutine multiply
 
    !> The rise of the potential at the contacts of one element, by their currents.
@@ -216,10 +226,11 @@ contains
       real(dp), intent(in) :: potential(:)
       !> (n_nodes) [A]
       real(dp), intent(inout) :: y(:)
-      real(dp) :: voltage(size(self%resistance)), current(size(self%resistance)), rise(2, size(self%resistance))
+      real(dp) :: voltage(size(self%resistance)), current(size(self%resistance)), rise(2, size(self%resistance)), &
+         of_strips(size(self%resistance))
 
       voltage = self%voltages(potential)
-      call self%currents(voltage, current, rise)
+      call self%currents(voltage, current, rise, of_strips)
       call self%add_beyond(voltage, current, y)
    end subroutine add_product
 

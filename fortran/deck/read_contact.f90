@@ -171,13 +171,13 @@ contains
 
       if (pair%interaction == 0) return
       associate (law => model%interactions(pair%interaction))
-         if (len(line_obstacle(law, pair%interference_fit)) == 0) return
+         if (len(line_obstacle(law)) == 0) return
          if (law%normal%is_per_length_only()) call fail_at(self, self%deck%cards(card)%name, 'surface interaction '// &
             law%name//' has a stiffness per length alone, which is not possible with '// &
-            line_obstacle(law, pair%interference_fit)//': give the penalty at crossings [N/m], too')
+            line_obstacle(law)//': give the penalty at crossings [N/m], too')
          if (law%spot%is_per_length) call fail_at(self, self%deck%cards(card)%name, 'surface interaction '//law%name// &
             ' has a resistance per length (PER=LENGTH), which is not possible with '// &
-            line_obstacle(law, pair%interference_fit))
+            line_obstacle(law))
       end associate
    end subroutine check_lines
 

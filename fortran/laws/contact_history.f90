@@ -7,7 +7,7 @@ module litz_contact_history
    use litz_friction_law, only: friction_law_t
    implicit none
    private
-   public :: contact_history_t, advanced_history, force_of_spot
+   public :: contact_history_t, advanced_history, spot_of_history, force_of_spot
 
    type :: contact_history_t
       !> The contact was closed; all else is zero where it was not
@@ -24,7 +24,8 @@ module litz_contact_history
       real(dp) :: slip_path = 0, dissipation = 0
       !> Energy of the tangential spring [J]
       real(dp) :: elastic_energy = 0
-      !> Largest force since the contact closed or last left its spot [N], and the arc lengths where it had it (2) [m]
+      !> Largest force since the contact closed or last left its spot: of a crossing [N], of a place of a line per
+      !> length [N/m]; and the arc lengths where it had it (2) [m]
       real(dp) :: largest_force = 0
       real(dp) :: spot_arc(2) = 0
    end type contact_history_t
@@ -32,10 +33,12 @@ module litz_contact_history
 contains
 
    !> The memory of a contact that is closed when an increment has converged.
-   pure function advanced_history(start, arc, force, weight, friction, new_spot) result(history)
+   pure function advanced_history(start, arc, force, weight, spot_force, friction, new_spot) result(history)
       type(contact_history_t), intent(in) :: start
       !> Arc lengths (2) [m], normal force [N], share [-] or length [m]
       real(dp), intent(in) :: arc(2), force, weight
+      !> What makes a spot of it: the force of a crossing [N], that of a place of a line per length [N/m]
+      real(dp), intent(in) :: spot_force
       type(friction_law_t), intent(in) :: friction
       !> The contact has left the spot of its largest force
       logical, intent(in) :: new_spot
@@ -51,11 +54,19 @@ contains
       history%elastic_energy = start%elastic_energy + friction%elastic_work
       history%largest_force = start%largest_force
       history%spot_arc = start%spot_arc
-      if (new_spot .or. force >= start%largest_force) then
-         history%largest_force = force
+      if (new_spot .or. spot_force >= start%largest_force) then
+         history%largest_force = spot_force
          history%spot_arc = arc
       end if
    end function advanced_history
+
+   !> What is left of the memory where the wires still overlap, but another point carries the contact: their spot.
+   elemental type(contact_history_t) function spot_of_history(start) result(history)
+      type(contact_history_t), intent(in) :: start
+
+      history%largest_force = start%largest_force
+      history%spot_arc = start%spot_arc
+   end function spot_of_history
 
    !> Force that has made the spot of a contact, and its derivative with respect to the present force.
    !>
@@ -64,11 +75,11 @@ contains
       !> The spot stays as large as the largest force has made it
       logical, intent(in) :: keeps_spot
       type(contact_history_t), intent(in) :: history
-      !> Present normal force [N]
+      !> Present normal force: of a crossing [N], of a place of a line per length [N/m]
       real(dp), intent(in) :: force
       !> The contact has slipped or moved off the spot of the largest force
       logical, intent(in) :: new_spot
-      !> Force that makes the spot [N], and its derivative with respect to the present one [-]
+      !> Force that makes the spot [N, N/m], and its derivative with respect to the present one [-]
       real(dp), intent(out) :: spot_force, dspot_force
 
       spot_force = force

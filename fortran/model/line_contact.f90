@@ -7,9 +7,9 @@ module litz_line_contact
    public :: serves_lines, line_obstacle
 
    !> Nothing is in the way; a normal law at points only; straight axes; friction that sticks with the stiffness of a
-   !> point; overlap without limit; a spot that remembers its largest force; an interference fit; a law of one spot
+   !> point; overlap without limit; a law of one spot
    integer, parameter :: obstacle_none = 0, obstacle_normal_law = 1, obstacle_axis = 2, obstacle_stick = 3, &
-      obstacle_penetration = 4, obstacle_memory = 5, obstacle_fit = 6, obstacle_spot_law = 7
+      obstacle_penetration = 4, obstacle_spot_law = 5
 
 contains
 
@@ -19,16 +19,11 @@ contains
       !> Contact pair
       integer, intent(in) :: pair
 
-      associate (contact_pair => model%contact_pairs(pair))
-         serves_lines = obstacle(model%interactions(contact_pair%interaction), contact_pair%interference_fit) &
-            == obstacle_none
-      end associate
+      serves_lines = obstacle(model%interactions(model%contact_pairs(pair)%interaction)) == obstacle_none
    end function serves_lines
 
-   pure integer function obstacle(law, interference_fit)
+   pure integer function obstacle(law)
       type(interaction_t), intent(in) :: law
-      !> Of the contact pair
-      logical, intent(in) :: interference_fit
 
       obstacle = obstacle_none
       if (.not. law%normal%serves_lines()) then
@@ -39,23 +34,17 @@ contains
          obstacle = obstacle_stick
       else if (law%unlimited_penetration) then
          obstacle = obstacle_penetration
-      else if (law%spot_memory) then
-         obstacle = obstacle_memory
-      else if (interference_fit) then
-         obstacle = obstacle_fit
       else if (law%spot%exists() .and. .not. (law%spot%serves_lines .or. law%spot%is_per_length)) then
          obstacle = obstacle_spot_law
       end if
    end function obstacle
 
    !> What of an interaction is for contact at points only; empty: nothing.
-   pure function line_obstacle(law, interference_fit) result(words)
+   pure function line_obstacle(law) result(words)
       type(interaction_t), intent(in) :: law
-      !> Of the contact pair
-      logical, intent(in) :: interference_fit
       character(len=:), allocatable :: words
 
-      select case (obstacle(law, interference_fit))
+      select case (obstacle(law))
       case (obstacle_normal_law)
          words = trim(law%normal%name)//' without a stiffness per length'
       case (obstacle_axis)
@@ -64,10 +53,6 @@ contains
          words = trim(stick_laws(law%stick_law)%parameter)//' of *FRICTION, which is that of a contact at a point'
       case (obstacle_penetration)
          words = 'PENETRATION=UNLIMITED'
-      case (obstacle_memory)
-         words = 'SPOT=LARGESTFORCE'
-      case (obstacle_fit)
-         words = 'INTERFERENCE FIT'
       case (obstacle_spot_law)
          words = 'LAW='//trim(law%spot%name)//' of *GAP ELECTRICAL CONDUCTANCE, which is that of a spot'
          if (law%spot%can_be_per_length) words = words//' without PER=LENGTH'

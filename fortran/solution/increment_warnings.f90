@@ -20,6 +20,12 @@ module litz_increment_warnings
    private
    public :: add_deck_warnings, add_start_warnings, add_increment_warnings
 
+   !> Length of elements over the radius up to which the pressure along a line is smooth: 3 along the axis about which
+   !> wires are laid at up to 30 degrees
+   real(dp), parameter :: longest_smooth = 3.5_dp
+   !> Nodes lie opposite each other to this part of half an element
+   real(dp), parameter :: opposite = 0.2_dp
+
 contains
 
    !> Those that reading the deck has shown to the user.
@@ -91,6 +97,7 @@ contains
             call add_contact(problem%model, state%contacts(i), warnings)
          end do
          call add_tight_bends(problem)
+         call add_long_elements(problem)
          call add_unpaired_overlaps(problem, problem%model%x &
             + state%value(first_slot(field_displacement):last_slot(field_displacement), :))
       end associate
@@ -150,6 +157,33 @@ contains
          ' allows; the laws of contact are for less than '//to_text(100*allowed_penetration)//' %', elements, &
          100*penetration(model, contact), '% of the radius')
    end subroutine add_contact
+
+   !> Elements too long for the pressure along a line to be smooth, where their nodes do not lie opposite those of the
+   !> other wire: the longest.
+   subroutine add_long_elements(problem)
+      type(problem_t), intent(inout) :: problem
+      real(dp) :: longest, relative
+      integer :: i, worst
+
+      worst = 0
+      longest = longest_smooth
+      do i = 1, size(problem%state%contacts)
+         associate (contact => problem%state%contacts(i), elements => problem%elements)
+            ! opposite nodes: places and feet lie in the same parts of their elements
+            if (.not. contact%length > 0 .or. abs(abs(contact%xi) - abs(contact%xi_bar)) < opposite) cycle
+            relative = maxval(elements%length([contact%element_bar, contact%element])/elements%radius( &
+               [contact%element_bar, contact%element]))
+            if (.not. relative > longest) cycle
+            longest = relative
+            worst = i
+         end associate
+      end do
+      if (worst > 0) call problem%warnings%add('long_elements', describe_contact(problem%model, &
+         problem%state%contacts(worst))//' is a place of a contact along a line, with elements of up to '// &
+         to_text(longest)//' radii and nodes that do not lie opposite each other: the pressure varies along such'// &
+         ' elements, although forces and deflections are right; it is smooth with elements of up to 3 radii', &
+         value=longest, unit='radii')
+   end subroutine add_long_elements
 
    !> A contact that conducts with a force for which the table of its law has no resistance.
    subroutine add_table_end(model, contact, elements, warnings)

@@ -9,6 +9,7 @@ module litz_initial_contacts
    use litz_kinds, only: dp
    use litz_line_points, only: locate_line_points
    use litz_line_shares, only: share_crossings
+   use litz_model, only: model_t
    use litz_problem, only: problem_t
    use litz_surface_findings, only: overlaps_of_surfaces
    use litz_text, only: to_text
@@ -27,7 +28,6 @@ contains
    subroutine find_initial_overlap(problem, error)
       type(problem_t), intent(inout) :: problem
       type(error_t), allocatable, intent(out) :: error
-      integer :: i
       logical :: changed
 
       call refuse_surface_overlap(problem, error)
@@ -39,16 +39,13 @@ contains
          if (allocated(error)) return
          call locate_points(model, problem%wires, problem%elements, model%x, state%rotation, model%x, state%rotation, &
             contact)
+         ! whatever place a fit may come to needs its own part of it from the start
+         if (any(model%contact_pairs%interference_fit)) contact%depth = max(0.0_dp, maxval(-contact%points%gap))
          call locate_line_points(model, problem%wires, problem%elements, model%x, state%rotation, model%x, &
             state%rotation, contact)
          call share_crossings(model, problem%wires, problem%elements, contact)
-         do i = 1, size(contact%points)
-            associate (point => contact%points(i))
-               if (.not. model%contact_pairs(point%pair)%interference_fit) cycle
-               point%fit = max(0.0_dp, -point%gap)
-               contact%overlap(point%pair) = max(contact%overlap(point%pair), point%fit)
-            end associate
-         end do
+         call find_fits(model, contact%points, contact%overlap)
+         call find_fits(model, contact%line_points, contact%overlap)
          contact%converged = contact%points
          contact%converged_line_points = contact%line_points
          ! an interference fit begins without stress: what resolves it does work from the first increment on
@@ -58,6 +55,24 @@ contains
          if (.not. allocated(error)) call refuse_overlap(problem, [contact%points, contact%line_points], error)
       end associate
    end subroutine find_initial_overlap
+
+   !> What is to be resolved at each crossing or place of a line of the pairs that are meant as an interference fit.
+   pure subroutine find_fits(model, points, largest)
+      type(model_t), intent(in) :: model
+      !> Of the reference configuration
+      type(contact_point_t), intent(inout) :: points(:)
+      !> Largest overlap of each pair so far [m]
+      real(dp), intent(inout) :: largest(:)
+      integer :: i
+
+      do i = 1, size(points)
+         associate (point => points(i))
+            if (.not. model%contact_pairs(point%pair)%interference_fit) cycle
+            point%fit = max(0.0_dp, -point%gap)
+            largest(point%pair) = max(largest(point%pair), point%fit)
+         end associate
+      end do
+   end subroutine find_fits
 
    !> Wires that overlap at the start by more than is allowed, and are not meant to.
    subroutine refuse_overlap(problem, points, error)

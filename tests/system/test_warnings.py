@@ -15,7 +15,7 @@ from litz.results.run_warnings import read_warnings
 from litz.results.summary import summary
 
 TENTHS = "0.1, 1, 1e-3, 0.1"
-AT_POINTS = "*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ, SPOT=LARGESTFORCE"
+AT_POINTS = "*GAP ELECTRICAL CONDUCTANCE, LAW=CONSTANT\n 1e-3"
 SHALLOW = "contact 1 (elements 3 and 13) crosses at 8 degrees, below 10, where spots are long and point contact is less accurate"
 SOFT = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR{}\n {}"
 
@@ -23,7 +23,7 @@ SOFT = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR{}\n {}"
 def shallow(**changes):
     """The upper wire lies 8 degrees from the lower one: its contact closes in the first increment and stays.
 
-    A spot that remembers its largest force is that of a contact at a point, for which the angle is small.
+    A given resistance is that of a contact at a point, for which the angle is small.
     """
     turn = np.radians(8)
     deck = crossed(**{"push": "-2e-5", "static": TENTHS, "spot": AT_POINTS, **changes})

@@ -1,0 +1,203 @@
+!> The crossings of each two wires, in order along them, so that those near a place are found without a look at all.
+!>
+!> Each crossing is there twice, along either of its wires.
+module litz_crossings_of_wires
+   use litz_kinds, only: dp
+   use litz_contact_points, only: contact_point_t
+   use litz_wires, only: wires_t
+   implicit none
+   private
+   public :: crossings_of_wires_t, sort_crossings
+
+   type :: crossing_on_wire_t
+      !> Wire, the other one, and the arc length along the first [m], by which they are in order
+      integer :: own = 0, other = 0
+      real(dp) :: arc = 0
+      !> Number of the crossing, and whether its barred wire is `other`
+      integer :: crossing = 0
+      logical :: is_turned = .false.
+   end type crossing_on_wire_t
+
+   type :: crossings_of_wires_t
+      type(crossing_on_wire_t), allocatable, private :: list(:)
+   contains
+      procedure :: find_nearest
+      procedure :: mark_common_lenses
+   end type crossings_of_wires_t
+
+contains
+
+   pure type(crossings_of_wires_t) function sort_crossings(wires, crossings) result(sorted)
+      type(wires_t), intent(in) :: wires
+      type(contact_point_t), intent(in) :: crossings(:)
+      integer :: i
+
+      allocate (sorted%list(2*size(crossings)))
+      do i = 1, size(crossings)
+         associate (bar => wires%wire(crossings(i)%element_bar), wire => wires%wire(crossings(i)%element))
+            sorted%list(2*i - 1) = crossing_on_wire_t(bar, wire, crossings(i)%arc_bar, i, .false.)
+            sorted%list(2*i) = crossing_on_wire_t(wire, bar, crossings(i)%arc, i, .true.)
+         end associate
+      end do
+      call merge_sort(sorted%list)
+   end function sort_crossings
+
+   !> Source: merge sort from the bottom up, O(n log n).
+   pure subroutine merge_sort(list)
+      type(crossing_on_wire_t), allocatable, intent(inout) :: list(:)
+      type(crossing_on_wire_t), allocatable :: merged(:)
+      integer :: width, first
+
+      width = 1
+      do while (width < size(list))
+         allocate (merged(size(list)))
+         do first = 1, size(list), 2*width
+            associate (middle => min(first + width, size(list) + 1), end => min(first + 2*width, size(list) + 1))
+               merged(first:end - 1) = merge_of(list(first:middle - 1), list(middle:end - 1))
+            end associate
+         end do
+         call move_alloc(merged, list)
+         width = 2*width
+      end do
+   end subroutine merge_sort
+
+   pure function merge_of(a, b) result(merged)
+      !> Each in order
+      type(crossing_on_wire_t), intent(in) :: a(:), b(:)
+      type(crossing_on_wire_t) :: merged(size(a) + size(b))
+      integer :: i, j, k
+
+      i = 1
+      j = 1
+      do k = 1, size(merged)
+         if (comes_from_a()) then
+            merged(k) = a(i)
+            i = i + 1
+         else
+            merged(k) = b(j)
+            j = j + 1
+         end if
+      end do
+
+   contains
+
+      pure logical function comes_from_a()
+         comes_from_a = i <= size(a)
+         if (i <= size(a) .and. j <= size(b)) comes_from_a = .not. is_before(b(j), a(i)%own, a(i)%other, a(i)%arc)
+      end function comes_from_a
+
+   end function merge_of
+
+   pure logical function is_before(item, own, other, arc)
+      type(crossing_on_wire_t), intent(in) :: item
+      !> A wire and the other one
+      integer, intent(in) :: own, other
+      !> Arc length along the first [m]
+      real(dp), intent(in) :: arc
+
+      is_before = item%own < own
+      if (item%own /= own) return
+      is_before = item%other < other
+      if (item%other /= other) return
+      is_before = item%arc < arc
+   end function is_before
+
+   !> The first of the list that does not come before a place.
+   pure integer function first_at(self, own, other, arc) result(first)
+      class(crossings_of_wires_t), intent(in) :: self
+      !> A wire and the other one
+      integer, intent(in) :: own, other
+      !> Arc length along the first [m]
+      real(dp), intent(in) :: arc
+      integer :: last, middle
+
+      first = 1
+      last = size(self%list) + 1
+      do while (first < last)
+         middle = (first + last)/2
+         if (is_before(self%list(middle), own, other, arc)) then
+            first = middle + 1
+         else
+            last = middle
+         end if
+      end do
+   end function first_at
+
+   !> The crossing of the same two wires that is nearest to a point of a line contact; 0: none within reach.
+   pure subroutine find_nearest(self, wires, crossings, reach, reach_of_foot, point, nearest, least)
+      class(crossings_of_wires_t), intent(in) :: self
+      type(wires_t), intent(in) :: wires
+      !> Those of the list
+      type(contact_point_t), intent(in) :: crossings(:)
+      !> Along the wire of the place, and along that of the foot [m]
+      real(dp), intent(in) :: reach, reach_of_foot
+      type(contact_point_t), intent(in) :: point
+      !> Its number
+      integer, intent(out) :: nearest
+      !> Its distance along the wire of the place [m]
+      real(dp), intent(out) :: least
+      real(dp) :: distance, beyond
+      integer :: own, other, i
+      logical :: is_turned
+
+      nearest = 0
+      least = reach
+      is_turned = .false.
+      own = wires%wire(point%element)
+      other = wires%wire(point%element_bar)
+      ! round-off of arc lengths is no matter; around a closed wire all are looked at
+      beyond = merge(huge(beyond), 1.001_dp*reach, wires%circumference(own) > 0)
+      do i = first_at(self, own, other, point%arc - beyond), size(self%list)
+         associate (item => self%list(i))
+            if (item%own /= own .or. item%other /= other .or. item%arc > point%arc + beyond) exit
+            distance = wires%arc_between(own, point%arc, item%arc)
+            if (distance > least) cycle
+            if (wires%arc_between(other, point%arc_bar, merge(crossings(item%crossing)%arc_bar, &
+               crossings(item%crossing)%arc, item%is_turned)) > reach_of_foot) cycle
+            ! of equally near ones the last of those whose barred wire is the other one, or else the last
+            if (nearest > 0 .and. .not. distance < least) then
+               if (item%is_turned .eqv. is_turned) then
+                  if (item%crossing < nearest) cycle
+               else if (is_turned) then
+                  cycle
+               end if
+            end if
+            least = distance
+            nearest = item%crossing
+            is_turned = item%is_turned
+         end associate
+      end do
+   end subroutine find_nearest
+
+   !> Crossings of the same two wires whose lenses reach into each other are one overlap with ripples.
+   pure subroutine mark_common_lenses(self, wires, half_length, crossings)
+      class(crossings_of_wires_t), intent(in) :: self
+      type(wires_t), intent(in) :: wires
+      !> aW [m]; 0: no lens (n_crossings)
+      real(dp), intent(in) :: half_length(:)
+      type(contact_point_t), intent(inout) :: crossings(:)
+      real(dp) :: together, longest
+      integer :: i, k
+
+      longest = maxval([0.0_dp, half_length])
+      do i = 1, size(self%list)
+         associate (a => self%list(i))
+            if (a%is_turned .or. .not. half_length(a%crossing) > 0) cycle
+            do k = i + 1, size(self%list)
+               associate (b => self%list(k))
+                  if (b%own /= a%own .or. b%other /= a%other) exit
+                  if (wires%circumference(a%own) <= 0 .and. b%arc - a%arc > 1.001_dp*(half_length(a%crossing) &
+                     + longest)) exit
+                  if (b%is_turned .or. .not. half_length(b%crossing) > 0) cycle
+                  together = half_length(a%crossing) + half_length(b%crossing)
+                  if (wires%arc_between(a%own, a%arc, b%arc) < together .and. wires%arc_between(a%other, &
+                     crossings(a%crossing)%arc, crossings(b%crossing)%arc) < together) then
+                     crossings([a%crossing, b%crossing])%is_long = .true.
+                  end if
+               end associate
+            end do
+         end associate
+      end do
+   end subroutine mark_common_lenses
+
+end module litz_crossings_of_wires

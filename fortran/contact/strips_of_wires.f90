@@ -1,0 +1,148 @@
+!> Strips side by side on one wire: the current of each raises the potential at the others.
+!>
+!> Source: theory section 10. Contacts along lines press into a wire where others do, in the same section of it. A
+!> current `i` per length at the angle theta round the wire raises the potential of a strip above the mean of the
+!> section by `(rho/pi) (1/8 - ln(2 sin(theta/2))) i`. The current of a point is spread over the two places of the wire
+!> next to it, so that points of both passes come together.
+module litz_strips_of_wires
+   use litz_kinds, only: dp, pi
+   use litz_element_library, only: elements_t
+   use litz_line_places, only: line_places_t, place_at
+   use litz_wires, only: wires_t
+   implicit none
+   private
+   public :: strips_t, collect_strips
+
+   type :: strips_t
+      !> Pairs of contacts (2, n), and the voltage of either that a current of the other one adds (n) [ohm]
+      integer, allocatable :: contacts(:, :)
+      real(dp), allocatable :: resistance(:)
+   contains
+      procedure :: voltages
+   end type strips_t
+
+   !> A contact at a place of one of its wires.
+   type :: part_t
+      !> Contact, and which of its wires it is (1: barred); the other wire
+      integer :: contact = 0, side = 0, other = 0
+      !> Part of the current that is there
+      real(dp) :: share = 0
+      !> The part before it at the same place; 0: none
+      integer :: before = 0
+   end type part_t
+
+   !> Directions round a wire that are nearer to each other are one strip
+   real(dp), parameter :: least_distance = 0.1_dp
+
+contains
+
+   subroutine collect_strips(wires, elements, places, pairs, xi, normal, is_line, strips)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(line_places_t), intent(in) :: places
+      !> Elements of each contact, barred first (2, n)
+      integer, intent(in) :: pairs(:, :)
+      !> Places in them (2, n); from the unbarred to the barred wire (3, n)
+      real(dp), intent(in) :: xi(:, :), normal(:, :)
+      !> The contact is a point of a line (n)
+      logical, intent(in) :: is_line(:)
+      type(strips_t), intent(out) :: strips
+      type(part_t), allocatable :: parts(:)
+      integer, allocatable :: last(:)
+      integer :: n_parts, i, side, n, place, a, b, pass
+
+      allocate (parts(4*count(is_line)))
+      allocate (last(size(places%xi)), source=0)
+      n_parts = 0
+      do i = 1, size(is_line)
+         if (.not. is_line(i)) cycle
+         do side = 1, 2
+            call add_parts(pairs(side, i), xi(side, i), part_t(i, side, wires%wire(pairs(3 - side, i))))
+         end do
+      end do
+      do pass = 1, 2
+         n = 0
+         do place = 1, size(last)
+            a = last(place)
+            do while (a > 0)
+               b = parts(a)%before
+               do while (b > 0)
+                  if (parts(a)%other /= parts(b)%other) call add_pair(parts(a), parts(b), places%length(place))
+                  b = parts(b)%before
+               end do
+               a = parts(a)%before
+            end do
+         end do
+         if (pass == 1) allocate (strips%contacts(2, n), strips%resistance(n))
+      end do
+
+   contains
+
+      !> Spread a point over the places next to it.
+      subroutine add_parts(e, xi, part)
+         !> Element
+         integer, intent(in) :: e
+         !> Place in it
+         real(dp), intent(in) :: xi
+         type(part_t), intent(in) :: part
+         real(dp) :: u
+         integer :: k
+
+         u = (1 + max(-1.0_dp, min(1.0_dp, xi)))/2*places%n_parts(e)
+         k = min(int(u), places%n_parts(e) - 1)
+         call add_part(place_at(places, e, k), k + 1 - u, part)
+         call add_part(place_at(places, e, k + 1), u - k, part)
+      end subroutine add_parts
+
+      subroutine add_part(place, share, part)
+         !> Its number
+         integer, intent(in) :: place
+         !> Of the current
+         real(dp), intent(in) :: share
+         type(part_t), intent(in) :: part
+
+         if (.not. share > 0) return
+         n_parts = n_parts + 1
+         parts(n_parts) = part
+         parts(n_parts)%share = share
+         parts(n_parts)%before = last(place)
+         last(place) = n_parts
+      end subroutine add_part
+
+      !> Two strips at a place of a wire.
+      subroutine add_pair(a, b, length)
+         type(part_t), intent(in) :: a, b
+         !> For which the place stands [m]
+         real(dp), intent(in) :: length
+         real(dp) :: apart
+
+         n = n + 1
+         if (pass == 1) return
+         ! from the axis to the strip; the chord between both is 2 sin(theta/2)
+         apart = norm2((2*a%side - 3)*normal(:, a%contact) - (2*b%side - 3)*normal(:, b%contact))
+         strips%contacts(:, n) = [a%contact, b%contact]
+         ! the current leaves the barred wire and enters the unbarred one
+         strips%resistance(n) = (2*a%side - 3)*(2*b%side - 3)*a%share*b%share/length &
+            *elements%resistivity(pairs(a%side, a%contact))/pi*(0.125_dp - log(max(apart, least_distance)))
+      end subroutine add_pair
+
+   end subroutine collect_strips
+
+   !> What the currents of other strips add to the voltage of each contact (n) [V].
+   pure function voltages(self, current)
+      class(strips_t), intent(in) :: self
+      !> From the barred to the unbarred wire (n) [A]
+      real(dp), intent(in) :: current(:)
+      real(dp) :: voltages(size(current))
+      integer :: k
+
+      voltages = 0
+      do k = 1, size(self%resistance)
+         associate (a => self%contacts(1, k), b => self%contacts(2, k))
+            voltages(a) = voltages(a) + self%resistance(k)*current(b)
+            voltages(b) = voltages(b) + self%resistance(k)*current(a)
+         end associate
+      end do
+   end function voltages
+
+end module litz_strips_of_wires
