@@ -279,7 +279,7 @@ contains
    !> Elements, places in them, and resistances of the elements, barred before unbarred, point after point.
    pure function elements_by_point(points, members) result(elements)
       type(contact_point_t), intent(in) :: points(:)
-      !> Which of them
+      !> Which of them (n)
       integer, intent(in) :: members(:)
       integer :: elements(2*size(members)), i
 
@@ -288,7 +288,7 @@ contains
 
    pure function places_by_point(points, members) result(xi)
       type(contact_point_t), intent(in) :: points(:)
-      !> Which of them
+      !> Which of them (n)
       integer, intent(in) :: members(:)
       real(dp) :: xi(2*size(members))
       integer :: i
@@ -298,7 +298,7 @@ contains
 
    pure function resistances_by_point(points, members) result(resistance)
       type(contact_point_t), intent(in) :: points(:)
-      !> Which of them
+      !> Which of them (n)
       integer, intent(in) :: members(:)
       real(dp) :: resistance(2*size(members))
       integer :: i

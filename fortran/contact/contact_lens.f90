@@ -12,7 +12,7 @@ module litz_contact_lens
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: has_lens, half_length_of, divide_at_ends, flatness, smooth_step, deepest
+   public :: has_lens, half_length_of, divide_at_ends, flatness, least_bend, smooth_step, deepest
 
    !> Sines of the angle between an axis and the surface of the other wire up to which they lie side by side, and from
    !> which on one runs into the other (5 and 15 degrees)
@@ -64,7 +64,7 @@ contains
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(contact_point_t), intent(inout) :: point
-      real(dp) :: overlap, sine, to_end
+      real(dp) :: overlap, sine, to_end, u
       integer :: side
 
       if (point%is_divided .or. point%gap >= 0 .or. .not. point%kinematics%distance > 0) return
@@ -75,17 +75,41 @@ contains
          sine = 1
          if (.not. any(point%held)) sine = max(lens_sine(point%kinematics), sin(point%kinematics%angle))
          do side = 1, 2
-            to_end = minval(distances_to_ends(wires, elements, pair(side), arc(side)))
+            to_end = distance_to_round_end(wires, elements, pair(side), arc(side))
             if (.not. point%held(side) .or. to_end > at_end*elements%length(pair(side))) then
                call divide(to_end*sine/sqrt(2*d*overlap), point%of_cylinder(side), point%of_end(side))
             else
-               call divide(beyond_end(point%tilt(side), merge(1/d, point%bend(side), all(point%held)), overlap), &
-                  point%of_cylinder(side), point%of_end(side))
+               u = beyond_end(point%tilt(side), merge(1/d, point%bend(side), all(point%held)), overlap, &
+                  minval(elements%radius(pair)))
+               call divide(u, point%of_cylinder(side), point%of_end(side))
                point%of_cylinder(side) = flatness(point%tilt(side))*point%of_cylinder(side)
             end if
          end do
       end associate
+      ! cylinders that are cut on both sides have nothing between their ends
+      point%of_crossing = 1
+      if (all(point%of_end > 0)) point%of_crossing = &
+         smooth_step((sin(point%kinematics%angle) - flat_tilt)/(steep_tilt - flat_tilt))
    end subroutine divide_at_ends
+
+   !> Length of wire to the nearer end of its wire at which nothing goes straight on [m].
+   pure real(dp) function distance_to_round_end(wires, elements, e, arc) result(distance)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> Element
+      integer, intent(in) :: e
+      !> Arc length along its wire [m]
+      real(dp), intent(in) :: arc
+      real(dp) :: to_ends(2)
+
+      to_ends = distances_to_ends(wires, elements, e, arc)
+      associate (first => wires%element(wires%first(wires%wire(e))), &
+         last => wires%element(wires%first(wires%wire(e) + 1) - 1))
+         if (wires%goes_on(merge(1, 2, wires%direction(first) > 0), first)) to_ends(1) = huge(distance)
+         if (wires%goes_on(merge(2, 1, wires%direction(last) > 0), last)) to_ends(2) = huge(distance)
+      end associate
+      distance = minval(to_ends)
+   end function distance_to_round_end
 
    !> The parts of cylinder and end, of the force that each would have with the overlap at the point. Of a parabola that
    !> is `1 - u^2` of its middle, the cylinder has the integral from the end on, `S = (2 + 3u - u^3)/4`; forces go with
@@ -107,13 +131,22 @@ contains
 
    !> u of a contact at the end of a wire, where the distance would be least beyond it, at `-t/k`, with the overlap
    !> `delta + t^2/(2 k)`.
-   pure real(dp) function beyond_end(tilt, bend, overlap) result(u)
+   pure real(dp) function beyond_end(tilt, bend, overlap, radius) result(u)
       !> Slope [-] and curvature [1/m] of the distance along the wire, and overlap at the end [m]
       real(dp), intent(in) :: tilt, bend, overlap
+      !> The smaller radius [m], over which a tilt of round-off makes no difference
+      real(dp), intent(in) :: radius
 
-      u = -1
-      if (bend > 0) u = -tilt/sqrt(2*bend*overlap + tilt**2)
+      u = -tilt/sqrt(2*least_bend(bend, overlap, radius)*overlap + tilt**2)
    end function beyond_end
+
+   !> Curvature of the distance along a wire from its end on, of an overlap that is no longer than a radius [1/m].
+   pure real(dp) function least_bend(bend, overlap, radius)
+      !> [1/m], [m], [m]
+      real(dp), intent(in) :: bend, overlap, radius
+
+      least_bend = max(bend, 2*overlap/radius**2)
+   end function least_bend
 
    !> 1 where an axis lies along the surface of the other wire, 0 where it runs into it.
    pure real(dp) function flatness(tilt)

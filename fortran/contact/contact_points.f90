@@ -40,6 +40,8 @@ module litz_contact_points
       !> Near the end of a wire: what the law of its cylinder and that of its round end have of the force, in parts of
       !> what either would have alone (2)
       real(dp) :: of_cylinder(2) = 1, of_end(2) = 0
+      !> What of the part of both cylinders is not carried along the line
+      real(dp) :: of_crossing = 1
       !> These have been found: within an iteration they stay
       logical :: is_divided = .false.
       !> Where it is: slope of the distance along the wire from there, not negative, and its curvature (2) [-, 1/m]
@@ -262,6 +264,7 @@ contains
       point%is_divided = earlier%is_divided
       point%of_cylinder = earlier%of_cylinder
       point%of_end = earlier%of_end
+      point%of_crossing = earlier%of_crossing
       if (earlier%law_status == law_too_curved) point%law_status = law_too_curved
    end subroutine take_shares
 

@@ -10,7 +10,7 @@ module litz_line_laps
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: share_at_lap, distances_to_ends
+   public :: share_at_lap, distances_to_ends, lap_from_end, lap_at_crossing
 
    !> Ends and places that are nearer to each other than this part of the distance of places lie side by side: all
    !> places of a lap have to find the same
@@ -44,6 +44,42 @@ contains
          share = (length - spacing/2 + to_end(side))/length
       end associate
    end function share_at_lap
+
+   !> How far two wires lie beside each other from the end of one of them on, until the other one ends [m].
+   pure real(dp) function lap_from_end(wires, elements, point, own) result(lap)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> Contact of an end
+      type(contact_point_t), intent(in) :: point
+      !> 1, 2: the barred, the unbarred wire ends there
+      integer, intent(in) :: own
+      real(dp) :: from_end(2), other(2), arc(2)
+      integer :: pair(2)
+      logical :: is_forward
+
+      pair = [point%element_bar, point%element]
+      arc = [point%arc_bar, point%arc]
+      from_end = distances_to_ends(wires, elements, pair(own), arc(own))
+      other = distances_to_ends(wires, elements, pair(3 - own), arc(3 - own))
+      ! from its first end on the wire leads forward
+      is_forward = (from_end(1) < from_end(2)) .eqv. point%kinematics%cos_angle*product(wires%direction(pair)) > 0
+      lap = other(merge(2, 1, is_forward))
+   end function lap_from_end
+
+   !> Half of the length along which two wires that cross lie beside each other, until one of them ends [m].
+   pure real(dp) function lap_at_crossing(wires, elements, point) result(half_lap)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(contact_point_t), intent(in) :: point
+      real(dp) :: own(2), other(2)
+      logical :: runs_along
+
+      runs_along = point%kinematics%cos_angle*product(wires%direction([point%element_bar, point%element])) > 0
+      own = distances_to_ends(wires, elements, point%element, point%arc)
+      other = distances_to_ends(wires, elements, point%element_bar, point%arc_bar)
+      if (.not. runs_along) other = other([2, 1])
+      half_lap = sum(min(own, other)/2)
+   end function lap_at_crossing
 
    !> Lengths of wire from a place to the first and to the second end [m]; huge along a closed wire.
    pure function distances_to_ends(wires, elements, e, arc) result(distance)

@@ -5,14 +5,14 @@
 module litz_line_shares
    use litz_kinds, only: dp, pi
    use litz_axis_choices, only: axis_hermite
-   use litz_contact_lens, only: has_lens, half_length_of, divide_at_ends, flatness, smooth_step, deepest
+   use litz_contact_lens, only: has_lens, half_length_of, divide_at_ends, flatness, least_bend, smooth_step, deepest
    use litz_contact_points, only: contact_point_t, contact_set_t, pair_geometry, law_too_curved
    use litz_crossings_of_wires, only: crossings_of_wires_t, sort_crossings
    use litz_element_library, only: elements_t
    use litz_lens_law, only: share_of_point
    use litz_line_contact, only: serves_lines
    use litz_line_kinematics, only: lens_sine, crossing_qualities, line_profile_t, line_profile
-   use litz_line_laps, only: share_at_lap
+   use litz_line_laps, only: share_at_lap, lap_from_end, lap_at_crossing
    use litz_line_places, only: line_places_t, place_at, spacing_of_places
    use litz_model, only: model_t
    use litz_normal_law, only: normal_law_t
@@ -108,11 +108,33 @@ contains
       point%weight = 1 - line_share_at(wires, elements, contact, by_place, point)
       radius = minval(elements%radius([point%element_bar, point%element]))
       half_length = half_length_of(point, deepest*radius)
+      call share_cut_lens(wires, elements, contact%places, half_length, point)
       point%section_share = smooth_step((half_length/radius - section_from)/(section_at - section_from))
       ! a penalty does not depend on the far field
       if (law%line_penalty() > 0) point%section_share = 0
       point%lens_share = share_of_lens(law, point)
    end subroutine share_crossing
+
+   !> Where the ends of both wires cut a long lens so that little is left, places carry what is between them, and the
+   !> crossing what the ends have.
+   pure subroutine share_cut_lens(wires, elements, places, half_length, point)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(line_places_t), intent(in) :: places
+      !> Of the lens, were it not cut [m]
+      real(dp), intent(in) :: half_length
+      type(contact_point_t), intent(inout) :: point
+      real(dp) :: of_ends, slope
+
+      if (.not. (point%weight < 1 .and. all(point%of_end > 0))) return
+      associate (pair => [point%element_bar, point%element])
+         call share_of_point(min(half_length, lap_at_crossing(wires, elements, point)), &
+            resolution*spacing_of_places(places, pair, elements%length(pair)), of_ends, slope)
+      end associate
+      if (of_ends <= point%weight) return
+      point%of_crossing = point%of_crossing*point%weight/of_ends
+      point%weight = of_ends
+   end subroutine share_cut_lens
 
    !> How much the lens counts beside the angle of the axes.
    pure real(dp) function share_of_lens(law, point) result(share)
@@ -133,22 +155,48 @@ contains
       type(contact_set_t), intent(in) :: contact
       type(points_by_place_t), intent(in) :: by_place
       type(contact_point_t), intent(inout) :: point
-      real(dp) :: share
+      real(dp) :: share, of_ends
 
       share = 0
       if (size(contact%line_points) > 0) share = half_pass*(share_along(wires, elements, contact, by_place, &
          point%element_bar, point%xi_bar, point%element, point%arc) + share_along(wires, elements, contact, by_place, &
          point%element, point%xi, point%element_bar, point%arc_bar))
-      point%weight = 1 - share*flatness(maxval(point%tilt))
-      point%lens_sine = sine_at_end(point)
+      share = share*flatness(maxval(point%tilt))
+      of_ends = max(1 - share, share_of_short_lap(wires, elements, contact%places, point))
+      point%weight = of_ends
+      if (of_ends > 0) point%of_crossing = point%of_crossing*(1 - share)/of_ends
+      point%lens_sine = sine_at_end(point, minval(elements%radius([point%element_bar, point%element])))
       point%lens_share = share_of_lens(law, point)
    end subroutine share_end
 
-   !> Sine of straight wires between which the distance would be as curved.
-   pure real(dp) function sine_at_end(point) result(sine)
+   !> What round ends carry where the lap of two wires is short, beside the places in it: both have a half where the
+   !> wires lie along each other, and where they are at the same place each has a half of that.
+   pure real(dp) function share_of_short_lap(wires, elements, places, point) result(share)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(line_places_t), intent(in) :: places
       type(contact_point_t), intent(in) :: point
+      real(dp) :: lap, slope, reach
 
-      sine = max(least_sine, min(1.0_dp, sqrt(point%kinematics%distance*max(0.0_dp, maxval(point%bend)))))
+      associate (pair => [point%element_bar, point%element], own => merge(2, 1, point%held(2)))
+         lap = lap_from_end(wires, elements, point, own)
+         call share_of_point(min(lap, half_length_of(point, deepest*minval(elements%radius(pair)))), &
+            resolution*spacing_of_places(places, pair, elements%length(pair)), share, slope)
+         if (all(point%held)) return
+         reach = sqrt(2*point%kinematics%distance*max(-point%gap, 0.0_dp))
+         if (lap < reach) share = share*(1 - point%of_cylinder(own)*(1 - smooth_step(lap/reach)))
+      end associate
+   end function share_of_short_lap
+
+   !> Sine of straight wires between which the distance would be as curved.
+   pure real(dp) function sine_at_end(point, radius) result(sine)
+      type(contact_point_t), intent(in) :: point
+      !> The smaller one [m]
+      real(dp), intent(in) :: radius
+
+      sine = sqrt(point%kinematics%distance*least_bend(maxval(point%bend), max(0.0_dp, min(-point%gap, &
+         deepest*radius)), radius))
+      sine = max(least_sine, min(1.0_dp, sine))
    end function sine_at_end
 
    !> Share of the contact that is carried along the line where two wires cross: of both passes, as their places have
@@ -314,13 +362,18 @@ contains
          end if
          point%line_share = 1
          point%section_share = 1
-         if (bend > 0) then
-            reach = 1.5_dp*tilt/bend + 2*spacing_of_places(contact%places, pair, length)
+         if (bend > 0 .or. tilt > 0) then
+            ! to where the wires are nearest; of a wedge, as far as one reaches that counts
+            reach = deepest*minval(elements%radius(pair))/max(tilt, tiny(tilt))
+            if (bend > 0) reach = min(reach, tilt/bend)
+            reach = 1.5_dp*reach + 2*spacing_of_places(contact%places, pair, length)
             call sorted%find_nearest(wires, contact%points, reach, reach + 2*sum(elements%radius(pair)), point, i, &
                distance)
             if (i > 0) call share_with(contact%points(i), contact%places, elements, point)
             ! the lens is still open
-            if (i == 0 .and. -point%gap + tilt**2/(2*bend) <= 0) point%line_share = 0
+            if (i == 0 .and. bend > 0) then
+               if (-point%gap + tilt**2/(2*bend) <= 0) point%line_share = 0
+            end if
          end if
          point%weight = point%line_share*share_of_pass(quality)*flatness(tilt)*contact%places%length(point%line_place) &
             *share_at_lap(wires, elements, contact%places, point%kinematics%cos_angle, point)

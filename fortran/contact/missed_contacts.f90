@@ -106,7 +106,7 @@ contains
       else if (is_joined) then
          kind = finding_joined
       else if (.not. (is_known(model, wires, elements, contact%points, by_wire, candidate(1:2), overlap%place) .or. &
-         is_on_known_line(wires, elements, contact, by_place, candidate(1:2), overlap))) then
+         is_on_line(model, wires, elements, contact, by_place, candidate, x, rotation, overlap))) then
          kind = kind_of_missed(model, wires, contact, candidate, has_point, overlap)
       end if
    end function kind_of
@@ -211,13 +211,48 @@ contains
          xi = merge(place(order), sign(1.0_dp, real(signed, dp)), abs(signed) == pair(order))
          k = by_wire%first(wires%wire(abs(signed(1))))
          do while (k > 0 .and. .not. is_known)
-            is_known = points(k)%weight > 0 .and. is_at(wires, elements, points(k), abs(signed), &
-               arc_at(wires, elements, abs(signed), xi))
+            ! where an end carries nothing places beside it do
+            is_known = (points(k)%weight > 0 .or. any(points(k)%held)) .and. is_at(wires, elements, points(k), &
+               abs(signed), arc_at(wires, elements, abs(signed), xi))
             k = by_wire%next(k)
          end do
       end subroutine look_up
 
    end function is_known
+
+   !> It is part of a line contact of these two elements, or of others that meet in the same node.
+   logical function is_on_line(model, wires, elements, contact, by_place, candidate, x, rotation, overlap)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> With the points of this state, and those of lines by their places
+      type(contact_set_t), intent(in) :: contact
+      type(points_by_place_t), intent(in) :: by_place
+      !> Barred element, unbarred element, contact pair (3)
+      integer, intent(in) :: candidate(3)
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
+      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      type(tube_overlap_t), intent(in) :: overlap
+      integer, allocatable :: barred(:), unbarred(:)
+      type(tube_overlap_t) :: other
+      real(dp) :: xe(3, 4), t(3, 4), length(2), place(2)
+      integer :: i, j, pair(2)
+
+      is_on_line = is_on_known_line(wires, elements, contact, by_place, candidate(1:2), overlap)
+      if (is_on_line .or. all(abs(overlap%place) < 1)) return
+      allocate (barred, source=elements_at(model, wires, candidate(1), overlap%place(1), 0.0_dp))
+      allocate (unbarred, source=elements_at(model, wires, candidate(2), overlap%place(2), 0.0_dp))
+      do i = 1, size(barred)
+         do j = 1, size(unbarred)
+            pair = abs([barred(i), unbarred(j)])
+            place = merge(overlap%place, sign(1.0_dp, real([barred(i), unbarred(j)], dp)), pair == candidate(1:2))
+            call pair_geometry(model, wires, elements, pair(1), pair(2), x, rotation, xe, t, length)
+            other = overlap_at(axis_of_pair(model, candidate(3)), elements%radius(pair), xe, t, length, place)
+            is_on_line = is_on_known_line(wires, elements, contact, by_place, pair, other)
+            if (is_on_line) return
+         end do
+      end do
+   end function is_on_line
 
    !> All elements at a place, as +-element (- : at its first node).
    pure function elements_at(model, wires, e, place, near_node) result(signed)

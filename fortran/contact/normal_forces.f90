@@ -114,7 +114,7 @@ contains
 
       if (is_near_end(point)) then
          call hertz_near_ends(pair%radius, pair%young, pair%poisson, point%law_angle, point%of_cylinder, point%of_end, &
-            point%ellipse, info)
+            point%of_crossing, point%ellipse, info)
       else
          call hertz_ellipse(pair%radius, pair%young, pair%poisson, point%law_angle, point%ellipse, info)
       end if
@@ -144,11 +144,11 @@ contains
       of_cylinder = 0
       if (law%line_penalty() > 0) then
          angle = pi/2
-         of_cylinder = product(point%of_cylinder)
+         of_cylinder = point%of_crossing*product(point%of_cylinder)
       end if
       call hertz_ellipse(pair%radius, pair%young, pair%poisson, angle, ellipse, info)
-      call hertz_near_ends(pair%radius, pair%young, pair%poisson, angle, point%of_cylinder, point%of_end, near_end, &
-         info)
+      call hertz_near_ends(pair%radius, pair%young, pair%poisson, angle, point%of_cylinder, point%of_end, &
+         point%of_crossing, near_end, info)
       weight = (ellipse%approach/near_end%approach)**1.5_dp                                ! delta = cd F^(2/3)
       if (law%line_penalty() > 0) weight = of_cylinder + (weight - of_cylinder)*point%law_sine
       weight = point%weight*weight

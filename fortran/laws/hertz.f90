@@ -113,11 +113,13 @@ contains
 
    !> Where the ends of wires have a part of the force: the ellipse with that force at any overlap, whose ratio is the
    !> mean of those of cylinders and ends, and which has the axis that goes with both.
-   pure subroutine hertz_near_ends(radius, young, poisson, angle, of_cylinder, of_end, ellipse, info)
+   pure subroutine hertz_near_ends(radius, young, poisson, angle, of_cylinder, of_end, of_crossing, ellipse, info)
       !> As in `hertz_ellipse`
       real(dp), intent(in) :: radius(2), young(2), poisson(2), angle
       !> Parts of the forces that cylinder and end would have alone, of either wire (2)
       real(dp), intent(in) :: of_cylinder(2), of_end(2)
+      !> What counts of the part that both cylinders have
+      real(dp), intent(in) :: of_crossing
       type(hertz_ellipse_t), intent(out) :: ellipse
       !> `hertz_ok` or `hertz_parallel`
       integer, intent(out) :: info
@@ -135,6 +137,7 @@ contains
          do i = 0, 1
             is_round = [i, j] == 1
             part = product(merge(of_end, of_cylinder, is_round))
+            if (.not. any(is_round)) part = of_crossing*part
             if (.not. part > 0) cycle
             call hertz_ellipse(radius, young, poisson, angle, one, info, is_round)
             if (info /= hertz_ok) return
@@ -146,7 +149,10 @@ contains
                - 1.5_dp*one%dapproach_dangle/one%approach*log(one%ratio))
          end do
       end do
-      ellipse%modulus = one%modulus
+      info = hertz_parallel
+      if (.not. force > 0) return
+      info = hertz_ok
+      ellipse%modulus = effective_modulus(young, poisson)
       ellipse%approach = force**(-2.0_dp/3)
       ellipse%dapproach_dangle = -2*ellipse%approach/(3*force)*dforce
       log_ratio = log_ratio/force

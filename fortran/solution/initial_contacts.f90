@@ -61,7 +61,7 @@ contains
       type(model_t), intent(in) :: model
       !> Of the reference configuration
       type(contact_point_t), intent(inout) :: points(:)
-      !> Largest overlap of each pair so far [m]
+      !> Largest overlap of each pair so far (n_pairs) [m]
       real(dp), intent(inout) :: largest(:)
       integer :: i
 

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from verification.references.hertz import crossed_wires, effective_modulus, end_on_end, end_on_wire
 
-from line_wires import COPPER, HERTZ, STEEL, linear, spot, step, two_wires
+from decks import wire
+from line_wires import COPPER, HERTZ, LOWER, STEEL, linear, spot, step, two_wires
 from same_results import assert_same_end, keeping
 
 #: Overlap that the wires are moved by [m]
@@ -251,3 +252,59 @@ def test_a_wire_is_wire_again_behind_its_kink(run):
     results = solved(run(carried_over(60, linear(1e5), 100)))
     force = np.array([results.contacts_at(i)["force"].sum() for i in range(1, len(results.times))])
     assert force == pytest.approx(1e5 * OVERLAP, rel=1e-6)
+
+
+def side_by_side(gap_or_lap, overlap=5e-6, degrees=0.0):
+    """Two wires that lie along each other, one of which ends about where the other one begins; the latter may be turned."""
+    angle = np.radians(degrees)
+    distance = 2 * COPPER.radius + 1e-6
+    lower = np.linspace((-0.02, 0, 0), (0, 0, 0), 11)
+    upper = np.array([-gap_or_lap, 0, distance]) + np.outer(np.linspace(0, 0.02, 11), [np.cos(angle), np.sin(angle), 0])
+    return two_wires(lower, upper, HELD, moved(0, 0, -1e-6 - overlap))
+
+
+@pytest.mark.parametrize("degrees", [0, 5])
+def test_wires_that_lie_end_by_end_touch_like_spheres_and_not_like_lines(run, degrees):
+    """A thousandth of the radius more or less of lap makes little difference: 1 to 2 times the force of two spheres."""
+    spheres = force_for(5e-6, end_on_end, (COPPER, COPPER))
+    for i, lap in enumerate((2e-6, 1e-6, -1e-6, -2e-6)):
+        process, results = run(side_by_side(lap, degrees=degrees), name=f"lap{i}")
+        assert process.returncode == 0, process.stderr
+        force = results.contacts_at(-1)["force"].sum()
+        assert 0.4 * spheres < force < 1.6 * spheres, lap
+
+
+@pytest.mark.parametrize("yaw", [0.0, 1e-8, 1e-3])
+@pytest.mark.parametrize("n", [10, 13])
+def test_a_tip_that_leans_in_the_plane_of_both_wires_is_a_sphere(run, yaw, n):
+    """The wire beside its tip adds to the force; straight axes in one plane are no special case, nor is the mesh."""
+    lean, overlap = np.radians(8), 1e-6
+    away = np.array([np.cos(lean) * np.cos(yaw), np.cos(lean) * np.sin(yaw), np.sin(lean)])
+    tip = from_tip((0.0013, 0, 2 * COPPER.radius), away)
+    deck = two_wires(np.linspace((-0.01, 0, 0), (0.01, 0, 0), n), tip, HELD, moved(0, 0, -overlap))
+    (force,) = solved(run(deck)).contacts_at(-1)["force"]
+    assert force == pytest.approx(force_for(overlap, end_on_wire, (COPPER, COPPER)), rel=0.05)
+
+
+def test_a_wire_lies_along_one_leg_of_another_one(run):
+    """The other leg leads away: what is laid along it touches a line up to the kink, and nothing else."""
+    legs = np.concatenate(
+        [np.linspace((-0.012, 0, 0), (0, 0, 0), 7), np.linspace((0, 0, 0), (0.004, 0, -0.008), 5)[1:]]
+    )
+    along = np.linspace((-0.01, 0, 2 * COPPER.radius), (0.01, 0, 2 * COPPER.radius), 11)
+    process, results = run(two_wires(legs, along, HELD, moved(0, 0, -OVERLAP)))
+    assert process.returncode == 0, process.stderr
+    contacts = results.contacts_at(-1)
+    assert contacts["length"].sum() == pytest.approx(0.01, rel=1e-6)
+
+
+def test_a_branch_on_the_far_side_does_not_divide_a_wire(run):
+    """A wire across, exactly over the node from which a third wire leads away."""
+    across = np.linspace((0, -0.01, 2 * COPPER.radius), (0, 0.01, 2 * COPPER.radius), 10)
+    straight = wire("LOWER", np.linspace((-0.01, 0, 0), (0.01, 0, 0), 11), LOWER, element="B33")
+    branch = "*NODE, NSET=LOWER\n 501, 0, 0, -0.002\n*ELEMENT, TYPE=B33, ELSET=LOWER\n 501, 6, 501\n"
+    forces = []
+    for i, cards in enumerate((straight, straight + branch)):
+        results = solved(run(two_wires(cards, across, HELD, moved(0, 0, -OVERLAP)), name=f"tee{i}"))
+        forces.append(results.contacts_at(-1)["force"].sum())
+    assert forces[1] == pytest.approx(forces[0], rel=1e-6)
