@@ -33,6 +33,8 @@ module litz_line_shares
    !> Sines of the angle between the axes up to which the lens alone gives the angle of the law, and from which on the
    !> axes do (5 and 10 degrees)
    real(dp), parameter :: small_sine = 0.0872_dp, moderate_sine = 0.1736_dp
+   !> Less than this leads nowhere
+   real(dp), parameter :: least_tilt = 1.0e-9_dp
    !> Least angle that the law of a contact at an end sees [rad]
    real(dp), parameter :: least_sine = 1.0e-3_dp
 
@@ -364,12 +366,19 @@ contains
          point%section_share = 1
          if (bend > 0 .or. tilt > 0) then
             ! to where the wires are nearest; of a wedge, as far as one reaches that counts
-            reach = deepest*minval(elements%radius(pair))/max(tilt, tiny(tilt))
-            if (bend > 0) reach = min(reach, tilt/bend)
-            reach = 1.5_dp*reach + 2*spacing_of_places(contact%places, pair, length)
+            if (bend > 0) then
+               reach = 1.5_dp*tilt/bend + 2*spacing_of_places(contact%places, pair, length)
+            else
+               reach = 1.5_dp*deepest*minval(elements%radius(pair))/max(tilt, least_tilt) &
+                  + 2*spacing_of_places(contact%places, pair, length)
+            end if
             call sorted%find_nearest(wires, contact%points, reach, reach + 2*sum(elements%radius(pair)), point, i, &
                distance)
-            if (i > 0) call share_with(contact%points(i), contact%places, elements, point)
+            ! a wedge is cut by an end, and not by a crossing
+            if (i > 0) then
+               if (bend > 0 .or. any(contact%points(i)%held)) call share_with(contact%points(i), contact%places, &
+                  elements, point)
+            end if
             ! the lens is still open
             if (i == 0 .and. bend > 0) then
                if (-point%gap + tilt**2/(2*bend) <= 0) point%line_share = 0
