@@ -159,7 +159,7 @@ contains
    end function laws_of_ends
 
    !> What an end carries beside the wire: nothing of a long overlap; of a short one, where the wire is nearest to the
-   !> surface at its end or beyond, or so near to it that the overlap is cut there, the rest of the integral (10.16).
+   !> surface at its end or beyond, or so near to it that the overlap is cut there, the rest of the integral (10.17).
    pure real(dp) function share_of_end(surface, axis, xi) result(share)
       type(rigid_surface_t), intent(in) :: surface
       type(wire_axis_t), intent(in) :: axis

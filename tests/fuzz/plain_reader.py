@@ -242,7 +242,11 @@ class PlainReader:
     def pairs(self):
         found = []
         names = list(self.sets["ELSET"])
+        surfaces = {capitals(parameters["NAME"]) for _, parameters, _ in self.of("RIGIDSURFACE")}
         for _, parameters, data in self.of("CONTACTPAIR"):
+            # pairs with rigid surfaces are no pairs of wires
+            if any(capitals(name) in surfaces for name in values(data[0])):
+                continue
             sets = [names.index(capitals(name)) + 1 for name in values(data[0])]
             interaction = self.names["SURFACEINTERACTION"].index(capitals(parameters["INTERACTION"])) + 1
             found.append(f"pair{show([interaction, sets[0], sets[-1], int('INTERFERENCEFIT' in parameters)])}")

@@ -37,8 +37,8 @@ DECKS = [
     "14_strand",
     "15_lap_joint",
     "16_bent_strand",
-    "18_rod_over_drum",
     "17_knot",
+    "18_rod_over_drum",
 ]
 THIN_COPPER = {"radius": 0.1e-3, "young": 120e9, "poisson": 0.34, "resistivity": 1 / 58.8e6}
 

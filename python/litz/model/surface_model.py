@@ -43,6 +43,7 @@ class SurfaceModel(WireModel):
         --------
         A ring is pressed between two plates:
 
+        >>> import numpy as np
         >>> import litz
         >>> model = litz.Model("a ring between two plates")
         >>> steel = model.material("STEEL", young=200e9, poisson=0.3)
