@@ -40,8 +40,14 @@ def nearly_converged(rows, key):
 #: Round-off of a field that is zero: rotations of wires that jaws press [rad]
 NOTHING = 1e-15
 #: Decks that magnify round-off, with a force that they must agree on: without friction the wires of the strand turn about the
-#: core almost freely; on the drum parts of the arc open and slip in the middle of an iteration
-SENSITIVE = {"14_strand": "RF3 node 149", "16_bent_strand": "RF3 node 149", "18_rod_over_drum": "RF3 node 161"}
+#: core almost freely; strands of the knot slide along each other; on the drum parts of the arc open and slip in the middle
+#: of an iteration
+SENSITIVE = {
+    "14_strand": "RF3 node 149",
+    "16_bent_strand": "RF3 node 149",
+    "17_knot": "RF1 node 161",
+    "18_rod_over_drum": "RF3 node 161",
+}
 
 
 @pytest.mark.parametrize("name", SENSITIVE)
