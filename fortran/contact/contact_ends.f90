@@ -8,7 +8,7 @@ module litz_contact_ends
    use litz_axis, only: axis_polynomial
    use litz_contact_candidates, only: find_contact_pair
    use litz_contact_joints, only: are_joined
-   use litz_contact_points, only: contact_set_t, pair_geometry, axis_of_pair
+   use litz_contact_points, only: contact_set_t, pair_geometry, axis_of_pair, away_from
    use litz_element_library, only: elements_t
    use litz_line_foot, only: line_foot, foot_inside, foot_at_end
    use litz_model, only: model_t, axis_hermite
@@ -118,7 +118,8 @@ contains
          grows_from = .true.
          do i = wires%first_at_node(node), wires%first_at_node(node + 1) - 1
             e = abs(wires%at_node(i))
-            grows_from = dot_product(line, away_from(node, e, merge(1, 2, wires%at_node(i) < 0))) <= flat*norm2(line)
+            grows_from = dot_product(line, away_from(model, wires, axis, e, merge(1, 2, wires%at_node(i) < 0), x, &
+               rotation)) <= flat*norm2(line)
             if (.not. grows_from) return
             if (e >= candidate(own)) cycle
             call find_contact_pair(model, wires, contact, e, other_element, roles, pair)
@@ -127,20 +128,6 @@ contains
             if (.not. grows_from) return
          end do
       end function grows_from
-
-      !> Unit tangent that leads away from an end of an element (3).
-      pure function away_from(node, e, side) result(away)
-         !> Node, element, and which of its nodes that is
-         integer, intent(in) :: node, e, side
-         real(dp) :: away(3)
-
-         if (axis == axis_hermite) then
-            away = (3 - 2*side)*matmul(rotation(:, :, node), wires%contact_tangents0(:, side, e))
-         else
-            away = x(:, model%connectivity(3 - side, e)) - x(:, node)
-            away = away/norm2(away)
-         end if
-      end function away_from
 
    end subroutine add_ends
 

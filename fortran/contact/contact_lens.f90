@@ -7,12 +7,13 @@ module litz_contact_lens
    use litz_kinds, only: dp
    use litz_contact_points, only: contact_point_t
    use litz_element_library, only: elements_t
+   use litz_lens_law, only: smooth_step
    use litz_line_kinematics, only: lens_sine
    use litz_line_laps, only: distances_to_ends
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: has_lens, half_length_of, divide_at_ends, flatness, least_bend, smooth_step, deepest
+   public :: has_lens, half_length_of, divide_at_ends, flatness, least_bend, wedge_length, deepest
 
    !> Sines of the angle between an axis and the surface of the other wire up to which they lie side by side, and from
    !> which on one runs into the other (5 and 15 degrees)
@@ -35,28 +36,37 @@ contains
       if (has_lens .and. .not. any(point%held)) has_lens = lens_sine(point%kinematics) > 0
    end function has_lens
 
-   !> `aW = sqrt(2 d delta)/s` of a crossing; from the end of a wire on, where the distance grows with the slope `t`,
-   !> `aW = 2 delta/(t + sqrt(t^2 + 2 k delta))` [m].
+   !> `aW = sqrt(2 d delta)/s` of a crossing; from the end of a wire on that of a wedge [m].
    pure real(dp) function half_length_of(point, largest_overlap) result(half_length)
       !> With a lens
       type(contact_point_t), intent(in) :: point
       !> Overlap that counts at most [m]: iterates overlap deeply for a moment, which makes no lines of them
       real(dp), intent(in) :: largest_overlap
-      real(dp) :: overlap, square
+      real(dp) :: overlap
 
       overlap = max(0.0_dp, min(-point%gap, largest_overlap))
       if (any(point%held)) then
          associate (tilt => point%tilt(merge(2, 1, point%held(2))), bend => point%bend(merge(2, 1, point%held(2))))
             ! at first touch a tilt of round-off would tell lines from ends
             overlap = max(overlap, least_overlap*point%kinematics%distance)
-            square = tilt**2 + 2*bend*overlap
-            half_length = huge(half_length)
-            if (square > 0) half_length = 2*overlap/(tilt + sqrt(square))
+            half_length = wedge_length(tilt, bend, overlap)
          end associate
       else
          half_length = sqrt(2*point%kinematics%distance*overlap)/lens_sine(point%kinematics)
       end if
    end function half_length_of
+
+   !> How far an overlap reaches from the end of a wire on, where the distance grows:
+   !> `2 delta/(t + sqrt(t^2 + 2 k delta))` [m].
+   pure real(dp) function wedge_length(tilt, bend, overlap) result(length)
+      !> t [-], k [1/m] and delta [m], which is positive
+      real(dp), intent(in) :: tilt, bend, overlap
+      real(dp) :: square
+
+      square = tilt**2 + 2*bend*overlap
+      length = huge(length)
+      if (square > 0) length = 2*overlap/max(tilt + sqrt(square), tiny(square))
+   end function wedge_length
 
    !> What the cylinders and the round ends of the two wires have of the force. What has been found for a closed contact
    !> stays until the forces balance.
@@ -155,15 +165,5 @@ contains
 
       flatness = 1 - smooth_step((tilt - flat_tilt)/(steep_tilt - flat_tilt))
    end function flatness
-
-   !> 0 up to 0, 1 from 1 on, without a corner.
-   elemental real(dp) function smooth_step(u)
-      !> [-]
-      real(dp), intent(in) :: u
-
-      associate (v => max(0.0_dp, min(1.0_dp, u)))
-         smooth_step = v**2*(3 - 2*v)
-      end associate
-   end function smooth_step
 
 end module litz_contact_lens

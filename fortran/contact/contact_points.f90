@@ -10,7 +10,7 @@ module litz_contact_points
    use litz_hertz, only: hertz_ellipse_t
    use litz_line_law, only: line_wires_t
    use litz_line_places, only: line_places_t
-   use litz_model, only: model_t
+   use litz_model, only: model_t, axis_hermite
    use litz_normal_law, only: force_of_gap_t
    use litz_shared_conductors, only: shared_conductors_t
    use litz_state, only: contact_t
@@ -20,7 +20,7 @@ module litz_contact_points
    private
    public :: contact_point_t, contact_set_t, points_by_wire_t
    public :: law_ok, law_parallel, law_bad_data, law_too_curved
-   public :: pair_geometry, axis_of_pair, arc_at, crossing_at, clearance_of, chain_by_wire, inherit
+   public :: pair_geometry, away_from, axis_of_pair, arc_at, crossing_at, clearance_of, chain_by_wire, inherit
 
    !> What has become of the laws of a contact: nothing; the axes are parallel, so that there is no Hertz ellipse; the
    !> data of the law are none for it; a wire is curved about the other so much that the foot of a line is hardly known
@@ -180,6 +180,26 @@ contains
       end do
       length = elements%length([eb, e])
    end subroutine pair_geometry
+
+   !> Unit tangent of the axis of an element that leads away from one of its nodes (3).
+   pure function away_from(model, wires, axis, e, side, x, rotation) result(away)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      !> `axis_linear` or `axis_hermite`, element, and its first or second node
+      integer, intent(in) :: axis, e, side
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
+      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      real(dp) :: away(3)
+
+      associate (node => model%connectivity(side, e), other => model%connectivity(3 - side, e))
+         if (axis == axis_hermite) then
+            away = (3 - 2*side)*matmul(rotation(:, :, node), wires%contact_tangents0(:, side, e))
+         else
+            away = x(:, other) - x(:, node)
+            away = away/norm2(away)
+         end if
+      end associate
+   end function away_from
 
    !> Clearance that stands for what is left of the fit of a crossing [m].
    elemental real(dp) function clearance_of(fit, left)

@@ -5,11 +5,11 @@
 module litz_line_shares
    use litz_kinds, only: dp, pi
    use litz_axis_choices, only: axis_hermite
-   use litz_contact_lens, only: has_lens, half_length_of, divide_at_ends, flatness, least_bend, smooth_step, deepest
+   use litz_contact_lens, only: has_lens, half_length_of, divide_at_ends, flatness, least_bend, deepest
    use litz_contact_points, only: contact_point_t, contact_set_t, pair_geometry, law_too_curved
    use litz_crossings_of_wires, only: crossings_of_wires_t, sort_crossings
    use litz_element_library, only: elements_t
-   use litz_lens_law, only: share_of_point
+   use litz_lens_law, only: share_of_point, smooth_step
    use litz_line_contact, only: serves_lines
    use litz_line_kinematics, only: lens_sine, crossing_qualities, line_profile_t, line_profile
    use litz_line_laps, only: share_at_lap, lap_from_end, lap_at_crossing

@@ -6,12 +6,13 @@ module litz_missed_contacts
    use litz_contact_findings, only: finding_t, worse_of, finding_none, finding_missed, finding_second, finding_joined, &
       finding_end, finding_kink, finding_line
    use litz_contact_joints, only: end_paths, path_between, lead_apart, joint_length, joined_radii
-   use litz_contact_points, only: contact_set_t, contact_point_t, points_by_wire_t, pair_geometry, axis_of_pair, arc_at
+   use litz_contact_points, only: contact_set_t, contact_point_t, points_by_wire_t, pair_geometry, axis_of_pair, &
+      away_from, arc_at
    use litz_element_library, only: elements_t
    use litz_joint_overlaps, only: inspect_legs, leads_to_joint
    use litz_known_lines, only: is_on_known_line
    use litz_line_shares, only: points_by_place_t
-   use litz_model, only: model_t, axis_hermite
+   use litz_model, only: model_t
    use litz_rotations, only: cross
    use litz_straight_segments, only: segment_distance
    use litz_tube_overlaps, only: tube_overlap_t, overlap_at, overlap_of_reference, unseen_overlap
@@ -138,8 +139,7 @@ contains
       real(dp), intent(in) :: xi, line(3)
       !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
       real(dp), intent(in) :: x(:, :), rotation(:, :, :)
-      real(dp) :: away(3)
-      integer :: i, other, node, side
+      integer :: i, other, node
 
       element_beyond = 0
       if (abs(xi) < 1) return
@@ -147,14 +147,8 @@ contains
       do i = wires%first_at_node(node), wires%first_at_node(node + 1) - 1
          other = abs(wires%at_node(i))
          if (other == e .or. .not. is_named(contact, other, pair)) cycle
-         side = merge(1, 2, wires%at_node(i) < 0)
-         if (axis_of_pair(model, pair) == axis_hermite) then
-            away = (3 - 2*side)*matmul(rotation(:, :, node), wires%contact_tangents0(:, side, other))
-         else
-            away = x(:, model%connectivity(3 - side, other)) - x(:, node)
-            away = away/norm2(away)
-         end if
-         if (dot_product(line, away) < -flat*norm2(line)) then
+         if (dot_product(line, away_from(model, wires, axis_of_pair(model, pair), other, &
+            merge(1, 2, wires%at_node(i) < 0), x, rotation)) < -flat*norm2(line)) then
             element_beyond = other
             return
          end if

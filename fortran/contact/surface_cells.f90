@@ -8,8 +8,8 @@ module litz_surface_cells
    use litz_axis, only: axis_shape, axis_sagitta, on_axis
    use litz_friction_iteration, only: friction_iteration_t
    use litz_friction_law, only: friction_law_t, friction_start_t
-   use litz_contact_lens, only: smooth_step
-   use litz_lens_law, only: share_of_point
+   use litz_contact_lens, only: wedge_length
+   use litz_lens_law, only: share_of_point, smooth_step
    use litz_line_law, only: line_wires_t, line_force_t, line_force
    use litz_rigid_line, only: rigid_line, rigid_end, end_force
    use litz_rigid_surface, only: rigid_surface_t, surface_distance, distance_row, distance_hessian
@@ -165,7 +165,7 @@ contains
       type(wire_axis_t), intent(in) :: axis
       !> -1 or 1
       real(dp), intent(in) :: xi
-      real(dp) :: x1(3), x2(3), distance, normal(3), hessian(3, 3), overlap, tilt, opening, square, half_length, dshare
+      real(dp) :: x1(3), x2(3), distance, normal(3), hessian(3, 3), overlap, tilt, opening, square, dshare
 
       associate (p => axis%p)
          call surface_distance(surface, p(:, 0) + xi*(p(:, 1) + xi*(p(:, 2) + xi*p(:, 3))), distance, normal, hessian)
@@ -178,9 +178,7 @@ contains
       square = tilt**2 + 2*opening*overlap
       share = 1
       if (overlap <= 0) return
-      half_length = huge(half_length)
-      if (square > 0) half_length = 2*overlap/max(tilt + sqrt(square), tiny(square))
-      call share_of_point(half_length, resolution*axis%radius, share, dshare)
+      call share_of_point(wedge_length(tilt, opening, overlap), resolution*axis%radius, share, dshare)
       if (share > 0) share = share*smooth_step((1 + tilt/sqrt(square))/2)                  ! 1 - S(u)
    end function share_of_end
 

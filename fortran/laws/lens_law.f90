@@ -10,7 +10,7 @@ module litz_lens_law
    implicit none
    private
    public :: lens_integral, n_depths
-   public :: lens_t, lens_force, lens_spot_t, lens_spot, lens_energy, share_of_point
+   public :: lens_t, lens_force, lens_spot_t, lens_spot, lens_energy, share_of_point, smooth_step
 
    integer, parameter :: n_depths = 2
    !> `1 - u^2` of the Gauss points, and twice their weights
@@ -156,9 +156,19 @@ contains
 
       u = (line_from - half_length/spacing)/(line_from - point_up_to)
       u = max(0.0_dp, min(1.0_dp, u))
-      weight = u**2*(3 - 2*u)
+      weight = smooth_step(u)
       dweight_dhalf_length = -6*u*(1 - u)/((line_from - point_up_to)*spacing)
    end subroutine share_of_point
+
+   !> 0 up to 0, 1 from 1 on, without a corner.
+   elemental real(dp) function smooth_step(u)
+      !> [-]
+      real(dp), intent(in) :: u
+
+      associate (v => max(0.0_dp, min(1.0_dp, u)))
+         smooth_step = v**2*(3 - 2*v)
+      end associate
+   end function smooth_step
 
    !> Of the angle whose sine is `sine`, between 0 and 90 degrees.
    pure real(dp) function cosine(sine)

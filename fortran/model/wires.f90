@@ -127,13 +127,25 @@ contains
             do i = 1, size(here)
                do j = 1, size(here)
                   if (i == j) cycle
-                  if (-sign(1, here(i))*sign(1, here(j))*dot_product(chord(:, abs(here(i))), chord(:, abs(here(j)))) &
-                     >= cos(corner_angle)) wires%goes_on(merge(1, 2, here(i) < 0), abs(here(i))) = .true.
+                  if (lead_straight_on(chord, here(i), here(j))) then
+                    wires%goes_on(merge(1, 2, here(i) < 0), abs(here(i))) = .true.
+                  end if
                end do
             end do
          end associate
       end do
    end subroutine find_straight_ways
+
+   !> Two elements that meet at a node turn by less than a corner there.
+   pure logical function lead_straight_on(chord, a, b)
+      !> Direction of each element, of length 1 (3, elements)
+      real(dp), intent(in) :: chord(:, :)
+      !> The two, as +-element (- : at its first node)
+      integer, intent(in) :: a, b
+
+      ! directions into the node along one element and out of it along the other
+      lead_straight_on = -sign(1, a)*sign(1, b)*dot_product(chord(:, abs(a)), chord(:, abs(b))) >= cos(corner_angle)
+   end function lead_straight_on
 
    !> Which element continues which.
    pure subroutine join_elements(model, chord, wires)
@@ -142,7 +154,6 @@ contains
       real(dp), intent(in) :: chord(:, :)
       type(wires_t), intent(inout) :: wires
       integer :: node, a, b
-      real(dp) :: cosine
 
       allocate (wires%next(2, model%n_elements), source=0)
       do node = 1, model%n_nodes
@@ -150,9 +161,7 @@ contains
          a = wires%at_node(wires%first_at_node(node))
          b = wires%at_node(wires%first_at_node(node) + 1)
          if (abs(a) == abs(b)) cycle
-         ! directions into the node along one element and out of it along the other
-         cosine = -sign(1, a)*sign(1, b)*dot_product(chord(:, abs(a)), chord(:, abs(b)))
-         if (cosine < cos(corner_angle)) cycle
+         if (.not. lead_straight_on(chord, a, b)) cycle
          wires%next(merge(1, 2, a < 0), abs(a)) = abs(b)
          wires%next(merge(1, 2, b < 0), abs(b)) = abs(a)
       end do
