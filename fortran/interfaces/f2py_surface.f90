@@ -51,7 +51,7 @@ contains
    pure function laws_of(normal, normal_data, spot, spot_data, bodies, augmentation) result(laws)
       !> Places of the laws in litz_area_laws; 0 of the second: no current
       integer(c_int), intent(in) :: normal, spot
-      !> Their data
+      !> Their data (n)
       real(c_double), intent(in) :: normal_data(:), spot_data(:)
       !> Young's moduli [Pa], Poisson's ratios, resistivities [ohm m] (2, 3)
       real(c_double), intent(in) :: bodies(2, 3)
@@ -65,8 +65,8 @@ contains
    end function laws_of
 
    ! numbers: xi_bar, gap, pressure, h, current, voltage_gap
-   subroutine node_to_segment(n, x_bar, x, v_bar, v, area, normal_law, n_normal, normal_data, spot_law, n_spot, &
-      spot_data, bodies, augmentation, k, r, numbers, normal, info)
+   subroutine node_to_segment(n, x_bar, x, v_bar, v, area, reach, normal_law, n_normal, normal_data, spot_law, &
+      n_spot, spot_data, bodies, augmentation, k, r, numbers, normal, info)
       !> Number of pairs
       integer(c_int), intent(in) :: n
       !> Nodes of the master segments (2, 2, n) [m]
@@ -79,6 +79,8 @@ contains
       real(c_double), intent(in) :: v(n)
       !> Reference areas (n) [m^2]
       real(c_double), intent(in) :: area(n)
+      !> How far the segments go on beyond their nodes, in lengths of the segments (2, n)
+      real(c_double), intent(in) :: reach(2, n)
       !> Place of the pressure law in litz_area_laws
       integer(c_int), intent(in) :: normal_law
       !> Numbers that are its data, at least 1
@@ -109,8 +111,9 @@ contains
       type(segment_t) :: segment
       integer :: i
       do i = 1, n
-         call core_node_to_segment(x_bar(:, :, i), x(:, i), v_bar(:, i), v(i), area(i), laws_of(normal_law, &
-            normal_data, spot_law, spot_data, bodies, augmentation(i)), k(:, :, i), r(:, i), point, info(i))
+         call core_node_to_segment(x_bar(:, :, i), x(:, i), v_bar(:, i), v(i), area(i), reach(:, i), &
+            laws_of(normal_law, normal_data, spot_law, spot_data, bodies, augmentation(i)), k(:, :, i), r(:, i), &
+            point, info(i))
          numbers(:, i) = [point%xi_bar, point%gap, point%normal%pressure, point%spot%conductance, point%current, &
             point%voltage_gap]
          segment = segment_of(x_bar(:, :, i))

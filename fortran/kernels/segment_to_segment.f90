@@ -77,18 +77,15 @@ contains
       real(dp), intent(in) :: zeta
       !> Reference length of the slave segment [m], and width of the surface at its nodes (2) [m]
       real(dp), intent(in) :: length, width(2)
-      real(dp) :: s, half, dhalf(8), w, dw_ds
+      real(dp) :: s, ds(8), half, dhalf(8), w, dw_ds
 
       half = (last%s - first%s)/2
       dhalf = (last%ds - first%ds)/2
       s = (first%s + last%s)/2 + zeta*half
-      at%ds = (first%ds + last%ds)/2 + zeta*dhalf
-      at%shape = [1 - s, 1 + s]/2
-      at%dshape = [-0.5_dp, 0.5_dp]
-      w = dot_product(at%shape, width)
-      dw_ds = dot_product(at%dshape, width)
-      at%area = half*length/2*w
-      at%darea = length/2*(dhalf*w + half*dw_ds*at%ds)
+      ds = (first%ds + last%ds)/2 + zeta*dhalf
+      w = dot_product(width, [1 - s, 1 + s])/2
+      dw_ds = (width(2) - width(1))/2
+      at = slave_point_t([1 - s, 1 + s]/2, [-0.5_dp, 0.5_dp], ds, half*length/2*w, length/2*(dhalf*w + half*dw_ds*ds))
    end function point_between
 
    !> Where a master node projects onto the slave segment: `t . (x(s) - x_j) = 0`, not beyond its ends.

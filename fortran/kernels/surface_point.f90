@@ -2,15 +2,15 @@
 !>
 !> Barred: master, whose body lies on the left of the way from its node 1 to its node 2; unbarred: slave. `n` is the
 !> segment's normal, which points into the master's body, `g = n . (x_bar - x)` is negative where the bodies overlap,
-!> `delta = -g`. The slave point `x = sum N_i x_i` stands for the reference area `w`. With the row `a = [f1, f2, -N]` and
-!> `b = a (x) n`:
+!> `delta = -g`. The slave point `x = sum N_i x_i` stands for the reference area `w`. With the row `a = [f1, f2, -N]`
+!> and `b = a (x) n`:
 !>
 !>     R_u = -w p b,    R_V = I a,    I = w h g_V,    g_V = a . V
 !>
 !> `K` is the derivative of `R` by all unknowns, those on which `N`, `w` and the place depend included: a point may move
 !> along the slave segment. Source: P. Wriggers, Computational Contact Mechanics, 2nd ed. 2006, sections 4.1 and 10.2;
-!> the three parts of K_Vu are those of (5.4) of the theory. Order: displacements of master 1, master 2, slave nodes, then
-!> the voltages of the same nodes.
+!> the three parts of K_Vu are those of (5.4) of the theory. Order: displacements of master 1, master 2, slave nodes,
+!> then the voltages of the same nodes.
 module litz_surface_point
    use litz_kinds, only: dp
    use litz_area_law, only: pressure_law_t, area_conductance_law_t, body_pair_t, pressure_t, area_conductance_t, &
@@ -113,13 +113,15 @@ contains
 
    !> `R_u = -w p b`.
    pure subroutine add_forces(a, b, da, dn, dgap, normal, at, point, k, r)
-      !> a, b and the derivatives of a, n and g by the displacements
-      real(dp), intent(in) :: a(:), b(:), da(:, :), dn(:, :), dgap(:)
+      !> a (2 + m) and b (4 + 2m)
+      real(dp), intent(in) :: a(:), b(:)
+      !> Derivatives of a (2 + m, 4 + 2m), n (2, 4 + 2m) and g (4 + 2m) by the displacements
+      real(dp), intent(in) :: da(:, :), dn(:, :), dgap(:)
       !> n (2)
       real(dp), intent(in) :: normal(2)
       type(slave_point_t), intent(in) :: at
       type(surface_point_t), intent(in) :: point
-      !> As in `add_surface_point`
+      !> Tangent (6 + 3m, 6 + 3m) and residual (6 + 3m)
       real(dp), intent(inout) :: k(:, :), r(:)
       real(dp) :: db(size(b), size(b)), dforce(size(b))
       integer :: i, m
@@ -137,13 +139,15 @@ contains
 
    !> `R_V = I a`, `I = w h a . V`.
    pure subroutine add_currents(a, da, dgap, voltage, at, point, k, r)
-      !> a, and the derivatives of a and g by the displacements
-      real(dp), intent(in) :: a(:), da(:, :), dgap(:)
-      !> V [V], master and slave
+      !> a (2 + m)
+      real(dp), intent(in) :: a(:)
+      !> Derivatives of a (2 + m, 4 + 2m) and g (4 + 2m) by the displacements
+      real(dp), intent(in) :: da(:, :), dgap(:)
+      !> V (2 + m) [V], master and slave
       real(dp), intent(in) :: voltage(:)
       type(slave_point_t), intent(in) :: at
       type(surface_point_t), intent(in) :: point
-      !> As in `add_surface_point`
+      !> Tangent (6 + 3m, 6 + 3m) and residual (6 + 3m)
       real(dp), intent(inout) :: k(:, :), r(:)
       real(dp) :: dcurrent(size(dgap))
       integer :: m
@@ -160,7 +164,7 @@ contains
 
    !> `a (x) d`: the entries of `a` times a direction, node after node (2 size(a)).
    pure function spread_over(a, direction) result(row)
-      !> Entries of the nodes, and the direction (2)
+      !> Entries of the nodes (n), and the direction (2)
       real(dp), intent(in) :: a(:), direction(2)
       real(dp) :: row(2*size(a))
 
@@ -181,7 +185,7 @@ contains
 
    !> `u v'`.
    pure function outer(u, v) result(product)
-      !> Vectors
+      !> Vectors (n), (m)
       real(dp), intent(in) :: u(:), v(:)
       real(dp) :: product(size(u), size(v))
 

@@ -104,7 +104,9 @@ class TestBalance:
 
     def test_a_point_is_opposite_its_place_in_the_master(self):
         function, q, v = PAIRS["segment, cut at its second end"]
-        contact = function(np.array(q, dtype=float), np.array(v), {"normal_law": "linear", "spot_law": "none", "eps_n": 5.0})
+        contact = function(
+            np.array(q, dtype=float), np.array(v), {"normal_law": "linear", "spot_law": "none", "eps_n": 5.0}
+        )
         x = np.array(q).reshape(4, 2)
         for i in range(2):
             at_master = (x[0] * (1 - contact.xi_bar[i]) + x[1] * (1 + contact.xi_bar[i])) / 2
@@ -126,7 +128,15 @@ class TestLaws:
         laws = {"linear": {"eps_n": 2.0}, "exponential": {"p_0": 0.5, "decay": 0.25}}[normal]
         depth = pressure / 2.0 if normal == "linear" else 0.25 * np.log(pressure / 0.5)
         contact = node_to_segment_em(
-            [[0, 0], [1, 0]], [0.5, depth], [1, 1], 0.0, area=1.0, normal_law=normal, spot_law=spot, **laws, **SPOT[spot]
+            [[0, 0], [1, 0]],
+            [0.5, depth],
+            [1, 1],
+            0.0,
+            area=1.0,
+            normal_law=normal,
+            spot_law=spot,
+            **laws,
+            **SPOT[spot],
         )
         assert contact.pressure == pytest.approx(pressure)
         return contact.conductance
@@ -166,39 +176,50 @@ class TestLaws:
         assert not apart.K.any()
 
 
-class TestPairing:
-    LAWS = {"normal_law": "linear", "eps_n": 2.0, "spot_law": "constant", "resistance": 1.0}  # noqa: RUF012
+PAIRING = {"normal_law": "linear", "eps_n": 2.0, "spot_law": "constant", "resistance": 1.0}
 
+
+class TestPairing:
     def test_a_node_opposite_a_joint_counts_once(self):
         found = [
-            node_to_segment_em(x_bar, [1.0, 0.1], [0, 0], 0.0, area=1.0, **self.LAWS).active
+            node_to_segment_em(x_bar, [1.0, 0.1], [0, 0], 0.0, area=1.0, **PAIRING).active
             for x_bar in ([[0, 0], [1, 0]], [[1, 0], [2, 0]])
         ]
         assert found == [False, True]
 
+    def test_the_reach_of_a_segment_takes_in_nodes_beyond_the_end_of_a_surface(self):
+        x_bar, x = [[0, 0], [2, 0]], [2.1, 0.1]
+        assert not node_to_segment_em(x_bar, x, [0, 0], 0.0, area=1.0, reach=[0.1, 0.04], **PAIRING).active
+        beyond = node_to_segment_em(x_bar, x, [0, 0], 0.0, area=1.0, reach=[0, 0.06], **PAIRING)
+        assert beyond.active
+        assert beyond.xi_bar == pytest.approx(1.1)
+
     @pytest.mark.parametrize("x", [[-0.1, 0.1], [1.2, 0.1], [0.5, -0.1]])
     def test_nothing_acts_where_nothing_touches(self, x):
-        contact = node_to_segment_em([[0, 0], [1, 0]], x, [1, 1], 0.0, area=1.0, **self.LAWS)
+        contact = node_to_segment_em([[0, 0], [1, 0]], x, [1, 1], 0.0, area=1.0, **PAIRING)
         assert not contact.active
         assert not contact.K.any()
         assert not contact.R.any()
 
     def test_segments_whose_bodies_lie_on_the_same_side_do_not_face_each_other(self):
         x_bar, x = [[0, 0], [1, 0]], [[0, 0.1], [1, 0.1]]
-        assert not segment_to_segment_em(x_bar, x, [1, 1], [0, 0], length=1.0, **self.LAWS).active
-        assert segment_to_segment_em(x_bar, x[::-1], [1, 1], [0, 0], length=1.0, **self.LAWS).active
+        assert not segment_to_segment_em(x_bar, x, [1, 1], [0, 0], length=1.0, **PAIRING).active
+        assert segment_to_segment_em(x_bar, x[::-1], [1, 1], [0, 0], length=1.0, **PAIRING).active
 
     def test_many_pairs_at_once_are_the_single_ones(self):
-        shapes = np.random.default_rng(3).uniform(-0.05, 0.05, (20, 4, 2)) + [[0, 0], [1, 0], [1.2, 0.1], [-0.1, 0.1]]
+        corners = np.array([[0, 0], [1, 0], [1.2, 0.1], [-0.1, 0.1]])
+        shapes = corners + np.random.default_rng(3).uniform(-0.05, 0.05, (20, 4, 2))
         volts = np.linspace(0, 1, 80).reshape(20, 4)
         lengths = np.linspace(1, 2, 20)
         many = segment_to_segment_em(
-            shapes[:, :2], shapes[:, 2:], volts[:, :2], volts[:, 2:], length=lengths, **self.LAWS
+            shapes[:, :2], shapes[:, 2:], volts[:, :2], volts[:, 2:], length=lengths, **PAIRING
         )
-        nodes = node_to_segment_em(shapes[:, :2], shapes[:, 3] + [0.5, 0], volts[:, :2], volts[:, 3], area=1.0, **self.LAWS)
+        nodes = node_to_segment_em(
+            shapes[:, :2], shapes[:, 3] + [0.5, 0], volts[:, :2], volts[:, 3], area=1.0, **PAIRING
+        )
         for i, (x, v) in enumerate(zip(shapes, volts, strict=True)):
-            one = segment_to_segment_em(x[:2], x[2:], v[:2], v[2:], length=lengths[i], **self.LAWS)
-            node = node_to_segment_em(x[:2], x[3] + [0.5, 0], v[:2], v[3], area=1.0, **self.LAWS)
+            one = segment_to_segment_em(x[:2], x[2:], v[:2], v[2:], length=lengths[i], **PAIRING)
+            node = node_to_segment_em(x[:2], x[3] + [0.5, 0], v[:2], v[3], area=1.0, **PAIRING)
             for name in one._fields:
                 np.testing.assert_array_equal(getattr(many, name)[i], getattr(one, name))
             for name in node._fields:
@@ -210,10 +231,11 @@ def chain(ends, n):
     return np.interp(np.linspace(0, 1, n + 1) ** 1.3, [0, 1], ends)
 
 
+UNIFORM = {"normal_law": "linear", "eps_n": 2.0, "spot_law": "constant", "resistance": 0.5}
+
+
 class TestUniformPressure:
     """Two flat surfaces overlap by 0.1, with meshes that do not match: every node gets its tributary share."""
-
-    LAWS = {"normal_law": "linear", "eps_n": 2.0, "spot_law": "constant", "resistance": 0.5}  # noqa: RUF012
 
     def shares(self, n_master, n_slave):
         """Forces and currents of master and slave nodes from `segment_to_segment_em`."""
@@ -221,7 +243,7 @@ class TestUniformPressure:
         of_master, of_slave = np.zeros((n_master + 1, 2)), np.zeros((n_slave + 1, 2))
         for i, j in itertools.product(range(n_master), range(n_slave)):
             x_bar, x = (np.stack([s[k : k + 2], [y, y]], axis=1) for s, k, y in ((masters, i, 0), (slaves, j, 0.1)))
-            contact = segment_to_segment_em(x_bar, x, [1, 1], [0, 0], length=abs(np.diff(x[:, 0])[0]), **self.LAWS)
+            contact = segment_to_segment_em(x_bar, x, [1, 1], [0, 0], length=abs(np.diff(x[:, 0])[0]), **UNIFORM)
             of_master[i : i + 2] += np.stack([contact.R[1:4:2], contact.R[8:10]], axis=1)
             of_slave[j : j + 2] += np.stack([contact.R[5:8:2], contact.R[10:12]], axis=1)
         return masters, of_master, slaves, of_slave
@@ -242,15 +264,16 @@ class TestUniformPressure:
         forces = np.zeros(6)
         for i, (x, area) in itertools.product(range(5), zip(np.clip(slaves, 1e-9, 1 - 1e-9), areas, strict=True)):
             x_bar = np.stack([masters[i : i + 2], [0, 0]], axis=1)
-            forces[i : i + 2] += node_to_segment_em(x_bar, [x, 0.1], [1, 1], 0.0, area=area, **self.LAWS).R[1:4:2]
+            forces[i : i + 2] += node_to_segment_em(x_bar, [x, 0.1], [1, 1], 0.0, area=area, **UNIFORM).R[1:4:2]
         lengths = np.diff(masters)
         tributary = (np.append(lengths, 0) + np.append(0, lengths)) / 2
         assert np.abs(forces / (0.2 * tributary)).max() > 1.3
 
 
-class TestBadInput:
-    GOOD = {"area": 1.0, "normal_law": "linear", "eps_n": 1.0, "spot_law": "constant", "resistance": 1.0}  # noqa: RUF012
+GOOD = {"area": 1.0, "normal_law": "linear", "eps_n": 1.0, "spot_law": "constant", "resistance": 1.0}
 
+
+class TestBadInput:
     @pytest.mark.parametrize(
         ("change", "words"),
         [
@@ -266,13 +289,13 @@ class TestBadInput:
         ],
     )  # fmt: skip
     def test_it_is_answered_in_words(self, change, words):
-        data = {name: value for name, value in {**self.GOOD, **change}.items() if value is not None}
+        data = {name: value for name, value in {**GOOD, **change}.items() if value is not None}
         with pytest.raises(ValueError, match=words):
             node_to_segment_em([[0, 0], [1, 0]], [0.5, 0.1], [0, 0], 0.0, **data)
 
     def test_segments_without_length(self):
         with pytest.raises(ValueError, match="the two nodes of a segment coincide"):
-            node_to_segment_em([[1, 0], [1, 0]], [0.5, 0.1], [0, 0], 0.0, **self.GOOD)
+            node_to_segment_em([[1, 0], [1, 0]], [0.5, 0.1], [0, 0], 0.0, **GOOD)
 
     def test_augmentation_is_of_the_penalty_only(self):
         with pytest.raises(ValueError, match='augmentation belongs to normal_law="linear"'):

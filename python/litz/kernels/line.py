@@ -259,7 +259,9 @@ def line_point(
     n = len(positions) if positions.ndim == 3 else None
     place = batch.points("xi", xi, (), n)
     batch.check((place >= -1) & (place <= 1), n, "xi must be from -1 to 1")
-    vectors = batch.points("rotation_vectors", np.zeros((4, 3)) if rotation_vectors is None else rotation_vectors, (4, 3), n)
+    vectors = batch.points(
+        "rotation_vectors", np.zeros((4, 3)) if rotation_vectors is None else rotation_vectors, (4, 3), n
+    )
     before = batch.points("normal_before", np.zeros(3) if normal_before is None else normal_before, (3,), n)
     weights = batch.positive("weight", weight, (), n)
     k, r, numbers, normal, info = _core.f2py_line.line_points(
@@ -306,7 +308,9 @@ def _angles(angle: Numbers, n: int | None) -> Floats:
 def _tangents(t: ArrayLike, n: int | None) -> Floats:
     result = batch.points("t", t, (4, 3), n)
     error = np.abs(np.linalg.norm(result, axis=2) - 1)
-    batch.check(error <= checks.TRIAD_TOLERANCE, n, f"t must have rows of unit length (to {checks.TRIAD_TOLERANCE:.0e})")
+    batch.check(
+        error <= checks.TRIAD_TOLERANCE, n, f"t must have rows of unit length (to {checks.TRIAD_TOLERANCE:.0e})"
+    )
     return result
 
 

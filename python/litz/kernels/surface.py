@@ -88,6 +88,7 @@ def node_to_segment_em(
     area: Numbers,
     normal_law: str,
     spot_law: str,
+    reach: ArrayLike = (0.0, 0.0),
     augmentation: Numbers = 0.0,
     **data: ArrayLike,
 ) -> NodeToSegment:
@@ -123,6 +124,9 @@ def node_to_segment_em(
         - "constant": `resistance` times area [ohm m^2];
         - "table": `table`, shape (2, k): pressures [Pa], ascending, and resistances times area [ohm m^2];
         - "none": no current.
+    reach : array_like, shape (2,)
+        How far the segment goes on straight beyond its nodes 1 and 2, in lengths of the segment: for the ends of a
+        surface, where a node just beyond the last segment would else touch nothing.
     augmentation : float
         Pressure of Uzawa's iteration, of "linear" [Pa]; 0: a penalty.
     **data
@@ -153,7 +157,7 @@ def node_to_segment_em(
     ...     [[0, 0], [1e-3, 0]], [3e-4, 1e-7], [1e-3, 1e-3], 0.0, area=1e-7, normal_law="linear", eps_n=1e15,
     ...     spot_law="cmy", hardness=1e9, slope=0.1, roughness=1e-6, resistivity=1.7e-8)
     >>> print(f"{contact.pressure:.3g} Pa, {contact.current:.4g} A")
-    1e+08 Pa, 0.08251 A
+    1e+08 Pa, 82.5 A
     """
     nodes = np.asarray(x_bar, dtype=float)
     n = len(nodes) if nodes.ndim == 3 else None
@@ -165,6 +169,7 @@ def node_to_segment_em(
         batch.points("v_bar", v_bar, (2,), n).T,
         batch.points("v", v, (), n),
         areas,
+        batch.not_negative("reach", reach, n, (2,)).T,
         *laws,
         _augmentation(augmentation, laws, n),
     )

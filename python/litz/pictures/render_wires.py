@@ -85,7 +85,11 @@ def with_round_ends(
         for end, neighbour, order in ((start, start + 1, -1), (stop - 1, stop - 2, 1)):
             outward = points[end] - points[neighbour]
             outward /= np.linalg.norm(outward)
-            cap = points[end] + radius[end] * along[:, None] * outward, radius[end] * across, np.full(len(along), value[end])
+            cap = (
+                points[end] + radius[end] * along[:, None] * outward,
+                radius[end] * across,
+                np.full(len(along), value[end]),
+            )
             pieces.append([column[::order] for column in cap])
         pieces.insert(-1, [points[start:stop], radius[start:stop], value[start:stop]])
     columns = [np.concatenate(column) for column in zip(*pieces, strict=True)]
