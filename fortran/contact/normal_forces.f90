@@ -77,7 +77,8 @@ contains
       point%force = 0
       point%stiffness = 0
       point%iteration_force = 0
-      point%geometric_force = max(point%mixed_force, 0.0_dp)
+      point%geometric_force = 0
+      if (point%active .or. point%closed) point%geometric_force = max(point%mixed_force, 0.0_dp)
       if (.not. point%active) point%mixed_force = 0
       associate (law => model%interactions(model%contact_pairs(point%pair)%interaction))
          needs_line = point%weight > 0 .and. (point%line_place > 0 .or. is_lens(law%normal, point) .or. &
