@@ -14,7 +14,7 @@ module litz_contact_spots
    use litz_line_kinematics, only: line_course_t, line_course
    use litz_line_law, only: line_force_t, line_force, line_overlap_t, line_overlap, line_spot_t, line_spot
    use litz_model, only: interaction_t
-   use litz_normal_forces, only: is_lens, overlap_of_point, weight_of_lens
+   use litz_normal_forces, only: is_lens, share_of_ellipse, overlap_of_point, weight_of_lens
    use litz_normal_law, only: overlap_of_force_t
    use litz_spot_law, only: contact_spot_t, contact_spot, spot_law_t, spot_ok
    use litz_wires, only: wires_t, arc_from_to
@@ -37,7 +37,7 @@ contains
       type(contact_point_t), intent(inout) :: point
       type(spot_in_circuit_t), intent(out) :: circuit
       real(dp) :: spot_force
-      integer :: info
+      type(contact_spot_t) :: of_ellipse
 
       circuit%series_resistance = pair%series_resistance
       if (law%spot_memory) point%new_spot = leaves_spot(law, wires, pair, point)
@@ -50,12 +50,41 @@ contains
          call spot_per_length(law, pair, spot_force, point, circuit%spot)
       else if (is_lens(law%normal, point)) then
          circuit%spot = spot_of_lens(law, pair, point, lens_of_spot(law, pair, point, spot_force))
+         if (share_of_ellipse(law%normal, point) > 0) then
+            call spot_of_crossing(law, pair, spot_force, point, of_ellipse)
+            circuit%spot = between(circuit%spot, of_ellipse, share_of_ellipse(law%normal, point))
+         end if
       else
-         call contact_spot(law%spot, spot_force, pair, point%ellipse, circuit%spot, info)
-         if (info /= spot_ok) point%law_status = law_bad_data
-         circuit%spot%conductance = point%weight*circuit%spot%conductance
+         call spot_of_crossing(law, pair, spot_force, point, circuit%spot)
       end if
    end subroutine find_spot
+
+   !> The spot of wires that cross, as far as this point carries the contact.
+   pure subroutine spot_of_crossing(law, pair, spot_force, point, spot)
+      type(interaction_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      !> That makes the spot [N]
+      real(dp), intent(in) :: spot_force
+      type(contact_point_t), intent(inout) :: point
+      type(contact_spot_t), intent(out) :: spot
+      integer :: info
+
+      call contact_spot(law%spot, spot_force, pair, point%ellipse, spot, info)
+      if (info /= spot_ok) point%law_status = law_bad_data
+      spot%conductance = point%weight*spot%conductance
+   end subroutine spot_of_crossing
+
+   !> A spot that turns from one law into another, at the angle of a lens, which stays.
+   pure type(contact_spot_t) function between(first, second, share) result(spot)
+      type(contact_spot_t), intent(in) :: first, second
+      !> Of the second one
+      real(dp), intent(in) :: share
+
+      spot%semi_major = (1 - share)*first%semi_major + share*second%semi_major
+      spot%semi_minor = (1 - share)*first%semi_minor + share*second%semi_minor
+      spot%conductance = (1 - share)*first%conductance + share*second%conductance
+      spot%dconductance_dforce = (1 - share)*first%dconductance_dforce + share*second%dconductance_dforce
+   end function between
 
    !> What a place of a line conducts: the integral over the part of its cell that touches.
    pure subroutine spot_of_cell(law, pair, spot_force, course, point, circuit)
