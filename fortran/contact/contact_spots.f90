@@ -162,7 +162,7 @@ contains
       type(contact_spot_t), intent(out) :: spot
       type(contact_spot_t) :: at(n_depths)
       type(lens_t) :: lens
-      real(dp) :: dconductance_dgap
+      real(dp) :: dconductance_dgap, weight
       integer :: i, info
 
       lens = lens_of_spot(law, pair, point, spot_force)
@@ -171,8 +171,10 @@ contains
          if (info /= spot_ok) point%law_status = law_bad_data
       end do
       call lens_integral(lens, at%conductance, at%dconductance_dforce, spot%conductance, dconductance_dgap)
-      spot%conductance = weight_of_lens(law%normal, pair, point)*spot%conductance
-      spot%dconductance_dforce = dconductance_dgap/lens%dforce_dgap
+      weight = weight_of_lens(law%normal, pair, point)
+      spot%conductance = weight*spot%conductance
+      ! by the force that the point has, which may be that of an ellipse
+      spot%dconductance_dforce = weight*dconductance_dgap/point%at_gap%dforce_dgap
       spot%semi_major = lens%half_length
    end subroutine spot_per_length
 
