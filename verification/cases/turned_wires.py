@@ -219,8 +219,8 @@ def draw(values, path):
         resistance.plot([90], [1e6 * crossed().resistance], "o", color="#222222")
         resistance.plot(degrees, 1e6 * np.array(found["resistance"][shown]), color=figures.STYLES["B33"]["color"])
         resistance.set(xlabel="angle [degrees]", ylabel="resistance [microohm]")
-        for i, (name, values) in enumerate(found["fine"].items()):
-            fine.loglog(np.degrees(FINE), np.array(values) / values[0], color=f"C{i}", label=name)
+        for i, (name, of_angle) in enumerate(found["fine"].items()):
+            fine.loglog(np.degrees(FINE), np.array(of_angle) / of_angle[0], color=f"C{i}", label=name)
         fine.set(xlabel="angle [degrees]", ylabel="resistance, over that at 20 degrees")
         fine.legend()
         force.plot(np.degrees(TURNS), found["force"], color=figures.STYLES["B33"]["color"])
