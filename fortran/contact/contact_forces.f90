@@ -17,10 +17,11 @@ module litz_contact_forces
    use litz_friction_law, only: friction_law_t
    use litz_law_input, only: wire_pair_t
    use litz_model, only: model_t
-   use litz_normal_forces, only: wires_of
+   use litz_normal_forces, only: wires_of, is_lens, law_of_spot
    use litz_parallel, only: worth_threads
    use litz_scatter, only: forces_t, chunk
    use litz_shared_conductors, only: collect_shared
+   use litz_sliding_forces, only: add_sliding
    use litz_strips_of_wires, only: strips_t, collect_strips
    use litz_text, only: to_text
    use litz_timing, only: phase_contact, phase_assembly
@@ -136,7 +137,8 @@ contains
          !> Tangent and currents of the voltages (4, 4), (4), tangent of the currents by the motions (4, 24)
          real(dp), intent(out) :: k_ee_p(4, 4), r_e_p(4), k_me_p(4, n_motions)
          real(dp) :: x(3, 4), t(3, 4), length(2)
-         real(dp) :: k_friction(n_motions, n_motions), r_friction(n_motions)
+         real(dp), dimension(n_motions, n_motions) :: k_friction, k_slide
+         real(dp), dimension(n_motions) :: r_friction, r_slide, dforce
          type(wire_pair_t) :: pair
          type(spot_in_circuit_t) :: circuit
          type(contact_electricity_t) :: electricity
@@ -153,9 +155,15 @@ contains
                point, k_friction, r_friction)
             conducts = point%closed .and. all(pair%resistivity > 0) .and. law%spot%exists()
             if (conducts) call find_spot(law, wires, pair, point, circuit)
+            k_slide = 0
+            r_slide = 0
+            call add_sliding(wires, elements, law%axis, x, t, length, point, k_slide, r_slide, dforce)
             call contact_blocks(point%kinematics, t, iterate%value(potential_slots(1), nodes_p), &
-               contact_force_t(point%force, point%geometric_force, point%stiffness, 0.0_dp, point%at_gap), circuit, &
-               form_hessian, k_p, r_p, k_me_p, k_ee_p, r_e_p, electricity)
+               contact_force_t(point%force, point%geometric_force, point%stiffness, 0.0_dp, law_of_spot(law%normal, &
+               point), merge(0.0_dp, dforce, is_lens(law%normal, point))), circuit, form_hessian, k_p, r_p, k_me_p, &
+               k_ee_p, r_e_p, electricity)
+            k_p = k_p + k_slide
+            r_p = r_p + r_slide
             if (law%friction > 0) then
                k_p = k_p + k_friction
                r_p = r_p + r_friction

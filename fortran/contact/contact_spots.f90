@@ -78,7 +78,7 @@ contains
          if (info /= spot_ok) point%law_status = law_bad_data
       end do
       call lens_integral(lens, at%conductance, at%dconductance_dforce, spot%conductance, dconductance_dgap)
-      spot%conductance = weight_of_lens(law%normal, pair, point)*spot%conductance
+      spot%conductance = weight_of_lens(point)*spot%conductance
       spot%dconductance_dforce = dconductance_dgap/lens%dforce_dgap
       spot%semi_major = lens%half_length
    end subroutine spot_per_length
@@ -123,7 +123,7 @@ contains
          number_of(law%spot, law%spot%hardness_number))
       spot%semi_major = lens%half_length
       spot%semi_minor = strip%half_width
-      spot%conductance = weight_of_lens(law%normal, pair, point)*strip%conductance
+      spot%conductance = weight_of_lens(point)*strip%conductance
       spot%dconductance_dforce = strip%dconductance_dgap/lens%dforce_dgap
    end function spot_of_lens
 

@@ -32,7 +32,7 @@ module litz_contact_electricity
 contains
 
    !> Currents and tangents of a spot that the contact force makes, which follows the gap and the angle.
-   pure subroutine current_of_spot(kinematics, v, normal, spot, follows, series_resistance, electricity)
+   pure subroutine current_of_spot(kinematics, v, normal, spot, follows, series_resistance, electricity, dforce)
       type(contact_kinematics_t), intent(in) :: kinematics
       !> Nodal voltages (4) [V]: barred 1, barred 2, 1, 2
       real(dp), intent(in) :: v(4)
@@ -43,10 +43,14 @@ contains
       !> s = rho L0/(4 A) (2) [ohm]: barred, unbarred; 0: no correction
       real(dp), intent(in) :: series_resistance(2)
       type(contact_electricity_t), intent(out) :: electricity
+      !> How the force changes with the unknowns, besides by the gap and the angle (24)
+      real(dp), intent(in) :: dforce(24)
 
       associate (dg_dforce => spot%dconductance_dforce*follows)
          call contact_electricity(kinematics, v, spot%conductance, dg_dforce*normal%dforce_dgap, &
             spot%dconductance_dangle + dg_dforce*normal%dforce_dangle, series_resistance, electricity)
+         electricity%me2 = electricity%me2 + dot_product(electricity%n_v, v) &
+            *share_of_spot(kinematics, spot%conductance, series_resistance)**2*dg_dforce*dforce
       end associate
    end subroutine current_of_spot
 
@@ -70,7 +74,7 @@ contains
          slope_bar = (v(2) - v(1))/2                                                        ! Vb'
          slope = (v(4) - v(3))/2                                                            ! V'
          ! 1/(R_c + sum s (1-xi^2)) = G share, and its derivative with respect to G is share^2
-         share = 1/(1 + conductance*(s(1)*(1 - xi_bar**2) + s(2)*(1 - xi**2)))
+         share = share_of_spot(kinematics, conductance, s)
          g = conductance*share
          current = g*g_v                                                                    ! I = G g_V
 
@@ -86,6 +90,17 @@ contains
          electricity%me5 = 2*g*current*(s(1)*xi_bar*kinematics%dxi_bar + s(2)*xi*kinematics%dxi)
       end associate
    end subroutine contact_electricity
+
+   !> Of the voltage between the wires, what is across the spot.
+   pure real(dp) function share_of_spot(kinematics, conductance, series_resistance) result(share)
+      type(contact_kinematics_t), intent(in) :: kinematics
+      !> Of the spot [S], and s (2) [ohm]
+      real(dp), intent(in) :: conductance, series_resistance(2)
+
+      associate (xi_bar => kinematics%xi_bar, xi => kinematics%xi, s => series_resistance)
+         share = 1/(1 + conductance*(s(1)*(1 - xi_bar**2) + s(2)*(1 - xi**2)))
+      end associate
+   end function share_of_spot
 
    !> The coupling block `K_me = K_me1 + ... + K_me5` (4, 24).
    pure function coupling_tangent(electricity, kinematics) result(k_me)

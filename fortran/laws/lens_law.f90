@@ -10,7 +10,7 @@ module litz_lens_law
    implicit none
    private
    public :: lens_integral, n_depths
-   public :: lens_t, lens_force, lens_spot_t, lens_spot, lens_energy, share_of_point, smooth_step
+   public :: lens_t, lens_force, lens_spot_t, lens_spot, lens_energy, share_of_point, share_of_ends, smooth_step
 
    integer, parameter :: n_depths = 2
    !> `1 - u^2` of the Gauss points, and twice their weights
@@ -159,6 +159,17 @@ contains
       weight = smooth_step(u)
       dweight_dhalf_length = -6*u*(1 - u)/((line_from - point_up_to)*spacing)
    end subroutine share_of_point
+
+   !> What round ends carry of a contact beside the places along its line: all that these leave, and the whole of what is
+   !> too short for them.
+   pure real(dp) function share_of_ends(line_share, length, spacing) result(share)
+      !> Part that places carry, length of the overlap as ends leave it [m], and distance of neighbouring places [m]
+      real(dp), intent(in) :: line_share, length, spacing
+      real(dp) :: slope
+
+      call share_of_point(length, spacing, share, slope)
+      share = max(1 - line_share, share)
+   end function share_of_ends
 
    !> 0 up to 0, 1 from 1 on, without a corner.
    elemental real(dp) function smooth_step(u)
