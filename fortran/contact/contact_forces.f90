@@ -18,6 +18,7 @@ module litz_contact_forces
    use litz_law_input, only: wire_pair_t
    use litz_model, only: model_t
    use litz_normal_forces, only: wires_of, is_lens, law_of_spot
+   use litz_normal_law, only: normal_law_t
    use litz_parallel, only: worth_threads
    use litz_scatter, only: forces_t, chunk
    use litz_shared_conductors, only: collect_shared
@@ -151,17 +152,17 @@ contains
             call pair_geometry(model, wires, elements, point%element_bar, point%element, iterate%x, iterate%rotation, &
                x, t, length)
             pair = wires_of(model, elements, point)
-            if (law%friction > 0) call find_friction(law, wires, x, t, length, pair, increment_start(point, nodes_p), &
-               point, k_friction, r_friction)
-            conducts = point%closed .and. all(pair%resistivity > 0) .and. law%spot%exists()
-            if (conducts) call find_spot(law, wires, pair, point, circuit)
             k_slide = 0
             r_slide = 0
             call add_sliding(wires, elements, law%axis, x, t, length, point, k_slide, r_slide, dforce)
+            if (law%friction > 0) call find_friction(law, wires, x, t, length, pair, increment_start(point, nodes_p), &
+               dforce, point, k_friction, r_friction)
+            conducts = point%closed .and. all(pair%resistivity > 0) .and. law%spot%exists()
+            if (conducts) call find_spot(law, wires, pair, point, circuit)
+            circuit%dconductance_sliding = spot_that_slides(law%normal, point, circuit, dforce)
             call contact_blocks(point%kinematics, t, iterate%value(potential_slots(1), nodes_p), &
                contact_force_t(point%force, point%geometric_force, point%stiffness, 0.0_dp, law_of_spot(law%normal, &
-               point), merge(0.0_dp, dforce, is_lens(law%normal, point))), circuit, form_hessian, k_p, r_p, k_me_p, &
-               k_ee_p, r_e_p, electricity)
+               point)), circuit, form_hessian, k_p, r_p, k_me_p, k_ee_p, r_e_p, electricity)
             k_p = k_p + k_slide
             r_p = r_p + r_slide
             if (law%friction > 0) then
@@ -193,6 +194,24 @@ contains
       end function increment_start
 
    end subroutine assemble_contacts
+
+   !> How the conductance of a spot changes as the contact slides next to an end (24) [S]: by its force; that of a place of
+   !> a line by the length; of a lens the ends keep what they have within an iteration.
+   pure function spot_that_slides(law, point, circuit, dforce) result(row)
+      type(normal_law_t), intent(in) :: law
+      type(contact_point_t), intent(in) :: point
+      type(spot_in_circuit_t), intent(in) :: circuit
+      !> How the force changes (24)
+      real(dp), intent(in) :: dforce(n_motions)
+      real(dp) :: row(n_motions)
+
+      row = 0
+      if (point%line_place > 0 .and. point%force > 0) then
+         row = circuit%spot%conductance/point%force*dforce
+      else if (.not. is_lens(law, point)) then
+         row = circuit%spot%dconductance_dforce*circuit%follows*dforce
+      end if
+   end function spot_that_slides
 
    !> Arms of rigid bodies turn the forces of this iteration, not those of the law.
    pure subroutine add_supposed_force(point, nodes_p, forces)

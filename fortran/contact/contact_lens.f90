@@ -22,6 +22,9 @@ module litz_contact_lens
    real(dp), parameter :: deepest = 0.02_dp
    !> Overlap at an end by which its length is told, at least, in distances of the axes
    real(dp), parameter :: least_overlap = 1.0e-5_dp
+   !> Half lengths of a lens up to which it may come to be cut within an increment, of an overlap of at least this part
+   !> of the smaller radius
+   real(dp), parameter :: felt = 2, least_felt = 1.0e-3_dp
    !> Nearer to an end than this part of its element is there
    real(dp), parameter :: at_end = 1.0e-9_dp
 
@@ -85,6 +88,8 @@ contains
             call find_round_end(wires, elements, pair(i), arc(i), lens%side(i), to_end(i))
          end do
          lens%near = lens%side > 0
+         lens%angle = point%kinematics%angle
+         lens%distance = d
          do i = 1, 2
             way(:, i) = point%tangent(:, i)
             if (lens%near(i) .and. .not. is_at_end(wires, elements, point, i)) way(:, i) = &
@@ -94,6 +99,12 @@ contains
          lens%bend = bends_over_feet(point, lens%cosine)
          overlap = min(-point%gap, deepest*minval(elements%radius(pair)))
          lens%bend = max(lens%bend, d*least_bend(0.0_dp, overlap, minval(elements%radius(pair))))
+         ! nothing is felt of an end that is farther away
+         overlap = max(overlap, least_felt*minval(elements%radius(pair)))
+         do i = 1, 2
+            if (.not. is_at_end(wires, elements, point, i)) lens%near(i) = lens%near(i) .and. &
+               lens%bend(i)*to_end(i)**2 < felt**2*2*d*overlap
+         end do
       end associate
       call place_at_ends(wires, elements, point)
    end subroutine divide_at_ends

@@ -52,8 +52,8 @@ module litz_contact_points
       real(dp) :: tangent(3, 2) = 0
       logical :: on_other_leg(2) = .false.
       !> Of a point of a line contact next to the end of the other wire: how the length that it stands for changes with
-      !> its place there
-      real(dp) :: dweight_dlap = 0
+      !> its place there, and what it was in the last state in balance, which friction sees [m]
+      real(dp) :: dweight_dlap = 0, settled_weight = 0
       !> Where it is: slope of the distance along the wire from there, not negative, and its curvature (2) [-, 1/m]
       real(dp) :: tilt(2) = 0, bend(2) = 0
       !> The crossing of the same two wires that it was when the increment began
@@ -297,6 +297,7 @@ contains
       point%cut_stiffness = earlier%cut_stiffness
       point%place = earlier%place
       point%dweight_dlap = earlier%dweight_dlap
+      point%settled_weight = earlier%settled_weight
       if (earlier%law_status == law_too_curved) point%law_status = law_too_curved
    end subroutine take_shares
 

@@ -12,7 +12,10 @@ module litz_cut_forces
    use litz_normal_law, only: normal_law_t, force_of_gap_t
    implicit none
    private
-   public :: cut_force, ellipse_of_parts, kept_part, scaled
+   public :: cut_force, settle_cut, ellipse_of_parts, kept_part, scaled
+
+   !> Energy over force and overlap of Hertz
+   real(dp), parameter :: energy_of_hertz = 0.4_dp
 
 contains
 
@@ -31,25 +34,20 @@ contains
       point%at_gap = force_of_gap_t()
       point%slide_force = 0
       if (.not. base%force > 0) return
-      if (.not. point%lens%has_energies) call find_energies(law, pair, point)
-      if (is_whole(point%lens, is_at_ends(point), point%kinematics%distance, -point%gap, point%place)) then
-         part%whole%value = point%lens%share(1, 1)
-         part%pair(1, 1) = part%whole
-      else
-         part = cut_energy(point%lens, is_at_ends(point), point%kinematics%distance, -point%gap, point%place)
-      end if
+      if (.not. point%lens%has_energies) call settle_cut(law, pair, point)
+      part = part_of_lens(point)
       associate (q => part%whole, weight => point%weight)
          q_delta = q%first(1)
          stiffness = -q%value*base%dforce_dgap + 2*q_delta*base%force + q%second(1, 1)*base%energy
-         point%at_gap = force_of_gap_t(weight*(q%value*base%force + q_delta*base%energy), -weight*stiffness, &
-            weight*(q%value + q_delta*base%energy/base%force)*base%dforce_dangle, weight*q%value*base%energy)
+         ! the angle stays, too
+         point%at_gap = force_of_gap_t(weight*(q%value*base%force + q_delta*base%energy), -weight*stiffness, 0.0_dp, &
+            weight*q%value*base%energy)
          point%slide_force = weight*q%first(2:3)*base%energy
          point%slide_by_overlap = weight*(q%first(2:3)*base%force + q%second(1, 2:3)*base%energy)
          point%slide_stiffness = weight*q%second(2:3, 2:3)*base%energy
          point%cut = q%value + q_delta*base%energy/base%force
          if (point%cut > 0) point%cut_stiffness = -stiffness/(point%cut*base%dforce_dgap)
       end associate
-      if (.not. any(abs(point%force_part) > 0)) call find_force_parts(part, base, point)
    end subroutine cut_force
 
    !> The contact is held at ends that cut it (2).
@@ -60,20 +58,38 @@ contains
       is_at_ends = point%held .and. point%lens%near
    end function is_at_ends
 
-   !> What each pair of shapes has of the force, in parts of what it would have alone.
-   pure subroutine find_force_parts(part, base, point)
-      type(lens_part_t), intent(in) :: part
-      type(force_of_gap_t), intent(in) :: base
+   !> What the ends leave of the energy.
+   pure type(lens_part_t) function part_of_lens(point) result(part)
+      !> Closed
+      type(contact_point_t), intent(in) :: point
+
+      if (is_whole(point%lens, is_at_ends(point), -point%gap, point%place)) then
+         part%whole%value = point%lens%share(1, 1)
+         part%pair(1, 1) = part%whole
+      else
+         part = cut_energy(point%lens, is_at_ends(point), -point%gap, point%place)
+      end if
+   end function part_of_lens
+
+   !> Bring up to date what stays within an iteration: the energies of the pairs of shapes, and what each has of the force
+   !> of the spot, in parts of what it would have alone.
+   pure subroutine settle_cut(law, pair, point)
+      type(normal_law_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      !> Closed
       type(contact_point_t), intent(inout) :: point
+      type(lens_part_t) :: part
       integer :: i, j
 
+      call find_energies(law, pair, point)
+      part = part_of_lens(point)
       do j = 1, 2
          do i = 1, 2
-            point%force_part(i, j) = (part%pair(i, j)%value + part%pair(i, j)%first(1)*base%energy/base%force) &
+            point%force_part(i, j) = (part%pair(i, j)%value - part%pair(i, j)%first(1)*energy_of_hertz*point%gap) &
                /point%lens%energy(i, j)
          end do
       end do
-   end subroutine find_force_parts
+   end subroutine settle_cut
 
    !> Energies of ends on cylinders and of ends on ends over that of two cylinders, at one overlap. A law per length knows
    !> no round ends: they have the part of crossed wires that Hertz has.
@@ -102,7 +118,6 @@ contains
          end do
       end do
       point%lens%has_energies = .true.
-      point%force_part = 0
    end subroutine find_energies
 
    !> The ellipse of the spot, which stays what it was while the iteration goes on but for its force.
@@ -113,6 +128,9 @@ contains
       integer, intent(out) :: info
 
       call hertz_near_ends(pair%radius, pair%young, pair%poisson, point%law_angle, point%force_part, point%ellipse, info)
+      point%ellipse%dapproach_dangle = 0
+      point%ellipse%dlog_area_dangle = 0
+      point%ellipse%dlog_ratio_dangle = 0
    end subroutine ellipse_of_parts
 
    !> Part of the force of uncut cylinders that stays within the iteration.

@@ -7,6 +7,7 @@ module litz_line_shares
    use litz_axis_choices, only: axis_hermite
    use litz_contact_lens, only: has_lens, half_length_of, divide_at_ends, place_at_ends, flatness, least_bend, deepest
    use litz_contact_points, only: contact_point_t, contact_set_t, pair_geometry, law_too_curved
+   use litz_cut_forces, only: settle_cut
    use litz_cut_lens, only: cut_lens_t
    use litz_crossings_of_wires, only: crossings_of_wires_t, sort_crossings
    use litz_element_library, only: elements_t
@@ -16,6 +17,7 @@ module litz_line_shares
    use litz_line_laps, only: find_lap, lap_from_end, lap_at_crossing
    use litz_line_places, only: line_places_t, place_at, spacing_of_places
    use litz_model, only: model_t
+   use litz_normal_forces, only: wires_of
    use litz_normal_law, only: normal_law_t
    use litz_wires, only: wires_t
    implicit none
@@ -72,7 +74,7 @@ contains
          associate (point => contact%points(i))
             call divide_at_ends(wires, elements, point)
             call place_at_ends(wires, elements, point)
-            point%law_angle = point%kinematics%angle
+            point%law_angle = merge(point%lens%angle, point%kinematics%angle, any(point%lens%near))
             ! wires that are parallel may well meet end to end
             if (any(point%held)) point%law_angle = max(least_sine, min(pi - least_sine, point%law_angle))
             point%law_sine = sin(point%law_angle)
@@ -304,6 +306,8 @@ contains
             earlier = point
             point%lens = cut_lens_t()
             call divide_at_ends(wires, elements, point)
+            if (any(point%lens%near)) call settle_cut(model%interactions( &
+               model%contact_pairs(point%pair)%interaction)%normal, wires_of(model, elements, point), point)
             largest_change = max(largest_change, change_of_cut(earlier%lens, point%lens))
             if (.not. point%is_shared) cycle
             call share_crossing(model%interactions(model%contact_pairs(point%pair)%interaction)%normal, wires, &
@@ -318,7 +322,8 @@ contains
       type(cut_lens_t), intent(in) :: earlier, lens
 
       change = 0
-      if (any(earlier%near)) change = max(maxval(abs(lens%share - earlier%share)), maxval(abs(lens%bend/earlier%bend &
+      if (any(earlier%near .neqv. lens%near)) change = 1
+      if (all(earlier%near .eqv. lens%near) .and. any(lens%near)) change = max(maxval(abs(lens%share - earlier%share)), maxval(abs(lens%bend/earlier%bend &
          - 1)), abs(lens%cosine - earlier%cosine))
    end function change_of_cut
 
@@ -402,6 +407,7 @@ contains
          if (point%lens%near(1)) point%dweight_dlap = point%line_share*share_of_pass(quality)*flatness(tilt)
          point%weight = point%line_share*share_of_pass(quality)*flatness(tilt)*contact%places%length(point%line_place) &
             *of_length
+         point%settled_weight = point%weight
          if (.not. any(quality > least_quality)) point%law_status = law_too_curved
       end associate
    end subroutine share_line_point

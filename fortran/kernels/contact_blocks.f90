@@ -25,8 +25,6 @@ module litz_contact_blocks
       real(dp) :: dforce_dangle = 0
       !> The law at the present gap: what the spot follows
       type(force_of_gap_t) :: law
-      !> How it changes as the contact slides along its wires next to an end (24)
-      real(dp) :: dforce_sliding(24) = 0
    end type contact_force_t
 
    !> The spot and what is in series to it.
@@ -36,6 +34,8 @@ module litz_contact_blocks
       real(dp) :: follows = 1
       !> s = rho L0/(4 A) (2) [ohm]: barred, unbarred; 0: the voltage is not corrected
       real(dp) :: series_resistance(2) = 0
+      !> How the conductance changes as the contact slides along its wires next to an end (24)
+      real(dp) :: dconductance_sliding(24) = 0
    end type spot_in_circuit_t
 
 contains
@@ -59,7 +59,7 @@ contains
       call contact_mechanics(kinematics, t, force%force, force%stiffness, force%geometric_force, form, k_mm, r_m, &
          force%dforce_dangle)
       call current_of_spot(kinematics, v, force%law, circuit%spot, circuit%follows, circuit%series_resistance, &
-         electricity, force%dforce_sliding)
+         electricity, circuit%dconductance_sliding)
       k_me = coupling_tangent(electricity, kinematics)
       k_ee = electricity%k_ee
       r_e = electricity%r_e

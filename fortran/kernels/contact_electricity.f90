@@ -32,7 +32,8 @@ module litz_contact_electricity
 contains
 
    !> Currents and tangents of a spot that the contact force makes, which follows the gap and the angle.
-   pure subroutine current_of_spot(kinematics, v, normal, spot, follows, series_resistance, electricity, dforce)
+   pure subroutine current_of_spot(kinematics, v, normal, spot, follows, series_resistance, electricity, &
+      dconductance)
       type(contact_kinematics_t), intent(in) :: kinematics
       !> Nodal voltages (4) [V]: barred 1, barred 2, 1, 2
       real(dp), intent(in) :: v(4)
@@ -43,14 +44,14 @@ contains
       !> s = rho L0/(4 A) (2) [ohm]: barred, unbarred; 0: no correction
       real(dp), intent(in) :: series_resistance(2)
       type(contact_electricity_t), intent(out) :: electricity
-      !> How the force changes with the unknowns, besides by the gap and the angle (24)
-      real(dp), intent(in) :: dforce(24)
+      !> How the conductance changes with the unknowns, besides by the gap and the angle (24)
+      real(dp), intent(in) :: dconductance(24)
 
       associate (dg_dforce => spot%dconductance_dforce*follows)
          call contact_electricity(kinematics, v, spot%conductance, dg_dforce*normal%dforce_dgap, &
             spot%dconductance_dangle + dg_dforce*normal%dforce_dangle, series_resistance, electricity)
          electricity%me2 = electricity%me2 + dot_product(electricity%n_v, v) &
-            *share_of_spot(kinematics, spot%conductance, series_resistance)**2*dg_dforce*dforce
+            *share_of_spot(kinematics, spot%conductance, series_resistance)**2*dconductance
       end associate
    end subroutine current_of_spot
 

@@ -27,6 +27,8 @@ module litz_cut_lens
       !> Which of the two wires end near the contact, and to which of their ends (1 or 2) they do
       logical :: near(2) = .false.
       integer :: side(2) = 0
+      !> Angle between the axes that the law sees [rad], and their distance d [m]
+      real(dp) :: angle = 0, distance = 1
       !> gamma, and d times the curvature of the distance along either wire, over the feet on the other one (2) [-]
       real(dp) :: cosine = 0, bend(2) = 1
       !> Energy of the pairs of shapes over that of two cylinders, at the same overlap: index 1 of a cylinder, 2 of a
@@ -45,23 +47,23 @@ module litz_cut_lens
 contains
 
    !> No end is near enough to be felt, and the contact is not at one.
-   pure logical function is_whole(lens, held, distance, overlap, place)
+   pure logical function is_whole(lens, held, overlap, place)
       type(cut_lens_t), intent(in) :: lens
       !> The contact is at the end of the barred, of the unbarred wire (2)
       logical, intent(in) :: held(2)
-      !> d, overlap [m], and places as `cut_energy` has them (2) [m]
-      real(dp), intent(in) :: distance, overlap, place(2)
+      !> Overlap [m], and places as `cut_energy` has them (2) [m]
+      real(dp), intent(in) :: overlap, place(2)
 
-      is_whole = .not. any(lens%near .and. (held .or. lens%bend*place**2 < 2*distance*overlap))
+      is_whole = .not. any(lens%near .and. (held .or. lens%bend*place**2 < 2*lens%distance*overlap))
    end function is_whole
 
    !> The energy over that of two cylinders without ends at the overlap of the contact.
-   pure type(lens_part_t) function cut_energy(lens, held, distance, overlap, place) result(part)
+   pure type(lens_part_t) function cut_energy(lens, held, overlap, place) result(part)
       type(cut_lens_t), intent(in) :: lens
       !> The contact is at the end of the barred, of the unbarred wire (2)
       logical, intent(in) :: held(2)
-      !> d, and overlap at the contact, positive [m]
-      real(dp), intent(in) :: distance, overlap
+      !> At the contact, positive [m]
+      real(dp), intent(in) :: overlap
       !> Of a contact that is not at the end, how far that is along the wire; else minus d times the slope with which the
       !> distance grows from the end on (2) [m]
       real(dp), intent(in) :: place(2)
@@ -69,15 +71,14 @@ contains
       integer :: i
 
       delta = variable(overlap, 1)
-      call find_overlaps(lens, held, distance, delta, [variable(place(1), 2), variable(place(2), 3)], a, foot, middle, &
-         at_end, corner)
+      call find_overlaps(lens, held, delta, [variable(place(1), 2), variable(place(2), 3)], a, foot, middle, at_end, corner)
       do i = 1, 2
          cylinder(i) = constant(1.0_dp)
          over_foot(i) = constant(1.0_dp)
          if (.not. lens%near(i)) cycle
-         cylinder(i) = energy_to(sqrt(lens%bend(i)/(2*distance))*a(i), at_end(i))
-         if (held(i)) cylinder(i) = flatness((-1/distance)*variable(place(i), i + 1))*cylinder(i)
-         over_foot(i) = energy_to(sqrt(1/(2*distance))*foot(i), corner)
+         cylinder(i) = energy_to(sqrt(lens%bend(i)/(2*lens%distance))*a(i), at_end(i))
+         if (held(i)) cylinder(i) = flatness((-1/lens%distance)*variable(place(i), i + 1))*cylinder(i)
+         over_foot(i) = energy_to(sqrt(1/(2*lens%distance))*foot(i), corner)
       end do
       both = of_both(cylinder, lens%cosine)
       scale = delta**(-energy_power)
@@ -93,19 +94,17 @@ contains
    end function cut_energy
 
    !> Places and overlaps round the contact, from the place at which it is.
-   pure subroutine find_overlaps(lens, held, distance, delta, place, a, foot, middle, at_end, corner)
+   pure subroutine find_overlaps(lens, held, delta, place, a, foot, middle, at_end, corner)
       type(cut_lens_t), intent(in) :: lens
       !> (2)
       logical, intent(in) :: held(2)
-      !> [m]
-      real(dp), intent(in) :: distance
       type(jet_t), intent(in) :: delta, place(2)
       !> From the nearest place of both axes to the ends, from the foot of either end to that of the other wire (2), overlap
       !> in that place, at the ends over their feet (2), and of end over end
       type(jet_t), intent(out) :: a(2), foot(2), middle, at_end(2), corner
       integer :: i
 
-      associate (gamma => lens%cosine, k => lens%bend/(2*distance), k_foot => 1/(2*distance))
+      associate (gamma => lens%cosine, k => lens%bend/(2*lens%distance), k_foot => 1/(2*lens%distance))
          if (all(held)) then
             foot = place
             do i = 1, 2

@@ -97,6 +97,8 @@ contains
          call table%field('lens_known', lens%is_known)
          call table%field('lens_has_energies', lens%has_energies)
          call table%field('lens_cosine', lens%cosine)
+         call table%field('lens_angle', lens%angle)
+         call table%field('lens_distance', lens%distance)
          do i = 1, 2
             call table%field('lens_near'//trim(wire(i)), lens%near(i))
             call table%field('lens_side'//trim(wire(i)), lens%side(i))
@@ -114,6 +116,7 @@ contains
       call table%field('cut_stiffness', point%cut_stiffness)
       call table%field('place_bar', point%place(1))
       call table%field('dweight_dlap', point%dweight_dlap)
+      call table%field('settled_weight', point%settled_weight)
    end subroutine list_lens
 
    pure subroutine list_history(table, history)
