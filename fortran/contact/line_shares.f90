@@ -74,22 +74,36 @@ contains
          associate (point => contact%points(i))
             call divide_at_ends(wires, elements, point)
             call place_at_ends(wires, elements, point)
-            point%law_angle = merge(point%lens%angle, point%kinematics%angle, any(point%lens%near))
-            ! wires that are parallel may well meet end to end
-            if (any(point%held)) point%law_angle = max(least_sine, min(pi - least_sine, point%law_angle))
-            point%law_sine = sin(point%law_angle)
+            call set_angle_of_axes(point)
             if (.not. serves_lines(model, point%pair)) cycle
             associate (law => model%interactions(model%contact_pairs(point%pair)%interaction)%normal)
                if ((point%gap < 0 .or. law%is_per_length_only()) .and. .not. point%is_shared) then
                   call share_crossing(law, wires, elements, contact, by_place, point)
                end if
             end associate
-            if (.not. point%lens_share > 0) cycle
-            point%law_sine = (1 - point%lens_share)*point%law_sine + point%lens_share*point%lens_sine
-            point%law_angle = asin(min(1.0_dp, point%law_sine))
+            call blend_angle_of_lens(point)
          end associate
       end do
    end subroutine share_crossings
+
+   !> The angle that a law sees is that of the axes; next to ends it stays what it was in the last state in balance.
+   pure subroutine set_angle_of_axes(point)
+      type(contact_point_t), intent(inout) :: point
+
+      point%law_angle = merge(point%lens%angle, point%kinematics%angle, any(point%lens%near))
+      ! wires that are parallel may well meet end to end
+      if (any(point%held)) point%law_angle = max(least_sine, min(pi - least_sine, point%law_angle))
+      point%law_sine = sin(point%law_angle)
+   end subroutine set_angle_of_axes
+
+   !> It is that of straight wires with as long a lens, as far as that counts.
+   pure subroutine blend_angle_of_lens(point)
+      type(contact_point_t), intent(inout) :: point
+
+      if (.not. point%lens_share > 0) return
+      point%law_sine = (1 - point%lens_share)*point%law_sine + point%lens_share*point%lens_sine
+      point%law_angle = asin(min(1.0_dp, point%law_sine))
+   end subroutine blend_angle_of_lens
 
    !> What a crossing carries. Its law sees the angle of the axes; at small angles and along long lenses it sees that of
    !> straight wires with as long a lens.
@@ -306,12 +320,15 @@ contains
             earlier = point
             point%lens = cut_lens_t()
             call divide_at_ends(wires, elements, point)
-            if (any(point%lens%near)) call settle_cut(model%interactions( &
-               model%contact_pairs(point%pair)%interaction)%normal, wires_of(model, elements, point), point)
             largest_change = max(largest_change, change_of_cut(earlier%lens, point%lens))
-            if (.not. point%is_shared) cycle
-            call share_crossing(model%interactions(model%contact_pairs(point%pair)%interaction)%normal, wires, &
-               elements, contact, by_place, point)
+            associate (law => model%interactions(model%contact_pairs(point%pair)%interaction)%normal)
+               if (point%is_shared) call share_crossing(law, wires, elements, contact, by_place, point)
+               if (any(point%lens%near)) then
+                  call set_angle_of_axes(point)
+                  if (serves_lines(model, point%pair)) call blend_angle_of_lens(point)
+                  call settle_cut(law, wires_of(model, elements, point), point)
+               end if
+            end associate
             largest_change = max(largest_change, change_of(earlier, point))
          end associate
       end do

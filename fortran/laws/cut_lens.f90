@@ -67,7 +67,7 @@ contains
       !> Of a contact that is not at the end, how far that is along the wire; else minus d times the slope with which the
       !> distance grows from the end on (2) [m]
       real(dp), intent(in) :: place(2)
-      type(jet_t) :: delta, middle, at_end(2), corner, a(2), foot(2), cylinder(2), over_foot(2), both, scale
+      type(jet_t) :: delta, middle, at_end(2), corner, a(2), foot(2), cylinder(2), over_foot(2), flat, both, scale
       integer :: i
 
       delta = variable(overlap, 1)
@@ -77,8 +77,11 @@ contains
          over_foot(i) = constant(1.0_dp)
          if (.not. lens%near(i)) cycle
          cylinder(i) = energy_to(sqrt(lens%bend(i)/(2*lens%distance))*a(i), at_end(i))
-         if (held(i)) cylinder(i) = flatness((-1/lens%distance)*variable(place(i), i + 1))*cylinder(i)
          over_foot(i) = energy_to(sqrt(1/(2*lens%distance))*foot(i), corner)
+         if (.not. held(i)) cycle
+         flat = flatness((-1/lens%distance)*variable(place(i), i + 1))
+         cylinder(i) = flat*cylinder(i)
+         over_foot(i) = flat*over_foot(i)
       end do
       both = of_both(cylinder, lens%cosine)
       scale = delta**(-energy_power)
