@@ -12,7 +12,7 @@ module litz_cut_lens
    use litz_jets, only: jet_t, variable, constant, composed, operator(+), operator(-), operator(*), operator(**)
    implicit none
    private
-   public :: cut_lens_t, lens_part_t, cut_energy, integral_to, is_whole
+   public :: cut_lens_t, lens_part_t, cut_energy, energy_below, integral_to, is_whole
 
    !> Energy of a contact over its overlap: the power of Hertz
    real(dp), parameter :: energy_power = 2.5_dp
@@ -158,8 +158,16 @@ contains
       if (.not. overlap%value > 0) return
       square = overlap + x*x
       u = x*square**(-0.5_dp)
-      energy = composed(u, integral_to(u%value), 15*(1 - u%value**2)**2/16, -15*u%value*(1 - u%value**2)/4)
+      energy = energy_below(u)
    end function energy_to
+
+   !> `E(u)`.
+   pure type(jet_t) function energy_below(u) result(energy)
+      !> Between -1 and 1
+      type(jet_t), intent(in) :: u
+
+      energy = composed(u, integral_to(u%value), 15*(1 - u%value**2)**2/16, -15*u%value*(1 - u%value**2)/4)
+   end function energy_below
 
    !> `E(u)`, the part of the integral of `(1 - v^2)^2` from -1 to 1 that lies below u.
    elemental real(dp) function integral_to(u) result(part)
