@@ -126,8 +126,11 @@ contains
       type(contact_point_t), intent(inout) :: point
       !> `hertz_ok` or `hertz_parallel`
       integer, intent(out) :: info
+      type(hertz_ellipse_t) :: ellipse
 
-      call hertz_near_ends(pair%radius, pair%young, pair%poisson, point%law_angle, point%force_part, point%ellipse, info)
+      call hertz_near_ends(pair%radius, pair%young, pair%poisson, point%law_angle, point%force_part, ellipse, info)
+      if (info /= hertz_ok) return
+      point%ellipse = ellipse
       point%ellipse%dapproach_dangle = 0
       point%ellipse%dlog_area_dangle = 0
       point%ellipse%dlog_ratio_dangle = 0

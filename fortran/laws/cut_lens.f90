@@ -20,6 +20,9 @@ module litz_cut_lens
    !> which on one runs into the other (5 and 15 degrees)
    real(dp), parameter, public :: flat_tilt = 0.0872_dp, steep_tilt = 0.2588_dp
 
+   !> What two halves have at least in common, and at least not: without a corner where the other end comes first
+   real(dp), parameter :: least_common = 0.01_dp
+
    !> What stays within an iteration.
    type :: cut_lens_t
       !> It has been found
@@ -179,22 +182,21 @@ contains
 
    !> Part of a lens that two ends leave of it. Along wires that are perpendicular to each other each end cuts for itself;
    !> along wires that lie side by side the one that comes first does, or what is between them is left. Two halves of a
-   !> distribution with elliptical contours have the part `1/4 + asin(gamma)/(2 pi)` in common, which is right between.
+   !> distribution with elliptical contours have the part `1/4 + asin(gamma)/(2 pi)` in common. Source: R. L. Plackett,
+   !> J. Am. Stat. Assoc. 60 (1965) 516-522, for what is between.
    pure type(jet_t) function of_both(part, cosine) result(both)
       !> Of either end alone (2)
       type(jet_t), intent(in) :: part(2)
       !> gamma
       real(dp), intent(in) :: cosine
-      type(jet_t) :: limit
-      real(dp) :: w
+      type(jet_t) :: b
+      real(dp) :: halves, theta
 
-      w = 2*asin(min(abs(cosine), 1.0_dp))/pi
-      if (cosine > 0) then
-         limit = part(merge(1, 2, part(1)%value <= part(2)%value))
-      else
-         limit = at_least_zero(-1.0_dp + part(1) + part(2))
-      end if
-      both = (1 - w)*part(1)*part(2) + w*limit
+      halves = 0.25_dp + asin(max(-1.0_dp, min(1.0_dp, cosine)))/(2*pi)
+      halves = max(least_common, min(0.5_dp - least_common, halves))
+      theta = (2*halves/(1 - 2*halves))**2
+      b = 1.0_dp + (theta - 1)*(part(1) + part(2))
+      both = (2*theta)*part(1)*part(2)*(b + (b*b - (4*theta*(theta - 1))*part(1)*part(2))**0.5_dp)**(-1.0_dp)
    end function of_both
 
    pure type(jet_t) function at_least_zero(a) result(b)
