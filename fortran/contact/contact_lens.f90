@@ -99,6 +99,8 @@ contains
          lens%bend = bends_over_feet(point, lens%cosine)
          overlap = min(-point%gap, deepest*minval(elements%radius(pair)))
          lens%bend = max(lens%bend, d*least_bend(0.0_dp, overlap, minval(elements%radius(pair))))
+         lens%is_flat = all(lens%near) .and. any(point%held) .and. &
+            any(lens%bend > 2*(1 - lens%cosine)*(1 + lens%cosine))
          ! nothing is felt of an end that is farther away
          overlap = max(overlap, least_felt*minval(elements%radius(pair)))
          do i = 1, 2

@@ -85,8 +85,8 @@ contains
       part = part_of_lens(point)
       do j = 1, 2
          do i = 1, 2
-            point%force_part(i, j) = (part%pair(i, j)%value - part%pair(i, j)%first(1)*energy_of_hertz*point%gap) &
-               /point%lens%energy(i, j)
+            point%force_part(i, j) = max(0.0_dp, (part%pair(i, j)%value - part%pair(i, j)%first(1)*energy_of_hertz &
+               *point%gap)/point%lens%energy(i, j))
          end do
       end do
    end subroutine settle_cut
@@ -141,7 +141,7 @@ contains
       type(contact_point_t), intent(in) :: point
 
       kept_part = 1
-      if (point%lens%has_energies) kept_part = sum(point%force_part*point%lens%energy)
+      if (point%lens%has_energies .and. any(point%force_part > 0)) kept_part = sum(point%force_part*point%lens%energy)
    end function kept_part
 
    pure type(force_of_gap_t) function scaled(law, share)

@@ -173,7 +173,11 @@ contains
          point%cut_stiffness = 1
       end if
       ! nothing is left between its ends
-      if (.not. point%cut > 0) point%active = .false.
+      if (.not. point%cut > 0 .or. point%closed .and. .not. point%at_gap%force > 0) then
+         point%active = .false.
+         point%closed = .false.
+         point%at_gap = force_of_gap_t()
+      end if
    end subroutine press
 
    !> What an iteration follows, from that of a whole contact without ends.

@@ -37,6 +37,8 @@ module litz_cut_lens
       !> Energy of the pairs of shapes over that of two cylinders, at the same overlap: index 1 of a cylinder, 2 of a
       !> round end, barred before unbarred (2, 2)
       real(dp) :: energy(2, 2) = 1
+      !> Both ends cut an overlap that would be much longer than the least bend has it: they lie side by side
+      logical :: is_flat = .false.
       !> What the contact has of these pairs, of which other contacts or the places along a line have the rest (2, 2)
       real(dp) :: share(2, 2) = 1
    end type cut_lens_t
@@ -79,7 +81,8 @@ contains
          cylinder(i) = constant(1.0_dp)
          over_foot(i) = constant(1.0_dp)
          if (.not. lens%near(i)) cycle
-         cylinder(i) = energy_to(sqrt(lens%bend(i)/(2*lens%distance))*a(i), at_end(i))
+         cylinder(i) = constant(0.5_dp)
+         if (.not. lens%is_flat) cylinder(i) = energy_to(sqrt(lens%bend(i)/(2*lens%distance))*a(i), at_end(i))
          over_foot(i) = energy_to(sqrt(1/(2*lens%distance))*foot(i), corner)
          if (.not. held(i)) cycle
          flat = flatness((-1/lens%distance)*variable(place(i), i + 1))
@@ -111,7 +114,16 @@ contains
       integer :: i
 
       associate (gamma => lens%cosine, k => lens%bend/(2*lens%distance), k_foot => 1/(2*lens%distance))
-         if (all(held)) then
+         if (lens%is_flat .and. .not. all(held)) then
+            ! the middle is anywhere, and the way between the ends is what counts
+            foot = place
+            if (held(1)) foot(1) = (-gamma)*place(2)
+            if (held(2)) foot(2) = (-gamma)*place(1)
+            a = foot
+            at_end = delta
+            middle = delta
+            corner = delta - k_foot*foot(merge(2, 1, held(1)))*foot(merge(2, 1, held(1)))
+         else if (all(held)) then
             foot = place
             do i = 1, 2
                a(i) = (1/lens%bend(i))*(foot(i) + gamma*foot(3 - i))
