@@ -35,8 +35,9 @@ contains
 
    !> One of the variables.
    pure type(jet_t) function variable(value, number) result(jet)
-      !> Its value, and which one it is
+      !> Its value
       real(dp), intent(in) :: value
+      !> Which one it is
       integer, intent(in) :: number
 
       jet%value = value
@@ -65,6 +66,7 @@ contains
    elemental type(jet_t) function power(a, exponent) result(jet)
       !> Positive
       type(jet_t), intent(in) :: a
+      !> Of the power
       real(dp), intent(in) :: exponent
 
       associate (v => a%value)

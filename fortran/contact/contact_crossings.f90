@@ -354,8 +354,9 @@ contains
 
       !> From an end of an element into it (3): along its axis, or along the way to its other node over its length.
       pure function inward_tangent(e, end) result(tangent)
-         !> Element, and -1 or 1
+         !> Element
          integer, intent(in) :: e
+         !> -1 or 1
          real(dp), intent(in) :: end
          real(dp) :: tangent(3)
 

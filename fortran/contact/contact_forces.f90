@@ -22,7 +22,7 @@ module litz_contact_forces
    use litz_parallel, only: worth_threads
    use litz_scatter, only: forces_t, chunk
    use litz_shared_conductors, only: collect_shared
-   use litz_sliding_forces, only: add_sliding
+   use litz_sliding_forces, only: find_sliding
    use litz_strips_of_wires, only: strips_t, collect_strips
    use litz_text, only: to_text
    use litz_timing, only: phase_contact, phase_assembly
@@ -137,8 +137,7 @@ contains
          real(dp), intent(out) :: k_p(n_motions, n_motions), r_p(n_motions)
          !> Tangent and currents of the voltages (4, 4), (4), tangent of the currents by the motions (4, 24)
          real(dp), intent(out) :: k_ee_p(4, 4), r_e_p(4), k_me_p(4, n_motions)
-         real(dp) :: x(3, 4), t(3, 4), length(2)
-         real(dp), dimension(n_motions, n_motions) :: k_friction, k_slide
+         real(dp) :: x(3, 4), t(3, 4), length(2), k_friction(n_motions, n_motions), k_slide(n_motions, n_motions)
          real(dp), dimension(n_motions) :: r_friction, r_slide, dforce
          type(wire_pair_t) :: pair
          type(spot_in_circuit_t) :: circuit
@@ -152,9 +151,9 @@ contains
             call pair_geometry(model, wires, elements, point%element_bar, point%element, iterate%x, iterate%rotation, &
                x, t, length)
             pair = wires_of(model, elements, point)
-            k_slide = 0
-            r_slide = 0
-            call add_sliding(wires, elements, law%axis, x, t, length, point, k_slide, r_slide, dforce)
+            call find_sliding(wires, elements, law%axis, x, t, length, point, k_slide, r_slide, dforce)
+            k_friction = 0
+            r_friction = 0
             if (law%friction > 0) call find_friction(law, wires, x, t, length, pair, increment_start(point, nodes_p), &
                dforce, point, k_friction, r_friction)
             conducts = point%closed .and. all(pair%resistivity > 0) .and. law%spot%exists()
@@ -163,12 +162,8 @@ contains
             call contact_blocks(point%kinematics, t, iterate%value(potential_slots(1), nodes_p), &
                contact_force_t(point%force, point%geometric_force, point%stiffness, 0.0_dp, law_of_spot(law%normal, &
                point)), circuit, form_hessian, k_p, r_p, k_me_p, k_ee_p, r_e_p, electricity)
-            k_p = k_p + k_slide
-            r_p = r_p + r_slide
-            if (law%friction > 0) then
-               k_p = k_p + k_friction
-               r_p = r_p + r_friction
-            end if
+            k_p = k_p + k_slide + k_friction
+            r_p = r_p + r_slide + r_friction
             if (conducts) call keep_current(electricity, circuit, point)
          end associate
       end subroutine evaluate
@@ -195,8 +190,8 @@ contains
 
    end subroutine assemble_contacts
 
-   !> How the conductance of a spot changes as the contact slides next to an end (24) [S]: by its force; that of a place of
-   !> a line by the length; of a lens the ends keep what they have within an iteration.
+   !> How the conductance of a spot changes as the contact slides next to an end (24) [S]: by its force; that of a
+   !> place of a line by the length; of a lens the ends keep what they have within an iteration.
    pure function spot_that_slides(law, point, circuit, dforce) result(row)
       type(normal_law_t), intent(in) :: law
       type(contact_point_t), intent(in) :: point

@@ -213,8 +213,9 @@ contains
       integer, intent(in) :: e
       !> Arc length along its wire [m]
       real(dp), intent(in) :: arc
-      !> 1 or 2, 0: there is none; and the length of wire to it [m]
+      !> 1 or 2, 0: there is none
       integer, intent(out) :: side
+      !> Length of wire to it [m]
       real(dp), intent(out) :: distance
       real(dp) :: to_ends(2)
 

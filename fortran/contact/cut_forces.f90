@@ -19,8 +19,8 @@ module litz_cut_forces
 
 contains
 
-   !> Force and energy with the share that a crossing or the contact of an end carries, and what stays within an iteration
-   !> besides.
+   !> Force and energy with the share that a crossing or the contact of an end carries, and what stays within an
+   !> iteration besides.
    pure subroutine cut_force(law, pair, base, point)
       type(normal_law_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair
@@ -71,8 +71,8 @@ contains
       end if
    end function part_of_lens
 
-   !> Bring up to date what stays within an iteration: the energies of the pairs of shapes, and what each has of the force
-   !> of the spot, in parts of what it would have alone.
+   !> Bring up to date what stays within an iteration: the energies of the pairs of shapes, and what each has of the
+   !> force of the spot, in parts of what it would have alone.
    pure subroutine settle_cut(law, pair, point)
       type(normal_law_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair
@@ -91,8 +91,8 @@ contains
       end do
    end subroutine settle_cut
 
-   !> Energies of ends on cylinders and of ends on ends over that of two cylinders, at one overlap. A law per length knows
-   !> no round ends: they have the part of crossed wires that Hertz has.
+   !> Energies of ends on cylinders and of ends on ends over that of two cylinders, at one overlap. A law per length
+   !> knows no round ends: they have the part of crossed wires that Hertz has.
    pure subroutine find_energies(law, pair, point)
       type(normal_law_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair

@@ -318,7 +318,8 @@ contains
       friction%work_beyond_mean = friction%elastic_work + friction%dissipation - work/2
    end subroutine grow_with_force
 
-   !> Share of a crossing [-] or length of a place [m] by which friction tells its stiffness: within an iteration it stays.
+   !> Share of a crossing [-] or length of a place [m] by which friction tells its stiffness: within an iteration it
+   !> stays.
    pure real(dp) function settled_weight(point)
       type(contact_point_t), intent(in) :: point
 

@@ -18,8 +18,8 @@ module litz_line_laps
 
 contains
 
-   !> Part of its length for which a place stands; more than 1 where the next one is beyond the end. As its foot slides the
-   !> last one gains or loses length.
+   !> Part of its length for which a place stands; more than 1 where the next one is beyond the end. As its foot
+   !> slides the last one gains or loses length.
    pure subroutine find_lap(wires, elements, places, cosine, point, share)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements

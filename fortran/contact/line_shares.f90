@@ -136,8 +136,8 @@ contains
       point%lens_share = share_of_lens(law, point)
    end subroutine share_crossing
 
-   !> What places along the line leave of a contact it carries itself; its round ends carry more where little is left for
-   !> places.
+   !> What places along the line leave of a contact it carries itself; its round ends carry more where little is left
+   !> for places.
    pure subroutine give_to_ends(elements, places, line_share, length, point)
       type(elements_t), intent(in) :: elements
       type(line_places_t), intent(in) :: places
@@ -181,14 +181,13 @@ contains
          point%element, point%xi, point%element_bar, point%arc_bar))
       call give_to_ends(elements, contact%places, share*flatness(maxval(point%tilt)), min(half_length_of(point, &
          deepest*radius), lap_from_end(wires, elements, point, merge(2, 1, point%held(2)))), point)
-      if (count(point%held) == 1 .and. abs(point%kinematics%cos_angle) > along_each_other) call leave_to_twin(wires, &
-         contact%points, point)
+      if (count(point%held) == 1) call leave_to_twin(wires, contact%points, point)
       point%lens_sine = sine_at_end(point, radius)
       point%lens_share = share_of_lens(law, point)
    end subroutine share_end
 
-   !> Wires that lie along each other touch at the ends of both: what is of the end of the other one is the matter of the
-   !> contact there, and of what is of both each has a half.
+   !> Wires that lie along each other touch at the ends of both: what is of the end of the other one is the matter of
+   !> the contact there, and of what is of both each has a half.
    pure subroutine leave_to_twin(wires, points, point)
       type(wires_t), intent(in) :: wires
       type(contact_point_t), intent(in) :: points(:)
@@ -196,13 +195,13 @@ contains
       integer :: i, other
 
       other = merge(2, 1, point%held(1))
-      if (.not. point%lens%near(other)) return
+      if (.not. point%lens%near(other) .or. abs(point%kinematics%cos_angle) < along_each_other) return
       do i = 1, size(points)
          associate (twin => points(i))
             if (.not. (twin%gap < 0 .and. twin%held(other) .and. .not. twin%held(3 - other))) cycle
             if (twin%lens%side(other) /= point%lens%side(other)) cycle
-            if (any(wires%wire([twin%element_bar, twin%element]) /= wires%wire([point%element_bar, point%element]))) &
-               cycle
+            if (wires%wire(twin%element_bar) /= wires%wire(point%element_bar)) cycle
+            if (wires%wire(twin%element) /= wires%wire(point%element)) cycle
             point%lens%share(merge(2, 1, other == 1), merge(2, 1, other == 2)) = 0
             point%lens%share(1, 1) = point%lens%share(1, 1)/2
             point%lens%share(2, 2) = point%lens%share(2, 2)/2
@@ -340,8 +339,9 @@ contains
 
       change = 0
       if (any(earlier%near .neqv. lens%near)) change = 1
-      if (all(earlier%near .eqv. lens%near) .and. any(lens%near)) change = max(maxval(abs(lens%share - earlier%share)), maxval(abs(lens%bend/earlier%bend &
-         - 1)), abs(lens%cosine - earlier%cosine))
+      if (any(earlier%near .neqv. lens%near) .or. .not. any(lens%near)) return
+      change = max(maxval(abs(lens%share - earlier%share)), maxval(abs(lens%bend/earlier%bend - 1)), &
+         abs(lens%cosine - earlier%cosine))
    end function change_of_cut
 
    !> How much the law of a crossing has changed: its share, and the sine that it sees.

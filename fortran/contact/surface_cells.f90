@@ -19,7 +19,8 @@ module litz_surface_cells
    implicit none
    private
    public :: surface_cell_t, surface_memory_t, surface_point_t, wire_axis_t, survey_cell, law_of_cell, &
-      laws_of_ends, bends_at_ends, press_cell, cell_forces, predicted_force, contact_of_cell, centre_of_force, advanced_memory
+      laws_of_ends, bends_at_ends, press_cell, cell_forces, predicted_force, contact_of_cell, centre_of_force, &
+         advanced_memory
 
    !> Gauss's rule of six points
    real(dp), parameter :: gauss_place(6) = [-0.93246951420315202781_dp, -0.66120938646626451366_dp, &
@@ -73,7 +74,8 @@ module litz_surface_cells
       logical :: has_end(2) = .false.
       !> The law at the smallest gap: that of a state in balance, held fixed while the iteration goes there
       type(line_wires_t) :: law
-      !> Force of either end over the overlap to the power of 3/2 (2) [N/m^1.5], and curvature of the distance there [1/m]
+      !> Force of either end over the overlap to the power of 3/2 (2) [N/m^1.5], and curvature of the distance there
+      !> [1/m]
       real(dp) :: law_of_end(2) = 0, bend_of_end(2) = 0
       !> As last surveyed
       type(surface_overlap_t) :: overlap
@@ -217,8 +219,8 @@ contains
          points(n)%normal = line_force(cell%law, -gap, penalty)
       end subroutine add
 
-      !> A round end is a sphere on the surface, with a part of the force that goes with the slope from there on: with the
-      !> difference of the gaps here and beside.
+      !> A round end is a sphere on the surface, with a part of the force that goes with the slope from there on: with
+      !> the difference of the gaps here and beside.
       subroutine add_end(xi)
          !> -1 or 1
          real(dp), intent(in) :: xi

@@ -16,7 +16,8 @@ module litz_surface_term
    use litz_state, only: energies_t
    use litz_rigid_surface, only: rigid_surface_t
    use litz_surface_cells, only: surface_cell_t, surface_memory_t, wire_axis_t, survey_cell, law_of_cell, &
-      laws_of_ends, bends_at_ends, press_cell, cell_forces, predicted_force, contact_of_cell, centre_of_force, advanced_memory
+      laws_of_ends, bends_at_ends, press_cell, cell_forces, predicted_force, contact_of_cell, centre_of_force, &
+         advanced_memory
    use litz_surface_friction, only: surface_slip_t, surface_slip, sticking_t, rub_cell, stick_stiffness_of, &
       place_friction
    use litz_surface_poses, only: present_surface, surface_moved_by, element_axis, axis_moved_by

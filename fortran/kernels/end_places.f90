@@ -1,13 +1,14 @@
 !> Where a contact is along its wires, as seen from their ends, and how that changes with the 24 mechanical unknowns.
 !>
 !> Of a wire along which the contact moves it is the distance to the end, `p = (end - xi) L0/2`; of one at whose end it
-!> is held, `p = w.tau`, the projection of the line to the other wire on the way from the end into its own wire, which is
-!> minus the distance times the slope with which the distance grows. What acts along the wires are the forces
+!> is held, `p = w.tau`, the projection of the line to the other wire on the way from the end into its own wire, which
+!> is minus the distance times the slope with which the distance grows. What acts along the wires are the forces
 !> `lambda = dPi/dp`, so that rows `dp` and the matrix `lambda d2p` are what residual and tangent need.
 !>
-!> Source: theory section 10. At fixed places `dw = S dp`, `dx' = S1 dp`; moved along by `dxi` and `dxib`, `dw = S dp - x'
-!> dxi + xb' dxib` and so on. The conditions `F = (-w.x', w.xb') = 0` of the places that move, differentiated twice, give
-!> `d2xi = -M^-1 D2F`, where `D2` is the second derivative along `dxi` and `dxib`.
+!> Source: theory section 10. At fixed places `dw = S dp`, `dx' = S1 dp`; moved along by `dxi` and `dxib`, `dw = S dp
+!> - x'
+!> dxi + xb' dxib` and so on. The conditions `F = (-w.x', w.xb') = 0` of the places that move, differentiated twice,
+!> give `d2xi = -M^-1 D2F`, where `D2` is the second derivative along `dxi` and `dxib`.
 module litz_end_places
    use litz_kinds, only: dp
    use litz_axis, only: axis_shape, axis_third_derivative, axis_row, on_axis
@@ -28,7 +29,8 @@ module litz_end_places
       !> Node of the four of the pair at which it is held, and whether the tangent turns with it
       integer :: node = 0
       logical :: turns = .true.
-      !> One that does not is the way to this node of the pair over the reference length [m] (0: to another one, it stays)
+      !> One that does not is the way to this node of the pair over the reference length [m] (0: to another one, it
+      !> stays)
       integer :: other_node = 0
       real(dp) :: length = 0
    end type place_at_end_t
@@ -265,6 +267,7 @@ contains
    end function unit
 
    pure function outer(a, b) result(c)
+      !> Two rows (any)
       real(dp), intent(in) :: a(:), b(:)
       real(dp) :: c(size(a), size(b))
 

@@ -3,7 +3,8 @@
 !>
 !> Source: theory section 10. With the distances y1, y2 along the wires, towards their ends, from the place at which the
 !> axes are nearest to each other or would be if they went on, the overlap is
-!> `delta - (y1^2 - 2 gamma y1 y2 + y2^2)/(2 d)`, with the cosine gamma between the two ways to the ends. Over the feet on
+!> `delta - (y1^2 - 2 gamma y1 y2 + y2^2)/(2 d)`, with the cosine gamma between the two ways to the ends. Over the
+!> feet on
 !> the other wire this is a parabola of the half length aW, which an end at `y = a` cuts: the cylinder keeps the part
 !> `E(u)`, `u = a/aW`, of the energy, the end gets `1 - E(u)` of that of a sphere. All follows from an energy, so that
 !> forces across the wires and along them are its derivatives.
@@ -69,14 +70,15 @@ contains
       logical, intent(in) :: held(2)
       !> At the contact, positive [m]
       real(dp), intent(in) :: overlap
-      !> Of a contact that is not at the end, how far that is along the wire; else minus d times the slope with which the
-      !> distance grows from the end on (2) [m]
+      !> Of a contact that is not at the end, how far that is along the wire; else minus d times the slope with which
+      !> the distance grows from the end on (2) [m]
       real(dp), intent(in) :: place(2)
       type(jet_t) :: delta, middle, at_end(2), corner, a(2), foot(2), cylinder(2), over_foot(2), flat, both, scale
       integer :: i
 
       delta = variable(overlap, 1)
-      call find_overlaps(lens, held, delta, [variable(place(1), 2), variable(place(2), 3)], a, foot, middle, at_end, corner)
+      call find_overlaps(lens, held, delta, [variable(place(1), 2), variable(place(2), 3)], a, foot, middle, at_end, &
+         corner)
       do i = 1, 2
          cylinder(i) = constant(1.0_dp)
          over_foot(i) = constant(1.0_dp)
@@ -108,8 +110,8 @@ contains
       !> (2)
       logical, intent(in) :: held(2)
       type(jet_t), intent(in) :: delta, place(2)
-      !> From the nearest place of both axes to the ends, from the foot of either end to that of the other wire (2), overlap
-      !> in that place, at the ends over their feet (2), and of end over end
+      !> From the nearest place of both axes to the ends, from the foot of either end to that of the other wire (2),
+      !> overlap in that place, at the ends over their feet (2), and of end over end
       type(jet_t), intent(out) :: a(2), foot(2), middle, at_end(2), corner
       integer :: i
 
@@ -163,7 +165,8 @@ contains
       if (overlap%value > 0) energy = overlap**energy_power
    end function energy_of
 
-   !> `E(u)` of a parabola whose overlap at the end, at `x = u/sqrt(1 - u^2)` of it, is known: `u = x/sqrt(delta + x^2)`.
+   !> `E(u)` of a parabola whose overlap at the end, at `x = u/sqrt(1 - u^2)` of it, is known: `u = x/sqrt(delta +
+   !> x^2)`.
    pure type(jet_t) function energy_to(x, overlap) result(energy)
       !> `a sqrt(k/2)` [m^(1/2)], and the overlap at the end
       type(jet_t), intent(in) :: x, overlap
@@ -192,7 +195,8 @@ contains
       part = (1 + u)**3*(8 - 9*u + 3*u**2)/16
    end function integral_to
 
-   !> Part of a lens that two ends leave of it. Along wires that are perpendicular to each other each end cuts for itself;
+   !> Part of a lens that two ends leave of it. Along wires that are perpendicular to each other each end cuts for
+   !> itself;
    !> along wires that lie side by side the one that comes first does, or what is between them is left. Two halves of a
    !> distribution with elliptical contours have the part `1/4 + asin(gamma)/(2 pi)` in common. Source: R. L. Plackett,
    !> J. Am. Stat. Assoc. 60 (1965) 516-522, for what is between.

@@ -10,7 +10,8 @@ module litz_lens_law
    implicit none
    private
    public :: lens_integral, n_depths
-   public :: lens_t, lens_force, lens_spot_t, lens_spot, lens_energy, share_of_point, curvature_of_share, share_of_ends, &
+   public :: lens_t, lens_force, lens_spot_t, lens_spot, lens_energy, share_of_point, curvature_of_share, &
+      share_of_ends, &
       smooth_step
 
    integer, parameter :: n_depths = 2
@@ -172,8 +173,8 @@ contains
       if (u > 0 .and. u < 1) curvature = 6*(1 - 2*u)/((line_from - point_up_to)*spacing)**2
    end function curvature_of_share
 
-   !> What round ends carry of a contact beside the places along its line: all that these leave, and the whole of what is
-   !> too short for them.
+   !> What round ends carry of a contact beside the places along its line: all that these leave, and the whole of what
+   !> is too short for them.
    pure real(dp) function share_of_ends(line_share, length, spacing) result(share)
       !> Part that places carry, length of the overlap as ends leave it [m], and distance of neighbouring places [m]
       real(dp), intent(in) :: line_share, length, spacing

@@ -59,8 +59,8 @@ contains
       coefficient = coefficient*crossed%approach**1.5_dp*4*penalty*sqrt(4*radius)/3        ! (4/3) eps_l delta aW
    end function rigid_end
 
-   !> Energy of an end beside the wire along which the surface lies: nothing of a long overlap; of a short one, where the
-   !> wire is nearest to the surface at its end or beyond, or so near to it that the overlap is cut there, what the
+   !> Energy of an end beside the wire along which the surface lies: nothing of a long overlap; of a short one, where
+   !> the wire is nearest to the surface at its end or beyond, or so near to it that the overlap is cut there, what the
    !> cylinder leaves.
    pure type(jet_t) function end_energy(coefficient, bend, spacing, overlap, slope) result(energy)
       !> Of `rigid_end` [N/m^1.5], k [1/m], and unit of length of an overlap from the end on [m]

@@ -123,7 +123,9 @@ def test_a_tip_that_tilts_flat_keeps_the_balance_of_energies(run, laws):
         )
 
     deck = wire(points, radius) + surface("PLANE", "0, 0, 0, 0, 0, 1", laws=laws)
-    process, results = run(deck + step(led(0), "1, 1") + step(led(0.94), "0.0025, 1, 1e-9, 0.0025").replace("400", "500"))
+    process, results = run(
+        deck + step(led(0), "1, 1") + step(led(0.94), "0.0025, 1, 1e-9, 0.0025").replace("400", "500")
+    )
     assert process.returncode == 0, process.stderr
     held = results.history["ALLCCE"]
     assert held[-1] > 5 * held[1]

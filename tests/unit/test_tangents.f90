@@ -163,7 +163,8 @@ contains
 
    !> A wire whose end is lowered on another one, or meets its end; or one that is lowered on the kink of another.
    function deck_at_end(laws, place, pair, options) result(deck)
-      !> `end`, `tips`, `kink` or where a wire crosses another one next to its end; and the data line of the contact pair
+      !> `end`, `tips`, `kink` or where a wire crosses another one next to its end; and the data line of the contact
+      !> pair
       character(len=*), intent(in) :: laws, place, pair
       !> Parameters of the interaction
       character(len=*), intent(in), optional :: options
@@ -426,8 +427,8 @@ contains
       character(len=*), intent(in) :: name
       type(problem_t), intent(inout) :: problem
       real(dp), intent(in) :: tolerance, motion
-      !> Of the differences, in these motions; absent: 1e-3. Where forces follow the places on the wires, which are found
-      !> to fewer digits than the distance that is least there, it is more
+      !> Of the differences, in these motions; absent: 1e-3. Where forces follow the places on the wires, which are
+      !> found to fewer digits than the distance that is least there, it is more
       real(dp), intent(in), optional :: steps
       real(dp), dimension(n_slots, problem%model%n_nodes) :: there, v, product, differences, force
       real(dp), parameter :: weight(3) = [45.0_dp, -9.0_dp, 1.0_dp]/60
