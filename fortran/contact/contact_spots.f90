@@ -14,8 +14,8 @@ module litz_contact_spots
    use litz_line_kinematics, only: line_course_t, line_course
    use litz_line_law, only: line_force_t, line_force, line_overlap_t, line_overlap, line_spot_t, line_spot
    use litz_model, only: interaction_t
-   use litz_normal_forces, only: is_lens, share_of_ellipse, overlap_of_point, weight_of_lens
-   use litz_normal_law, only: overlap_of_force_t
+   use litz_normal_forces, only: is_lens, law_of_spot, share_of_ellipse, overlap_of_point, weight_of_lens
+   use litz_normal_law, only: force_of_gap_t, overlap_of_force_t
    use litz_spot_law, only: contact_spot_t, contact_spot, spot_law_t, spot_ok
    use litz_wires, only: wires_t, arc_from_to
    implicit none
@@ -52,6 +52,7 @@ contains
          circuit%spot = spot_of_lens(law, pair, point, lens_of_spot(law, pair, point, spot_force))
          if (share_of_ellipse(law%normal, point) > 0) then
             call spot_of_crossing(law, pair, spot_force, point, of_ellipse)
+            of_ellipse%dconductance_dforce = of_ellipse%dconductance_dforce*point%at_gap%dforce_dgap/slope_of(law, point)
             circuit%spot = between(circuit%spot, of_ellipse, share_of_ellipse(law%normal, point))
          end if
       else
@@ -171,10 +172,10 @@ contains
          if (info /= spot_ok) point%law_status = law_bad_data
       end do
       call lens_integral(lens, at%conductance, at%dconductance_dforce, spot%conductance, dconductance_dgap)
-      weight = weight_of_lens(law%normal, pair, point)
+      weight = weight_of_lens(point)
       spot%conductance = weight*spot%conductance
       ! by the force that the point has, which may be that of an ellipse
-      spot%dconductance_dforce = weight*dconductance_dgap/point%at_gap%dforce_dgap
+      spot%dconductance_dforce = weight*dconductance_dgap/slope_of(law, point)
       spot%semi_major = lens%half_length
    end subroutine spot_per_length
 
@@ -218,9 +219,19 @@ contains
          number_of(law%spot, law%spot%hardness_number))
       spot%semi_major = lens%half_length
       spot%semi_minor = strip%half_width
-      spot%conductance = weight_of_lens(law%normal, pair, point)*strip%conductance
-      spot%dconductance_dforce = strip%dconductance_dgap/lens%dforce_dgap
+      spot%conductance = weight_of_lens(point)*strip%conductance
+      spot%dconductance_dforce = weight_of_lens(point)*strip%dconductance_dgap/slope_of(law, point)
    end function spot_of_lens
+
+   !> dF/dg of the force by which the spot of a lens follows the gap [N/m].
+   pure real(dp) function slope_of(law, point)
+      type(interaction_t), intent(in) :: law
+      type(contact_point_t), intent(in) :: point
+      type(force_of_gap_t) :: followed
+
+      followed = law_of_spot(law%normal, point)
+      slope_of = followed%dforce_dgap
+   end function slope_of
 
    !> One of the numbers of a law; 0 where it has none.
    pure real(dp) function number_of(law, place)

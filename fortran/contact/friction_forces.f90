@@ -47,13 +47,15 @@ module litz_friction_forces
 contains
 
    !> Residual and tangent of the traction of a contact.
-   pure subroutine find_friction(law, wires, x, t, length, pair, before, point, k, r)
+   pure subroutine find_friction(law, wires, x, t, length, pair, before, dforce_sliding, point, k, r)
       type(interaction_t), intent(in) :: law
       type(wires_t), intent(in) :: wires
       !> Nodal positions [m] and unit tangents (3, 4), reference lengths (2) [m]: barred first
       real(dp), intent(in) :: x(3, 4), t(3, 4), length(2)
       type(wire_pair_t), intent(in) :: pair
       type(increment_start_t), intent(in) :: before
+      !> How the normal force changes as the contact slides next to an end (24)
+      real(dp), intent(in) :: dforce_sliding(n_motions)
       !> Gets the traction, and what the iteration supposes of it
       type(contact_point_t), intent(inout) :: point
       !> Tangent (24, 24), in Hessian form, and residual (24)
@@ -77,7 +79,7 @@ contains
       k = 0
       r = 0
       if (point%closed) then
-         call stick(law, pair, point%force, point%weight, point, stiffness, dstiffness_dforce)
+         call stick(law, pair, point%force, settled_weight(point), point, stiffness, dstiffness_dforce)
          point%friction = friction_law(law%friction, point%force, stiffness, dstiffness_dforce, start, slip%slip)
          point%traction = -matmul(slip%frame, point%friction%traction)
          r = slip%residual(point%kinematics, point%friction%traction)
@@ -91,9 +93,9 @@ contains
          iteration%dtrial = 0
          if (.not. point%active) return
          force = max(0.0_dp, point%iteration_force)
-         dforce = -point%stiffness*point%kinematics%dgap
+         dforce = dforce_sliding - point%stiffness*point%kinematics%dgap
          if (.not. force > 0) return
-         call stick(law, pair, force, point%weight, point, stiffness, dstiffness_dforce)
+         call stick(law, pair, force, settled_weight(point), point, stiffness, dstiffness_dforce)
          supposed = friction_law(law%friction, force, stiffness, dstiffness_dforce, start, slip%slip, iteration%status)
          r_supposed = slip%residual(point%kinematics, supposed%traction)
          k = slip%tangent(point%kinematics, t, supposed, dforce, iteration%mixed_traction)
@@ -315,6 +317,14 @@ contains
 
       friction%work_beyond_mean = friction%elastic_work + friction%dissipation - work/2
    end subroutine grow_with_force
+
+   !> Share of a crossing [-] or length of a place [m] by which friction tells its stiffness: within an iteration it
+   !> stays.
+   pure real(dp) function settled_weight(point)
+      type(contact_point_t), intent(in) :: point
+
+      settled_weight = merge(point%settled_weight, point%weight, point%line_place > 0)
+   end function settled_weight
 
    !> Tangential stiffness of a contact that sticks, and how it changes with the normal force.
    pure subroutine stick(law, pair, force, weight, point, stiffness, dstiffness_dforce)

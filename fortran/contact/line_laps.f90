@@ -10,7 +10,7 @@ module litz_line_laps
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: share_at_lap, cell_at_lap, distances_to_ends, lap_from_end, lap_at_crossing
+   public :: find_lap, slide_along_lap, cell_at_lap, distances_to_ends, lap_from_end, lap_at_crossing
 
    !> Ends and places that are nearer to each other than this part of the distance of places lie side by side: all
    !> places of a lap have to find the same
@@ -18,17 +18,22 @@ module litz_line_laps
 
 contains
 
-   !> Part of its length for which a place stands; more than 1 where the next one is beyond the end.
-   pure real(dp) function share_at_lap(wires, elements, places, cosine, point) result(share)
+   !> Part of its length for which a place stands; more than 1 where the next one is beyond the end. As its foot
+   !> slides the last one gains or loses length.
+   pure subroutine find_lap(wires, elements, places, cosine, point, share)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(line_places_t), intent(in) :: places
       !> Of the angle between the elements, the sign of which says whether they run the same way
       real(dp), intent(in) :: cosine
-      type(contact_point_t), intent(in) :: point
+      !> Out: with the end that it is next to
+      type(contact_point_t), intent(inout) :: point
+      !> [-]
+      real(dp), intent(out) :: share
       real(dp) :: reach
       integer :: ahead
 
+      point%lens%near = .false.
       share = 1
       call find_end_of_lap(wires, elements, places, cosine, point, ahead, reach)
       if (ahead == 0) return
@@ -37,7 +42,26 @@ contains
       associate (length => places%length(point%line_place))
          share = (length - half_part(elements, places, point%element) + reach)/length
       end associate
-   end function share_at_lap
+      point%lens%near(1) = .true.
+      point%lens%side(1) = minloc(distances_to_ends(wires, elements, point%element_bar, point%arc_bar), 1)
+      point%place(1) = reach
+   end subroutine find_lap
+
+   !> The length for which a place stands, as its foot has slid.
+   pure subroutine slide_along_lap(wires, elements, point)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> With the weight and the place that it had
+      type(contact_point_t), intent(inout) :: point
+      real(dp) :: to_end(2)
+
+      if (.not. point%lens%near(1)) return
+      to_end = distances_to_ends(wires, elements, point%element_bar, point%arc_bar)
+      associate (now => to_end(point%lens%side(1)))
+         point%weight = max(0.0_dp, point%weight + point%dweight_dlap*(now - point%place(1)))
+         point%place(1) = now
+      end associate
+   end subroutine slide_along_lap
 
    !> From a place to the ends of the part of its wire for which it stands, against and along its element (2) [m].
    pure function cell_at_lap(wires, elements, places, point) result(reach)

@@ -18,6 +18,7 @@ module litz_line_points
    use litz_line_kinematics, only: line_kinematics, line_course_t, line_course
    use litz_line_shares, only: share_line_point, points_by_place_t, chain_by_place
    use litz_model, only: model_t
+   use litz_line_laps, only: slide_along_lap
    use litz_parallel, only: worth_threads
    use litz_wires, only: wires_t
    implicit none
@@ -153,6 +154,7 @@ contains
          point%regular = info == kinematics_ok .and. point%kinematics%gap < skin/2*sum(radius)
       end associate
       point%foot_at_end = foot%status == foot_at_end
+      call slide_along_lap(wires, elements, point)
       if (.not. point%regular) return
       if (is_new) call share_line_point(wires, elements, contact, sorted, xe, t, length, point)
       if (model%interactions(model%contact_pairs(point%pair)%interaction)%spot%exists() .and. &

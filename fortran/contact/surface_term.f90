@@ -16,7 +16,8 @@ module litz_surface_term
    use litz_state, only: energies_t
    use litz_rigid_surface, only: rigid_surface_t
    use litz_surface_cells, only: surface_cell_t, surface_memory_t, wire_axis_t, survey_cell, law_of_cell, &
-      laws_of_ends, press_cell, cell_forces, predicted_force, contact_of_cell, centre_of_force, advanced_memory
+      laws_of_ends, bends_at_ends, press_cell, cell_forces, predicted_force, contact_of_cell, centre_of_force, &
+         advanced_memory
    use litz_surface_friction, only: surface_slip_t, surface_slip, sticking_t, rub_cell, stick_stiffness_of, &
       place_friction
    use litz_surface_poses, only: present_surface, surface_moved_by, element_axis, axis_moved_by
@@ -244,14 +245,17 @@ contains
          real(dp), intent(in) :: young, poisson
          type(wire_axis_t), intent(in) :: axis
          type(surface_cell_t), intent(inout) :: cell
-         real(dp) :: laws(2)
+         real(dp) :: laws(2), bend(2)
 
          associate (interaction => domain%model%interactions(domain%model%surface_pairs(cell%pair)%interaction))
             laws = laws_of_ends(present_surface(domain, cell%pair), axis, young, poisson, &
                interaction%normal%line_penalty(), cell%has_end)
          end associate
-         if (tolerance > 0 .and. all(abs(laws - cell%law_of_end) <= tolerance*maxval(laws))) return
+         bend = bends_at_ends(present_surface(domain, cell%pair), axis)
+         if (tolerance > 0 .and. all(abs(laws - cell%law_of_end) <= tolerance*maxval(laws)) .and. &
+            all(abs(bend - cell%bend_of_end)*axis%radius <= tolerance)) return
          cell%law_of_end = laws
+         cell%bend_of_end = bend
          has_changed = .true.
       end subroutine update_ends
 

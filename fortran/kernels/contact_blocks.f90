@@ -35,7 +35,7 @@ module litz_contact_blocks
       !> s = rho L0/(4 A) (2) [ohm]: barred, unbarred; 0: the voltage is not corrected
       real(dp) :: series_resistance(2) = 0
       !> How the conductance changes with the 24 mechanical unknowns, not by force and angle: by what touches of a part
-      !> of a line [S/m, S/rad]
+      !> of a line, as the contact slides next to an end [S/m, S/rad]
       real(dp) :: dconductance(24) = 0
    end type spot_in_circuit_t
 

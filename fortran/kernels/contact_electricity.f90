@@ -75,7 +75,7 @@ contains
          slope_bar = (v(2) - v(1))/2                                                        ! Vb'
          slope = (v(4) - v(3))/2                                                            ! V'
          ! 1/(R_c + sum s (1-xi^2)) = G share, and its derivative with respect to G is share^2
-         share = 1/(1 + conductance*(s(1)*(1 - xi_bar**2) + s(2)*(1 - xi**2)))
+         share = share_of_spot(kinematics, conductance, s)
          g = conductance*share
          current = g*g_v                                                                    ! I = G g_V
 
@@ -91,6 +91,17 @@ contains
          electricity%me5 = 2*g*current*(s(1)*xi_bar*kinematics%dxi_bar + s(2)*xi*kinematics%dxi)
       end associate
    end subroutine contact_electricity
+
+   !> Of the voltage between the wires, what is across the spot.
+   pure real(dp) function share_of_spot(kinematics, conductance, series_resistance) result(share)
+      type(contact_kinematics_t), intent(in) :: kinematics
+      !> Of the spot [S], and s (2) [ohm]
+      real(dp), intent(in) :: conductance, series_resistance(2)
+
+      associate (xi_bar => kinematics%xi_bar, xi => kinematics%xi, s => series_resistance)
+         share = 1/(1 + conductance*(s(1)*(1 - xi_bar**2) + s(2)*(1 - xi**2)))
+      end associate
+   end function share_of_spot
 
    !> The coupling block `K_me = K_me1 + ... + K_me5` (4, 24).
    pure function coupling_tangent(electricity, kinematics) result(k_me)
