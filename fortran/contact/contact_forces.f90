@@ -182,6 +182,7 @@ contains
             before%dq = reshape(iterate%change(motion_slots(1):motion_slots(2), nodes_p), [n_motions])
             before%closing = clearance_of(point%fit, contact%converged_clearance(point%pair)) &
                - clearance_of(point%fit, contact%clearance(point%pair))
+            before%goes_on = domain%state%increment > 0
             if (point%line_place == 0 .and. .not. any(point%held)) return
             call pair_geometry(domain%model, domain%wires, domain%elements, point%element_bar, point%element, &
                iterate%x_start, start, before%x, before%t, length)

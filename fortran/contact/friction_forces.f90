@@ -7,7 +7,8 @@ module litz_friction_forces
    use litz_contact_points, only: contact_point_t
    use litz_end_kinematics, only: mirrored, mirrored_nodes, mirrored_motions
    use litz_friction_iteration, only: place_touch, place_line_touch
-   use litz_friction_law, only: friction_law_t, friction_start_t, friction_law, friction_none, friction_stick
+   use litz_friction_law, only: friction_law_t, friction_start_t, friction_law, friction_none, friction_stick, &
+      friction_slip
    use litz_law_input, only: wire_pair_t
    use litz_line_friction, only: line_slip_t, line_slip, side_at, line_friction_residual, line_friction_tangent
    use litz_model, only: interaction_t
@@ -24,6 +25,8 @@ module litz_friction_forces
       !> Displacements and rotations of the four nodes since (24) [m, rad], and what the clearance of an interference
       !> has closed the gap by [m]
       real(dp) :: dq(n_motions) = 0, closing = 0
+      !> The load goes on as in the increment before: not the first increment of a step
+      logical :: goes_on = .false.
       !> Of a point of a line contact: nodal positions [m] and unit tangents (3, 4) of then, and the rotations of the
       !> nodes since (3, 3, 4)
       real(dp) :: x(3, 4) = 0, t(3, 4) = 0, turned(3, 3, 4) = 0
@@ -43,6 +46,9 @@ module litz_friction_forces
       procedure :: residual
       procedure :: tangent
    end type contact_slip_t
+
+   !> A traction less than this share below the limit of friction is at the limit, but for round-off
+   real(dp), parameter :: at_limit = 1.0e-6_dp
 
 contains
 
@@ -86,7 +92,9 @@ contains
          if (.not. point%history%closed) call grow_with_force(dot_product(r, before%dq), point%friction)
       end if
 
-      if (point%friction_iteration%status == friction_none) call suppose(start%traction, point)
+      if (point%friction_iteration%status == friction_none) then
+         call suppose(law%friction, before%goes_on, start%traction, point)
+      end if
       associate (iteration => point%friction_iteration)
          iteration%difference = -r
          iteration%limit = 0
@@ -108,9 +116,15 @@ contains
       end associate
    end subroutine find_friction
 
-   !> What the iteration supposes of a contact at first: it sticks when it was closed before, or else does what it would
-   !> do here. A stick far beyond the limit would throw open again a contact that closes with a small force.
-   pure subroutine suppose(traction_before, point)
+   !> What the iteration supposes of a contact at first: one that was closed before goes on to slip or to stick, and
+   !> sticks where a step begins, since there a motion is likely to turn back; a slip that turns back all the same is
+   !> found by the first iteration. One that was open does what it would do here: a stick far beyond the limit would
+   !> throw open again a contact that closes with a small force.
+   pure subroutine suppose(mu, goes_on, traction_before, point)
+      !> Coefficient of friction
+      real(dp), intent(in) :: mu
+      !> As in `increment_start_t`
+      logical, intent(in) :: goes_on
       !> When the increment began (2) [N]
       real(dp), intent(in) :: traction_before(2)
       type(contact_point_t), intent(inout) :: point
@@ -120,6 +134,9 @@ contains
          if (point%predicted .or. .not. point%history%closed) then
             if (point%closed) iteration%status = point%friction%status
          else
+            if (goes_on .and. norm2(traction_before) >= (1 - at_limit)*mu*point%history%force) then
+               iteration%status = friction_slip
+            end if
             iteration%mixed_traction = traction_before
          end if
       end associate
