@@ -35,16 +35,16 @@ contains
       !> Limits [K], in any order
       real(dp), intent(in) :: from, to
       real(dp) :: low, high, a, b, value, slope
-      integer :: i
+      integer :: i, n
 
+      n = size(table, 2)
       low = min(from, to)
       high = max(from, to)
-      integral = 0
-      do i = 0, size(table, 2)
-         a = low
-         b = high
-         if (i > 0) a = max(a, table(1, i))
-         if (i < size(table, 2)) b = min(b, table(1, i + 1))
+      integral = table(2, 1)*max(min(high, table(1, 1)) - low, 0.0_dp) &
+         + table(2, n)*max(high - max(low, table(1, n)), 0.0_dp)
+      do i = 1, n - 1
+         a = max(low, table(1, i))
+         b = min(high, table(1, i + 1))
          if (.not. b > a) cycle
          call property_at(table, (a + b)/2, value, slope)
          integral = integral + value*(b - a)
