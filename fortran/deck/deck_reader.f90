@@ -137,6 +137,7 @@ contains
          call read_label(self, card, 'TIME', model%units%time)
          call read_label(self, card, 'CURRENT', model%units%current)
          call read_label(self, card, 'VOLTAGE', model%units%voltage)
+         call read_label(self, card, 'TEMPERATURE', model%units%temperature)
       end do
    end subroutine read_units
 

@@ -12,7 +12,7 @@ module litz_model_keywords
    use litz_stick_laws, only: stick_laws
    implicit none
    private
-   public :: add_general, add_mesh, add_constraints, add_properties, add_contact
+   public :: add_general, add_mesh, add_constraints, add_initial_values, add_properties, add_contact
 
    character(len=1), parameter :: axis_names(3) = ['x', 'y', 'z']
 
@@ -35,6 +35,7 @@ contains
       call k%add(name('TIME', 'label of the unit of time; default s'))
       call k%add(name('CURRENT', 'label of the unit of current; default A'))
       call k%add(name('VOLTAGE', 'label of the unit of voltage; default V'))
+      call k%add(name('TEMPERATURE', 'label of the unit of temperature; default K'))
       call finish(table, k)
 
       call begin(k, 'INCLUDE', place_both, &
@@ -100,6 +101,18 @@ contains
       call k%add(name('NSET', 'the same as TIE NSET, as in CalculiX'))
       call finish(table, k)
    end subroutine add_constraints
+
+   pure subroutine add_initial_values(table)
+      type(keyword_table_t), intent(inout) :: table
+      type(keyword_t) :: k
+
+      call begin(k, 'INITIAL CONDITIONS', place_model, 'Temperatures before the first step; 0 at nodes that no line'// &
+         ' names.')
+      call k%add(choice('TYPE', 'TEMPERATURE', 'what is given', required=.true.))
+      call k%add_data([item_field('node', 'number of a node or name of a node set'), &
+         real_field('value', 'K', 'temperature')], last=0)
+      call finish(table, k)
+   end subroutine add_initial_values
 
    pure subroutine add_set_data(k, what)
       type(keyword_t), intent(inout) :: k

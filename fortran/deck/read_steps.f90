@@ -1,18 +1,18 @@
-!> *STEP to *END STEP, and *BOUNDARY in the model part. A step keeps what it does not redefine.
+!> *STEP to *END STEP, *BOUNDARY in the model part, and initial values. A step keeps what it does not redefine.
 module litz_read_steps
    use litz_kinds, only: dp
    use litz_text, only: to_text
    use litz_growing_text, only: growing_text_t
    use litz_deck, only: token_t
-   use litz_fields, only: n_fields
+   use litz_fields, only: n_fields, field_temperature
    use litz_foreign_words, only: advice_about
    use litz_model, only: model_t, step_t
    use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, has_flag, integer_parameter, keyword_of, &
-      name_of
+      name_of, n_cards_of
    use litz_data_lines, only: read_line
    use litz_lookup, only: name_map_t
-   use litz_nodal_values, only: value_list_t, kind_boundary, field_of_load, start_list, begin_step, &
-      read_nodal_values
+   use litz_nodal_values, only: value_list_t, kind_boundary, kind_temperature, kind_initial, field_of_load, &
+      start_list, begin_step, read_nodal_values
    use litz_read_requests, only: request_list_t, begin_requests, read_request
    use litz_read_controls, only: read_controls, read_solver, read_solution_technique
    implicit none
@@ -27,7 +27,7 @@ contains
    subroutine read_steps(self, model)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(inout) :: model
-      type(value_list_t) :: boundary, load(n_fields)
+      type(value_list_t) :: boundary, load(n_fields), temperature, initial
       type(request_list_t) :: requests
       type(name_map_t) :: names
       integer :: card, step, step_card, field
@@ -35,6 +35,9 @@ contains
 
       allocate (model%steps(self%n_steps))
       call start_list(boundary, kind_boundary, model)
+      call start_list(temperature, kind_temperature, model)
+      call start_list(initial, kind_initial, model)
+      model%has_field(field_temperature) = n_cards_of(self, 'TEMPERATURE') + n_cards_of(self, 'INITIAL CONDITIONS') > 0
       do field = 1, n_fields
          call start_list(load(field), field, model)
       end do
@@ -52,6 +55,10 @@ contains
          select case (keyword_of(self, card))
          case ('BOUNDARY')
             call read_nodal_values(self, model, card, boundary)
+         case ('INITIAL CONDITIONS')
+            call read_nodal_values(self, model, card, initial)
+         case ('TEMPERATURE')
+            call read_nodal_values(self, model, card, temperature)
          case ('')
             ! one that has been reported already, such as *DYNAMIC
             has_procedure = has_procedure .or. &
@@ -78,6 +85,7 @@ contains
          end select
       end do
       if (step > 0) call close_step()
+      model%initial = initial%items(:initial%n)
 
    contains
 
@@ -96,6 +104,7 @@ contains
                previous_total = model%steps(step - 1)%total
             end if
             call begin_step(boundary, model, previous_total)
+            call begin_step(temperature, model, previous_total)
             do field = 1, n_fields
                call begin_step(load(field), model, previous_total)
             end do
@@ -108,6 +117,7 @@ contains
          if (.not. has_procedure) call fail_at(self, self%deck%cards(step_card)%name, 'this step has no *STATIC')
          call check_increments(self, step_card, model%steps(step), has_procedure)
          model%steps(step)%boundary = boundary%items(:boundary%n)
+         model%steps(step)%predefined = temperature%items(:temperature%n)
          model%steps(step)%load = [(load(field)%items(:load(field)%n), field=1, n_fields)]
          model%steps(step)%requests = requests%items(:requests%n)
       end subroutine close_step

@@ -10,7 +10,7 @@ module litz_step_keywords
    use litz_text, only: join_words, words_of
    implicit none
    private
-   public :: add_step, add_loads, add_output, add_solution
+   public :: add_step, add_loads, add_given_values, add_output, add_solution
 
    !> Nothing but the removal of what earlier steps prescribed
    character(len=*), parameter :: new_alone = 'OP=NEW'
@@ -79,7 +79,7 @@ contains
 
       do i = 1, n_fields
          if (.not. fields(i)%is_level) cycle
-         flux = trim(fields(i)%flux)
+         flux = trim(fields(i)%flux_in_words)
          call begin(k, trim(fields(i)%load_keyword), place_step, &
             'Concentrated '//flux//'s, positive into the body. Lines for the same node add up.')
          call add_op(k, flux//'s')
@@ -89,6 +89,22 @@ contains
          call finish(table, k)
       end do
    end subroutine add_loads
+
+   pure subroutine add_given_values(table)
+      type(keyword_table_t), intent(inout) :: table
+      type(keyword_t) :: k
+
+      call begin(k, 'TEMPERATURE', place_step, 'Temperatures of nodes, where they are no unknowns. Without an'// &
+         ' amplitude they ramp over the step from what they were; nodes that no *TEMPERATURE names have their'// &
+         ' initial temperature (*INITIAL CONDITIONS).')
+      call k%add(choice('OP', 'MOD|NEW', 'MOD changes or adds to the temperatures of earlier steps; NEW removes'// &
+         ' them all, with or without data lines: nodes not named again return to their initial temperature over the'// &
+         ' step', default='MOD'))
+      call k%add(name('AMPLITUDE', 'factor over time; without it the value ramps over the step'))
+      call k%add_data([item_field('node', 'number of a node or name of a node set'), &
+         real_field('value', 'K', 'temperature')], last=0, optional_with=new_alone)
+      call finish(table, k)
+   end subroutine add_given_values
 
    pure subroutine add_op(k, what)
       type(keyword_t), intent(inout) :: k

@@ -3,7 +3,7 @@
 !> Node and element indices run from 1 without gaps; `node_id` and `element_id` hold the user's numbers.
 module litz_model
    use litz_kinds, only: dp
-   use litz_fields, only: fields, field_potential
+   use litz_fields, only: fields, n_fields, field_potential, field_temperature
    use litz_unit_labels, only: unit_labels_t
    use litz_axis_choices, only: axis_linear, axis_hermite
    use litz_normal_law, only: normal_law_t
@@ -21,13 +21,14 @@ module litz_model
    public :: solver_default, solver_block, solver_umfpack, solver_skyline
    public :: coupling_default, coupling_monolithic, coupling_updated
    public :: request_node, request_element, request_contact, request_electrode, request_energy
-   public :: dof_potential, amplitude_factor
+   public :: dof_potential, dof_temperature, amplitude_factor
 
    !> Longest name of a set, material, ... (longer ones are refused)
    integer, parameter :: name_length = 80
 
    !> Abaqus's number of the electric potential among the degrees of freedom of a node (1-3 u, 4-6 rotation)
    integer, parameter :: dof_potential = fields(field_potential)%first_dof
+   integer, parameter :: dof_temperature = fields(field_temperature)%first_dof
 
    integer, parameter :: coupling_default = 0, coupling_monolithic = 1, coupling_updated = 2
 
@@ -187,6 +188,8 @@ module litz_model
       logical :: direct = .false.
       !> Prescribed values and loads as they stand in this step, all earlier ones carried over
       type(nodal_value_t), allocatable :: boundary(:), load(:)
+      !> Given values of what is not an unknown, such as temperatures, as they stand in this step
+      type(nodal_value_t), allocatable :: predefined(:)
       !> Carried over, as Abaqus does, unless the step asks anew
       type(output_request_t), allocatable :: requests(:)
       !> Fields are written at every n-th increment, and at the last of the step
@@ -200,6 +203,8 @@ module litz_model
    end type step_t
 
    type :: model_t
+      !> Some value of the field is given or asked for (n_fields); always for those that are not optional
+      logical :: has_field(n_fields) = .not. fields%is_optional
       character(len=:), allocatable :: heading
       !> The deck as it was read, all included files in place
       character(len=:), allocatable :: deck_text
@@ -225,6 +230,8 @@ module litz_model
       type(contact_pair_t), allocatable :: contact_pairs(:)
       type(rigid_body_surface_t), allocatable :: surfaces(:)
       type(surface_pair_t), allocatable :: surface_pairs(:)
+      !> Values before the first step, those that are not zero; amplitudes mean nothing here
+      type(nodal_value_t), allocatable :: initial(:)
       type(step_t), allocatable :: steps(:)
    end type model_t
 

@@ -9,7 +9,7 @@
 module litz_model_record
    use litz_kinds, only: dp, int64
    use litz_checksum, only: checksum
-   use litz_fields, only: fields, n_fields, field_of_dof
+   use litz_fields, only: fields, n_fields, n_slots, field_temperature, field_of_dof, slot_of_dof
    use litz_growing_text, only: growing_text_t
    use litz_law_words, only: law_words_t
    use litz_model, only: model_t, interaction_t, step_t, nodal_value_t, rigid_body_t
@@ -48,6 +48,7 @@ contains
 
       call record_units(model, record)
       call record_mesh(model, record)
+      call record_initial_values(model, record)
       call record_sections(model, record)
       do i = 1, size(model%rigid_bodies)
          call record_rigid_body(model, model%rigid_bodies(i), record)
@@ -75,7 +76,24 @@ contains
       call record%value('time', trim(model%units%time))
       call record%value('current', trim(model%units%current))
       call record%value('voltage', trim(model%units%voltage))
+      if (model%has_field(field_temperature)) call record%value('temperature', trim(model%units%temperature))
    end subroutine record_units
+
+   !> Where nothing is given all of them are zero.
+   pure subroutine record_initial_values(model, record)
+      type(model_t), intent(in) :: model
+      type(record_t), intent(inout) :: record
+      real(dp) :: value(n_slots, model%n_nodes)
+      integer :: i
+
+      if (size(model%initial) == 0) return
+      value = 0
+      do i = 1, size(model%initial)
+         value(slot_of_dof(model%initial(i)%dof), model%initial(i)%node) = model%initial(i)%value
+      end do
+      call record%begin('the *INITIAL CONDITIONS')
+      call record%list('values', value)
+   end subroutine record_initial_values
 
    pure subroutine record_mesh(model, record)
       type(model_t), intent(in) :: model
@@ -255,6 +273,7 @@ contains
       call record%begin('step '//to_text(record%step))
       call record%value('its time (*STATIC)', step%total)
       call record_values('*BOUNDARY', step%boundary)
+      call record_values('*TEMPERATURE', step%predefined)
       do i = 1, n_fields
          call record_values('*'//trim(fields(i)%load_keyword), pack(step%load, field_of_dof(step%load%dof) == i))
       end do

@@ -51,6 +51,7 @@ contains
                plural(size(this%tied), 'node')//' tied, '//to_text(size(this%pinned))//' pinned'//nl)
          end associate
       end do
+      if (size(model%initial) > 0) call summary%append('before the first step'//nl//value_lines(model%initial, 'given'))
       do i = 1, size(model%amplitudes)
          associate (this => model%amplitudes(i))
             call summary%append('amplitude '//this%name//': '//plural(size(this%time), 'point')//', '// &
@@ -280,7 +281,8 @@ contains
                to_text(step%largest)//' '//trim(model%units%time)
          end if
          text = text//', at most '//to_text(step%max_increments)//describe_solver(step)//nl
-         text = text//value_lines(step%boundary, .false.)//value_lines(step%load, .true.)
+         text = text//value_lines(step%boundary, 'prescribed')//value_lines(step%load, 'loads')// &
+            value_lines(step%predefined, 'given')
          do i = 1, size(step%requests)
             text = text//request_line(model, step%requests(i))
          end do
@@ -300,10 +302,10 @@ contains
    end function describe_solver
 
    !> How many values for each degree of freedom, and their range.
-   pure function value_lines(items, are_loads) result(text)
+   pure function value_lines(items, kind) result(text)
       type(nodal_value_t), intent(in) :: items(:)
-      !> They are loads and not prescribed
-      logical, intent(in) :: are_loads
+      !> What they are: `prescribed`, `loads` or `given`
+      character(len=*), intent(in) :: kind
       character(len=:), allocatable :: text, what
       integer :: dof, n, i
       real(dp) :: lowest, highest
@@ -320,10 +322,9 @@ contains
             highest = max(highest, items(i)%value)
          end do
          if (n == 0) cycle
-         what = 'prescribed'
-         if (are_loads) what = 'loads'
+         what = kind
          associate (field => fields(field_of_dof(dof)))
-            if (are_loads .and. field%is_level) what = trim(field%flux)//'s'
+            if (kind == 'loads' .and. field%is_level) what = trim(field%flux_in_words)//'s'
          end associate
          text = text//'  '//what//' at degree of freedom '//to_text(dof)//': '//plural(n, 'node')//', '//to_text(lowest)
          if (highest > lowest) text = text//' to '//to_text(highest)

@@ -1,5 +1,6 @@
 !> What the analysis knows at one instant: the fields over nodes and elements, and the contacts.
 module litz_state
+   use litz_fields, only: n_fields
    use litz_kinds, only: dp
    implicit none
    private
@@ -79,18 +80,20 @@ module litz_state
    end type energies_t
 
    type :: state_t
+      !> Fields that the model has (n_fields); results show no others
+      logical :: has_field(n_fields) = .true.
       integer :: step = 0, increment = 0, iterations = 0
       !> Total time, time in the step, last increment of time
       real(dp) :: time = 0, step_time = 0, time_increment = 0
-      !> Values of all fields (n_slots, n_nodes) [m, rad, V], those of rotations as rotation vectors; 0 where there is
-      !> no such degree of freedom
+      !> Values of all fields (n_slots, n_nodes) [m, rad, V, K], those of rotations as rotation vectors; 0 where there
+      !> is no such value
       real(dp), allocatable :: value(:, :)
       !> Rotation matrices of the nodes from the reference (3, 3, n_nodes)
       real(dp), allocatable :: rotation(:, :, :)
-      !> Reactions of supports (n_slots, n_nodes) [N, N m, A]: what the support does to the structure, or lets into it;
-      !> loads not included
+      !> Reactions of supports (n_slots, n_nodes) [N, N m, A, W]: what the support does to the structure, or lets into
+      !> it; loads not included
       real(dp), allocatable :: reaction(:, :)
-      !> Applied forces, moments and currents (n_slots, n_nodes) [N, N m, A]
+      !> Applied forces, moments, currents and heat flows (n_slots, n_nodes) [N, N m, A, W]
       real(dp), allocatable :: load(:, :)
       !> N, Q2, Q3, T, M2, M3 (6, n_elements) [N, N m]
       real(dp), allocatable :: section_forces(:, :)

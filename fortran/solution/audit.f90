@@ -98,7 +98,7 @@ contains
       not_shown = 0
       do field = 1, n_fields
          if (any(field == [field_displacement, field_rotation, field_potential])) cycle
-         call weigh_nodes(trim(fields(field)%flux)//'s', residual(field, :), field, not_shown)
+         call weigh_nodes(trim(fields(field)%flux_in_words)//'s', residual(field, :), field, not_shown)
       end do
       worst = crossed_contact(model, state%contacts)
       if (worst > 0 .and. len(audit%finding) == 0) then

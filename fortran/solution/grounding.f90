@@ -40,7 +40,7 @@ contains
       text = ''
       if (problem%fed_node == 0) return
       associate (field => fields(problem%fed_field))
-         text = 'a '//trim(field%flux)//' is fed into the conductor at node '// &
+         text = 'a '//trim(field%flux_in_words)//' is fed into the conductor at node '// &
             to_text(problem%model%node_id(problem%fed_node))//', which has no path to a prescribed '//trim(field%name)
       end associate
    end function describe_fed_part
@@ -53,7 +53,7 @@ contains
       logical :: held(problem%model%n_nodes)
       real(dp) :: fed(problem%model%n_nodes), scale
 
-      call find_parts(problem, fields(field)%group, root)
+      call find_parts(problem, field, root)
       held = .false.
       fed = 0
       associate (slot => first_slot(field), group => fields(field)%group)
@@ -100,11 +100,11 @@ contains
       end do
    end subroutine add_to_diagonal
 
-   !> Join the nodes between which the fluxes of a group can pass.
-   subroutine find_parts(problem, group, root)
+   !> Join the nodes between which the flux of a field can pass.
+   subroutine find_parts(problem, field, root)
       type(problem_t), intent(in) :: problem
-      !> One of the groups of litz_fields
-      integer, intent(in) :: group
+      !> One of the fields of litz_fields
+      integer, intent(in) :: field
       !> For each node one of its part nearer to the representative, which has itself (n_nodes)
       integer, intent(out) :: root(:)
       integer, allocatable :: pairs(:, :)
@@ -112,7 +112,7 @@ contains
 
       root = [(i, i=1, size(root))]
       do i = 1, size(problem%terms)
-         call problem%terms(i)%term%link(problem%domain_t, group, pairs)
+         call problem%terms(i)%term%link(problem%domain_t, field, pairs)
          do k = 1, size(pairs, 2)
             call join(root, pairs(1, k), pairs(2, k))
          end do

@@ -193,7 +193,7 @@ contains
    end subroutine start_iterate
 
    !> What is prescribed of the increment is part of the first correction; groups that are updated after the others take
-   !> theirs at once.
+   !> theirs at once, and so do values that are given and no unknowns.
    subroutine prescribe(problem)
       type(problem_t), intent(inout) :: problem
       integer :: first_updated
@@ -204,6 +204,12 @@ contains
          first_updated = last_slot_of_group(problem%scheme%n_coupled) + 1
          call problem%iterate%move(problem%state, problem%model%x, prescribed(first_updated:, :), first_updated)
          prescribed(first_updated:, :) = 0
+      end associate
+      associate (loading => problem%loading, iterate => problem%iterate)
+         where (loading%given)
+            iterate%value = loading%value
+            iterate%change = loading%value - problem%state%value
+         end where
       end associate
    end subroutine prescribe
 

@@ -6,7 +6,7 @@ module litz_steps
    use litz_diagnosis, only: not_converged
    use litz_equations, only: number_equations
    use litz_errors, only: error_t, fail, exit_input, exit_not_converged
-   use litz_fields, only: fields, n_slots, field_of_dof, slot_of_dof
+   use litz_fields, only: fields, n_slots, field_of_dof, field_of_slot, slot_of_dof
    use litz_increment_warnings, only: add_increment_warnings
    use litz_kinds, only: dp
    use litz_loading, only: loading_t, start_loading, load_targets, next_break_point
@@ -46,6 +46,7 @@ contains
          call begin_step(problem, step, solver, error)
          if (allocated(error)) return
          if (continued) then
+            restored%given = problem%loading%given
             problem%loading = restored
          else
             call course%control%start(step)
@@ -97,6 +98,7 @@ contains
          call problem%terms(i)%term%request_slots(problem%domain_t, exists)
       end do
       call refuse_absent_unknowns(problem%model, step%boundary, exists, error)
+      call find_given_values(problem%model, step, exists, problem%loading, error)
       call refuse_absent_unknowns(problem%model, step%load, exists, error)
       if (allocated(error)) return
       if (problem%scheme%is_created()) number_before = problem%equations%number
@@ -130,6 +132,28 @@ contains
          end associate
       end do
    end subroutine refuse_absent_unknowns
+
+   !> An optional field has values where it is no unknown, too: those that the deck gives. Of an unknown none can be.
+   pure subroutine find_given_values(model, step, exists, loading, error)
+      type(model_t), intent(in) :: model
+      type(step_t), intent(in) :: step
+      !> (n_slots, n_nodes)
+      logical, intent(in) :: exists(:, :)
+      type(loading_t), intent(inout) :: loading
+      type(error_t), allocatable, intent(inout) :: error
+      integer :: i
+
+      loading%given = .not. exists .and. spread(fields(field_of_slot)%is_optional .and. &
+         model%has_field(field_of_slot), 2, model%n_nodes)
+      do i = 1, size(step%predefined)
+         if (allocated(error)) return
+         associate (dof => step%predefined(i)%dof, node => step%predefined(i)%node)
+            if (exists(slot_of_dof(dof), node)) error = fail(exit_input, 'the '// &
+               trim(fields(field_of_dof(dof))%name)//' of node '//to_text(model%node_id(node))//' is given, where'// &
+               ' it is an unknown; prescribe it by *BOUNDARY, degree of freedom '//to_text(dof))
+         end associate
+      end do
+   end subroutine find_given_values
 
    !> One increment with its cut-backs.
    subroutine run_increment(problem, step, course, observer, error)

@@ -4,7 +4,7 @@ module litz_conductor_term
    use litz_conductor, only: conductor
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
-   use litz_fields, only: group_electric, motion_slots, potential_slots
+   use litz_fields, only: field_potential, motion_slots, potential_slots
    use litz_parallel, only: worth_threads
    use litz_scatter, only: chunk
    use litz_term, only: term_t
@@ -94,15 +94,15 @@ contains
 
    end subroutine evaluate
 
-   subroutine link(self, domain, group, pairs)
+   subroutine link(self, domain, field, pairs)
       class(conductor_term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain
-      !> One of the groups of litz_fields
-      integer, intent(in) :: group
+      !> One of the fields of litz_fields
+      integer, intent(in) :: field
       !> Nodes of the elements that conduct (2, pairs)
       integer, allocatable, intent(out) :: pairs(:, :)
 
-      allocate (pairs(2, merge(size(self%conducting), 0, group == group_electric)))
+      allocate (pairs(2, merge(size(self%conducting), 0, field == field_potential)))
       if (size(pairs) > 0) pairs = domain%model%connectivity(:, self%conducting)
    end subroutine link
 

@@ -1,7 +1,8 @@
-!> Prescribed values and loads as functions of time.
+!> Prescribed values, loads and given values as functions of time.
 !>
 !> Without an amplitude a value ramps over the step from what it was at the start of the step; what a step no longer
-!> names ramps to zero (loads) or is set free (prescribed values). Source: Abaqus's rules for static steps.
+!> names ramps to zero (loads), to its initial value (what is given and no unknown, such as a temperature) or is set
+!> free (prescribed values). Source: Abaqus's rules for static steps.
 module litz_loading
    use litz_kinds, only: dp
    use litz_fields, only: fields, n_fields, n_slots, first_slot, last_slot, field_rotation, slot_of_dof
@@ -10,14 +11,16 @@ module litz_loading
    use litz_state, only: state_t
    implicit none
    private
-   public :: loading_t, start_loading, load_targets, prescribed_increment, next_break_point
+   public :: loading_t, start_loading, load_targets, prescribed_increment, next_break_point, initial_values
 
    type :: loading_t
       !> .true. where the value is prescribed (n_slots, n_nodes)
       logical, allocatable :: fixed(:, :)
-      !> Values at the start of the step, of prescribed unknowns and of loads (n_slots, n_nodes)
+      !> .true. where the value is given and no unknown (n_slots, n_nodes)
+      logical, allocatable :: given(:, :)
+      !> Values at the start of the step, of what is prescribed or given and of loads (n_slots, n_nodes)
       real(dp), allocatable :: start_value(:, :), start_load(:, :)
-      !> Values at the time last asked for (n_slots, n_nodes) [m, rad, V] and [N, N m, A]
+      !> Values at the time last asked for (n_slots, n_nodes) [m, rad, V, K] and [N, N m, A, W]
       real(dp), allocatable :: value(:, :), load(:, :)
       !> Values at the last converged increment (n_slots, n_nodes)
       real(dp), allocatable :: converged_value(:, :)
@@ -43,6 +46,7 @@ contains
             loading%converged_value(n_slots, n), loading%start_load(n_slots, n))
          loading%fixed = .false.
       end if
+      if (.not. allocated(loading%given)) allocate (loading%given(n_slots, n), source=.false.)
       loading%start_load = loading%load
       loading%start_value = state%value
       call move_alloc(loading%fixed, kept)
@@ -73,6 +77,7 @@ contains
       integer :: i, slot
 
       ramp = step_time/step%total
+      call set_given_values()
       do i = 1, size(step%boundary)
          associate (item => step%boundary(i))
             slot = slot_of_dof(item%dof)
@@ -85,6 +90,19 @@ contains
       end do
 
    contains
+
+      !> What no line of this step names returns to its initial value.
+      subroutine set_given_values()
+         if (.not. any(loading%given)) return
+         where (loading%given) loading%value = loading%start_value &
+            + ramp*(initial_values(model) - loading%start_value)
+         do i = 1, size(step%predefined)
+            associate (item => step%predefined(i))
+               slot = slot_of_dof(item%dof)
+               loading%value(slot, item%node) = value_at(item, loading%start_value(slot, item%node))
+            end associate
+         end do
+      end subroutine set_given_values
 
       pure real(dp) function value_at(item, start) result(value)
          type(nodal_value_t), intent(in) :: item
@@ -108,6 +126,18 @@ contains
       end subroutine set_load
 
    end subroutine load_targets
+
+   !> Values before the first step (n_slots, n_nodes).
+   pure function initial_values(model) result(value)
+      type(model_t), intent(in) :: model
+      real(dp) :: value(n_slots, model%n_nodes)
+      integer :: i
+
+      value = 0
+      do i = 1, size(model%initial)
+         value(slot_of_dof(model%initial(i)%dof), model%initial(i)%node) = model%initial(i)%value
+      end do
+   end function initial_values
 
    !> What the first iteration of an increment must add to each prescribed unknown (n_slots, n_nodes).
    !>
@@ -157,6 +187,7 @@ contains
       used = .false.
       call mark(step%boundary)
       call mark(step%load)
+      call mark(step%predefined)
       next = step%total
       margin = 1.0e-9_dp*step%total
       do i = 1, size(used)

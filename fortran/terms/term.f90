@@ -119,12 +119,12 @@ contains
       type(status_t), intent(inout) :: status
    end subroutine count_status
 
-   !> Pairs of nodes between which the fluxes of a group can pass.
-   subroutine link(self, domain, group, pairs)
+   !> Pairs of nodes between which the flux of a field can pass.
+   subroutine link(self, domain, field, pairs)
       class(term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain
-      !> One of the groups of litz_fields
-      integer, intent(in) :: group
+      !> One of the fields of litz_fields
+      integer, intent(in) :: field
       !> (2, pairs)
       integer, allocatable, intent(out) :: pairs(:, :)
 

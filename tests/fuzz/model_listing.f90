@@ -48,6 +48,7 @@ contains
                merge(1, 0, this%interference_fit)])
          end associate
       end do
+      call print_values(unit, 'initial', model, model%initial)
       do i = 1, size(model%steps)
          call print_step(unit, model, model%steps(i))
       end do
@@ -113,6 +114,7 @@ contains
       end associate
       call print_values(unit, 'boundary', model, step%boundary)
       call print_values(unit, 'load', model, step%load)
+      call print_values(unit, 'given', model, step%predefined)
       do i = 1, size(step%requests)
          associate (this => step%requests(i))
             write (unit, '(a, *(1x, a))') 'request'//show([this%kind, this%set, this%set_2, &

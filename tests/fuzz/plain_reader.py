@@ -14,7 +14,9 @@ AXES = {"LINEAR": 1, "HERMITE": 2}
 SOLVERS = {"BLOCK": 1, "UMFPACK": 2, "SKYLINE": 3}
 COUPLINGS = {"MONOLITHIC": 1, "UPDATED": 2}
 KINDS = {"NODEPRINT": 1, "ELPRINT": 2, "CONTACTPRINT": 3, "ELECTRODEPRINT": 4, "ENERGYPRINT": 5}
-LOADS = {"BOUNDARY": "boundary", "CLOAD": "load", "CECURRENT": "load"}
+LOADS = {"BOUNDARY": "boundary", "CLOAD": "load", "CECURRENT": "load", "TEMPERATURE": "given"}
+#: The one degree of freedom of a keyword whose lines name none
+DOFS = {"CECURRENT": 9, "TEMPERATURE": 11, "INITIALCONDITIONS": 11}
 CONTROLS = {
     "i_c": 16,
     "i_l": 10,
@@ -123,7 +125,7 @@ class PlainReader:
             order = {member: i for i, member in enumerate(self.nodes if kind == "NSET" else self.elements)}
             for name, members in self.sets[kind].items():
                 mesh.append(f"{kind.lower()} {name}{show(sorted(members, key=order.__getitem__))}")
-        return mesh + properties + self.steps()
+        return mesh + properties + self.initial() + self.steps()
 
     def of(self, keyword):
         return [card for card in self.cards if card[0] == keyword]
@@ -252,6 +254,12 @@ class PlainReader:
             found.append(f"pair{show([interaction, sets[0], sets[-1], int('INTERFERENCEFIT' in parameters)])}")
         return found
 
+    def initial(self):
+        found = {}
+        for keyword, parameters, data in self.of("INITIALCONDITIONS"):
+            self.read_values(keyword, parameters, data, found, set())
+        return [f"initial{show([*key, *value])}" for key, value in found.items()]
+
     def steps(self):
         lines, in_force, requests = [], {kind: {} for kind in LOADS}, []
         earlier = {"frequency": 1, "solver": 0, "coupling": 0, "controls": CONTROLS, "total": 0.0}
@@ -332,11 +340,11 @@ class PlainReader:
                 first, last = names.get(capitals(rest[0])) or (int(rest[0]), int(rest[1] or rest[0]))
                 value = number(rest[2]) if rest[2] else 0.0
             else:
-                first = last = 9 if keyword == "CECURRENT" else int(rest[0])
-                value = number(rest[1])
+                first = last = DOFS.get(keyword) or int(rest[0])
+                value = number(rest[0 if last == DOFS["TEMPERATURE"] else 1])
             for node in sorted(self.items("NSET", item), key=order.__getitem__):
                 for dof in range(first, last + 1):
-                    if keyword != "BOUNDARY" and (node, dof) in fresh:
+                    if keyword in ("CLOAD", "CECURRENT") and (node, dof) in fresh:
                         in_force[node, dof] = (amplitude, in_force[node, dof][1] + value)
                     elif (node, dof) not in fresh:
                         in_force[node, dof] = (amplitude, value)

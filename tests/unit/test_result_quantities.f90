@@ -33,7 +33,7 @@ program test_result_quantities
       call expect(any(list(i)%components == [1, 3]), 'results are scalars or vectors')
    end do
    call expect(requested_names(on_cells) == 'SF|EPG|JOULE', 'decks ask for section forces by one word')
-   call expect(requested_names(on_points, means_only=.true.) == 'U|UR|EPOT', 'forces and currents are summed')
+   call expect(requested_names(on_points, means_only=.true.) == 'U|UR|EPOT|NT', 'forces and currents are summed')
 
    allocate (contacts(2))
    contacts(1)%id = 7

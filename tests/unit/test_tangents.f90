@@ -15,7 +15,7 @@ program test_tangents
    use litz_contact_points, only: contact_point_t
    use litz_deck_reader, only: read_deck
    use litz_errors, only: error_t, error_list_t
-   use litz_fields, only: n_slots, n_groups, depends_on, field_rotation, first_slot, last_slot, fields
+   use litz_fields, only: n_slots, n_groups, depends_on, field_rotation, first_slot, last_slot, fields, potential_slots
    use litz_initial_contacts, only: find_initial_overlap
    use litz_loading, only: load_targets
    use litz_model, only: model_t
@@ -398,13 +398,20 @@ contains
       end do
    end subroutine compare
 
-   !> Between -scale and scale at the free unknowns, 0 at others.
+   !> Between -scale and scale at the free unknowns, 0 at others. Further fields take the draws of the potential, of other nodes, so
+   !> that the motions are the same whatever fields there are.
    function random_values(problem, scale) result(values)
       type(problem_t), intent(in) :: problem
       real(dp), intent(in) :: scale(n_slots)
       real(dp) :: values(n_slots, problem%model%n_nodes)
+      integer :: slot
 
-      call random_number(values)
+      associate (last => potential_slots(2))
+         call random_number(values(:last, :))
+         do slot = last + 1, n_slots
+            values(slot, :) = cshift(values(last, :), slot - last)
+         end do
+      end associate
       values = merge((2*values - 1)*spread(scale, 2, size(values, 2)), 0.0_dp, problem%equations%number > 0)
    end function random_values
 
