@@ -6,9 +6,10 @@
 !>     R_T = lambda(T_m) A/(l t) (T1 - T2) [1, -1] + h P l t/4 (T1 + T2 - 2 Ts) [1, 1] - eta I dV t/2 [1, 1]       (2)
 !>     t = tanh(w)/w,  w^2 = h P l^2/(4 lambda A)
 !>
-!> Without a film `t = 1`. (2) is exact at the nodes for constant properties: it is
-!> `sqrt(h P lambda A) [coth 2w, -1/sinh 2w]` with the heat `I dV` evenly along the element, of which the film takes a
-!> part between the nodes. Heat is `I dV`, so that it sums up to the electric power to round-off.
+!> Other heat that enters evenly is like that of the current. Without a film `t = 1`. (2) is exact at the nodes for
+!> constant properties: it is `sqrt(h P lambda A) [coth 2w, -1/sinh 2w]` with the heat `I dV` evenly along the element,
+!> of which the film takes a part between the nodes. Heat is `I dV`, so that it sums up to the electric power to round-
+!> off.
 !> Source: theory section 13.
 module litz_conductor_heat
    use litz_kinds, only: dp
@@ -26,6 +27,8 @@ module litz_conductor_heat
       real(dp) :: conductivity = 0, dconductivity = 0
       !> eta: part of the electric power that becomes heat
       real(dp) :: heat_fraction = 1
+      !> Other heat that enters evenly along the element [W]
+      real(dp) :: source = 0
       !> h P [W/(m K)], and temperature of the surroundings Ts [K]
       real(dp) :: film = 0, sink = 0
    end type heated_wire_t
@@ -53,7 +56,7 @@ contains
       !> Currents and heat that leave the nodes (4) [A, W]
       real(dp), intent(out) :: r(4)
       type(heat_flows_t), intent(out) :: flows
-      real(dp) :: g, dg, dv, t, dt, w2, along, dalong, across, dacross, dw2, source, dsource(4), excess, drop
+      real(dp) :: g, dg, dv, t, dt, w2, along, dalong, across, dacross, dw2, made, source, dsource(4), excess, drop
 
       dv = v(1) - v(2)
       drop = temperature(1) - temperature(2)
@@ -75,8 +78,9 @@ contains
       dalong = along*(wire%dconductivity/(2*wire%conductivity) - dt/t)
       across = wire%film*wire%length/4*t
       dacross = wire%film*wire%length/4*dt
-      source = flows%joule_heat*t/2
-      dsource = [wire%heat_fraction*t*g*dv*[1, -1], wire%heat_fraction*(dg*t + g*dt)*dv**2/2*[1, 1]]
+      made = flows%joule_heat + wire%source
+      source = made*t/2
+      dsource = [wire%heat_fraction*t*g*dv*[1, -1], (wire%heat_fraction*dg*dv**2*t + made*dt)/2*[1, 1]]
 
       r = [flows%current*[1, -1], along*drop*[1, -1] + across*excess - source]                             ! (1), (2)
       k(1, :) = [g*[1, -1], dg*dv*[1, 1]]
@@ -85,7 +89,7 @@ contains
       k(4, :) = -k(3, :)
       k(3:4, 3:4) = k(3:4, 3:4) + across + dacross*excess
       k(3:4, :) = k(3:4, :) - spread(dsource, 1, 2)
-      flows%to_surroundings = 2*across*excess + flows%joule_heat*(1 - t)
+      flows%to_surroundings = 2*across*excess + made*(1 - t)
    end subroutine conductor_heat
 
    !> `t = tanh(w)/w` over `w^2`, and its derivative.

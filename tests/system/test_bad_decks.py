@@ -574,10 +574,10 @@ KEYWORDS = [
     case("data lines missing", "PLUS\n1, 2\n", "PLUS\n1, 2\n*NSET, NSET=MORE\n", "*NSET needs at least 1", "NSET"),
     case(
         "too many data lines",
-        "5.8e7\n",
-        "5.8e7\n6e7\n",
-        "more data lines than *ELECTRICAL CONDUCTIVITY takes, which is 1",
-        "6e7",
+        "1.2e11, 0.35\n",
+        "1.2e11, 0.35\n6e10, 0.3\n",
+        "more data lines than *ELASTIC takes, which is 1",
+        "6e10, 0.3",
     ),
     case(
         "too few values",
@@ -956,6 +956,9 @@ def keyword_table(litz):
         yield name, place, after, [(parameter, form.replace("\\|", "|")) for parameter, form in parameters]
 
 
+MAY_BE_NEGATIVE = {"ABSOLUTE ZERO"}
+
+
 def wrong_parameters(parameters):
     """Misused parameters with the message that each must get."""
     yield "QZX=1", 'unknown parameter "QZX" of'
@@ -966,7 +969,8 @@ def wrong_parameters(parameters):
             yield f"{parameter}=", f"the parameter {parameter} needs a value"
         if form == "number":
             yield f"{parameter}=@", f"the parameter {parameter} must be a"
-            yield f"{parameter}=-1", f"the parameter {parameter} is"
+            if parameter not in MAY_BE_NEGATIVE:
+                yield f"{parameter}=-1", f"the parameter {parameter} is"
         elif "|" in form:
             yield f"{parameter}=@", f"the parameter {parameter} must be"
 
