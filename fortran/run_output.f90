@@ -122,7 +122,7 @@ contains
       type(increment_report_t), intent(in) :: report
       type(error_t), allocatable, intent(inout) :: error
 
-      call self%results%write_status(report, error)
+      call self%results%write_status(problem%model, report, error)
       if (self%quiet) return
       call self%progress%clear
       if (report%converged) self%progress%done = report%time

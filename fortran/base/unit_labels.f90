@@ -9,7 +9,8 @@ module litz_unit_labels
    integer, parameter, public :: unit_length = 12
 
    type :: unit_labels_t
-      character(len=unit_length) :: length = 'm', force = 'N', time = 's', current = 'A', voltage = 'V'
+      character(len=unit_length) :: length = 'm', force = 'N', time = 's', current = 'A', voltage = 'V', &
+         temperature = 'K'
    contains
       procedure :: label
       procedure :: in_header
@@ -66,6 +67,8 @@ contains
          text = trim(self%current)
       case ('V')
          text = trim(self%voltage)
+      case ('K')
+         text = trim(self%temperature)
       case ('Nm')
          text = trim(self%force)//trim(self%length)
       case ('J')

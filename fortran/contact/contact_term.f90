@@ -12,7 +12,7 @@ module litz_contact_term
    use litz_contact_tangents, only: follow_centre_line
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
-   use litz_fields, only: group_electric, potential_slots
+   use litz_fields, only: field_potential, group_transport, potential_slots
    use litz_friction_iteration, only: friction_iteration_t
    use litz_line_points, only: locate_line_points
    use litz_line_shares, only: share_crossings, renew_shares
@@ -191,15 +191,15 @@ contains
    end subroutine count_points
 
    !> A spot joins the conductors of its wires.
-   subroutine link(self, domain, group, pairs)
+   subroutine link(self, domain, field, pairs)
       class(contact_term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain
-      !> One of the groups of litz_fields
-      integer, intent(in) :: group
+      !> One of the fields of litz_fields
+      integer, intent(in) :: field
       !> A node of either wire (2, pairs)
       integer, allocatable, intent(out) :: pairs(:, :)
       allocate (pairs(2, 0))
-      if (group /= group_electric) return
+      if (field /= field_potential) return
       call link_points(self%contact%points)
       call link_points(self%contact%line_points)
 
@@ -226,7 +226,7 @@ contains
       !> One of the groups of litz_fields
       integer, intent(in) :: group
 
-      has_mutual_tangent = group == group_electric .and. self%contact%shared%present
+      has_mutual_tangent = group == group_transport .and. self%contact%shared%present
    end function has_mutual_tangent
 
    subroutine add_mutual_tangent(self, group, value, force)

@@ -6,7 +6,7 @@ module litz_deck_reader
    use litz_keyword_table, only: keyword_table
    use litz_deck, only: token_t
    use litz_model, only: model_t
-   use litz_reader, only: reader_t, fail_at, keyword_of, parameter_of
+   use litz_reader, only: reader_t, fail_at, keyword_of, parameter_of, real_parameter
    use litz_data_lines, only: read_line
    use litz_card_checks, only: check_cards
    use litz_read_mesh, only: read_mesh
@@ -57,6 +57,7 @@ contains
       end if
       call read_heading(self, model)
       call read_units(self, model)
+      call read_constants(self, model)
       call read_mesh(self, model)
       if (self%missed_mesh) return
       call read_sets(self, model)
@@ -120,6 +121,18 @@ contains
       model%heading = model%heading(:len(model%heading) - 1)
    end subroutine read_heading
 
+   subroutine read_constants(self, model)
+      type(reader_t), intent(in) :: self
+      type(model_t), intent(inout) :: model
+      integer :: card
+
+      do card = 1, self%deck%n_cards
+         if (keyword_of(self, card) /= 'PHYSICAL CONSTANTS') cycle
+         model%absolute_zero = real_parameter(self, card, 'ABSOLUTE ZERO', model%absolute_zero)
+         model%stefan_boltzmann = real_parameter(self, card, 'STEFAN BOLTZMANN', model%stefan_boltzmann)
+      end do
+   end subroutine read_constants
+
    !> *UNITS: labels, which go into heads of tables, where blanks and brackets mean something.
    subroutine read_units(self, model)
       type(reader_t), intent(inout) :: self
@@ -137,6 +150,7 @@ contains
          call read_label(self, card, 'TIME', model%units%time)
          call read_label(self, card, 'CURRENT', model%units%current)
          call read_label(self, card, 'VOLTAGE', model%units%voltage)
+         call read_label(self, card, 'TEMPERATURE', model%units%temperature)
       end do
    end subroutine read_units
 

@@ -24,9 +24,9 @@ module litz_foreign_words
       foreign_word_t('DYNAMIC|MODAL DYNAMIC|DIRECT CYCLIC', '', '', 'there is no inertia: use *STATIC, and'// &
       ' *CONTROLS, PARAMETERS=STABILIZE where wires snap or are unsupported'), &
       foreign_word_t('VISCO|CREEP|VISCOELASTIC', '', '', 'nothing is rate-dependent: use *STATIC and *ELASTIC'), &
-      foreign_word_t('COUPLED THERMAL-ELECTRICAL|COUPLED TEMPERATURE-DISPLACEMENT|HEAT TRANSFER|'// &
-      'PIEZOELECTRIC|ELECTROMAGNETIC', '', '', &
-      'use *STATIC, which solves forces and currents together; there is no temperature'), &
+      foreign_word_t('COUPLED TEMPERATURE-DISPLACEMENT|PIEZOELECTRIC|ELECTROMAGNETIC', '', '', &
+      'use *STATIC, which solves forces and currents together, or *COUPLED THERMAL-ELECTRICAL for temperatures'), &
+      foreign_word_t('HEAT TRANSFER', '', '', 'use *COUPLED THERMAL-ELECTRICAL, STEADY STATE'), &
       foreign_word_t('FREQUENCY|BUCKLE|COMPLEX FREQUENCY|STEADY STATE DYNAMICS', '', '', &
       'there are no eigenvalues: *STATIC follows the wires through large displacements'), &
       foreign_word_t('IMPERFECTION', '', '', 'put it into the coordinates of *NODE'), &
@@ -60,11 +60,8 @@ module litz_foreign_words
       foreign_word_t('DENSITY|DAMPING', '', '', 'leave it out: there is no inertia and no weight'), &
       foreign_word_t('PLASTIC|HYPERELASTIC|DEFORMATION PLASTICITY|CYCLIC HARDENING|USER MATERIAL|DEPVAR', '', '', &
       'beams are elastic: use *ELASTIC; contact spots may yield (*GAP ELECTRICAL CONDUCTANCE, LAW=PLASTIC)'), &
-      foreign_word_t('CONDUCTIVITY', '', '', 'that is heat; the current needs *ELECTRICAL CONDUCTIVITY'), &
-      foreign_word_t('EXPANSION|SPECIFIC HEAT|LATENT HEAT|TEMPERATURE|PHYSICAL CONSTANTS|CFLUX|DFLUX|FILM|RADIATE|'// &
-      'JOULE HEAT FRACTION', '', '', 'leave it out: there is no temperature; Joule heat is in the results'), &
-      foreign_word_t('INITIAL CONDITIONS', '', '', 'a run begins without stress and current; apply'// &
-      ' initial loads in a first *STEP'), &
+      foreign_word_t('EXPANSION', '', '', 'leave it out: wires do not expand'), &
+      foreign_word_t('SPECIFIC HEAT|LATENT HEAT', '', '', 'leave it out: temperatures are steady'), &
       foreign_word_t('SURFACE|NODE SURFACE|SURFACE DEFINITION', '', '', &
       'leave it out: *CONTACT PAIR names element sets'), &
       foreign_word_t('CONTACT|CONTACT INCLUSIONS|CONTACT EXCLUSIONS|CONTACT PROPERTY ASSIGNMENT|'// &
@@ -75,7 +72,7 @@ module litz_foreign_words
       'leave it out; *CONTROLS, PARAMETERS=STABILIZE damps what only contacts can hold'), &
       foreign_word_t('CLEARANCE', '', '', 'leave it out: gaps follow from the nodes and radii'), &
       foreign_word_t('GAP CONDUCTANCE|GAP HEAT GENERATION|GAP RADIATION', '', '', &
-      'there is no temperature; the current needs *GAP ELECTRICAL CONDUCTANCE'), &
+      'contacts conduct no heat; the current needs *GAP ELECTRICAL CONDUCTANCE'), &
       foreign_word_t('DLOAD|DSLOAD', '', '', 'distribute the load over the nodes: *CLOAD'), &
       foreign_word_t('DECURRENT|DSECURRENT', '', '', 'distribute the current over the nodes: *CECURRENT'), &
       foreign_word_t('OUTPUT|FILE OUTPUT', '', '', 'leave it out: fields are always written (*NODE FILE says how'// &
@@ -122,8 +119,12 @@ module litz_foreign_words
       foreign_word_t('CONTACT PAIR', 'TYPE|SMALL SLIDING|TRACKING|MECHANICAL CONSTRAINT|EXTENSION ZONE', '', &
       'leave it out: wires touch at points, which may slide any distance'), &
       foreign_word_t('CONTACT PAIR', 'ADJUST', '', 'move the nodes, or use INTERFERENCE FIT'), &
-      foreign_word_t('BOUNDARY', 'TYPE|USER|LOAD CASE', '', 'leave it out: values are displacements, rotations and'// &
-      ' potentials; a velocity is a value that ramps'), &
+      foreign_word_t('TEMPERATURE', 'FILE|BSTEP|BINC|ESTEP|EINC|INPUT|INTERPOLATE|MIDSIDE|DRIVING ELSETS|USER|OUTPUT', &
+      '', 'give the values of the nodes in data lines'), &
+      foreign_word_t('INITIAL CONDITIONS', 'FILE|STEP|INC|INPUT|INTERPOLATE|MIDSIDE|DRIVING ELSETS|USER|OUTPUT', '', &
+      'give the values of the nodes in data lines'), &
+      foreign_word_t('BOUNDARY', 'TYPE|USER|LOAD CASE', '', 'leave it out: values are displacements, rotations,'// &
+      ' potentials and temperatures; a velocity is a value that ramps'), &
       foreign_word_t('BOUNDARY', 'FIXED', '', 'give the value to hold'), &
       foreign_word_t('CLOAD', 'FOLLOWER', '', 'forces keep their direction'), &
       foreign_word_t('CLOAD', 'LOAD CASE|USER|SECTOR', '', 'leave it out'), &
@@ -160,9 +161,13 @@ module litz_foreign_words
       foreign_word_t('NODE PRINT', '', 'U1|U2|U3|UR1|UR2|UR3|RF1|RF2|RF3|RM1|RM2|RM3|CF1|CF2|CF3|CM1|CM2|CM3', &
       'all three components are written: use U, UR, RF, RM, CF or CM'), &
       foreign_word_t('EL PRINT', '', 'SF1|SF2|SF3|SM1|SM2|SM3|SM', 'SF has forces and moments, all of them'), &
-      foreign_word_t('NODE FILE|EL FILE|EL PRINT', '', 'S|E|LE|EE|PE|PEEQ|ENER|MISES|NT|ME|ZZS|NOE|ERR', &
+      foreign_word_t('NODE FILE|EL FILE|EL PRINT', '', 'S|E|LE|EE|PE|PEEQ|ENER|MISES|ME|ZZS|NOE|ERR', &
       'beams have section forces (SF), no stresses or strains'), &
-      foreign_word_t('ELASTIC|ELECTRICAL CONDUCTIVITY', '', '+', 'material data do not depend on temperature'), &
+      foreign_word_t('ELASTIC', '', '+', 'material data do not depend on temperature'), &
+      foreign_word_t('TEMPERATURE|INITIAL CONDITIONS', '', '+', 'the temperature is the same over a cross-section'), &
+      foreign_word_t('INITIAL CONDITIONS', 'TYPE', 'STRESS|STRAIN|VELOCITY|FIELD|SOLUTION|HARDENING|PLASTIC STRAIN|'// &
+      'ROTATING VELOCITY|CONCENTRATION|REF COORDINATE|CONTACT', 'a run begins without stress and current; apply'// &
+      ' initial loads in a first *STEP'), &
       foreign_word_t('FRICTION', '', '+', 'a stiffness before slip is the parameter STICK STIFFNESS')]
 
 contains

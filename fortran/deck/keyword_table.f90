@@ -3,8 +3,10 @@
 !> Meanings are those of Abaqus, or of CalculiX for *CONTROLS, unless the help text says otherwise.
 module litz_keyword_table
    use litz_keywords, only: keyword_table_t
-   use litz_model_keywords, only: add_general, add_mesh, add_constraints, add_properties, add_contact
-   use litz_step_keywords, only: add_step, add_loads, add_output, add_solution
+   use litz_model_keywords, only: add_general, add_mesh, add_constraints, add_initial_values, add_properties, &
+      add_contact
+   use litz_step_keywords, only: add_step, add_loads, add_element_heat, &
+      add_given_values, add_output, add_solution
    implicit none
    private
    public :: keyword_table
@@ -15,14 +17,17 @@ contains
    function keyword_table() result(table)
       type(keyword_table_t) :: table
 
-      allocate (table%keywords(40))
+      allocate (table%keywords(64))
       call add_general(table)
       call add_mesh(table)
       call add_constraints(table)
       call add_properties(table)
       call add_contact(table)
+      call add_initial_values(table)
       call add_step(table)
       call add_loads(table)
+      call add_element_heat(table)
+      call add_given_values(table)
       call add_output(table)
       call add_solution(table)
    end function keyword_table

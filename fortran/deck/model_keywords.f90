@@ -1,9 +1,9 @@
 !> The keywords that describe the model: mesh, materials, sections, amplitudes and contact.
 module litz_model_keywords
    use litz_element_types, only: element_type_choices, describe_element_types, list_element_types
-   use litz_fields, only: field_potential, dof_range
-   use litz_keywords, only: keyword_t, keyword_table_t, field_spec_t, place_model, place_both, limit_positive, &
-      limit_not_negative, limit_poisson, limit_zero
+   use litz_fields, only: field_potential, field_temperature, dof_range
+   use litz_keywords, only: keyword_t, keyword_table_t, field_spec_t, place_model, place_both, limit_none, &
+      limit_positive, limit_not_negative, limit_poisson, limit_zero
    use litz_keyword_builders, only: begin, finish, integer_field, real_field, name_field, item_field, text_field, &
       flag, choice, name, item, number, count_of, file
    use litz_law_words, only: law_words_t
@@ -12,7 +12,7 @@ module litz_model_keywords
    use litz_stick_laws, only: stick_laws
    implicit none
    private
-   public :: add_general, add_mesh, add_constraints, add_properties, add_contact
+   public :: add_general, add_mesh, add_constraints, add_initial_values, add_properties, add_contact
 
    character(len=1), parameter :: axis_names(3) = ['x', 'y', 'z']
 
@@ -35,6 +35,14 @@ contains
       call k%add(name('TIME', 'label of the unit of time; default s'))
       call k%add(name('CURRENT', 'label of the unit of current; default A'))
       call k%add(name('VOLTAGE', 'label of the unit of voltage; default V'))
+      call k%add(name('TEMPERATURE', 'label of the unit of temperature; default K'))
+      call finish(table, k)
+
+      call begin(k, 'PHYSICAL CONSTANTS', place_model, 'Constants in the units of the deck.')
+      call k%add(number('ABSOLUTE ZERO', 'absolute zero of the temperature scale, such as -273.15; 0 when left out', &
+         limit_none))
+      call k%add(number('STEFAN BOLTZMANN', 'Stefan-Boltzmann constant, 5.670374e-8 in SI units; *RADIATE needs it', &
+         limit_positive))
       call finish(table, k)
 
       call begin(k, 'INCLUDE', place_both, &
@@ -101,6 +109,18 @@ contains
       call finish(table, k)
    end subroutine add_constraints
 
+   pure subroutine add_initial_values(table)
+      type(keyword_table_t), intent(inout) :: table
+      type(keyword_t) :: k
+
+      call begin(k, 'INITIAL CONDITIONS', place_model, 'Temperatures before the first step; 0 at nodes that no line'// &
+         ' names.')
+      call k%add(choice('TYPE', 'TEMPERATURE', 'what is given', required=.true.))
+      call k%add_data([item_field('node', 'number of a node or name of a node set'), &
+         real_field('value', 'K', 'temperature')], last=0)
+      call finish(table, k)
+   end subroutine add_initial_values
+
    pure subroutine add_set_data(k, what)
       type(keyword_t), intent(inout) :: k
       !> Kind of the members: `node` or `element`
@@ -118,7 +138,8 @@ contains
       type(keyword_table_t), intent(inout) :: table
       type(keyword_t) :: k
 
-      call begin(k, 'MATERIAL', place_model, 'Begins a material; *ELASTIC and *ELECTRICAL CONDUCTIVITY follow it.')
+      call begin(k, 'MATERIAL', place_model, 'Begins a material; *ELASTIC, *ELECTRICAL CONDUCTIVITY,'// &
+         ' *CONDUCTIVITY and *JOULE HEAT FRACTION follow it.')
       call k%add(name('NAME', 'name of the material', required=.true.))
       call finish(table, k)
 
@@ -132,7 +153,23 @@ contains
          'Makes the elements of this material conductors: their nodes'// &
          ' have a potential, degree of freedom '//dof_range(field_potential)//'. Without it a wire is an insulator.', &
          after='MATERIAL')
-      call k%add_data([real_field('sigma', 'S/m', 'electrical conductivity', limit_positive)])
+      call k%add_data([real_field('sigma', 'S/m', 'electrical conductivity', limit_positive), &
+         real_field('T', 'K', 'temperature; ascending. Between two lines it is 1/sigma that is linear; outside the'// &
+         ' table it is constant', required=.false.)], last=0)
+      call finish(table, k)
+
+      call begin(k, 'CONDUCTIVITY', place_model, &
+         'Makes the elements of this material conduct heat: in steps that solve for temperatures, their nodes have'// &
+         ' one, degree of freedom '//dof_range(field_temperature)//'.', after='MATERIAL')
+      call k%add(choice('TYPE', 'ISO', 'kind of conductivity', default='ISO'))
+      call k%add_data([real_field('lambda', 'W/(m K)', 'heat conductivity', limit_positive), &
+         real_field('T', 'K', 'temperature; ascending. Linear between two lines, constant outside the table', &
+         required=.false.)], last=0)
+      call finish(table, k)
+
+      call begin(k, 'JOULE HEAT FRACTION', place_model, 'Part of the electric power in elements of this material'// &
+         ' that becomes heat; 1 without this keyword.', after='MATERIAL')
+      call k%add_data([real_field('fraction', '-', 'from 0 to 1', limit_not_negative)])
       call finish(table, k)
 
       call begin(k, 'BEAM SECTION', place_model, &

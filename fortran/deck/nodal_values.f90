@@ -1,12 +1,12 @@
-!> Prescribed values, loads and currents: from data lines to the complete list that holds in a step.
+!> Prescribed values, loads, currents and temperatures: from data lines to the complete list that holds in a step.
 module litz_nodal_values
    use litz_kinds, only: dp
    use litz_text, only: to_text
    use litz_numbers, only: parse_integer, number_ok
    use litz_deck, only: token_t
-   use litz_fields, only: field_t, fields, field_rotation, field_displacement, last_dof, n_slots, slot_of_dof, &
-      field_of_dof, dof_range, describe_dofs
-   use litz_model, only: model_t, nodal_value_t, rigid_body_t, amplitude_factor, dof_potential
+   use litz_fields, only: field_t, fields, n_fields, field_rotation, field_displacement, field_potential, &
+      field_temperature, last_dof, n_slots, slot_of_dof, field_of_dof, dof_range, describe_dofs
+   use litz_model, only: model_t, nodal_value_t, rigid_body_t, amplitude_factor, dof_temperature
    use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, keyword_of, name_of
    use litz_value_checks, only: advice_about_value, behind_semicolon
    use litz_data_lines, only: read_line
@@ -14,11 +14,12 @@ module litz_nodal_values
    use litz_sets, only: find_item
    implicit none
    private
-   public :: value_list_t, kind_boundary, field_of_load, start_list, begin_step, read_nodal_values, &
-      nodes_with_potential
+   public :: value_list_t, kind_boundary, kind_temperature, kind_initial, field_of_load, start_list, begin_step, &
+      read_nodal_values, nodes_with_unknown
 
-   !> The kind of prescribed values; that of loads is the first field with their keyword
-   integer, parameter :: kind_boundary = 0
+   !> The kinds of prescribed values, of temperatures that are no unknowns, and of those before the first step; that of
+   !> loads is the first field with their keyword
+   integer, parameter :: kind_boundary = 0, kind_temperature = -1, kind_initial = -2
 
    !> The list of one kind as it stands while the deck is read.
    type :: value_list_t
@@ -33,9 +34,10 @@ module litz_nodal_values
       integer :: op = 0
       !> .true. before the first step
       logical :: model_part = .true.
-      !> Nodes of some element or rigid surface or the reference node of a rigid body, and nodes of a conducting element
-      !> (n_nodes)
-      logical, allocatable :: has_element(:), has_potential(:)
+      !> Nodes of some element or rigid surface or the reference node of a rigid body (n_nodes)
+      logical, allocatable :: has_element(:)
+      !> Nodes at which a field has an equation (n_nodes, n_fields)
+      logical, allocatable :: has_unknown(:, :)
       !> Rigid body that each node moves with, 0: none; the last degree of freedom that is not its own (n_nodes)
       integer, allocatable :: body(:), last_moved(:)
    end type value_list_t
@@ -44,7 +46,7 @@ contains
 
    pure subroutine start_list(list, kind, model)
       type(value_list_t), intent(out) :: list
-      !> `kind_boundary`, or a field of which these are the loads
+      !> One of `kind_...`, or a field of which these are the loads
       integer, intent(in) :: kind
       type(model_t), intent(in) :: model
       integer :: e, k
@@ -52,7 +54,10 @@ contains
       list%kind = kind
       allocate (list%items(16), list%line(16))
       allocate (list%item(n_slots, model%n_nodes), source=0)
-      list%has_potential = nodes_with_potential(model)
+      allocate (list%has_unknown(model%n_nodes, n_fields))
+      do k = 1, n_fields
+         list%has_unknown(:, k) = nodes_with_unknown(model, k)
+      end do
       allocate (list%has_element(model%n_nodes), source=.false.)
       do e = 1, model%n_elements
          do k = 1, 2
@@ -73,31 +78,35 @@ contains
       end do
    end subroutine start_list
 
-   !> Nodes of conducting elements.
-   pure function nodes_with_potential(model) result(has_potential)
+   !> Nodes of elements that conduct the flux of a field; all nodes for fields that need no conductor.
+   pure function nodes_with_unknown(model, field) result(has_unknown)
       type(model_t), intent(in) :: model
-      logical :: has_potential(model%n_nodes)
+      !> One of litz_fields
+      integer, intent(in) :: field
+      logical :: has_unknown(model%n_nodes)
       integer :: e, k
 
-      has_potential = .false.
+      has_unknown = .not. any(field == [field_potential, field_temperature])
       do e = 1, model%n_elements
-         if (.not. conducts(model, e)) cycle
+         if (.not. conducts(model, e, field)) cycle
          do k = 1, 2
-            if (model%connectivity(k, e) > 0) has_potential(model%connectivity(k, e)) = .true.
+            if (model%connectivity(k, e) > 0) has_unknown(model%connectivity(k, e)) = .true.
          end do
       end do
-   end function nodes_with_potential
+   end function nodes_with_unknown
 
    !> Elements whose section or material is in error count as conductors, so that no second error follows.
-   pure logical function conducts(model, element)
+   pure logical function conducts(model, element, field)
       type(model_t), intent(in) :: model
-      !> Index of the element
-      integer, intent(in) :: element
+      !> Index of the element, and one of litz_fields
+      integer, intent(in) :: element, field
 
       conducts = .true.
-      if (model%element_section(element) == 0) return
+      if (all(field /= [field_potential, field_temperature]) .or. model%element_section(element) == 0) return
       associate (section => model%sections(model%element_section(element)))
-         if (section%material > 0) conducts = model%materials(section%material)%conductivity > 0
+         if (section%material == 0) return
+         if (field == field_potential) conducts = model%materials(section%material)%conductivity > 0
+         if (field == field_temperature) conducts = allocated(model%materials(section%material)%heat_conductivity)
       end associate
    end function conducts
 
@@ -125,7 +134,7 @@ contains
       end do
    end subroutine begin_step
 
-   !> All data lines of a *BOUNDARY, *CLOAD or *CECURRENT.
+   !> All data lines of a *BOUNDARY, *CLOAD, *CECURRENT, *TEMPERATURE or *INITIAL CONDITIONS.
    subroutine read_nodal_values(self, model, card, list)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(in) :: model
@@ -136,7 +145,7 @@ contains
       integer :: line, amplitude, first, last, node, set
       logical :: ok
 
-      call apply_op(self, card, list)
+      if (list%kind /= kind_initial) call apply_op(self, card, list)
       amplitude = 0
       amplitude_name = parameter_of(self, card, 'AMPLITUDE')
       if (amplitude_name%line > 0) call find_definition(self, self%amplitudes, 'amplitude', amplitude_name, amplitude)
@@ -148,7 +157,7 @@ contains
          call find_item(self, 'node', self%node_sets, self%nodes, 1, node, set)
          call find_dofs(self, list%kind, first, last, ok)
          if (.not. ok) cycle
-         if (list%model_part .and. abs(self%values%real(4)) > 0) then
+         if (list%model_part .and. list%kind == kind_boundary .and. abs(self%values%real(4)) > 0) then
             call fail_at(self, self%values%token(4), 'before the first step only zero values can be prescribed; '// &
                'put this *BOUNDARY into a step')
          else if (node > 0) then
@@ -199,20 +208,40 @@ contains
    !> The degrees of freedom that the line names.
    subroutine find_dofs(self, kind, first, last, ok)
       type(reader_t), intent(inout) :: self
-      !> `kind_boundary`, or the first field of which these are the loads
+      !> One of `kind_...`, or the first field of which these are the loads
       integer, intent(in) :: kind
       !> First and last degree of freedom, with Abaqus's numbers
       integer, intent(out) :: first, last
       !> .false.: an error was reported
       logical, intent(out) :: ok
 
-      if (kind == kind_boundary) then
+      select case (kind)
+      case (kind_boundary)
          call find_boundary_dofs(self, first, last, ok)
-      else
+      case (kind_temperature, kind_initial)
+         first = dof_temperature
+         last = first
+         ok = .true.
+      case default
          call find_load_dof(self, kind, first, ok)
          last = first
-      end if
+      end select
    end subroutine find_dofs
+
+   !> Place of the value on a data line.
+   pure integer function place_of_value(kind) result(place)
+      !> One of `kind_...`, or the first field of which these are the loads
+      integer, intent(in) :: kind
+
+      select case (kind)
+      case (kind_boundary)
+         place = 4
+      case (kind_temperature, kind_initial)
+         place = 2
+      case default
+         place = 3
+      end select
+   end function place_of_value
 
    !> The degree of freedom of a load; of one that has a single direction it may be left out.
    subroutine find_load_dof(self, first_field, dof, ok)
@@ -234,12 +263,12 @@ contains
       if (ok) return
       last_field = findloc(fields%load_keyword == fields(first_field)%load_keyword, .true., 1, back=.true.)
       if (fields(first_field)%is_level) then
-         words = 'a '//trim(fields(first_field)%flux)//' enters at degree of freedom '//dof_range(first_field)
+         words = 'a '//trim(fields(first_field)%flux_in_words)//' enters at degree of freedom '//dof_range(first_field)
       else
          words = 'forces and moments act in directions '//dof_range(first_field, last_field)
       end if
       words = words//'; found '//to_text(dof)
-      if (field > 0 .and. .not. fields(first_field)%is_level) words = words//'; '//trim(fields(field)%flux)// &
+      if (field > 0 .and. .not. fields(first_field)%is_level) words = words//'; '//trim(fields(field)%flux_in_words)// &
          's are given by *'//trim(fields(field)%load_keyword)
       call fail_at(self, self%values%token(2), words)
    end subroutine find_load_dof
@@ -327,7 +356,7 @@ contains
       logical :: ok
 
       value%amplitude = amplitude
-      value%value = self%values%real(merge(4, 3, list%kind == kind_boundary))
+      value%value = self%values%real(place_of_value(list%kind))
       do i = 1, size(nodes)
          value%node = nodes(i)
          ok = list%has_element(nodes(i)) .or. self%broken_nodes .or. self%broken_elements .or. self%broken_bodies
@@ -336,12 +365,11 @@ contains
                ' belongs to no element')
             return
          end if
-         ok = first /= dof_potential .or. list%has_potential(nodes(i)) .or. self%broken_nodes .or. &
-            self%broken_elements
+         ok = any(list%kind == [kind_temperature, kind_initial]) .or. &
+            list%has_unknown(nodes(i), field_of_dof(first)) .or. self%broken_nodes .or. self%broken_elements
          if (.not. ok) then
             call fail_at(self, self%values%token(1), describe_node(self, model, nodes(i), nodes)// &
-               ' has no electric potential: '// &
-               'no material of its elements has *ELECTRICAL CONDUCTIVITY')
+               reason_for_lack_of(field_of_dof(first)))
             return
          end if
          ok = first > list%last_moved(nodes(i))
@@ -358,6 +386,20 @@ contains
          end do
       end do
    end subroutine set_values
+
+   !> Why a node does not have the unknown of a field, behind the name of the node.
+   pure function reason_for_lack_of(field) result(words)
+      !> One of litz_fields
+      integer, intent(in) :: field
+      character(len=:), allocatable :: words
+
+      if (field == field_temperature) then
+         words = ' has no temperature as an unknown, as no material of its elements conducts heat; temperatures are'// &
+            ' given by *TEMPERATURE'
+      else
+         words = ' has no electric potential: no material of its elements has *ELECTRICAL CONDUCTIVITY'
+      end if
+   end function reason_for_lack_of
 
    !> `node 5, the reference node of the *RIGID BODY in deck.inp:12`
    pure function describe_body(model, body) result(words)
@@ -412,7 +454,7 @@ contains
       subroutine join_values(item)
          type(nodal_value_t), intent(inout) :: item
 
-         if (list%kind == kind_boundary) then
+         if (list%kind <= kind_boundary) then
             ok = item%amplitude == value%amplitude .and. .not. abs(item%value - value%value) > 0
             if (.not. ok) call fail_at(self, self%values%token(1), 'degree of freedom '//to_text(value%dof)// &
                ' of node '// &

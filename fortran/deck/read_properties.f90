@@ -22,6 +22,7 @@ contains
    subroutine read_materials(self, model)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(inout) :: model
+      real(dp), allocatable :: table(:, :)
       integer :: card, material, i
       logical :: ok
 
@@ -43,13 +44,30 @@ contains
                this%poisson = merge(self%values%real(2), 0.0_dp, ok)
             end associate
          case ('ELECTRICAL CONDUCTIVITY')
-            call read_only_line(self, card, ok)
+            call read_property(self, card, table, ok)
             if (material == 0) cycle
             associate (this => model%materials(material))
                if (this%conductivity > 0) call fail_at(self, self%deck%cards(card)%name, &
                   'the material '//this%name//' has two *ELECTRICAL CONDUCTIVITY')
-               this%conductivity = merge(self%values%real(1), 1.0_dp, ok)
+               this%conductivity = table(2, 1)
+               table(2, :) = 1/table(2, :)
+               this%resistivity = table
             end associate
+         case ('CONDUCTIVITY')
+            call read_property(self, card, table, ok)
+            if (material == 0) cycle
+            associate (this => model%materials(material))
+               if (allocated(this%heat_conductivity)) call fail_at(self, self%deck%cards(card)%name, &
+                  'the material '//this%name//' has two *CONDUCTIVITY')
+               this%heat_conductivity = table
+            end associate
+         case ('JOULE HEAT FRACTION')
+            call read_only_line(self, card, ok)
+            if (.not. ok .or. material == 0) cycle
+            model%materials(material)%joule_fraction = self%values%real(1)
+            if (self%values%real(1) > 1) call fail_at(self, self%values%token(1), &
+               'the part of the electric power that becomes heat cannot be more than 1; found '// &
+               to_text(self%values%real(1)))
          end select
       end do
       model%materials = model%materials(:self%materials%names%n)
@@ -58,6 +76,42 @@ contains
          call fail_at(self, self%materials%token(i), 'the material '//model%materials(i)%name//' has no *ELASTIC')
       end do
    end subroutine read_materials
+
+   !> A property over temperature, on lines of its value and the temperature.
+   subroutine read_property(self, card, table, ok)
+      type(reader_t), intent(inout) :: self
+      !> Index of the card
+      integer, intent(in) :: card
+      !> Temperatures and values (2, n), one pair at least
+      real(dp), allocatable, intent(out) :: table(:, :)
+      !> .false.: something was reported; the table is then one that does no harm
+      logical, intent(out) :: ok
+      integer :: line
+      logical :: line_ok
+
+      ok = .true.
+      allocate (table(2, 0))
+      associate (this => self%deck%cards(card), values => self%values)
+         do line = this%first_data, this%last_data
+            call read_line(self, card, line, line_ok)
+            ok = ok .and. line_ok
+            if (.not. line_ok) cycle
+            if (.not. values%given(2) .and. this%last_data > this%first_data) then
+               if (ok) call fail_at(self, values%token(2), 'a temperature is missing: every line of a table has one')
+               ok = .false.
+            else if (size(table, 2) > 0) then
+               if (values%real(2) <= table(1, size(table, 2))) then
+                  call fail_at(self, values%token(2), 'the temperatures of *'//keyword_of(self, card)// &
+                     ' must ascend; '//to_text(values%real(2))//' follows '//to_text(table(1, size(table, 2))))
+                  ok = .false.
+               end if
+            end if
+            table = reshape([table, values%real(2), values%real(1)], [2, size(table, 2) + 1])
+         end do
+      end associate
+      ok = ok .and. size(table, 2) > 0
+      if (.not. ok) table = reshape([0.0_dp, 1.0_dp], [2, 1])
+   end subroutine read_property
 
    !> The name a card defines; 0 where it has none or it exists already.
    subroutine add_named(self, definitions, what, card, index)

@@ -2,6 +2,7 @@
 !>
 !> A step that asks for a kind of output replaces all requests of that kind; the others are carried over.
 module litz_read_requests
+   use litz_fields, only: fields, field_potential
    use litz_text, only: to_text, words_of, word_length
    use litz_deck, only: token_t
    use litz_model, only: model_t, step_t, output_request_t, request_node, request_element, request_contact, &
@@ -9,7 +10,7 @@ module litz_read_requests
    use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, integer_parameter, keyword_of
    use litz_data_lines, only: read_line
    use litz_sets, only: find_set
-   use litz_nodal_values, only: nodes_with_potential
+   use litz_nodal_values, only: nodes_with_unknown
    implicit none
    private
    public :: request_list_t, begin_requests, read_request
@@ -43,10 +44,10 @@ contains
       select case (keyword_of(self, card))
       case ('NODE PRINT')
          request%kind = request_node
-         call read_print(self, card, 'NSET', list, request)
+         call read_print(self, model, card, 'NSET', list, request)
       case ('EL PRINT')
          request%kind = request_element
-         call read_print(self, card, 'ELSET', list, request)
+         call read_print(self, model, card, 'ELSET', list, request)
       case ('CONTACT PRINT')
          request%kind = request_contact
          call add_request(list, request)
@@ -88,8 +89,9 @@ contains
    end subroutine add_request
 
    !> *NODE PRINT or *EL PRINT: members, sums, or both.
-   subroutine read_print(self, card, parameter, list, request)
+   subroutine read_print(self, model, card, parameter, list, request)
       type(reader_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
       !> Index of the card
       integer, intent(in) :: card
       !> NSET or ELSET
@@ -106,7 +108,7 @@ contains
       end if
       do line = self%deck%cards(card)%first_data, self%deck%cards(card)%last_data
          call read_line(self, card, line, ok)
-         call add_quantities(self, card, request)
+         call add_quantities(self, model, card, request)
       end do
       if (request%set == 0 .or. size(request%quantities) == 0) return
       if (choice_of(self, card, 'TOTALS') /= 'ONLY') call add_request(list, request)
@@ -115,8 +117,9 @@ contains
    end subroutine read_print
 
    !> The quantities of the line read last.
-   subroutine add_quantities(self, card, request)
+   subroutine add_quantities(self, model, card, request)
       type(reader_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
       !> Index of the card
       integer, intent(in) :: card
       type(output_request_t), intent(inout) :: request
@@ -129,7 +132,10 @@ contains
       do i = 1, self%values%n
          if (.not. self%values%given(i)) cycle
          quantity = words(self%values%whole(i))(:8)
-         if (any(request%quantities == quantity)) then
+         if (belongs_to_absent_field(model, quantity)) then
+            call fail_at(self, self%values%token(i), trim(quantity)//' cannot be printed: the model has no'// &
+               ' temperatures; *INITIAL CONDITIONS, TYPE=TEMPERATURE or *TEMPERATURE give some')
+         else if (any(request%quantities == quantity)) then
             call fail_at(self, self%values%token(i), 'the quantity '//trim(quantity)//' is requested twice')
          else
             allocate (grown(size(request%quantities) + 1))
@@ -139,6 +145,16 @@ contains
          end if
       end do
    end subroutine add_quantities
+
+   !> The quantity is one of a field that the model does not have.
+   pure logical function belongs_to_absent_field(model, quantity) result(absent)
+      type(model_t), intent(in) :: model
+      !> As decks ask for it
+      character(len=*), intent(in) :: quantity
+
+      absent = any(.not. model%has_field .and. (fields%value_word == quantity .or. fields%reaction_word == quantity &
+         .or. fields%load_word == quantity))
+   end function belongs_to_absent_field
 
    !> The quantities of *NODE FILE and *EL FILE only have to exist.
    subroutine check_quantities(self, card)
@@ -164,7 +180,7 @@ contains
       integer :: line, i
       logical :: ok
 
-      allocate (has_potential, source=nodes_with_potential(model))
+      allocate (has_potential, source=nodes_with_unknown(model, field_potential))
       do line = self%deck%cards(card)%first_data, self%deck%cards(card)%last_data
          call read_line(self, card, line, ok)
          if (.not. ok) cycle

@@ -2,18 +2,19 @@
 !>
 !> State, loads, reactions and corrections are arrays (n_slots, n_nodes). A field has the slots
 !> `first_slot(field):last_slot(field)`, a group of fields those from `first_slot_of_group` to `last_slot_of_group`. A
-!> group is what the scheme solves for at once; how groups depend on each other says `depends_on`.
+!> group is what the scheme solves for at once; how groups depend on each other says `depends_on`. A field whose unknown
+!> no term has at a node may still have a value there, which is given, such as a temperature.
 !>
 !> Decks, results, tables of progress, restart files, tolerances and messages follow the rows.
 module litz_fields
    use litz_text, only: to_text, join_words
    implicit none
    private
-   public :: field_t, fields, n_fields, field_displacement, field_rotation, field_potential
+   public :: field_t, fields, n_fields, field_displacement, field_rotation, field_potential, field_temperature
    public :: n_slots, first_slot, last_slot, field_of_slot, slot_of_dof
-   public :: motion_slots, rotation_slots, potential_slots
+   public :: motion_slots, rotation_slots, potential_slots, temperature_slots, slots_of_fields
    public :: last_dof, max_dof, field_of_dof, dof_range, describe_dofs, list_units
-   public :: n_groups, group_mechanical, group_electric, first_slot_of_group, last_slot_of_group, depends_on
+   public :: n_groups, group_mechanical, group_transport, first_slot_of_group, last_slot_of_group, depends_on
 
    type :: field_t
       !> As in the names of results
@@ -31,25 +32,31 @@ module litz_fields
       !> Only its differences matter: a part without a path to a prescribed value floats
       logical :: is_level
       character(len=8) :: unit
-      !> What does work on it or flows by it: the residual of its equations
+      !> What does work on it or flows by it, the residual of its equations: in the names of results, and in sentences
       character(len=8) :: flux
+      character(len=12) :: flux_in_words
       character(len=8) :: flux_unit
       !> By which decks ask for its values, for its reactions and for its loads in the history
       character(len=8) :: value_word, reaction_word, load_word
       !> Keyword of its loads
       character(len=12) :: load_keyword
+      !> Files show it only where the model has it
+      logical :: is_optional
    end type field_t
 
-   integer, parameter :: group_mechanical = 1, group_electric = 2
+   !> What moves, and what flows through the wires
+   integer, parameter :: group_mechanical = 1, group_transport = 2
 
    type(field_t), parameter :: fields(*) = [ &
       field_t('displacement', 'displacement from the reference position', 'u', 1, 3, 1, group_mechanical, &
-      .false., .false., 'm', 'force', 'N', 'U', 'RF', 'CF', 'CLOAD'), &
+      .false., .false., 'm', 'force', 'force', 'N', 'U', 'RF', 'CF', 'CLOAD', .false.), &
       field_t('rotation', 'rotation vector from the reference', 'phi', 4, 3, 4, group_mechanical, &
-      .true., .false., 'rad', 'moment', 'N m', 'UR', 'RM', 'CM', 'CLOAD'), &
-      field_t('potential', 'electric potential', 'V', 7, 1, 9, group_electric, &
-      .false., .true., 'V', 'current', 'A', 'EPOT', 'RCURR', 'CECUR', 'CECURRENT')]
-   integer, parameter :: field_displacement = 1, field_rotation = 2, field_potential = 3
+      .true., .false., 'rad', 'moment', 'moment', 'N m', 'UR', 'RM', 'CM', 'CLOAD', .false.), &
+      field_t('potential', 'electric potential', 'V', 7, 1, 9, group_transport, &
+      .false., .true., 'V', 'current', 'current', 'A', 'EPOT', 'RCURR', 'CECUR', 'CECURRENT', .false.), &
+      field_t('temperature', 'temperature, on the scale of the deck', 'T', 8, 1, 11, group_transport, &
+      .false., .true., 'K', 'heat', 'heat flow', 'W', 'NT', 'RFL', 'CFL', 'CFLUX', .true.)]
+   integer, parameter :: field_displacement = 1, field_rotation = 2, field_potential = 3, field_temperature = 4
 
    integer, private :: i, j
    integer, parameter :: n_fields = size(fields)
@@ -59,10 +66,11 @@ module litz_fields
    !> In Abaqus's numbers
    integer, parameter :: last_dof(n_fields) = fields%first_dof + fields%n_components - 1
    integer, parameter :: max_dof = maxval(last_dof)
-   !> First and last slot of displacements and rotations, of rotations, and of potentials
+   !> First and last slot of displacements and rotations, of rotations, of potentials, and of temperatures
    integer, parameter :: motion_slots(2) = [first_slot(field_displacement), last_slot(field_rotation)]
    integer, parameter :: rotation_slots(2) = [first_slot(field_rotation), last_slot(field_rotation)]
    integer, parameter :: potential_slots(2) = [first_slot(field_potential), last_slot(field_potential)]
+   integer, parameter :: temperature_slots(2) = [first_slot(field_temperature), last_slot(field_temperature)]
    integer, parameter :: field_of_slot(n_slots) = [(count(first_slot <= i), i=1, n_slots)]
    integer, parameter :: n_groups = maxval(fields%group)
    integer, parameter :: first_slot_of_group(n_groups) = [(minval(first_slot, fields%group == i), i=1, n_groups)]
@@ -96,6 +104,16 @@ contains
       end do
       field = 0
    end function field_of_dof
+
+   !> The slots of some of the fields, ascending.
+   pure function slots_of_fields(chosen) result(slots)
+      !> (n_fields)
+      logical, intent(in) :: chosen(:)
+      integer, allocatable :: slots(:)
+      integer :: slot
+
+      slots = pack([(slot, slot=1, n_slots)], chosen(field_of_slot))
+   end function slots_of_fields
 
    !> The degrees of freedom of neighbouring fields as `1-6`, or `9` where there is only one.
    pure function dof_range(first, last) result(text)

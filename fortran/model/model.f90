@@ -3,7 +3,7 @@
 !> Node and element indices run from 1 without gaps; `node_id` and `element_id` hold the user's numbers.
 module litz_model
    use litz_kinds, only: dp
-   use litz_fields, only: fields, field_potential
+   use litz_fields, only: fields, n_fields, field_potential, field_temperature, group_transport
    use litz_unit_labels, only: unit_labels_t
    use litz_axis_choices, only: axis_linear, axis_hermite
    use litz_normal_law, only: normal_law_t
@@ -16,23 +16,29 @@ module litz_model
    public :: name_length
    public :: model_t, material_t, section_t, named_set_t, amplitude_t, interaction_t, contact_pair_t
    public :: rigid_body_surface_t, surface_pair_t
-   public :: step_t, nodal_value_t, output_request_t, controls_t, rigid_body_t
+   public :: step_t, nodal_value_t, element_heat_t, output_request_t, controls_t, rigid_body_t
    public :: axis_linear, axis_hermite
    public :: solver_default, solver_block, solver_umfpack, solver_skyline
    public :: coupling_default, coupling_monolithic, coupling_updated
    public :: request_node, request_element, request_contact, request_electrode, request_energy
-   public :: dof_potential, amplitude_factor
+   public :: dof_potential, dof_temperature, amplitude_factor
+   public :: solved_by_static, solved_by_heat
 
    !> Longest name of a set, material, ... (longer ones are refused)
    integer, parameter :: name_length = 80
 
    !> Abaqus's number of the electric potential among the degrees of freedom of a node (1-3 u, 4-6 rotation)
    integer, parameter :: dof_potential = fields(field_potential)%first_dof
+   integer, parameter :: dof_temperature = fields(field_temperature)%first_dof
 
    integer, parameter :: coupling_default = 0, coupling_monolithic = 1, coupling_updated = 2
 
    integer, parameter :: request_node = 1, request_element = 2, request_contact = 3, request_electrode = 4, &
       request_energy = 5
+
+   !> What *STATIC and *COUPLED THERMAL-ELECTRICAL solve for (n_fields)
+   logical, parameter :: solved_by_static(n_fields) = .not. fields%is_optional
+   logical, parameter :: solved_by_heat(n_fields) = fields%group == group_transport
 
    type :: named_set_t
       character(len=:), allocatable :: name
@@ -44,8 +50,14 @@ module litz_model
       character(len=:), allocatable :: name
       !> Young's modulus [Pa] and Poisson's ratio [-]
       real(dp) :: young = 0, poisson = 0
-      !> Electrical conductivity [S/m]; 0: no electric field in elements of this material
+      !> Electrical conductivity [S/m], the first one of a table; 0: no electric field in elements of this material
       real(dp) :: conductivity = 0
+      !> Temperatures [K], ascending, and resistivities [ohm m] (2, n)
+      real(dp), allocatable :: resistivity(:, :)
+      !> Temperatures [K], ascending, and heat conductivities [W/(m K)] (2, n); not there: no heat flows
+      real(dp), allocatable :: heat_conductivity(:, :)
+      !> Part of the electric power that becomes heat
+      real(dp) :: joule_fraction = 1
    end type material_t
 
    type :: section_t
@@ -142,6 +154,16 @@ module litz_model
       integer :: amplitude = 0
    end type nodal_value_t
 
+   !> Heat that enters and leaves an element on its length.
+   type :: element_heat_t
+      !> *DFLUX: heat per volume [W/m^3], and what it was before the step
+      real(dp) :: source = 0, source_before = 0
+      !> *FILM: heat transfer coefficient [W/(m^2 K)], 0: none; temperature of the surroundings [K]
+      real(dp) :: film = 0, sink = 0
+      !> *RADIATE: emissivity, 0: none; temperature of the surroundings [K]
+      real(dp) :: emissivity = 0, surroundings = 0
+   end type element_heat_t
+
    !> A line of *NODE PRINT, *EL PRINT, *CONTACT PRINT or *ELECTRODE PRINT.
    type :: output_request_t
       integer :: kind = request_node
@@ -179,6 +201,8 @@ module litz_model
 
    type :: step_t
       character(len=:), allocatable :: title
+      !> Fields that are solved for; motions that are not are held, temperatures are given (n_fields)
+      logical :: solves(n_fields) = solved_by_static
       logical :: nlgeom = .true.
       integer :: max_increments = 100
       !> First, total, smallest and largest increment of time
@@ -187,6 +211,10 @@ module litz_model
       logical :: direct = .false.
       !> Prescribed values and loads as they stand in this step, all earlier ones carried over
       type(nodal_value_t), allocatable :: boundary(:), load(:)
+      !> Given values of what is not an unknown, such as temperatures, as they stand in this step
+      type(nodal_value_t), allocatable :: predefined(:)
+      !> On the length of each element (n_elements), carried over as well
+      type(element_heat_t), allocatable :: heat(:)
       !> Carried over, as Abaqus does, unless the step asks anew
       type(output_request_t), allocatable :: requests(:)
       !> Fields are written at every n-th increment, and at the last of the step
@@ -200,11 +228,17 @@ module litz_model
    end type step_t
 
    type :: model_t
+      !> Some value of the field is given or asked for (n_fields); always for those that are not optional
+      logical :: has_field(n_fields) = .not. fields%is_optional
       character(len=:), allocatable :: heading
       !> The deck as it was read, all included files in place
       character(len=:), allocatable :: deck_text
       !> What the units of the numbers are called
       type(unit_labels_t) :: units
+      !> Of the temperature scale [K]
+      real(dp) :: absolute_zero = 0
+      !> [W/(m^2 K^4)]; 0: not given
+      real(dp) :: stefan_boltzmann = 0
       integer :: n_nodes = 0, n_elements = 0
       integer, allocatable :: node_id(:)
       !> Reference positions (3, n_nodes) [m]
@@ -225,6 +259,8 @@ module litz_model
       type(contact_pair_t), allocatable :: contact_pairs(:)
       type(rigid_body_surface_t), allocatable :: surfaces(:)
       type(surface_pair_t), allocatable :: surface_pairs(:)
+      !> Values before the first step, those that are not zero; amplitudes mean nothing here
+      type(nodal_value_t), allocatable :: initial(:)
       type(step_t), allocatable :: steps(:)
    end type model_t
 

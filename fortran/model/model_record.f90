@@ -9,7 +9,7 @@
 module litz_model_record
    use litz_kinds, only: dp, int64
    use litz_checksum, only: checksum
-   use litz_fields, only: fields, n_fields, field_of_dof
+   use litz_fields, only: fields, n_fields, n_slots, field_temperature, field_of_dof, slot_of_dof
    use litz_growing_text, only: growing_text_t
    use litz_law_words, only: law_words_t
    use litz_model, only: model_t, interaction_t, step_t, nodal_value_t, rigid_body_t
@@ -48,6 +48,7 @@ contains
 
       call record_units(model, record)
       call record_mesh(model, record)
+      call record_initial_values(model, record)
       call record_sections(model, record)
       do i = 1, size(model%rigid_bodies)
          call record_rigid_body(model, model%rigid_bodies(i), record)
@@ -75,7 +76,27 @@ contains
       call record%value('time', trim(model%units%time))
       call record%value('current', trim(model%units%current))
       call record%value('voltage', trim(model%units%voltage))
+      if (.not. model%has_field(field_temperature)) return
+      call record%value('temperature', trim(model%units%temperature))
+      call record%value('ABSOLUTE ZERO', model%absolute_zero)
+      call record%value('STEFAN BOLTZMANN', model%stefan_boltzmann)
    end subroutine record_units
+
+   !> Where nothing is given all of them are zero.
+   pure subroutine record_initial_values(model, record)
+      type(model_t), intent(in) :: model
+      type(record_t), intent(inout) :: record
+      real(dp) :: value(n_slots, model%n_nodes)
+      integer :: i
+
+      if (size(model%initial) == 0) return
+      value = 0
+      do i = 1, size(model%initial)
+         value(slot_of_dof(model%initial(i)%dof), model%initial(i)%node) = model%initial(i)%value
+      end do
+      call record%begin('the *INITIAL CONDITIONS')
+      call record%list('values', value)
+   end subroutine record_initial_values
 
    pure subroutine record_mesh(model, record)
       type(model_t), intent(in) :: model
@@ -136,6 +157,14 @@ contains
             call record%value('Young''s modulus', this%young)
             call record%value('Poisson''s ratio', this%poisson)
             call record%value('electrical conductivity', this%conductivity)
+            if (allocated(this%resistivity)) then
+               if (size(this%resistivity, 2) > 1) call record%list('table of *ELECTRICAL CONDUCTIVITY', &
+                  this%resistivity)
+            end if
+            if (allocated(this%heat_conductivity)) then
+               call record%list('*CONDUCTIVITY', this%heat_conductivity)
+               call record%value('*JOULE HEAT FRACTION', this%joule_fraction)
+            end if
          end associate
       end do
    end subroutine record_sections
@@ -253,8 +282,15 @@ contains
 
       used = .false.
       call record%begin('step '//to_text(record%step))
+      if (step%solves(field_temperature)) call record%value('procedure', '*COUPLED THERMAL-ELECTRICAL')
       call record%value('its time (*STATIC)', step%total)
       call record_values('*BOUNDARY', step%boundary)
+      call record_values('*TEMPERATURE', step%predefined)
+      if (step%solves(field_temperature)) then
+         call record%list('*DFLUX', reshape([step%heat%source, step%heat%source_before], [model%n_elements, 2]))
+         call record%list('*FILM', reshape([step%heat%film, step%heat%sink], [model%n_elements, 2]))
+         call record%list('*RADIATE', reshape([step%heat%emissivity, step%heat%surroundings], [model%n_elements, 2]))
+      end if
       do i = 1, n_fields
          call record_values('*'//trim(fields(i)%load_keyword), pack(step%load, field_of_dof(step%load%dof) == i))
       end do

@@ -3,7 +3,7 @@
 !> Fields of the result files, columns of the ledger and of the history, the names that decks may ask for, the check for
 !> values that are not numbers, and restart files follow these lists.
 module litz_result_quantities
-   use litz_fields, only: fields, n_fields, n_groups, first_slot
+   use litz_fields, only: fields, n_fields, n_groups, field_temperature, first_slot
    use litz_kinds, only: dp
    use litz_quantities, only: quantity_t, quantity_table_t, on_points, on_cells
    use litz_state, only: state_t, contact_t, surface_contact_t
@@ -55,31 +55,40 @@ contains
          'current per area of the cross-section, from the first to the second node', state%current_density)
       call add(list, on_cells, 'joule_heat', 'W', 'heat from the current in the element', state%joule_heat, 'JOULE', &
          is_sum=.true.)
+      if (.not. state%has_field(field_temperature)) return
+      call add(list, on_cells, 'heat_flux', 'W/m^2', &
+         'heat flow along the wire per area of the cross-section, from the first to the second node', state%heat_flux, &
+         'HFL')
+      call add(list, on_cells, 'surface_heat', 'W', &
+         'heat that leaves the side of the element, by films and radiation', &
+         state%surface_heat, 'QSIDE', is_sum=.true.)
    end subroutine list_wire_quantities
 
-   !> Values, reactions and loads of all fields, group by group.
+   !> Values, reactions and loads of the fields of the model, group by group.
    subroutine list_unknowns(state, list)
       type(state_t), intent(in), target :: state
       type(wire_quantity_t), allocatable, intent(inout) :: list(:)
       character(len=:), allocatable :: text
+      logical :: shown(n_fields)
       integer :: group, f
 
       do group = 1, n_groups
+         shown = state%has_field .and. fields%group == group
          do f = 1, n_fields
-            if (fields(f)%group == group) call add(list, on_points, trim(fields(f)%name), trim(fields(f)%unit), &
+            if (shown(f)) call add(list, on_points, trim(fields(f)%name), trim(fields(f)%unit), &
                trim(fields(f)%meaning), state%value, first_slot(f), fields(f)%n_components, fields(f)%value_word)
          end do
          do f = 1, n_fields
-            if (fields(f)%group /= group) cycle
-            text = trim(fields(f)%flux)//' of the supports on the structure, applied loads not included'
-            if (fields(f)%is_level) text = trim(fields(f)%flux)//' that enters where the '//trim(fields(f)%name)// &
-               ' is prescribed'
+            if (.not. shown(f)) cycle
+            text = trim(fields(f)%flux_in_words)//' of the supports on the structure, applied loads not included'
+            if (fields(f)%is_level) text = trim(fields(f)%flux_in_words)//' that enters where the '// &
+               trim(fields(f)%name)//' is prescribed'
             call add(list, on_points, 'reaction_'//trim(fields(f)%flux), trim(fields(f)%flux_unit), text, &
                state%reaction, first_slot(f), fields(f)%n_components, fields(f)%reaction_word, is_sum=.true.)
          end do
          do f = 1, n_fields
-            if (fields(f)%group /= group) cycle
-            text = 'applied '//trim(fields(f)%flux)
+            if (.not. shown(f)) cycle
+            text = 'applied '//trim(fields(f)%flux_in_words)
             if (fields(f)%is_level) text = text//', positive into the body'
             call add(list, on_points, 'applied_'//trim(fields(f)%flux), trim(fields(f)%flux_unit), text, &
                state%load, first_slot(f), fields(f)%n_components, fields(f)%load_word, is_sum=.true.)

@@ -1,5 +1,6 @@
 !> What the analysis knows at one instant: the fields over nodes and elements, and the contacts.
 module litz_state
+   use litz_fields, only: n_fields
    use litz_kinds, only: dp
    implicit none
    private
@@ -79,23 +80,28 @@ module litz_state
    end type energies_t
 
    type :: state_t
+      !> Fields that the model has (n_fields); results show no others
+      logical :: has_field(n_fields) = .true.
       integer :: step = 0, increment = 0, iterations = 0
       !> Total time, time in the step, last increment of time
       real(dp) :: time = 0, step_time = 0, time_increment = 0
-      !> Values of all fields (n_slots, n_nodes) [m, rad, V], those of rotations as rotation vectors; 0 where there is
-      !> no such degree of freedom
+      !> Values of all fields (n_slots, n_nodes) [m, rad, V, K], those of rotations as rotation vectors; 0 where there
+      !> is no such value
       real(dp), allocatable :: value(:, :)
       !> Rotation matrices of the nodes from the reference (3, 3, n_nodes)
       real(dp), allocatable :: rotation(:, :, :)
-      !> Reactions of supports (n_slots, n_nodes) [N, N m, A]: what the support does to the structure, or lets into it;
-      !> loads not included
+      !> Reactions of supports (n_slots, n_nodes) [N, N m, A, W]: what the support does to the structure, or lets into
+      !> it; loads not included
       real(dp), allocatable :: reaction(:, :)
-      !> Applied forces, moments and currents (n_slots, n_nodes) [N, N m, A]
+      !> Applied forces, moments, currents and heat flows (n_slots, n_nodes) [N, N m, A, W]
       real(dp), allocatable :: load(:, :)
       !> N, Q2, Q3, T, M2, M3 (6, n_elements) [N, N m]
       real(dp), allocatable :: section_forces(:, :)
       !> Current from first to second node (n_elements) [A], heat (n_elements) [W]
       real(dp), allocatable :: element_current(:), joule_heat(:)
+      !> Heat flow along the wire per area of the cross-section, from the first to the second node (n_elements) [W/m^2],
+      !> heat of currents and sources in the element, and heat that leaves its side (n_elements) [W]
+      real(dp), allocatable :: heat_flux(:), heat_made(:), surface_heat(:)
       !> Current per area of the cross-section (n_elements) [A/m^2]
       real(dp), allocatable :: current_density(:)
       !> Forces on the nodes from what is neither in the model nor a support or load: damping (n_slots, n_nodes)

@@ -61,6 +61,7 @@ contains
       integer :: i, j
 
       if (allocated(error)) return
+      nothing%has_field = model%has_field
       call list_wire_quantities(nothing, self%quantities)
       allocate (self%columns(16))
       self%n_columns = 0

@@ -17,7 +17,8 @@ module litz_progress_tables
 
 contains
 
-   pure function iteration_header() result(line)
+   pure function iteration_header(model) result(line)
+      type(model_t), intent(in) :: model
       character(len=:), allocatable :: line
       character(len=512) :: buffer
       integer :: i
@@ -25,9 +26,11 @@ contains
       write (buffer, '(a5, 3a10)') 'step', 'increment', 'attempt', 'iteration'
       line = trim(buffer)
       do i = 1, n_fields
+         if (.not. model%has_field(i)) cycle
          line = line//flux_cell(i)//cell(trim(fields(i)%flux)//'_allowed', allowed_width)
       end do
       do i = 1, n_fields
+         if (.not. model%has_field(i)) cycle
          line = line//correction_cell(i)//cell('node_'//trim(fields(i)%symbol), node_width)
       end do
       write (buffer, '(a8, 2a6, a16, a12)') 'active', 'new', 'lost', 'penetration[m]', 'factor_age'
@@ -44,10 +47,12 @@ contains
       write (buffer, '(i5, 3i10)') report%step, report%increment, report%attempt, report%iteration
       line = trim(buffer)
       do i = 1, n_fields
+         if (.not. model%has_field(i)) cycle
          line = line//cell(number(report%residual(i)), len(flux_cell(i)))// &
             cell(number(report%allowed(i)), allowed_width)
       end do
       do i = 1, n_fields
+         if (.not. model%has_field(i)) cycle
          line = line//cell(number(report%correction(i)), len(correction_cell(i)))// &
             cell(to_text(user_id(model, report%correction_node(i))), node_width)
       end do
@@ -111,7 +116,8 @@ contains
       text = trim(adjustl(buffer))
    end function number
 
-   pure function increment_header() result(line)
+   pure function increment_header(model) result(line)
+      type(model_t), intent(in) :: model
       character(len=:), allocatable :: line
       character(len=512) :: buffer
       integer :: i
@@ -120,6 +126,7 @@ contains
          'step_time[s]', 'time_increment[s]'
       line = trim(buffer)
       do i = 1, n_fields
+         if (.not. model%has_field(i)) cycle
          line = line//flux_cell(i)
       end do
       write (buffer, '(a16, a10, 5a18, 2x, a)') 'negative_pivots', 'contacts', 'force_balance', 'moment_balance', &
@@ -127,7 +134,8 @@ contains
       line = line//trim(buffer)
    end function increment_header
 
-   pure function increment_line(report) result(line)
+   pure function increment_line(model, report) result(line)
+      type(model_t), intent(in) :: model
       type(increment_report_t), intent(in) :: report
       character(len=:), allocatable :: line, remark
       character(len=512) :: buffer
@@ -137,6 +145,7 @@ contains
          report%iterations, report%time, report%step_time, report%time_increment
       line = trim(buffer)
       do i = 1, n_fields
+         if (.not. model%has_field(i)) cycle
          line = line//cell(number(report%residual(i)), len(flux_cell(i)))
       end do
       write (buffer, '(i16, i10, 5es18.2e3)') report%negative_pivots, report%contacts, report%audit

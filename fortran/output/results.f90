@@ -94,8 +94,8 @@ contains
       call self%ledger%open(model, state, base//'_contacts.csv', base//'_contacts.vtkhdf', error)
       call self%surfaces%open(model, base//'_surfaces.csv', error)
       call begin_table(self%history_file, base//'_history.csv', model%units%in_header(self%history%header()), error)
-      call begin_table(self%status_file, base//'.sta', model%units%in_header(increment_header()), error)
-      call begin_table(self%convergence_file, base//'.cvg', model%units%in_header(iteration_header()), error)
+      call begin_table(self%status_file, base//'.sta', model%units%in_header(increment_header(model)), error)
+      call begin_table(self%convergence_file, base//'.cvg', model%units%in_header(iteration_header(model)), error)
       if (allocated(error)) call close_files(self, .false., ignored)
    end subroutine results_open
 
@@ -122,12 +122,13 @@ contains
    end subroutine results_write_iteration
 
    !> A line of the .sta file. That of an increment comes after all else about it, so that what has a line is whole.
-   subroutine results_write_status(self, report, error)
+   subroutine results_write_status(self, model, report, error)
       class(results_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
       type(increment_report_t), intent(in) :: report
       type(error_t), allocatable, intent(out) :: error
 
-      call self%status_file%write_line(increment_line(report), error)
+      call self%status_file%write_line(increment_line(model, report), error)
       call self%status_file%flush(error)
       if (self%has_increment .and. .not. self%is_published) call publish(self, error)
    end subroutine results_write_status

@@ -85,6 +85,7 @@ contains
       type(wire_quantity_t), allocatable :: list(:)
       integer :: i
 
+      nothing%has_field = model%has_field
       call list_wire_quantities(nothing, list)
       do i = 1, size(list)
          call file%add_field(list(i), merge(model%n_nodes, model%n_elements, list(i)%place == on_points), error)

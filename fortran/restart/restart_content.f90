@@ -3,7 +3,7 @@ module litz_restart_content
    use litz_kinds, only: dp
    use litz_contact_points, only: contact_point_t
    use litz_errors, only: error_t, fail, exit_files
-   use litz_fields, only: n_slots
+   use litz_fields, only: n_slots, slots_of_fields
    use litz_problem, only: problem_t
    use litz_quantities, only: quantity_table_t
    use litz_restart_arrays, only: restart_arrays_t, reading
@@ -26,19 +26,21 @@ contains
       type(problem_t), intent(inout) :: problem
       type(course_t), intent(inout) :: course
       type(error_t), allocatable, intent(inout) :: error
+      integer, allocatable :: slots(:)
 
       arrays%next = 0
+      allocate (slots, source=slots_of_fields(problem%model%has_field))
       call exchange_course(arrays, problem, course, error)
       associate (state => problem%state, loading => problem%loading, contact => problem%contact)
          call exchange_wires(arrays, state, error)
          call arrays%array('rotation_matrix', state%rotation, error)
-         call arrays%array('damping', state%damping, error, n_slots)
-         call arrays%array('loading_fixed', loading%fixed, n_slots, error)
-         call arrays%array('loading_start_value', loading%start_value, error, n_slots)
-         call arrays%array('loading_start_load', loading%start_load, error, n_slots)
-         call arrays%array('loading_value', loading%value, error, n_slots)
-         call arrays%array('loading_load', loading%load, error, n_slots)
-         call arrays%array('loading_converged_value', loading%converged_value, error, n_slots)
+         call exchange_slots(arrays, 'damping', state%damping, slots, error)
+         call exchange_marks(arrays, 'loading_fixed', loading%fixed, slots, error)
+         call exchange_slots(arrays, 'loading_start_value', loading%start_value, slots, error)
+         call exchange_slots(arrays, 'loading_start_load', loading%start_load, slots, error)
+         call exchange_slots(arrays, 'loading_value', loading%value, slots, error)
+         call exchange_slots(arrays, 'loading_load', loading%load, slots, error)
+         call exchange_slots(arrays, 'loading_converged_value', loading%converged_value, slots, error)
          call arrays%array('candidates', contact%candidates, 3, error)
          call arrays%array('positions_at_search', contact%x_collected, error, 3)
          if (arrays%mode == reading .and. .not. allocated(error)) then
@@ -51,6 +53,46 @@ contains
       end associate
       call exchange_warnings(arrays, problem%warnings, error)
    end subroutine exchange_all
+
+   !> Values of the fields of the model.
+   subroutine exchange_slots(arrays, name, values, slots, error)
+      type(restart_arrays_t), intent(inout) :: arrays
+      !> Name of the dataset
+      character(len=*), intent(in) :: name
+      !> (n_slots, n_nodes); zero in other slots
+      real(dp), allocatable, intent(inout) :: values(:, :)
+      !> Those of the fields of the model (n)
+      integer, intent(in) :: slots(:)
+      type(error_t), allocatable, intent(inout) :: error
+      real(dp), allocatable :: rows(:, :)
+
+      if (allocated(values)) rows = values(slots, :)
+      call arrays%array(name, rows, error, size(slots))
+      if (allocated(error) .or. arrays%mode /= reading) return
+      if (allocated(values)) deallocate (values)
+      allocate (values(n_slots, size(rows, 2)), source=0.0_dp)
+      values(slots, :) = rows
+   end subroutine exchange_slots
+
+   !> The same of truth values.
+   subroutine exchange_marks(arrays, name, marks, slots, error)
+      type(restart_arrays_t), intent(inout) :: arrays
+      !> Name of the dataset
+      character(len=*), intent(in) :: name
+      !> (n_slots, n_nodes); .false. in other slots
+      logical, allocatable, intent(inout) :: marks(:, :)
+      !> Those of the fields of the model (n)
+      integer, intent(in) :: slots(:)
+      type(error_t), allocatable, intent(inout) :: error
+      logical, allocatable :: rows(:, :)
+
+      if (allocated(marks)) rows = marks(slots, :)
+      call arrays%array(name, rows, size(slots), error)
+      if (allocated(error) .or. arrays%mode /= reading) return
+      if (allocated(marks)) deallocate (marks)
+      allocate (marks(n_slots, size(rows, 2)), source=.false.)
+      marks(slots, :) = rows
+   end subroutine exchange_marks
 
    !> What results show of nodes and elements.
    subroutine exchange_wires(arrays, state, error)

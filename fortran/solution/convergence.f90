@@ -155,7 +155,7 @@ contains
 
       to_blame = fields%group <= n_coupled .or. has_converged(report, n_coupled)
       field = maxloc(report%residual/max(report%allowed, tiny(1.0_dp)), 1, to_blame)
-      write (buffer, '(3a, es9.2, 1x, 2a, es9.2, a, i0, a)') 'the largest ', trim(fields(field)%flux), &
+      write (buffer, '(3a, es9.2, 1x, 2a, es9.2, a, i0, a)') 'the largest ', trim(fields(field)%flux_in_words), &
          ' residual is', report%residual(field), trim(fields(field)%flux_unit), ', allowed are', &
          report%allowed(field), ', after ', report%iteration, ' iterations'
       if (report%residual_node(field) > 0) write (buffer(len_trim(buffer) + 1:), '(a, i0)') ', at node ', &

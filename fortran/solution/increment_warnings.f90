@@ -128,8 +128,8 @@ contains
          if (scales%reference(field) <= maxval(scales%round_off(field, :))) cycle
          associate (share => outcome%last%residual(field)/scales%reference(field))
             if (share > tolerance) call problem%warnings%add('round_off', 'accepted at the limit of round-off: the '// &
-               trim(fields(field)%flux)//' residual is '//to_text(100*share)//' % of the largest '// &
-               trim(fields(field)%flux), &
+               trim(fields(field)%flux_in_words)//' residual is '//to_text(100*share)//' % of the largest '// &
+               trim(fields(field)%flux_in_words), &
                value=100*share, unit='%')
          end associate
       end do

@@ -6,6 +6,7 @@ module litz_problem
    use litz_element_library, only: prepare_elements
    use litz_fields, only: n_slots
    use litz_kinds, only: dp
+   use litz_loading, only: initial_values
    use litz_model, only: model_t
    use litz_rigid_bodies, only: new_rigid_bodies
    use litz_rotations, only: identity3
@@ -29,6 +30,8 @@ module litz_problem
       integer :: fed_node = 0, fed_field = 0
       !> The solver holds a symmetric factor of a state that is not far from the present one
       logical :: has_factor = .false.
+      !> The temperatures of the iterate are far from their solution
+      logical :: is_far = .true.
       !> Iterations that have kept it
       integer :: factor_age = 0
       !> Converged increments, and iterations with those of rejected increments, since the run began
@@ -56,7 +59,7 @@ contains
       call list_terms(problem%domain_t, problem%contact, problem%terms)
    end subroutine prepare_problem
 
-   !> The undeformed model without voltages.
+   !> The undeformed model without voltages, at its initial temperatures.
    subroutine start_state(problem)
       type(problem_t), intent(inout) :: problem
       integer :: n, m
@@ -64,11 +67,14 @@ contains
       n = problem%model%n_nodes
       m = problem%model%n_elements
       associate (state => problem%state)
-         allocate (state%value(n_slots, n), state%reaction(n_slots, n), state%load(n_slots, n), &
+         allocate (state%reaction(n_slots, n), state%load(n_slots, n), &
             state%outer_force(n_slots, n), state%damping(n_slots, n), source=0.0_dp)
          allocate (state%section_forces(6, m), source=0.0_dp)
-         allocate (state%element_current(m), state%current_density(m), state%joule_heat(m), source=0.0_dp)
+         allocate (state%element_current(m), state%current_density(m), state%joule_heat(m), state%heat_flux(m), &
+            state%heat_made(m), state%surface_heat(m), source=0.0_dp)
          allocate (state%contacts(0), state%surface_contacts(0))
+         state%has_field = problem%model%has_field
+         state%value = initial_values(problem%model)
          state%rotation = spread(identity3, 3, n)
       end associate
    end subroutine start_state

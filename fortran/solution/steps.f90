@@ -6,12 +6,12 @@ module litz_steps
    use litz_diagnosis, only: not_converged
    use litz_equations, only: number_equations
    use litz_errors, only: error_t, fail, exit_input, exit_not_converged
-   use litz_fields, only: fields, n_slots, field_of_dof, slot_of_dof
+   use litz_fields, only: fields, n_slots, field_temperature, field_of_dof, field_of_slot, slot_of_dof
    use litz_increment_warnings, only: add_increment_warnings
    use litz_kinds, only: dp
    use litz_loading, only: loading_t, start_loading, load_targets, next_break_point
    use litz_line_contact, only: serves_lines
-   use litz_model, only: model_t, step_t, nodal_value_t
+   use litz_model, only: model_t, step_t, nodal_value_t, coupling_updated
    use litz_newton, only: outcome_t, solve_increment, count_negative_pivots, cause_not_finite, &
       cause_lost_contact, cause_turned_ends, cause_fed_part
    use litz_observer, only: observer_t
@@ -46,6 +46,8 @@ contains
          call begin_step(problem, step, solver, error)
          if (allocated(error)) return
          if (continued) then
+            restored%given = problem%loading%given
+            restored%solves = problem%loading%solves
             problem%loading = restored
          else
             call course%control%start(step)
@@ -89,7 +91,7 @@ contains
       type(error_t), allocatable, intent(out) :: error
       logical :: exists(n_slots, problem%model%n_nodes), same_system
       integer, allocatable :: number_before(:, :)
-      integer :: i, kind
+      integer :: i, kind, coupling
 
       call start_loading(step, problem%state, problem%loading)
       exists = .false.
@@ -97,15 +99,18 @@ contains
          call problem%terms(i)%term%request_slots(problem%domain_t, exists)
       end do
       call refuse_absent_unknowns(problem%model, step%boundary, exists, error)
+      call find_given_values(problem%model, step, exists, problem%loading, error)
       call refuse_absent_unknowns(problem%model, step%load, exists, error)
       if (allocated(error)) return
       if (problem%scheme%is_created()) number_before = problem%equations%number
       call number_equations(problem%loading%fixed, exists, problem%equations)
       kind = merge(solver, step%solver, solver > 0)
-      same_system = problem%scheme%is_same(kind, step%coupling)
+      ! temperatures and potentials act on each other: they have an iteration of their own
+      coupling = merge(coupling_updated, step%coupling, step%solves(field_temperature))
+      same_system = problem%scheme%is_same(kind, coupling)
       if (same_system) same_system = all(number_before == problem%equations%number)
       if (.not. same_system) then
-         call problem%scheme%create(kind, step%coupling, error)
+         call problem%scheme%create(kind, coupling, error)
          if (allocated(error)) return
          problem%pattern_changed = .true.
       end if
@@ -130,6 +135,28 @@ contains
          end associate
       end do
    end subroutine refuse_absent_unknowns
+
+   !> An optional field has values where it is no unknown, too: those that the deck gives. Of an unknown none can be.
+   pure subroutine find_given_values(model, step, exists, loading, error)
+      type(model_t), intent(in) :: model
+      type(step_t), intent(in) :: step
+      !> (n_slots, n_nodes)
+      logical, intent(in) :: exists(:, :)
+      type(loading_t), intent(inout) :: loading
+      type(error_t), allocatable, intent(inout) :: error
+      integer :: i
+
+      loading%given = .not. exists .and. spread(fields(field_of_slot)%is_optional .and. &
+         model%has_field(field_of_slot), 2, model%n_nodes)
+      do i = 1, size(step%predefined)
+         if (allocated(error)) return
+         associate (dof => step%predefined(i)%dof, node => step%predefined(i)%node)
+            if (exists(slot_of_dof(dof), node)) error = fail(exit_input, 'the '// &
+               trim(fields(field_of_dof(dof))%name)//' of node '//to_text(model%node_id(node))//' is given, where'// &
+               ' it is an unknown; prescribe it by *BOUNDARY, degree of freedom '//to_text(dof))
+         end associate
+      end do
+   end subroutine find_given_values
 
    !> One increment with its cut-backs.
    subroutine run_increment(problem, step, course, observer, error)

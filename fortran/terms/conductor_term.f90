@@ -4,7 +4,7 @@ module litz_conductor_term
    use litz_conductor, only: conductor
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
-   use litz_fields, only: group_electric, motion_slots, potential_slots
+   use litz_fields, only: field_potential, motion_slots, potential_slots
    use litz_parallel, only: worth_threads
    use litz_scatter, only: chunk
    use litz_term, only: term_t
@@ -79,11 +79,13 @@ contains
          integer, intent(in) :: e
          !> Conductances (2, 2) [S], currents that leave the nodes (2) [A], and their derivatives by the motion (2, 12)
          real(dp), intent(out) :: ke(2, 2), re(2), k_me_e(2, 12)
-         real(dp) :: k_mu(2, 6)
+         real(dp) :: k_mu(2, 6), rho, drho
 
+         ! with temperatures as unknowns, the heat term has the derivative by them
+         call domain%resistivity(e, rho, drho)
          associate (node => domain%model%connectivity(:, e), elements => domain%elements, iterate => domain%iterate)
             call conductor(iterate%x(:, node), iterate%value(potential_slots(1), node), elements%length(e), &
-               elements%area(e), elements%resistivity(e), &
+               elements%area(e), rho, &
                domain%model%sections(domain%model%element_section(e))%current_length, ke, re, k_mu, &
                self%element_current(e), self%joule_heat(e))
          end associate
@@ -94,15 +96,15 @@ contains
 
    end subroutine evaluate
 
-   subroutine link(self, domain, group, pairs)
+   subroutine link(self, domain, field, pairs)
       class(conductor_term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain
-      !> One of the groups of litz_fields
-      integer, intent(in) :: group
+      !> One of the fields of litz_fields
+      integer, intent(in) :: field
       !> Nodes of the elements that conduct (2, pairs)
       integer, allocatable, intent(out) :: pairs(:, :)
 
-      allocate (pairs(2, merge(size(self%conducting), 0, group == group_electric)))
+      allocate (pairs(2, merge(size(self%conducting), 0, field == field_potential)))
       if (size(pairs) > 0) pairs = domain%model%connectivity(:, self%conducting)
    end subroutine link
 

@@ -1,23 +1,29 @@
-!> Prescribed values and loads as functions of time.
+!> Prescribed values, loads and given values as functions of time.
 !>
 !> Without an amplitude a value ramps over the step from what it was at the start of the step; what a step no longer
-!> names ramps to zero (loads) or is set free (prescribed values). Source: Abaqus's rules for static steps.
+!> names ramps to zero (loads), to its initial value (what is given and no unknown, such as a temperature) or is set
+!> free (prescribed values). Source: Abaqus's rules for static steps.
 module litz_loading
    use litz_kinds, only: dp
-   use litz_fields, only: fields, n_fields, n_slots, first_slot, last_slot, field_rotation, slot_of_dof
+   use litz_fields, only: fields, n_fields, n_slots, first_slot, last_slot, field_rotation, field_of_dof, &
+      field_of_slot, group_mechanical, slot_of_dof
    use litz_model, only: model_t, step_t, nodal_value_t, amplitude_factor
    use litz_rotations, only: rotation_exp, nearest_rotation_vector
    use litz_state, only: state_t
    implicit none
    private
-   public :: loading_t, start_loading, load_targets, prescribed_increment, next_break_point
+   public :: loading_t, start_loading, load_targets, prescribed_increment, next_break_point, initial_values
 
    type :: loading_t
-      !> .true. where the value is prescribed (n_slots, n_nodes)
+      !> Fields that the step solves for (n_fields)
+      logical :: solves(n_fields) = .true.
+      !> .true. where the value is prescribed, or held because the step does not solve for motions (n_slots, n_nodes)
       logical, allocatable :: fixed(:, :)
-      !> Values at the start of the step, of prescribed unknowns and of loads (n_slots, n_nodes)
+      !> .true. where the value is given and no unknown (n_slots, n_nodes)
+      logical, allocatable :: given(:, :)
+      !> Values at the start of the step, of what is prescribed or given and of loads (n_slots, n_nodes)
       real(dp), allocatable :: start_value(:, :), start_load(:, :)
-      !> Values at the time last asked for (n_slots, n_nodes) [m, rad, V] and [N, N m, A]
+      !> Values at the time last asked for (n_slots, n_nodes) [m, rad, V, K] and [N, N m, A, W]
       real(dp), allocatable :: value(:, :), load(:, :)
       !> Values at the last converged increment (n_slots, n_nodes)
       real(dp), allocatable :: converged_value(:, :)
@@ -43,6 +49,7 @@ contains
             loading%converged_value(n_slots, n), loading%start_load(n_slots, n))
          loading%fixed = .false.
       end if
+      if (.not. allocated(loading%given)) allocate (loading%given(n_slots, n), source=.false.)
       loading%start_load = loading%load
       loading%start_value = state%value
       call move_alloc(loading%fixed, kept)
@@ -50,6 +57,9 @@ contains
       do i = 1, size(step%boundary)
          loading%fixed(slot_of_dof(step%boundary(i)%dof), step%boundary(i)%node) = .true.
       end do
+      loading%solves = step%solves
+      where (spread(.not. step%solves(field_of_slot) .and. fields(field_of_slot)%group == group_mechanical, 2, n)) &
+         loading%fixed = .true.
       associate (first => first_slot(field_rotation), last => last_slot(field_rotation))
          do i = 1, n
             ! a rotation vector and single angles are different things
@@ -73,8 +83,10 @@ contains
       integer :: i, slot
 
       ramp = step_time/step%total
+      call set_given_values()
       do i = 1, size(step%boundary)
          associate (item => step%boundary(i))
+            if (.not. step%solves(field_of_dof(item%dof))) cycle
             slot = slot_of_dof(item%dof)
             loading%value(slot, item%node) = value_at(item, loading%start_value(slot, item%node))
          end associate
@@ -85,6 +97,19 @@ contains
       end do
 
    contains
+
+      !> What no line of this step names returns to its initial value.
+      subroutine set_given_values()
+         if (.not. any(loading%given)) return
+         where (loading%given) loading%value = loading%start_value &
+            + ramp*(initial_values(model) - loading%start_value)
+         do i = 1, size(step%predefined)
+            associate (item => step%predefined(i))
+               slot = slot_of_dof(item%dof)
+               loading%value(slot, item%node) = value_at(item, loading%start_value(slot, item%node))
+            end associate
+         end do
+      end subroutine set_given_values
 
       pure real(dp) function value_at(item, start) result(value)
          type(nodal_value_t), intent(in) :: item
@@ -108,6 +133,18 @@ contains
       end subroutine set_load
 
    end subroutine load_targets
+
+   !> Values before the first step (n_slots, n_nodes).
+   pure function initial_values(model) result(value)
+      type(model_t), intent(in) :: model
+      real(dp) :: value(n_slots, model%n_nodes)
+      integer :: i
+
+      value = 0
+      do i = 1, size(model%initial)
+         value(slot_of_dof(model%initial(i)%dof), model%initial(i)%node) = model%initial(i)%value
+      end do
+   end function initial_values
 
    !> What the first iteration of an increment must add to each prescribed unknown (n_slots, n_nodes).
    !>
@@ -157,6 +194,7 @@ contains
       used = .false.
       call mark(step%boundary)
       call mark(step%load)
+      call mark(step%predefined)
       next = step%total
       margin = 1.0e-9_dp*step%total
       do i = 1, size(used)

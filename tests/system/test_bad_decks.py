@@ -275,7 +275,7 @@ VALUES = [
         "degree of freedom unknown word",
         "2, PINNED",
         "2, PINED",
-        '4-6 (rotation) or 9 (potential); found "PINED"',
+        '4-6 (rotation), 9 (potential) or 11 (temperature); found "PINED"',
         "PINED",
     ),
     case("value after PINNED", "2, PINNED", "2, PINNED, 3", "nothing follows PINNED", "3"),
@@ -313,7 +313,7 @@ VALUES = [
         "unknown quantity",
         "RF, RCURR",
         "RF, RCUR",
-        'must be U, UR, RF, RM, CF, CM, EPOT, RCURR or CECUR; found "RCUR"; did you mean RCURR?',
+        'must be U, UR, RF, RM, CF, CM, EPOT, NT, RCURR, RFL, CECUR or CFL; found "RCUR"; did you mean RCURR?',
         "RCUR",
     ),
     case("quantity twice", "RF, RCURR", "RF, RF", "the quantity RF is requested twice", "RF"),
@@ -574,10 +574,10 @@ KEYWORDS = [
     case("data lines missing", "PLUS\n1, 2\n", "PLUS\n1, 2\n*NSET, NSET=MORE\n", "*NSET needs at least 1", "NSET"),
     case(
         "too many data lines",
-        "5.8e7\n",
-        "5.8e7\n6e7\n",
-        "more data lines than *ELECTRICAL CONDUCTIVITY takes, which is 1",
-        "6e7",
+        "1.2e11, 0.35\n",
+        "1.2e11, 0.35\n6e10, 0.3\n",
+        "more data lines than *ELASTIC takes, which is 1",
+        "6e10, 0.3",
     ),
     case(
         "too few values",
@@ -956,6 +956,9 @@ def keyword_table(litz):
         yield name, place, after, [(parameter, form.replace("\\|", "|")) for parameter, form in parameters]
 
 
+MAY_BE_NEGATIVE = {"ABSOLUTE ZERO"}
+
+
 def wrong_parameters(parameters):
     """Misused parameters with the message that each must get."""
     yield "QZX=1", 'unknown parameter "QZX" of'
@@ -966,7 +969,8 @@ def wrong_parameters(parameters):
             yield f"{parameter}=", f"the parameter {parameter} needs a value"
         if form == "number":
             yield f"{parameter}=@", f"the parameter {parameter} must be a"
-            yield f"{parameter}=-1", f"the parameter {parameter} is"
+            if parameter not in MAY_BE_NEGATIVE:
+                yield f"{parameter}=-1", f"the parameter {parameter} is"
         elif "|" in form:
             yield f"{parameter}=@", f"the parameter {parameter} must be"
 

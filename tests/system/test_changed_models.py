@@ -36,6 +36,8 @@ STEP = """\
  906, 3, 1e-3
 *CECURRENT, AMPLITUDE=WAVE
  905, 9, 1e-3
+*TEMPERATURE, OP=MOD, AMPLITUDE=WAVE
+ 906, 40
 *RESTART, WRITE
 *END STEP
 """
@@ -64,7 +66,7 @@ def model():
         for i, (law, (normal, spot)) in enumerate(LAWS.items(), 1)
     )
     return (
-        "*HEADING\nwires that do not touch\n*UNITS, LENGTH=m, FORCE=N, TIME=s, CURRENT=A, VOLTAGE=V\n"
+        "*HEADING\nwires that do not touch\n*UNITS, LENGTH=m, FORCE=N, TIME=s, CURRENT=A, VOLTAGE=V, TEMPERATURE=K\n"
         + wire("LOW", straight((-0.01, 0, 0), (0.06, 0, 0), 5), 901, element="B33")
         + upper
         + "*NSET, NSET=HELD\n 901\n*NSET, NSET=HELD, GENERATE\n 101, 501, 100\n*NSET, NSET=SPARE\n 902\n"
@@ -80,6 +82,7 @@ def model():
         "*BEAM SECTION, ELSET=UP5, MATERIAL=BRASS, SECTION=CIRC\n 1e-3\n"
         "*AMPLITUDE, NAME=WAVE, TIME=STEP TIME\n 0, 0, 1, 1\n"
         "*AMPLITUDE, NAME=OTHER\n 0, 0, 1, 2\n"
+        "*INITIAL CONDITIONS, TYPE=TEMPERATURE\n 902, 20\n"
         + contacts
         + "*RIGID SURFACE, NAME=FLOOR, TYPE=CYLINDER, REF NODE=906\n 0.02, 0.01, -0.05, 1, 0.1, 0.2, 0.01\n"
         "*CONTACT PAIR, INTERACTION=TABLE\n LOW, FLOOR\n"
@@ -130,12 +133,14 @@ FREE = {
     "CONTROLS": "how it is solved", "SOLVER": "how it is solved", "SOLUTION TECHNIQUE": "how it is solved",
     "NODE PRINT": "output", "EL PRINT": "output", "CONTACT PRINT": "output", "ENERGY PRINT": "output",
     "ELECTRODE PRINT": "output", "NODE FILE": "output", "EL FILE": "output", "RESTART": "output",
+    "CFLUX": "nothing conducts heat",
 }  # fmt: skip
 #: Values that a user may change, and why
 FREE_VALUES = {
     ("STATIC", "DIRECT"): "size of the increments", ("STATIC", "first"): "size of the increments",
     ("STATIC", "smallest"): "size of the increments", ("STATIC", "largest"): "size of the increments",
-    ("ELASTIC", "TYPE"): "one choice", ("BEAM SECTION", "I12"): "must be 0", ("CECURRENT", "dof"): "9 or empty",
+    ("ELASTIC", "TYPE"): "one choice", ("INITIAL CONDITIONS", "TYPE"): "one choice",
+    ("BEAM SECTION", "I12"): "must be 0", ("CECURRENT", "dof"): "9 or empty",
     ("RIGID SURFACE", "TYPE"): "tested with rigid surfaces",
     # names: the things that they name are the same
     ("MATERIAL", "NAME"): "a name", ("AMPLITUDE", "NAME"): "a name", ("SURFACE INTERACTION", "NAME"): "a name",
@@ -143,6 +148,7 @@ FREE_VALUES = {
     ("NODE", "NSET"): "a name", ("ELEMENT", "ELSET"): "a name", ("NSET", "NSET"): "a name", ("ELSET", "ELSET"): "a name",
     # one carries over, the other removes: in the first step there is nothing else
     ("BOUNDARY", "OP"): "tested by itself", ("CLOAD", "OP"): "none before", ("CECURRENT", "OP"): "none before",
+    ("TEMPERATURE", "OP"): "none before",
     ("BOUNDARY", "first"): "tested by its last one",
     ("NSET", "GENERATE"): "form of the data", ("ELSET", "GENERATE"): "form of the data",
     ("SURFACE BEHAVIOR", "PRESSURE-OVERCLOSURE"): "tested by itself, with its data",

@@ -154,9 +154,10 @@ def fields_of(keyword, value):
 def test_values_that_are_degrees_of_freedom_name_their_fields(litz):
     table = {keyword["name"]: keyword for keyword in json.loads(litz("keywords", "--json").stdout)}
     mechanical = {"displacement": (1, 3), "rotation": (4, 6)}
-    assert fields_of(table["BOUNDARY"], "first") == {**mechanical, "potential": (9, 9)}
+    assert fields_of(table["BOUNDARY"], "first") == {**mechanical, "potential": (9, 9), "temperature": (11, 11)}
     assert fields_of(table["CLOAD"], "dof") == mechanical
     assert fields_of(table["CECURRENT"], "dof") == {"potential": (9, 9)}
+    assert fields_of(table["CFLUX"], "dof") == {"temperature": (11, 11)}
 
 
 def test_no_help_is_cut_off(litz):

@@ -4,7 +4,7 @@
 !> pressed together by a force `f`; a current `i` enters at node 1, crosses the spot and leaves at node 3.
 program test_audit
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan, ieee_positive_inf
-   use litz_fields, only: n_slots
+   use litz_fields, only: n_slots, n_fields
    use litz_kinds, only: dp
    use litz_audit, only: audit_t, scales_t, audit_increment, audit_error
    use litz_errors, only: error_t, exit_not_converged
@@ -16,20 +16,21 @@ program test_audit
 
    real(dp), parameter :: radius = 1.0e-3_dp, half = 0.05_dp, f = 8, i = 3, overlap = 1.0e-5_dp
    real(dp), parameter :: r_wire = 2.0e-4_dp, r_spot = 5.0e-4_dp
-   real(dp), parameter :: at_rest(3, 4) = 0
+   real(dp), parameter :: at_rest(n_fields, 4) = 0
    type(model_t) :: model
    type(state_t) :: right, wrong
    type(scales_t) :: scales
    type(loading_t) :: loading
    type(audit_t) :: audit
-   real(dp) :: residual(3, 4)
+   real(dp) :: residual(n_fields, 4)
    type(error_t) :: error
 
    call make_model(model)
    call make_state(right)
    call make_loading(loading)
-   scales%reference = [f/2, f/2*half, i]
-   scales%round_off = spread(epsilon(1.0_dp)*[f, f*half, i], 2, 4)
+   scales%reference(:3) = [f/2, f/2*half, i]
+   allocate (scales%round_off(n_fields, 4), source=0.0_dp)
+   scales%round_off(:3, :) = spread(epsilon(1.0_dp)*[f, f*half, i], 2, 4)
 
    audit = audit_increment(model, right, loading, at_rest, scales)
    call expect(len(audit%finding) == 0, 'the right state passes: '//audit%finding)
@@ -103,7 +104,7 @@ program test_audit
    scales%round_off = 0
    audit = audit_increment(model, wrong, loading, at_rest, scales)
    call expect(len(audit%finding) == 0, 'a current that enters and leaves has round-off: '//audit%finding)
-   scales%round_off = spread(epsilon(1.0_dp)*[f, f*half, i], 2, 4)
+   scales%round_off(:3, :) = spread(epsilon(1.0_dp)*[f, f*half, i], 2, 4)
 
    ! of what is prescribed only rotations, which follow one another, may be others
    loading%fixed(:, 3) = .true.
@@ -201,8 +202,8 @@ program test_audit
    wrong%reaction(7, :) = 0
    wrong%element_current = 0
    wrong%joule_heat = 0
-   scales%reference = [1.0e-14_dp, 0.0_dp, 0.0_dp]
-   scales%round_off = spread([1.0e-13_dp, 1.0e-14_dp, 0.0_dp], 2, 4)
+   scales%reference(:3) = [1.0e-14_dp, 0.0_dp, 0.0_dp]
+   scales%round_off(:3, :) = spread([1.0e-13_dp, 1.0e-14_dp, 0.0_dp], 2, 4)
    audit = audit_increment(model, wrong, loading, at_rest, scales)
    call expect(len(audit%finding) == 0, 'a model at rest is not failed for its round-off: '//audit%finding)
    ! a main program keeps its variables to the end, which checkers of leaks take for lost ones
@@ -264,7 +265,8 @@ contains
       real(dp), parameter :: unit_matrix(9) = [1, 0, 0, 0, 1, 0, 0, 0, 1]
 
       allocate (state%value(n_slots, 4), state%reaction(n_slots, 4), state%load(n_slots, 4), &
-         state%outer_force(n_slots, 4), state%section_forces(6, 2), source=0.0_dp)
+         state%outer_force(n_slots, 4), state%section_forces(6, 2), state%heat_made(2), &
+         state%surface_heat(2), source=0.0_dp)
       state%rotation = spread(reshape(unit_matrix, [3, 3]), 3, 4)
       state%reaction(3, :) = [f/2, f/2, -f/2, -f/2]
       ! half of the current leaves each wire at either end of its element, as the linear voltage has it

@@ -5,7 +5,7 @@
 program test_equations
    use litz_equations, only: equations_t, system_t, number_equations, build_system
    use litz_errors, only: error_t
-   use litz_fields, only: n_slots, n_fields, n_groups, depends_on, group_mechanical, group_electric, &
+   use litz_fields, only: n_slots, n_fields, n_groups, depends_on, group_mechanical, group_transport, &
       first_slot_of_group, last_slot_of_group, motion_slots, potential_slots, field_of_slot
    use litz_kinds, only: dp
    use litz_scatter, only: forces_t, clear_forces, scatter
@@ -84,10 +84,10 @@ contains
       call add_random_cells(fours, potential_slots, motion_slots, equations, matrix, forces, dense, internal)
       call check(all(abs(forces%internal - internal) <= 1.0e-14_dp), 'forces of all nodes, prescribed ones too')
       call compare(group_mechanical, group_mechanical, equations, matrix, dense)
-      call compare(group_electric, group_electric, equations, matrix, dense)
-      call compare(group_electric, group_mechanical, equations, matrix, dense)
-      call check(.not. depends_on(group_mechanical, group_electric) .and. &
-         .not. allocated(matrix%block(group_mechanical, group_electric)%value), 'no block where nothing depends')
+      call compare(group_transport, group_transport, equations, matrix, dense)
+      call compare(group_transport, group_mechanical, equations, matrix, dense)
+      call check(.not. depends_on(group_mechanical, group_transport) .and. &
+         .not. allocated(matrix%block(group_mechanical, group_transport)%value), 'no block where nothing depends')
    end subroutine cells_add_up_in_every_block
 
    !> Random cells, scattered and summed up in a dense matrix and dense forces.

@@ -1,9 +1,10 @@
 !> Prescribed values and loads over the steps of an analysis: three nodes, of which each holds another case.
 program test_loading
-   use litz_fields, only: n_slots
+   use litz_fields, only: n_slots, temperature_slots
    use litz_kinds, only: dp, pi
-   use litz_loading, only: loading_t, start_loading, load_targets, prescribed_increment, next_break_point
-   use litz_model, only: model_t, step_t, nodal_value_t, amplitude_t, dof_potential
+   use litz_loading, only: loading_t, start_loading, load_targets, prescribed_increment, next_break_point, &
+      initial_values
+   use litz_model, only: model_t, step_t, nodal_value_t, amplitude_t, dof_potential, dof_temperature
    use litz_rotations, only: identity3, rotation_exp
    use litz_state, only: state_t
    implicit none
@@ -11,7 +12,7 @@ program test_loading
    !> Amplitudes of the model: a triangle over the time of a step, a wave over that of the analysis
    integer, parameter :: triangle = 1, wave = 2
    !> Slot of the potential
-   integer, parameter :: potential = 7
+   integer, parameter :: potential = 7, temperature = temperature_slots(1)
    real(dp), parameter :: length = 2
    integer :: failures = 0
 
@@ -30,6 +31,9 @@ program test_loading
    call angles_add_up()
    call the_corners_of_amplitudes_are_met()
    call an_amplitude_that_is_not_used_has_no_corners()
+   call given_values_ramp_from_what_they_were()
+   call a_given_value_that_no_step_names_returns_to_the_initial_one()
+   call given_values_follow_amplitudes()
    if (failures > 0) error stop 1
 
 contains
@@ -331,21 +335,82 @@ contains
       type(model_t) :: model
 
       model%n_nodes = 3
+      allocate (model%initial(2))
+      model%initial = [nodal_value_t(1, dof_temperature, 20.0_dp), nodal_value_t(2, dof_temperature, 20.0_dp)]
       allocate (model%amplitudes(2))
       model%amplitudes(triangle) = amplitude_t('', [0.0_dp, 0.5_dp, 1.0_dp]*length, [0.0_dp, 1.0_dp, -1.0_dp])
       model%amplitudes(wave) = amplitude_t('', [0.0_dp, 1.5_dp, 2.5_dp]*length, [0.0_dp, 1.0_dp, 0.0_dp], .true.)
    end function new_model
 
-   function new_step(boundary, load, current) result(step)
-      type(nodal_value_t), intent(in), optional :: boundary(:), load(:), current(:)
+   function new_step(boundary, load, current, predefined) result(step)
+      type(nodal_value_t), intent(in), optional :: boundary(:), load(:), current(:), predefined(:)
       type(step_t) :: step
 
       step%total = length
-      allocate (step%boundary(0), step%load(0))
+      allocate (step%boundary(0), step%load(0), step%predefined(0))
       if (present(boundary)) step%boundary = boundary
       if (present(load)) step%load = load
+      if (present(predefined)) step%predefined = predefined
       if (present(current)) step%load = [step%load, current]
    end function new_step
+
+   !> Where a value is an unknown none is given.
+   subroutine given_values_ramp_from_what_they_were()
+      type(state_t) :: state
+      type(loading_t) :: loading
+      type(step_t) :: step
+
+      call begin_warm(state, loading, new_step(predefined=[nodal_value_t(1, dof_temperature, 100.0_dp)]), step)
+      loading%given(temperature, 3) = .false.
+      state%value(temperature, 3) = 7
+      call start_loading(step, state, loading)
+      call load_targets(new_model(), step, 0.25_dp*length, 0.25_dp*length, loading)
+      call check(near(loading%value(temperature, 1), 40.0_dp), 'a quarter of the way from its initial value')
+      call check(same(loading%value(temperature, 2), 20.0_dp), 'what no line names does not even change by round-off')
+      call check(same(loading%value(temperature, 3), 7.0_dp), 'an unknown is left alone')
+      call check(.not. any(loading%fixed), 'nothing is prescribed')
+   end subroutine given_values_ramp_from_what_they_were
+
+   subroutine a_given_value_that_no_step_names_returns_to_the_initial_one()
+      type(state_t) :: state
+      type(loading_t) :: loading
+      type(step_t) :: step
+
+      call begin_warm(state, loading, new_step(), step)
+      state%value(temperature, 1) = 100
+      state%value(temperature, 3) = 80
+      call start_loading(step, state, loading)
+      call load_targets(new_model(), step, 0.25_dp*length, 0.25_dp*length, loading)
+      call check(near(loading%value(temperature, 1), 80.0_dp), 'to the initial temperature')
+      call check(near(loading%value(temperature, 3), 60.0_dp), 'or to zero')
+      call load_targets(new_model(), step, length, length, loading)
+      call check(near(loading%value(temperature, 1), 20.0_dp), 'at the end of the step')
+   end subroutine a_given_value_that_no_step_names_returns_to_the_initial_one
+
+   subroutine given_values_follow_amplitudes()
+      type(state_t) :: state
+      type(loading_t) :: loading
+      type(step_t) :: step
+
+      call begin_warm(state, loading, new_step(predefined=[nodal_value_t(1, dof_temperature, 50.0_dp, triangle)]), step)
+      call load_targets(new_model(), step, 0.25_dp*length, 0.25_dp*length, loading)
+      call check(near(loading%value(temperature, 1), 25.0_dp), 'the amplitude is the factor of the value')
+      call check(near(next_break_point(new_model(), step, 0.0_dp, 0.0_dp), length/2), 'its corner is met')
+   end subroutine given_values_follow_amplitudes
+
+   !> A step that begins at the initial temperatures, which are given at all nodes.
+   subroutine begin_warm(state, loading, new, step)
+      type(state_t), intent(out) :: state
+      type(loading_t), intent(out) :: loading
+      type(step_t), intent(in) :: new
+      type(step_t), intent(out) :: step
+
+      step = new
+      state = state_at_rest()
+      state%value = initial_values(new_model())
+      call start_loading(step, state, loading)
+      loading%given(temperature, :) = .true.
+   end subroutine begin_warm
 
    !> The rotation vector of the first node.
    function all_rotations(vector) result(items)

@@ -99,7 +99,8 @@ contains
       open (newunit=unit, file='test_restart_file.inp', action='write', status='replace')
       write (unit, '(a)') '*NODE', '1, -0.02, 0, 0', node, '11, 0, -0.02, 0.002', '12, 0, 0.02, 0.002', &
          '*ELEMENT, TYPE=B31, ELSET=A', '1, 1, 2', '*ELEMENT, TYPE=B31, ELSET=B', '11, 11, 12', &
-         '*MATERIAL, NAME=M', '*ELASTIC', '1.1e11, 0.3', '*ELECTRICAL CONDUCTIVITY', '5e7', &
+         '*INITIAL CONDITIONS, TYPE=TEMPERATURE', '1, 293', '*MATERIAL, NAME=M', '*ELASTIC', '1.1e11, 0.3', &
+         '*ELECTRICAL CONDUCTIVITY', '5e7', &
          '*BEAM SECTION, ELSET=A, MATERIAL=M, SECTION=CIRC', '1e-3', &
          '*BEAM SECTION, ELSET=B, MATERIAL=M, SECTION=CIRC', '1e-3', &
          '*SURFACE INTERACTION, NAME=T', '*CONTACT PAIR, INTERACTION=T', 'A, B', &

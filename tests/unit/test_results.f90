@@ -9,6 +9,7 @@
 program test_results
    use litz_kinds, only: dp
    use litz_errors, only: error_t
+   use litz_fields, only: n_slots
    use litz_friction_law, only: friction_slip
    use litz_element_types, only: element_b31
    use litz_model, only: model_t, section_t, material_t, named_set_t, step_t, output_request_t, &
@@ -108,12 +109,12 @@ contains
       report%time = state%time
       report%step_time = state%step_time
       report%time_increment = state%time_increment
-      report%residual = [1.0e-9_dp, 1.0e-12_dp, 0.0_dp]
+      report%residual(:3) = [1.0e-9_dp, 1.0e-12_dp, 0.0_dp]
       report%negative_pivots = 0
       report%contacts = size(state%contacts)
       report%remark = ''
       if (increment == 2) report%remark = 'cut back: residual grew'
-      call results%write_status(report, error)
+      call results%write_status(model, report, error)
    end subroutine write_status
 
    !> The second step asks for other columns than the first; the history holds both.
@@ -144,7 +145,8 @@ contains
       state%time_increment = 0.25_dp
       state%time = increment*0.25_dp
       state%step_time = state%time
-      allocate (state%value(7, n), state%reaction(7, n), state%load(7, n))
+      state%has_field = model%has_field
+      allocate (state%value(n_slots, n), state%reaction(n_slots, n), state%load(n_slots, n))
       state%value(1:3, :) = increment*1.0e-3_dp*reshape([((i + 10*j, i=1, 3), j=1, n)], [3, n])
       state%value(4:6, :) = increment*1.0e-2_dp*reshape([((i + 10*j, i=1, 3), j=1, n)], [3, n])
       state%value(7, :) = [(increment*real(j, dp), j=1, n)]
@@ -190,10 +192,10 @@ contains
          report%step = 1
          report%increment = increment
          report%iteration = i
-         report%residual = 10.0_dp**(-2**i)*[1.0_dp, 0.1_dp, 0.01_dp]
-         report%allowed = [1.0e-7_dp, 1.0e-8_dp, 1.0e-9_dp]
+         report%residual(:3) = 10.0_dp**(-2**i)*[1.0_dp, 0.1_dp, 0.01_dp]
+         report%allowed(:3) = [1.0e-7_dp, 1.0e-8_dp, 1.0e-9_dp]
          report%correction = report%residual
-         report%correction_node = [i, i + 1, 0]
+         report%correction_node(:3) = [i, i + 1, 0]
          report%contacts_active = increment - 1
          report%penetration = 1.0e-6_dp
          call results%write_iteration(model, report, error)
