@@ -142,7 +142,7 @@ contains
          type(wire_pair_t) :: pair
          type(spot_in_circuit_t) :: circuit
          type(contact_electricity_t) :: electricity
-         logical :: has_friction, conducts
+         logical :: conducts
 
          associate (model => domain%model, wires => domain%wires, elements => domain%elements, &
             iterate => domain%iterate, law => domain%model%interactions( &
@@ -152,9 +152,12 @@ contains
                x, t, length)
             pair = wires_of(model, elements, point)
             call find_sliding(wires, elements, law%axis, x, t, length, point, k_slide, r_slide, dforce)
-            has_friction = law%friction > 0 .and. (point%active .or. point%closed)
-            if (has_friction) call find_friction(law, wires, x, t, length, pair, increment_start(point, nodes_p), &
-               dforce, point, k_friction, r_friction)
+            if (law%friction > 0 .and. (point%active .or. point%closed)) then
+               call find_friction(law, wires, x, t, length, pair, increment_start(domain, contact, point, nodes_p), &
+                  dforce, point, k_friction, r_friction)
+               k_slide = k_slide + k_friction
+               r_slide = r_slide + r_friction
+            end if
             conducts = (point%closed .or. conducts_apart(point)) .and. all(pair%resistivity > 0) .and. law%spot%exists()
             if (conducts) call find_spot(law, wires, pair, x, t, length, point, circuit)
             circuit%dconductance = circuit%dconductance + spot_that_slides(law%normal, point, circuit, dforce)
@@ -163,36 +166,35 @@ contains
                point)), circuit, form_hessian, k_p, r_p, k_me_p, k_ee_p, r_e_p, electricity)
             k_p = k_p + k_slide
             r_p = r_p + r_slide
-            if (has_friction) then
-               k_p = k_p + k_friction
-               r_p = r_p + r_friction
-            end if
             if (conducts) call keep_current(electricity, circuit, point)
          end associate
       end subroutine evaluate
 
-      pure type(increment_start_t) function increment_start(point, nodes_p) result(before)
-         type(contact_point_t), intent(in) :: point
-         !> Nodes of both elements (4)
-         integer, intent(in) :: nodes_p(4)
-         real(dp) :: length(2)
-         integer :: a
-
-         associate (iterate => domain%iterate, start => domain%state%rotation)
-            before%dq = reshape(iterate%change(motion_slots(1):motion_slots(2), nodes_p), [n_motions])
-            before%closing = clearance_of(point%fit, contact%converged_clearance(point%pair)) &
-               - clearance_of(point%fit, contact%clearance(point%pair))
-            before%goes_on = domain%state%increment > 0
-            if (point%line_place == 0 .and. .not. any(point%held)) return
-            call pair_geometry(domain%model, domain%wires, domain%elements, point%element_bar, point%element, &
-               iterate%x_start, start, before%x, before%t, length)
-            do a = 1, size(nodes_p)
-               before%turned(:, :, a) = matmul(iterate%rotation(:, :, nodes_p(a)), transpose(start(:, :, nodes_p(a))))
-            end do
-         end associate
-      end function increment_start
-
    end subroutine assemble_contacts
+
+   !> What friction asks of the state in which the increment began.
+   pure type(increment_start_t) function increment_start(domain, contact, point, nodes_p) result(before)
+      type(domain_t), intent(in) :: domain
+      type(contact_set_t), intent(in) :: contact
+      type(contact_point_t), intent(in) :: point
+      !> Nodes of both elements (4)
+      integer, intent(in) :: nodes_p(4)
+      real(dp) :: length(2)
+      integer :: a
+
+      associate (iterate => domain%iterate, start => domain%state%rotation)
+         before%dq = reshape(iterate%change(motion_slots(1):motion_slots(2), nodes_p), [n_motions])
+         before%closing = clearance_of(point%fit, contact%converged_clearance(point%pair)) &
+            - clearance_of(point%fit, contact%clearance(point%pair))
+         before%goes_on = domain%state%increment > 0
+         if (point%line_place == 0 .and. .not. any(point%held)) return
+         call pair_geometry(domain%model, domain%wires, domain%elements, point%element_bar, point%element, &
+            iterate%x_start, start, before%x, before%t, length)
+         do a = 1, size(nodes_p)
+            before%turned(:, :, a) = matmul(iterate%rotation(:, :, nodes_p(a)), transpose(start(:, :, nodes_p(a))))
+         end do
+      end associate
+   end function increment_start
 
    !> A place of a line that does not touch itself conducts where a part of its cell touches.
    elemental logical function conducts_apart(point)

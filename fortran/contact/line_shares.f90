@@ -383,7 +383,7 @@ contains
       real(dp), intent(in) :: xe(3, 4), tangents(3, 4), length(2)
       type(contact_point_t), intent(inout) :: point
       type(line_profile_t) :: profile
-      real(dp) :: tilt, reach, distance, of_length
+      real(dp) :: tilt, reach, distance, of_length, part
       integer :: i
 
       profile = line_profile(xe, tangents, length, axis_hermite, point%xi_bar, point%xi, point%kinematics%normal, &
@@ -420,10 +420,9 @@ contains
             end if
          end if
          call find_lap(wires, elements, contact%places, point%kinematics%cos_angle, point, of_length)
-         point%dweight_dlap = 0
-         if (point%lens%near(1)) point%dweight_dlap = point%line_share*share_of_pass(quality)*flatness(tilt)
-         point%weight = point%line_share*share_of_pass(quality)*flatness(tilt)*contact%places%length(point%line_place) &
-            *of_length
+         part = point%line_share*share_of_pass(quality)*flatness(tilt)
+         point%dweight_dlap = merge(part, 0.0_dp, point%lens%near(1))
+         point%weight = part*contact%places%length(point%line_place)*of_length
          point%cell%reach = cell_at_lap(wires, elements, contact%places, point)
          point%settled_weight = point%weight
          if (.not. any(quality > least_quality)) point%law_status = law_too_curved
