@@ -52,7 +52,8 @@ contains
          circuit%spot = spot_of_lens(law, pair, point, lens_of_spot(law, pair, point, spot_force))
          if (share_of_ellipse(law%normal, point) > 0) then
             call spot_of_crossing(law, pair, spot_force, point, of_ellipse)
-            of_ellipse%dconductance_dforce = of_ellipse%dconductance_dforce*point%at_gap%dforce_dgap/slope_of(law, point)
+            of_ellipse%dconductance_dforce = of_ellipse%dconductance_dforce*point%at_gap%dforce_dgap &
+               /slope_of(law, point)
             circuit%spot = between(circuit%spot, of_ellipse, share_of_ellipse(law%normal, point))
          end if
       else

@@ -101,8 +101,9 @@ contains
             if (point%law_status /= law_ok) return
             call press_point(law%normal, pair, point)
          end if
-         if (point%line_place == 0 .and. point%closed .and. is_shaped(law%normal, point)) &
+         if (point%line_place == 0 .and. point%closed .and. is_shaped(law%normal, point)) then
             call ellipse_of_parts(pair, point, info)
+         end if
       end associate
       point%force = point%at_gap%force
    end subroutine evaluate

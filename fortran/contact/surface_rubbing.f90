@@ -144,7 +144,8 @@ contains
       end associate
    end subroutine take_over
 
-   !> A cell that opens in the increment has rubbed while its traction fell, to nothing; what it held elastically is lost.
+   !> A cell that opens in the increment has rubbed while its traction fell to nothing; what it held elastically is
+   !> lost.
    pure real(dp) function heat_of_opening(domain, cell) result(heat)
       type(domain_t), intent(in) :: domain
       type(surface_cell_t), intent(in) :: cell
