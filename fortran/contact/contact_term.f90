@@ -279,19 +279,28 @@ contains
    end subroutine settle
 
    !> What is carried along lines and what at crossings is settled for the present lengths of contact, a few times at
-   !> most: what then is left of a change is a matter of quadrature.
+   !> most: what then is left of a change is a matter of quadrature. Shares and forces belong together: where a change is
+   !> too small for another iteration, the shares stay, too.
    subroutine settle_shares(domain, contact, has_moved)
       type(domain_t), intent(in) :: domain
       type(contact_set_t), intent(inout) :: contact
       !> The forces must be evaluated again
       logical, intent(inout) :: has_moved
+      type(contact_point_t), allocatable :: points(:), line_points(:)
       real(dp) :: largest_change
 
       if (contact%n_settled >= max_settlings) return
+      points = contact%points
+      line_points = contact%line_points
       call renew_shares(domain%model, domain%wires, domain%elements, domain%iterate%x, domain%iterate%rotation, &
          contact, largest_change)
+      if (largest_change > settled_change) then
+         has_moved = .true.
+      else
+         call move_alloc(points, contact%points)
+         call move_alloc(line_points, contact%line_points)
+      end if
       contact%n_settled = contact%n_settled + 1
-      if (largest_change > settled_change) has_moved = .true.
    end subroutine settle_shares
 
    subroutine add_energies(self, domain, energies)
