@@ -13,7 +13,7 @@ module litz_contact_crossings
    use litz_contact_kinematics, only: contact_kinematics, kinematics_ok
    use litz_contact_matching, only: match_points, slides_of
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_wire_t, pair_geometry, axis_of_pair, &
-      arc_at, crossing_at, clearance_of, chain_by_wire, inherit
+      arc_at, crossing_at, clearance_of, add_taper, chain_by_wire, inherit
    use litz_contact_side, only: have_passed
    use litz_element_library, only: elements_t
    use litz_end_kinematics, only: end_kinematics
@@ -293,6 +293,7 @@ contains
                elements%radius([eb, e]), point%xi_bar, point%xi, -kinematics%side, kinematics, info)
          end if
          point%regular = info == kinematics_ok
+         call add_taper(elements%taper([eb, e]), kinematics)
          point%gap = kinematics%gap + clearance_of(point%fit, contact%clearance(point%pair))
       end associate
    end subroutine set_geometry

@@ -3,7 +3,7 @@ module litz_model_keywords
    use litz_element_types, only: element_type_choices, describe_element_types, list_element_types
    use litz_fields, only: field_potential, dof_range
    use litz_keywords, only: keyword_t, keyword_table_t, field_spec_t, place_model, place_both, limit_positive, &
-      limit_not_negative, limit_poisson, limit_zero
+      limit_none, limit_not_negative, limit_poisson, limit_zero
    use litz_keyword_builders, only: begin, finish, integer_field, real_field, name_field, item_field, text_field, &
       flag, choice, name, item, number, count_of, file
    use litz_law_words, only: law_words_t
@@ -130,22 +130,37 @@ contains
    pure subroutine add_properties(table)
       type(keyword_table_t), intent(inout) :: table
       type(keyword_t) :: k
+      type(field_spec_t) :: of_temperature
 
-      call begin(k, 'MATERIAL', place_model, 'Begins a material; *ELASTIC and *ELECTRICAL CONDUCTIVITY follow it.')
+      of_temperature = real_field('T', 'K', 'temperature, ascending, where there are several lines', required=.false.)
+      call begin(k, 'MATERIAL', place_model, 'Begins a material; *ELASTIC, *EXPANSION and *ELECTRICAL'// &
+         ' CONDUCTIVITY follow it.')
       call k%add(name('NAME', 'name of the material', required=.true.))
       call finish(table, k)
 
-      call begin(k, 'ELASTIC', place_model, 'Linear elastic, isotropic.', after='MATERIAL')
+      call begin(k, 'ELASTIC', place_model, 'Linear elastic, isotropic. Over temperature both numbers are linear'// &
+         ' between the lines, constant beyond.', after='MATERIAL')
       call k%add(choice('TYPE', 'ISOTROPIC', 'kind of elasticity', default='ISOTROPIC'))
       call k%add_data([real_field('E', 'Pa', 'Young''s modulus', limit_positive), &
-         real_field('nu', '-', 'Poisson''s ratio', limit_poisson)])
+         real_field('nu', '-', 'Poisson''s ratio', limit_poisson), of_temperature], last=0)
+      call finish(table, k)
+
+      call begin(k, 'EXPANSION', place_model, 'Thermal expansion of wires: the strain along their axis, and of their'// &
+         ' contact radius, is alpha(T) (T - ZERO) less that at the initial temperature. Over temperature alpha is'// &
+         ' linear between the lines, constant beyond.', &
+         after='MATERIAL')
+      call k%add(choice('TYPE', 'ISO', 'kind of expansion', default='ISO'))
+      call k%add(number('ZERO', 'temperature to which alpha refers', limit_none, '0'))
+      call k%add_data([real_field('alpha', '1/K', 'secant coefficient of thermal expansion'), of_temperature], last=0)
       call finish(table, k)
 
       call begin(k, 'ELECTRICAL CONDUCTIVITY', place_model, &
          'Makes the elements of this material conductors: their nodes'// &
-         ' have a potential, degree of freedom '//dof_range(field_potential)//'. Without it a wire is an insulator.', &
+         ' have a potential, degree of freedom '//dof_range(field_potential)//'. Without it a wire is an insulator.'// &
+         ' Over temperature the resistivity, 1/sigma, is linear between the lines, constant beyond.', &
          after='MATERIAL')
-      call k%add_data([real_field('sigma', 'S/m', 'electrical conductivity', limit_positive)])
+      call k%add_data([real_field('sigma', 'S/m', 'electrical conductivity', limit_positive), of_temperature], &
+         last=0)
       call finish(table, k)
 
       call begin(k, 'BEAM SECTION', place_model, &

@@ -3,7 +3,8 @@ module litz_read_properties
    use litz_kinds, only: dp, pi
    use litz_text, only: to_text
    use litz_deck, only: token_t
-   use litz_model, only: model_t, section_t
+   use litz_model, only: model_t, section_t, shear_given, shear_round, shear_unreduced
+   use litz_section_stiffness, only: shear_stiffness
    use litz_reader, only: reader_t, definitions_t, fail_at, parameter_of, choice_of, has_flag, keyword_of, &
       real_parameter, n_cards_of
    use litz_data_lines, only: read_line
@@ -23,6 +24,7 @@ contains
       type(reader_t), intent(inout) :: self
       type(model_t), intent(inout) :: model
       integer :: card, material, i
+      real(dp), allocatable :: table(:, :)
       logical :: ok
 
       allocate (model%materials(n_cards_of(self, 'MATERIAL')))
@@ -33,22 +35,35 @@ contains
             call add_named(self, self%materials, 'material', card, material)
             if (material > 0) model%materials(material)%name = self%materials%names%name(material)
          case ('ELASTIC')
-            call read_only_line(self, card, ok)
+            call read_table(self, card, 2, table, ok)
             if (material == 0) cycle
             associate (this => model%materials(material))
                if (this%young > 0) call fail_at(self, self%deck%cards(card)%name, &
                   'the material '//this%name//' has two *ELASTIC')
                ! wrong values were reported; the material then counts as complete
-               this%young = merge(self%values%real(1), 1.0_dp, ok)
-               this%poisson = merge(self%values%real(2), 0.0_dp, ok)
+               this%young = merge(table(2, 1), 1.0_dp, ok)
+               this%poisson = merge(table(3, 1), 0.0_dp, ok)
+               if (ok .and. size(table, 2) > 1) this%elastic_table = table
             end associate
          case ('ELECTRICAL CONDUCTIVITY')
-            call read_only_line(self, card, ok)
+            call read_table(self, card, 1, table, ok)
             if (material == 0) cycle
             associate (this => model%materials(material))
                if (this%conductivity > 0) call fail_at(self, self%deck%cards(card)%name, &
                   'the material '//this%name//' has two *ELECTRICAL CONDUCTIVITY')
-               this%conductivity = merge(self%values%real(1), 1.0_dp, ok)
+               this%conductivity = merge(table(2, 1), 1.0_dp, ok)
+               if (.not. ok .or. size(table, 2) == 1) cycle
+               this%resistivity_table = table
+               this%resistivity_table(2, :) = 1/table(2, :)
+            end associate
+         case ('EXPANSION')
+            call read_table(self, card, 1, table, ok)
+            if (material == 0) cycle
+            associate (this => model%materials(material))
+               if (allocated(this%expansion_table)) call fail_at(self, self%deck%cards(card)%name, &
+                  'the material '//this%name//' has two *EXPANSION')
+               this%expansion_table = table
+               this%expansion_zero = real_parameter(self, card, 'ZERO', 0.0_dp)
             end associate
          end select
       end do
@@ -75,6 +90,50 @@ contains
       token = parameter_of(self, card, 'NAME')
       if (token%last >= token%first) call add_definition(self, definitions, what, token, index)
    end subroutine add_named
+
+   !> Data over temperature, a line for each: their values, and behind these the temperature, which a single line does
+   !> not need.
+   subroutine read_table(self, card, n_values, table, ok)
+      type(reader_t), intent(inout) :: self
+      !> Index of the card, and values before the temperature
+      integer, intent(in) :: card, n_values
+      !> Temperature and values (1 + n_values, lines); at least one line
+      real(dp), allocatable, intent(out) :: table(:, :)
+      !> .false.: something about it was reported
+      logical, intent(out) :: ok
+      integer :: line, n
+      logical :: line_ok
+
+      associate (this => self%deck%cards(card))
+         allocate (table(1 + n_values, max(1, this%last_data - this%first_data + 1)), source=0.0_dp)
+         ok = this%last_data >= this%first_data
+         do line = this%first_data, this%last_data
+            n = line - this%first_data + 1
+            call read_line(self, card, line, line_ok)
+            if (line_ok) call check_temperature()
+            ok = ok .and. line_ok
+            table(1, n) = self%values%real(n_values + 1)
+            table(2:, n) = self%values%real(:n_values)
+         end do
+      end associate
+
+   contains
+
+      subroutine check_temperature()
+         associate (this => self%deck%cards(card), token => self%values%token(n_values + 1))
+            if (this%last_data > this%first_data .and. .not. self%values%given(n_values + 1)) then
+               line_ok = .false.
+               call fail_at(self, token, 'where *'//keyword_of(self, card)//' has several lines, each needs its'// &
+                  ' temperature as value '//to_text(n_values + 1))
+            else if (n > 1 .and. ok) then
+               line_ok = self%values%real(n_values + 1) > table(1, n - 1)
+               if (.not. line_ok) call fail_at(self, token, 'the temperatures of *'//keyword_of(self, card)// &
+                  ' must ascend; '//to_text(self%values%real(n_values + 1))//' follows '//to_text(table(1, n - 1)))
+            end if
+         end associate
+      end subroutine check_temperature
+
+   end subroutine read_table
 
    !> The first data line of a card; `ok` is .false. when there is none.
    subroutine read_only_line(self, card, ok)
@@ -112,6 +171,7 @@ contains
             if (.not. ok .or. n == 0) cycle
             model%sections(n)%ga2 = self%values%real(1)
             model%sections(n)%ga3 = self%values%real(2)
+            model%sections(n)%shear = shear_given
          end select
       end do
       call report_bare_elements(self, model)
@@ -147,7 +207,7 @@ contains
       if (name%last < name%first) self%missed_section = .true.
    end subroutine read_section
 
-   !> Solid round wire. Source of the shear factor: Cowper, J. Appl. Mech. 33 (1966) 335-340.
+   !> Solid round wire.
    pure subroutine set_circular(section, radius, young, poisson)
       type(section_t), intent(inout) :: section
       !> Radius of the wire [m]
@@ -156,15 +216,14 @@ contains
       real(dp), intent(in) :: young
       !> Poisson's ratio [-]
       real(dp), intent(in) :: poisson
-      real(dp) :: shear_factor
 
-      shear_factor = 6*(1 + poisson)/(7 + 6*poisson)
       section%contact_radius = radius
       section%area = pi*radius**2
       section%i2 = pi*radius**4/4
       section%i3 = section%i2
       section%j = pi*radius**4/2
-      section%ga2 = shear_factor*young/(2*(1 + poisson))*section%area
+      section%shear = shear_round
+      section%ga2 = shear_stiffness(section, young, poisson)
       section%ga3 = section%ga2
    end subroutine set_circular
 
@@ -182,7 +241,8 @@ contains
       section%i2 = data(2)
       section%i3 = data(4)
       section%j = data(5)
-      section%ga2 = young/(2*(1 + poisson))*section%area
+      section%shear = shear_unreduced
+      section%ga2 = shear_stiffness(section, young, poisson)
       section%ga3 = section%ga2
    end subroutine set_general
 

@@ -154,6 +154,12 @@ contains
             call record%value('Young''s modulus', this%young)
             call record%value('Poisson''s ratio', this%poisson)
             call record%value('electrical conductivity', this%conductivity)
+            if (allocated(this%elastic_table)) call record%list('elasticity over temperature', this%elastic_table)
+            if (allocated(this%resistivity_table)) call record%list('resistivity over temperature', &
+               this%resistivity_table)
+            if (.not. allocated(this%expansion_table)) cycle
+            call record%list('expansion over temperature', this%expansion_table)
+            call record%value('ZERO of *EXPANSION', this%expansion_zero)
          end associate
       end do
    end subroutine record_sections

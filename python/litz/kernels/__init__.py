@@ -8,7 +8,7 @@ Any units that fit together will do. The formulas are in ``docs/theory.md``.
 The contact of two wires: `contact_em` (the 28 x 28 element), `contact_coupling` (its coupling block in the parts of the
 paper), `closest_points`, `contact_spot` (force to conductance), `contact_search` (which elements are near each other).
 Wires that touch along a line: `line_law` (force to approach and conductance, per length), `line_point` (one point of it).
-The wires: `beam_b31`, `beam_b33` and their strains, `conductor`, `potential_rise`.
+The wires: `beam_b31`, `beam_b33`, their strains and `beam_forces_by_temperature`, `conductor`, `potential_rise`.
 """
 
 from .axes import ClosestPoints, closest_points
@@ -20,6 +20,7 @@ from .beams import (
     beam_b31_strains,
     beam_b33,
     beam_b33_strains,
+    beam_forces_by_temperature,
     conductor,
     potential_rise,
 )
@@ -42,6 +43,7 @@ __all__ = [
     "beam_b31_strains",
     "beam_b33",
     "beam_b33_strains",
+    "beam_forces_by_temperature",
     "closest_points",
     "conductor",
     "contact_coupling",
