@@ -145,9 +145,9 @@ contains
          real_field('nu', '-', 'Poisson''s ratio', limit_poisson), of_temperature], last=0)
       call finish(table, k)
 
-      call begin(k, 'EXPANSION', place_model, 'Thermal expansion of wires: the strain along their axis, and of their'// &
-         ' contact radius, is alpha(T) (T - ZERO) less that at the initial temperature. Over temperature alpha is'// &
-         ' linear between the lines, constant beyond.', &
+      call begin(k, 'EXPANSION', place_model, 'Thermal expansion of wires: the strain along their axis, and of'// &
+         ' their contact radius, is alpha(T) (T - ZERO) less that at the initial temperature. Over temperature'// &
+         ' alpha is linear between the lines, constant beyond.', &
          after='MATERIAL')
       call k%add(choice('TYPE', 'ISO', 'kind of expansion', default='ISO'))
       call k%add(number('ZERO', 'temperature to which alpha refers', limit_none, '0'))

@@ -123,8 +123,8 @@ contains
          associate (this => self%deck%cards(card), token => self%values%token(n_values + 1))
             if (this%last_data > this%first_data .and. .not. self%values%given(n_values + 1)) then
                line_ok = .false.
-               call fail_at(self, token, 'where *'//keyword_of(self, card)//' has several lines, each needs its'// &
-                  ' temperature as value '//to_text(n_values + 1))
+               if (ok) call fail_at(self, token, 'where *'//keyword_of(self, card)//' has several lines, each needs'// &
+                  ' its temperature as value '//to_text(n_values + 1))
             else if (n > 1 .and. ok) then
                line_ok = self%values%real(n_values + 1) > table(1, n - 1)
                if (.not. line_ok) call fail_at(self, token, 'the temperatures of *'//keyword_of(self, card)// &

@@ -143,6 +143,8 @@ contains
             call record%value('torsion constant', this%j)
             call record%value('shear stiffness along the first axis', this%ga2)
             call record%value('shear stiffness along the second axis', this%ga3)
+            if (allocated(model%materials(this%material)%elastic_table)) call record%value( &
+               'how the shear stiffness follows from the elasticity', this%shear)
             call record%list('direction of the first axis', reshape(this%n1, [3, 1]))
             call record%value('CONDUCTION', trim(merge('CURRENT LENGTH  ', 'REFERENCE LENGTH', this%current_length)))
          end associate

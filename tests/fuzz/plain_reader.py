@@ -170,9 +170,9 @@ class PlainReader:
             if keyword == "MATERIAL":
                 found.append([capitals(parameters["NAME"]), 0.0, 0.0, 0.0])
             elif keyword == "ELASTIC":
-                found[-1][1:3] = map(number, values(data[0]))
+                found[-1][1:3] = map(number, values(data[0])[:2])
             elif keyword == "ELECTRICALCONDUCTIVITY":
-                found[-1][3] = number(data[0].strip(' ,\t"'))
+                found[-1][3] = number(values(data[0])[0])
         self.names["MATERIAL"] = [name for name, *_ in found]
         return [f"material {name}{show(data)}" for name, *data in found]
 
