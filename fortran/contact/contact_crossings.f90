@@ -6,6 +6,7 @@
 !> (litz_contact_side): an iterate that has pushed the axes through each other has a gap below minus both radii.
 module litz_contact_crossings
    use litz_kinds, only: dp
+   use litz_axis, only: axis_shape, on_axis
    use litz_closest_points, only: closest_points, end_tolerance, max_minima, closest_inside, closest_not_unique, &
       closest_parallel
    use litz_contact_candidates, only: skin
@@ -13,12 +14,12 @@ module litz_contact_crossings
    use litz_contact_kinematics, only: contact_kinematics, kinematics_ok
    use litz_contact_matching, only: match_points, slides_of
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_wire_t, pair_geometry, axis_of_pair, &
-      arc_at, crossing_at, clearance_of, add_taper, chain_by_wire, inherit
+      away_from, arc_at, crossing_at, clearance_of, add_taper, chain_by_wire, inherit
    use litz_contact_side, only: have_passed
    use litz_element_library, only: elements_t
    use litz_end_kinematics, only: end_kinematics
    use litz_line_kinematics, only: line_profile_t, line_profile
-   use litz_model, only: model_t
+   use litz_model, only: model_t, axis_hermite
    use litz_parallel, only: worth_threads
    use litz_start_crossings, only: crossing_at_start, relative_motion
    use litz_wires, only: wires_t, arc_from_to
@@ -292,11 +293,30 @@ contains
             if (have_passed(point%start, crossing_at(wires, point))) call contact_kinematics(xe, t, length, axis, &
                elements%radius([eb, e]), point%xi_bar, point%xi, -kinematics%side, kinematics, info)
          end if
+         if (info == kinematics_ok) call set_tangents(axis, xe, t, length, point)
          point%regular = info == kinematics_ok
          call add_taper(elements%taper([eb, e]), kinematics)
          point%gap = kinematics%gap + clearance_of(point%fit, contact%clearance(point%pair))
       end associate
    end subroutine set_geometry
+
+   !> Tangents of the axes where they are not held.
+   pure subroutine set_tangents(axis, xe, t, length, point)
+      !> `axis_linear` or `axis_hermite`
+      integer, intent(in) :: axis
+      !> Nodal positions [m] and unit tangents (3, 4), reference lengths (2) [m]: barred first
+      real(dp), intent(in) :: xe(3, 4), t(3, 4), length(2)
+      type(contact_point_t), intent(inout) :: point
+      real(dp) :: h(4), h1(4), h2(4), xi(2)
+      integer :: i
+
+      xi = [point%xi_bar, point%xi]
+      do i = 1, 2
+         if (point%held(i)) cycle
+         call axis_shape(axis, length(i), xi(i), h, h1, h2)
+         point%tangent(:, i) = on_axis(h1, xe(:, 2*i - 1:2*i), t(:, 2*i - 1:2*i))
+      end do
+   end subroutine set_tangents
 
    !> How the distance grows from the ends of the wires on; from a kink along that leg along which it grows least.
    pure subroutine set_profiles(model, wires, elements, axis, x, rotation, point)
@@ -326,10 +346,27 @@ contains
             if (tilt >= point%tilt(own)) cycle
             point%tilt(own) = tilt
             point%bend(own) = profile%bend
+            point%tangent(:, own) = inward_tangent(leg(own), xi(own))
+            point%on_other_leg(own) = leg(own) /= merge(point%element_bar, point%element, own == 1)
          end do
       end do
 
    contains
+
+      !> From an end of an element into it (3): along its axis, or along the way to its other node over its length.
+      pure function inward_tangent(e, end) result(tangent)
+         !> Element
+         integer, intent(in) :: e
+         !> -1 or 1
+         real(dp), intent(in) :: end
+         real(dp) :: tangent(3)
+
+         tangent = away_from(model, wires, axis, e, merge(1, 2, end < 0), x, rotation)
+         if (axis == axis_hermite) return
+         associate (node => model%connectivity(:, e))
+            tangent = tangent*norm2(x(:, node(2)) - x(:, node(1)))/elements%length(e)
+         end associate
+      end function inward_tangent
 
       !> Along one of two elements, from the places at which they touch.
       pure type(line_profile_t) function profile_along(own, pair, xi) result(profile)

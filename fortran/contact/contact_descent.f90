@@ -5,7 +5,7 @@
 !> method comes to the solution from anywhere. All but these points is linear along a step `d`, so that with the
 !> residual `R` of the iteration and `S = R.d = d.K.d` the slope of the energy at the fraction `eta` of the step is
 !> `-(1 - eta) S + sum (F(g) - F(g + eta dg) - eta k dg) dg`, with the gap `g` and the stiffness `k` about which the
-!> iteration has linearised a point. Source: theory (10.20).
+!> iteration has linearised a point. Source: theory (10.22).
 module litz_contact_descent
    use litz_kinds, only: dp
    use litz_contact_kinematics, only: n_motions

@@ -17,10 +17,12 @@ module litz_contact_forces
    use litz_friction_law, only: friction_law_t
    use litz_law_input, only: wire_pair_t
    use litz_model, only: model_t
-   use litz_normal_forces, only: wires_of
+   use litz_normal_forces, only: wires_of, is_lens, law_of_spot
+   use litz_normal_law, only: normal_law_t
    use litz_parallel, only: worth_threads
    use litz_scatter, only: forces_t, chunk
    use litz_shared_conductors, only: collect_shared
+   use litz_sliding_forces, only: find_sliding
    use litz_strips_of_wires, only: strips_t, collect_strips
    use litz_text, only: to_text
    use litz_timing, only: phase_contact, phase_assembly
@@ -92,7 +94,7 @@ contains
       integer, allocatable :: touching(:), nodes(:, :)
       integer :: first, n, i
 
-      touching = pack([(i, i=1, size(points))], points%active .or. points%closed)
+      touching = pack([(i, i=1, size(points))], points%active .or. points%closed .or. conducts_apart(points))
       n = min(chunk, size(touching))
       allocate (k(n_motions, n_motions, n), r(n_motions, n), k_ee(4, 4, n), r_e(4, n), k_me(4, n_motions, n))
       allocate (nodes(4, n))
@@ -135,12 +137,12 @@ contains
          real(dp), intent(out) :: k_p(n_motions, n_motions), r_p(n_motions)
          !> Tangent and currents of the voltages (4, 4), (4), tangent of the currents by the motions (4, 24)
          real(dp), intent(out) :: k_ee_p(4, 4), r_e_p(4), k_me_p(4, n_motions)
-         real(dp) :: x(3, 4), t(3, 4), length(2)
-         real(dp) :: k_friction(n_motions, n_motions), r_friction(n_motions)
+         real(dp) :: x(3, 4), t(3, 4), length(2), k_friction(n_motions, n_motions), k_slide(n_motions, n_motions)
+         real(dp), dimension(n_motions) :: r_friction, r_slide, dforce
          type(wire_pair_t) :: pair
          type(spot_in_circuit_t) :: circuit
          type(contact_electricity_t) :: electricity
-         logical :: conducts
+         logical :: has_friction, conducts
 
          associate (model => domain%model, wires => domain%wires, elements => domain%elements, &
             iterate => domain%iterate, law => domain%model%interactions( &
@@ -149,14 +151,19 @@ contains
             call pair_geometry(model, wires, elements, point%element_bar, point%element, iterate%x, iterate%rotation, &
                x, t, length)
             pair = wires_of(model, elements, point)
-            if (law%friction > 0) call find_friction(law, wires, x, t, length, pair, increment_start(point, nodes_p), &
-               point, k_friction, r_friction)
-            conducts = point%closed .and. all(pair%resistivity > 0) .and. law%spot%exists()
-            if (conducts) call find_spot(law, wires, pair, point, circuit)
+            call find_sliding(wires, elements, law%axis, x, t, length, point, k_slide, r_slide, dforce)
+            has_friction = law%friction > 0 .and. (point%active .or. point%closed)
+            if (has_friction) call find_friction(law, wires, x, t, length, pair, increment_start(point, nodes_p), &
+               dforce, point, k_friction, r_friction)
+            conducts = (point%closed .or. conducts_apart(point)) .and. all(pair%resistivity > 0) .and. law%spot%exists()
+            if (conducts) call find_spot(law, wires, pair, x, t, length, point, circuit)
+            circuit%dconductance = circuit%dconductance + spot_that_slides(law%normal, point, circuit, dforce)
             call contact_blocks(point%kinematics, t, iterate%value(potential_slots(1), nodes_p), &
-               contact_force_t(point%force, point%geometric_force, point%stiffness, 0.0_dp, point%at_gap), circuit, &
-               form_hessian, k_p, r_p, k_me_p, k_ee_p, r_e_p, electricity)
-            if (law%friction > 0) then
+               contact_force_t(point%force, point%geometric_force, point%stiffness, 0.0_dp, law_of_spot(law%normal, &
+               point)), circuit, form_hessian, k_p, r_p, k_me_p, k_ee_p, r_e_p, electricity)
+            k_p = k_p + k_slide
+            r_p = r_p + r_slide
+            if (has_friction) then
                k_p = k_p + k_friction
                r_p = r_p + r_friction
             end if
@@ -175,6 +182,7 @@ contains
             before%dq = reshape(iterate%change(motion_slots(1):motion_slots(2), nodes_p), [n_motions])
             before%closing = clearance_of(point%fit, contact%converged_clearance(point%pair)) &
                - clearance_of(point%fit, contact%clearance(point%pair))
+            before%goes_on = domain%state%increment > 0
             if (point%line_place == 0 .and. .not. any(point%held)) return
             call pair_geometry(domain%model, domain%wires, domain%elements, point%element_bar, point%element, &
                iterate%x_start, start, before%x, before%t, length)
@@ -185,6 +193,31 @@ contains
       end function increment_start
 
    end subroutine assemble_contacts
+
+   !> A place of a line that does not touch itself conducts where a part of its cell touches.
+   elemental logical function conducts_apart(point)
+      type(contact_point_t), intent(in) :: point
+
+      conducts_apart = point%cell_touches .and. point%weight > 0
+   end function conducts_apart
+
+   !> How the conductance of a spot changes as the contact slides next to an end (24) [S]: by its force; that of a
+   !> place of a line by the length; of a lens the ends keep what they have within an iteration.
+   pure function spot_that_slides(law, point, circuit, dforce) result(row)
+      type(normal_law_t), intent(in) :: law
+      type(contact_point_t), intent(in) :: point
+      type(spot_in_circuit_t), intent(in) :: circuit
+      !> How the force changes (24)
+      real(dp), intent(in) :: dforce(n_motions)
+      real(dp) :: row(n_motions)
+
+      row = 0
+      if (point%line_place > 0 .and. point%force > 0) then
+         row = circuit%spot%conductance/point%force*dforce
+      else if (.not. is_lens(law, point)) then
+         row = circuit%spot%dconductance_dforce*circuit%follows*dforce
+      end if
+   end function spot_that_slides
 
    !> Arms of rigid bodies turn the forces of this iteration, not those of the law.
    pure subroutine add_supposed_force(point, nodes_p, forces)

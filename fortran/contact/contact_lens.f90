@@ -1,27 +1,30 @@
 !> How far the overlap of a contact reaches along its wires, and what the end of a wire changes of its law.
 !>
-!> The overlap of a crossing falls from its middle as a parabola. Where it is cut by the end of a wire the cylinder has
-!> its integral up to there, and the round end has the rest, so that a contact slides on to the round end without a
-!> jump. Source: theory section 10.
+!> The overlap of a crossing falls from its middle as a parabola, which the end of a wire cuts: litz_cut_lens has the
+!> energy that is left. Source: theory section 10.
 module litz_contact_lens
    use litz_kinds, only: dp
+   use litz_axis_choices, only: axis_hermite
    use litz_contact_points, only: contact_point_t
+   use litz_cut_lens, only: flat_tilt, steep_tilt
    use litz_element_library, only: elements_t
+   use litz_end_places, only: place_at_end_t
    use litz_lens_law, only: smooth_step
    use litz_line_kinematics, only: lens_sine
    use litz_line_laps, only: distances_to_ends
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: has_lens, half_length_of, divide_at_ends, flatness, least_bend, wedge_length, deepest
+   public :: has_lens, half_length_of, divide_at_ends, place_at_ends, ends_of_wires, is_at_end, flatness, least_bend, &
+      wedge_length, deepest
 
-   !> Sines of the angle between an axis and the surface of the other wire up to which they lie side by side, and from
-   !> which on one runs into the other (5 and 15 degrees)
-   real(dp), parameter :: flat_tilt = 0.0872_dp, steep_tilt = 0.2588_dp
    !> Overlap beyond which a lens counts as no longer, in smaller radii
    real(dp), parameter :: deepest = 0.02_dp
    !> Overlap at an end by which its length is told, at least, in distances of the axes
    real(dp), parameter :: least_overlap = 1.0e-5_dp
+   !> Half lengths of a lens up to which it may come to be cut within an increment, of an overlap of at least this part
+   !> of the smaller radius
+   real(dp), parameter :: felt = 2, least_felt = 1.0e-3_dp
    !> Nearer to an end than this part of its element is there
    real(dp), parameter :: at_end = 1.0e-9_dp
 
@@ -68,48 +71,152 @@ contains
       if (square > 0) length = 2*overlap/max(tilt + sqrt(square), tiny(square))
    end function wedge_length
 
-   !> What the cylinders and the round ends of the two wires have of the force. What has been found for a closed contact
-   !> stays until the forces balance.
+   !> How the ends of the two wires cut the overlap. What has been found for a closed contact stays until the forces
+   !> balance.
    pure subroutine divide_at_ends(wires, elements, point)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(contact_point_t), intent(inout) :: point
-      real(dp) :: overlap, sine, to_end, u
-      integer :: side
+      real(dp) :: overlap, to_end(2), way(3, 2)
+      integer :: i
 
-      if (point%is_divided .or. point%gap >= 0 .or. .not. point%kinematics%distance > 0) return
-      point%is_divided = .true.
-      associate (pair => [point%element_bar, point%element], arc => [point%arc_bar, point%arc], &
+      if (point%lens%is_known .or. point%gap >= 0 .or. .not. point%kinematics%distance > 0) return
+      point%lens%is_known = .true.
+      associate (pair => [point%element_bar, point%element], arc => [point%arc_bar, point%arc], lens => point%lens, &
          d => point%kinematics%distance)
+         do i = 1, 2
+            call find_round_end(wires, elements, pair(i), arc(i), lens%side(i), to_end(i))
+         end do
+         lens%near = lens%side > 0
+         lens%angle = point%kinematics%angle
+         lens%distance = d
+         do i = 1, 2
+            way(:, i) = point%tangent(:, i)
+            if (lens%near(i) .and. .not. is_at_end(wires, elements, point, i)) way(:, i) = &
+               -direction_of_end(wires, pair(i), lens%side(i))*way(:, i)
+         end do
+         lens%cosine = dot_product(way(:, 1), way(:, 2))/max(norm2(way(:, 1))*norm2(way(:, 2)), tiny(d))
+         lens%bend = bends_over_feet(point, lens%cosine)
          overlap = min(-point%gap, deepest*minval(elements%radius(pair)))
-         sine = 1
-         if (.not. any(point%held)) sine = max(lens_sine(point%kinematics), sin(point%kinematics%angle))
-         do side = 1, 2
-            to_end = distance_to_round_end(wires, elements, pair(side), arc(side))
-            if (.not. point%held(side) .or. to_end > at_end*elements%length(pair(side))) then
-               call divide(to_end*sine/sqrt(2*d*overlap), point%of_cylinder(side), point%of_end(side))
+         lens%bend = max(lens%bend, d*least_bend(0.0_dp, overlap, minval(elements%radius(pair))))
+         lens%is_flat = all(lens%near) .and. any(point%held) .and. &
+            any(lens%bend > 2*(1 - lens%cosine)*(1 + lens%cosine))
+         ! nothing is felt of an end that is farther away
+         overlap = max(overlap, least_felt*minval(elements%radius(pair)))
+         do i = 1, 2
+            if (.not. is_at_end(wires, elements, point, i)) lens%near(i) = lens%near(i) .and. &
+               lens%bend(i)*to_end(i)**2 < felt**2*2*d*overlap
+         end do
+      end associate
+      call place_at_ends(wires, elements, point)
+   end subroutine divide_at_ends
+
+   !> The distance times its curvature along either wire, over the feet on the other one (2) [-].
+   pure function bends_over_feet(point, cosine) result(bend)
+      type(contact_point_t), intent(in) :: point
+      !> Of the angle between the wires
+      real(dp), intent(in) :: cosine
+      real(dp) :: bend(2)
+
+      if (any(point%held)) then
+         bend = merge(point%kinematics%distance*point%bend + point%tilt**2, (1 - cosine)*(1 + cosine), point%held)
+      else
+         associate (m_inverse => point%kinematics%between_q)
+            bend = 1/([m_inverse(2, 2), m_inverse(1, 1)]*point%kinematics%squares([2, 1]))
+         end associate
+         ! of wires that are curved about each other more than of straight ones
+         bend = max(bend, (1 - cosine)*(1 + cosine))
+      end if
+   end function bends_over_feet
+
+   !> Where a contact is along its wires, as seen from the ends that cut it.
+   pure subroutine place_at_ends(wires, elements, point)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(contact_point_t), intent(inout) :: point
+      real(dp) :: to_ends(2)
+      integer :: i
+
+      associate (pair => [point%element_bar, point%element], arc => [point%arc_bar, point%arc])
+         do i = 1, 2
+            if (.not. point%lens%near(i)) cycle
+            if (is_at_end(wires, elements, point, i)) then
+               point%place(i) = (2*i - 3)*dot_product(point%kinematics%point_bar - point%kinematics%point, &
+                  point%tangent(:, i))
             else
-               u = beyond_end(point%tilt(side), merge(1/d, point%bend(side), all(point%held)), overlap, &
-                  minval(elements%radius(pair)))
-               call divide(u, point%of_cylinder(side), point%of_end(side))
-               point%of_cylinder(side) = flatness(point%tilt(side))*point%of_cylinder(side)
+               to_ends = distances_to_ends(wires, elements, pair(i), arc(i))
+               point%place(i) = to_ends(point%lens%side(i))
             end if
          end do
       end associate
-      ! cylinders that are cut on both sides have nothing between their ends
-      point%of_crossing = 1
-      if (all(point%of_end > 0)) point%of_crossing = &
-         smooth_step((sin(point%kinematics%angle) - flat_tilt)/(steep_tilt - flat_tilt))
-   end subroutine divide_at_ends
+   end subroutine place_at_ends
 
-   !> Length of wire to the nearer end of its wire at which nothing goes straight on [m].
-   pure real(dp) function distance_to_round_end(wires, elements, e, arc) result(distance)
+   !> The contact is held at an end of the wire, and not at a joint along it.
+   pure logical function is_at_end(wires, elements, point, i)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(contact_point_t), intent(in) :: point
+      !> 1: barred, 2: unbarred wire
+      integer, intent(in) :: i
+      real(dp) :: to_ends(2)
+
+      is_at_end = point%held(i) .and. point%lens%near(i)
+      if (.not. is_at_end) return
+      associate (e => merge(point%element_bar, point%element, i == 1), arc => merge(point%arc_bar, point%arc, i == 1))
+         to_ends = distances_to_ends(wires, elements, e, arc)
+         is_at_end = to_ends(point%lens%side(i)) <= at_end*elements%length(e)
+      end associate
+   end function is_at_end
+
+   !> The ends that cut a contact, as the kernels want them.
+   pure function ends_of_wires(wires, elements, axis, point) result(ends)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> `axis_linear` or `axis_hermite`
+      integer, intent(in) :: axis
+      type(contact_point_t), intent(in) :: point
+      type(place_at_end_t) :: ends(2)
+      real(dp) :: xi(2)
+      integer :: pair(2), i
+
+      pair = [point%element_bar, point%element]
+      xi = [point%xi_bar, point%xi]
+      ends%held = point%held
+      ! of a place along a line the foot moves
+      if (point%line_place > 0) ends%held = [point%foot_at_end, .true.]
+      do i = 1, 2
+         if (.not. point%lens%near(i)) cycle
+         ends(i)%direction = direction_of_end(wires, pair(i), point%lens%side(i))
+         if (.not. is_at_end(wires, elements, point, i)) cycle
+         ends(i)%inward = point%tangent(:, i)
+         ends(i)%node = 2*i - merge(1, 0, xi(i) < 0)
+         ends(i)%turns = axis == axis_hermite
+         ends(i)%length = elements%length(pair(i))
+         if (.not. point%on_other_leg(i)) ends(i)%other_node = 4*i - 1 - ends(i)%node
+      end do
+   end function ends_of_wires
+
+   !> 1 where an end of its wire lies in the direction of xi of an element, -1 where it lies against it.
+   pure integer function direction_of_end(wires, e, side) result(direction)
+      type(wires_t), intent(in) :: wires
+      !> Element; first (1) or second (2) end
+      integer, intent(in) :: e, side
+
+      direction = (2*side - 3)*wires%direction(e)
+   end function direction_of_end
+
+   !> The nearer end of a wire at which nothing goes straight on.
+   pure subroutine find_round_end(wires, elements, e, arc, side, distance)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       !> Element
       integer, intent(in) :: e
       !> Arc length along its wire [m]
       real(dp), intent(in) :: arc
+      !> 1 or 2, 0: there is none
+      integer, intent(out) :: side
+      !> Length of wire to it [m]
+      real(dp), intent(out) :: distance
       real(dp) :: to_ends(2)
 
       to_ends = distances_to_ends(wires, elements, e, arc)
@@ -118,37 +225,10 @@ contains
          if (wires%goes_on(merge(1, 2, wires%direction(first) > 0), first)) to_ends(1) = huge(distance)
          if (wires%goes_on(merge(2, 1, wires%direction(last) > 0), last)) to_ends(2) = huge(distance)
       end associate
-      distance = minval(to_ends)
-   end function distance_to_round_end
-
-   !> The parts of cylinder and end, of the force that each would have with the overlap at the point. Of a parabola that
-   !> is `1 - u^2` of its middle, the cylinder has the integral from the end on, `S = (2 + 3u - u^3)/4`; forces go with
-   !> the power 3/2 of the overlap.
-   pure subroutine divide(u, of_cylinder, of_end)
-      !> From the end to the middle of the overlap, over its half length: positive on the wire, negative beyond its end
-      real(dp), intent(in) :: u
-      !> In parts of these forces
-      real(dp), intent(out) :: of_cylinder, of_end
-      real(dp) :: integral
-
-      integral = smooth_step((1 + u)/2)                                                    ! S
-      of_cylinder = integral
-      of_end = 1 - integral
-      if (abs(u) >= 1) return
-      if (u > 0) of_end = of_end*(1 - u**2)**1.5_dp
-      if (u < 0) of_cylinder = of_cylinder/(1 - u**2)**1.5_dp
-   end subroutine divide
-
-   !> u of a contact at the end of a wire, where the distance would be least beyond it, at `-t/k`, with the overlap
-   !> `delta + t^2/(2 k)`.
-   pure real(dp) function beyond_end(tilt, bend, overlap, radius) result(u)
-      !> Slope [-] and curvature [1/m] of the distance along the wire, and overlap at the end [m]
-      real(dp), intent(in) :: tilt, bend, overlap
-      !> The smaller radius [m], over which a tilt of round-off makes no difference
-      real(dp), intent(in) :: radius
-
-      u = -tilt/sqrt(2*least_bend(bend, overlap, radius)*overlap + tilt**2)
-   end function beyond_end
+      side = minloc(to_ends, 1)
+      distance = to_ends(side)
+      if (.not. distance < huge(distance)) side = 0
+   end subroutine find_round_end
 
    !> Curvature of the distance along a wire from its end on, of an overlap that is no longer than a radius [1/m].
    pure real(dp) function least_bend(bend, overlap, radius)

@@ -4,10 +4,12 @@ module litz_contact_points
    use litz_contact_history, only: contact_history_t
    use litz_contact_kinematics, only: contact_kinematics_t
    use litz_contact_side, only: crossing_t, crossing_of
+   use litz_cut_lens, only: cut_lens_t
    use litz_element_library, only: elements_t
    use litz_friction_iteration, only: friction_iteration_t
    use litz_friction_law, only: friction_law_t
    use litz_hertz, only: hertz_ellipse_t
+   use litz_line_cell, only: line_cell_t
    use litz_line_law, only: line_wires_t
    use litz_line_places, only: line_places_t
    use litz_model, only: model_t, axis_hermite
@@ -38,13 +40,23 @@ module litz_contact_points
       type(contact_kinematics_t) :: kinematics
       !> On the barred, on the unbarred wire it is at a round end, or at the round joint of a kink
       logical :: held(2) = .false.
-      !> Near the end of a wire: what the law of its cylinder and that of its round end have of the force, in parts of
-      !> what either would have alone (2)
-      real(dp) :: of_cylinder(2) = 1, of_end(2) = 0
-      !> What of the part of both cylinders is not carried along the line
-      real(dp) :: of_crossing = 1
-      !> These have been found: within an iteration they stay
-      logical :: is_divided = .false.
+      !> Near the end of a wire: how that cuts its overlap, and what the pairs of cylinders and round ends have of the
+      !> force, in parts of what they would have alone (2, 2): within an iteration both stay
+      type(cut_lens_t) :: lens
+      real(dp) :: force_part(2, 2) = 0
+      !> Places as litz_cut_lens has them (2) [m]; the energy is a function of them and of the overlap, its
+      !> derivatives by
+      !> them are forces along the wires (2) [N], which change with the overlap (2) [N/m] and the places (2, 2) [N/m]
+      real(dp) :: place(2) = 0, slide_force(2) = 0, slide_by_overlap(2) = 0, slide_stiffness(2, 2) = 0
+      !> Of the force and of its stiffness what that of uncut cylinders at the same overlap is multiplied by
+      real(dp) :: cut = 1, cut_stiffness = 1
+      !> Tangents (3, 2): of the axis along xi where it moves along its wire, from the end into the wire where it is
+      !> held there; and where that is along another leg than its element
+      real(dp) :: tangent(3, 2) = 0
+      logical :: on_other_leg(2) = .false.
+      !> Of a point of a line contact next to the end of the other wire: how the length that it stands for changes with
+      !> its place there, and what it was in the last state in balance, which friction sees [m]
+      real(dp) :: dweight_dlap = 0, settled_weight = 0
       !> Where it is: slope of the distance along the wire from there, not negative, and its curvature (2) [-, 1/m]
       real(dp) :: tilt(2) = 0, bend(2) = 0
       !> The crossing of the same two wires that it was when the increment began
@@ -70,6 +82,10 @@ module litz_contact_points
       logical :: foot_at_end = .false.
       !> Point of a line contact: its place on the unbarred wire, see litz_line_places; 0: the wires cross here
       integer :: line_place = 0
+      !> Of a point of a line contact between conductors: the part of the wire for which it stands, and whether the
+      !> wires touch anywhere in it
+      type(line_cell_t) :: cell
+      logical :: cell_touches = .false.
       !> Normal in the last converged state (3); 0: none
       real(dp) :: normal_before(3) = 0
       !> Law per length at the present angle, of a point of a line contact
@@ -288,15 +304,19 @@ contains
       point%is_long = earlier%is_long
       point%weight = earlier%weight
       point%line_share = earlier%line_share
+      point%cell%reach = earlier%cell%reach
       point%section_share = earlier%section_share
       point%lens_share = earlier%lens_share
       point%lens_sine = earlier%lens_sine
       point%law_angle = earlier%law_angle
       point%law_sine = earlier%law_sine
-      point%is_divided = earlier%is_divided
-      point%of_cylinder = earlier%of_cylinder
-      point%of_end = earlier%of_end
-      point%of_crossing = earlier%of_crossing
+      point%lens = earlier%lens
+      point%force_part = earlier%force_part
+      point%cut = earlier%cut
+      point%cut_stiffness = earlier%cut_stiffness
+      point%place = earlier%place
+      point%dweight_dlap = earlier%dweight_dlap
+      point%settled_weight = earlier%settled_weight
       if (earlier%law_status == law_too_curved) point%law_status = law_too_curved
    end subroutine take_shares
 

@@ -7,7 +7,8 @@ module litz_friction_forces
    use litz_contact_points, only: contact_point_t
    use litz_end_kinematics, only: mirrored, mirrored_nodes, mirrored_motions
    use litz_friction_iteration, only: place_touch, place_line_touch
-   use litz_friction_law, only: friction_law_t, friction_start_t, friction_law, friction_none, friction_stick
+   use litz_friction_law, only: friction_law_t, friction_start_t, friction_law, friction_none, friction_stick, &
+      friction_slip
    use litz_law_input, only: wire_pair_t
    use litz_line_friction, only: line_slip_t, line_slip, side_at, line_friction_residual, line_friction_tangent
    use litz_model, only: interaction_t
@@ -24,6 +25,8 @@ module litz_friction_forces
       !> Displacements and rotations of the four nodes since (24) [m, rad], and what the clearance of an interference
       !> has closed the gap by [m]
       real(dp) :: dq(n_motions) = 0, closing = 0
+      !> The load goes on as in the increment before: not the first increment of a step
+      logical :: goes_on = .false.
       !> Of a point of a line contact: nodal positions [m] and unit tangents (3, 4) of then, and the rotations of the
       !> nodes since (3, 3, 4)
       real(dp) :: x(3, 4) = 0, t(3, 4) = 0, turned(3, 3, 4) = 0
@@ -44,16 +47,21 @@ module litz_friction_forces
       procedure :: tangent
    end type contact_slip_t
 
+   !> A traction less than this share below the limit of friction is at the limit, but for round-off
+   real(dp), parameter :: at_limit = 1.0e-6_dp
+
 contains
 
    !> Residual and tangent of the traction of a contact.
-   pure subroutine find_friction(law, wires, x, t, length, pair, before, point, k, r)
+   pure subroutine find_friction(law, wires, x, t, length, pair, before, dforce_sliding, point, k, r)
       type(interaction_t), intent(in) :: law
       type(wires_t), intent(in) :: wires
       !> Nodal positions [m] and unit tangents (3, 4), reference lengths (2) [m]: barred first
       real(dp), intent(in) :: x(3, 4), t(3, 4), length(2)
       type(wire_pair_t), intent(in) :: pair
       type(increment_start_t), intent(in) :: before
+      !> How the normal force changes as the contact slides next to an end (24)
+      real(dp), intent(in) :: dforce_sliding(n_motions)
       !> Gets the traction, and what the iteration supposes of it
       type(contact_point_t), intent(inout) :: point
       !> Tangent (24, 24), in Hessian form, and residual (24)
@@ -77,23 +85,25 @@ contains
       k = 0
       r = 0
       if (point%closed) then
-         call stick(law, pair, point%force, point%weight, point, stiffness, dstiffness_dforce)
+         call stick(law, pair, point%force, settled_weight(point), point, stiffness, dstiffness_dforce)
          point%friction = friction_law(law%friction, point%force, stiffness, dstiffness_dforce, start, slip%slip)
          point%traction = -matmul(slip%frame, point%friction%traction)
          r = slip%residual(point%kinematics, point%friction%traction)
          if (.not. point%history%closed) call grow_with_force(dot_product(r, before%dq), point%friction)
       end if
 
-      if (point%friction_iteration%status == friction_none) call suppose(start%traction, point)
+      if (point%friction_iteration%status == friction_none) then
+         call suppose(law%friction, before%goes_on, start%traction, point)
+      end if
       associate (iteration => point%friction_iteration)
          iteration%difference = -r
          iteration%limit = 0
          iteration%dtrial = 0
          if (.not. point%active) return
          force = max(0.0_dp, point%iteration_force)
-         dforce = -point%stiffness*point%kinematics%dgap
+         dforce = dforce_sliding - point%stiffness*point%kinematics%dgap
          if (.not. force > 0) return
-         call stick(law, pair, force, point%weight, point, stiffness, dstiffness_dforce)
+         call stick(law, pair, force, settled_weight(point), point, stiffness, dstiffness_dforce)
          supposed = friction_law(law%friction, force, stiffness, dstiffness_dforce, start, slip%slip, iteration%status)
          r_supposed = slip%residual(point%kinematics, supposed%traction)
          k = slip%tangent(point%kinematics, t, supposed, dforce, iteration%mixed_traction)
@@ -106,9 +116,15 @@ contains
       end associate
    end subroutine find_friction
 
-   !> What the iteration supposes of a contact at first: it sticks when it was closed before, or else does what it would
-   !> do here. A stick far beyond the limit would throw open again a contact that closes with a small force.
-   pure subroutine suppose(traction_before, point)
+   !> What the iteration supposes of a contact at first: one that was closed before goes on to slip or to stick, and
+   !> sticks where a step begins, since there a motion is likely to turn back; a slip that turns back all the same is
+   !> found by the first iteration. One that was open does what it would do here: a stick far beyond the limit would
+   !> throw open again a contact that closes with a small force.
+   pure subroutine suppose(mu, goes_on, traction_before, point)
+      !> Coefficient of friction
+      real(dp), intent(in) :: mu
+      !> As in `increment_start_t`
+      logical, intent(in) :: goes_on
       !> When the increment began (2) [N]
       real(dp), intent(in) :: traction_before(2)
       type(contact_point_t), intent(inout) :: point
@@ -118,6 +134,9 @@ contains
          if (point%predicted .or. .not. point%history%closed) then
             if (point%closed) iteration%status = point%friction%status
          else
+            if (goes_on .and. norm2(traction_before) >= (1 - at_limit)*mu*point%history%force) then
+               iteration%status = friction_slip
+            end if
             iteration%mixed_traction = traction_before
          end if
       end associate
@@ -315,6 +334,14 @@ contains
 
       friction%work_beyond_mean = friction%elastic_work + friction%dissipation - work/2
    end subroutine grow_with_force
+
+   !> Share of a crossing [-] or length of a place [m] by which friction tells its stiffness: within an iteration it
+   !> stays.
+   pure real(dp) function settled_weight(point)
+      type(contact_point_t), intent(in) :: point
+
+      settled_weight = merge(point%settled_weight, point%weight, point%line_place > 0)
+   end function settled_weight
 
    !> Tangential stiffness of a contact that sticks, and how it changes with the normal force.
    pure subroutine stick(law, pair, force, weight, point, stiffness, dstiffness_dforce)

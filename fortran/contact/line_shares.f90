@@ -5,16 +5,19 @@
 module litz_line_shares
    use litz_kinds, only: dp, pi
    use litz_axis_choices, only: axis_hermite
-   use litz_contact_lens, only: has_lens, half_length_of, divide_at_ends, flatness, least_bend, deepest
+   use litz_contact_lens, only: has_lens, half_length_of, divide_at_ends, place_at_ends, flatness, least_bend, deepest
    use litz_contact_points, only: contact_point_t, contact_set_t, pair_geometry, law_too_curved
+   use litz_cut_forces, only: settle_cut
+   use litz_cut_lens, only: cut_lens_t
    use litz_crossings_of_wires, only: crossings_of_wires_t, sort_crossings
    use litz_element_library, only: elements_t
-   use litz_lens_law, only: share_of_point, smooth_step
+   use litz_lens_law, only: share_of_point, share_of_ends, smooth_step
    use litz_line_contact, only: serves_lines
    use litz_line_kinematics, only: lens_sine, crossing_qualities, line_profile_t, line_profile
-   use litz_line_laps, only: share_at_lap, lap_from_end, lap_at_crossing
+   use litz_line_laps, only: find_lap, cell_at_lap, lap_from_end, lap_at_crossing
    use litz_line_places, only: line_places_t, place_at, spacing_of_places
    use litz_model, only: model_t
+   use litz_normal_forces, only: wires_of
    use litz_normal_law, only: normal_law_t
    use litz_wires, only: wires_t
    implicit none
@@ -38,10 +41,11 @@ module litz_line_shares
    !> Least angle that the law of a contact at an end sees [rad]
    real(dp), parameter :: least_sine = 1.0e-3_dp
 
+   !> Cosine of the angle between wires that lie along each other (15 degrees)
+   real(dp), parameter :: along_each_other = 0.966_dp
+
    !> A change of the sine of a lens, relative to it, matters this much more than one of a share
    real(dp), parameter :: sine_matters = 20
-   !> So does one of the parts of cylinder and end, which all of the contact goes with
-   real(dp), parameter :: ends_matter = 10
 
    !> Half lengths of a lens from its crossing where it has certainly ended
    real(dp), parameter :: lens_ends = 1.2_dp
@@ -69,22 +73,37 @@ contains
       do i = 1, size(contact%points)
          associate (point => contact%points(i))
             call divide_at_ends(wires, elements, point)
-            point%law_angle = point%kinematics%angle
-            ! wires that are parallel may well meet end to end
-            if (any(point%held)) point%law_angle = max(least_sine, min(pi - least_sine, point%law_angle))
-            point%law_sine = sin(point%law_angle)
+            call place_at_ends(wires, elements, point)
+            call set_angle_of_axes(point)
             if (.not. serves_lines(model, point%pair)) cycle
             associate (law => model%interactions(model%contact_pairs(point%pair)%interaction)%normal)
                if ((point%gap < 0 .or. law%is_per_length_only()) .and. .not. point%is_shared) then
                   call share_crossing(law, wires, elements, contact, by_place, point)
                end if
             end associate
-            if (.not. point%lens_share > 0) cycle
-            point%law_sine = (1 - point%lens_share)*point%law_sine + point%lens_share*point%lens_sine
-            point%law_angle = asin(min(1.0_dp, point%law_sine))
+            call blend_angle_of_lens(point)
          end associate
       end do
    end subroutine share_crossings
+
+   !> The angle that a law sees is that of the axes; next to ends it stays what it was in the last state in balance.
+   pure subroutine set_angle_of_axes(point)
+      type(contact_point_t), intent(inout) :: point
+
+      point%law_angle = merge(point%lens%angle, point%kinematics%angle, any(point%lens%near))
+      ! wires that are parallel may well meet end to end
+      if (any(point%held)) point%law_angle = max(least_sine, min(pi - least_sine, point%law_angle))
+      point%law_sine = sin(point%law_angle)
+   end subroutine set_angle_of_axes
+
+   !> It is that of straight wires with as long a lens, as far as that counts.
+   pure subroutine blend_angle_of_lens(point)
+      type(contact_point_t), intent(inout) :: point
+
+      if (.not. point%lens_share > 0) return
+      point%law_sine = (1 - point%lens_share)*point%law_sine + point%lens_share*point%lens_sine
+      point%law_angle = asin(min(1.0_dp, point%law_sine))
+   end subroutine blend_angle_of_lens
 
    !> What a crossing carries. Its law sees the angle of the axes; at small angles and along long lenses it sees that of
    !> straight wires with as long a lens.
@@ -107,36 +126,32 @@ contains
          return
       end if
       point%lens_sine = lens_sine(point%kinematics)
-      point%weight = 1 - line_share_at(wires, elements, contact, by_place, point)
       radius = minval(elements%radius([point%element_bar, point%element]))
       half_length = half_length_of(point, deepest*radius)
-      call share_cut_lens(wires, elements, contact%places, half_length, point)
+      call give_to_ends(elements, contact%places, line_share_at(wires, elements, contact, by_place, point), &
+         merge(min(half_length, lap_at_crossing(wires, elements, point)), huge(radius), all(point%lens%near)), point)
       point%section_share = smooth_step((half_length/radius - section_from)/(section_at - section_from))
       ! a penalty does not depend on the far field
       if (law%line_penalty() > 0) point%section_share = 0
       point%lens_share = share_of_lens(law, point)
    end subroutine share_crossing
 
-   !> Where the ends of both wires cut a long lens so that little is left, places carry what is between them, and the
-   !> crossing what the ends have.
-   pure subroutine share_cut_lens(wires, elements, places, half_length, point)
-      type(wires_t), intent(in) :: wires
+   !> What places along the line leave of a contact it carries itself; its round ends carry more where little is left
+   !> for places.
+   pure subroutine give_to_ends(elements, places, line_share, length, point)
       type(elements_t), intent(in) :: elements
       type(line_places_t), intent(in) :: places
-      !> Of the lens, were it not cut [m]
-      real(dp), intent(in) :: half_length
+      !> Part that places carry, and length of what the ends leave of the overlap [m]
+      real(dp), intent(in) :: line_share, length
       type(contact_point_t), intent(inout) :: point
-      real(dp) :: of_ends, slope
 
-      if (.not. (point%weight < 1 .and. all(point%of_end > 0))) return
       associate (pair => [point%element_bar, point%element])
-         call share_of_point(min(half_length, lap_at_crossing(wires, elements, point)), &
-            resolution*spacing_of_places(places, pair, elements%length(pair)), of_ends, slope)
+         point%weight = share_of_ends(line_share, length, resolution*spacing_of_places(places, pair, &
+            elements%length(pair)))
       end associate
-      if (of_ends <= point%weight) return
-      point%of_crossing = point%of_crossing*point%weight/of_ends
-      point%weight = of_ends
-   end subroutine share_cut_lens
+      point%lens%share = 1
+      if (point%weight > 0) point%lens%share(1, 1) = (1 - line_share)/point%weight
+   end subroutine give_to_ends
 
    !> How much the lens counts beside the angle of the axes.
    pure real(dp) function share_of_lens(law, point) result(share)
@@ -157,38 +172,43 @@ contains
       type(contact_set_t), intent(in) :: contact
       type(points_by_place_t), intent(in) :: by_place
       type(contact_point_t), intent(inout) :: point
-      real(dp) :: share, of_ends
+      real(dp) :: share, radius
 
+      radius = minval(elements%radius([point%element_bar, point%element]))
       share = 0
       if (size(contact%line_points) > 0) share = half_pass*(share_along(wires, elements, contact, by_place, &
          point%element_bar, point%xi_bar, point%element, point%arc) + share_along(wires, elements, contact, by_place, &
          point%element, point%xi, point%element_bar, point%arc_bar))
-      share = share*flatness(maxval(point%tilt))
-      of_ends = max(1 - share, share_of_short_lap(wires, elements, contact%places, point))
-      point%weight = of_ends
-      if (of_ends > 0) point%of_crossing = point%of_crossing*(1 - share)/of_ends
-      point%lens_sine = sine_at_end(point, minval(elements%radius([point%element_bar, point%element])))
+      call give_to_ends(elements, contact%places, share*flatness(maxval(point%tilt)), min(half_length_of(point, &
+         deepest*radius), lap_from_end(wires, elements, point, merge(2, 1, point%held(2)))), point)
+      if (count(point%held) == 1) call leave_to_twin(wires, contact%points, point)
+      point%lens_sine = sine_at_end(point, radius)
       point%lens_share = share_of_lens(law, point)
    end subroutine share_end
 
-   !> What round ends carry where the lap of two wires is short, beside the places in it: both have a half where the
-   !> wires lie along each other, and where they are at the same place each has a half of that.
-   pure real(dp) function share_of_short_lap(wires, elements, places, point) result(share)
+   !> Wires that lie along each other touch at the ends of both: what is of the end of the other one is the matter of
+   !> the contact there, and of what is of both each has a half.
+   pure subroutine leave_to_twin(wires, points, point)
       type(wires_t), intent(in) :: wires
-      type(elements_t), intent(in) :: elements
-      type(line_places_t), intent(in) :: places
-      type(contact_point_t), intent(in) :: point
-      real(dp) :: lap, slope, reach
+      type(contact_point_t), intent(in) :: points(:)
+      type(contact_point_t), intent(inout) :: point
+      integer :: i, other
 
-      associate (pair => [point%element_bar, point%element], own => merge(2, 1, point%held(2)))
-         lap = lap_from_end(wires, elements, point, own)
-         call share_of_point(min(lap, half_length_of(point, deepest*minval(elements%radius(pair)))), &
-            resolution*spacing_of_places(places, pair, elements%length(pair)), share, slope)
-         if (all(point%held)) return
-         reach = sqrt(2*point%kinematics%distance*max(-point%gap, 0.0_dp))
-         if (lap < reach) share = share*(1 - point%of_cylinder(own)*(1 - smooth_step(lap/reach)))
-      end associate
-   end function share_of_short_lap
+      other = merge(2, 1, point%held(1))
+      if (.not. point%lens%near(other) .or. abs(point%kinematics%cos_angle) < along_each_other) return
+      do i = 1, size(points)
+         associate (twin => points(i))
+            if (.not. (twin%gap < 0 .and. twin%held(other) .and. .not. twin%held(3 - other))) cycle
+            if (twin%lens%side(other) /= point%lens%side(other)) cycle
+            if (wires%wire(twin%element_bar) /= wires%wire(point%element_bar)) cycle
+            if (wires%wire(twin%element) /= wires%wire(point%element)) cycle
+            point%lens%share(merge(2, 1, other == 1), merge(2, 1, other == 2)) = 0
+            point%lens%share(1, 1) = point%lens%share(1, 1)/2
+            point%lens%share(2, 2) = point%lens%share(2, 2)/2
+            return
+         end associate
+      end do
+   end subroutine leave_to_twin
 
    !> Sine of straight wires between which the distance would be as curved.
    pure real(dp) function sine_at_end(point, radius) result(sine)
@@ -297,17 +317,32 @@ contains
          associate (point => contact%points(i))
             if (.not. point%gap < 0) cycle
             earlier = point
-            point%is_divided = .false.
+            point%lens = cut_lens_t()
             call divide_at_ends(wires, elements, point)
-            largest_change = max(largest_change, ends_matter*maxval(abs([point%of_cylinder - earlier%of_cylinder, &
-               point%of_end - earlier%of_end])))
-            if (.not. point%is_shared) cycle
-            call share_crossing(model%interactions(model%contact_pairs(point%pair)%interaction)%normal, wires, &
-               elements, contact, by_place, point)
+            largest_change = max(largest_change, change_of_cut(earlier%lens, point%lens))
+            associate (law => model%interactions(model%contact_pairs(point%pair)%interaction)%normal)
+               if (point%is_shared) call share_crossing(law, wires, elements, contact, by_place, point)
+               if (any(point%lens%near)) then
+                  call set_angle_of_axes(point)
+                  if (serves_lines(model, point%pair)) call blend_angle_of_lens(point)
+                  call settle_cut(law, wires_of(model, elements, point), point)
+               end if
+            end associate
             largest_change = max(largest_change, change_of(earlier, point))
          end associate
       end do
    end subroutine renew_shares
+
+   !> How much the law of a contact near ends has changed: by the shapes of its overlap, and by what it has of them.
+   pure real(dp) function change_of_cut(earlier, lens) result(change)
+      type(cut_lens_t), intent(in) :: earlier, lens
+
+      change = 0
+      if (any(earlier%near .neqv. lens%near)) change = 1
+      if (any(earlier%near .neqv. lens%near) .or. .not. any(lens%near)) return
+      change = max(maxval(abs(lens%share - earlier%share)), maxval(abs(lens%bend/earlier%bend - 1)), &
+         abs(lens%cosine - earlier%cosine))
+   end function change_of_cut
 
    !> How much the law of a crossing has changed: its share, and the sine that it sees.
    pure real(dp) function change_of(earlier, point) result(change)
@@ -348,7 +383,7 @@ contains
       real(dp), intent(in) :: xe(3, 4), tangents(3, 4), length(2)
       type(contact_point_t), intent(inout) :: point
       type(line_profile_t) :: profile
-      real(dp) :: tilt, reach, distance
+      real(dp) :: tilt, reach, distance, of_length
       integer :: i
 
       profile = line_profile(xe, tangents, length, axis_hermite, point%xi_bar, point%xi, point%kinematics%normal, &
@@ -384,8 +419,13 @@ contains
                if (-point%gap + tilt**2/(2*bend) <= 0) point%line_share = 0
             end if
          end if
+         call find_lap(wires, elements, contact%places, point%kinematics%cos_angle, point, of_length)
+         point%dweight_dlap = 0
+         if (point%lens%near(1)) point%dweight_dlap = point%line_share*share_of_pass(quality)*flatness(tilt)
          point%weight = point%line_share*share_of_pass(quality)*flatness(tilt)*contact%places%length(point%line_place) &
-            *share_at_lap(wires, elements, contact%places, point%kinematics%cos_angle, point)
+            *of_length
+         point%cell%reach = cell_at_lap(wires, elements, contact%places, point)
+         point%settled_weight = point%weight
          if (.not. any(quality > least_quality)) point%law_status = law_too_curved
       end associate
    end subroutine share_line_point

@@ -4,10 +4,11 @@
 !> `delta(F)`, whether a point is active follows from the predicted gap and force, and the geometric stiffness takes the
 !> independent force. The converged force is that of the law at the true gap.
 module litz_normal_forces
-   use litz_kinds, only: dp, pi
+   use litz_kinds, only: dp
    use litz_contact_points, only: contact_point_t, law_ok, law_parallel, law_too_curved
+   use litz_cut_forces, only: cut_force, ellipse_of_parts, kept_part, scaled
    use litz_element_library, only: elements_t
-   use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_near_ends, hertz_ok
+   use litz_hertz, only: hertz_ellipse, hertz_ok
    use litz_law_input, only: wire_pair_t
    use litz_lens_law, only: lens_t, lens_force, lens_energy
    use litz_line_point, only: force_of_line
@@ -18,7 +19,7 @@ module litz_normal_forces
    use litz_parallel, only: worth_threads
    implicit none
    private
-   public :: apply_normal_law, wires_of, is_lens, weight_of_lens, overlap_of_point
+   public :: apply_normal_law, wires_of, is_lens, law_of_spot, share_of_ellipse, weight_of_lens, overlap_of_point
 
    !> At first touch the Hertz law is linearised about the force of an overlap of at most this fraction of the radius
    real(dp), parameter :: first_overlap = 1.0e-3_dp
@@ -69,16 +70,20 @@ contains
       type(elements_t), intent(in) :: elements
       type(contact_point_t), intent(inout) :: point
       type(wire_pair_t) :: pair
+      integer :: info
       logical :: needs_line
 
+      info = hertz_ok
       point%closed = point%gap < 0 .and. point%weight > 0
       point%active = merge(point%predicted_gap < 0, point%closed, point%predicted) .and. point%weight > 0
       point%at_gap = force_of_gap_t()
+      point%slide_force = 0
       if (point%law_status /= law_too_curved) point%law_status = law_ok
       point%force = 0
       point%stiffness = 0
       point%iteration_force = 0
-      point%geometric_force = max(point%mixed_force, 0.0_dp)
+      point%geometric_force = 0
+      if (point%active .or. point%closed) point%geometric_force = max(point%mixed_force, 0.0_dp)
       if (.not. point%active) point%mixed_force = 0
       associate (law => model%interactions(model%contact_pairs(point%pair)%interaction))
          needs_line = point%weight > 0 .and. (point%line_place > 0 .or. is_lens(law%normal, point) .or. &
@@ -90,12 +95,15 @@ contains
          if (point%line_place > 0) then
             call press_line(law%normal%line_penalty(), point)
          else if (is_lens(law%normal, point)) then
+            if (law%spot%uses_ellipse .and. share_of_ellipse(law%normal, point) > 0) call find_ellipse(pair, point)
             call press_lens(law%normal, pair, point)
          else
             if (law%normal%uses_ellipse .or. law%spot%uses_ellipse) call find_ellipse(pair, point)
             if (point%law_status /= law_ok) return
             call press_point(law%normal, pair, point)
          end if
+         if (point%line_place == 0 .and. point%closed .and. is_shaped(law%normal, point)) &
+            call ellipse_of_parts(pair, point, info)
       end associate
       point%force = point%at_gap%force
    end subroutine evaluate
@@ -108,51 +116,48 @@ contains
       is_lens = point%line_place == 0 .and. (point%section_share > 0 .or. law%is_per_length_only())
    end function is_lens
 
+   !> What the spot of crossed wires counts beside the strip along the lens, whose conductances differ where there is a
+   !> film or a hardness: all as the section begins to count, nothing where it wholly does.
+   pure real(dp) function share_of_ellipse(law, point) result(share)
+      type(normal_law_t), intent(in) :: law
+      type(contact_point_t), intent(in) :: point
+
+      share = 1 - point%section_share
+      if (law%is_per_length_only()) share = 0
+   end function share_of_ellipse
+
    pure subroutine find_ellipse(pair, point)
       type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(inout) :: point
       integer :: info
 
-      if (is_near_end(point)) then
-         call hertz_near_ends(pair%radius, pair%young, pair%poisson, point%law_angle, point%of_cylinder, point%of_end, &
-            point%of_crossing, point%ellipse, info)
-      else
-         call hertz_ellipse(pair%radius, pair%young, pair%poisson, point%law_angle, point%ellipse, info)
-      end if
+      call hertz_ellipse(pair%radius, pair%young, pair%poisson, point%law_angle, point%ellipse, info)
       if (info /= hertz_ok) point%law_status = law_parallel
    end subroutine find_ellipse
 
-   !> The end of a wire has a part of the force.
-   pure logical function is_near_end(point)
-      type(contact_point_t), intent(in) :: point
-
-      is_near_end = any(point%of_end > 0)
-   end function is_near_end
-
-   !> Share of the contact that its lens carries. A law per length knows no round ends: they have the part of the force
-   !> of crossed wires that Hertz has for the same overlap; the force of a penalty goes with the length of the lens.
-   pure real(dp) function weight_of_lens(law, pair, point) result(weight)
+   !> The law of a point that ends cut: a penalty per contact does not ask for its shape.
+   pure logical function is_shaped(law, point)
       type(normal_law_t), intent(in) :: law
-      type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(in) :: point
-      type(hertz_ellipse_t) :: ellipse, near_end
-      real(dp) :: angle, of_cylinder
-      integer :: info
 
-      weight = point%weight
-      if (.not. is_near_end(point)) return
-      angle = point%law_angle
-      of_cylinder = 0
-      if (law%line_penalty() > 0) then
-         angle = pi/2
-         of_cylinder = point%of_crossing*product(point%of_cylinder)
-      end if
-      call hertz_ellipse(pair%radius, pair%young, pair%poisson, angle, ellipse, info)
-      call hertz_near_ends(pair%radius, pair%young, pair%poisson, angle, point%of_cylinder, point%of_end, &
-         point%of_crossing, near_end, info)
-      weight = (ellipse%approach/near_end%approach)**1.5_dp                                ! delta = cd F^(2/3)
-      if (law%line_penalty() > 0) weight = of_cylinder + (weight - of_cylinder)*point%law_sine
-      weight = point%weight*weight
+      is_shaped = any(point%lens%near) .and. .not. law%is_straight
+   end function is_shaped
+
+   !> The law that its spot follows: a lens has what the ends leave of it as in the last state in balance.
+   pure type(force_of_gap_t) function law_of_spot(law, point) result(found)
+      type(normal_law_t), intent(in) :: law
+      type(contact_point_t), intent(in) :: point
+
+      found = point%at_gap
+      if (is_lens(law, point) .and. point%cut > 0) found%dforce_dgap = found%dforce_dgap*kept_part(point) &
+         /(point%cut*point%cut_stiffness)
+   end function law_of_spot
+
+   !> Share of the contact that its lens carries, as it stays within an iteration.
+   pure real(dp) function weight_of_lens(point) result(weight)
+      type(contact_point_t), intent(in) :: point
+
+      weight = point%weight*kept_part(point)
    end function weight_of_lens
 
    !> A crossing, with the share that it carries.
@@ -160,16 +165,55 @@ contains
       type(normal_law_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(inout) :: point
+      type(force_of_gap_t) :: base
+      real(dp) :: weight
 
-      point%at_gap = scaled(force_at_gap(law, point%gap, pair, point%ellipse), point%weight)
+      base = force_at_gap(law, point%gap, pair, point%ellipse)
+      call press(law, pair, base, point)
       if (.not. point%active) return
-      point%mixed_force = point%mixed_force/point%weight
+      weight = point%weight*point%cut
+      point%mixed_force = point%mixed_force/weight
       call linearise(law, point%gap, first_overlap*minval(pair%radius), pair, point%ellipse, point%mixed_force, &
          point%stiffness, point%iteration_force)
-      point%mixed_force = point%weight*point%mixed_force
-      point%stiffness = point%weight*point%stiffness
-      point%iteration_force = point%weight*point%iteration_force
+      call follow_cut(weight, point)
    end subroutine press_point
+
+   !> Force and energy at the present gap.
+   pure subroutine press(law, pair, base, point)
+      type(normal_law_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      !> Of a whole contact without ends
+      type(force_of_gap_t), intent(in) :: base
+      type(contact_point_t), intent(inout) :: point
+
+      if (is_shaped(law, point) .or. is_lens(law, point) .and. any(point%lens%near)) then
+         call cut_force(law, pair, base, point)
+      else
+         point%at_gap = scaled(base, point%weight)
+         point%cut = 1
+         point%cut_stiffness = 1
+      end if
+      ! nothing is left between its ends
+      if (.not. point%cut > 0 .or. point%closed .and. .not. point%at_gap%force > 0) then
+         point%active = .false.
+         point%closed = .false.
+         point%at_gap = force_of_gap_t()
+      end if
+   end subroutine press
+
+   !> What an iteration follows, from that of a whole contact without ends.
+   pure subroutine follow_cut(weight, point)
+      !> Part of its force
+      real(dp), intent(in) :: weight
+      !> In: with these forces and the stiffness of the whole contact
+      type(contact_point_t), intent(inout) :: point
+      real(dp) :: beyond
+
+      beyond = point%iteration_force - point%mixed_force
+      point%mixed_force = weight*point%mixed_force
+      point%stiffness = weight*point%cut_stiffness*point%stiffness
+      point%iteration_force = point%mixed_force + weight*point%cut_stiffness*beyond
+   end subroutine follow_cut
 
    !> A crossing whose lens is long beside the radii: the integral of the law per length over it.
    pure subroutine press_lens(normal, pair, point)
@@ -177,16 +221,16 @@ contains
       type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(inout) :: point
       type(lens_t) :: lens
-      type(force_of_gap_t) :: law
+      type(force_of_gap_t) :: base
       real(dp) :: penalty, first, overlap, weight
 
       penalty = normal%line_penalty()
-      weight = weight_of_lens(normal, pair, point)
       lens = lens_force(point%line, point%gap, point%law_sine, penalty)
-      law = force_of_gap_t(lens%force, lens%dforce_dgap, lens%dforce_dangle, &
+      base = force_of_gap_t(lens%force, lens%dforce_dgap, lens%dforce_dangle, &
          lens_energy(point%line, point%gap, point%law_sine, penalty))
-      point%at_gap = scaled(law, weight)
+      call press(normal, pair, base, point)
       if (.not. point%active) return
+      weight = point%weight*point%cut
       first = first_overlap*minval(pair%radius)
       if (point%mixed_force > 0) then
          call find_overlap_of_lens(point%line, point%law_sine, penalty, point%mixed_force/weight, &
@@ -195,9 +239,10 @@ contains
          overlap = merge(min(-point%gap, first), first, point%gap < 0)
          lens = lens_force(point%line, -overlap, point%law_sine, penalty)
       end if
-      point%mixed_force = weight*lens%force
-      point%stiffness = -weight*lens%dforce_dgap
+      point%mixed_force = lens%force
+      point%stiffness = -lens%dforce_dgap
       point%iteration_force = point%mixed_force + point%stiffness*(-point%gap - overlap)
+      call follow_cut(weight, point)
    end subroutine press_lens
 
    !> The overlap of a lens at a force, by Newton's method in their logarithms, between which there is nearly a straight
@@ -232,7 +277,12 @@ contains
       type(contact_point_t), intent(inout) :: point
       type(line_force_t) :: law
 
-      point%at_gap = force_of_line(line_force(point%line, -point%gap, penalty), point%weight)
+      law = line_force(point%line, -point%gap, penalty)
+      point%at_gap = force_of_line(law, point%weight)
+      if (point%lens%near(1) .and. point%closed) then
+         point%slide_force = [point%dweight_dlap*law%energy, 0.0_dp]
+         point%slide_by_overlap = [point%dweight_dlap*law%force, 0.0_dp]
+      end if
       if (.not. point%active) return
       if (.not. point%predicted) point%predicted_gap = point%gap
       law = line_force(point%line, -point%predicted_gap, penalty)
@@ -256,7 +306,7 @@ contains
          line = line_overlap(point%line, force/weight, law%line_penalty())
          found = overlap_of_force_t(line%overlap, line%stiffness, line%dstiffness_dforce)
       else if (is_lens(law, point)) then
-         share = weight*weight_of_lens(law, pair, point)/point%weight
+         share = weight*kept_part(point)
          found = overlap_of_lens(law, pair, point, force/share)
          found%stiffness = share*found%stiffness
          return
@@ -281,14 +331,6 @@ contains
       found%stiffness = -lens%dforce_dgap
       found%dstiffness_dforce = (found%stiffness - force/found%overlap)/force
    end function overlap_of_lens
-
-   pure type(force_of_gap_t) function scaled(law, share)
-      type(force_of_gap_t), intent(in) :: law
-      !> Share of a contact [-]
-      real(dp), intent(in) :: share
-
-      scaled = force_of_gap_t(share*law%force, share*law%dforce_dgap, share*law%dforce_dangle, share*law%energy)
-   end function scaled
 
    !> The law per length of a point, at the angle of the lens to which it belongs.
    pure type(line_wires_t) function line_of_point(pair, point) result(line)

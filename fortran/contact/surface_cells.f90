@@ -8,10 +8,9 @@ module litz_surface_cells
    use litz_axis, only: axis_shape, axis_sagitta, on_axis
    use litz_friction_iteration, only: friction_iteration_t
    use litz_friction_law, only: friction_law_t, friction_start_t
-   use litz_contact_lens, only: wedge_length
-   use litz_lens_law, only: share_of_point, smooth_step
+   use litz_jets, only: jet_t, variable, constant, operator(-), operator(*)
    use litz_line_law, only: line_wires_t, line_force_t, line_force
-   use litz_rigid_line, only: rigid_line, rigid_end, end_force
+   use litz_rigid_line, only: rigid_line, rigid_end, end_energy
    use litz_rigid_surface, only: rigid_surface_t, surface_distance, distance_row, distance_hessian
    use litz_rotations, only: cross
    use litz_state, only: surface_contact_t
@@ -20,7 +19,8 @@ module litz_surface_cells
    implicit none
    private
    public :: surface_cell_t, surface_memory_t, surface_point_t, wire_axis_t, survey_cell, law_of_cell, &
-      laws_of_ends, press_cell, cell_forces, predicted_force, contact_of_cell, centre_of_force, advanced_memory
+      laws_of_ends, bends_at_ends, press_cell, cell_forces, predicted_force, contact_of_cell, centre_of_force, &
+         advanced_memory
 
    !> Gauss's rule of six points
    real(dp), parameter :: gauss_place(6) = [-0.93246951420315202781_dp, -0.66120938646626451366_dp, &
@@ -31,6 +31,8 @@ module litz_surface_cells
    !> Unit of length, in radii, of an overlap from the end of a wire on: up to two of them the end carries it, from six
    !> on the wire beside it
    real(dp), parameter :: resolution = 0.26_dp
+   !> Distance over which the slope at an end is taken, in radii
+   real(dp), parameter :: beside_end = 0.1_dp
 
    !> The axis of an element as it is now.
    type :: wire_axis_t
@@ -52,6 +54,8 @@ module litz_surface_cells
       type(line_force_t) :: normal
       !> How the gap changes with the unknowns
       real(dp) :: row(18) = 0
+      !> How its force changes with the overlap of the point before it, and that one's with this [N/m]
+      real(dp) :: coupling = 0
    end type surface_point_t
 
    !> What a cell remembers of the last converged state; all 0: it did not touch.
@@ -70,8 +74,9 @@ module litz_surface_cells
       logical :: has_end(2) = .false.
       !> The law at the smallest gap: that of a state in balance, held fixed while the iteration goes there
       type(line_wires_t) :: law
-      !> Force of either end over the overlap to the power of 3/2, with the share that it carries (2) [N/m^1.5]
-      real(dp) :: law_of_end(2) = 0
+      !> Force of either end over the overlap to the power of 3/2 (2) [N/m^1.5], and curvature of the distance there
+      !> [1/m]
+      real(dp) :: law_of_end(2) = 0, bend_of_end(2) = 0
       !> As last surveyed
       type(surface_overlap_t) :: overlap
       !> As last evaluated
@@ -137,8 +142,7 @@ contains
          along=bend/max(1 + bend*axis%radius, 0.5_dp) + curvature*e(1)**2, mixed=curvature*e(1)*e(2), opening=opening)
    end function law_of_cell
 
-   !> Force of the ends over their overlap to the power of 3/2 (2) [N/m^1.5]: where the wire lies along the surface its
-   !> length has all of it, where it stands on its end the sphere has.
+   !> Force of the ends over their overlap to the power of 3/2 (2) [N/m^1.5].
    pure function laws_of_ends(surface, axis, young, poisson, penalty, has_end) result(laws)
       type(rigid_surface_t), intent(in) :: surface
       type(wire_axis_t), intent(in) :: axis
@@ -147,40 +151,31 @@ contains
       !> (2)
       logical, intent(in) :: has_end(2)
       real(dp) :: laws(2), curvature
-      integer :: side
 
       curvature = 0
       if (surface%shape /= surface_plane) curvature = merge(-1, 1, surface%shape == surface_bore)/surface%radius
       laws = 0
-      do side = 1, 2
-         if (has_end(side)) laws(side) = share_of_end(surface, axis, 2.0_dp*side - 3) &
-            *rigid_end(axis%radius, young, poisson, penalty, curvature)
-      end do
+      if (any(has_end)) laws = merge(rigid_end(axis%radius, young, poisson, penalty, curvature), 0.0_dp, has_end)
    end function laws_of_ends
 
-   !> What an end carries beside the wire: nothing of a long overlap; of a short one, where the wire is nearest to the
-   !> surface at its end or beyond, or so near to it that the overlap is cut there, the rest of the integral (10.17).
-   pure real(dp) function share_of_end(surface, axis, xi) result(share)
+   !> Curvature of the distance along the wire at its ends (2) [1/m].
+   pure function bends_at_ends(surface, axis) result(bend)
       type(rigid_surface_t), intent(in) :: surface
       type(wire_axis_t), intent(in) :: axis
-      !> -1 or 1
-      real(dp), intent(in) :: xi
-      real(dp) :: x1(3), x2(3), distance, normal(3), hessian(3, 3), overlap, tilt, opening, square, dshare
+      real(dp) :: bend(2), x1(3), x2(3), distance, normal(3), hessian(3, 3), xi
+      integer :: side
 
-      associate (p => axis%p)
-         call surface_distance(surface, p(:, 0) + xi*(p(:, 1) + xi*(p(:, 2) + xi*p(:, 3))), distance, normal, hessian)
-         x1 = p(:, 1) + xi*(2*p(:, 2) + xi*3*p(:, 3))
-         x2 = 2*p(:, 2) + xi*6*p(:, 3)
-      end associate
-      overlap = axis%radius - distance
-      tilt = -xi*dot_product(normal, x1)/norm2(x1)                                         ! t
-      opening = (dot_product(normal, x2) + dot_product(x1, matmul(hessian, x1)))/dot_product(x1, x1)     ! k
-      square = tilt**2 + 2*opening*overlap
-      share = 1
-      if (overlap <= 0) return
-      call share_of_point(wedge_length(tilt, opening, overlap), resolution*axis%radius, share, dshare)
-      if (share > 0) share = share*smooth_step((1 + tilt/sqrt(square))/2)                  ! 1 - S(u)
-   end function share_of_end
+      do side = 1, 2
+         xi = 2.0_dp*side - 3
+         associate (p => axis%p)
+            call surface_distance(surface, p(:, 0) + xi*(p(:, 1) + xi*(p(:, 2) + xi*p(:, 3))), distance, normal, &
+               hessian)
+            x1 = p(:, 1) + xi*(2*p(:, 2) + xi*3*p(:, 3))
+            x2 = 2*p(:, 2) + xi*6*p(:, 3)
+         end associate
+         bend(side) = (dot_product(normal, x2) + dot_product(x1, matmul(hessian, x1)))/dot_product(x1, x1)     ! k
+      end do
+   end function bends_at_ends
 
    !> Places at which the wire overlaps, and the forces there.
    subroutine press_cell(surface, axis, penalty, cell)
@@ -189,7 +184,7 @@ contains
       !> eps_l [N/m^2] of `f = eps_l delta`; 0: the elastic law
       real(dp), intent(in) :: penalty
       type(surface_cell_t), intent(inout) :: cell
-      type(surface_point_t) :: points(size(gauss_place)*cell%overlap%n + 2)
+      type(surface_point_t) :: points(size(gauss_place)*cell%overlap%n + 4)
       real(dp) :: middle, half
       integer :: n, part, i, side
 
@@ -224,19 +219,32 @@ contains
          points(n)%normal = line_force(cell%law, -gap, penalty)
       end subroutine add
 
-      !> A round end is a sphere on the surface.
+      !> A round end is a sphere on the surface, with a part of the force that goes with the slope from there on: with
+      !> the difference of the gaps here and beside.
       subroutine add_end(xi)
          !> -1 or 1
          real(dp), intent(in) :: xi
-         real(dp) :: gap, slope
+         type(jet_t) :: energy, overlap, slope
+         real(dp) :: gap(2), beside, way, unused
 
-         call gap_at(surface, axis%p, axis%radius, xi, gap, slope)
-         if (gap >= 0) return
-         n = n + 1
-         points(n)%xi = xi
-         points(n)%weight = 1
-         points(n)%gap = gap
-         points(n)%normal = end_force(cell%law_of_end(merge(1, 2, xi < 0)), -gap)
+         way = min(beside_end*axis%radius, axis%length/4)
+         beside = xi*(1 - 2*way/axis%length)
+         call gap_at(surface, axis%p, axis%radius, xi, gap(1), unused)
+         if (gap(1) >= 0) return
+         call gap_at(surface, axis%p, axis%radius, beside, gap(2), unused)
+         associate (end => merge(1, 2, xi < 0))
+            overlap = variable(-gap(1), 1)
+            slope = (1/way)*(overlap - variable(-gap(2), 2)) - constant(cell%bend_of_end(end)*way/2)
+            energy = end_energy(cell%law_of_end(end), cell%bend_of_end(end), resolution*axis%radius, overlap, slope)
+         end associate
+         if (.not. energy%value > 0) return
+         points(n + 1:n + 2)%xi = [xi, beside]
+         points(n + 1:n + 2)%weight = 1
+         points(n + 1:n + 2)%gap = gap
+         points(n + 1)%normal = line_force_t(force=energy%first(1), stiffness=energy%second(1, 1), energy=energy%value)
+         points(n + 2)%normal = line_force_t(force=energy%first(2), stiffness=energy%second(2, 2))
+         points(n + 2)%coupling = energy%second(1, 2)
+         n = n + 2
       end subroutine add_end
 
    end subroutine press_cell
@@ -251,9 +259,10 @@ contains
       type(surface_cell_t), intent(inout) :: cell
       !> Tangent (18, 18), Hessian form, and residual (18)
       real(dp), intent(out) :: k(:, :), r(:)
-      real(dp) :: weight(4), w1(4), w2(4), x(3), distance, normal(3), hessian(3, 3), part
+      real(dp) :: weight(4), w1(4), w2(4), x(3), distance, normal(3), hessian(3, 3), part, before(18)
       integer :: i
 
+      before = 0
       k = 0
       r = 0
       part = 1
@@ -268,6 +277,9 @@ contains
             k = k + point%weight*point%normal%stiffness*spread(point%row, 2, 18)*spread(point%row, 1, 18) &
                - part*point%weight*point%normal%force &
                *distance_hessian(weight, axis%t, x - surface%centre, normal, hessian)
+            if (abs(point%coupling) > 0) k = k + point%coupling*(spread(point%row, 2, 18)*spread(before, 1, 18) &
+               + spread(before, 2, 18)*spread(point%row, 1, 18))
+            before = point%row
          end associate
       end do
    end subroutine cell_forces

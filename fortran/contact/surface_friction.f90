@@ -4,7 +4,8 @@
 !> surface that touched then, relative to the point of the rigid surface that it touched: a wire that rolls does not
 !> slip. Its components are along and across the wire. With the axis `x`, the normal `n0` at the start, turned by the
 !> nodes, and the point `y` of the rigid surface, `D = e . v`, `v = x - r sum(N R n0) - y`, and the forces follow from
-!> the virtual work `T . e . delta v`. Source: theory section 12.
+!> the virtual work `T . e . delta v`, with the moment on the surface of the point that is touched now: `y` has a
+!> distance `n . v` from it where the wire slides along a curved surface. Source: theory section 12.
 module litz_surface_friction
    use litz_kinds, only: dp
    use litz_axis, only: axis_shape, on_axis
@@ -44,6 +45,8 @@ module litz_surface_friction
       real(dp) :: motion(3, 18) = 0, turn(3, 18, 2) = 0, row(2, 18) = 0
       !> Parts of `v` that turn with the first and the second node and with the surface (3, 3) [m]
       real(dp) :: arm(3, 3) = 0
+      !> From `y` to the point that is touched now, and how that changes (3, 18)
+      real(dp) :: lever(3) = 0, dlever(3, 18) = 0
       !> Tangents of the nodes (3, 2), and their weights in the axis (2) [m]
       real(dp) :: tangent(3, 2) = 0, tangent_weight(2) = 0
    end type surface_slip_t
@@ -97,6 +100,9 @@ contains
          s%slip(i) = dot_product(s%along(:, i), v)
          s%row(i, :) = matmul(s%along(:, i), s%motion) + matmul(v, s%turn(:, :, i))
       end do
+      s%lever = s%normal*dot_product(s%normal, v)
+      s%dlever = spread(s%normal, 2, 18)*spread(matmul(v, normal_turn) + matmul(s%normal, s%motion), 1, 3) &
+         + dot_product(s%normal, v)*normal_turn
       s%tangent_weight = w([2, 4])
       s%tangent = axis%t
    end function surface_slip
@@ -145,8 +151,8 @@ contains
          if (iteration%status == friction_none) iteration%status = cell%friction%status
          supposed = friction_law(stick%mu, cell%force, cell%stick_stiffness, 0.0_dp, cell%memory%start, &
             cell%part*s%slip, iteration%status)
-         difference = matmul(matmul(s%along, supposed%traction - cell%friction%traction), s%motion)
-         r = r - matmul(cell%traction, s%motion)
+         difference = work_of(s, matmul(s%along, supposed%traction - cell%friction%traction))
+         r = r - work_of(s, cell%traction)
          call add_friction_tangent(s, cell%part, supposed, cell%friction%traction, force_row, k)
          iteration%trial = supposed%trial
          iteration%dtrial(:18, :) = cell%part*cell%stick_stiffness*transpose(s%row)
@@ -154,6 +160,17 @@ contains
          iteration%dlimit(:18) = stick%mu*force_row
       end associate
    end subroutine rub_cell
+
+   !> What a force between wire and surface does on the unknowns (18).
+   pure function work_of(s, force) result(row)
+      type(surface_slip_t), intent(in) :: s
+      !> On the surface (3) [N]
+      real(dp), intent(in) :: force(3)
+      real(dp) :: row(18)
+
+      row = matmul(force, s%motion)
+      row(16:18) = row(16:18) + cross(force, s%lever)
+   end function work_of
 
    !> Tangential stiffness of a cell that touches [N/m].
    pure real(dp) function stick_stiffness_of(stick, cell) result(stiffness)
@@ -191,7 +208,8 @@ contains
          k(a:a + 2, a:a + 2) = k(a:a + 2, a:a + 2) + s%tangent_weight(i)*turn_twice(s%tangent(:, i), force) &
             - turn_twice(s%arm(:, i), force)
       end do
-      k(16:18, 16:18) = k(16:18, 16:18) - turn_twice(s%arm(:, 3), force)
+      k(16:18, 16:18) = k(16:18, 16:18) - turn_twice(s%arm(:, 3), force) + skew(cross(force, s%lever))/2
+      k(16:18, :) = k(16:18, :) - matmul(skew(s%lever), turned) + matmul(skew(force), s%dlever)
    end subroutine add_friction_tangent
 
 end module litz_surface_friction

@@ -5,10 +5,10 @@ module litz_surface_poses
    use litz_domain, only: domain_t
    use litz_model, only: model_t
    use litz_rigid_surface, only: rigid_surface_t, moved_surface
-   use litz_surface_cells, only: wire_axis_t
+   use litz_surface_cells, only: surface_cell_t, wire_axis_t
    implicit none
    private
-   public :: present_surface, surface_moved_by, element_axis, axis_moved_by
+   public :: present_surface, surface_moved_by, element_axis, axis_moved_by, surface_node
 
 contains
 
@@ -66,5 +66,13 @@ contains
          axis%p = axis_polynomial(axis%interpolation, axis%length, axis%x, axis%t)
       end associate
    end function axis_moved_by
+
+   !> Node of the surface of a cell; 0: it is fixed in space.
+   pure integer function surface_node(domain, cell)
+      type(domain_t), intent(in) :: domain
+      type(surface_cell_t), intent(in) :: cell
+
+      surface_node = domain%model%surfaces(domain%model%surface_pairs(cell%pair)%surface)%node
+   end function surface_node
 
 end module litz_surface_poses

@@ -9,18 +9,18 @@ module litz_surface_term
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
    use litz_contact_energies, only: work_on_surfaces
-   use litz_fields, only: group_mechanical, motion_slots, temperature_slots
+   use litz_fields, only: motion_slots, temperature_slots
    use litz_contact_kinematics, only: n_motions
    use litz_friction_iteration, only: friction_iteration_t, predict_friction, forget_friction
    use litz_friction_law, only: friction_law_t, friction_start_t
    use litz_line_law, only: line_wires_t
    use litz_state, only: energies_t
-   use litz_rigid_surface, only: rigid_surface_t
    use litz_surface_cells, only: surface_cell_t, surface_memory_t, wire_axis_t, survey_cell, law_of_cell, &
-      laws_of_ends, press_cell, cell_forces, predicted_force, contact_of_cell, centre_of_force, advanced_memory
-   use litz_surface_friction, only: surface_slip_t, surface_slip, sticking_t, rub_cell, stick_stiffness_of, &
-      place_friction
-   use litz_surface_poses, only: present_surface, surface_moved_by, element_axis, axis_moved_by
+      laws_of_ends, bends_at_ends, press_cell, cell_forces, predicted_force, contact_of_cell, centre_of_force, &
+      advanced_memory
+   use litz_surface_friction, only: stick_stiffness_of
+   use litz_surface_poses, only: present_surface, element_axis, surface_node
+   use litz_surface_rubbing, only: touched_t, sticking_of, rub, heat_of_opening
    use litz_term, only: term_t, status_t
    use litz_timing, only: phase_contact, phase_update
    use litz_wires, only: wires_t
@@ -45,6 +45,7 @@ module litz_surface_term
       integer :: updates = 0
       !> Forces of surfaces that are fixed in space on the nodes (6, n_nodes) [N, N m]
       real(dp), allocatable :: outer(:, :)
+      type(touched_t), allocatable :: touched(:)
    contains
       procedure :: request_slots
       procedure :: connect
@@ -96,14 +97,6 @@ contains
          end associate
       end do
    end function ends_of
-
-   !> Node of the surface of a cell; 0: it is fixed in space.
-   pure integer function surface_node(domain, cell)
-      type(domain_t), intent(in) :: domain
-      type(surface_cell_t), intent(in) :: cell
-
-      surface_node = domain%model%surfaces(domain%model%surface_pairs(cell%pair)%surface)%node
-   end function surface_node
 
    !> A surface that moves has all motions of its node.
    subroutine request_slots(self, domain, exists)
@@ -173,6 +166,8 @@ contains
             cell%stick_stiffness = stick_stiffness_of(sticking_of(domain, cell), cell)
          end associate
       end do
+      self%touched = [(touched_t(self%cells(i)%element, self%cells(i)%pair), i=1, size(self%cells))]
+      self%touched = pack(self%touched, self%cells%has_place)
    end subroutine remember
 
    !> Forces of the overlaps that were surveyed.
@@ -245,14 +240,17 @@ contains
          real(dp), intent(in) :: young, poisson
          type(wire_axis_t), intent(in) :: axis
          type(surface_cell_t), intent(inout) :: cell
-         real(dp) :: laws(2)
+         real(dp) :: laws(2), bend(2)
 
          associate (interaction => domain%model%interactions(domain%model%surface_pairs(cell%pair)%interaction))
             laws = laws_of_ends(present_surface(domain, cell%pair), axis, young, poisson, &
                interaction%normal%line_penalty(), cell%has_end)
          end associate
-         if (tolerance > 0 .and. all(abs(laws - cell%law_of_end) <= tolerance*maxval(laws))) return
+         bend = bends_at_ends(present_surface(domain, cell%pair), axis)
+         if (tolerance > 0 .and. all(abs(laws - cell%law_of_end) <= tolerance*maxval(laws)) .and. &
+            all(abs(bend - cell%bend_of_end)*axis%radius <= tolerance)) return
          cell%law_of_end = laws
+         cell%bend_of_end = bend
          has_changed = .true.
       end subroutine update_ends
 
@@ -317,78 +315,13 @@ contains
             if (n_cell_nodes > 2) nodes(3, i) = surface_node(domain, cell)
             call cell_forces(present_surface(domain, cell%pair), element_axis(domain, cell%element, cell%pair), cell, &
                k(:, :, i), r(:, i))
-            call rub(domain, cell, k(:, :, i), r(:, i))
+            call rub(domain, self%touched, cell, k(:, :, i), r(:, i))
             cell%on_surface = -r(13:18, i)
             if (n_cell_nodes == 2) self%outer(:, nodes(:, i)) = self%outer(:, nodes(:, i)) - reshape(r(:12, i), [6, 2])
          end associate
       end do
       call domain%add_cells(nodes, motion_slots, motion_slots, k(:n, :n, :), r(:n, :))
    end subroutine add_closed
-
-   !> How the contact of a cell sticks and slips.
-   pure type(sticking_t) function sticking_of(domain, cell) result(sticking)
-      type(domain_t), intent(in) :: domain
-      type(surface_cell_t), intent(in) :: cell
-
-      associate (model => domain%model)
-         associate (this => model%interactions(model%surface_pairs(cell%pair)%interaction), &
-            material => model%materials(model%sections(model%element_section(cell%element))%material))
-            sticking = sticking_t(this%friction, this%stick_law, this%stick_value, material%young, material%poisson)
-         end associate
-      end associate
-   end function sticking_of
-
-   !> Add the friction of a cell that touches.
-   subroutine rub(domain, cell, k, r)
-      type(domain_t), intent(inout) :: domain
-      type(surface_cell_t), intent(inout) :: cell
-      !> Tangent (18, 18), and residual (18)
-      real(dp), intent(inout) :: k(:, :), r(:)
-      type(rigid_surface_t) :: before, now
-      type(wire_axis_t) :: axis_before, axis
-      type(surface_slip_t) :: slip
-      real(dp) :: turned(3, 3, 2), difference(18)
-      integer :: side
-
-      associate (model => domain%model, iterate => domain%iterate, start => domain%state%rotation)
-         associate (interaction => model%interactions(model%surface_pairs(cell%pair)%interaction))
-            if (.not. interaction%friction > 0) return
-            before = surface_moved_by(model, cell%pair, iterate%x_start, start)
-            axis_before = axis_moved_by(domain, cell%element, cell%pair, iterate%x_start, start)
-            now = present_surface(domain, cell%pair)
-            axis = element_axis(domain, cell%element, cell%pair)
-            do side = 1, 2
-               associate (node => model%connectivity(side, cell%element))
-                  turned(:, :, side) = matmul(iterate%rotation(:, :, node), transpose(start(:, :, node)))
-               end associate
-            end do
-            if (.not. cell%has_place) then
-               call place_friction(before, axis_before, now, axis, cell)
-               cell%stick_stiffness = stick_stiffness_of(sticking_of(domain, cell), cell)
-            end if
-            slip = surface_slip(before, axis_before, now, axis, turned, cell%xi)
-            call rub_cell(sticking_of(domain, cell), slip, cell, k, r, difference)
-            call add_difference(model%connectivity(1, cell%element), difference(1:6))
-            call add_difference(model%connectivity(2, cell%element), difference(7:12))
-            if (surface_node(domain, cell) > 0) call add_difference(surface_node(domain, cell), difference(13:18))
-         end associate
-      end associate
-      domain%matrix%symmetric(group_mechanical) = .false.
-
-   contains
-
-      subroutine add_difference(node, values)
-         !> Of a cell
-         integer, intent(in) :: node
-         !> Forces and moments on it (6) [N, N m]
-         real(dp), intent(in) :: values(6)
-
-         associate (iteration => domain%forces%iteration(motion_slots(1):motion_slots(2), node))
-            iteration = iteration + values
-         end associate
-      end subroutine add_difference
-
-   end subroutine rub
 
    subroutine count_status(self, status)
       class(surface_term_t), intent(in) :: self
@@ -446,14 +379,17 @@ contains
       class(surface_term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain
       type(energies_t), intent(inout) :: energies
+      integer :: i
 
       associate (cells => self%cells)
          energies%contact = energies%contact + sum(cells%energy) + sum(cells%memory%start%elastic_energy &
             + cells%friction%elastic_work, mask=cells%force > 0)
          energies%work = energies%work + sum(cells%friction%work_beyond_mean)
-         ! what a contact held elastically when it opened is lost
-         energies%friction = energies%friction + sum(cells%friction%dissipation) &
-            + sum(cells%memory%start%elastic_energy, mask=.not. cells%force > 0)
+         energies%friction = energies%friction + sum(cells%friction%dissipation)
+         do i = 1, size(cells)
+            if (cells(i)%has_place .and. .not. cells(i)%force > 0) energies%friction = energies%friction &
+               + heat_of_opening(domain, cells(i))
+         end do
          energies%thermal = energies%thermal + work_on_surfaces(domain%model, domain%elements, &
             domain%state%value(temperature_slots(1), :), domain%iterate%value(temperature_slots(1), :), cells%element, &
             (cells%force + merge(cells%memory%start%force, 0.0_dp, cells%memory%closed))/2)

@@ -113,13 +113,11 @@ contains
 
    !> Where the ends of wires have a part of the force: the ellipse with that force at any overlap, whose ratio is the
    !> mean of those of cylinders and ends, and which has the axis that goes with both.
-   pure subroutine hertz_near_ends(radius, young, poisson, angle, of_cylinder, of_end, of_crossing, ellipse, info)
+   pure subroutine hertz_near_ends(radius, young, poisson, angle, force_part, ellipse, info)
       !> As in `hertz_ellipse`
       real(dp), intent(in) :: radius(2), young(2), poisson(2), angle
-      !> Parts of the forces that cylinder and end would have alone, of either wire (2)
-      real(dp), intent(in) :: of_cylinder(2), of_end(2)
-      !> What counts of the part that both cylinders have
-      real(dp), intent(in) :: of_crossing
+      !> Parts of the forces that cylinders (index 1) and ends (2) would have alone, barred before unbarred wire (2, 2)
+      real(dp), intent(in) :: force_part(2, 2)
       type(hertz_ellipse_t), intent(out) :: ellipse
       !> `hertz_ok` or `hertz_parallel`
       integer, intent(out) :: info
@@ -133,12 +131,11 @@ contains
       log_ratio = 0
       dforce = 0
       dratio = 0
-      do j = 0, 1
-         do i = 0, 1
-            is_round = [i, j] == 1
-            part = product(merge(of_end, of_cylinder, is_round))
-            if (.not. any(is_round)) part = of_crossing*part
-            if (.not. part > 0) cycle
+      do j = 1, 2
+         do i = 1, 2
+            is_round = [i, j] == 2
+            part = force_part(i, j)
+            if (.not. abs(part) > 0) cycle
             call hertz_ellipse(radius, young, poisson, angle, one, info, is_round)
             if (info /= hertz_ok) return
             part = part/one%approach**1.5_dp                                    ! F = (delta/cd)^(3/2)

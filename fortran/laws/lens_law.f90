@@ -10,7 +10,9 @@ module litz_lens_law
    implicit none
    private
    public :: lens_integral, n_depths
-   public :: lens_t, lens_force, lens_spot_t, lens_spot, lens_energy, share_of_point, smooth_step
+   public :: lens_t, lens_force, lens_spot_t, lens_spot, lens_energy, share_of_point, curvature_of_share, &
+      share_of_ends, &
+      smooth_step
 
    integer, parameter :: n_depths = 2
    !> `1 - u^2` of the Gauss points, and twice their weights
@@ -25,7 +27,7 @@ module litz_lens_law
       0.17132449237917034504_dp, 0.36076157304813860757_dp, 0.46791393457269104739_dp, &
       0.46791393457269104739_dp, 0.36076157304813860757_dp, 0.17132449237917034504_dp]
    !> A lens is a point up to the first half length, a line from the second one on, in spacings of the line points
-   real(dp), parameter :: point_up_to = 2, line_from = 6
+   real(dp), parameter, public :: point_up_to = 2, line_from = 6
 
    !> Lens and force; all 0 where the wires do not overlap.
    type :: lens_t
@@ -159,6 +161,28 @@ contains
       weight = smooth_step(u)
       dweight_dhalf_length = -6*u*(1 - u)/((line_from - point_up_to)*spacing)
    end subroutine share_of_point
+
+   !> Second derivative of this share with respect to aW [1/m^2].
+   pure real(dp) function curvature_of_share(half_length, spacing) result(curvature)
+      !> aW, and distance of neighbouring line points [m]
+      real(dp), intent(in) :: half_length, spacing
+      real(dp) :: u
+
+      u = (line_from - half_length/spacing)/(line_from - point_up_to)
+      curvature = 0
+      if (u > 0 .and. u < 1) curvature = 6*(1 - 2*u)/((line_from - point_up_to)*spacing)**2
+   end function curvature_of_share
+
+   !> What round ends carry of a contact beside the places along its line: all that these leave, and the whole of what
+   !> is too short for them.
+   pure real(dp) function share_of_ends(line_share, length, spacing) result(share)
+      !> Part that places carry, length of the overlap as ends leave it [m], and distance of neighbouring places [m]
+      real(dp), intent(in) :: line_share, length, spacing
+      real(dp) :: slope
+
+      call share_of_point(length, spacing, share, slope)
+      share = max(1 - line_share, share)
+   end function share_of_ends
 
    !> 0 up to 0, 1 from 1 on, without a corner.
    elemental real(dp) function smooth_step(u)

@@ -5,11 +5,14 @@
 !> The lens is that of the relative curvatures of wire and surface at the deepest place.
 module litz_rigid_line
    use litz_kinds, only: dp, pi
+   use litz_cut_lens, only: energy_below
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
-   use litz_line_law, only: line_wires_t, line_force_t, line_overlap_t, line_overlap, widest_strip
+   use litz_jets, only: jet_t, constant, composed, operator(+), operator(-), operator(*), operator(**)
+   use litz_lens_law, only: share_of_point, curvature_of_share, line_from
+   use litz_line_law, only: line_wires_t, line_overlap_t, line_overlap, widest_strip
    implicit none
    private
-   public :: rigid_line, rigid_end, end_force
+   public :: rigid_line, rigid_end, end_energy
 
    !> Young's modulus of the surface over that of the wire
    real(dp), parameter :: rigid = 1.0e30_dp
@@ -56,15 +59,29 @@ contains
       coefficient = coefficient*crossed%approach**1.5_dp*4*penalty*sqrt(4*radius)/3        ! (4/3) eps_l delta aW
    end function rigid_end
 
-   !> Force of an end, its stiffness and energy.
-   elemental type(line_force_t) function end_force(coefficient, overlap) result(law)
-      !> Of `rigid_end` [N/m^1.5]; overlap, not negative [m]
-      real(dp), intent(in) :: coefficient, overlap
+   !> Energy of an end beside the wire along which the surface lies: nothing of a long overlap; of a short one, where
+   !> the wire is nearest to the surface at its end or beyond, or so near to it that the overlap is cut there, what the
+   !> cylinder leaves.
+   pure type(jet_t) function end_energy(coefficient, bend, spacing, overlap, slope) result(energy)
+      !> Of `rigid_end` [N/m^1.5], k [1/m], and unit of length of an overlap from the end on [m]
+      real(dp), intent(in) :: coefficient, bend, spacing
+      !> Overlap at the end, positive [m], and slope t of the distance from there on [-]
+      type(jet_t), intent(in) :: overlap, slope
+      type(jet_t) :: square, length, u
+      real(dp) :: share, dshare
 
-      law%force = coefficient*overlap**1.5_dp
-      law%stiffness = 1.5_dp*coefficient*sqrt(overlap)
-      law%energy = 0.4_dp*law%force*overlap
-   end function end_force
+      energy = constant(0.0_dp)
+      square = slope*slope + 2*bend*overlap
+      if (.not. square%value > 0) return
+      length = slope + square**0.5_dp
+      if (.not. length%value > overlap%value/(line_from*spacing)) return
+      length = 2.0_dp*overlap*length**(-1.0_dp)
+      call share_of_point(length%value, spacing, share, dshare)
+      if (.not. share > 0) return
+      u = (-1.0_dp)*slope*square**(-0.5_dp)
+      energy = (0.4_dp*coefficient)*overlap**2.5_dp*composed(length, share, dshare, curvature_of_share(length%value, &
+         spacing))*(1.0_dp - energy_below(u))
+   end function end_energy
 
    !> `A = exp(-2 Lam_H)`, `Lam_H = pi E*/(2 k_H)`, with `k_H = (3/4) C sqrt(D''/2)` of `F = C delta^1.5`: the integral
    !> of `k_H delta` over the lens is then the law of Hertz. 0 where there is no lens.

@@ -75,6 +75,8 @@ contains
 
       call table%field('weight', point%weight)
       call table%field('line_share', point%line_share)
+      call table%field('reach_back', point%cell%reach(1))
+      call table%field('reach_on', point%cell%reach(2))
       call table%field('is_shared', point%is_shared)
       call table%field('is_long', point%is_long)
       call table%field('section_share', point%section_share)
@@ -83,13 +85,42 @@ contains
       call table%field('law_angle', point%law_angle)
       call table%field('law_sine', point%law_sine)
       call table%field('law_status', point%law_status)
-      call table%field('is_divided', point%is_divided)
-      call table%field('of_cylinder_bar', point%of_cylinder(1))
-      call table%field('of_cylinder', point%of_cylinder(2))
-      call table%field('of_end_bar', point%of_end(1))
-      call table%field('of_end', point%of_end(2))
-      call table%field('of_crossing', point%of_crossing)
+      call list_lens(table, point)
    end subroutine list_shares
+
+   !> How ends cut its overlap.
+   pure subroutine list_lens(table, point)
+      type(quantity_table_t), intent(inout) :: table
+      type(contact_point_t), intent(inout) :: point
+      character(len=*), parameter :: wire(2) = ['_bar', '    '], shape(2) = ['cylinder', 'end     ']
+      integer :: i, j
+
+      associate (lens => point%lens)
+         call table%field('lens_known', lens%is_known)
+         call table%field('lens_has_energies', lens%has_energies)
+         call table%field('lens_cosine', lens%cosine)
+         call table%field('lens_flat', lens%is_flat)
+         call table%field('lens_angle', lens%angle)
+         call table%field('lens_distance', lens%distance)
+         do i = 1, 2
+            call table%field('lens_near'//trim(wire(i)), lens%near(i))
+            call table%field('lens_side'//trim(wire(i)), lens%side(i))
+            call table%field('lens_bend'//trim(wire(i)), lens%bend(i))
+            do j = 1, 2
+               associate (name => '_'//trim(shape(i))//'_'//trim(shape(j)))
+                  call table%field('lens_energy'//name, lens%energy(i, j))
+                  call table%field('lens_share'//name, lens%share(i, j))
+                  call table%field('force_part'//name, point%force_part(i, j))
+               end associate
+            end do
+         end do
+      end associate
+      call table%field('cut', point%cut)
+      call table%field('cut_stiffness', point%cut_stiffness)
+      call table%field('place_bar', point%place(1))
+      call table%field('dweight_dlap', point%dweight_dlap)
+      call table%field('settled_weight', point%settled_weight)
+   end subroutine list_lens
 
    pure subroutine list_history(table, history)
       type(quantity_table_t), intent(inout) :: table

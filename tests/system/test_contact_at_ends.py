@@ -120,6 +120,33 @@ def test_a_crossing_slides_off_the_end_of_a_wire_without_a_jump(run, degrees, la
         assert force[39] == pytest.approx((crossing + force_for(OVERLAP, end_on_wire, wires)) / 2, rel=1e-3)
 
 
+@pytest.mark.parametrize("law", [HERTZ, linear("", 1e10)])
+@pytest.mark.parametrize(
+    ("degrees", "left", "error"),
+    [(90, None, 1e-3), (45, None, 1e-3), (10, None, 1e-3), (90, 0.3, 1e-3), (10, 0.3, 0.02), (10, -0.3, 0.02)],
+)
+def test_what_a_contact_holds_is_work_of_the_way_on_which_it_slides_off(run, degrees, left, error, law):
+    """Both wires are led, so that the supports do all of the work, and ETOTAL stays what it was when the slide began: to
+    the error of means of forces over increments, a quarter per mille. Where the other wire ends, too, `left` half
+    lengths behind the crossing (negative: before it), the parts at both ends go over into each other to two per cent."""
+    angle = np.radians(degrees)
+    distance = 2 * COPPER.radius
+    reach = math.sqrt(2 * distance * 1e-6) / math.sin(angle)
+    s = np.linspace(-0.0151, 0.0149, 13)
+    if left is not None:
+        s = np.linspace(*sorted((-math.copysign(0.03, left), left * reach)), 13)
+    upper = np.array([-2 * reach, 0, distance]) + np.outer(s, [np.cos(angle), np.sin(angle), 0])
+    print_energy = "*ENERGY PRINT\n*END STEP"
+    steps = [moved(0, 0, -1e-6), moved(4 * reach, 0, -1e-6, increments=160)]
+    deck = two_wires(np.linspace((-0.02, 0, 0), (0, 0, 0), 9), upper, HELD, *steps, law=law)
+    history = solved(run(deck.replace("*END STEP", print_energy))).history
+    held = history["ALLCCE"][1]
+    assert history["ALLCCE"][-1] == 0
+    assert np.abs(history["ETOTAL"][2:] - history["ETOTAL"][1]).max() < error * held
+    force = -held  # nothing of the energy is left: the supports have got all of it
+    assert history["ALLWK"][-1] - history["ALLWK"][1] == pytest.approx(force, rel=error)
+
+
 def kinked(degrees, n=6, length=0.012):
     """A wire along x with a kink in the origin, the legs of which fall to both sides."""
     fall = np.radians(degrees) / 2

@@ -334,6 +334,14 @@ def test_a_dragged_cantilever_sticks_and_slips_as_derived(results_of, header):
     assert contacts["resistance"][contacts["friction"] == "slip"][0] > 1.0005 * contacts["resistance"][0]
 
 
+def test_a_slip_that_goes_on_takes_no_iterations_to_be_found_again(results_of):
+    """Only the first increments of a step and those in which the contact begins to slip take more than two."""
+    status = results_of("13_stick_slip").status
+    back = status["iterations"][(status["step"] == 3) & (status["step_time"] > 0.4)]
+    assert len(back) == 24
+    assert max(back) == 2
+
+
 def test_a_strand_is_pulled_and_twisted_as_one_of_exact_helices(results_of, header):
     results = results_of("14_strand")
     rows = header("14_strand")

@@ -105,6 +105,10 @@ program test_tangents
       //nl, 0.0_dp, 4.0e-6_dp, 0.1_dp)
    call check_lines('bow over a straight wire, penalty', penalty_of_line//clean, 5.0_dp, 3.0e-5_dp, 0.01_dp)
    call check_lines('bow over a straight wire, Hertz', hertz//clean, 5.0_dp, 1.2e-5_dp, 0.02_dp)
+   call check_lines('bow over a straight wire, given conductance', hertz//'*GAP ELECTRICAL CONDUCTANCE, '// &
+      'LAW=CONSTANT, PER=LENGTH, VOLTAGE=LINEAR'//nl//'1e-7'//nl, 5.0_dp, 1.2e-5_dp, 0.02_dp)
+   call check_lines('bow over a straight wire, spots of the largest force', hertz//'*GAP ELECTRICAL CONDUCTANCE, '// &
+      'LAW=HERTZ, VOLTAGE=LINEAR, SPOT=LARGEST FORCE'//nl, 5.0_dp, 1.2e-5_dp, 0.02_dp)
    call check_lines('line that sticks', hertz//'*FRICTION'//nl//'1e3'//nl, 0.0_dp, 4.0e-6_dp, 0.02_dp)
    call check_lines('line of a penalty that sticks', penalty_of_line//'*FRICTION, ELASTIC SLIP=1e-7'//nl//'1e3'//nl, &
       0.0_dp, 3.5e-5_dp, 0.01_dp)
@@ -121,6 +125,17 @@ program test_tangents
    call check_ends('kink that slips', hertz//'*FRICTION'//nl//'1e-4'//nl, 'kink', 'A, B')
    call check_ends('end on an end', penalty_of_line//clean, 'tips', 'A, B')
    call check_ends('end on an end that slips', hertz//'*FRICTION'//nl//'1e-4'//nl, 'tips', 'A, B')
+   ! contacts that slide off an end, of which that cuts a part: crossings, ends, and where both wires end
+   call check_ends('crossing next to an end', hertz//spot, 'before', 'A, B')
+   call check_ends('crossing next to the end of the barred wire', hertz//clean, 'before', 'B, A')
+   call check_ends('crossing next to an end, penalty', penalty_of_line//clean, 'before', 'A, B')
+   call check_ends('end next to the side of a wire', hertz//spot, 'behind', 'A, B')
+   call check_ends('end next to the side of the barred wire', hertz//clean, 'behind', 'B, A')
+   call check_ends('end next to the side of a wire, penalty', penalty_of_line//clean, 'behind', 'A, B')
+   call check_ends('crossing next to two ends', hertz//spot, 'before both', 'A, B')
+   call check_ends('end next to another one', hertz//spot, 'behind one', 'A, B')
+   call check_ends('end on an end next to both sides', penalty_of_line//clean, 'behind both', 'A, B')
+   call check_ends('end next to the side of a straight axis', hertz, 'behind', 'A, B', ', AXIS=LINEAR')
    call check_ends('end on a rigid plane', surfaces('PLANE', '4.459e-4, 0, -8.918e-4, -0.5, 0, 1'), 'tips', 'A, B')
    do term = 1, size(has_added)
       if (has_added(term)) cycle
@@ -165,10 +180,17 @@ contains
    end function deck_along
 
    !> A wire whose end is lowered on another one, or meets its end; or one that is lowered on the kink of another.
-   function deck_at_end(laws, place, pair) result(deck)
-      !> `end`, `tips` or `kink`; and the data line of the contact pair
+   function deck_at_end(laws, place, pair, options) result(deck)
+      !> `end`, `tips`, `kink` or where a wire crosses another one next to its end; and the data line of the contact
+      !> pair
       character(len=*), intent(in) :: laws, place, pair
+      !> Parameters of the interaction
+      character(len=*), intent(in), optional :: options
       character(len=:), allocatable :: deck
+      character(len=*), parameter :: cantilever = '*NODE'//nl//'1, -0.03, 0, 0'//nl//'2, -0.02, 0.001, 0'//nl// &
+         '3, -0.01, 0.001, 0'//nl//'4, 0, 0, 0'//nl
+      character(len=:), allocatable :: cards
+      logical :: both
 
       select case (place)
       case ('end')
@@ -179,15 +201,40 @@ contains
          deck = '*NODE'//nl//'1, -0.03, 0, 0'//nl//'2, -0.02, 0, 0'//nl//'3, -0.01, 0.001, 0'//nl//'4, 0, 0, 0'// &
             nl//'11, 0.02, 0.009, 0.016'//nl//'12, 0.014, 0.006, 0.0112'//nl//'13, 0.008, 0.003, 0.0065'//nl// &
             '14, 0.0009, 0.0004, 0.0016'//nl
+      case ('before', 'behind')
+         deck = cantilever//nodes_across(merge(-1.0e-5_dp, 2.0e-5_dp, place == 'before'), 0.02_dp)
+      case ('before both', 'behind one', 'behind both')
+         deck = cantilever//nodes_across(merge(-1.0e-5_dp, 2.0e-5_dp, place == 'before both'), &
+            merge(-3.0e-5_dp, 2.0e-5_dp, place == 'behind both'))
       case ('kink')
          deck = '*NODE'//nl//'1, -0.02, 0, -0.008'//nl//'2, -0.008, 0.001, -0.0032'//nl//'3, 0, 0, 0'//nl// &
             '4, 0.02, 0, -0.008'//nl//'11, 0.0002, -0.02, 0.00185'//nl//'12, -0.0002, -0.006, 0.00185'//nl// &
             '13, 0.0001, 0.008, 0.00185'//nl//'14, -0.0003, 0.02, 0.00185'//nl
       end select
-      deck = deck//elements_and_contact('B33', 'B33', '', laws, pair)//'*BOUNDARY'//nl//'1, 1, 6'//nl
-      if (place /= 'tips') deck = deck//'4, 1, 6'//nl
-      deck = deck//step_of(-2.0e-4_dp, '', place == 'kink')//step_of(-2.4e-4_dp, '', place == 'kink')
+      cards = ''
+      if (present(options)) cards = options
+      deck = deck//elements_and_contact('B33', 'B33', cards, laws, pair)//'*BOUNDARY'//nl//'1, 1, 6'//nl
+      if (any(place == [character(len=4) :: 'end', 'kink'])) deck = deck//'4, 1, 6'//nl
+      both = any(place == [character(len=6) :: 'kink', 'before', 'behind'])
+      deck = deck//step_of(-2.0e-4_dp, '', both)//step_of(-2.4e-4_dp, '', both)
    end function deck_at_end
+
+   !> A wire that touches another one from above, and leads across it.
+   function nodes_across(x, end) result(cards)
+      !> Where it crosses the x axis, and how far it goes on along y [m]
+      real(dp), intent(in) :: x, end
+      character(len=:), allocatable :: cards
+      character(len=80) :: line
+      real(dp) :: y(4)
+      integer :: i
+
+      y = [-0.02_dp, -0.009_dp, merge(-0.002_dp, 0.006_dp, end < 0.01_dp), end]
+      cards = ''
+      do i = 1, 4
+         write (line, '(i0, 3(a, es14.6))') 10 + i, ',', x + 0.3_dp*y(i), ',', y(i), ',', 1.8e-3_dp
+         cards = cards//trim(line)//nl
+      end do
+   end function nodes_across
 
    !> The elements of two wires of four nodes each, and their contact.
    function elements_and_contact(type_1, type_2, options, laws, pair) result(cards)
@@ -295,24 +342,43 @@ contains
    end subroutine check_lines
 
    !> Wires that touch with an end or at a kink.
-   subroutine check_ends(name, laws, place, pair)
+   subroutine check_ends(name, laws, place, pair, options)
       character(len=*), intent(in) :: name, laws, place, pair
+      !> Parameters of the interaction
+      character(len=*), intent(in), optional :: options
       type(problem_t) :: problem
       integer :: trial, i
 
       call start_random_numbers()
-      call solve_first_step(deck_at_end(laws, place, pair), problem)
+      call solve_first_step(deck_at_end(laws, place, pair, options), problem)
       do trial = 1, 3
-         call compare(name, problem, exact, 0.01_dp)
+         call compare(name, problem, exact, 0.01_dp, merge(0.01_dp, 1.0e-3_dp, place(1:2) == 'be'))
          select type (surfaces => problem%terms(2)%term)
          type is (surface_term_t)
             if (any([(any(surfaces%cells(i)%law_of_end > 0) .and. surfaces%cells(i)%force > 0, &
                i=1, size(surfaces%cells))])) cycle
          end select
-         call check(any([(any(problem%contact%points(i)%held) .and. problem%contact%points(i)%closed, &
-            i=1, size(problem%contact%points))]), name//': an end in contact', 0.0_dp)
+         associate (points => problem%contact%points)
+            if (place(1:2) == 'be') then
+               call check(any([(maxval(abs(points(i)%slide_force)) > 1.0e-6_dp*points(i)%force .and. &
+                  count(points(i)%held) == held_of(place), i=1, size(points))]), name//': cut by an end', 0.0_dp)
+            else
+               call check(any([(any(points(i)%held) .and. points(i)%closed, i=1, size(points))]), &
+                  name//': an end in contact', 0.0_dp)
+            end if
+         end associate
       end do
    end subroutine check_ends
+
+   !> At how many ends the contact is.
+   integer function held_of(place)
+      !> As in `deck_at_end`
+      character(len=*), intent(in) :: place
+
+      held_of = 1
+      if (place(1:6) == 'before') held_of = 0
+      if (place == 'behind both') held_of = 2
+   end function held_of
 
    !> Which terms change what those before them have made.
    subroutine note_terms(problem)
@@ -376,16 +442,20 @@ contains
    end subroutine solve_first_step
 
    !> A random state near the converged one; then `K v` against the change of the forces along `v`.
-   subroutine compare(name, problem, tolerance, motion)
+   subroutine compare(name, problem, tolerance, motion, steps)
       character(len=*), intent(in) :: name
       type(problem_t), intent(inout) :: problem
       real(dp), intent(in) :: tolerance, motion
+      !> Of the differences, in these motions; absent: 1e-3. Where forces follow the places on the wires, which are
+      !> found to fewer digits than the distance that is least there, it is more
+      real(dp), intent(in), optional :: steps
       real(dp), dimension(n_slots, problem%model%n_nodes) :: there, v, product, differences, force
       real(dp), parameter :: weight(3) = [45.0_dp, -9.0_dp, 1.0_dp]/60
-      real(dp), parameter :: h = 1.0e-3_dp
-      real(dp) :: scale(n_slots)
+      real(dp) :: scale(n_slots), h
       integer :: k, field
 
+      h = 1.0e-3_dp
+      if (present(steps)) h = steps
       scale = 1.0e-5_dp
       scale(first_slot(field_rotation):last_slot(field_rotation)) = 1.0e-3_dp
       do field = 1, size(fields)

@@ -1,0 +1,236 @@
+!> The energy of a contact near the ends of its wires, where its lens of overlap is cut: what cylinders and round ends
+!> have of it.
+!>
+!> Source: theory section 10. With the distances y1, y2 along the wires, towards their ends, from the place at which the
+!> axes are nearest to each other or would be if they went on, the overlap is
+!> `delta - (y1^2 - 2 gamma y1 y2 + y2^2)/(2 d)`, with the cosine gamma between the two ways to the ends. Over the
+!> feet on
+!> the other wire this is a parabola of the half length aW, which an end at `y = a` cuts: the cylinder keeps the part
+!> `E(u)`, `u = a/aW`, of the energy, the end gets `1 - E(u)` of that of a sphere. All follows from an energy, so that
+!> forces across the wires and along them are its derivatives.
+module litz_cut_lens
+   use litz_kinds, only: dp, pi
+   use litz_jets, only: jet_t, variable, constant, composed, operator(+), operator(-), operator(*), operator(**)
+   implicit none
+   private
+   public :: cut_lens_t, lens_part_t, cut_energy, energy_below, integral_to, is_whole
+
+   !> Energy of a contact over its overlap: the power of Hertz
+   real(dp), parameter :: energy_power = 2.5_dp
+   !> Sines of the angle between an axis and the surface of the other wire up to which they lie side by side, and from
+   !> which on one runs into the other (5 and 15 degrees)
+   real(dp), parameter, public :: flat_tilt = 0.0872_dp, steep_tilt = 0.2588_dp
+
+   !> What two halves have at least in common, and at least not: without a corner where the other end comes first
+   real(dp), parameter :: least_common = 0.01_dp
+
+   !> What stays within an iteration.
+   type :: cut_lens_t
+      !> It has been found
+      logical :: is_known = .false., has_energies = .false.
+      !> Which of the two wires end near the contact, and to which of their ends (1 or 2) they do
+      logical :: near(2) = .false.
+      integer :: side(2) = 0
+      !> Angle between the axes that the law sees [rad], and their distance d [m]
+      real(dp) :: angle = 0, distance = 1
+      !> gamma, and d times the curvature of the distance along either wire, over the feet on the other one (2) [-]
+      real(dp) :: cosine = 0, bend(2) = 1
+      !> Energy of the pairs of shapes over that of two cylinders, at the same overlap: index 1 of a cylinder, 2 of a
+      !> round end, barred before unbarred (2, 2)
+      real(dp) :: energy(2, 2) = 1
+      !> Both ends cut an overlap that would be much longer than the least bend has it: they lie side by side
+      logical :: is_flat = .false.
+      !> What the contact has of these pairs, of which other contacts or the places along a line have the rest (2, 2)
+      real(dp) :: share(2, 2) = 1
+   end type cut_lens_t
+
+   !> Part of the energy of two uncut cylinders, as a function of overlap and of both places.
+   type :: lens_part_t
+      !> All of it, and that of either pair of shapes (2, 2)
+      type(jet_t) :: whole, pair(2, 2)
+   end type lens_part_t
+
+contains
+
+   !> No end is near enough to be felt, and the contact is not at one.
+   pure logical function is_whole(lens, held, overlap, place)
+      type(cut_lens_t), intent(in) :: lens
+      !> The contact is at the end of the barred, of the unbarred wire (2)
+      logical, intent(in) :: held(2)
+      !> Overlap [m], and places as `cut_energy` has them (2) [m]
+      real(dp), intent(in) :: overlap, place(2)
+
+      is_whole = .not. any(lens%near .and. (held .or. lens%bend*place**2 < 2*lens%distance*overlap))
+   end function is_whole
+
+   !> The energy over that of two cylinders without ends at the overlap of the contact.
+   pure type(lens_part_t) function cut_energy(lens, held, overlap, place) result(part)
+      type(cut_lens_t), intent(in) :: lens
+      !> The contact is at the end of the barred, of the unbarred wire (2)
+      logical, intent(in) :: held(2)
+      !> At the contact, positive [m]
+      real(dp), intent(in) :: overlap
+      !> Of a contact that is not at the end, how far that is along the wire; else minus d times the slope with which
+      !> the distance grows from the end on (2) [m]
+      real(dp), intent(in) :: place(2)
+      type(jet_t) :: delta, middle, at_end(2), corner, a(2), foot(2), cylinder(2), over_foot(2), flat, both, scale
+      integer :: i
+
+      delta = variable(overlap, 1)
+      call find_overlaps(lens, held, delta, [variable(place(1), 2), variable(place(2), 3)], a, foot, middle, at_end, &
+         corner)
+      do i = 1, 2
+         cylinder(i) = constant(1.0_dp)
+         over_foot(i) = constant(1.0_dp)
+         if (.not. lens%near(i)) cycle
+         cylinder(i) = constant(0.5_dp)
+         if (.not. lens%is_flat) cylinder(i) = energy_to(sqrt(lens%bend(i)/(2*lens%distance))*a(i), at_end(i))
+         over_foot(i) = energy_to(sqrt(1/(2*lens%distance))*foot(i), corner)
+         if (.not. held(i)) cycle
+         flat = flatness((-1/lens%distance)*variable(place(i), i + 1))
+         cylinder(i) = flat*cylinder(i)
+         over_foot(i) = flat*over_foot(i)
+      end do
+      both = of_both(cylinder, lens%cosine)
+      scale = delta**(-energy_power)
+      part%pair(1, 1) = both*energy_of(middle)*scale
+      part%pair(2, 1) = (1.0_dp - cylinder(1))*over_foot(2)
+      part%pair(1, 2) = (1.0_dp - cylinder(2))*over_foot(1)
+      if (all(lens%near)) part%pair(2, 2) = at_least_zero(1.0_dp - both - part%pair(2, 1) - part%pair(1, 2)) &
+         *energy_of(corner)*scale
+      part%pair(2, 1) = part%pair(2, 1)*energy_of(at_end(1))*scale
+      part%pair(1, 2) = part%pair(1, 2)*energy_of(at_end(2))*scale
+      part%pair = (lens%share*lens%energy)*part%pair
+      part%whole = part%pair(1, 1) + part%pair(2, 1) + part%pair(1, 2) + part%pair(2, 2)
+   end function cut_energy
+
+   !> Places and overlaps round the contact, from the place at which it is.
+   pure subroutine find_overlaps(lens, held, delta, place, a, foot, middle, at_end, corner)
+      type(cut_lens_t), intent(in) :: lens
+      !> (2)
+      logical, intent(in) :: held(2)
+      type(jet_t), intent(in) :: delta, place(2)
+      !> From the nearest place of both axes to the ends, from the foot of either end to that of the other wire (2),
+      !> overlap in that place, at the ends over their feet (2), and of end over end
+      type(jet_t), intent(out) :: a(2), foot(2), middle, at_end(2), corner
+      integer :: i
+
+      associate (gamma => lens%cosine, k => lens%bend/(2*lens%distance), k_foot => 1/(2*lens%distance))
+         if (lens%is_flat .and. .not. all(held)) then
+            ! the middle is anywhere, and the way between the ends is what counts
+            foot = place
+            if (held(1)) foot(1) = (-gamma)*place(2)
+            if (held(2)) foot(2) = (-gamma)*place(1)
+            a = foot
+            at_end = delta
+            middle = delta
+            corner = delta - k_foot*foot(merge(2, 1, held(1)))*foot(merge(2, 1, held(1)))
+         else if (all(held)) then
+            foot = place
+            do i = 1, 2
+               a(i) = (1/lens%bend(i))*(foot(i) + gamma*foot(3 - i))
+               at_end(i) = delta + k_foot*foot(3 - i)*foot(3 - i)
+            end do
+            corner = delta
+            middle = at_end(1) + k(1)*a(1)*a(1)
+            return
+         else if (any(held)) then
+            associate (own => merge(1, 2, held(1)))
+               a(own) = (1/lens%bend(own))*place(own)
+               foot(3 - own) = place(3 - own)
+               a(3 - own) = place(3 - own) + gamma*a(own)
+               foot(own) = a(own) - gamma*a(3 - own)
+               at_end(own) = delta
+               middle = delta + k(own)*a(own)*a(own)
+               at_end(3 - own) = middle - k(3 - own)*a(3 - own)*a(3 - own)
+               corner = delta - k_foot*foot(3 - own)*foot(3 - own)
+            end associate
+         else
+            a = place
+            middle = delta
+            do i = 1, 2
+               at_end(i) = middle - k(i)*a(i)*a(i)
+               foot(i) = a(i) - gamma*a(3 - i)
+            end do
+            corner = at_end(1) - k_foot*foot(2)*foot(2)
+         end if
+      end associate
+   end subroutine find_overlaps
+
+   !> Energy of an overlap but for a factor; 0 where there is none.
+   pure type(jet_t) function energy_of(overlap) result(energy)
+      type(jet_t), intent(in) :: overlap
+
+      energy = constant(0.0_dp)
+      if (overlap%value > 0) energy = overlap**energy_power
+   end function energy_of
+
+   !> `E(u)` of a parabola whose overlap at the end, at `x = u/sqrt(1 - u^2)` of it, is known: `u = x/sqrt(delta +
+   !> x^2)`.
+   pure type(jet_t) function energy_to(x, overlap) result(energy)
+      !> `a sqrt(k/2)` [m^(1/2)], and the overlap at the end
+      type(jet_t), intent(in) :: x, overlap
+      type(jet_t) :: u, square
+
+      energy = constant(merge(1.0_dp, 0.0_dp, x%value > 0))
+      if (.not. overlap%value > 0) return
+      square = overlap + x*x
+      u = x*square**(-0.5_dp)
+      energy = energy_below(u)
+   end function energy_to
+
+   !> `E(u)`.
+   pure type(jet_t) function energy_below(u) result(energy)
+      !> Between -1 and 1
+      type(jet_t), intent(in) :: u
+
+      energy = composed(u, integral_to(u%value), 15*(1 - u%value**2)**2/16, -15*u%value*(1 - u%value**2)/4)
+   end function energy_below
+
+   !> `E(u)`, the part of the integral of `(1 - v^2)^2` from -1 to 1 that lies below u.
+   elemental real(dp) function integral_to(u) result(part)
+      !> Between -1 and 1
+      real(dp), intent(in) :: u
+
+      part = (1 + u)**3*(8 - 9*u + 3*u**2)/16
+   end function integral_to
+
+   !> Part of a lens that two ends leave of it. Along wires that are perpendicular to each other each end cuts for
+   !> itself;
+   !> along wires that lie side by side the one that comes first does, or what is between them is left. Two halves of a
+   !> distribution with elliptical contours have the part `1/4 + asin(gamma)/(2 pi)` in common. Source: R. L. Plackett,
+   !> J. Am. Stat. Assoc. 60 (1965) 516-522, for what is between.
+   pure type(jet_t) function of_both(part, cosine) result(both)
+      !> Of either end alone (2)
+      type(jet_t), intent(in) :: part(2)
+      !> gamma
+      real(dp), intent(in) :: cosine
+      type(jet_t) :: b
+      real(dp) :: halves, theta
+
+      halves = 0.25_dp + asin(max(-1.0_dp, min(1.0_dp, cosine)))/(2*pi)
+      halves = max(least_common, min(0.5_dp - least_common, halves))
+      theta = (2*halves/(1 - 2*halves))**2
+      b = 1.0_dp + (theta - 1)*(part(1) + part(2))
+      both = (2*theta)*part(1)*part(2)*(b + (b*b - (4*theta*(theta - 1))*part(1)*part(2))**0.5_dp)**(-1.0_dp)
+   end function of_both
+
+   pure type(jet_t) function at_least_zero(a) result(b)
+      type(jet_t), intent(in) :: a
+
+      b = constant(0.0_dp)
+      if (a%value > 0) b = a
+   end function at_least_zero
+
+   !> 1 where an axis lies along the surface of the other wire, 0 where it runs into it.
+   pure type(jet_t) function flatness(tilt)
+      !> Sine of the angle
+      type(jet_t), intent(in) :: tilt
+      real(dp) :: u
+
+      u = max(0.0_dp, min(1.0_dp, (tilt%value - flat_tilt)/(steep_tilt - flat_tilt)))
+      flatness = composed(tilt, 1 - u**2*(3 - 2*u), -6*u*(1 - u)/(steep_tilt - flat_tilt), &
+         -6*(1 - 2*u)*merge(1.0_dp, 0.0_dp, u > 0 .and. u < 1)/(steep_tilt - flat_tilt)**2)
+   end function flatness
+
+end module litz_cut_lens
