@@ -226,7 +226,7 @@ contains
       clearance_of = min(fit, left)
    end function clearance_of
 
-   !> Radii that change along the elements: the gap is that of the radii at its places. Source: theory section 13.
+   !> Radii that change along the elements: the gap is that of the radii at its places. Source: theory section 14.
    pure subroutine add_taper(taper, kinematics)
       !> Of the barred and the unbarred element (2) [m]
       real(dp), intent(in) :: taper(2)

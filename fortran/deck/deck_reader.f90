@@ -5,9 +5,9 @@ module litz_deck_reader
    use litz_growing_text, only: growing_text_t
    use litz_keyword_table, only: keyword_table
    use litz_deck, only: token_t
-   use litz_material_properties, only: depends_on_temperature
-   use litz_model, only: model_t
-   use litz_reader, only: reader_t, fail_at, keyword_of, parameter_of
+   use litz_material_properties, only: has_thermal_mechanics
+   use litz_model, only: model_t, material_t
+   use litz_reader, only: reader_t, fail_at, keyword_of, parameter_of, real_parameter
    use litz_data_lines, only: read_line
    use litz_card_checks, only: check_cards
    use litz_read_mesh, only: read_mesh
@@ -59,6 +59,7 @@ contains
       end if
       call read_heading(self, model)
       call read_units(self, model)
+      call read_constants(self, model)
       call read_mesh(self, model)
       if (self%missed_mesh) return
       call read_sets(self, model)
@@ -121,6 +122,18 @@ contains
       ! the last line has no end
       model%heading = model%heading(:len(model%heading) - 1)
    end subroutine read_heading
+
+   subroutine read_constants(self, model)
+      type(reader_t), intent(in) :: self
+      type(model_t), intent(inout) :: model
+      integer :: card
+
+      do card = 1, self%deck%n_cards
+         if (keyword_of(self, card) /= 'PHYSICAL CONSTANTS') cycle
+         model%absolute_zero = real_parameter(self, card, 'ABSOLUTE ZERO', model%absolute_zero)
+         model%stefan_boltzmann = real_parameter(self, card, 'STEFAN BOLTZMANN', model%stefan_boltzmann)
+      end do
+   end subroutine read_constants
 
    !> *UNITS: labels, which go into heads of tables, where blanks and brackets mean something.
    subroutine read_units(self, model)
@@ -207,6 +220,17 @@ contains
          call warnings%add(error)
          return
       end do
+
+   contains
+
+      pure logical function depends_on_temperature(material)
+         type(material_t), intent(in) :: material
+
+         depends_on_temperature = has_thermal_mechanics(material) .or. allocated(material%heat_conductivity)
+         if (allocated(material%resistivity)) depends_on_temperature = depends_on_temperature .or. &
+            size(material%resistivity, 2) > 1
+      end function depends_on_temperature
+
    end subroutine warn_about_idle_temperatures
 
    !> Nodes of no element do nothing; the user may have meant more elements.

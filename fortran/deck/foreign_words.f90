@@ -24,9 +24,9 @@ module litz_foreign_words
       foreign_word_t('DYNAMIC|MODAL DYNAMIC|DIRECT CYCLIC', '', '', 'there is no inertia: use *STATIC, and'// &
       ' *CONTROLS, PARAMETERS=STABILIZE where wires snap or are unsupported'), &
       foreign_word_t('VISCO|CREEP|VISCOELASTIC', '', '', 'nothing is rate-dependent: use *STATIC and *ELASTIC'), &
-      foreign_word_t('COUPLED THERMAL-ELECTRICAL|COUPLED TEMPERATURE-DISPLACEMENT|HEAT TRANSFER|'// &
-      'PIEZOELECTRIC|ELECTROMAGNETIC', '', '', &
-      'use *STATIC, which solves forces and currents together; temperatures are given by *TEMPERATURE'), &
+      foreign_word_t('COUPLED TEMPERATURE-DISPLACEMENT|PIEZOELECTRIC|ELECTROMAGNETIC', '', '', &
+      'use *STATIC, which solves forces and currents together, or *COUPLED THERMAL-ELECTRICAL for temperatures'), &
+      foreign_word_t('HEAT TRANSFER', '', '', 'use *COUPLED THERMAL-ELECTRICAL, STEADY STATE'), &
       foreign_word_t('FREQUENCY|BUCKLE|COMPLEX FREQUENCY|STEADY STATE DYNAMICS', '', '', &
       'there are no eigenvalues: *STATIC follows the wires through large displacements'), &
       foreign_word_t('IMPERFECTION', '', '', 'put it into the coordinates of *NODE'), &
@@ -60,10 +60,7 @@ module litz_foreign_words
       foreign_word_t('DENSITY|DAMPING', '', '', 'leave it out: there is no inertia and no weight'), &
       foreign_word_t('PLASTIC|HYPERELASTIC|DEFORMATION PLASTICITY|CYCLIC HARDENING|USER MATERIAL|DEPVAR', '', '', &
       'beams are elastic: use *ELASTIC; contact spots may yield (*GAP ELECTRICAL CONDUCTANCE, LAW=PLASTIC)'), &
-      foreign_word_t('CONDUCTIVITY', '', '', 'that is heat; the current needs *ELECTRICAL CONDUCTIVITY'), &
-      foreign_word_t('SPECIFIC HEAT|LATENT HEAT|PHYSICAL CONSTANTS|DFLUX|FILM|RADIATE|'// &
-      'JOULE HEAT FRACTION', '', '', 'leave it out: heat does not flow; Joule heat is in the results, and'// &
-      ' temperatures are given by *TEMPERATURE'), &
+      foreign_word_t('SPECIFIC HEAT|LATENT HEAT', '', '', 'leave it out: temperatures are steady'), &
       foreign_word_t('SURFACE|NODE SURFACE|SURFACE DEFINITION', '', '', &
       'leave it out: *CONTACT PAIR names element sets'), &
       foreign_word_t('CONTACT|CONTACT INCLUSIONS|CONTACT EXCLUSIONS|CONTACT PROPERTY ASSIGNMENT|'// &
@@ -74,7 +71,7 @@ module litz_foreign_words
       'leave it out; *CONTROLS, PARAMETERS=STABILIZE damps what only contacts can hold'), &
       foreign_word_t('CLEARANCE', '', '', 'leave it out: gaps follow from the nodes and radii'), &
       foreign_word_t('GAP CONDUCTANCE|GAP HEAT GENERATION|GAP RADIATION', '', '', &
-      'heat does not flow; the current needs *GAP ELECTRICAL CONDUCTANCE'), &
+      'contacts conduct no heat; the current needs *GAP ELECTRICAL CONDUCTANCE'), &
       foreign_word_t('DLOAD|DSLOAD', '', '', 'distribute the load over the nodes: *CLOAD'), &
       foreign_word_t('DECURRENT|DSECURRENT', '', '', 'distribute the current over the nodes: *CECURRENT'), &
       foreign_word_t('OUTPUT|FILE OUTPUT', '', '', 'leave it out: fields are always written (*NODE FILE says how'// &
@@ -166,8 +163,7 @@ module litz_foreign_words
       foreign_word_t('EL PRINT', '', 'SF1|SF2|SF3|SM1|SM2|SM3|SM', 'SF has forces and moments, all of them'), &
       foreign_word_t('NODE FILE|EL FILE|EL PRINT', '', 'S|E|LE|EE|PE|PEEQ|ENER|MISES|ME|ZZS|NOE|ERR', &
       'beams have section forces (SF), no stresses or strains'), &
-      foreign_word_t('ELASTIC|EXPANSION|ELECTRICAL CONDUCTIVITY', '', '+', &
-      'material data depend on temperature alone'), &
+      foreign_word_t('ELASTIC|EXPANSION', '', '+', 'material data depend on temperature alone'), &
       foreign_word_t('EXPANSION', 'TYPE', 'ORTHO|ANISO|SHORT FIBER', 'give the coefficient along the wire'), &
       foreign_word_t('TEMPERATURE|INITIAL CONDITIONS', '', '+', 'the temperature is the same over a cross-section'), &
       foreign_word_t('INITIAL CONDITIONS', 'TYPE', 'STRESS|STRAIN|VELOCITY|FIELD|SOLUTION|HARDENING|PLASTIC STRAIN|'// &

@@ -1,9 +1,9 @@
 !> The keywords that describe the model: mesh, materials, sections, amplitudes and contact.
 module litz_model_keywords
    use litz_element_types, only: element_type_choices, describe_element_types, list_element_types
-   use litz_fields, only: field_potential, dof_range
-   use litz_keywords, only: keyword_t, keyword_table_t, field_spec_t, place_model, place_both, limit_positive, &
-      limit_none, limit_not_negative, limit_poisson, limit_zero
+   use litz_fields, only: field_potential, field_temperature, dof_range
+   use litz_keywords, only: keyword_t, keyword_table_t, field_spec_t, place_model, place_both, limit_none, &
+      limit_positive, limit_not_negative, limit_poisson, limit_zero
    use litz_keyword_builders, only: begin, finish, integer_field, real_field, name_field, item_field, text_field, &
       flag, choice, name, item, number, count_of, file
    use litz_law_words, only: law_words_t
@@ -36,6 +36,13 @@ contains
       call k%add(name('CURRENT', 'label of the unit of current; default A'))
       call k%add(name('VOLTAGE', 'label of the unit of voltage; default V'))
       call k%add(name('TEMPERATURE', 'label of the unit of temperature; default K'))
+      call finish(table, k)
+
+      call begin(k, 'PHYSICAL CONSTANTS', place_model, 'Constants in the units of the deck.')
+      call k%add(number('ABSOLUTE ZERO', 'absolute zero of the temperature scale, such as -273.15; 0 when left out', &
+         limit_none))
+      call k%add(number('STEFAN BOLTZMANN', 'Stefan-Boltzmann constant, 5.670374e-8 in SI units; *RADIATE needs it', &
+         limit_positive))
       call finish(table, k)
 
       call begin(k, 'INCLUDE', place_both, &
@@ -132,22 +139,21 @@ contains
       type(keyword_t) :: k
       type(field_spec_t) :: of_temperature
 
-      of_temperature = real_field('T', 'K', 'temperature, ascending, where there are several lines', required=.false.)
-      call begin(k, 'MATERIAL', place_model, 'Begins a material; *ELASTIC, *EXPANSION and *ELECTRICAL'// &
-         ' CONDUCTIVITY follow it.')
+      of_temperature = real_field('T', 'K', 'temperature; ascending. Linear between two lines, constant outside the'// &
+         ' table', required=.false.)
+      call begin(k, 'MATERIAL', place_model, 'Begins a material; *ELASTIC, *EXPANSION, *ELECTRICAL CONDUCTIVITY,'// &
+         ' *CONDUCTIVITY and *JOULE HEAT FRACTION follow it.')
       call k%add(name('NAME', 'name of the material', required=.true.))
       call finish(table, k)
 
-      call begin(k, 'ELASTIC', place_model, 'Linear elastic, isotropic. Over temperature both numbers are linear'// &
-         ' between the lines, constant beyond.', after='MATERIAL')
+      call begin(k, 'ELASTIC', place_model, 'Linear elastic, isotropic.', after='MATERIAL')
       call k%add(choice('TYPE', 'ISOTROPIC', 'kind of elasticity', default='ISOTROPIC'))
       call k%add_data([real_field('E', 'Pa', 'Young''s modulus', limit_positive), &
          real_field('nu', '-', 'Poisson''s ratio', limit_poisson), of_temperature], last=0)
       call finish(table, k)
 
       call begin(k, 'EXPANSION', place_model, 'Thermal expansion of wires: the strain along their axis, and of'// &
-         ' their contact radius, is alpha(T) (T - ZERO) less that at the initial temperature. Over temperature'// &
-         ' alpha is linear between the lines, constant beyond.', &
+         ' their contact radius, is alpha(T) (T - ZERO) less that at the initial temperature.', &
          after='MATERIAL')
       call k%add(choice('TYPE', 'ISO', 'kind of expansion', default='ISO'))
       call k%add(number('ZERO', 'temperature to which alpha refers', limit_none, '0'))
@@ -156,11 +162,24 @@ contains
 
       call begin(k, 'ELECTRICAL CONDUCTIVITY', place_model, &
          'Makes the elements of this material conductors: their nodes'// &
-         ' have a potential, degree of freedom '//dof_range(field_potential)//'. Without it a wire is an insulator.'// &
-         ' Over temperature the resistivity, 1/sigma, is linear between the lines, constant beyond.', &
+         ' have a potential, degree of freedom '//dof_range(field_potential)//'. Without it a wire is an insulator.', &
          after='MATERIAL')
-      call k%add_data([real_field('sigma', 'S/m', 'electrical conductivity', limit_positive), of_temperature], &
-         last=0)
+      call k%add_data([real_field('sigma', 'S/m', 'electrical conductivity', limit_positive), &
+         real_field('T', 'K', 'temperature; ascending. Between two lines it is 1/sigma that is linear; outside the'// &
+         ' table it is constant', required=.false.)], last=0)
+      call finish(table, k)
+
+      call begin(k, 'CONDUCTIVITY', place_model, &
+         'Makes the elements of this material conduct heat: in steps that solve for temperatures, their nodes have'// &
+         ' one, degree of freedom '//dof_range(field_temperature)//'.', after='MATERIAL')
+      call k%add(choice('TYPE', 'ISO', 'kind of conductivity', default='ISO'))
+      call k%add_data([real_field('lambda', 'W/(m K)', 'heat conductivity', limit_positive), &
+         of_temperature], last=0)
+      call finish(table, k)
+
+      call begin(k, 'JOULE HEAT FRACTION', place_model, 'Part of the electric power in elements of this material'// &
+         ' that becomes heat; 1 without this keyword.', after='MATERIAL')
+      call k%add_data([real_field('fraction', '-', 'from 0 to 1', limit_not_negative)])
       call finish(table, k)
 
       call begin(k, 'BEAM SECTION', place_model, &

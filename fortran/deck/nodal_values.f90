@@ -95,17 +95,18 @@ contains
       end do
    end function nodes_with_unknown
 
-   !> Elements whose section or material is in error count as conductors, so that no second error follows. Nothing
-   !> conducts heat.
+   !> Elements whose section or material is in error count as conductors, so that no second error follows.
    pure logical function conducts(model, element, field)
       type(model_t), intent(in) :: model
       !> Index of the element, and one of litz_fields
       integer, intent(in) :: element, field
 
-      conducts = field /= field_temperature
-      if (field /= field_potential .or. model%element_section(element) == 0) return
+      conducts = .true.
+      if (all(field /= [field_potential, field_temperature]) .or. model%element_section(element) == 0) return
       associate (section => model%sections(model%element_section(element)))
-         if (section%material > 0) conducts = model%materials(section%material)%conductivity > 0
+         if (section%material == 0) return
+         if (field == field_potential) conducts = model%materials(section%material)%conductivity > 0
+         if (field == field_temperature) conducts = allocated(model%materials(section%material)%heat_conductivity)
       end associate
    end function conducts
 

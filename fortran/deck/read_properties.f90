@@ -23,8 +23,8 @@ contains
    subroutine read_materials(self, model)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(inout) :: model
-      integer :: card, material, i
       real(dp), allocatable :: table(:, :)
+      integer :: card, material, i
       logical :: ok
 
       allocate (model%materials(n_cards_of(self, 'MATERIAL')))
@@ -35,29 +35,28 @@ contains
             call add_named(self, self%materials, 'material', card, material)
             if (material > 0) model%materials(material)%name = self%materials%names%name(material)
          case ('ELASTIC')
-            call read_table(self, card, 2, table, ok)
+            call read_property(self, card, 2, table, ok)
             if (material == 0) cycle
             associate (this => model%materials(material))
                if (this%young > 0) call fail_at(self, self%deck%cards(card)%name, &
                   'the material '//this%name//' has two *ELASTIC')
                ! wrong values were reported; the material then counts as complete
-               this%young = merge(table(2, 1), 1.0_dp, ok)
-               this%poisson = merge(table(3, 1), 0.0_dp, ok)
-               if (ok .and. size(table, 2) > 1) this%elastic_table = table
+               this%young = table(2, 1)
+               this%poisson = table(3, 1)
+               if (size(table, 2) > 1) this%elastic_table = table
             end associate
          case ('ELECTRICAL CONDUCTIVITY')
-            call read_table(self, card, 1, table, ok)
+            call read_property(self, card, 1, table, ok)
             if (material == 0) cycle
             associate (this => model%materials(material))
                if (this%conductivity > 0) call fail_at(self, self%deck%cards(card)%name, &
                   'the material '//this%name//' has two *ELECTRICAL CONDUCTIVITY')
-               this%conductivity = merge(table(2, 1), 1.0_dp, ok)
-               if (.not. ok .or. size(table, 2) == 1) cycle
-               this%resistivity_table = table
-               this%resistivity_table(2, :) = 1/table(2, :)
+               this%conductivity = table(2, 1)
+               table(2, :) = 1/table(2, :)
+               this%resistivity = table
             end associate
          case ('EXPANSION')
-            call read_table(self, card, 1, table, ok)
+            call read_property(self, card, 1, table, ok)
             if (material == 0) cycle
             associate (this => model%materials(material))
                if (allocated(this%expansion_table)) call fail_at(self, self%deck%cards(card)%name, &
@@ -65,6 +64,21 @@ contains
                this%expansion_table = table
                this%expansion_zero = real_parameter(self, card, 'ZERO', 0.0_dp)
             end associate
+         case ('CONDUCTIVITY')
+            call read_property(self, card, 1, table, ok)
+            if (material == 0) cycle
+            associate (this => model%materials(material))
+               if (allocated(this%heat_conductivity)) call fail_at(self, self%deck%cards(card)%name, &
+                  'the material '//this%name//' has two *CONDUCTIVITY')
+               this%heat_conductivity = table
+            end associate
+         case ('JOULE HEAT FRACTION')
+            call read_only_line(self, card, ok)
+            if (.not. ok .or. material == 0) cycle
+            model%materials(material)%joule_fraction = self%values%real(1)
+            if (self%values%real(1) > 1) call fail_at(self, self%values%token(1), &
+               'the part of the electric power that becomes heat cannot be more than 1; found '// &
+               to_text(self%values%real(1)))
          end select
       end do
       model%materials = model%materials(:self%materials%names%n)
@@ -73,6 +87,42 @@ contains
          call fail_at(self, self%materials%token(i), 'the material '//model%materials(i)%name//' has no *ELASTIC')
       end do
    end subroutine read_materials
+
+   !> Properties over temperature, on lines of their values and the temperature.
+   subroutine read_property(self, card, n_values, table, ok)
+      type(reader_t), intent(inout) :: self
+      !> Index of the card, and values before the temperature
+      integer, intent(in) :: card, n_values
+      !> Temperatures and values (1 + n_values, n), one line at least
+      real(dp), allocatable, intent(out) :: table(:, :)
+      !> .false.: something was reported; the table is then one that does no harm
+      logical, intent(out) :: ok
+      integer :: line
+      logical :: line_ok
+
+      ok = .true.
+      allocate (table(1 + n_values, 0))
+      associate (this => self%deck%cards(card), values => self%values, at => n_values + 1)
+         do line = this%first_data, this%last_data
+            call read_line(self, card, line, line_ok)
+            ok = ok .and. line_ok
+            if (.not. line_ok) cycle
+            if (.not. values%given(at) .and. this%last_data > this%first_data) then
+               if (ok) call fail_at(self, values%token(at), 'a temperature is missing: every line of a table has one')
+               ok = .false.
+            else if (size(table, 2) > 0) then
+               if (values%real(at) <= table(1, size(table, 2))) then
+                  call fail_at(self, values%token(at), 'the temperatures of *'//keyword_of(self, card)// &
+                     ' must ascend; '//to_text(values%real(at))//' follows '//to_text(table(1, size(table, 2))))
+                  ok = .false.
+               end if
+            end if
+            table = reshape([table, values%real(at), values%real(:n_values)], [at, size(table, 2) + 1])
+         end do
+      end associate
+      ok = ok .and. size(table, 2) > 0
+      if (.not. ok) table = reshape([0.0_dp, 1.0_dp, spread(0.0_dp, 1, n_values - 1)], [1 + n_values, 1])
+   end subroutine read_property
 
    !> The name a card defines; 0 where it has none or it exists already.
    subroutine add_named(self, definitions, what, card, index)
@@ -90,50 +140,6 @@ contains
       token = parameter_of(self, card, 'NAME')
       if (token%last >= token%first) call add_definition(self, definitions, what, token, index)
    end subroutine add_named
-
-   !> Data over temperature, a line for each: their values, and behind these the temperature, which a single line does
-   !> not need.
-   subroutine read_table(self, card, n_values, table, ok)
-      type(reader_t), intent(inout) :: self
-      !> Index of the card, and values before the temperature
-      integer, intent(in) :: card, n_values
-      !> Temperature and values (1 + n_values, lines); at least one line
-      real(dp), allocatable, intent(out) :: table(:, :)
-      !> .false.: something about it was reported
-      logical, intent(out) :: ok
-      integer :: line, n
-      logical :: line_ok
-
-      associate (this => self%deck%cards(card))
-         allocate (table(1 + n_values, max(1, this%last_data - this%first_data + 1)), source=0.0_dp)
-         ok = this%last_data >= this%first_data
-         do line = this%first_data, this%last_data
-            n = line - this%first_data + 1
-            call read_line(self, card, line, line_ok)
-            if (line_ok) call check_temperature()
-            ok = ok .and. line_ok
-            table(1, n) = self%values%real(n_values + 1)
-            table(2:, n) = self%values%real(:n_values)
-         end do
-      end associate
-
-   contains
-
-      subroutine check_temperature()
-         associate (this => self%deck%cards(card), token => self%values%token(n_values + 1))
-            if (this%last_data > this%first_data .and. .not. self%values%given(n_values + 1)) then
-               line_ok = .false.
-               if (ok) call fail_at(self, token, 'where *'//keyword_of(self, card)//' has several lines, each needs'// &
-                  ' its temperature as value '//to_text(n_values + 1))
-            else if (n > 1 .and. ok) then
-               line_ok = self%values%real(n_values + 1) > table(1, n - 1)
-               if (.not. line_ok) call fail_at(self, token, 'the temperatures of *'//keyword_of(self, card)// &
-                  ' must ascend; '//to_text(self%values%real(n_values + 1))//' follows '//to_text(table(1, n - 1)))
-            end if
-         end associate
-      end subroutine check_temperature
-
-   end subroutine read_table
 
    !> The first data line of a card; `ok` is .false. when there is none.
    subroutine read_only_line(self, card, ok)

@@ -4,15 +4,16 @@ module litz_read_steps
    use litz_text, only: to_text
    use litz_growing_text, only: growing_text_t
    use litz_deck, only: token_t
-   use litz_fields, only: n_fields, field_temperature
+   use litz_fields, only: fields, n_fields, field_displacement, field_temperature, field_of_dof, group_mechanical
    use litz_foreign_words, only: advice_about
-   use litz_model, only: model_t, step_t
+   use litz_model, only: model_t, step_t, solved_by_heat
    use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, has_flag, integer_parameter, keyword_of, &
       name_of, n_cards_of
    use litz_data_lines, only: read_line
    use litz_lookup, only: name_map_t
    use litz_nodal_values, only: value_list_t, kind_boundary, kind_temperature, kind_initial, field_of_load, &
       start_list, begin_step, read_nodal_values
+   use litz_read_element_heat, only: heat_cards_t, begin_heat, read_element_heat
    use litz_read_requests, only: request_list_t, begin_requests, read_request
    use litz_read_controls, only: read_controls, read_solver, read_solution_technique
    implicit none
@@ -22,57 +23,79 @@ module litz_read_steps
    !> Smallest increment where the deck gives none, as a part of the step
    real(dp), parameter :: smallest_part = 1.0e-5_dp
 
+   !> What holds at the place that the reading has reached.
+   type :: so_far_t
+      type(value_list_t) :: boundary, load(n_fields), temperature, initial
+      type(request_list_t) :: requests
+      type(name_map_t) :: names
+      type(heat_cards_t) :: heat_cards
+      !> Number of the step; its *STEP, the last *CLOAD, and the last of *DFLUX, *FILM, *RADIATE in it (0: none)
+      integer :: step = 0, step_card = 0, load_card = 0, heat_card = 0
+      !> The step has a *STATIC or *COUPLED THERMAL-ELECTRICAL
+      logical :: has_procedure = .false.
+   end type so_far_t
+
 contains
 
    subroutine read_steps(self, model)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(inout) :: model
-      type(value_list_t) :: boundary, load(n_fields), temperature, initial
-      type(request_list_t) :: requests
-      type(name_map_t) :: names
-      integer :: card, step, step_card, field
-      logical :: has_procedure
+      type(so_far_t) :: so_far
+      integer :: card, field
 
       allocate (model%steps(self%n_steps))
-      call start_list(boundary, kind_boundary, model)
-      call start_list(temperature, kind_temperature, model)
-      call start_list(initial, kind_initial, model)
-      model%has_field(field_temperature) = n_cards_of(self, 'TEMPERATURE') + n_cards_of(self, 'INITIAL CONDITIONS') > 0
+      call start_list(so_far%boundary, kind_boundary, model)
+      call start_list(so_far%temperature, kind_temperature, model)
+      call start_list(so_far%initial, kind_initial, model)
+      model%has_field(field_temperature) = n_cards_of(self, 'TEMPERATURE') + n_cards_of(self, 'INITIAL CONDITIONS') &
+         + n_cards_of(self, 'COUPLED THERMAL-ELECTRICAL') > 0
       do field = 1, n_fields
-         call start_list(load(field), field, model)
+         call start_list(so_far%load(field), field, model)
       end do
-      step = 0
-      step_card = 0
-      has_procedure = .false.
       do card = 1, self%deck%n_cards
-         if (self%step(card) > step) then
-            if (step > 0) call close_step()
-            step = self%step(card)
-            step_card = card
-            has_procedure = .false.
-            call open_step()
+         if (self%step(card) > so_far%step) then
+            if (so_far%step > 0) call close_step(self, model, so_far)
+            call open_step(self, model, card, so_far)
          end if
-         select case (keyword_of(self, card))
+         call read_card(self, model, card, so_far)
+      end do
+      if (so_far%step > 0) call close_step(self, model, so_far)
+      model%initial = so_far%initial%items(:so_far%initial%n)
+   end subroutine read_steps
+
+   subroutine read_card(self, model, card, so_far)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(inout) :: model
+      !> Index of the card
+      integer, intent(in) :: card
+      type(so_far_t), intent(inout) :: so_far
+      character(len=:), allocatable :: keyword
+      integer :: field
+
+      keyword = keyword_of(self, card)
+      associate (step => so_far%step)
+         select case (keyword)
          case ('BOUNDARY')
-            call read_nodal_values(self, model, card, boundary)
+            call read_nodal_values(self, model, card, so_far%boundary)
          case ('INITIAL CONDITIONS')
-            call read_nodal_values(self, model, card, initial)
+            call read_nodal_values(self, model, card, so_far%initial)
          case ('TEMPERATURE')
-            call read_nodal_values(self, model, card, temperature)
+            call read_nodal_values(self, model, card, so_far%temperature)
          case ('')
             ! one that has been reported already, such as *DYNAMIC
-            has_procedure = has_procedure .or. &
+            so_far%has_procedure = so_far%has_procedure .or. &
                index(advice_about(self%deck%text(self%deck%cards(card)%name)), 'use *STATIC') > 0
-         case ('STATIC')
-            if (has_procedure) call fail_at(self, self%deck%cards(card)%name, 'this step has two *STATIC')
-            has_procedure = .true.
-            call read_static(self, card, model%steps(step))
+         case ('STATIC', 'COUPLED THERMAL-ELECTRICAL')
+            call read_procedure(self, model, card, so_far)
          case ('NODE PRINT', 'EL PRINT', 'CONTACT PRINT', 'ENERGY PRINT', 'ELECTRODE PRINT', 'NODE FILE', 'EL FILE')
-            call read_request(self, model, card, requests, model%steps(step))
+            call read_request(self, model, card, so_far%requests, model%steps(step))
          case ('RESTART')
             model%steps(step)%restart_frequency = 0
             if (has_flag(self, card, 'WRITE')) model%steps(step)%restart_frequency = &
                integer_parameter(self, card, 'FREQUENCY', 1)
+         case ('DFLUX', 'FILM', 'RADIATE')
+            so_far%heat_card = card
+            call read_element_heat(self, model, card, model%steps(step)%heat, so_far%heat_cards)
          case ('CONTROLS')
             call read_controls(self, card, model%steps(step)%controls)
          case ('SOLVER')
@@ -80,49 +103,91 @@ contains
          case ('SOLUTION TECHNIQUE')
             call read_solution_technique(self, card, model%steps(step))
          case default
-            field = field_of_load(keyword_of(self, card))
-            if (field > 0) call read_nodal_values(self, model, card, load(field))
+            field = field_of_load(keyword)
+            if (field > 0) call read_nodal_values(self, model, card, so_far%load(field))
+            if (field == field_displacement) so_far%load_card = card
          end select
-      end do
-      if (step > 0) call close_step()
-      model%initial = initial%items(:initial%n)
+      end associate
+   end subroutine read_card
 
-   contains
+   !> A step has what the one before it has.
+   subroutine open_step(self, model, card, so_far)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(inout) :: model
+      !> Index of its *STEP
+      integer, intent(in) :: card
+      type(so_far_t), intent(inout) :: so_far
+      real(dp) :: previous_total
+      integer :: field
 
-      subroutine open_step()
-         real(dp) :: previous_total
+      so_far%step = self%step(card)
+      so_far%step_card = card
+      so_far%load_card = 0
+      so_far%heat_card = 0
+      so_far%has_procedure = .false.
+      previous_total = 0
+      associate (step => so_far%step, this => model%steps(so_far%step))
+         if (step > 1) then
+            this%controls = model%steps(step - 1)%controls
+            this%solver = model%steps(step - 1)%solver
+            this%coupling = model%steps(step - 1)%coupling
+            this%reform_kernel = model%steps(step - 1)%reform_kernel
+            this%output_frequency = model%steps(step - 1)%output_frequency
+            this%restart_frequency = model%steps(step - 1)%restart_frequency
+            previous_total = model%steps(step - 1)%total
+         end if
+         call begin_step(so_far%boundary, model, previous_total)
+         call begin_step(so_far%temperature, model, previous_total)
+         do field = 1, n_fields
+            call begin_step(so_far%load(field), model, previous_total)
+         end do
+         call begin_heat(model, step, so_far%heat_cards)
+         call begin_requests(so_far%requests)
+         call read_step_line(self, card, so_far%names, this)
+      end associate
+   end subroutine open_step
 
-         previous_total = 0
-         associate (this => model%steps(step))
-            if (step > 1) then
-               this%controls = model%steps(step - 1)%controls
-               this%solver = model%steps(step - 1)%solver
-               this%coupling = model%steps(step - 1)%coupling
-               this%reform_kernel = model%steps(step - 1)%reform_kernel
-               this%output_frequency = model%steps(step - 1)%output_frequency
-               this%restart_frequency = model%steps(step - 1)%restart_frequency
-               previous_total = model%steps(step - 1)%total
-            end if
-            call begin_step(boundary, model, previous_total)
-            call begin_step(temperature, model, previous_total)
-            do field = 1, n_fields
-               call begin_step(load(field), model, previous_total)
-            end do
-            call begin_requests(requests)
-            call read_step_line(self, card, names, this)
-         end associate
-      end subroutine open_step
+   !> What holds in a step, all of whose cards have been read.
+   subroutine close_step(self, model, so_far)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(inout) :: model
+      type(so_far_t), intent(in) :: so_far
+      integer :: field
 
-      subroutine close_step()
-         if (.not. has_procedure) call fail_at(self, self%deck%cards(step_card)%name, 'this step has no *STATIC')
-         call check_increments(self, step_card, model%steps(step), has_procedure)
-         model%steps(step)%boundary = boundary%items(:boundary%n)
-         model%steps(step)%predefined = temperature%items(:temperature%n)
-         model%steps(step)%load = [(load(field)%items(:load(field)%n), field=1, n_fields)]
-         model%steps(step)%requests = requests%items(:requests%n)
-      end subroutine close_step
+      associate (this => model%steps(so_far%step), boundary => so_far%boundary, temperature => so_far%temperature, &
+         load => so_far%load, heat_card => so_far%heat_card)
+         if (.not. so_far%has_procedure) call fail_at(self, self%deck%cards(so_far%step_card)%name, &
+            'this step has no *STATIC')
+         call check_increments(self, so_far%step_card, this, so_far%has_procedure)
+         if (.not. this%solves(field_displacement)) then
+            call refuse_motions(self, boundary, so_far%load_card)
+         else if (heat_card > 0) then
+            call fail_at(self, self%deck%cards(heat_card)%name, &
+               'a step that does not solve for temperatures has no *'// &
+               keyword_of(self, heat_card)//'; put it into a *COUPLED THERMAL-ELECTRICAL')
+         end if
+         this%boundary = boundary%items(:boundary%n)
+         this%predefined = temperature%items(:temperature%n)
+         this%load = [(load(field)%items(:load(field)%n), field=1, n_fields)]
+         this%requests = so_far%requests%items(:so_far%requests%n)
+      end associate
+   end subroutine close_step
 
-   end subroutine read_steps
+   !> What the step solves for.
+   subroutine read_procedure(self, model, card, so_far)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(inout) :: model
+      !> Index of the card
+      integer, intent(in) :: card
+      type(so_far_t), intent(inout) :: so_far
+
+      if (so_far%has_procedure) call fail_at(self, self%deck%cards(card)%name, 'this step has two *'// &
+         keyword_of(self, card))
+      so_far%has_procedure = .true.
+      call read_increments(self, card, model%steps(so_far%step))
+      if (keyword_of(self, card) /= 'STATIC') model%steps(so_far%step)%solves = solved_by_heat
+      call check_procedure(self, model, card, so_far%step)
+   end subroutine read_procedure
 
    !> *STEP: its name, title and parameters.
    subroutine read_step_line(self, card, names, step)
@@ -153,7 +218,8 @@ contains
          'NLGEOM=NO is not possible: litz always takes large displacements into account; leave it out')
    end subroutine read_step_line
 
-   subroutine read_static(self, card, step)
+   !> *STATIC or *COUPLED THERMAL-ELECTRICAL
+   subroutine read_increments(self, card, step)
       type(reader_t), intent(inout) :: self
       !> Index of the card
       integer, intent(in) :: card
@@ -196,7 +262,53 @@ contains
          step%largest = 1
       end subroutine set_default_increments
 
-   end subroutine read_static
+   end subroutine read_increments
+
+   !> What a step that solves for temperatures needs.
+   subroutine check_procedure(self, model, card, step)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      !> Index of the card of the procedure, and number of the step
+      integer, intent(in) :: card, step
+      integer :: i
+
+      associate (token => self%deck%cards(card)%name)
+         if (model%steps(step)%solves(field_displacement)) then
+            if (step == 1) return
+            if (.not. model%steps(step - 1)%solves(field_displacement)) call fail_at(self, token, &
+               'no *STATIC can follow a *COUPLED THERMAL-ELECTRICAL')
+            return
+         end if
+         if (.not. has_flag(self, card, 'STEADY STATE')) call fail_at(self, token, &
+            'temperatures are steady: *COUPLED THERMAL-ELECTRICAL needs the parameter STEADY STATE')
+         if (n_cards_of(self, 'CONTACT PAIR') > 0) call fail_at(self, token, 'contacts conduct no heat:'// &
+            ' *COUPLED THERMAL-ELECTRICAL is not possible in a deck with *CONTACT PAIR')
+         do i = 1, size(model%materials)
+            associate (material => model%materials(i))
+               if (allocated(material%heat_conductivity) .or. .not. material%conductivity > 0) cycle
+               call fail_at(self, token, 'the material '//material%name//' conducts currents, but not their heat;'// &
+                  ' give it *CONDUCTIVITY')
+            end associate
+         end do
+      end associate
+   end subroutine check_procedure
+
+   !> Where motions are held none can be prescribed and no force can be given.
+   subroutine refuse_motions(self, boundary, load_card)
+      type(reader_t), intent(inout) :: self
+      type(value_list_t), intent(in) :: boundary
+      !> Index of a *CLOAD of the step; 0: it has none
+      integer, intent(in) :: load_card
+      character(len=*), parameter :: held = 'motions are held in *COUPLED THERMAL-ELECTRICAL'
+      integer :: i
+
+      if (load_card > 0) call fail_at(self, self%deck%cards(load_card)%name, held//'; put this *CLOAD into a *STATIC')
+      do i = 1, boundary%n
+         if (boundary%line(i) == 0 .or. fields(field_of_dof(boundary%items(i)%dof))%group /= group_mechanical) cycle
+         call fail_at(self, self%deck%line_token(boundary%line(i)), held//'; prescribe them in a *STATIC')
+         return
+      end do
+   end subroutine refuse_motions
 
    !> A step whose largest increments do not reach its end cannot finish.
    subroutine check_increments(self, card, step, has_procedure)

@@ -1,7 +1,7 @@
 !> The keywords of steps: loads, output, and how the equations are solved.
 module litz_step_keywords
    use litz_fields, only: fields, n_fields, field_displacement, field_rotation, dof_range, describe_dofs, list_units
-   use litz_keywords, only: keyword_t, keyword_table_t, place_step, place_both, place_begins_step, &
+   use litz_keywords, only: keyword_t, keyword_table_t, field_spec_t, place_step, place_both, place_begins_step, &
       limit_positive, limit_not_negative
    use litz_keyword_builders, only: begin, finish, integer_field, real_field, dofs_of, choice_field, name_field, &
       item_field, text_field, unused, flag, choice, name, count_of
@@ -10,7 +10,7 @@ module litz_step_keywords
    use litz_text, only: join_words, words_of
    implicit none
    private
-   public :: add_step, add_loads, add_given_values, add_output, add_solution
+   public :: add_step, add_loads, add_element_heat, add_given_values, add_output, add_solution
 
    !> Nothing but the removal of what earlier steps prescribed
    character(len=*), parameter :: new_alone = 'OP=NEW'
@@ -33,6 +33,24 @@ contains
 
       call begin(k, 'STATIC', place_step, 'Equilibrium of forces, moments and currents. Time increments are'// &
          ' adapted automatically; values without an amplitude ramp over the step.')
+      call add_increments(k)
+      call finish(table, k)
+
+      call begin(k, 'COUPLED THERMAL-ELECTRICAL', place_step, 'Steady currents and temperatures together: currents'// &
+         ' make heat, temperatures change conductivities. Motions are held. Time scales the loads: values without'// &
+         ' an amplitude ramp over the step. After it, no *STATIC may follow. Contacts are not possible.')
+      call k%add(flag('STEADY STATE', 'no heat is stored; it must be given'))
+      call add_increments(k)
+      call finish(table, k)
+
+      call begin(k, 'END STEP', place_step, 'Ends a step.')
+      call finish(table, k)
+   end subroutine add_step
+
+   !> Time of the step, and how it is divided.
+   pure subroutine add_increments(k)
+      type(keyword_t), intent(inout) :: k
+
       call k%add(flag('DIRECT', 'increments of fixed size'))
       call k%add_data([real_field('first', 's', 'first increment, the whole step when left out', limit_positive, &
          .false.), &
@@ -40,11 +58,7 @@ contains
          real_field('smallest', 's', 'smallest increment, 1e-5 of the step when left out', limit_positive, .false.), &
          real_field('largest', 's', 'largest increment, the whole step when left out', limit_positive, .false.)], &
          required=.false.)
-      call finish(table, k)
-
-      call begin(k, 'END STEP', place_step, 'Ends a step.')
-      call finish(table, k)
-   end subroutine add_step
+   end subroutine add_increments
 
    pure subroutine add_loads(table)
       type(keyword_table_t), intent(inout) :: table
@@ -89,6 +103,49 @@ contains
          call finish(table, k)
       end do
    end subroutine add_loads
+
+   !> Heat on the length of elements.
+   pure subroutine add_element_heat(table)
+      type(keyword_table_t), intent(inout) :: table
+      type(keyword_t) :: k
+
+      call begin(k, 'DFLUX', place_step, 'Heat sources in wires, which ramp over the step. Lines for the same'// &
+         ' element add up.')
+      call add_heat_op(k)
+      call k%add_data([element_field(), choice_field('label', 'BF', 'BF: in the volume'), &
+         real_field('value', 'W/m^3', 'heat per volume')], last=0, optional_with=new_alone)
+      call finish(table, k)
+
+      call begin(k, 'FILM', place_step, 'Heat that passes from the sides of wires to their surroundings, h (T - Ts)'// &
+         ' per area; the side has the perimeter 2 pi r. It does not ramp.')
+      call add_heat_op(k)
+      call k%add_data([element_field(), choice_field('label', 'F', 'F: the side'), &
+         real_field('Ts', 'K', 'temperature of the surroundings'), &
+         real_field('h', 'W/(m^2 K)', 'heat transfer coefficient', limit_positive)], last=0, optional_with=new_alone)
+      call finish(table, k)
+
+      call begin(k, 'RADIATE', place_step, 'Heat that wires radiate from their sides, eps sigma (T^4 - Ts^4) per'// &
+         ' area, from absolute zero; the side has the perimeter 2 pi r. It does not ramp.')
+      call add_heat_op(k)
+      call k%add_data([element_field(), choice_field('label', 'R', 'R: the side'), &
+         real_field('Ts', 'K', 'temperature of the surroundings'), &
+         real_field('eps', '-', 'emissivity, up to 1', limit_positive)], last=0, optional_with=new_alone)
+      call finish(table, k)
+
+   contains
+
+      pure type(field_spec_t) function element_field() result(spec)
+         spec = item_field('element', 'number of an element or name of an element set')
+      end function element_field
+
+   end subroutine add_element_heat
+
+   pure subroutine add_heat_op(k)
+      type(keyword_t), intent(inout) :: k
+
+      call k%add(choice('OP', 'MOD|NEW', 'MOD changes or adds to what earlier steps gave, NEW removes it all, with'// &
+         ' or without data lines', default='MOD'))
+   end subroutine add_heat_op
 
    pure subroutine add_given_values(table)
       type(keyword_table_t), intent(inout) :: table

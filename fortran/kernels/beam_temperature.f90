@@ -2,7 +2,7 @@
 !>
 !>     R = L0 B^T C e,   dR/dT = L0 B^T (C' e - C e_T')                                                          (1)
 !>
-!> with the strains `e` against the stress-free state, whose axial strain is `e_T`. Source: theory section 13.
+!> with the strains `e` against the stress-free state, whose axial strain is `e_T`. Source: theory section 14.
 module litz_beam_temperature
    use litz_kinds, only: dp
    implicit none

@@ -1,45 +1,38 @@
-!> What a material is at a temperature: elasticity, thermal strain and resistivity.
+!> The elasticity and the thermal strain of a material at a temperature.
 !>
 !> Thermal strain from secant coefficients `alpha` against `T_zero`, free of strain at the initial temperature `T_i`:
 !>
 !>     e_T = alpha(T) (T - T_zero) - alpha(T_i) (T_i - T_zero)                                                   (1)
 !>
-!> Source: Abaqus's *EXPANSION, ZERO=; theory section 13. Resistivity, not conductivity, is linear between the lines
-!> of a table: for metals it is nearly straight.
+!> Source: Abaqus's *EXPANSION, ZERO=; theory section 14.
 module litz_material_properties
    use litz_kinds, only: dp
    use litz_model, only: material_t
-   use litz_temperature_tables, only: table_values
+   use litz_property_table, only: property_at
    implicit none
    private
-   public :: depends_on_temperature, elasticity_at, thermal_strain, resistivity_at
+   public :: has_thermal_mechanics, elasticity_at, thermal_strain
 
 contains
 
-   !> Some property changes with the temperature.
-   pure logical function depends_on_temperature(material)
+   !> Its mechanics changes with the temperature.
+   pure logical function has_thermal_mechanics(material)
       type(material_t), intent(in) :: material
 
-      depends_on_temperature = allocated(material%elastic_table) .or. allocated(material%resistivity_table) .or. &
-         expands(material)
-   end function depends_on_temperature
-
-   !> It has a coefficient of expansion.
-   pure logical function expands(material)
-      type(material_t), intent(in) :: material
-
-      expands = allocated(material%expansion_table)
-   end function expands
+      has_thermal_mechanics = allocated(material%elastic_table) .or. allocated(material%expansion_table)
+   end function has_thermal_mechanics
 
    !> Young's modulus [Pa] and Poisson's ratio.
    pure function elasticity_at(material, temperature) result(elasticity)
       type(material_t), intent(in) :: material
       !> [K]
       real(dp), intent(in) :: temperature
-      real(dp) :: elasticity(2)
+      real(dp) :: elasticity(2), slope
 
       elasticity = [material%young, material%poisson]
-      if (allocated(material%elastic_table)) elasticity = table_values(material%elastic_table, temperature)
+      if (.not. allocated(material%elastic_table)) return
+      call property_at(material%elastic_table([1, 2], :), temperature, elasticity(1), slope)
+      call property_at(material%elastic_table([1, 3], :), temperature, elasticity(2), slope)
    end function elasticity_at
 
    !> Source: (1).
@@ -49,29 +42,19 @@ contains
       real(dp), intent(in) :: temperature, initial
 
       strain = 0
-      if (expands(material)) strain = secant_strain(temperature) - secant_strain(initial)
+      if (allocated(material%expansion_table)) strain = secant_strain(temperature) - secant_strain(initial)
 
    contains
 
       pure real(dp) function secant_strain(t)
          !> [K]
          real(dp), intent(in) :: t
+         real(dp) :: alpha, slope
 
-         secant_strain = sum(table_values(material%expansion_table, t))*(t - material%expansion_zero)
+         call property_at(material%expansion_table, t, alpha, slope)
+         secant_strain = alpha*(t - material%expansion_zero)
       end function secant_strain
 
    end function thermal_strain
-
-   !> [ohm m]; 0: it does not conduct.
-   pure real(dp) function resistivity_at(material, temperature) result(resistivity)
-      type(material_t), intent(in) :: material
-      !> [K]
-      real(dp), intent(in) :: temperature
-
-      resistivity = 0
-      if (material%conductivity > 0) resistivity = 1/material%conductivity
-      if (allocated(material%resistivity_table)) resistivity = &
-         sum(table_values(material%resistivity_table, temperature))
-   end function resistivity_at
 
 end module litz_material_properties

@@ -3,7 +3,7 @@
 !> Node and element indices run from 1 without gaps; `node_id` and `element_id` hold the user's numbers.
 module litz_model
    use litz_kinds, only: dp
-   use litz_fields, only: fields, n_fields, field_potential, field_temperature
+   use litz_fields, only: fields, n_fields, field_potential, field_temperature, group_transport
    use litz_unit_labels, only: unit_labels_t
    use litz_axis_choices, only: axis_linear, axis_hermite
    use litz_normal_law, only: normal_law_t
@@ -16,13 +16,14 @@ module litz_model
    public :: name_length
    public :: model_t, material_t, section_t, named_set_t, amplitude_t, interaction_t, contact_pair_t
    public :: rigid_body_surface_t, surface_pair_t
-   public :: step_t, nodal_value_t, output_request_t, controls_t, rigid_body_t
+   public :: step_t, nodal_value_t, element_heat_t, output_request_t, controls_t, rigid_body_t
    public :: axis_linear, axis_hermite
    public :: solver_default, solver_block, solver_umfpack, solver_skyline
    public :: coupling_default, coupling_monolithic, coupling_updated
    public :: request_node, request_element, request_contact, request_electrode, request_energy
    public :: shear_given, shear_round, shear_unreduced
    public :: dof_potential, dof_temperature, amplitude_factor
+   public :: solved_by_static, solved_by_heat
 
    !> Longest name of a set, material, ... (longer ones are refused)
    integer, parameter :: name_length = 80
@@ -39,6 +40,10 @@ module litz_model
    integer, parameter :: request_node = 1, request_element = 2, request_contact = 3, request_electrode = 4, &
       request_energy = 5
 
+   !> What *STATIC and *COUPLED THERMAL-ELECTRICAL solve for (n_fields)
+   logical, parameter :: solved_by_static(n_fields) = .not. fields%is_optional
+   logical, parameter :: solved_by_heat(n_fields) = fields%group == group_transport
+
    type :: named_set_t
       character(len=:), allocatable :: name
       !> Internal indices, ascending, without repetition
@@ -49,15 +54,21 @@ module litz_model
       character(len=:), allocatable :: name
       !> Young's modulus [Pa] and Poisson's ratio [-]
       real(dp) :: young = 0, poisson = 0
-      !> Electrical conductivity [S/m]; 0: no electric field in elements of this material
+      !> Electrical conductivity [S/m], the first one of a table; 0: no electric field in elements of this material
       real(dp) :: conductivity = 0
-      !> Over temperature, where there is more than one line: temperature [K], E [Pa] and nu; temperature and
-      !> resistivity [ohm m] (3 or 2, lines). The numbers above are those of the first line
-      real(dp), allocatable :: elastic_table(:, :), resistivity_table(:, :)
+      !> Over temperature, where there is more than one line: temperature [K], E [Pa] and nu (3, lines); the numbers
+      !> above are those of the first line
+      real(dp), allocatable :: elastic_table(:, :)
       !> Temperature [K] and secant coefficient of expansion [1/K] (2, lines); not there: no expansion
       real(dp), allocatable :: expansion_table(:, :)
       !> Temperature to which these coefficients refer [K]
       real(dp) :: expansion_zero = 0
+      !> Temperatures [K], ascending, and resistivities [ohm m] (2, n)
+      real(dp), allocatable :: resistivity(:, :)
+      !> Temperatures [K], ascending, and heat conductivities [W/(m K)] (2, n); not there: no heat flows
+      real(dp), allocatable :: heat_conductivity(:, :)
+      !> Part of the electric power that becomes heat
+      real(dp) :: joule_fraction = 1
    end type material_t
 
    type :: section_t
@@ -157,6 +168,16 @@ module litz_model
       integer :: amplitude = 0
    end type nodal_value_t
 
+   !> Heat that enters and leaves an element on its length.
+   type :: element_heat_t
+      !> *DFLUX: heat per volume [W/m^3], and what it was before the step
+      real(dp) :: source = 0, source_before = 0
+      !> *FILM: heat transfer coefficient [W/(m^2 K)], 0: none; temperature of the surroundings [K]
+      real(dp) :: film = 0, sink = 0
+      !> *RADIATE: emissivity, 0: none; temperature of the surroundings [K]
+      real(dp) :: emissivity = 0, surroundings = 0
+   end type element_heat_t
+
    !> A line of *NODE PRINT, *EL PRINT, *CONTACT PRINT or *ELECTRODE PRINT.
    type :: output_request_t
       integer :: kind = request_node
@@ -194,6 +215,8 @@ module litz_model
 
    type :: step_t
       character(len=:), allocatable :: title
+      !> Fields that are solved for; motions that are not are held, temperatures are given (n_fields)
+      logical :: solves(n_fields) = solved_by_static
       logical :: nlgeom = .true.
       integer :: max_increments = 100
       !> First, total, smallest and largest increment of time
@@ -204,6 +227,8 @@ module litz_model
       type(nodal_value_t), allocatable :: boundary(:), load(:)
       !> Given values of what is not an unknown, such as temperatures, as they stand in this step
       type(nodal_value_t), allocatable :: predefined(:)
+      !> On the length of each element (n_elements), carried over as well
+      type(element_heat_t), allocatable :: heat(:)
       !> Carried over, as Abaqus does, unless the step asks anew
       type(output_request_t), allocatable :: requests(:)
       !> Fields are written at every n-th increment, and at the last of the step
@@ -224,6 +249,10 @@ module litz_model
       character(len=:), allocatable :: deck_text
       !> What the units of the numbers are called
       type(unit_labels_t) :: units
+      !> Of the temperature scale [K]
+      real(dp) :: absolute_zero = 0
+      !> [W/(m^2 K^4)]; 0: not given
+      real(dp) :: stefan_boltzmann = 0
       integer :: n_nodes = 0, n_elements = 0
       integer, allocatable :: node_id(:)
       !> Reference positions (3, n_nodes) [m]

@@ -2,7 +2,7 @@
 !> holds, and conductors without a path to a prescribed potential. The last two would make the equations singular.
 module litz_model_checks
    use litz_kinds, only: dp
-   use litz_fields, only: fields, field_of_dof, group_mechanical
+   use litz_fields, only: fields, field_displacement, field_of_dof, group_mechanical
    use litz_model, only: model_t, step_t, dof_potential
    use litz_parts, only: parts_t, find_parts, describe_part, join, find_root
    use litz_rigid_modes, only: add_support, free_modes, describe_modes
@@ -151,6 +151,7 @@ contains
       allocate (in_contact, source=parts_in_contact(model, parts))
       allocate (reported(parts%n), source=.false.)
       do step = 1, size(model%steps)
+         if (.not. model%steps(step)%solves(field_displacement)) cycle
          supports = support_matrices(model, model%steps(step), parts, centre, length)
          n_alike = 0
          do part = 1, parts%n

@@ -76,7 +76,10 @@ contains
       call record%value('time', trim(model%units%time))
       call record%value('current', trim(model%units%current))
       call record%value('voltage', trim(model%units%voltage))
-      if (model%has_field(field_temperature)) call record%value('temperature', trim(model%units%temperature))
+      if (.not. model%has_field(field_temperature)) return
+      call record%value('temperature', trim(model%units%temperature))
+      call record%value('ABSOLUTE ZERO', model%absolute_zero)
+      call record%value('STEFAN BOLTZMANN', model%stefan_boltzmann)
    end subroutine record_units
 
    !> Where nothing is given all of them are zero.
@@ -156,9 +159,15 @@ contains
             call record%value('Young''s modulus', this%young)
             call record%value('Poisson''s ratio', this%poisson)
             call record%value('electrical conductivity', this%conductivity)
+            if (allocated(this%resistivity)) then
+               if (size(this%resistivity, 2) > 1) call record%list('table of *ELECTRICAL CONDUCTIVITY', &
+                  this%resistivity)
+            end if
+            if (allocated(this%heat_conductivity)) then
+               call record%list('*CONDUCTIVITY', this%heat_conductivity)
+               call record%value('*JOULE HEAT FRACTION', this%joule_fraction)
+            end if
             if (allocated(this%elastic_table)) call record%list('elasticity over temperature', this%elastic_table)
-            if (allocated(this%resistivity_table)) call record%list('resistivity over temperature', &
-               this%resistivity_table)
             if (.not. allocated(this%expansion_table)) cycle
             call record%list('expansion over temperature', this%expansion_table)
             call record%value('ZERO of *EXPANSION', this%expansion_zero)
@@ -279,9 +288,15 @@ contains
 
       used = .false.
       call record%begin('step '//to_text(record%step))
+      if (step%solves(field_temperature)) call record%value('procedure', '*COUPLED THERMAL-ELECTRICAL')
       call record%value('its time (*STATIC)', step%total)
       call record_values('*BOUNDARY', step%boundary)
       call record_values('*TEMPERATURE', step%predefined)
+      if (step%solves(field_temperature)) then
+         call record%list('*DFLUX', reshape([step%heat%source, step%heat%source_before], [model%n_elements, 2]))
+         call record%list('*FILM', reshape([step%heat%film, step%heat%sink], [model%n_elements, 2]))
+         call record%list('*RADIATE', reshape([step%heat%emissivity, step%heat%surroundings], [model%n_elements, 2]))
+      end if
       do i = 1, n_fields
          call record_values('*'//trim(fields(i)%load_keyword), pack(step%load, field_of_dof(step%load%dof) == i))
       end do

@@ -1,7 +1,7 @@
 !> A summary of the resolved model, for `litz check`.
 module litz_model_summary
    use litz_element_types, only: element_types
-   use litz_fields, only: fields, field_of_dof, max_dof
+   use litz_fields, only: fields, field_of_dof, max_dof, field_temperature
    use litz_growing_text, only: growing_text_t
    use litz_kinds, only: dp
    use litz_axis_choices, only: axis_hermite
@@ -9,6 +9,7 @@ module litz_model_summary
    use litz_spot_law, only: spot_law_t
    use litz_stick_laws, only: stick_laws
    use litz_model, only: model_t, step_t, interaction_t, output_request_t, named_set_t, nodal_value_t, &
+      element_heat_t, &
       coupling_default, coupling_monolithic, request_node, request_element, request_contact, &
       request_energy
    use litz_parts, only: parts_t, find_parts
@@ -84,13 +85,30 @@ contains
             if (allocated(this%expansion_table)) line = line//', alpha = '//to_text(this%expansion_table(2, 1))//' '// &
                model%units%label('1/K')
             if (this%conductivity > 0) then
-               line = line//', sigma = '//to_text(this%conductivity)//' '// &
-                  model%units%label('S/m')//nl
+               line = line//', sigma = '//to_text(this%conductivity)//' '//model%units%label('S/m')// &
+                  of_table(size(this%resistivity, 2), this%resistivity(1, 1))
             else
-               line = line//', insulator'//nl
+               line = line//', insulator'
             end if
+            if (allocated(this%heat_conductivity)) line = line//', lambda = '// &
+               to_text(this%heat_conductivity(2, 1))//' '//model%units%label('W/(m K)')// &
+               of_table(size(this%heat_conductivity, 2), this%heat_conductivity(1, 1))
+            line = line//nl
          end associate
       end function material_line
+
+      !> At which temperature a table begins; nothing of a single value.
+      pure function of_table(n, temperature) result(words)
+         !> Pairs of the table
+         integer, intent(in) :: n
+         !> The first [K]
+         real(dp), intent(in) :: temperature
+         character(len=:), allocatable :: words
+
+         words = ''
+         if (n > 1) words = ' at '//to_text(temperature)//' '//model%units%label('K')//' ('//to_text(n)// &
+            ' temperatures)'
+      end function of_table
 
    end function model_summary
 
@@ -266,6 +284,19 @@ contains
       end associate
    end function describe_friction
 
+   !> Which elements have heat on their length.
+   pure function heat_line(heat) result(line)
+      !> (n_elements)
+      type(element_heat_t), intent(in) :: heat(:)
+      character(len=:), allocatable :: line
+
+      line = ''
+      if (any(abs(heat%source) > 0)) line = line//', heat sources in '//plural(count(abs(heat%source) > 0), 'element')
+      if (any(heat%film > 0)) line = line//', films on '//plural(count(heat%film > 0), 'element')
+      if (any(heat%emissivity > 0)) line = line//', radiation from '//plural(count(heat%emissivity > 0), 'element')
+      if (len(line) > 0) line = '  '//line(3:)//nl
+   end function heat_line
+
    pure function step_lines(model, s) result(text)
       type(model_t), intent(in) :: model
       !> Number of the step
@@ -276,6 +307,7 @@ contains
       associate (step => model%steps(s))
          text = 'step '//to_text(s)
          if (len(step%title) > 0) text = text//' ('//step%title//')'
+         if (step%solves(field_temperature)) text = text//': currents and temperatures'
          text = text//': time '//to_text(step%total)//' '//trim(model%units%time)//', '
          if (step%direct) then
             text = text//'increments of '//to_text(step%first)//' '//trim(model%units%time)
@@ -287,6 +319,7 @@ contains
          text = text//', at most '//to_text(step%max_increments)//describe_solver(step)//nl
          text = text//value_lines(step%boundary, 'prescribed')//value_lines(step%load, 'loads')// &
             value_lines(step%predefined, 'given')
+         if (step%solves(field_temperature)) text = text//heat_line(step%heat)
          do i = 1, size(step%requests)
             text = text//request_line(model, step%requests(i))
          end do

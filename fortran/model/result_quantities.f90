@@ -3,7 +3,7 @@
 !> Fields of the result files, columns of the ledger and of the history, the names that decks may ask for, the check for
 !> values that are not numbers, and restart files follow these lists.
 module litz_result_quantities
-   use litz_fields, only: fields, n_fields, n_groups, first_slot
+   use litz_fields, only: fields, n_fields, n_groups, field_temperature, first_slot
    use litz_kinds, only: dp
    use litz_quantities, only: quantity_t, quantity_table_t, on_points, on_cells
    use litz_state, only: state_t, contact_t, surface_contact_t
@@ -55,6 +55,13 @@ contains
          'current per area of the cross-section, from the first to the second node', state%current_density)
       call add(list, on_cells, 'joule_heat', 'W', 'heat from the current in the element', state%joule_heat, 'JOULE', &
          is_sum=.true.)
+      if (.not. state%has_field(field_temperature)) return
+      call add(list, on_cells, 'heat_flux', 'W/m^2', &
+         'heat flow along the wire per area of the cross-section, from the first to the second node', state%heat_flux, &
+         'HFL')
+      call add(list, on_cells, 'surface_heat', 'W', &
+         'heat that leaves the side of the element, by films and radiation', &
+         state%surface_heat, 'QSIDE', is_sum=.true.)
    end subroutine list_wire_quantities
 
    !> Values, reactions and loads of the fields of the model, group by group.

@@ -101,6 +101,9 @@ module litz_state
       real(dp), allocatable :: section_forces(:, :)
       !> Current from first to second node (n_elements) [A], heat (n_elements) [W]
       real(dp), allocatable :: element_current(:), joule_heat(:)
+      !> Heat flow along the wire per area of the cross-section, from the first to the second node (n_elements) [W/m^2],
+      !> heat of currents and sources in the element, and heat that leaves its side (n_elements) [W]
+      real(dp), allocatable :: heat_flux(:), heat_made(:), surface_heat(:)
       !> Current per area of the cross-section (n_elements) [A/m^2]
       real(dp), allocatable :: current_density(:)
       !> Forces on the nodes from what is neither in the model nor a support or load: damping (n_slots, n_nodes)

@@ -5,7 +5,7 @@
 module litz_audit
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
    use litz_fields, only: fields, n_fields, n_slots, first_slot, last_slot, field_displacement, field_rotation, &
-      field_potential, field_of_slot, field_of_dof
+      field_potential, field_temperature, field_of_slot, field_of_dof
    use litz_kinds, only: dp
    use litz_contact_net, only: allowed_penetration
    use litz_errors, only: error_t, fail, exit_not_converged
@@ -20,8 +20,8 @@ module litz_audit
    implicit none
    private
    public :: audit_t, scales_t, audit_increment, audit_error
-   public :: force_imbalance, moment_imbalance, current_imbalance, spot_imbalance, power_imbalance, not_finite, &
-      not_prescribed, crossed_contact, deepest_contact
+   public :: force_imbalance, moment_imbalance, current_imbalance, spot_imbalance, power_imbalance, heat_imbalance, &
+      not_finite, not_prescribed, crossed_contact, deepest_contact
    public :: allowed_imbalance
    public :: penetration, describe_contact
 
@@ -33,7 +33,7 @@ module litz_audit
    !> far larger before.
    real(dp), parameter :: allowed_departure = 1.0e-10_dp
 
-   integer, parameter :: current_slot = first_slot(field_potential)
+   integer, parameter :: current_slot = first_slot(field_potential), heat_slot = first_slot(field_temperature)
 
    !> What the sums are measured by.
    type :: scales_t
@@ -96,6 +96,10 @@ contains
       call weigh('the power of the supports is not the Joule heat', abs(power_imbalance(state)), power, &
          total_round_off(field_potential)*potential, audit%power)
       not_shown = 0
+      call weigh('the heat that leaves the wires is not that which is made in them', abs(heat_imbalance(state)), &
+         sum(abs(state%heat_made)) + sum(abs(state%surface_heat)) + sum(abs(state%reaction(heat_slot, :))), &
+         total_round_off(field_temperature), &
+         not_shown)
       do field = 1, n_fields
          if (any(field == [field_displacement, field_rotation, field_potential])) cycle
          call weigh_nodes(trim(fields(field)%flux_in_words)//'s', residual(field, :), field, not_shown)
@@ -387,6 +391,14 @@ contains
       left = sum(state%value(current_slot, :)*(state%reaction(current_slot, :) + state%load(current_slot, :))) &
          - sum(state%joule_heat) - sum(state%contacts%joule_heat)
    end function power_imbalance
+
+   !> What comes in at nodes and on the length of the wires [W].
+   pure real(dp) function heat_imbalance(state) result(left)
+      type(state_t), intent(in) :: state
+
+      left = sum(state%reaction(heat_slot, :) + state%load(heat_slot, :)) + sum(state%heat_made) &
+         - sum(state%surface_heat)
+   end function heat_imbalance
 
    !> What the currents that are left over, and the round-off of those fed in, make of the power at most [W].
    pure real(dp) function power_left_over(state, residual) result(left)

@@ -2,11 +2,11 @@
 module litz_diagnosis
    use litz_contact_points, only: contact_point_t
    use litz_kinds, only: dp
-   use litz_fields, only: fields, field_of_slot, first_slot
+   use litz_fields, only: fields, field_temperature, field_of_slot, first_slot
    use litz_errors, only: error_t, fail, exit_not_converged
    use litz_model, only: step_t
    use litz_newton, only: outcome_t, cause_iterations, cause_not_finite, cause_singular, cause_lost_contact, &
-      cause_turned_ends, cause_fed_part
+      cause_turned_ends, cause_fed_part, cause_no_solution, cause_failed_law
    use litz_problem, only: problem_t
    use litz_text, only: to_text
    implicit none
@@ -67,6 +67,11 @@ contains
       character(len=:), allocatable :: text
 
       text = ''
+      if (step%solves(field_temperature) .and. any(outcome%cause == [cause_iterations, cause_failed_law, &
+         cause_no_solution])) then
+         text = describe_heat(problem)
+         return
+      end if
       select case (outcome%cause)
       case (cause_lost_contact)
          text = outcome%finding%advice(problem%model)
@@ -95,6 +100,20 @@ contains
          end if
       end select
    end function describe_cause
+
+   !> What currents wires can carry for good.
+   function describe_heat(problem) result(text)
+      type(problem_t), intent(in) :: problem
+      character(len=:), allocatable :: text
+      integer :: e
+
+      text = 'There may be no steady temperature above this load.'
+      e = maxloc(abs(problem%state%element_current), 1)
+      if (e > 0) text = text//' The largest current that was steady is '// &
+         to_text(abs(problem%state%element_current(e)))//' '// &
+         problem%model%units%label('A')//', in element '//to_text(problem%model%element_id(e))//'.'
+      text = text//' '
+   end function describe_heat
 
    !> The worst residual of the last iteration is less than half of what it was before.
    pure logical function still_converges(outcome)

@@ -3,11 +3,11 @@
 !> Their level is not determined by the equations, but no flux can pass either: one node of each such part is held at
 !> the value of the last converged state. That changes no flux, and the potential of a wire that has lost its last
 !> contact stays as it was, whatever the iteration has made of it meanwhile. A part into which a flux is fed is held,
-!> too, as the iteration may connect it still; a converged state cannot have one.
+!> too, as the iteration may connect it still; a converged state cannot have one. Temperatures that float are an error.
 module litz_grounding
    use litz_kinds, only: dp
    use litz_errors, only: error_t, fail, exit_input
-   use litz_fields, only: fields, n_fields, first_slot
+   use litz_fields, only: fields, n_fields, field_temperature, dof_range, first_slot
    use litz_linear_solver, only: csr_matrix_t
    use litz_problem, only: problem_t
    use litz_text, only: to_text
@@ -39,6 +39,12 @@ contains
 
       text = ''
       if (problem%fed_node == 0) return
+      if (problem%fed_field == field_temperature) then
+         text = 'the temperature of the wires at node '//to_text(problem%model%node_id(problem%fed_node))// &
+            ' is not determined: they have no prescribed temperature (*BOUNDARY, degree of freedom '// &
+            dof_range(field_temperature)//'), and nothing leaves their sides (*FILM, *RADIATE)'
+         return
+      end if
       associate (field => fields(problem%fed_field))
          text = 'a '//trim(field%flux_in_words)//' is fed into the conductor at node '// &
             to_text(problem%model%node_id(problem%fed_node))//', which has no path to a prescribed '//trim(field%name)
@@ -50,10 +56,14 @@ contains
       !> One of the fields of litz_fields, with one component
       integer, intent(in) :: field
       integer :: root(problem%model%n_nodes), i, node, row
-      logical :: held(problem%model%n_nodes)
+      logical, dimension(problem%model%n_nodes) :: held, held_node
       real(dp) :: fed(problem%model%n_nodes), scale
 
       call find_parts(problem, field, root)
+      held_node = .false.
+      do i = 1, size(problem%terms)
+         call problem%terms(i)%term%hold(problem%domain_t, field, held_node)
+      end do
       held = .false.
       fed = 0
       associate (slot => first_slot(field), group => fields(field)%group)
@@ -61,7 +71,7 @@ contains
             fixed => problem%loading%fixed(slot, :))
             do node = 1, problem%model%n_nodes
                i = find_root(root, node)
-               held(i) = held(i) .or. fixed(node)
+               held(i) = held(i) .or. fixed(node) .or. held_node(node)
                fed(i) = fed(i) + load(node)
             end do
             scale = max(maxval(abs(block%value)), tiny(1.0_dp))
@@ -70,8 +80,10 @@ contains
                if (row == 0) cycle
                i = find_root(root, node)
                if (held(i)) cycle
+               ! heat is made inside, too
+               if (field == field_temperature) fed(i) = huge(fed)
                if (abs(fed(i)) > epsilon(1.0_dp)*sum(abs(load)) .and. problem%fed_node == 0) then
-                  if (.not. abs(load(node)) > 0) cycle
+                  if (field /= field_temperature .and. .not. abs(load(node)) > 0) cycle
                   problem%fed_node = node
                   problem%fed_field = field
                end if

@@ -2,12 +2,12 @@
 module litz_group_solution
    use litz_kinds, only: dp
    use litz_errors, only: error_t
-   use litz_fields, only: n_slots
+   use litz_fields, only: n_slots, field_of_slot, first_slot_of_group, last_slot_of_group
    use litz_problem, only: problem_t
    use litz_sparse_pattern, only: csr_multiply
    implicit none
    private
-   public :: solve_for_group, has_mutual_tangent
+   public :: solve_for_group, has_mutual_tangent, hold_fields
 
    !> The squared error of the conjugate gradients over that of the start; and their steps at most
    real(dp), parameter :: accurate = (1.0e-14_dp)**2
@@ -27,6 +27,35 @@ contains
          if (problem%terms(i)%term%has_mutual_tangent(group)) has_mutual_tangent = .true.
       end do
    end function has_mutual_tangent
+
+   !> Leave the other fields of a group as they are: their equations become `x = 0`.
+   pure subroutine hold_fields(problem, group, free, b)
+      type(problem_t), intent(inout) :: problem
+      !> One of the groups of litz_fields, and the field in it that moves
+      integer, intent(in) :: group, free
+      !> Forces (equations of the group)
+      real(dp), intent(inout) :: b(:)
+      logical :: is_held(size(b))
+      integer :: row, position, slot
+
+      is_held = .false.
+      do slot = first_slot_of_group(group), last_slot_of_group(group)
+         if (field_of_slot(slot) == free) cycle
+         associate (number => problem%equations%number(slot, :))
+            is_held(pack(number, number > 0)) = .true.
+         end associate
+      end do
+      associate (block => problem%matrix%block(group, group))
+         do row = 1, block%n_rows
+            do position = block%row_start(row), block%row_start(row + 1) - 1
+               associate (column => block%column(position))
+                  if (is_held(row) .or. is_held(column)) block%value(position) = merge(1, 0, row == column)
+               end associate
+            end do
+         end do
+      end associate
+      where (is_held) b = 0
+   end subroutine hold_fields
 
    !> `K x = b` with the tangent `K` of the group; its own block of the matrix has been factored.
    !>

@@ -9,10 +9,10 @@ module litz_newton
    use litz_contact_findings, only: finding_t, finding_none
    use litz_convergence, only: measure_residual, has_converged, corrections_small, worst_field
    use litz_errors, only: error_t
-   use litz_fields, only: fields, n_fields, n_slots, n_groups, first_slot, last_slot, first_slot_of_group, &
-      last_slot_of_group
+   use litz_fields, only: n_fields, n_slots, n_groups, first_slot, last_slot, last_slot_of_group
    use litz_grounding, only: describe_fed_part
-   use litz_group_solution, only: solve_for_group, has_mutual_tangent
+   use litz_group_solution, only: has_mutual_tangent
+   use litz_group_update, only: update_group
    use litz_loading, only: prescribed_increment
    use litz_lost_contacts, only: find_lost_contacts
    use litz_model, only: step_t
@@ -25,11 +25,12 @@ module litz_newton
    implicit none
    private
    public :: outcome_t, solve_increment, count_negative_pivots, start_iterate
-   public :: cause_iterations, cause_not_finite, cause_singular, cause_lost_contact, cause_turned_ends, cause_fed_part
+   public :: cause_iterations, cause_not_finite, cause_singular, cause_lost_contact, cause_turned_ends, &
+      cause_fed_part, cause_no_solution, cause_failed_law
 
    !> Why an increment is given up
    integer, parameter :: cause_iterations = 1, cause_not_finite = 2, cause_singular = 3, cause_lost_contact = 4, &
-      cause_turned_ends = 5, cause_failed_law = 6, cause_fed_part = 7
+      cause_turned_ends = 5, cause_failed_law = 6, cause_fed_part = 7, cause_no_solution = 8
 
    type :: outcome_t
       logical :: converged = .false.
@@ -193,6 +194,7 @@ contains
             iterate%change = loading%value - problem%state%value
          end where
       end associate
+      problem%is_far = .true.
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%start(problem%domain_t)
       end do
@@ -316,36 +318,6 @@ contains
       end do
    end subroutine update_groups
 
-   subroutine update_group(problem, group, report, solver_error, error)
-      type(problem_t), intent(inout) :: problem
-      !> One of the groups of litz_fields
-      integer, intent(in) :: group
-      type(iteration_report_t), intent(inout) :: report
-      type(error_t), allocatable, intent(out) :: solver_error, error
-      real(dp), dimension(problem%equations%count(group)) :: b, x
-      real(dp) :: correction(n_slots, problem%model%n_nodes)
-      integer :: field
-
-      if (size(b) == 0 .or. has_converged(report, group)) return
-      b = problem%equations%gather(group, problem%loading%load - problem%forces%internal)
-      call problem%timing%lap(phase_update)
-      call problem%scheme%factor_group(group, problem%matrix, solver_error)
-      call problem%timing%lap(phase_factor)
-      if (.not. allocated(solver_error)) call solve_for_group(problem, group, b, x, solver_error)
-      call problem%timing%lap(phase_solve)
-      if (allocated(solver_error)) return
-      correction = 0
-      call problem%equations%spread_to_nodes(group, x, correction)
-      associate (first => first_slot_of_group(group), last => last_slot_of_group(group))
-         call problem%iterate%move(problem%state, problem%model%x, correction(first:last, :), first)
-      end associate
-      do field = 1, n_fields
-         if (fields(field)%group == group) report%correction(field) = &
-            maxval(abs(correction(first_slot(field):last_slot(field), :)))
-      end do
-      call evaluate(problem, error)
-   end subroutine update_group
-
    !> Factor and solve for the correction of all unknowns (n_slots, n_nodes), prescribed ones included.
    subroutine solve_step(problem, keep, correction, error)
       type(problem_t), intent(inout) :: problem
@@ -432,13 +404,21 @@ contains
       largest_norm = norm2(values(:, column))
    end subroutine largest_column
 
-   !> Reject a converged state in which the ends of an element are turned against each other too far, or in which wires
-   !> have passed through each other or overlap without a contact.
+   !> Reject a converged state that is no solution for some term, in which the ends of an element are turned against
+   !> each other too far, or in which wires have passed through each other or overlap without a contact.
    subroutine refuse_wrong_state(problem, outcome)
       type(problem_t), intent(in) :: problem
       type(outcome_t), intent(inout) :: outcome
       type(turned_ends_t) :: most
+      character(len=:), allocatable :: reason
+      integer :: i
 
+      do i = 1, size(problem%terms)
+         reason = problem%terms(i)%term%rejection(problem%domain_t)
+         if (len(reason) == 0) cycle
+         call give_up(outcome, cause_no_solution, reason)
+         return
+      end do
       most = most_turned_ends(problem%model, problem%wires, problem%state%rotation, problem%iterate)
       if (most%too_far()) then
          call give_up(outcome, cause_turned_ends, most%describe(problem%model))

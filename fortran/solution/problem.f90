@@ -30,6 +30,8 @@ module litz_problem
       integer :: fed_node = 0, fed_field = 0
       !> The solver holds a symmetric factor of a state that is not far from the present one
       logical :: has_factor = .false.
+      !> The temperatures of the iterate are far from their solution
+      logical :: is_far = .true.
       !> Iterations that have kept it
       integer :: factor_age = 0
       !> Converged increments, and iterations with those of rejected increments, since the run began
@@ -69,7 +71,8 @@ contains
          allocate (state%reaction(n_slots, n), state%load(n_slots, n), &
             state%outer_force(n_slots, n), state%damping(n_slots, n), source=0.0_dp)
          allocate (state%section_forces(6, m), source=0.0_dp)
-         allocate (state%element_current(m), state%current_density(m), state%joule_heat(m), source=0.0_dp)
+         allocate (state%element_current(m), state%current_density(m), state%joule_heat(m), state%heat_flux(m), &
+            state%heat_made(m), state%surface_heat(m), source=0.0_dp)
          allocate (state%contacts(0), state%surface_contacts(0))
          state%has_field = problem%model%has_field
          state%value = initial_values(problem%model)

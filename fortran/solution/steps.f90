@@ -6,12 +6,12 @@ module litz_steps
    use litz_diagnosis, only: not_converged
    use litz_equations, only: number_equations
    use litz_errors, only: error_t, fail, exit_input, exit_not_converged
-   use litz_fields, only: fields, n_slots, field_of_dof, field_of_slot, slot_of_dof
+   use litz_fields, only: fields, n_slots, field_temperature, field_of_dof, field_of_slot, slot_of_dof
    use litz_increment_warnings, only: add_increment_warnings
    use litz_kinds, only: dp
    use litz_loading, only: loading_t, start_loading, load_targets, next_break_point
    use litz_line_contact, only: serves_lines
-   use litz_model, only: model_t, step_t, nodal_value_t
+   use litz_model, only: model_t, step_t, nodal_value_t, coupling_updated
    use litz_newton, only: outcome_t, solve_increment, count_negative_pivots, cause_not_finite, &
       cause_lost_contact, cause_turned_ends, cause_fed_part
    use litz_observer, only: observer_t
@@ -47,6 +47,7 @@ contains
          if (allocated(error)) return
          if (continued) then
             restored%given = problem%loading%given
+            restored%solves = problem%loading%solves
             problem%loading = restored
          else
             call course%control%start(step)
@@ -90,7 +91,7 @@ contains
       type(error_t), allocatable, intent(out) :: error
       logical :: exists(n_slots, problem%model%n_nodes), same_system
       integer, allocatable :: number_before(:, :)
-      integer :: i, kind
+      integer :: i, kind, coupling
 
       call start_loading(step, problem%state, problem%loading)
       exists = .false.
@@ -104,10 +105,12 @@ contains
       if (problem%scheme%is_created()) number_before = problem%equations%number
       call number_equations(problem%loading%fixed, exists, problem%equations)
       kind = merge(solver, step%solver, solver > 0)
-      same_system = problem%scheme%is_same(kind, step%coupling)
+      ! temperatures and potentials act on each other: they have an iteration of their own
+      coupling = merge(coupling_updated, step%coupling, step%solves(field_temperature))
+      same_system = problem%scheme%is_same(kind, coupling)
       if (same_system) same_system = all(number_before == problem%equations%number)
       if (.not. same_system) then
-         call problem%scheme%create(kind, step%coupling, error)
+         call problem%scheme%create(kind, coupling, error)
          if (allocated(error)) return
          problem%pattern_changed = .true.
       end if

@@ -5,7 +5,9 @@ module litz_term_list
    use litz_contact_points, only: contact_set_t
    use litz_contact_term, only: contact_term_t
    use litz_domain, only: domain_t
+   use litz_heat_term, only: new_heat_term
    use litz_moment_term, only: moment_term_t
+   use litz_radiation_term, only: radiation_term_t
    use litz_rigid_body_term, only: rigid_body_term_t
    use litz_stabilization_term, only: stabilization_term_t
    use litz_surface_term, only: new_surface_term
@@ -25,6 +27,8 @@ contains
       allocate (terms(0))
       call add(new_beam_term(domain%model%n_elements))
       call add(new_surface_term(domain))
+      call add(new_heat_term(domain%model))
+      call add(radiation_term_t())
       call add(new_conductor_term(domain%elements%resistivity))
       if (contact%present) call add(contact_term_t(contact))
       ! after all that has unknowns of dependent nodes and makes forces on them

@@ -192,7 +192,7 @@ contains
    end subroutine add_energies
 
    !> What the change of temperature has done in the increment: the change of the elastic energy where nothing moves,
-   !> mean of that at its start and that at its end. Source: theory section 13.
+   !> mean of that at its start and that at its end. Source: theory section 14.
    pure real(dp) function thermal_work(self, domain) result(work)
       class(beam_term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain

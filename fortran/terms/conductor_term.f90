@@ -79,11 +79,13 @@ contains
          integer, intent(in) :: e
          !> Conductances (2, 2) [S], currents that leave the nodes (2) [A], and their derivatives by the motion (2, 12)
          real(dp), intent(out) :: ke(2, 2), re(2), k_me_e(2, 12)
-         real(dp) :: k_mu(2, 6)
+         real(dp) :: k_mu(2, 6), rho, drho
 
+         ! with temperatures as unknowns, the heat term has the derivative by them
+         call domain%resistivity(e, rho, drho)
          associate (node => domain%model%connectivity(:, e), elements => domain%elements, iterate => domain%iterate)
             call conductor(iterate%x(:, node), iterate%value(potential_slots(1), node), elements%length(e), &
-               elements%area(e), elements%resistivity(e), &
+               elements%area(e), rho, &
                domain%model%sections(domain%model%element_section(e))%current_length, ke, re, k_mu, &
                self%element_current(e), self%joule_heat(e))
          end associate

@@ -4,10 +4,11 @@ module litz_domain
    use litz_dependent_cells, only: scatter_dependent
    use litz_element_library, only: elements_t
    use litz_equations, only: equations_t, system_t
-   use litz_fields, only: n_groups, depends_on, fields, field_of_slot
+   use litz_fields, only: n_groups, depends_on, fields, field_of_slot, temperature_slots
    use litz_iterate, only: iterate_t
    use litz_loading, only: loading_t
    use litz_model, only: model_t
+   use litz_property_table, only: property_at
    use litz_scatter, only: forces_t, clear_forces, scatter
    use litz_state, only: state_t
    use litz_timing, only: timing_t
@@ -33,9 +34,50 @@ module litz_domain
    contains
       procedure :: clear_system
       procedure :: add_cells
+      procedure :: conduction_length
+      procedure :: mean_temperature
+      procedure :: resistivity
    end type domain_t
 
 contains
+
+   !> Length over which an element conducts, its reference length or the distance of its nodes [m].
+   pure real(dp) function conduction_length(self, element) result(length)
+      class(domain_t), intent(in) :: self
+      !> Index of the element
+      integer, intent(in) :: element
+
+      length = self%elements%length(element)
+      associate (node => self%model%connectivity(:, element))
+         if (.not. self%model%sections(self%model%element_section(element))%current_length) return
+         length = norm2(self%iterate%x(:, node(2)) - self%iterate%x(:, node(1)))
+      end associate
+   end function conduction_length
+
+   !> Of an element, half-way between its nodes [K].
+   pure real(dp) function mean_temperature(self, element)
+      class(domain_t), intent(in) :: self
+      !> Index of the element
+      integer, intent(in) :: element
+
+      mean_temperature = sum(self%iterate%value(temperature_slots(1), self%model%connectivity(:, element)))/2
+   end function mean_temperature
+
+   !> Of a conducting element at its mean temperature.
+   pure subroutine resistivity(self, element, rho, drho)
+      class(domain_t), intent(in) :: self
+      !> Index of the element
+      integer, intent(in) :: element
+      !> [ohm m], and its derivative by the temperature [ohm m/K]; 0: the element does not conduct
+      real(dp), intent(out) :: rho, drho
+
+      rho = 0
+      drho = 0
+      associate (material => self%model%materials(self%model%sections(self%model%element_section(element))%material))
+         if (material%conductivity > 0) call property_at(material%resistivity, &
+            self%mean_temperature(element), rho, drho)
+      end associate
+   end subroutine resistivity
 
    !> Nothing has been added yet.
    subroutine clear_system(self)

@@ -4,7 +4,7 @@ module litz_element_library
    use litz_beam_b31, only: beam_b31, beam_b31_reference, beam_b31_rigidities
    use litz_beam_b33, only: beam_b33, beam_b33_reference, beam_b33_rigidities
    use litz_element_types, only: element_types, element_b31, element_b33
-   use litz_material_properties, only: depends_on_temperature, elasticity_at, thermal_strain, resistivity_at
+   use litz_material_properties, only: has_thermal_mechanics, elasticity_at, thermal_strain
    use litz_model, only: model_t
    use litz_section_stiffness, only: section_stiffness
    use litz_wires, only: wires_t
@@ -23,7 +23,7 @@ module litz_element_library
       real(dp), allocatable :: stiffness(:, :)
       !> Section forces per strain of the element's own strain measures (6, n_elements)
       real(dp), allocatable :: rigidity(:, :)
-      !> Elements whose properties depend on the temperature (n), and the temperatures of the nodes of each before the
+      !> Elements whose mechanics depends on the temperature (n), and the temperatures of the nodes of each before the
       !> first step (2, n) [K]
       integer, allocatable :: heated(:)
       real(dp), allocatable :: initial_temperature(:, :)
@@ -135,7 +135,7 @@ contains
             elements%rigidity(:, e) = beam%rigidities(elements%stiffness(:, e), elements%length(e))
          end associate
       end do
-      elements%heated = pack([(e, e=1, n)], [(depends_on_temperature(model%materials(model%sections( &
+      elements%heated = pack([(e, e=1, n)], [(has_thermal_mechanics(model%materials(model%sections( &
          model%element_section(e))%material)), e=1, n)])
       allocate (elements%initial_temperature(2, size(elements%heated)))
    end subroutine prepare_elements
@@ -158,7 +158,6 @@ contains
             elements%rigidity(:, e) = beam%rigidity
             elements%thermal_strain(e) = beam%thermal_strain
             associate (section => model%sections(model%element_section(e)))
-               elements%resistivity(e) = resistivity_at(model%materials(section%material), mean)
                swelling = end_swelling(model, elements, i, temperature)
                elements%radius(e) = section%contact_radius + sum(swelling)/2
                elements%taper(e) = (swelling(2) - swelling(1))/2

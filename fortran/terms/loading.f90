@@ -5,7 +5,8 @@
 !> free (prescribed values). Source: Abaqus's rules for static steps.
 module litz_loading
    use litz_kinds, only: dp
-   use litz_fields, only: fields, n_fields, n_slots, first_slot, last_slot, field_rotation, slot_of_dof
+   use litz_fields, only: fields, n_fields, n_slots, first_slot, last_slot, field_rotation, field_of_dof, &
+      field_of_slot, group_mechanical, slot_of_dof
    use litz_model, only: model_t, step_t, nodal_value_t, amplitude_factor
    use litz_rotations, only: rotation_exp, nearest_rotation_vector
    use litz_state, only: state_t
@@ -14,7 +15,9 @@ module litz_loading
    public :: loading_t, start_loading, load_targets, prescribed_increment, next_break_point, initial_values
 
    type :: loading_t
-      !> .true. where the value is prescribed (n_slots, n_nodes)
+      !> Fields that the step solves for (n_fields)
+      logical :: solves(n_fields) = .true.
+      !> .true. where the value is prescribed, or held because the step does not solve for motions (n_slots, n_nodes)
       logical, allocatable :: fixed(:, :)
       !> .true. where the value is given and no unknown (n_slots, n_nodes)
       logical, allocatable :: given(:, :)
@@ -54,6 +57,9 @@ contains
       do i = 1, size(step%boundary)
          loading%fixed(slot_of_dof(step%boundary(i)%dof), step%boundary(i)%node) = .true.
       end do
+      loading%solves = step%solves
+      where (spread(.not. step%solves(field_of_slot) .and. fields(field_of_slot)%group == group_mechanical, 2, n)) &
+         loading%fixed = .true.
       associate (first => first_slot(field_rotation), last => last_slot(field_rotation))
          do i = 1, n
             ! a rotation vector and single angles are different things
@@ -80,6 +86,7 @@ contains
       call set_given_values()
       do i = 1, size(step%boundary)
          associate (item => step%boundary(i))
+            if (.not. step%solves(field_of_dof(item%dof))) cycle
             slot = slot_of_dof(item%dof)
             loading%value(slot, item%node) = value_at(item, loading%start_value(slot, item%node))
          end associate

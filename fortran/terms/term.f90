@@ -32,8 +32,10 @@ module litz_term
       procedure :: locate
       procedure(evaluate), deferred :: evaluate
       procedure :: refusal
+      procedure :: rejection
       procedure :: count_status
       procedure :: link
+      procedure :: hold
       procedure :: has_mutual_tangent
       procedure :: add_mutual_tangent
       procedure :: bearable_fraction
@@ -113,6 +115,15 @@ contains
       reason = ''
    end function refusal
 
+   !> Why the iterate, whose residuals are within their tolerances, is no solution; empty where it is one.
+   function rejection(self, domain) result(reason)
+      class(term_t), intent(in) :: self
+      type(domain_t), intent(in) :: domain
+      character(len=:), allocatable :: reason
+
+      reason = ''
+   end function rejection
+
    !> Add to the numbers of one-sided conditions.
    subroutine count_status(self, status)
       class(term_t), intent(in) :: self
@@ -130,6 +141,16 @@ contains
 
       allocate (pairs(2, 0))
    end subroutine link
+
+   !> Mark nodes at which the term determines the level of a field.
+   subroutine hold(self, domain, field, held)
+      class(term_t), intent(in) :: self
+      type(domain_t), intent(in) :: domain
+      !> One of the fields of litz_fields
+      integer, intent(in) :: field
+      !> (n_nodes)
+      logical, intent(inout) :: held(:)
+   end subroutine hold
 
    !> The tangent of a group has more than the matrix holds: what cells of the term do to each other.
    logical function has_mutual_tangent(self, group)

@@ -2,7 +2,8 @@
 !> their bits.
 module litz_model_listing
    use litz_kinds, only: dp, int64
-   use litz_model, only: model_t, step_t, named_set_t, nodal_value_t, amplitude_t, section_t, interaction_t
+   use litz_model, only: model_t, step_t, named_set_t, nodal_value_t, amplitude_t, section_t, interaction_t, &
+      solved_by_heat
    use litz_text, only: to_text
    implicit none
    private
@@ -19,6 +20,7 @@ contains
       type(model_t), intent(in) :: model
       integer :: i
 
+      write (unit, '(a)') 'absolute zero'//show([model%absolute_zero, model%stefan_boltzmann])
       do i = 1, model%n_nodes
          write (unit, '(a)') 'node'//show([model%node_id(i)])//show(model%x(:, i))
       end do
@@ -30,7 +32,8 @@ contains
       call print_sets(unit, 'elset', model%element_sets, model%element_id)
       do i = 1, size(model%materials)
          associate (this => model%materials(i))
-            write (unit, '(a)') 'material '//this%name//show([this%young, this%poisson, this%conductivity])
+            write (unit, '(a)') 'material '//this%name//show([this%young, this%poisson, this%conductivity, &
+               this%joule_fraction])//show_table(this%resistivity)//show_table(this%heat_conductivity)
          end associate
       end do
       do i = 1, size(model%sections)
@@ -107,7 +110,8 @@ contains
       integer :: i
 
       write (unit, '(a)') 'step'//show([step%max_increments, step%output_frequency, step%solver, step%coupling, &
-         merge(1, 0, step%direct)])//show([step%first, step%total, step%largest])
+         merge(1, 0, step%direct), merge(1, 0, all(step%solves .eqv. solved_by_heat))])// &
+         show([step%first, step%total, step%largest])
       associate (c => step%controls)
          write (unit, '(a)') 'controls'//show([c%i_c, c%i_l, c%i_g, c%i_a])// &
             show([c%r_n, c%c_n, c%d_f, c%d_b, c%d_d, c%rotation_cap])
@@ -115,6 +119,14 @@ contains
       call print_values(unit, 'boundary', model, step%boundary)
       call print_values(unit, 'load', model, step%load)
       call print_values(unit, 'given', model, step%predefined)
+      do i = 1, size(step%heat)
+         associate (this => step%heat(i))
+            if (.not. max(abs(this%source_before), abs(this%source), this%film, this%emissivity) > 0) cycle
+            write (unit, '(a)') 'heat'//show([model%element_id(i)])//show([this%source_before, this%source, &
+               merge([this%sink, this%film], [0.0_dp, 0.0_dp], this%film > 0), &
+               merge([this%surroundings, this%emissivity], [0.0_dp, 0.0_dp], this%emissivity > 0)])
+         end associate
+      end do
       do i = 1, size(step%requests)
          associate (this => step%requests(i))
             write (unit, '(a, *(1x, a))') 'request'//show([this%kind, this%set, this%set_2, &
@@ -135,6 +147,15 @@ contains
             show([values(i)%value])
       end do
    end subroutine print_values
+
+   !> A property over temperature; empty: there is none.
+   function show_table(table) result(text)
+      real(dp), allocatable, intent(in) :: table(:, :)
+      character(len=:), allocatable :: text
+
+      text = ' table'
+      if (allocated(table)) text = text//show(table(1, :))//show(table(2, :))
+   end function show_table
 
    function show_integers(numbers) result(text)
       integer, intent(in) :: numbers(:)

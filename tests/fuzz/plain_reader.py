@@ -14,9 +14,11 @@ AXES = {"LINEAR": 1, "HERMITE": 2}
 SOLVERS = {"BLOCK": 1, "UMFPACK": 2, "SKYLINE": 3}
 COUPLINGS = {"MONOLITHIC": 1, "UPDATED": 2}
 KINDS = {"NODEPRINT": 1, "ELPRINT": 2, "CONTACTPRINT": 3, "ELECTRODEPRINT": 4, "ENERGYPRINT": 5}
-LOADS = {"BOUNDARY": "boundary", "CLOAD": "load", "CECURRENT": "load", "TEMPERATURE": "given"}
+LOADS = {"BOUNDARY": "boundary", "CLOAD": "load", "CECURRENT": "load", "CFLUX": "load", "TEMPERATURE": "given"}
 #: The one degree of freedom of a keyword whose lines name none
-DOFS = {"CECURRENT": 9, "TEMPERATURE": 11, "INITIALCONDITIONS": 11}
+DOFS = {"CECURRENT": 9, "CFLUX": 11, "TEMPERATURE": 11, "INITIALCONDITIONS": 11}
+#: Where the numbers of a keyword are: source before the step, source, sink and film, surroundings and emissivity
+HEAT = {"DFLUX": (1, 2), "FILM": (2, 4), "RADIATE": (4, 6)}
 CONTROLS = {
     "i_c": 16,
     "i_l": 10,
@@ -116,7 +118,8 @@ class PlainReader:
         self.read_mesh()
         self.read_sets()
         properties = [*self.materials(), *self.sections(), *self.read_amplitudes(), *self.interactions(), *self.pairs()]
-        mesh = [f"node {node}{show(x)}" for node, x in self.nodes.items()]
+        mesh = ["absolute zero" + show(self.constants())]
+        mesh += [f"node {node}{show(x)}" for node, x in self.nodes.items()]
         mesh += [
             f"element {element}{show([*data])} {self.section_of.get(element, 0)}"
             for element, data in self.elements.items()
@@ -129,6 +132,12 @@ class PlainReader:
 
     def of(self, keyword):
         return [card for card in self.cards if card[0] == keyword]
+
+    def constants(self):
+        found = {}
+        for _, parameters, _ in self.of("PHYSICALCONSTANTS"):
+            found |= parameters
+        return [number(found.get(name, "0")) for name in ("ABSOLUTEZERO", "STEFANBOLTZMANN")]
 
     def read_mesh(self):
         for _, parameters, data in self.of("NODE"):
@@ -168,13 +177,25 @@ class PlainReader:
         found = []
         for keyword, parameters, data in self.cards:
             if keyword == "MATERIAL":
-                found.append([capitals(parameters["NAME"]), 0.0, 0.0, 0.0])
+                found.append([capitals(parameters["NAME"]), 0.0, 0.0, 0.0, 1.0, [], []])
             elif keyword == "ELASTIC":
                 found[-1][1:3] = map(number, values(data[0])[:2])
             elif keyword == "ELECTRICALCONDUCTIVITY":
-                found[-1][3] = number(values(data[0])[0])
+                table = self.read_property(data)
+                found[-1][3] = table[len(table) // 2]
+                found[-1][5] = table[: len(table) // 2] + [1 / value for value in table[len(table) // 2 :]]
+            elif keyword == "CONDUCTIVITY":
+                found[-1][6] = self.read_property(data)
+            elif keyword == "JOULEHEATFRACTION":
+                found[-1][4] = number(values(data[0])[0])
         self.names["MATERIAL"] = [name for name, *_ in found]
-        return [f"material {name}{show(data)}" for name, *data in found]
+        return [f"material {name}{show(data[:4])} table{show(data[4])} table{show(data[5])}" for name, *data in found]
+
+    @staticmethod
+    def read_property(data):
+        """Temperatures, then values."""
+        pairs = [[*map(number, filter(None, values(line))), 0.0][:2] for line in data]
+        return [t for _, t in pairs] + [value for value, _ in pairs]
 
     def sections(self):
         found = []
@@ -263,17 +284,20 @@ class PlainReader:
     def steps(self):
         lines, in_force, requests = [], {kind: {} for kind in LOADS}, []
         earlier = {"frequency": 1, "solver": 0, "coupling": 0, "controls": CONTROLS, "total": 0.0}
-        step, fresh = None, {}
+        step, fresh, heat = None, {}, {}
         for keyword, parameters, data in self.cards:
             if keyword == "STEP":
+                heat = {element: [given[1], *given[1:]] for element, given in heat.items()}
                 step = {**earlier, "controls": dict(earlier["controls"]), "inc": int(parameters.get("INC", 100))}
                 fresh, asked = {kind: set() for kind in LOADS}, set()
                 for kind in LOADS:
                     self.freeze(in_force[kind], earlier["total"])
-            elif keyword in LOADS:
-                self.read_values(keyword, parameters, data, in_force[keyword], fresh.get(keyword, set()))
-            elif keyword == "STATIC":
+            elif keyword in LOADS or keyword in HEAT:
+                read, given = (self.read_heat, heat) if keyword in HEAT else (self.read_values, in_force[keyword])
+                read(keyword, parameters, data, given, fresh.setdefault(keyword, set()))
+            elif keyword in ("STATIC", "COUPLEDTHERMAL-ELECTRICAL"):
                 self.read_times(parameters, data, step)
+                step["heat"] = int(keyword != "STATIC")
             elif keyword == "CONTROLS":
                 self.read_controls(parameters, data, step["controls"])
             elif keyword == "SOLVER":
@@ -288,17 +312,35 @@ class PlainReader:
                     requests = [request for request in requests if request[0] != KINDS[keyword]]
                 requests = requests + new
             elif keyword == "ENDSTEP":
-                lines.append("step" + show([step[key] for key in ("inc", "frequency", "solver", "coupling", "direct")])
+                lines.append("step" + show([step[key] for key in ("inc", "frequency", "solver", "coupling", "direct", "heat")])
                              + show([step[key] for key in ("first", "total", "largest")]))  # fmt: skip
                 lines.append("controls" + show(step["controls"].values()))
                 for kind, word in LOADS.items():
                     lines += [f"{word}{show([*key, *value])}" for key, value in in_force[kind].items()]
+                warm = [element for element in self.elements if any(heat.get(element, []))]
+                lines += [f"heat {element}{show(heat[element])}" for element in warm]
                 lines += [
                     "".join([f"request{show(request[:4])}", *(f" {name:8}" for name in request[4])])
                     for request in requests
                 ]
                 earlier = step
         return lines
+
+    def read_heat(self, keyword, parameters, data, heat, fresh):
+        first, last = HEAT[keyword]
+        if squeezed(parameters.get("OP") or "") == "NEW" and not fresh:
+            for given in heat.values():
+                given[first:last] = [0.0] * (last - first)
+        fresh.add(None)
+        for line in data:
+            item, _, *numbers = values(line)
+            for element in self.items("ELSET", item):
+                given = heat.setdefault(element, [0.0] * 6)
+                old = given[1] if element in fresh else 0.0
+                given[first:last] = map(number, numbers)
+                if keyword == "DFLUX":
+                    given[1] += old
+                    fresh.add(element)
 
     def read_times(self, parameters, data, step):
         given = [number(value) if value else None for value in values(data[0])] if data else []
@@ -341,10 +383,10 @@ class PlainReader:
                 value = number(rest[2]) if rest[2] else 0.0
             else:
                 first = last = DOFS.get(keyword) or int(rest[0])
-                value = number(rest[0 if last == DOFS["TEMPERATURE"] else 1])
+                value = number(rest[0 if keyword in ("TEMPERATURE", "INITIALCONDITIONS") else 1])
             for node in sorted(self.items("NSET", item), key=order.__getitem__):
                 for dof in range(first, last + 1):
-                    if keyword in ("CLOAD", "CECURRENT") and (node, dof) in fresh:
+                    if keyword in ("CLOAD", "CECURRENT", "CFLUX") and (node, dof) in fresh:
                         in_force[node, dof] = (amplitude, in_force[node, dof][1] + value)
                     elif (node, dof) not in fresh:
                         in_force[node, dof] = (amplitude, value)

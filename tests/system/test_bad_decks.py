@@ -583,7 +583,7 @@ KEYWORDS = [
         "data over temperature without temperatures",
         "5.8e7\n",
         "5.8e7\n6e7\n",
-        "where *ELECTRICAL CONDUCTIVITY has several lines, each needs its temperature as value 2",
+        "a temperature is missing: every line of a table has one",
         "",
         at="5.8e7",
     ),
@@ -964,6 +964,9 @@ def keyword_table(litz):
         yield name, place, after, [(parameter, form.replace("\\|", "|")) for parameter, form in parameters]
 
 
+MAY_BE_NEGATIVE = {"ABSOLUTE ZERO", "ZERO"}
+
+
 def wrong_parameters(parameters):
     """Misused parameters with the message that each must get."""
     yield "QZX=1", 'unknown parameter "QZX" of'
@@ -974,7 +977,7 @@ def wrong_parameters(parameters):
             yield f"{parameter}=", f"the parameter {parameter} needs a value"
         if form == "number":
             yield f"{parameter}=@", f"the parameter {parameter} must be a"
-            if parameter != "ZERO":  # a temperature, of either sign
+            if parameter not in MAY_BE_NEGATIVE:
                 yield f"{parameter}=-1", f"the parameter {parameter} is"
         elif "|" in form:
             yield f"{parameter}=@", f"the parameter {parameter} must be"

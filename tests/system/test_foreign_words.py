@@ -49,7 +49,7 @@ def test_litz_has_none_of_the_keywords_and_all_that_the_advice_names(rows, keywo
         for word in words_of(form):
             if word.startswith("*") and ":" not in form and "data" not in form:
                 assert word[1:] not in keywords
-        for name in re.findall(r"\*([A-Z][A-Z ]*[A-Z])", advice):
+        for name in re.findall(r"\*([A-Z][A-Z -]*[A-Z])", advice):
             # the name may be followed by words in capitals that are none of it
             assert any(name == known or name.startswith(known + " ") for known in keywords), (form, advice)
         for name, word in re.findall(r"\b([A-Z][A-Z-]+)=([A-Z]+)", advice):

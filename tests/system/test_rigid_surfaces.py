@@ -261,6 +261,31 @@ def test_a_wire_that_is_pushed_over_a_plane_rolls(run):
     assert abs(table["traction_x"][-1]) < 1e-3 * table["force"][-1]
 
 
+@pytest.mark.parametrize("n", [23, 100])
+@pytest.mark.parametrize("increment", [0.2, 0.02])
+def test_the_heat_of_friction_is_complete_where_a_contact_slides_along_a_wire(run, n, increment):
+    """A wire is drawn along itself across a drum: over elements that touch neither at the beginning nor at the end of an
+    increment, heat is work, but for what the spring of the stick holds; the moments balance at each increment."""
+    mu, drum, path, depth = 0.3, 5e-3, 2.3e-3, 1e-6
+    points = [(x, 0, drum + 5e-4) for x, _, _ in along_x(0.02, n)]
+    rigid = "*NODE\n 999, 0, 1e-3, 4e-3\n*RIGID BODY, REF NODE=999, TIE NSET=W\n"
+    laws = f"{HERTZ}*FRICTION\n {mu}\n"
+    lead = f"*BOUNDARY\n 999, 1, 1, {{}}\n 999, 2\n 999, 3, 3, {-depth}\n 999, 4, 6\n"
+    steps = step(lead.format(0) + "*ENERGY PRINT\n", "1, 1") + step(lead.format(path), f"{increment}, 1")
+    process, results = run(
+        wire(points, 5e-4) + rigid + surface("CYLINDER", f"0, 0, 0, 0, 1, 0, {drum}", laws=laws) + steps
+    )
+    assert process.returncode == 0, process.stderr
+    history = results.history
+    begun = history["step"] == 1
+    work, heat = (history[name][~begun] - history[name][begun][-1] for name in ("ALLWK", "ALLFD"))
+    table = results.surface_contacts
+    force = table["force"][table["step"] == 1].sum()
+    np.testing.assert_allclose(heat[-1], work[-1], rtol=0.01)
+    # in the first increment the traction grows from nothing
+    assert heat[-1] == pytest.approx(mu * force * path, rel=0.01 + increment / 2)
+
+
 def test_a_plane_that_moves_takes_a_wire_along_and_feels_its_forces(run):
     """A plate pressed onto a held wire and moved along it: Coulomb's force, and its moment about the reference node."""
     plate = ROLLER.replace(" 99, 0, 0, 0\n", " 99, 0, 0, -0.01\n")

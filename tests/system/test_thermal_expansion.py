@@ -281,7 +281,7 @@ def test_temperatures_that_nothing_depends_on_are_a_remark(litz, tmp_path):
     ("options", "message"),
     [
         ({"elastic": "120e9, 0.34, 20\n100e9, 0.34, 20"}, "the temperatures of *ELASTIC must ascend; 20 follows 20"),
-        ({"elastic": "120e9, 0.34\n100e9, 0.34, 20"}, "where *ELASTIC has several lines, each needs its temperature"),
+        ({"elastic": "120e9, 0.34\n100e9, 0.34, 20"}, "a temperature is missing: every line of a table has one"),
         ({"alpha": "17e-6, 30\n18e-6, 10"}, "the temperatures of *EXPANSION must ascend"),
         ({"alpha": "17e-6\n*EXPANSION\n17e-6"}, "the material COPPER has two *EXPANSION"),
         ({"zero": ", TYPE=ORTHO"}, "give the coefficient along the wire"),

@@ -10,6 +10,8 @@ paper), `closest_points`, `contact_spot` (force to conductance), `contact_search
 Wires that touch along a line: `line_law` (force to approach and conductance, per length), `line_point` (one point of it).
 Surfaces of solids in the plane that touch, with laws per area: `node_to_segment_em`, `segment_to_segment_em`.
 The wires: `beam_b31`, `beam_b33`, their strains and `beam_forces_by_temperature`, `conductor`, `potential_rise`.
+Heat: `conductor_heat` (current and heat along a wire, with a film), `wire_radiation`, `heat_capacity`, `spot_heat` (heat and
+hottest place of a contact spot), `hot_conductance`.
 """
 
 from .axes import ClosestPoints, closest_points
@@ -26,6 +28,18 @@ from .beams import (
     potential_rise,
 )
 from .contact import ContactCoupling, ContactEM, contact_coupling, contact_em
+from .heat import (
+    ConductorHeat,
+    HeatCapacity,
+    HotConductance,
+    SpotHeat,
+    WireRadiation,
+    conductor_heat,
+    heat_capacity,
+    hot_conductance,
+    spot_heat,
+    wire_radiation,
+)
 from .line import LineLaw, LinePoint, line_law, line_point
 from .search import contact_search
 from .spot import ContactSpot, contact_spot
@@ -36,13 +50,18 @@ __all__ = [
     "BeamStrains",
     "ClosestPoints",
     "Conductor",
+    "ConductorHeat",
     "ContactCoupling",
     "ContactEM",
     "ContactSpot",
+    "HeatCapacity",
+    "HotConductance",
     "LineLaw",
     "LinePoint",
     "NodeToSegment",
     "SegmentToSegment",
+    "SpotHeat",
+    "WireRadiation",
     "beam_b31",
     "beam_b31_strains",
     "beam_b33",
@@ -50,13 +69,18 @@ __all__ = [
     "beam_forces_by_temperature",
     "closest_points",
     "conductor",
+    "conductor_heat",
     "contact_coupling",
     "contact_em",
     "contact_search",
     "contact_spot",
+    "heat_capacity",
+    "hot_conductance",
     "line_law",
     "line_point",
     "node_to_segment_em",
     "potential_rise",
     "segment_to_segment_em",
+    "spot_heat",
+    "wire_radiation",
 ]

@@ -1,0 +1,157 @@
+!> *DFLUX, *FILM and *RADIATE: heat that enters and leaves wires on their length.
+module litz_read_element_heat
+   use litz_kinds, only: dp
+   use litz_data_lines, only: read_line
+   use litz_deck, only: token_t
+   use litz_model, only: model_t, element_heat_t
+   use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, keyword_of
+   use litz_sets, only: find_item
+   use litz_text, only: to_text
+   implicit none
+   private
+   public :: heat_cards_t, begin_heat, read_element_heat
+
+   !> The cards of one step.
+   type :: heat_cards_t
+      !> Line of the deck that has set a value last (n_elements), 0: none in this step; *DFLUX, *FILM, *RADIATE
+      integer, allocatable :: line(:, :)
+      !> OP of the cards: 0 none yet, 1 MOD, 2 NEW
+      integer :: op(3) = 0
+   end type heat_cards_t
+
+   character(len=8), parameter :: keywords(3) = [character(len=8) :: 'DFLUX', 'FILM', 'RADIATE']
+
+contains
+
+   !> A step keeps what earlier ones have given.
+   pure subroutine begin_heat(model, step, cards)
+      type(model_t), intent(inout) :: model
+      !> Number of the step
+      integer, intent(in) :: step
+      type(heat_cards_t), intent(out) :: cards
+
+      allocate (cards%line(model%n_elements, 3), source=0)
+      associate (heat => model%steps(step)%heat)
+         allocate (model%steps(step)%heat(model%n_elements))
+         if (step == 1) return
+         model%steps(step)%heat = model%steps(step - 1)%heat
+         model%steps(step)%heat%source_before = model%steps(step - 1)%heat%source
+      end associate
+   end subroutine begin_heat
+
+   subroutine read_element_heat(self, model, card, heat, cards)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      !> Index of the card
+      integer, intent(in) :: card
+      !> Of the step (n_elements)
+      type(element_heat_t), intent(inout) :: heat(:)
+      type(heat_cards_t), intent(inout) :: cards
+      integer :: kind, line, element, set
+      logical :: ok
+
+      kind = findloc(keywords == keyword_of(self, card), .true., 1)
+      if (kind == 3 .and. .not. model%stefan_boltzmann > 0) call fail_at(self, self%deck%cards(card)%name, &
+         '*RADIATE needs the Stefan-Boltzmann constant in the units of the deck: *PHYSICAL CONSTANTS,'// &
+         ' STEFAN BOLTZMANN=5.670374e-8')
+      call apply_op(self, card, kind, heat, cards)
+      do line = self%deck%cards(card)%first_data, self%deck%cards(card)%last_data
+         call read_line(self, card, line, ok)
+         if (.not. ok) cycle
+         call find_item(self, 'element', self%element_sets, self%elements, 1, element, set)
+         if (element > 0) call set_heat(self, model, [element], kind, line, heat, cards)
+         if (set > 0) call set_heat(self, model, model%element_sets(set)%members, kind, line, heat, cards)
+      end do
+   end subroutine read_element_heat
+
+   !> OP=NEW removes what earlier steps left; within a step all cards must agree.
+   subroutine apply_op(self, card, kind, heat, cards)
+      type(reader_t), intent(inout) :: self
+      !> Index of the card, and place of its keyword in `keywords`
+      integer, intent(in) :: card, kind
+      !> (n_elements)
+      type(element_heat_t), intent(inout) :: heat(:)
+      type(heat_cards_t), intent(inout) :: cards
+      type(token_t) :: token
+      integer :: op
+
+      op = merge(2, 1, choice_of(self, card, 'OP') == 'NEW')
+      if (all(cards%op(kind) /= [0, op])) then
+         token = parameter_of(self, card, 'OP')
+         if (token%line == 0) token = self%deck%cards(card)%name
+         call fail_at(self, token, 'all *'//trim(keywords(kind))//' of a step must have the same OP')
+      else if (op == 2 .and. cards%op(kind) == 0) then
+         select case (kind)
+         case (1)
+            heat%source = 0
+         case (2)
+            heat%film = 0
+         case (3)
+            heat%emissivity = 0
+         end select
+      end if
+      cards%op(kind) = op
+   end subroutine apply_op
+
+   !> What the line read last says of some elements.
+   subroutine set_heat(self, model, elements, kind, line, heat, cards)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      !> Indices of elements (n), place in `keywords`, and line of the deck
+      integer, intent(in) :: elements(:), kind, line
+      !> (n_elements)
+      type(element_heat_t), intent(inout) :: heat(:)
+      type(heat_cards_t), intent(inout) :: cards
+      character(len=:), allocatable :: what
+      integer :: i
+
+      what = ''
+      do i = 1, size(elements)
+         associate (e => elements(i), values => self%values)
+            if (cards%line(e, kind) > 0 .and. kind > 1) then
+               what = 'has another *'//trim(keywords(kind))//' in '//self%deck%place(cards%line(e, kind))
+            else
+               what = reason_against(model, e, kind)
+            end if
+            if (len(what) > 0) then
+               call fail_at(self, values%token(1), 'element '//to_text(model%element_id(e))//' '//what)
+               return
+            end if
+            select case (kind)
+            case (1)
+               ! lines of a step add up
+               heat(e)%source = merge(heat(e)%source, 0.0_dp, cards%line(e, kind) > 0) + values%real(3)
+            case (2)
+               heat(e)%sink = values%real(3)
+               heat(e)%film = values%real(4)
+            case (3)
+               heat(e)%surroundings = values%real(3)
+               heat(e)%emissivity = values%real(4)
+               if (values%real(4) > 1) call fail_at(self, values%token(4), &
+                  'an emissivity is not larger than 1; found '//to_text(values%real(4)))
+            end select
+            cards%line(e, kind) = line
+         end associate
+      end do
+   end subroutine set_heat
+
+   !> Why an element cannot have such heat; empty: it can. Sections and materials in error are passed over.
+   function reason_against(model, e, kind) result(words)
+      type(model_t), intent(in) :: model
+      !> Index of the element, and place in `keywords`
+      integer, intent(in) :: e, kind
+      character(len=:), allocatable :: words
+
+      words = ''
+      if (model%element_section(e) == 0) return
+      associate (section => model%sections(model%element_section(e)))
+         if (section%material == 0) return
+         if (.not. allocated(model%materials(section%material)%heat_conductivity)) then
+            words = 'conducts no heat: its material '//model%materials(section%material)%name//' has no *CONDUCTIVITY'
+         else if (kind > 1 .and. .not. section%contact_radius > 0) then
+            words = 'has no side: its section has no radius (CONTACT RADIUS of *BEAM SECTION)'
+         end if
+      end associate
+   end function reason_against
+
+end module litz_read_element_heat

@@ -1,0 +1,74 @@
+!> Heat that a wire stores over a time increment, half of it at either node.
+!>
+!>     R = C/2 (H(T) - H(T_before))/dt,   H(T) = int c dT + l (T - Ts)/(Tl - Ts)                                     (1)
+!>
+!> at each node, with the mass `C` of the element and the latent heat `l` between solidus `Ts` and liquidus `Tl`. The
+!> difference of enthalpies conserves energy whatever the increment, also where it steps over a latent heat. Lumped:
+!> consistent capacities let the temperature next to a jump leave the range of those around it.
+!> Source: theory section 13.
+module litz_heat_capacity
+   use litz_kinds, only: dp
+   use litz_property_table, only: property_at, property_integral
+   implicit none
+   private
+   public :: latent_heat_t, heat_capacity, enthalpy_difference
+
+   !> Heat of a change of phase.
+   type :: latent_heat_t
+      !> l [J/kg], and temperatures between which it is taken up [K]
+      real(dp) :: heat = 0, solidus = 0, liquidus = 1
+   end type latent_heat_t
+
+contains
+
+   !> Residual of the two nodes, and the diagonal of its tangent. Backward Euler.
+   pure subroutine heat_capacity(temperature, before, mass_per_time, specific_heat, latent, k, r)
+      !> Of the nodes, now and at the start of the increment (2) [K]
+      real(dp), intent(in) :: temperature(2), before(2)
+      !> Mass of the element over the time increment [kg/s]
+      real(dp), intent(in) :: mass_per_time
+      !> Temperatures [K] and specific heats [J/(kg K)] (2, n)
+      real(dp), intent(in) :: specific_heat(:, :)
+      !> Those of the material (:); empty: none
+      type(latent_heat_t), intent(in) :: latent(:)
+      !> Derivatives of `r` by the temperatures (2) [W/K]
+      real(dp), intent(out) :: k(2)
+      !> Heat that the nodes take up (2) [W]
+      real(dp), intent(out) :: r(2)
+      real(dp) :: difference, slope
+      integer :: i
+
+      do i = 1, 2
+         call enthalpy_difference(temperature(i), before(i), specific_heat, latent, difference, slope)
+         r(i) = mass_per_time/2*difference                                                                   ! (1)
+         k(i) = mass_per_time/2*slope
+      end do
+   end subroutine heat_capacity
+
+   !> `H(T) - H(T_before)` and its slope over T.
+   pure subroutine enthalpy_difference(temperature, before, specific_heat, latent, difference, slope)
+      !> T, T_before [K]
+      real(dp), intent(in) :: temperature, before
+      !> Temperatures [K] and specific heats [J/(kg K)] (2, n)
+      real(dp), intent(in) :: specific_heat(:, :)
+      !> Those of the material (:); empty: none
+      type(latent_heat_t), intent(in) :: latent(:)
+      !> [J/kg], [J/(kg K)]
+      real(dp), intent(out) :: difference, slope
+      real(dp) :: per_kelvin, value
+      integer :: i
+
+      call property_at(specific_heat, temperature, value, slope)
+      slope = value
+      difference = property_integral(specific_heat, before, temperature)
+      do i = 1, size(latent)
+         associate (solidus => latent(i)%solidus, liquidus => latent(i)%liquidus)
+            per_kelvin = latent(i)%heat/(liquidus - solidus)
+            difference = difference + per_kelvin*(min(max(temperature, solidus), liquidus) &
+               - min(max(before, solidus), liquidus))
+            if (temperature >= solidus .and. temperature < liquidus) slope = slope + per_kelvin
+         end associate
+      end do
+   end subroutine enthalpy_difference
+
+end module litz_heat_capacity
