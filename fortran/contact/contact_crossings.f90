@@ -14,7 +14,7 @@ module litz_contact_crossings
    use litz_contact_kinematics, only: contact_kinematics, kinematics_ok
    use litz_contact_matching, only: match_points, slides_of
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_wire_t, pair_geometry, axis_of_pair, &
-      away_from, arc_at, crossing_at, clearance_of, chain_by_wire, inherit
+      away_from, arc_at, crossing_at, clearance_of, add_taper, chain_by_wire, inherit
    use litz_contact_side, only: have_passed
    use litz_element_library, only: elements_t
    use litz_end_kinematics, only: end_kinematics
@@ -295,6 +295,7 @@ contains
          end if
          if (info == kinematics_ok) call set_tangents(axis, xe, t, length, point)
          point%regular = info == kinematics_ok
+         call add_taper(elements%taper([eb, e]), kinematics)
          point%gap = kinematics%gap + clearance_of(point%fit, contact%clearance(point%pair))
       end associate
    end subroutine set_geometry

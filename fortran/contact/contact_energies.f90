@@ -5,10 +5,12 @@
 module litz_contact_energies
    use litz_kinds, only: dp
    use litz_contact_points, only: contact_set_t, contact_point_t, clearance_of
+   use litz_element_library, only: elements_t, end_swelling
+   use litz_model, only: model_t
    use litz_state, only: energies_t
    implicit none
    private
-   public :: add_contact_energies
+   public :: add_contact_energies, work_of_swelling, work_on_surfaces
 
 contains
 
@@ -45,6 +47,65 @@ contains
       work = point%force*(clearance_of(point%fit, contact%converged_clearance(point%pair)) &
          - clearance_of(point%fit, contact%clearance(point%pair)))/2
    end function work_of_interference
+
+   !> What the change of the radii in an increment does on contacts: mean force times swelling at their places.
+   pure real(dp) function work_of_swelling(model, elements, before, now, converged, points) result(work)
+      type(model_t), intent(in) :: model
+      type(elements_t), intent(in) :: elements
+      !> Temperatures at the start of the increment, and at its end (n_nodes) [K]
+      real(dp), intent(in) :: before(:), now(:)
+      !> At the start of the increment, and at its end
+      type(contact_point_t), intent(in) :: converged(:), points(:)
+      real(dp) :: swelling(2, model%n_elements)
+      integer :: i
+
+      work = 0
+      if (size(elements%heated) == 0) return
+      swelling = 0
+      do i = 1, size(elements%heated)
+         swelling(:, elements%heated(i)) = end_swelling(model, elements, i, now) &
+            - end_swelling(model, elements, i, before)
+      end do
+      do i = 1, size(converged)
+         work = work + half_of_work(converged(i))
+      end do
+      do i = 1, size(points)
+         if (points(i)%closed) work = work + half_of_work(points(i))
+      end do
+
+   contains
+
+      pure real(dp) function half_of_work(point)
+         type(contact_point_t), intent(in) :: point
+
+         half_of_work = point%force/4*(dot_product([1 - point%xi_bar, 1 + point%xi_bar], &
+            swelling(:, point%element_bar)) + dot_product([1 - point%xi, 1 + point%xi], swelling(:, point%element)))
+      end function half_of_work
+
+   end function work_of_swelling
+
+   !> The same of wires on rigid surfaces, which see the mean radius of an element.
+   pure real(dp) function work_on_surfaces(model, elements, before, now, element, force) result(work)
+      type(model_t), intent(in) :: model
+      type(elements_t), intent(in) :: elements
+      !> Temperatures at the start of the increment, and at its end (n_nodes) [K]
+      real(dp), intent(in) :: before(:), now(:)
+      !> Element of each contact (n)
+      integer, intent(in) :: element(:)
+      !> Mean of its forces at the start and at the end (n) [N]
+      real(dp), intent(in) :: force(:)
+      real(dp) :: swelling(model%n_elements)
+      integer :: i
+
+      work = 0
+      if (size(elements%heated) == 0) return
+      swelling = 0
+      do i = 1, size(elements%heated)
+         swelling(elements%heated(i)) = sum(end_swelling(model, elements, i, now) &
+            - end_swelling(model, elements, i, before))/2
+      end do
+      work = dot_product(force, swelling(element))
+   end function work_on_surfaces
 
    !> Elastic energy of friction at the start of the increment that no contact carries on.
    pure real(dp) function elastic_energy_lost(converged, points) result(energy)

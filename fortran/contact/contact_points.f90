@@ -22,7 +22,8 @@ module litz_contact_points
    private
    public :: contact_point_t, contact_set_t, points_by_wire_t
    public :: law_ok, law_parallel, law_bad_data, law_too_curved
-   public :: pair_geometry, away_from, axis_of_pair, arc_at, crossing_at, clearance_of, chain_by_wire, inherit
+   public :: pair_geometry, away_from, axis_of_pair, arc_at, crossing_at, clearance_of, add_taper, &
+      chain_by_wire, inherit
 
    !> What has become of the laws of a contact: nothing; the axes are parallel, so that there is no Hertz ellipse; the
    !> data of the law are none for it; a wire is curved about the other so much that the foot of a line is hardly known
@@ -224,6 +225,17 @@ contains
 
       clearance_of = min(fit, left)
    end function clearance_of
+
+   !> Radii that change along the elements: the gap is that of the radii at its places. Source: theory section 14.
+   pure subroutine add_taper(taper, kinematics)
+      !> Of the barred and the unbarred element (2) [m]
+      real(dp), intent(in) :: taper(2)
+      type(contact_kinematics_t), intent(inout) :: kinematics
+
+      if (.not. any(abs(taper) > 0)) return
+      kinematics%gap = kinematics%gap - taper(1)*kinematics%xi_bar - taper(2)*kinematics%xi
+      kinematics%dgap = kinematics%dgap - taper(1)*kinematics%dxi_bar - taper(2)*kinematics%dxi
+   end subroutine add_taper
 
    !> Which axis the law of a contact pair sees: one of the constants of the model.
    pure integer function axis_of_pair(model, pair) result(axis)

@@ -4,7 +4,7 @@ module litz_contact_term
    use litz_contact_candidates, only: find_candidates, candidates_hold
    use litz_contact_capture, only: capture_contacts
    use litz_contact_crossings, only: locate_points
-   use litz_contact_energies, only: add_contact_energies
+   use litz_contact_energies, only: add_contact_energies, work_of_swelling
    use litz_contact_forces, only: assemble_contacts, share_currents, predict_contacts, refused_contact
    use litz_contact_points, only: contact_set_t, contact_point_t
    use litz_contact_descent, only: descent_fraction
@@ -12,7 +12,7 @@ module litz_contact_term
    use litz_contact_tangents, only: follow_centre_line
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
-   use litz_fields, only: field_potential, group_transport, potential_slots
+   use litz_fields, only: field_potential, group_transport, potential_slots, temperature_slots
    use litz_friction_iteration, only: friction_iteration_t
    use litz_line_points, only: locate_line_points
    use litz_line_shares, only: share_crossings, renew_shares
@@ -311,6 +311,12 @@ contains
       associate (contact => self%contact)
          call add_contact_energies(contact, contact%converged, contact%points, energies)
          call add_contact_energies(contact, contact%converged_line_points, contact%line_points, energies)
+         associate (before => domain%state%value(temperature_slots(1), :), &
+            now => domain%iterate%value(temperature_slots(1), :))
+            energies%thermal = energies%thermal + work_of_swelling(domain%model, domain%elements, before, now, &
+               contact%converged, contact%points) + work_of_swelling(domain%model, domain%elements, before, now, &
+               contact%converged_line_points, contact%line_points)
+         end associate
       end associate
    end subroutine add_energies
 

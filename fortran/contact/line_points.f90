@@ -8,7 +8,7 @@ module litz_line_points
    use litz_contact_candidates, only: skin
    use litz_contact_kinematics, only: kinematics_ok
    use litz_contact_points, only: contact_point_t, contact_set_t, pair_geometry, arc_at, clearance_of, &
-      inherit
+      add_taper, inherit
    use litz_crossings_of_wires, only: crossings_of_wires_t, sort_crossings
    use litz_element_library, only: elements_t
    use litz_line_cell, only: touching_length
@@ -150,6 +150,7 @@ contains
          call pair_geometry(model, wires, elements, point%element_bar, point%element, x, rotation, xe, t, length)
          call line_kinematics(xe, t, length, axis_hermite, radius, point%xi_bar, point%xi, &
             foot%status == foot_at_end, point%normal_before, point%kinematics, info)
+         call add_taper(elements%taper([point%element_bar, point%element]), point%kinematics)
          point%gap = point%kinematics%gap + clearance_of(point%fit, contact%clearance(point%pair))
          point%regular = info == kinematics_ok .and. point%kinematics%gap < skin/2*sum(radius)
       end associate

@@ -38,12 +38,13 @@ contains
 
       both = [point%element_bar, point%element]
       do i = 1, 2
-         associate (material => model%materials(model%sections(model%element_section(both(i)))%material))
-            pair%young(i) = material%young
-            pair%poisson(i) = material%poisson
+         associate (section => model%sections(model%element_section(both(i))))
+            pair%young(i) = model%materials(section%material)%young
+            pair%poisson(i) = model%materials(section%material)%poisson
+            ! stiffness is that of the reference section, in contacts as in beams; gaps see the swelling
+            pair%radius(i) = section%contact_radius
          end associate
       end do
-      pair%radius = elements%radius(both)
       pair%resistivity = elements%resistivity(both)
       if (model%interactions(model%contact_pairs(point%pair)%interaction)%voltage_correction) then
          pair%series_resistance = pair%resistivity*elements%length(both)/(4*elements%area(both))

@@ -8,7 +8,8 @@ module litz_surface_term
    use litz_contact_tangents, only: follow_centre_line
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
-   use litz_fields, only: motion_slots
+   use litz_contact_energies, only: work_on_surfaces
+   use litz_fields, only: motion_slots, temperature_slots
    use litz_contact_kinematics, only: n_motions
    use litz_friction_iteration, only: friction_iteration_t, predict_friction, forget_friction
    use litz_friction_law, only: friction_law_t, friction_start_t
@@ -389,6 +390,9 @@ contains
             if (cells(i)%has_place .and. .not. cells(i)%force > 0) energies%friction = energies%friction &
                + heat_of_opening(domain, cells(i))
          end do
+         energies%thermal = energies%thermal + work_on_surfaces(domain%model, domain%elements, &
+            domain%state%value(temperature_slots(1), :), domain%iterate%value(temperature_slots(1), :), cells%element, &
+            (cells%force + merge(cells%memory%start%force, 0.0_dp, cells%memory%closed))/2)
       end associate
    end subroutine add_energies
 

@@ -5,7 +5,8 @@ module litz_deck_reader
    use litz_growing_text, only: growing_text_t
    use litz_keyword_table, only: keyword_table
    use litz_deck, only: token_t
-   use litz_model, only: model_t
+   use litz_material_properties, only: has_thermal_mechanics
+   use litz_model, only: model_t, material_t
    use litz_reader, only: reader_t, fail_at, keyword_of, parameter_of, real_parameter
    use litz_data_lines, only: read_line
    use litz_card_checks, only: check_cards
@@ -40,6 +41,7 @@ contains
          call check_unread_lines(self)
          if (self%errors%count == 0) call report_findings(self, model, warnings)
          call warn_about_spare_nodes(self, model, warnings)
+         call warn_about_idle_temperatures(self, model, warnings)
       end if
       errors = self%errors
       call errors%sort()
@@ -198,6 +200,38 @@ contains
          end if
       end do
    end subroutine report_findings
+
+   !> Temperatures of materials that do not depend on them are results and nothing else.
+   subroutine warn_about_idle_temperatures(self, model, warnings)
+      type(reader_t), intent(in) :: self
+      type(model_t), intent(in) :: model
+      type(error_list_t), intent(inout) :: warnings
+      type(error_t) :: error
+      integer :: card, i
+
+      if (self%errors%count > 0) return
+      if (any([(depends_on_temperature(model%materials(i)), i=1, size(model%materials))])) return
+      do card = 1, self%deck%n_cards
+         if (.not. any(keyword_of(self, card) == [character(len=18) :: 'TEMPERATURE', 'INITIAL CONDITIONS'])) cycle
+         error = self%deck%error_at(self%deck%cards(card)%name, 'temperatures have no effect: no material of the'// &
+            ' model depends on temperature')
+         error%is_warning = .true.
+         error%kind = 'idle_temperatures'
+         call warnings%add(error)
+         return
+      end do
+
+   contains
+
+      pure logical function depends_on_temperature(material)
+         type(material_t), intent(in) :: material
+
+         depends_on_temperature = has_thermal_mechanics(material) .or. allocated(material%heat_conductivity)
+         if (allocated(material%resistivity)) depends_on_temperature = depends_on_temperature .or. &
+            size(material%resistivity, 2) > 1
+      end function depends_on_temperature
+
+   end subroutine warn_about_idle_temperatures
 
    !> Nodes of no element do nothing; the user may have meant more elements.
    subroutine warn_about_spare_nodes(self, model, warnings)

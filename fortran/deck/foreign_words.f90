@@ -60,7 +60,6 @@ module litz_foreign_words
       foreign_word_t('DENSITY|DAMPING', '', '', 'leave it out: there is no inertia and no weight'), &
       foreign_word_t('PLASTIC|HYPERELASTIC|DEFORMATION PLASTICITY|CYCLIC HARDENING|USER MATERIAL|DEPVAR', '', '', &
       'beams are elastic: use *ELASTIC; contact spots may yield (*GAP ELECTRICAL CONDUCTANCE, LAW=PLASTIC)'), &
-      foreign_word_t('EXPANSION', '', '', 'leave it out: wires do not expand'), &
       foreign_word_t('SPECIFIC HEAT|LATENT HEAT', '', '', 'leave it out: temperatures are steady'), &
       foreign_word_t('SURFACE|NODE SURFACE|SURFACE DEFINITION', '', '', &
       'leave it out: *CONTACT PAIR names element sets'), &
@@ -108,7 +107,8 @@ module litz_foreign_words
       foreign_word_t('NSET|ELSET', 'INTERNAL|UNSORTED', '', 'leave it out'), &
       foreign_word_t('BEAM SECTION', 'TEMPERATURE|POISSON|ROTARY INERTIA', '', &
       'leave it out'), &
-      foreign_word_t('ELASTIC', 'DEPENDENCIES|MODULI', '', 'leave it out: material data are constant'), &
+      foreign_word_t('ELASTIC|EXPANSION|ELECTRICAL CONDUCTIVITY', 'DEPENDENCIES|MODULI|USER', '', 'leave it out:'// &
+      ' material data may depend on temperature alone'), &
       foreign_word_t('AMPLITUDE', 'DEFINITION|VALUE|SMOOTH', '', 'leave it out: an amplitude is a table of'// &
       ' factors, linear between the points; write other curves point by point'), &
       foreign_word_t('SURFACE BEHAVIOR', 'PENALTY|AUGMENTED LAGRANGE|DIRECT', '', 'leave it out: the law is'// &
@@ -163,7 +163,8 @@ module litz_foreign_words
       foreign_word_t('EL PRINT', '', 'SF1|SF2|SF3|SM1|SM2|SM3|SM', 'SF has forces and moments, all of them'), &
       foreign_word_t('NODE FILE|EL FILE|EL PRINT', '', 'S|E|LE|EE|PE|PEEQ|ENER|MISES|ME|ZZS|NOE|ERR', &
       'beams have section forces (SF), no stresses or strains'), &
-      foreign_word_t('ELASTIC', '', '+', 'material data do not depend on temperature'), &
+      foreign_word_t('ELASTIC|EXPANSION', '', '+', 'material data depend on temperature alone'), &
+      foreign_word_t('EXPANSION', 'TYPE', 'ORTHO|ANISO|SHORT FIBER', 'give the coefficient along the wire'), &
       foreign_word_t('TEMPERATURE|INITIAL CONDITIONS', '', '+', 'the temperature is the same over a cross-section'), &
       foreign_word_t('INITIAL CONDITIONS', 'TYPE', 'STRESS|STRAIN|VELOCITY|FIELD|SOLUTION|HARDENING|PLASTIC STRAIN|'// &
       'ROTATING VELOCITY|CONCENTRATION|REF COORDINATE|CONTACT', 'a run begins without stress and current; apply'// &

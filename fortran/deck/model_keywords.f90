@@ -137,8 +137,11 @@ contains
    pure subroutine add_properties(table)
       type(keyword_table_t), intent(inout) :: table
       type(keyword_t) :: k
+      type(field_spec_t) :: of_temperature
 
-      call begin(k, 'MATERIAL', place_model, 'Begins a material; *ELASTIC, *ELECTRICAL CONDUCTIVITY,'// &
+      of_temperature = real_field('T', 'K', 'temperature; ascending. Linear between two lines, constant outside the'// &
+         ' table', required=.false.)
+      call begin(k, 'MATERIAL', place_model, 'Begins a material; *ELASTIC, *EXPANSION, *ELECTRICAL CONDUCTIVITY,'// &
          ' *CONDUCTIVITY and *JOULE HEAT FRACTION follow it.')
       call k%add(name('NAME', 'name of the material', required=.true.))
       call finish(table, k)
@@ -146,7 +149,15 @@ contains
       call begin(k, 'ELASTIC', place_model, 'Linear elastic, isotropic.', after='MATERIAL')
       call k%add(choice('TYPE', 'ISOTROPIC', 'kind of elasticity', default='ISOTROPIC'))
       call k%add_data([real_field('E', 'Pa', 'Young''s modulus', limit_positive), &
-         real_field('nu', '-', 'Poisson''s ratio', limit_poisson)])
+         real_field('nu', '-', 'Poisson''s ratio', limit_poisson), of_temperature], last=0)
+      call finish(table, k)
+
+      call begin(k, 'EXPANSION', place_model, 'Thermal expansion of wires: the strain along their axis, and of'// &
+         ' their contact radius, is alpha(T) (T - ZERO) less that at the initial temperature.', &
+         after='MATERIAL')
+      call k%add(choice('TYPE', 'ISO', 'kind of expansion', default='ISO'))
+      call k%add(number('ZERO', 'temperature to which alpha refers', limit_none, '0'))
+      call k%add_data([real_field('alpha', '1/K', 'secant coefficient of thermal expansion'), of_temperature], last=0)
       call finish(table, k)
 
       call begin(k, 'ELECTRICAL CONDUCTIVITY', place_model, &
@@ -163,8 +174,7 @@ contains
          ' one, degree of freedom '//dof_range(field_temperature)//'.', after='MATERIAL')
       call k%add(choice('TYPE', 'ISO', 'kind of conductivity', default='ISO'))
       call k%add_data([real_field('lambda', 'W/(m K)', 'heat conductivity', limit_positive), &
-         real_field('T', 'K', 'temperature; ascending. Linear between two lines, constant outside the table', &
-         required=.false.)], last=0)
+         of_temperature], last=0)
       call finish(table, k)
 
       call begin(k, 'JOULE HEAT FRACTION', place_model, 'Part of the electric power in elements of this material'// &

@@ -3,7 +3,8 @@ module litz_read_properties
    use litz_kinds, only: dp, pi
    use litz_text, only: to_text
    use litz_deck, only: token_t
-   use litz_model, only: model_t, section_t
+   use litz_model, only: model_t, section_t, shear_given, shear_round, shear_unreduced
+   use litz_section_stiffness, only: shear_stiffness
    use litz_reader, only: reader_t, definitions_t, fail_at, parameter_of, choice_of, has_flag, keyword_of, &
       real_parameter, n_cards_of
    use litz_data_lines, only: read_line
@@ -34,17 +35,18 @@ contains
             call add_named(self, self%materials, 'material', card, material)
             if (material > 0) model%materials(material)%name = self%materials%names%name(material)
          case ('ELASTIC')
-            call read_only_line(self, card, ok)
+            call read_property(self, card, 2, table, ok)
             if (material == 0) cycle
             associate (this => model%materials(material))
                if (this%young > 0) call fail_at(self, self%deck%cards(card)%name, &
                   'the material '//this%name//' has two *ELASTIC')
                ! wrong values were reported; the material then counts as complete
-               this%young = merge(self%values%real(1), 1.0_dp, ok)
-               this%poisson = merge(self%values%real(2), 0.0_dp, ok)
+               this%young = table(2, 1)
+               this%poisson = table(3, 1)
+               if (size(table, 2) > 1) this%elastic_table = table
             end associate
          case ('ELECTRICAL CONDUCTIVITY')
-            call read_property(self, card, table, ok)
+            call read_property(self, card, 1, table, ok)
             if (material == 0) cycle
             associate (this => model%materials(material))
                if (this%conductivity > 0) call fail_at(self, self%deck%cards(card)%name, &
@@ -53,8 +55,17 @@ contains
                table(2, :) = 1/table(2, :)
                this%resistivity = table
             end associate
+         case ('EXPANSION')
+            call read_property(self, card, 1, table, ok)
+            if (material == 0) cycle
+            associate (this => model%materials(material))
+               if (allocated(this%expansion_table)) call fail_at(self, self%deck%cards(card)%name, &
+                  'the material '//this%name//' has two *EXPANSION')
+               this%expansion_table = table
+               this%expansion_zero = real_parameter(self, card, 'ZERO', 0.0_dp)
+            end associate
          case ('CONDUCTIVITY')
-            call read_property(self, card, table, ok)
+            call read_property(self, card, 1, table, ok)
             if (material == 0) cycle
             associate (this => model%materials(material))
                if (allocated(this%heat_conductivity)) call fail_at(self, self%deck%cards(card)%name, &
@@ -77,12 +88,12 @@ contains
       end do
    end subroutine read_materials
 
-   !> A property over temperature, on lines of its value and the temperature.
-   subroutine read_property(self, card, table, ok)
+   !> Properties over temperature, on lines of their values and the temperature.
+   subroutine read_property(self, card, n_values, table, ok)
       type(reader_t), intent(inout) :: self
-      !> Index of the card
-      integer, intent(in) :: card
-      !> Temperatures and values (2, n), one pair at least
+      !> Index of the card, and values before the temperature
+      integer, intent(in) :: card, n_values
+      !> Temperatures and values (1 + n_values, n), one line at least
       real(dp), allocatable, intent(out) :: table(:, :)
       !> .false.: something was reported; the table is then one that does no harm
       logical, intent(out) :: ok
@@ -90,27 +101,27 @@ contains
       logical :: line_ok
 
       ok = .true.
-      allocate (table(2, 0))
-      associate (this => self%deck%cards(card), values => self%values)
+      allocate (table(1 + n_values, 0))
+      associate (this => self%deck%cards(card), values => self%values, at => n_values + 1)
          do line = this%first_data, this%last_data
             call read_line(self, card, line, line_ok)
             ok = ok .and. line_ok
             if (.not. line_ok) cycle
-            if (.not. values%given(2) .and. this%last_data > this%first_data) then
-               if (ok) call fail_at(self, values%token(2), 'a temperature is missing: every line of a table has one')
+            if (.not. values%given(at) .and. this%last_data > this%first_data) then
+               if (ok) call fail_at(self, values%token(at), 'a temperature is missing: every line of a table has one')
                ok = .false.
             else if (size(table, 2) > 0) then
-               if (values%real(2) <= table(1, size(table, 2))) then
-                  call fail_at(self, values%token(2), 'the temperatures of *'//keyword_of(self, card)// &
-                     ' must ascend; '//to_text(values%real(2))//' follows '//to_text(table(1, size(table, 2))))
+               if (values%real(at) <= table(1, size(table, 2))) then
+                  call fail_at(self, values%token(at), 'the temperatures of *'//keyword_of(self, card)// &
+                     ' must ascend; '//to_text(values%real(at))//' follows '//to_text(table(1, size(table, 2))))
                   ok = .false.
                end if
             end if
-            table = reshape([table, values%real(2), values%real(1)], [2, size(table, 2) + 1])
+            table = reshape([table, values%real(at), values%real(:n_values)], [at, size(table, 2) + 1])
          end do
       end associate
       ok = ok .and. size(table, 2) > 0
-      if (.not. ok) table = reshape([0.0_dp, 1.0_dp], [2, 1])
+      if (.not. ok) table = reshape([0.0_dp, 1.0_dp, spread(0.0_dp, 1, n_values - 1)], [1 + n_values, 1])
    end subroutine read_property
 
    !> The name a card defines; 0 where it has none or it exists already.
@@ -166,6 +177,7 @@ contains
             if (.not. ok .or. n == 0) cycle
             model%sections(n)%ga2 = self%values%real(1)
             model%sections(n)%ga3 = self%values%real(2)
+            model%sections(n)%shear = shear_given
          end select
       end do
       call report_bare_elements(self, model)
@@ -201,7 +213,7 @@ contains
       if (name%last < name%first) self%missed_section = .true.
    end subroutine read_section
 
-   !> Solid round wire. Source of the shear factor: Cowper, J. Appl. Mech. 33 (1966) 335-340.
+   !> Solid round wire.
    pure subroutine set_circular(section, radius, young, poisson)
       type(section_t), intent(inout) :: section
       !> Radius of the wire [m]
@@ -210,15 +222,14 @@ contains
       real(dp), intent(in) :: young
       !> Poisson's ratio [-]
       real(dp), intent(in) :: poisson
-      real(dp) :: shear_factor
 
-      shear_factor = 6*(1 + poisson)/(7 + 6*poisson)
       section%contact_radius = radius
       section%area = pi*radius**2
       section%i2 = pi*radius**4/4
       section%i3 = section%i2
       section%j = pi*radius**4/2
-      section%ga2 = shear_factor*young/(2*(1 + poisson))*section%area
+      section%shear = shear_round
+      section%ga2 = shear_stiffness(section, young, poisson)
       section%ga3 = section%ga2
    end subroutine set_circular
 
@@ -236,7 +247,8 @@ contains
       section%i2 = data(2)
       section%i3 = data(4)
       section%j = data(5)
-      section%ga2 = young/(2*(1 + poisson))*section%area
+      section%shear = shear_unreduced
+      section%ga2 = shear_stiffness(section, young, poisson)
       section%ga3 = section%ga2
    end subroutine set_general
 

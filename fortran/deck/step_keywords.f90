@@ -205,7 +205,8 @@ contains
          ' interference fits.'// &
          ' ALLSE: in the beams. ALLCCE: in the contacts. ALLFD: dissipated by friction.'// &
          ' ALLSD: dissipated by stabilization.'// &
-         ' ETOTAL: ALLSE + ALLCCE + ALLFD + ALLSD - ALLWK,'// &
+         ' ALLTW: done by changes of temperature, in models with temperatures.'// &
+         ' ETOTAL: ALLSE + ALLCCE + ALLFD + ALLSD - ALLWK - ALLTW,'// &
          ' which goes to zero with the increment size, except for the error of B31 elements at contacts,'// &
          ' which goes to zero with the element size.')
       call finish(table, k)

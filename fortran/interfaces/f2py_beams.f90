@@ -6,13 +6,14 @@ module f2py_beams
    use iso_c_binding, only: c_double, c_int
    use litz_beam_b31, only: b31 => beam_b31, b31_reference => beam_b31_reference
    use litz_beam_b33, only: b33 => beam_b33, b33_reference => beam_b33_reference
+   use litz_beam_temperature, only: core_forces_by_temperature => forces_by_temperature
    use litz_conductor, only: core_conductor => conductor
    use litz_potential_rise, only: core_potential_rise => potential_rise
    use litz_rotation_forms, only: hessian_to_spin
    implicit none
 contains
 
-   subroutine beam_b31(x, triads, x0, triads0, stiffness, sigma, given_sigma, spin, &
+   subroutine beam_b31(x, triads, x0, triads0, stiffness, stress_free_strain, sigma, given_sigma, spin, &
          k, r, energy, section_forces, strain, b, length)
       !> Present positions of the nodes (3, 2) [m]
       real(c_double), intent(in) :: x(3, 2)
@@ -24,6 +25,8 @@ contains
       real(c_double), intent(in) :: triads0(3, 3, 2)
       !> EA, GA2, GA3 [N], GJ, EI2, EI3 [N m^2]
       real(c_double), intent(in) :: stiffness(6)
+      !> Axial strain of the stress-free state, as from temperature
+      real(c_double), intent(in) :: stress_free_strain
       !> Section forces (6) [N, N m] for the geometric part of the tangent
       real(c_double), intent(in) :: sigma(6)
       !> .true.: `sigma` counts; .false.: those of the present state do
@@ -47,6 +50,7 @@ contains
       real(c_double) :: strain0(6)
 
       call b31_reference(x0, triads0, length, strain0)
+      strain0(1) = strain0(1) + stress_free_strain
       if (given_sigma) then
          call b31(x, triads, length, strain0, stiffness, k, r, energy, section_forces, strain, b, sigma)
       else
@@ -55,7 +59,7 @@ contains
       if (spin) call hessian_to_spin(k, r, [4, 10])
    end subroutine beam_b31
 
-   subroutine beam_b33(x, triads, x0, triads0, stiffness, sigma, given_sigma, spin, &
+   subroutine beam_b33(x, triads, x0, triads0, stiffness, stress_free_strain, sigma, given_sigma, spin, &
          k, r, energy, section_forces, strain, b, length)
       !> Present positions of the nodes (3, 2) [m]
       real(c_double), intent(in) :: x(3, 2)
@@ -67,6 +71,8 @@ contains
       real(c_double), intent(in) :: triads0(3, 3, 2)
       !> EA, GA2, GA3 [N], GJ, EI2, EI3 [N m^2]
       real(c_double), intent(in) :: stiffness(6)
+      !> Axial strain of the stress-free state, as from temperature
+      real(c_double), intent(in) :: stress_free_strain
       !> Section forces (6) [N, N m] for the geometric part of the tangent
       real(c_double), intent(in) :: sigma(6)
       !> .true.: `sigma` counts; .false.: those of the present state do
@@ -90,6 +96,7 @@ contains
       real(c_double) :: strain0(6)
 
       call b33_reference(x0, triads0, length, strain0)
+      strain0(1) = strain0(1) + stress_free_strain
       if (given_sigma) then
          call b33(x, triads, length, strain0, stiffness, k, r, energy, section_forces, strain, b, sigma)
       else
@@ -97,6 +104,25 @@ contains
       end if
       if (spin) call hessian_to_spin(k, r, [4, 10])
    end subroutine beam_b33
+
+   subroutine forces_by_temperature(length, rigidity, drigidity, strain, dstress_free, b, dr)
+      !> Reference length [m]
+      real(c_double), intent(in) :: length
+      !> What multiplies the strains in the section forces (6)
+      real(c_double), intent(in) :: rigidity(6)
+      !> Its derivative by the temperature (6)
+      real(c_double), intent(in) :: drigidity(6)
+      !> Strains against the stress-free state (6)
+      real(c_double), intent(in) :: strain(6)
+      !> Derivative of the axial strain of the stress-free state by the temperature [1/K]
+      real(c_double), intent(in) :: dstress_free
+      !> Derivatives of the strains by displacements and spins (6, 12)
+      real(c_double), intent(in) :: b(6, 12)
+      !> Derivatives of the internal forces [N/K, N m/K] (12)
+      real(c_double), intent(out) :: dr(12)
+
+      dr = core_forces_by_temperature(length, rigidity, drigidity, strain, dstress_free, b)
+   end subroutine forces_by_temperature
 
    subroutine conductor(x, v, length, area, resistivity, current_length, k, r, k_me, current, heat)
       !> Present positions of the nodes (3, 2) [m]

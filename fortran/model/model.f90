@@ -21,6 +21,7 @@ module litz_model
    public :: solver_default, solver_block, solver_umfpack, solver_skyline
    public :: coupling_default, coupling_monolithic, coupling_updated
    public :: request_node, request_element, request_contact, request_electrode, request_energy
+   public :: shear_given, shear_round, shear_unreduced
    public :: dof_potential, dof_temperature, amplitude_factor
    public :: solved_by_static, solved_by_heat
 
@@ -30,6 +31,9 @@ module litz_model
    !> Abaqus's number of the electric potential among the degrees of freedom of a node (1-3 u, 4-6 rotation)
    integer, parameter :: dof_potential = fields(field_potential)%first_dof
    integer, parameter :: dof_temperature = fields(field_temperature)%first_dof
+
+   !> Shear stiffness: given, of a round wire, of the whole area
+   integer, parameter :: shear_given = 0, shear_round = 1, shear_unreduced = 2
 
    integer, parameter :: coupling_default = 0, coupling_monolithic = 1, coupling_updated = 2
 
@@ -52,6 +56,13 @@ module litz_model
       real(dp) :: young = 0, poisson = 0
       !> Electrical conductivity [S/m], the first one of a table; 0: no electric field in elements of this material
       real(dp) :: conductivity = 0
+      !> Over temperature, where there is more than one line: temperature [K], E [Pa] and nu (3, lines); the numbers
+      !> above are those of the first line
+      real(dp), allocatable :: elastic_table(:, :)
+      !> Temperature [K] and secant coefficient of expansion [1/K] (2, lines); not there: no expansion
+      real(dp), allocatable :: expansion_table(:, :)
+      !> Temperature to which these coefficients refer [K]
+      real(dp) :: expansion_zero = 0
       !> Temperatures [K], ascending, and resistivities [ohm m] (2, n)
       real(dp), allocatable :: resistivity(:, :)
       !> Temperatures [K], ascending, and heat conductivities [W/(m K)] (2, n); not there: no heat flows
@@ -68,8 +79,11 @@ module litz_model
       real(dp) :: contact_radius = 0
       !> Cross-section area [m^2]; second moments about the first and second section axis and torsion constant [m^4]
       real(dp) :: area = 0, i2 = 0, i3 = 0, j = 0
-      !> Shear stiffnesses along the first and second section axis [N] (used by B31)
+      !> Shear stiffnesses along the first and second section axis [N] (used by B31), with the elasticity of the first
+      !> line of *ELASTIC
       real(dp) :: ga2 = 0, ga3 = 0
+      !> How these follow from the elasticity: one of `shear_...`
+      integer :: shear = shear_given
       !> Approximate direction of the first section axis; 0 0 0: chosen by the program
       real(dp) :: n1(3) = 0
       !> Conduction along the current instead of the reference length

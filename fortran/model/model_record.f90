@@ -146,6 +146,8 @@ contains
             call record%value('torsion constant', this%j)
             call record%value('shear stiffness along the first axis', this%ga2)
             call record%value('shear stiffness along the second axis', this%ga3)
+            if (allocated(model%materials(this%material)%elastic_table)) call record%value( &
+               'how the shear stiffness follows from the elasticity', this%shear)
             call record%list('direction of the first axis', reshape(this%n1, [3, 1]))
             call record%value('CONDUCTION', trim(merge('CURRENT LENGTH  ', 'REFERENCE LENGTH', this%current_length)))
          end associate
@@ -165,6 +167,10 @@ contains
                call record%list('*CONDUCTIVITY', this%heat_conductivity)
                call record%value('*JOULE HEAT FRACTION', this%joule_fraction)
             end if
+            if (allocated(this%elastic_table)) call record%list('elasticity over temperature', this%elastic_table)
+            if (.not. allocated(this%expansion_table)) cycle
+            call record%list('expansion over temperature', this%expansion_table)
+            call record%value('ZERO of *EXPANSION', this%expansion_zero)
          end associate
       end do
    end subroutine record_sections

@@ -80,6 +80,10 @@ contains
          associate (this => model%materials(m))
             line = 'material '//this%name//': E = '//to_text(this%young)//' '//model%units%label('Pa')// &
                ', nu = '//to_text(this%poisson)
+            if (allocated(this%elastic_table)) line = line//' at '//to_text(this%elastic_table(1, 1))//' '// &
+               trim(model%units%temperature)//', over '//plural(size(this%elastic_table, 2), 'temperature')
+            if (allocated(this%expansion_table)) line = line//', alpha = '//to_text(this%expansion_table(2, 1))//' '// &
+               model%units%label('1/K')
             if (this%conductivity > 0) then
                line = line//', sigma = '//to_text(this%conductivity)//' '//model%units%label('S/m')// &
                   of_table(size(this%resistivity, 2), this%resistivity(1, 1))

@@ -77,6 +77,8 @@ module litz_state
       real(dp) :: friction = 0
       !> Taken by the damping of *CONTROLS, PARAMETERS=STABILIZE
       real(dp) :: stabilization = 0
+      !> Done by changes of temperature: the change of elastic energy where nothing moves
+      real(dp) :: thermal = 0
    end type energies_t
 
    type :: state_t

@@ -5,7 +5,7 @@ module litz_history
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf, ieee_quiet_nan
    use litz_kinds, only: dp
    use litz_errors, only: error_t, fail, exit_internal
-   use litz_fields, only: first_slot, field_potential
+   use litz_fields, only: first_slot, field_potential, field_temperature
    use litz_model, only: model_t, named_set_t, output_request_t, request_node, request_element, request_electrode, &
       request_energy
    use litz_quantities, only: on_points, on_cells
@@ -19,10 +19,10 @@ module litz_history
    !> What a column holds that is no quantity of litz_result_quantities
    integer, parameter :: electrode_voltage = -1, electrode_current = -2, electrode_resistance = -3, energy = -4
 
-   !> Abaqus's names of the energies: external work, in the beams, in the contacts, heat of friction, and what of these
-   !> does not balance
-   character(len=*), parameter :: energy_names(6) = [character(len=6) :: 'ALLWK', 'ALLSE', 'ALLCCE', 'ALLFD', 'ALLSD', &
-      'ETOTAL']
+   !> Abaqus's names of the energies: external work, in the beams, in the contacts, heat of friction, damping, and what
+   !> of these does not balance; and the work of temperatures, in models that have some
+   character(len=*), parameter :: energy_names(7) = [character(len=6) :: 'ALLWK', 'ALLSE', 'ALLCCE', 'ALLFD', 'ALLSD', &
+      'ETOTAL', 'ALLTW']
 
    type :: column_t
       character(len=:), allocatable :: name
@@ -103,7 +103,7 @@ contains
       case (request_electrode)
          call add_electrodes(self, model, request)
       case (request_energy)
-         do i = 1, size(energy_names)
+         do i = 1, size(energy_names) - merge(0, 1, model%has_field(field_temperature))
             call add_column(self, trim(energy_names(i))//' [J]', energy, i, .false., [integer ::])
          end do
       case (request_node, request_element)
@@ -320,14 +320,12 @@ contains
       type(energies_t), intent(in) :: energies
       !> Index into `energy_names`
       integer, intent(in) :: component
-      real(dp) :: values(5)
+      real(dp) :: values(7)
 
-      values = [energies%work, energies%strain, energies%contact, energies%friction, energies%stabilization]
-      if (component <= size(values)) then
-         value = values(component)
-      else
-         value = sum(values(2:)) - values(1)
-      end if
+      values(:5) = [energies%work, energies%strain, energies%contact, energies%friction, energies%stabilization]
+      values(6) = sum(values(2:5)) - values(1) - energies%thermal
+      values(7) = energies%thermal
+      value = values(component)
    end function energy_value
 
    !> Voltage of the positive against the negative electrode (means over their nodes), the current that enters the body

@@ -3,7 +3,7 @@ module litz_restart_content
    use litz_kinds, only: dp
    use litz_contact_points, only: contact_point_t
    use litz_errors, only: error_t, fail, exit_files
-   use litz_fields, only: n_slots, slots_of_fields
+   use litz_fields, only: n_slots, field_temperature, slots_of_fields
    use litz_problem, only: problem_t
    use litz_quantities, only: quantity_table_t
    use litz_restart_arrays, only: restart_arrays_t, reading
@@ -136,6 +136,7 @@ contains
          call arrays%array('times', reals, error)
          energies = [state%energies%work, state%energies%strain, state%energies%contact, state%energies%friction, &
             state%energies%stabilization]
+         if (state%has_field(field_temperature)) energies = [energies, state%energies%thermal]
          call arrays%array('energies', energies, error)
          call arrays%array('clearance', contact%clearance, error)
          if (allocated(error) .or. arrays%mode /= reading) return
@@ -149,6 +150,7 @@ contains
          control%wanted = reals(5)
          state%audit = reals(6:)
          state%energies = energies_t(energies(1), energies(2), energies(3), energies(4), energies(5))
+         if (state%has_field(field_temperature)) state%energies%thermal = energies(6)
          contact%converged_clearance = contact%clearance
       end associate
    end subroutine exchange_course

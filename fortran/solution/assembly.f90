@@ -1,7 +1,9 @@
 !> The system at the present iterate: cells, pattern, forces and tangent of all terms.
 module litz_assembly
+   use litz_element_library, only: heat_elements
    use litz_equations, only: build_system
    use litz_errors, only: error_t
+   use litz_fields, only: temperature_slots
    use litz_grounding, only: ground_floating_parts
    use litz_problem, only: problem_t
    use litz_timing, only: phase_assembly, phase_analyse
@@ -18,6 +20,8 @@ contains
       type(error_t), allocatable, intent(out) :: error
       integer :: i
 
+      if (size(problem%elements%heated) > 0) call heat_elements(problem%model, &
+         problem%iterate%value(temperature_slots(1), :), problem%elements)
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%locate(problem%domain_t, error)
          if (allocated(error)) return

@@ -182,12 +182,18 @@ contains
       outcome%reason = reason
    end subroutine give_up
 
-   !> The iterate takes over the converged state.
+   !> The iterate takes over the converged state, and what is given, as temperatures are, at the end of the increment.
    subroutine start_iterate(problem)
       type(problem_t), intent(inout) :: problem
       integer :: i
 
       call problem%iterate%start(problem%state, problem%model%x)
+      associate (loading => problem%loading, iterate => problem%iterate)
+         where (loading%given)
+            iterate%value = loading%value
+            iterate%change = loading%value - problem%state%value
+         end where
+      end associate
       problem%is_far = .true.
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%start(problem%domain_t)
@@ -195,7 +201,7 @@ contains
    end subroutine start_iterate
 
    !> What is prescribed of the increment is part of the first correction; groups that are updated after the others take
-   !> theirs at once, and so do values that are given and no unknowns.
+   !> theirs at once.
    subroutine prescribe(problem)
       type(problem_t), intent(inout) :: problem
       integer :: first_updated
@@ -206,12 +212,6 @@ contains
          first_updated = last_slot_of_group(problem%scheme%n_coupled) + 1
          call problem%iterate%move(problem%state, problem%model%x, prescribed(first_updated:, :), first_updated)
          prescribed(first_updated:, :) = 0
-      end associate
-      associate (loading => problem%loading, iterate => problem%iterate)
-         where (loading%given)
-            iterate%value = loading%value
-            iterate%change = loading%value - problem%state%value
-         end where
       end associate
    end subroutine prescribe
 

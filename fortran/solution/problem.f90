@@ -4,7 +4,7 @@ module litz_problem
    use litz_contact_points, only: contact_set_t
    use litz_domain, only: domain_t
    use litz_element_library, only: prepare_elements
-   use litz_fields, only: n_slots
+   use litz_fields, only: n_slots, temperature_slots
    use litz_kinds, only: dp
    use litz_loading, only: initial_values
    use litz_model, only: model_t
@@ -55,6 +55,7 @@ contains
       allocate (problem%contact)
       call prepare_contact(model, problem%wires, problem%elements, problem%contact)
       call start_state(problem)
+      call note_initial_temperatures(problem)
       problem%iterate%bodies = new_rigid_bodies(model)
       call list_terms(problem%domain_t, problem%contact, problem%terms)
    end subroutine prepare_problem
@@ -78,6 +79,18 @@ contains
          state%rotation = spread(identity3, 3, n)
       end associate
    end subroutine start_state
+
+   !> Thermal strain counts from these.
+   subroutine note_initial_temperatures(problem)
+      type(problem_t), intent(inout) :: problem
+      integer :: i
+
+      associate (elements => problem%elements, temperature => problem%state%value(temperature_slots(1), :))
+         do i = 1, size(elements%heated)
+            elements%initial_temperature(:, i) = temperature(problem%model%connectivity(:, elements%heated(i)))
+         end do
+      end associate
+   end subroutine note_initial_temperatures
 
    subroutine release(problem)
       type(problem_t), intent(inout) :: problem

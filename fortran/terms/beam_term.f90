@@ -5,9 +5,9 @@
 module litz_beam_term
    use litz_kinds, only: dp
    use litz_domain, only: domain_t
-   use litz_element_library, only: evaluate_beam
+   use litz_element_library, only: heated_beam_t, beam_at_temperature, evaluate_beam
    use litz_errors, only: error_t
-   use litz_fields, only: first_slot, last_slot, field_rotation, motion_slots
+   use litz_fields, only: first_slot, last_slot, field_rotation, motion_slots, temperature_slots
    use litz_model, only: step_t
    use litz_parallel, only: worth_threads
    use litz_scatter, only: chunk
@@ -60,11 +60,14 @@ contains
       end do
    end subroutine request_slots
 
+   !> The forces of the last increment: those of its strains, which at new temperatures are those of a wire that cannot
+   !> move.
    subroutine start(self, domain)
       class(beam_term_t), intent(inout) :: self
       type(domain_t), intent(inout) :: domain
 
-      self%sigma_from_strain = .true.
+      self%sigma_from_strain = size(domain%elements%heated) == 0
+      if (.not. self%sigma_from_strain) self%sigma = domain%state%section_forces
    end subroutine start
 
    subroutine evaluate(self, domain, error)
@@ -185,7 +188,53 @@ contains
       type(energies_t), intent(inout) :: energies
 
       energies%strain = energies%strain + self%strain_energy
+      energies%thermal = energies%thermal + thermal_work(self, domain)
    end subroutine add_energies
+
+   !> What the change of temperature has done in the increment: the change of the elastic energy where nothing moves,
+   !> mean of that at its start and that at its end. Source: theory section 14.
+   pure real(dp) function thermal_work(self, domain) result(work)
+      class(beam_term_t), intent(in) :: self
+      type(domain_t), intent(in) :: domain
+      type(heated_beam_t) :: before
+      real(dp) :: strain(6)
+      integer :: i
+
+      work = 0
+      associate (elements => domain%elements, temperature => domain%state%value(temperature_slots(1), :))
+         do i = 1, size(elements%heated)
+            associate (e => elements%heated(i), length => elements%length(elements%heated(i)))
+               before = beam_at_temperature(domain%model, elements, i, &
+                  sum(temperature(domain%model%connectivity(:, e)))/2)
+               strain = domain%state%section_forces(:, e)/before%rigidity
+               work = work - energy_of(length, before%rigidity, strain) &
+                  + energy_of(length, elements%rigidity(:, e), axially_less(strain, elements%thermal_strain(e) &
+                  - before%thermal_strain))
+               strain = self%strain(:, e)
+               work = work + energy_of(length, elements%rigidity(:, e), strain) &
+                  - energy_of(length, before%rigidity, axially_less(strain, before%thermal_strain &
+                  - elements%thermal_strain(e)))
+            end associate
+         end do
+      end associate
+      work = work/2
+   end function thermal_work
+
+   pure real(dp) function energy_of(length, rigidity, strain)
+      !> Reference length [m], rigidities and strains (6)
+      real(dp), intent(in) :: length, rigidity(6), strain(6)
+
+      energy_of = length/2*dot_product(rigidity*strain, strain)
+   end function energy_of
+
+   pure function axially_less(strain, thermal_strain) result(less)
+      !> Strains (6), and what is taken from the axial one
+      real(dp), intent(in) :: strain(6), thermal_strain
+      real(dp) :: less(6)
+
+      less = strain
+      less(1) = strain(1) - thermal_strain
+   end function axially_less
 
    subroutine accept(self, domain)
       class(beam_term_t), intent(inout) :: self

@@ -4,13 +4,16 @@ module litz_element_library
    use litz_beam_b31, only: beam_b31, beam_b31_reference, beam_b31_rigidities
    use litz_beam_b33, only: beam_b33, beam_b33_reference, beam_b33_rigidities
    use litz_element_types, only: element_types, element_b31, element_b33
+   use litz_material_properties, only: has_thermal_mechanics, elasticity_at, thermal_strain
    use litz_model, only: model_t
+   use litz_section_stiffness, only: section_stiffness
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: elements_t, prepare_elements, evaluate_beam
+   public :: elements_t, heated_beam_t, prepare_elements, heat_elements, beam_at_temperature, end_swelling, &
+      evaluate_beam
 
-   !> What stays the same for each element during a run.
+   !> What stays the same for each element during a run, but for what depends on its temperature.
    type :: elements_t
       !> Reference lengths (n_elements) [m]
       real(dp), allocatable :: length(:)
@@ -20,13 +23,28 @@ module litz_element_library
       real(dp), allocatable :: stiffness(:, :)
       !> Section forces per strain of the element's own strain measures (6, n_elements)
       real(dp), allocatable :: rigidity(:, :)
+      !> Elements whose mechanics depends on the temperature (n), and the temperatures of the nodes of each before the
+      !> first step (2, n) [K]
+      integer, allocatable :: heated(:)
+      real(dp), allocatable :: initial_temperature(:, :)
+      !> Axial strain of the stress-free state from temperature (n_elements)
+      real(dp), allocatable :: thermal_strain(:)
       !> Resistivity (n_elements) [ohm m]; 0 where there is no electric field
       real(dp), allocatable :: resistivity(:)
-      !> Area and contact radius (n_elements) [m^2, m]
+      !> Area, and contact radius at mid length (n_elements) [m^2, m]
       real(dp), allocatable :: area(:), radius(:)
+      !> How much larger the contact radius is at the second node than at mid length, linear in between (n_elements) [m]
+      real(dp), allocatable :: taper(:)
       !> The centre line may be turned against the normals of the sections (n_elements)
       logical, allocatable :: shear_flexible(:)
    end type elements_t
+
+   !> What depends on the temperature in the mechanics of an element.
+   type :: heated_beam_t
+      !> As in `elements_t` (6)
+      real(dp) :: stiffness(6) = 0, rigidity(6) = 0
+      real(dp) :: thermal_strain = 0
+   end type heated_beam_t
 
    !> The procedures of a kernel.
    type :: beam_t
@@ -101,12 +119,11 @@ contains
       n = model%n_elements
       allocate (elements%length(n), elements%strain0(6, n), elements%stiffness(6, n), elements%rigidity(6, n), &
          elements%resistivity(n), elements%area(n), elements%radius(n), elements%shear_flexible(n))
+      allocate (elements%thermal_strain(n), elements%taper(n), source=0.0_dp)
       do e = 1, n
          associate (section => model%sections(model%element_section(e)), x0 => model%x(:, model%connectivity(:, e)))
             associate (material => model%materials(section%material))
-               elements%stiffness(:, e) = [material%young*section%area, section%ga2, section%ga3, &
-                  material%young/(2*(1 + material%poisson))*section%j, material%young*section%i2, &
-                  material%young*section%i3]
+               elements%stiffness(:, e) = section_stiffness(section, material%young, material%poisson)
                elements%resistivity(e) = 0
                if (material%conductivity > 0) elements%resistivity(e) = 1/material%conductivity
             end associate
@@ -118,7 +135,78 @@ contains
             elements%rigidity(:, e) = beam%rigidities(elements%stiffness(:, e), elements%length(e))
          end associate
       end do
+      elements%heated = pack([(e, e=1, n)], [(has_thermal_mechanics(model%materials(model%sections( &
+         model%element_section(e))%material)), e=1, n)])
+      allocate (elements%initial_temperature(2, size(elements%heated)))
    end subroutine prepare_elements
+
+   !> Properties at the present temperatures.
+   subroutine heat_elements(model, temperature, elements)
+      type(model_t), intent(in) :: model
+      !> (n_nodes) [K]
+      real(dp), intent(in) :: temperature(:)
+      type(elements_t), intent(inout) :: elements
+      type(heated_beam_t) :: beam
+      real(dp) :: mean, swelling(2)
+      integer :: i
+
+      do i = 1, size(elements%heated)
+         associate (e => elements%heated(i))
+            mean = sum(temperature(model%connectivity(:, e)))/2
+            beam = beam_at_temperature(model, elements, i, mean)
+            elements%stiffness(:, e) = beam%stiffness
+            elements%rigidity(:, e) = beam%rigidity
+            elements%thermal_strain(e) = beam%thermal_strain
+            associate (section => model%sections(model%element_section(e)))
+               swelling = end_swelling(model, elements, i, temperature)
+               elements%radius(e) = section%contact_radius + sum(swelling)/2
+               elements%taper(e) = (swelling(2) - swelling(1))/2
+            end associate
+         end associate
+      end do
+   end subroutine heat_elements
+
+   !> What temperature adds to the contact radius at both nodes [m].
+   pure function end_swelling(model, elements, i, temperature) result(swelling)
+      type(model_t), intent(in) :: model
+      type(elements_t), intent(in) :: elements
+      !> Place among `elements%heated`
+      integer, intent(in) :: i
+      !> (n_nodes) [K]
+      real(dp), intent(in) :: temperature(:)
+      real(dp) :: swelling(2)
+      integer :: k
+
+      associate (e => elements%heated(i))
+         associate (section => model%sections(model%element_section(e)), nodes => model%connectivity(:, e))
+            swelling = [(section%contact_radius*thermal_strain(model%materials(section%material), &
+               temperature(nodes(k)), elements%initial_temperature(k, i)), k=1, 2)]
+         end associate
+      end associate
+   end function end_swelling
+
+   !> The mechanics of an element at a temperature.
+   pure type(heated_beam_t) function beam_at_temperature(model, elements, i, temperature) result(heated)
+      type(model_t), intent(in) :: model
+      type(elements_t), intent(in) :: elements
+      !> Place among `elements%heated`
+      integer, intent(in) :: i
+      !> Mean of its nodes [K]
+      real(dp), intent(in) :: temperature
+      type(beam_t) :: beam
+      real(dp) :: elasticity(2)
+
+      associate (e => elements%heated(i))
+         associate (section => model%sections(model%element_section(e)))
+            elasticity = elasticity_at(model%materials(section%material), temperature)
+            heated%stiffness = section_stiffness(section, elasticity(1), elasticity(2))
+            heated%thermal_strain = thermal_strain(model%materials(section%material), temperature, &
+               sum(elements%initial_temperature(:, i))/2)
+         end associate
+         beam = beam_of(model%element_type(e))
+         heated%rigidity = beam%rigidities(heated%stiffness, elements%length(e))
+      end associate
+   end function beam_at_temperature
 
    !> Tangent (Hessian form) and residual of one beam; arguments as in the kernels.
    pure subroutine evaluate_beam(element_type, elements, e, x, triads, sigma, k, r, energy, section_forces, strain, b)
@@ -136,9 +224,12 @@ contains
       !> Section forces (6) [N, N m], strains (6) [1, 1/m], and their derivatives by the displacements (6, 12)
       real(dp), intent(out) :: section_forces(6), strain(6), b(6, 12)
       type(beam_t) :: beam
+      real(dp) :: strain0(6)
 
       beam = beam_of(element_type)
-      associate (length => elements%length(e), strain0 => elements%strain0(:, e), stiffness => elements%stiffness(:, e))
+      strain0 = elements%strain0(:, e)
+      strain0(1) = strain0(1) + elements%thermal_strain(e)
+      associate (length => elements%length(e), stiffness => elements%stiffness(:, e))
          call beam%evaluate(x, triads, length, strain0, stiffness, k, r, energy, section_forces, strain, b, sigma)
       end associate
    end subroutine evaluate_beam

@@ -179,7 +179,7 @@ class PlainReader:
             if keyword == "MATERIAL":
                 found.append([capitals(parameters["NAME"]), 0.0, 0.0, 0.0, 1.0, [], []])
             elif keyword == "ELASTIC":
-                found[-1][1:3] = map(number, values(data[0]))
+                found[-1][1:3] = map(number, values(data[0])[:2])
             elif keyword == "ELECTRICALCONDUCTIVITY":
                 table = self.read_property(data)
                 found[-1][3] = table[len(table) // 2]

@@ -381,9 +381,9 @@ KEYWORDS = [
     case(
         "data of Abaqus",
         "1.2e11, 0.35",
-        "1.2e11, 0.35, 293.",
-        "too many values: *ELASTIC takes 2 on this line: E, nu; material data do not depend on temperature",
-        "293.",
+        "1.2e11, 0.35, 293., 7.",
+        "too many values: *ELASTIC takes 3 on this line: E, nu, T; material data depend on temperature alone",
+        "7.",
     ),
     case(
         "comma missing behind a keyword",
@@ -574,10 +574,18 @@ KEYWORDS = [
     case("data lines missing", "PLUS\n1, 2\n", "PLUS\n1, 2\n*NSET, NSET=MORE\n", "*NSET needs at least 1", "NSET"),
     case(
         "too many data lines",
-        "1.2e11, 0.35\n",
-        "1.2e11, 0.35\n6e10, 0.3\n",
-        "more data lines than *ELASTIC takes, which is 1",
-        "6e10, 0.3",
+        "0.5, 1., 1e-4, 0.5\n",
+        "0.5, 1., 1e-4, 0.5\n6e7\n",
+        "more data lines than *STATIC takes, which is 1",
+        "6e7",
+    ),
+    case(
+        "data over temperature without temperatures",
+        "5.8e7\n",
+        "5.8e7\n6e7\n",
+        "a temperature is missing: every line of a table has one",
+        "",
+        at="5.8e7",
     ),
     case(
         "too few values",
@@ -956,7 +964,7 @@ def keyword_table(litz):
         yield name, place, after, [(parameter, form.replace("\\|", "|")) for parameter, form in parameters]
 
 
-MAY_BE_NEGATIVE = {"ABSOLUTE ZERO"}
+MAY_BE_NEGATIVE = {"ABSOLUTE ZERO", "ZERO"}
 
 
 def wrong_parameters(parameters):

@@ -24,7 +24,11 @@ LAWS = {
 }  # fmt: skip
 
 COPPER = "*MATERIAL, NAME=COPPER\n*ELASTIC, TYPE=ISOTROPIC\n 120e9, 0.34\n*ELECTRICAL CONDUCTIVITY\n 5.88e7\n"
-BRASS = "*MATERIAL, NAME=BRASS\n*ELASTIC\n 100e9, 0.33\n*ELECTRICAL CONDUCTIVITY\n 1.5e7\n"
+BRASS = (
+    "*MATERIAL, NAME=BRASS\n*ELASTIC\n 100e9, 0.33, 20\n 90e9, 0.33, 120\n"
+    "*EXPANSION, TYPE=ISO, ZERO=5\n 19e-6, 20\n 21e-6, 120\n"
+    "*ELECTRICAL CONDUCTIVITY\n 1.5e7, 20\n 1e7, 120\n"
+)
 
 STEP = """\
 *STEP, NAME=ONE, INC=50
@@ -140,6 +144,7 @@ FREE_VALUES = {
     ("STATIC", "DIRECT"): "size of the increments", ("STATIC", "first"): "size of the increments",
     ("STATIC", "smallest"): "size of the increments", ("STATIC", "largest"): "size of the increments",
     ("ELASTIC", "TYPE"): "one choice", ("INITIAL CONDITIONS", "TYPE"): "one choice",
+    ("EXPANSION", "TYPE"): "one choice",
     ("BEAM SECTION", "I12"): "must be 0", ("CECURRENT", "dof"): "9 or empty",
     ("RIGID SURFACE", "TYPE"): "tested with rigid surfaces",
     # names: the things that they name are the same

@@ -546,3 +546,63 @@ class TestRefusals:
 
     def test_wrong_shape_of_section_forces(self, element):
         self.refused(element, r"sigma must have shape \(6,\), not \(3,\)", sigma=np.ones(3))
+
+
+@elements
+@some_configurations
+def test_a_stress_free_strain_is_taken_from_the_axial_strain_alone(element, seed):
+    beam = Configuration(element, seed)
+    strain, _, length = beam.strains()
+    rigidities = beam.rigidities()
+    thermal = 0.03
+    heated = beam(stress_free_strain=thermal)
+    np.testing.assert_allclose(
+        heated.section_forces, rigidities * (strain - thermal * np.eye(6)[0]), rtol=1e-13, atol=1e-14
+    )
+    assert heated.energy == pytest.approx(length / 2 * (heated.section_forces**2 / rigidities).sum(), rel=1e-13)
+    cold = beam()
+    np.testing.assert_array_equal(beam(stress_free_strain=0.0).K, cold.K)
+    # what bends, turns and shears is the same
+    np.testing.assert_array_equal(heated.section_forces[1:], cold.section_forces[1:])
+
+
+@elements
+@some_configurations
+def test_the_tangent_at_a_stress_free_strain_is_the_derivative_of_the_forces(element, seed):
+    beam = Configuration(element, seed)
+    numerical = derivative(lambda q: beam(q, stress_free_strain=0.02).R, np.zeros(12), STEP)
+    tangent = beam(stress_free_strain=0.02).K
+    for i in BLOCKS:
+        for j in BLOCKS:
+            assert np.abs(tangent[i, j] - numerical[i, j]).max() < 1e-8 * max(np.abs(tangent).max(), 1e-3)
+
+
+@elements
+@some_configurations
+def test_forces_by_temperature_are_the_derivative_of_the_forces(element, seed):
+    """All stiffnesses and the stress-free strain change with the temperature; the differences are exact for cubics."""
+    beam = Configuration(element, seed)
+    strains, rigidities, rate = beam.strains(), beam.rigidities(), -0.3
+    thermal, expansion = 0.01, 0.4
+
+    def forces(temperature):
+        hot = Configuration(element, seed)
+        hot.stiffness = {name: value * (1 + rate * temperature) for name, value in beam.stiffness.items()}
+        return hot(stress_free_strain=thermal + expansion * temperature).R
+
+    step = 1e-3
+    numerical = (8 * (forces(step) - forces(-step)) - (forces(2 * step) - forces(-2 * step))) / (12 * step)
+    found = kernels.beam_forces_by_temperature(
+        strains,
+        rigidity=rigidities,
+        drigidity=rate * rigidities,
+        stress_free_strain=thermal,
+        dstress_free_strain=expansion,
+    )
+    np.testing.assert_allclose(found, numerical, rtol=0, atol=1e-9 * max(np.abs(numerical).max(), 1))
+
+
+def test_a_stress_free_strain_must_be_a_number():
+    beam = Configuration("b31", 1)
+    with pytest.raises(ValueError, match="stress_free_strain"):
+        beam(stress_free_strain=np.nan)

@@ -42,11 +42,17 @@ program test_tangents
       //nl//'12, 5, 0.01'//nl//'12, 1, -0.2'//nl
    !> Differences are right to this part of the largest force that changes
    real(dp), parameter :: exact = 2.0e-7_dp
+   !> Temperatures of all nodes of the wires, unlike each other
+   character(len=*), parameter :: heat = '*TEMPERATURE'//nl//'1, 10'//nl//'2, 90'//nl//'3, 20'//nl//'4, 40'//nl// &
+      '11, 5'//nl//'12, 60'//nl//'13, 10'//nl//'14, 80'//nl
+   !> Card of the material that expands
+   character(len=:), allocatable :: expansion
    integer :: failures = 0, term
    !> Which terms of the list have added something in some deck
    logical, allocatable :: has_added(:)
 
    call start_random_numbers()
+   expansion = ''
    call check_terms('B33 and B31', 'B33', 'B31', penalty, '', '', exact)
    call check_terms('conductors and spots of a penalty', 'B33', 'B33', penalty//spot, '', '', exact)
    call check_terms('paper spot', 'B33', 'B31', penalty//'*GAP ELECTRICAL CONDUCTANCE, LAW=PAPER'//nl, '', '', exact)
@@ -85,6 +91,14 @@ program test_tangents
    call check_terms('drum with friction that slips', 'B33', 'B33', surfaces('CYLINDER', &
       '0, 0, -6.12e-3, 0.9, 0.5, 0.05, 5e-3', '1e-3'), '', '', exact)
    call check_terms('damping', 'B33', 'B33', penalty, '', '*CONTROLS, PARAMETERS=STABILIZE'//nl//'1e-3'//nl, exact)
+   ! radii that change along the elements: what their change makes of the curvature of the gap is left out, of the order
+   ! of the swelling over the length of an element
+   expansion = '*EXPANSION'//nl//'17e-6'//nl
+   call check_terms('heated wires', 'B33', 'B31', penalty//spot, '', heat, exact)
+   call check_terms('heated wires, Hertz', 'B33', 'B33', hertz//spot, '', heat, exact)
+   call check_terms('heated wires on a plane', 'B33', 'B31', surfaces('PLANE', '0, 0, -1.02e-3, 2e-4, -0.005, 1'), '', &
+      heat, exact)
+   expansion = ''
    call check_heat('heat', '5e7'//nl, '390'//nl)
    call check_heat('heat over temperature', '9e7, 100'//nl//'2e7, 900'//nl, '430, 100'//nl//'350, 900'//nl)
    call check_lines('line of a penalty', penalty_of_line//clean, 0.0_dp, 3.0e-5_dp, 0.02_dp)
@@ -236,7 +250,8 @@ contains
 
       cards = '*ELEMENT, TYPE='//type_1//', ELSET=A'//nl//'1, 1, 2'//nl//'2, 2, 3'//nl//'3, 3, 4'//nl// &
          '*ELEMENT, TYPE='//type_2//', ELSET=B'//nl//'11, 11, 12'//nl//'12, 12, 13'//nl//'13, 13, 14'//nl// &
-         '*MATERIAL, NAME=M'//nl//'*ELASTIC'//nl//'1.1e11, 0.3'//nl//'*ELECTRICAL CONDUCTIVITY'//nl//'5e7'//nl// &
+         '*MATERIAL, NAME=M'//nl//'*ELASTIC'//nl//'1.1e11, 0.3'//nl//expansion// &
+         '*ELECTRICAL CONDUCTIVITY'//nl//'5e7'//nl// &
          '*BEAM SECTION, ELSET=A, MATERIAL=M, SECTION=CIRC'//nl//'1e-3'//nl// &
          '*BEAM SECTION, ELSET=B, MATERIAL=M, SECTION=CIRC'//nl//'0.8e-3'//nl// &
          '*SURFACE INTERACTION, NAME=T'//options//nl//laws//'*CONTACT PAIR, INTERACTION=T'//nl//names//nl

@@ -9,7 +9,7 @@ The contact of two wires: `contact_em` (the 28 x 28 element), `contact_coupling`
 paper), `closest_points`, `contact_spot` (force to conductance), `contact_search` (which elements are near each other).
 Wires that touch along a line: `line_law` (force to approach and conductance, per length), `line_point` (one point of it).
 Surfaces of solids in the plane that touch, with laws per area: `node_to_segment_em`, `segment_to_segment_em`.
-The wires: `beam_b31`, `beam_b33` and their strains, `conductor`, `potential_rise`.
+The wires: `beam_b31`, `beam_b33`, their strains and `beam_forces_by_temperature`, `conductor`, `potential_rise`.
 Heat: `conductor_heat` (current and heat along a wire, with a film), `wire_radiation`, `heat_capacity`, `spot_heat` (heat and
 hottest place of a contact spot), `hot_conductance`.
 """
@@ -23,6 +23,7 @@ from .beams import (
     beam_b31_strains,
     beam_b33,
     beam_b33_strains,
+    beam_forces_by_temperature,
     conductor,
     potential_rise,
 )
@@ -65,6 +66,7 @@ __all__ = [
     "beam_b31_strains",
     "beam_b33",
     "beam_b33_strains",
+    "beam_forces_by_temperature",
     "closest_points",
     "conductor",
     "conductor_heat",

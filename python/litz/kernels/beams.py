@@ -67,6 +67,7 @@ def beam_b31(
     ei3: float,
     form: Form = "spin",
     sigma: ArrayLike | None = None,
+    stress_free_strain: float = 0.0,
 ) -> Beam:
     """Geometrically exact, shear-flexible beam with one integration point.
 
@@ -90,6 +91,8 @@ def beam_b31(
         increment (symmetric).
     sigma : array_like, shape (6,), optional
         Section forces for the geometric part of `K` only, in place of those of the strains [N, N m].
+    stress_free_strain : float
+        Axial strain of the stress-free state, as from temperature: alpha times the rise.
 
     Returns
     -------
@@ -108,7 +111,7 @@ def beam_b31(
     (1999) 1125-1147. The formulas are in ``fortran/kernels/beam_kinematics.f90`` and ``beam_b31.f90``.
     """
     stiffness = _stiffness(ea=ea, ga2=ga2, ga3=ga3, gj=gj, ei2=ei2, ei3=ei3)
-    return _beam(_core.f2py_beams.beam_b31, x, triads, x0, triads0, stiffness, form, sigma)
+    return _beam(_core.f2py_beams.beam_b31, x, triads, x0, triads0, stiffness, form, sigma, stress_free_strain)
 
 
 def beam_b33(
@@ -123,6 +126,7 @@ def beam_b33(
     ei3: float,
     form: Form = "spin",
     sigma: ArrayLike | None = None,
+    stress_free_strain: float = 0.0,
 ) -> Beam:
     """Euler-Bernoulli beam: cubic bending in a corotational frame, large rotations with small strains.
 
@@ -145,6 +149,8 @@ def beam_b33(
         increment (symmetric).
     sigma : array_like, shape (6,), optional
         Section forces for the geometric part of `K` only, in place of those of the strains [N, N m].
+    stress_free_strain : float
+        Axial strain of the stress-free state, as from temperature: alpha times the rise.
 
     Returns
     -------
@@ -165,7 +171,7 @@ def beam_b33(
     """
     # the shear stiffnesses are not used
     stiffness = _stiffness(ea=ea, ga2=1.0, ga3=1.0, gj=gj, ei2=ei2, ei3=ei3)
-    return _beam(_core.f2py_beams.beam_b33, x, triads, x0, triads0, stiffness, form, sigma)
+    return _beam(_core.f2py_beams.beam_b33, x, triads, x0, triads0, stiffness, form, sigma, stress_free_strain)
 
 
 def beam_b31_strains(x: ArrayLike, triads: ArrayLike, x0: ArrayLike, triads0: ArrayLike) -> BeamStrains:
@@ -183,6 +189,47 @@ def beam_b33_strains(x: ArrayLike, triads: ArrayLike, x0: ArrayLike, triads0: Ar
     EI2, EI3.
     """
     return _strains(_core.f2py_beams.beam_b33, x, triads, x0, triads0)
+
+
+def beam_forces_by_temperature(
+    strains: BeamStrains,
+    *,
+    rigidity: ArrayLike,
+    drigidity: ArrayLike,
+    stress_free_strain: float,
+    dstress_free_strain: float,
+) -> NDArray[np.float64]:
+    """Derivative of the internal forces of a beam by its temperature, where nothing moves.
+
+    Parameters
+    ----------
+    strains : BeamStrains
+        Of `beam_b31_strains` or `beam_b33_strains`.
+    rigidity, drigidity : array_like, shape (6,)
+        What multiplies the strains in the section forces [N, N m^2], and its derivative by the temperature.
+    stress_free_strain, dstress_free_strain : float
+        Axial strain of the stress-free state, and its derivative by the temperature [1/K].
+
+    Returns
+    -------
+    ndarray, shape (12,)
+        ``L0 B^T (C' e - C e_T')`` [N/K, N m/K] with the strains `e` against the stress-free state.
+
+    Raises
+    ------
+    ValueError
+        Wrong shape, a number that is not finite.
+    """
+    strain = checks.array("strain", strains.strain, (6,)).copy()
+    strain[0] -= checks.number("stress_free_strain", stress_free_strain)
+    return _core.f2py_beams.forces_by_temperature(
+        checks.positive("length", strains.length),
+        checks.array("rigidity", rigidity, (6,)),
+        checks.array("drigidity", drigidity, (6,)),
+        strain,
+        checks.number("dstress_free_strain", dstress_free_strain),
+        checks.array("B", strains.B, (6, 12)),
+    )
 
 
 def conductor(
@@ -281,20 +328,22 @@ def _beam(
     stiffness: NDArray[np.float64],
     form: Form,
     sigma: ArrayLike | None,
+    stress_free_strain: float,
 ) -> Beam:
     if form not in ("spin", "hessian"):
         raise ValueError(f"form must be 'spin' or 'hessian', not {form!r}")
     given = sigma is not None
     forces = np.zeros(6) if sigma is None else checks.array("sigma", sigma, (6,))
     geometry = _geometry(x, triads, x0, triads0)
-    return Beam(*kernel(*geometry, stiffness, forces, given, form == "spin")[:4])
+    thermal = checks.number("stress_free_strain", stress_free_strain)
+    return Beam(*kernel(*geometry, stiffness, thermal, forces, given, form == "spin")[:4])
 
 
 def _strains(
     kernel: Callable[..., Any], x: ArrayLike, triads: ArrayLike, x0: ArrayLike, triads0: ArrayLike
 ) -> BeamStrains:
     geometry = _geometry(x, triads, x0, triads0)
-    return BeamStrains(*kernel(*geometry, np.ones(6), np.zeros(6), False, False)[4:])
+    return BeamStrains(*kernel(*geometry, np.ones(6), 0.0, np.zeros(6), False, False)[4:])
 
 
 def _geometry(

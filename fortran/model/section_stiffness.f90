@@ -1,0 +1,36 @@
+!> Stiffnesses of cross-sections from the elasticity of their material.
+module litz_section_stiffness
+   use litz_kinds, only: dp
+   use litz_model, only: section_t, shear_given, shear_round
+   implicit none
+   private
+   public :: section_stiffness, shear_stiffness
+
+contains
+
+   !> EA, GA2, GA3, GJ, EI2, EI3 (6) [N, N m^2].
+   pure function section_stiffness(section, young, poisson) result(stiffness)
+      type(section_t), intent(in) :: section
+      !> Young's modulus [Pa] and Poisson's ratio
+      real(dp), intent(in) :: young, poisson
+      real(dp) :: stiffness(6)
+
+      stiffness = [young*section%area, section%ga2, section%ga3, young/(2*(1 + poisson))*section%j, &
+         young*section%i2, young*section%i3]
+      if (section%shear /= shear_given) stiffness(2:3) = shear_stiffness(section, young, poisson)
+   end function section_stiffness
+
+   !> Of sections whose shear stiffness is not given [N]. Source of the factor of round wires: Cowper, J. Appl. Mech. 33
+   !> (1966) 335-340.
+   pure real(dp) function shear_stiffness(section, young, poisson) result(stiffness)
+      type(section_t), intent(in) :: section
+      !> Young's modulus [Pa] and Poisson's ratio
+      real(dp), intent(in) :: young, poisson
+      real(dp) :: shear_factor
+
+      shear_factor = 1
+      if (section%shear == shear_round) shear_factor = 6*(1 + poisson)/(7 + 6*poisson)
+      stiffness = shear_factor*young/(2*(1 + poisson))*section%area
+   end function shear_stiffness
+
+end module litz_section_stiffness
