@@ -12,6 +12,8 @@ module litz_line_places
 
    !> Longest part of an element, in radii; the fewest and the most parts of an element
    real(dp), parameter :: longest_part = 0.4_dp
+   !> A multiple of that stays one whatever round-off a rotation of the model leaves
+   real(dp), parameter :: round_off = 1.0e-9_dp
    integer, parameter :: fewest_parts = 2, most_parts = 1000
 
    type :: line_places_t
@@ -37,8 +39,8 @@ contains
 
       n = size(length)
       allocate (places%n_parts(n), source=fewest_parts)
-      if (thinnest > 0) places%n_parts = max(fewest_parts, ceiling(min(length/(longest_part*thinnest), &
-         real(most_parts, dp))))
+      if (thinnest > 0) places%n_parts = max(fewest_parts, ceiling(min((1 - round_off)*length &
+         /(longest_part*thinnest), real(most_parts, dp))))
       allocate (places%first(n), places%last(n))
       allocate (places%at_end(2, n), source=0)
       next = sum(places%n_parts) + n

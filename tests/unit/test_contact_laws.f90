@@ -162,6 +162,7 @@ contains
       model%materials(1)%young = 120.0e9_dp
       model%materials(1)%poisson = 0.34_dp
       model%sections(1)%material = 1
+      model%sections(1)%contact_radius = 1.0e-3_dp
       model%element_section = [1, 1]
       model%element_id = [11, 12]
       model%interactions(1)%normal = normal_law('HERTZ')
