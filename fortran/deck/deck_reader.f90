@@ -41,7 +41,7 @@ contains
          call check_unread_lines(self)
          if (self%errors%count == 0) call report_findings(self, model, warnings)
          call warn_about_spare_nodes(self, model, warnings)
-         call warn_about_idle_temperatures(self, model, warnings)
+         call warn_about_temperatures(self, model, warnings)
       end if
       errors = self%errors
       call errors%sort()
@@ -201,23 +201,26 @@ contains
       end do
    end subroutine report_findings
 
-   !> Temperatures of materials that do not depend on them are results and nothing else.
-   subroutine warn_about_idle_temperatures(self, model, warnings)
+   !> Temperatures of materials that do not depend on them are results and nothing else; contacts do not depend on those
+   !> at which tables give the stiffness and the conductivity of wires.
+   subroutine warn_about_temperatures(self, model, warnings)
       type(reader_t), intent(in) :: self
       type(model_t), intent(in) :: model
       type(error_list_t), intent(inout) :: warnings
-      type(error_t) :: error
       integer :: card, i
 
       if (self%errors%count > 0) return
-      if (any([(depends_on_temperature(model%materials(i)), i=1, size(model%materials))])) return
       do card = 1, self%deck%n_cards
          if (.not. any(keyword_of(self, card) == [character(len=18) :: 'TEMPERATURE', 'INITIAL CONDITIONS'])) cycle
-         error = self%deck%error_at(self%deck%cards(card)%name, 'temperatures have no effect: no material of the'// &
-            ' model depends on temperature')
-         error%is_warning = .true.
-         error%kind = 'idle_temperatures'
-         call warnings%add(error)
+         if (.not. any([(depends_on_temperature(model%materials(i)), i=1, size(model%materials))])) then
+            call warn(card, 'idle_temperatures', 'temperatures have no effect: no material of the model depends on'// &
+               ' temperature')
+         end if
+         if (size(model%contact_pairs) + size(model%surface_pairs) > 0 .and. &
+            any([(has_table_of_contacts(model%materials(i)), i=1, size(model%materials))])) then
+            call warn(card, 'contact_temperature', 'the laws of contacts take the first lines of *ELASTIC and'// &
+               ' *ELECTRICAL CONDUCTIVITY, whatever the temperature')
+         end if
          return
       end do
 
@@ -226,12 +229,33 @@ contains
       pure logical function depends_on_temperature(material)
          type(material_t), intent(in) :: material
 
-         depends_on_temperature = has_thermal_mechanics(material) .or. allocated(material%heat_conductivity)
-         if (allocated(material%resistivity)) depends_on_temperature = depends_on_temperature .or. &
-            size(material%resistivity, 2) > 1
+         depends_on_temperature = has_thermal_mechanics(material) .or. allocated(material%heat_conductivity) .or. &
+            has_table_of_contacts(material)
       end function depends_on_temperature
 
-   end subroutine warn_about_idle_temperatures
+      !> Contacts would depend on it.
+      pure logical function has_table_of_contacts(material)
+         type(material_t), intent(in) :: material
+
+         has_table_of_contacts = allocated(material%elastic_table)
+         if (allocated(material%resistivity)) has_table_of_contacts = has_table_of_contacts .or. &
+            size(material%resistivity, 2) > 1
+      end function has_table_of_contacts
+
+      subroutine warn(card, kind, words)
+         !> Index of the card
+         integer, intent(in) :: card
+         !> Of the warning, and what it says
+         character(len=*), intent(in) :: kind, words
+         type(error_t) :: error
+
+         error = self%deck%error_at(self%deck%cards(card)%name, words)
+         error%is_warning = .true.
+         error%kind = kind
+         call warnings%add(error)
+      end subroutine warn
+
+   end subroutine warn_about_temperatures
 
    !> Nodes of no element do nothing; the user may have meant more elements.
    subroutine warn_about_spare_nodes(self, model, warnings)
