@@ -338,6 +338,7 @@ contains
          xi = [point%xi_bar, point%xi]
          node = model%connectivity(merge(1, 2, xi(own) < 0), leg(own))
          point%tilt(own) = huge(tilt)
+         point%at_joint(own) = wires%first_at_node(node + 1) - wires%first_at_node(node) > 1
          do i = wires%first_at_node(node), wires%first_at_node(node + 1) - 1
             leg(own) = abs(wires%at_node(i))
             xi(own) = sign(1.0_dp, real(wires%at_node(i), dp))

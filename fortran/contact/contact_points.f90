@@ -54,6 +54,8 @@ module litz_contact_points
       !> held there; and where that is along another leg than its element
       real(dp) :: tangent(3, 2) = 0
       logical :: on_other_leg(2) = .false.
+      !> It is held where wires are joined, not at a free end
+      logical :: at_joint(2) = .false.
       !> Of a point of a line contact next to the end of the other wire: how the length that it stands for changes with
       !> its place there, and what it was in the last state in balance, which friction sees [m]
       real(dp) :: dweight_dlap = 0, settled_weight = 0
