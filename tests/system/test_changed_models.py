@@ -94,6 +94,52 @@ def model():
     )
 
 
+HEATED = (
+    wire("LOW", straight((-0.01, 0, 0), (0.06, 0, 0), 5), 901, element="B33")
+    + "*NSET, NSET=SPARE\n 902\n*MATERIAL, NAME=COPPER\n*ELASTIC\n 120e9, 0.34\n*ELECTRICAL CONDUCTIVITY\n 5.88e7\n"
+    "*CONDUCTIVITY, TYPE=ISO\n 390., 250\n 380., 350\n*JOULE HEAT FRACTION\n 0.9\n"
+    "*PHYSICAL CONSTANTS, ABSOLUTE ZERO=-1.0, STEFAN BOLTZMANN=5.67e-8\n"
+    "*BEAM SECTION, ELSET=LOW, MATERIAL=COPPER, SECTION=CIRC\n 1e-3\n"
+    "*AMPLITUDE, NAME=WAVE\n 0, 0, 1, 1\n*AMPLITUDE, NAME=OTHER\n 0, 0, 1, 2\n*BOUNDARY\n 901, 9\n"
+)
+HEAT_STEP = """\
+*STEP
+*COUPLED THERMAL-ELECTRICAL, STEADY STATE
+ 1.0, 1.0, 1e-3, 1.0
+*BOUNDARY, AMPLITUDE=WAVE
+ 901, 11, 11, 300
+*CECURRENT, AMPLITUDE=OTHER
+ 906, 9, 1.0
+*CFLUX, AMPLITUDE=WAVE
+ 906, 11, 0.01
+*DFLUX
+ 903, BF, 1e5
+*FILM
+ 904, F, 290, 40
+*RADIATE
+ 905, R, 280, 0.5
+*RESTART, WRITE
+*END STEP
+"""
+HEAT_LATER = """\
+*STEP
+*COUPLED THERMAL-ELECTRICAL, STEADY STATE
+*NODE PRINT, NSET=SPARE
+ NT
+*END STEP
+"""
+
+
+@pytest.fixture(scope="module")
+def kept_heated(litz_of_module, tmp_path_factory):
+    """Directory of a run with heat, with its restart file."""
+    place = tmp_path_factory.mktemp("kept_heated")
+    (place / "deck.inp").write_text(HEATED + HEAT_STEP + HEAT_LATER)
+    done = litz_of_module("run", place / "deck.inp", "-o", place)
+    assert done.returncode == 0, done.stderr
+    return place
+
+
 @pytest.fixture(scope="module")
 def kept(litz_of_module, tmp_path_factory):
     """Directory of a run of the model, with its restart file."""
@@ -117,12 +163,12 @@ def litz_of_module(litz_program):
 
 
 @pytest.fixture
-def go_on(litz_of_module, kept, tmp_path):
-    """Continue the kept run with a deck, from the end of its first step."""
+def go_on(litz_of_module, kept, kept_heated, tmp_path):
+    """Continue a kept run with a deck, from the end of its first step."""
 
-    def run(text):
+    def run(text, heated=False):
         (tmp_path / "other.inp").write_text(text)
-        place = f"{kept / 'deck.restart.h5'}:1:1"
+        place = f"{(kept_heated if heated else kept) / 'deck.restart.h5'}:1:1"
         return litz_of_module("run", tmp_path / "other.inp", "-o", tmp_path / "out", "--restart", place)
 
     return run
@@ -137,14 +183,20 @@ FREE = {
     "CONTROLS": "how it is solved", "SOLVER": "how it is solved", "SOLUTION TECHNIQUE": "how it is solved",
     "NODE PRINT": "output", "EL PRINT": "output", "CONTACT PRINT": "output", "ENERGY PRINT": "output",
     "ELECTRODE PRINT": "output", "NODE FILE": "output", "EL FILE": "output", "RESTART": "output",
-    "CFLUX": "nothing conducts heat",
 }  # fmt: skip
 #: Values that a user may change, and why
 FREE_VALUES = {
     ("STATIC", "DIRECT"): "size of the increments", ("STATIC", "first"): "size of the increments",
     ("STATIC", "smallest"): "size of the increments", ("STATIC", "largest"): "size of the increments",
     ("ELASTIC", "TYPE"): "one choice", ("INITIAL CONDITIONS", "TYPE"): "one choice",
-    ("EXPANSION", "TYPE"): "one choice",
+    ("EXPANSION", "TYPE"): "one choice", ("CONDUCTIVITY", "TYPE"): "one choice",
+    ("COUPLED THERMAL-ELECTRICAL", "STEADY STATE"): "one choice",
+    ("COUPLED THERMAL-ELECTRICAL", "DIRECT"): "size of the increments",
+    ("COUPLED THERMAL-ELECTRICAL", "first"): "size of the increments",
+    ("COUPLED THERMAL-ELECTRICAL", "smallest"): "size of the increments",
+    ("COUPLED THERMAL-ELECTRICAL", "largest"): "size of the increments",
+    ("DFLUX", "label"): "one choice", ("FILM", "label"): "one choice", ("RADIATE", "label"): "one choice",
+    ("CFLUX", "dof"): "11 or empty",
     ("BEAM SECTION", "I12"): "must be 0", ("CECURRENT", "dof"): "9 or empty",
     ("RIGID SURFACE", "TYPE"): "tested with rigid surfaces",
     # names: the things that they name are the same
@@ -153,7 +205,8 @@ FREE_VALUES = {
     ("NODE", "NSET"): "a name", ("ELEMENT", "ELSET"): "a name", ("NSET", "NSET"): "a name", ("ELSET", "ELSET"): "a name",
     # one carries over, the other removes: in the first step there is nothing else
     ("BOUNDARY", "OP"): "tested by itself", ("CLOAD", "OP"): "none before", ("CECURRENT", "OP"): "none before",
-    ("TEMPERATURE", "OP"): "none before",
+    ("TEMPERATURE", "OP"): "none before", ("CFLUX", "OP"): "none before", ("DFLUX", "OP"): "none before",
+    ("FILM", "OP"): "none before", ("RADIATE", "OP"): "none before",
     ("BOUNDARY", "first"): "tested by its last one",
     ("NSET", "GENERATE"): "form of the data", ("ELSET", "GENERATE"): "form of the data",
     ("SURFACE BEHAVIOR", "PRESSURE-OVERCLOSURE"): "tested by itself, with its data",
@@ -241,7 +294,6 @@ def changes(keyword, text):
 
 
 def test_every_value_that_decides_results_is_compared(litz_of_module, go_on):
-    text = model() + STEP + LATER
     missed, covered, expected = [], set(), set()
     for keyword in json.loads(litz_of_module("keywords", "--json").stdout):
         name = keyword["name"]
@@ -251,12 +303,15 @@ def test_every_value_that_decides_results_is_compared(litz_of_module, go_on):
         values += [spec["name"] for form in keyword["data"] for spec in form["values"]]
         expected |= {(name, value) for value in values if (name, value) not in FREE_VALUES}
         # the step that has not begun may change
-        for spec, decks in changes(keyword, text.removesuffix(LATER)):
+        given = [(model() + STEP, LATER, False), (HEATED + HEAT_STEP, HEAT_LATER, True)]
+        for spec, decks, later, heated in (
+            (*change, later, heated) for text, later, heated in given for change in changes(keyword, text)
+        ):
             what = (name, spec["name"])
             if what in FREE_VALUES or what in covered:
                 continue
             for deck in decks:
-                done = go_on(deck + LATER)
+                done = go_on(deck + later, heated)
                 if REFUSED in done.stderr:
                     assert done.returncode == 1
                     covered.add(what)

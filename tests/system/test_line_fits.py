@@ -157,4 +157,8 @@ def test_a_place_that_a_fit_closes_slips_from_where_it_has_closed(run):
     # gap of the law: 2 units at the start of the second increment, minus 2 at its end
     assert contacts["force"] / contacts["length"] == pytest.approx(PENALTY * 2 * unit, rel=1e-8)
     mindlin = 2 * (1 - COPPER.poisson) / (2 - COPPER.poisson)
-    assert abs(contacts["traction_x"]) / contacts["length"] == pytest.approx(mindlin * PENALTY * slip / 2, rel=1e-7)
+    traction = abs(contacts["traction_x"]) / contacts["length"]
+    at_ends = contacts["length"] > 1.01 * np.median(contacts["length"])
+    assert traction[~at_ends] == pytest.approx(mindlin * PENALTY * slip / 2, rel=1e-7)
+    # next to the end of the other wire a place stands for a length that changes by the slip
+    assert traction == pytest.approx(mindlin * PENALTY * slip / 2, rel=slip / contacts["length"].min())

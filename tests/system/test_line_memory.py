@@ -186,9 +186,9 @@ def conductances_of_places(results, n_steps):
     """Conductance of all places and crossings at the end of each step [S]."""
     contacts = results.contacts
     found = []
-    for step in range(1, n_steps + 1):
-        last = contacts["increment"][contacts["step"] == step].max()
-        resistance = contacts["resistance"][(contacts["step"] == step) & (contacts["increment"] == last)]
+    for number in range(1, n_steps + 1):
+        last = contacts["increment"][contacts["step"] == number].max()
+        resistance = contacts["resistance"][(contacts["step"] == number) & (contacts["increment"] == last)]
         found.append((1 / resistance[resistance > 0]).sum())
     return np.array(found)
 

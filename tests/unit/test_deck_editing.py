@@ -174,7 +174,7 @@ def test_the_table_is_what_the_program_prints(request):
 
 def test_the_table_tells_limits_choices_and_forms():
     table = litz.keywords()
-    young, poisson = table["ELASTIC"]["data"][0]["values"]
+    young, poisson, _ = table["ELASTIC"]["data"][0]["values"]
     assert (young["unit"], young["exclusive_minimum"]) == ("Pa", 0)
     assert (poisson["exclusive_minimum"], poisson["exclusive_maximum"]) == (-1, 0.5)
     (kind,) = [p for p in table["ELEMENT"]["parameters"] if p["name"] == "TYPE"]
@@ -205,8 +205,8 @@ def test_the_cards_of_all_decks_pass_the_checks(path):
         ("ELASTIC", {}, [["stiff", 0.3]], "must be a finite number, not 'stiff'"),
         ("ELASTIC", {}, [[1.0]], "nu is missing"),
         ("ELASTIC", {}, [], "needs the values E, nu"),
-        ("ELASTIC", {}, [[1.0, 0.3], [1.0, 0.3]], "takes 1 data lines here, not 2"),
-        ("ELASTIC", {}, [[1.0, 0.3, 4.0]], "not 3 values"),
+        ("FRICTION", {}, [[0.3], [0.3]], "takes 1 data lines here, not 2"),
+        ("ELASTIC", {}, [[1.0, 0.3, 4.0, 5.0]], "not 4 values"),
         ("ELEMENT", {"TYPE": "B32"}, [], "must be B31 or B33, not 'B32'"),
         ("ELEMENT", {"TYPE": "B31"}, [[0, 1, 2]], "id of .* must be greater than 0"),
         ("ELEMENT", {"TYPE": "B31"}, [[1, 1.5, 2]], "must be a whole number"),

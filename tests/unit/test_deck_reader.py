@@ -324,7 +324,7 @@ def test_a_large_deck_is_read_in_seconds(litz, tmp_path):
         for wire in range(n // 100):
             deck.write(f"*ELSET, ELSET=W{wire}, GENERATE\n{300 * wire + 1}, {300 * wire + 296}, 3\n")
             deck.write(f"*NSET, NSET=N{wire}\n{7 * (n - 100 * wire)}\n")
-        deck.write("*MATERIAL, NAME=CU\n*ELASTIC\n1e11, 0.3, 0.3\n")
+        deck.write("*MATERIAL, NAME=CU\n*ELASTIC\n1e11, 0.3, 0, 0.3\n")
         deck.write("*BEAM SECTION, ELSET=ALL, MATERIAL=CU, SECTION=CIRC\n0.001\n*STEP\n*STATIC\n*BOUNDARY\n")
         deck.writelines(f"N{wire}, 1, 6\n" for wire in range(n // 100))
         deck.write("*END STEP\n")
@@ -334,7 +334,7 @@ def test_a_large_deck_is_read_in_seconds(litz, tmp_path):
     assert time.perf_counter() - start < 20
     assert result.returncode == 1
     assert re.findall("^error: (.*):", result.stderr, re.MULTILINE) == [
-        "too many values: *ELASTIC takes 2 on this line"
+        "too many values: *ELASTIC takes 3 on this line"
     ]
 
 

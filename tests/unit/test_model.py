@@ -120,7 +120,8 @@ def test_elements_between_given_nodes_are_found_as_wires():
 
 #: Keywords that models do not write
 NOT_BUILT = {
-    "INCLUDE", "MESH", "EL FILE", "INITIAL CONDITIONS", "TEMPERATURE", "CONDUCTIVITY", "JOULE HEAT FRACTION",
+    "INCLUDE", "MESH", "EL FILE", "INITIAL CONDITIONS", "TEMPERATURE", "CONDUCTIVITY", "EXPANSION",
+    "JOULE HEAT FRACTION",
     "PHYSICAL CONSTANTS", "COUPLED THERMAL-ELECTRICAL", "CFLUX", "DFLUX", "FILM", "RADIATE",
 }  # fmt: skip
 

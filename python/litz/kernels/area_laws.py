@@ -29,10 +29,15 @@ _LOOKS_AT = _core.f2py_surface.conductance_law_names()[2]
 class AreaLaws(NamedTuple):
     """What the kernels take: numbers of the laws, their data, and the bodies (2, 3): young, poisson, resistivity."""
 
+    #: Place of the pressure law in the table of the program
     normal: int
+    #: Its numbers
     normal_data: NDArray[np.float64]
+    #: Place of the conductance law; 0: no current
     spot: int
+    #: Its numbers, line after line
     spot_data: NDArray[np.float64]
+    #: Young's moduli, Poisson's ratios and resistivities of both bodies (2, 3)
     bodies: NDArray[np.float64]
 
     @property

@@ -48,7 +48,7 @@ def describe_fields() -> tuple[str, str]:
     Examples
     --------
     >>> describe_fields()
-    ('1-3 displacement, 4-6 rotation, 9 potential', 'm, rad, V')
+    ('1-3 displacement, 4-6 rotation, 9 potential, 11 temperature', 'm, rad, V, K')
     """
     fields = _fields_of("BOUNDARY", "first")
     ranges = [f"{one['first']}-{one['last']}" if one["last"] > one["first"] else str(one["first"]) for one in fields]
