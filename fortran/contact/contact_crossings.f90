@@ -11,13 +11,13 @@ module litz_contact_crossings
    use litz_contact_candidates, only: skin
    use litz_contact_ends, only: minimum_t, add_ends, max_ends
    use litz_contact_kinematics, only: contact_kinematics, kinematics_ok
+   use litz_contact_legs, only: measure_legs
    use litz_contact_matching, only: match_points, slides_of
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_wire_t, pair_geometry, axis_of_pair, &
       arc_at, crossing_at, clearance_of, chain_by_wire, inherit
    use litz_contact_side, only: have_passed
    use litz_element_library, only: elements_t
    use litz_end_kinematics, only: end_kinematics
-   use litz_line_kinematics, only: line_profile_t, line_profile
    use litz_model, only: model_t
    use litz_parallel, only: worth_threads
    use litz_start_crossings, only: crossing_at_start, relative_motion
@@ -280,7 +280,6 @@ contains
          if (any(point%held)) then
             call end_kinematics(xe, t, length, axis, elements%radius([eb, e]), point%xi_bar, point%xi, point%held, &
                point%normal_before, kinematics, info)
-            if (info == kinematics_ok) call set_profiles(model, wires, elements, axis, x, rotation, point)
             if (from_converged > 0) point%start = crossing_at(wires, contact%converged(from_converged))
          else
             call contact_kinematics(xe, t, length, axis, elements%radius([eb, e]), point%xi_bar, point%xi, 0, &
@@ -295,54 +294,7 @@ contains
          point%regular = info == kinematics_ok
          point%gap = kinematics%gap + clearance_of(point%fit, contact%clearance(point%pair))
       end associate
+      if (point%regular) call measure_legs(model, wires, elements, axis, x, rotation, point)
    end subroutine set_geometry
-
-   !> How the distance grows from the ends of the wires on; from a kink along that leg along which it grows least.
-   pure subroutine set_profiles(model, wires, elements, axis, x, rotation, point)
-      type(model_t), intent(in) :: model
-      type(wires_t), intent(in) :: wires
-      type(elements_t), intent(in) :: elements
-      !> `axis_linear` or `axis_hermite`
-      integer, intent(in) :: axis
-      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
-      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
-      type(contact_point_t), intent(inout) :: point
-      type(line_profile_t) :: profile
-      real(dp) :: xi(2), tilt
-      integer :: own, node, i, leg(2)
-
-      do own = 1, 2
-         if (.not. point%held(own)) cycle
-         leg = [point%element_bar, point%element]
-         xi = [point%xi_bar, point%xi]
-         node = model%connectivity(merge(1, 2, xi(own) < 0), leg(own))
-         point%tilt(own) = huge(tilt)
-         do i = wires%first_at_node(node), wires%first_at_node(node + 1) - 1
-            leg(own) = abs(wires%at_node(i))
-            xi(own) = sign(1.0_dp, real(wires%at_node(i), dp))
-            profile = profile_along(own, leg, xi)
-            tilt = max(0.0_dp, -xi(own)*profile%slope)
-            if (tilt >= point%tilt(own)) cycle
-            point%tilt(own) = tilt
-            point%bend(own) = profile%bend
-         end do
-      end do
-
-   contains
-
-      !> Along one of two elements, from the places at which they touch.
-      pure type(line_profile_t) function profile_along(own, pair, xi) result(profile)
-         !> 1: barred, 2: unbarred; both elements (2)
-         integer, intent(in) :: own, pair(2)
-         !> (2)
-         real(dp), intent(in) :: xi(2)
-         real(dp) :: xe(3, 4), t(3, 4), length(2)
-
-         call pair_geometry(model, wires, elements, pair(3 - own), pair(own), x, rotation, xe, t, length)
-         profile = line_profile(xe, t, length, axis, xi(3 - own), xi(own), &
-            (2*own - 3)*point%kinematics%normal, point%kinematics%distance)
-      end function profile_along
-
-   end subroutine set_profiles
 
 end module litz_contact_crossings

@@ -18,13 +18,39 @@ module litz_contact_points
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: contact_point_t, contact_set_t, points_by_wire_t
+   public :: contact_point_t, contact_set_t, points_by_wire_t, leg_t, parts_at_ends_t
    public :: law_ok, law_parallel, law_bad_data, law_too_curved
-   public :: pair_geometry, away_from, axis_of_pair, arc_at, crossing_at, clearance_of, chain_by_wire, inherit
+   public :: pair_geometry, away_from, axis_of_pair, arc_at, crossing_at, clearance_of, chain_by_wire, inherit, &
+      is_contact_of
 
    !> What has become of the laws of a contact: nothing; the axes are parallel, so that there is no Hertz ellipse; the
    !> data of the law are none for it; a wire is curved about the other so much that the foot of a line is hardly known
    integer, parameter :: law_ok = 0, law_parallel = 1, law_bad_data = 2, law_too_curved = 3
+
+   !> A stretch of a wire of a contact, up to its next round end or joint: one on which the contact is, or one that leads
+   !> away from a joint near by.
+   type :: leg_t
+      !> 1: of the barred, 2: of the unbarred wire
+      integer :: side = 0
+      !> Element, and a place in it: of the contact, or of the joint
+      integer :: element = 0
+      real(dp) :: xi = 0
+      !> Arc length along its wire there [m]
+      real(dp) :: arc = 0
+      !> The contact is on this stretch, or at its end
+      logical :: at_contact = .false.
+      !> From the joint on: slope [-] and curvature [1/m] of the distance to the other wire
+      real(dp) :: tilt = 0, bend = 0
+      !> Unit vectors along the axis of the element (3), and as the law sees it
+      real(dp) :: along(3) = 0, direction(3) = 0
+      !> What its cylinder has of the force, in parts of what a cylinder would have alone
+      real(dp) :: part = 0
+   end type leg_t
+
+   !> What cylinders and round ends of two wires have of the force, and the mean angle of joints: as in contact_point_t.
+   type :: parts_at_ends_t
+      real(dp) :: of_cylinder(2) = 1, of_end(2) = 0, joint_angle = 0
+   end type parts_at_ends_t
 
    !> A crossing of two wires, open or closed: the contact that results show, and what the iteration needs besides.
    type, extends(contact_t) :: contact_point_t
@@ -37,14 +63,20 @@ module litz_contact_points
       type(contact_kinematics_t) :: kinematics
       !> On the barred, on the unbarred wire it is at a round end, or at the round joint of a kink
       logical :: held(2) = .false.
-      !> Near the end of a wire: what the law of its cylinder and that of its round end have of the force, in parts of
-      !> what either would have alone (2)
-      real(dp) :: of_cylinder(2) = 1, of_end(2) = 0
+      !> Near the end of a wire or a joint: what the law of its cylinder and that of its round end have of the force, in
+      !> parts of what either would have alone (2); mean angle of the legs of joints with the other wire [rad], 0: there
+      !> is one leg only
+      real(dp) :: of_cylinder(2) = 1, of_end(2) = 0, joint_angle = 0
       !> What of the part of both cylinders is not carried along the line
       real(dp) :: of_crossing = 1
       !> These have been found: within an iteration they stay
       logical :: is_divided = .false.
-      !> Where it is: slope of the distance along the wire from there, not negative, and its curvature (2) [-, 1/m]
+      !> The same by the geometry of this iterate
+      type(parts_at_ends_t) :: present_parts
+      !> At an end or a joint, or near a joint: the stretches of both wires there
+      type(leg_t), allocatable :: legs(:)
+      !> Where it is at an end or a joint: slope of the distance along the leg from there along which it grows least, not
+      !> negative, and mean curvature (2) [-, 1/m]
       real(dp) :: tilt(2) = 0, bend(2) = 0
       !> The crossing of the same two wires that it was when the increment began
       type(crossing_t) :: start
@@ -284,9 +316,17 @@ contains
       point%is_divided = earlier%is_divided
       point%of_cylinder = earlier%of_cylinder
       point%of_end = earlier%of_end
+      point%joint_angle = earlier%joint_angle
       point%of_crossing = earlier%of_crossing
       if (earlier%law_status == law_too_curved) point%law_status = law_too_curved
    end subroutine take_shares
+
+   !> The contact is on both of these legs: the first one of the barred, the second one of the unbarred wire.
+   elemental logical function is_contact_of(leg_bar, leg)
+      type(leg_t), intent(in) :: leg_bar, leg
+
+      is_contact_of = leg_bar%at_contact .and. leg%at_contact .and. leg_bar%side == 1 .and. leg%side == 2
+   end function is_contact_of
 
    !> Put points into chains, one for each barred wire.
    pure type(points_by_wire_t) function chain_by_wire(wires, points) result(by_wire)

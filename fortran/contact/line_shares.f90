@@ -5,8 +5,9 @@
 module litz_line_shares
    use litz_kinds, only: dp, pi
    use litz_axis_choices, only: axis_hermite
-   use litz_contact_lens, only: has_lens, half_length_of, divide_at_ends, flatness, least_bend, deepest
-   use litz_contact_points, only: contact_point_t, contact_set_t, pair_geometry, law_too_curved
+   use litz_contact_lens, only: has_lens, half_length_of, divide_at_ends, tells_shares, angle_of_axes, flatness, &
+      least_bend, wedge_length, least_overlap, deepest, small_sine, moderate_sine
+   use litz_contact_points, only: contact_point_t, contact_set_t, leg_t, is_contact_of, pair_geometry, law_too_curved
    use litz_crossings_of_wires, only: crossings_of_wires_t, sort_crossings
    use litz_element_library, only: elements_t
    use litz_lens_law, only: share_of_point, smooth_step
@@ -30,9 +31,6 @@ module litz_line_shares
    !> The sections of the wires bound the field of a lens from the first half length on, wholly from the second one, in
    !> smaller radii
    real(dp), parameter :: section_from = 1, section_at = 3
-   !> Sines of the angle between the axes up to which the lens alone gives the angle of the law, and from which on the
-   !> axes do (5 and 10 degrees)
-   real(dp), parameter :: small_sine = 0.0872_dp, moderate_sine = 0.1736_dp
    !> Less than this leads nowhere
    real(dp), parameter :: least_tilt = 1.0e-9_dp
    !> Least angle that the law of a contact at an end sees [rad]
@@ -68,8 +66,8 @@ contains
       if (size(contact%line_points) > 0) by_place = chain_by_place(size(contact%places%xi), contact%line_points)
       do i = 1, size(contact%points)
          associate (point => contact%points(i))
-            call divide_at_ends(wires, elements, point)
-            point%law_angle = point%kinematics%angle
+            call divide_at_ends(point)
+            point%law_angle = angle_of_axes(point)
             ! wires that are parallel may well meet end to end
             if (any(point%held)) point%law_angle = max(least_sine, min(pi - least_sine, point%law_angle))
             point%law_sine = sin(point%law_angle)
@@ -99,7 +97,7 @@ contains
 
       ! an iterate in which the wires have passed each other tells nothing
       if (.not. point%kinematics%distance > 0) return
-      point%is_shared = .true.
+      point%is_shared = point%gap >= 0 .or. tells_shares(point)
       point%weight = 0
       if (.not. has_lens(point)) return
       if (any(point%held)) then
@@ -144,12 +142,12 @@ contains
       type(contact_point_t), intent(in) :: point
 
       share = max(point%section_share, &
-         1 - smooth_step((sin(point%kinematics%angle) - small_sine)/(moderate_sine - small_sine)))
+         1 - smooth_step((sin(angle_of_axes(point)) - small_sine)/(moderate_sine - small_sine)))
       if (law%is_per_length_only()) share = 1
    end function share_of_lens
 
-   !> What the end of a wire carries: all but the share of the places there, which lose theirs where the axis leans
-   !> towards the other wire.
+   !> What the end of a wire carries, or a joint: of each of its legs all but the share of the places there, which lose
+   !> theirs where the axis leans towards the other wire. A round end or joint is part of the longest line there.
    pure subroutine share_end(law, wires, elements, contact, by_place, point)
       type(normal_law_t), intent(in) :: law
       type(wires_t), intent(in) :: wires
@@ -157,38 +155,76 @@ contains
       type(contact_set_t), intent(in) :: contact
       type(points_by_place_t), intent(in) :: by_place
       type(contact_point_t), intent(inout) :: point
-      real(dp) :: share, of_ends
+      real(dp) :: share, part, parts, of_cylinders, of_ends
+      integer :: i, j
 
-      share = 0
-      if (size(contact%line_points) > 0) share = half_pass*(share_along(wires, elements, contact, by_place, &
-         point%element_bar, point%xi_bar, point%element, point%arc) + share_along(wires, elements, contact, by_place, &
-         point%element, point%xi, point%element_bar, point%arc_bar))
-      share = share*flatness(maxval(point%tilt))
-      of_ends = max(1 - share, share_of_short_lap(wires, elements, contact%places, point))
-      point%weight = of_ends
-      if (of_ends > 0) point%of_crossing = point%of_crossing*(1 - share)/of_ends
+      parts = 0
+      of_cylinders = 0
+      of_ends = 1
+      do i = 1, size(point%legs)
+         do j = 1, size(point%legs)
+            associate (bar => point%legs(i), leg => point%legs(j))
+               if (.not. is_contact_of(bar, leg)) cycle
+               share = 0
+               if (size(contact%line_points) > 0) share = half_pass*( &
+                  share_along(wires, elements, contact, by_place, bar%element, bar%xi, leg%element, leg%arc) &
+                  + share_along(wires, elements, contact, by_place, leg%element, leg%xi, bar%element, bar%arc))
+               share = share*flatness(max(bar%tilt, leg%tilt))
+               part = bar%part*leg%part
+               parts = parts + part
+               of_cylinders = of_cylinders + part*(1 - share)
+               of_ends = min(of_ends, max(1 - share, share_of_short_lap(wires, elements, contact%places, point, bar, leg)))
+            end associate
+         end do
+      end do
+      if (parts > 0) of_cylinders = of_cylinders/parts
+      point%weight = of_cylinders
+      if (any(point%of_end > 0)) point%weight = max(of_cylinders, of_ends)
+      if (point%weight > 0) then
+         point%of_crossing = point%of_crossing*of_cylinders/point%weight
+         where (point%held) point%of_end = point%of_end*(of_ends/point%weight)
+      end if
       point%lens_sine = sine_at_end(point, minval(elements%radius([point%element_bar, point%element])))
       point%lens_share = share_of_lens(law, point)
    end subroutine share_end
 
    !> What round ends carry where the lap of two wires is short, beside the places in it: both have a half where the
    !> wires lie along each other, and where they are at the same place each has a half of that.
-   pure real(dp) function share_of_short_lap(wires, elements, places, point) result(share)
+   pure real(dp) function share_of_short_lap(wires, elements, places, point, bar, leg) result(share)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(line_places_t), intent(in) :: places
       type(contact_point_t), intent(in) :: point
+      !> Of the barred and the unbarred wire, on which the contact is
+      type(leg_t), intent(in) :: bar, leg
       real(dp) :: lap, slope, reach
 
-      associate (pair => [point%element_bar, point%element], own => merge(2, 1, point%held(2)))
-         lap = lap_from_end(wires, elements, point, own)
-         call share_of_point(min(lap, half_length_of(point, deepest*minval(elements%radius(pair)))), &
+      lap = huge(lap)
+      if (point%held(1)) lap = lap_from_end(wires, elements, bar, leg)
+      if (point%held(2)) lap = min(lap, lap_from_end(wires, elements, leg, bar))
+      associate (pair => [bar%element, leg%element])
+         call share_of_point(min(lap, half_length_on(point, bar, leg, deepest*minval(elements%radius(pair)))), &
             resolution*spacing_of_places(places, pair, elements%length(pair)), share, slope)
-         if (all(point%held)) return
-         reach = sqrt(2*point%kinematics%distance*max(-point%gap, 0.0_dp))
-         if (lap < reach) share = share*(1 - point%of_cylinder(own)*(1 - smooth_step(lap/reach)))
       end associate
+      if (all(point%held)) return
+      reach = sqrt(2*point%kinematics%distance*max(-point%gap, 0.0_dp))
+      if (lap < reach) share = share*(1 - merge(bar%part, leg%part, point%held(1))*(1 - smooth_step(lap/reach)))
    end function share_of_short_lap
+
+   !> How far the overlap of a contact at an end or joint reaches along two of its legs [m].
+   pure real(dp) function half_length_on(point, bar, leg, largest_overlap) result(half_length)
+      type(contact_point_t), intent(in) :: point
+      !> Of the barred and the unbarred wire
+      type(leg_t), intent(in) :: bar, leg
+      !> Overlap that counts at most [m]
+      real(dp), intent(in) :: largest_overlap
+      real(dp) :: overlap
+
+      overlap = max(min(-point%gap, largest_overlap), least_overlap*point%kinematics%distance)
+      half_length = huge(half_length)
+      if (point%held(1)) half_length = wedge_length(bar%tilt, bar%bend, overlap)
+      if (point%held(2)) half_length = min(half_length, wedge_length(leg%tilt, leg%bend, overlap))
+   end function half_length_on
 
    !> Sine of straight wires between which the distance would be as curved.
    pure real(dp) function sine_at_end(point, radius) result(sine)
@@ -298,9 +334,9 @@ contains
             if (.not. point%gap < 0) cycle
             earlier = point
             point%is_divided = .false.
-            call divide_at_ends(wires, elements, point)
+            call divide_at_ends(point)
             largest_change = max(largest_change, ends_matter*maxval(abs([point%of_cylinder - earlier%of_cylinder, &
-               point%of_end - earlier%of_end])))
+               point%of_end - earlier%of_end, angle_of_axes(point) - angle_of_axes(earlier)])))
             if (.not. point%is_shared) cycle
             call share_crossing(model%interactions(model%contact_pairs(point%pair)%interaction)%normal, wires, &
                elements, contact, by_place, point)
@@ -349,7 +385,7 @@ contains
       type(contact_point_t), intent(inout) :: point
       type(line_profile_t) :: profile
       real(dp) :: tilt, reach, distance
-      integer :: i
+      integer :: i, legs(2)
 
       profile = line_profile(xe, tangents, length, axis_hermite, point%xi_bar, point%xi, point%kinematics%normal, &
          point%kinematics%distance)
@@ -372,12 +408,11 @@ contains
                reach = 1.5_dp*deepest*minval(elements%radius(pair))/max(tilt, least_tilt) &
                   + 2*spacing_of_places(contact%places, pair, length)
             end if
-            call sorted%find_nearest(wires, contact%points, reach, reach + 2*sum(elements%radius(pair)), point, i, &
-               distance)
+            call sorted%find_nearest(wires, reach, reach + 2*sum(elements%radius(pair)), point, i, distance, legs)
             ! a wedge is cut by an end, and not by a crossing
             if (i > 0) then
-               if (bend > 0 .or. any(contact%points(i)%held)) call share_with(contact%points(i), contact%places, &
-                  elements, point)
+               if (bend > 0 .or. any(contact%points(i)%held)) call share_with(contact%points(i), legs, &
+                  contact%places, elements, point)
             end if
             ! the lens is still open
             if (i == 0 .and. bend > 0) then
@@ -399,8 +434,8 @@ contains
       type(contact_set_t), intent(inout) :: contact
       !> aW [m]; 0: no lens (n_points)
       real(dp) :: half_length(size(contact%points))
-      real(dp) :: reach, distance
-      integer :: i, nearest
+      real(dp) :: reach, distance, length
+      integer :: i, nearest, legs(2)
 
       half_length = 0
       do i = 1, size(contact%points)
@@ -415,19 +450,26 @@ contains
             contact%line_points(i)%element])
             if (.not. point%gap < 0) cycle
             reach = sum(elements%length(pair))
-            call sorted%find_nearest(wires, contact%points, reach, reach, point, nearest, distance)
+            call sorted%find_nearest(wires, reach, reach, point, nearest, distance, legs)
             if (nearest == 0) cycle
             if (.not. half_length(nearest) > 0) cycle
+            length = half_length(nearest)
+            associate (crossing => contact%points(nearest))
+               if (any(crossing%held)) length = half_length_on(crossing, crossing%legs(legs(1)), &
+                  crossing%legs(legs(2)), huge(length))
+            end associate
             contact%points(nearest)%is_long = contact%points(nearest)%is_long .or. distance > &
-               lens_ends*half_length(nearest) + spacing_of_places(contact%places, pair, elements%length(pair))
+               lens_ends*length + spacing_of_places(contact%places, pair, elements%length(pair))
          end associate
       end do
    end subroutine find_long_overlaps
 
    !> What the line carries of a crossing, and how much the section of the wires counts in its law: both by the length
    !> of the lens.
-   pure subroutine share_with(crossing, places, elements, point)
+   pure subroutine share_with(crossing, legs, places, elements, point)
       type(contact_point_t), intent(in) :: crossing
+      !> At an end or joint: its legs on the wires of the point, barred first (2)
+      integer, intent(in) :: legs(2)
       type(line_places_t), intent(in) :: places
       type(elements_t), intent(in) :: elements
       !> Out: with `line_share` and `section_share`
@@ -437,7 +479,11 @@ contains
       if (crossing%is_long .or. .not. has_lens(crossing)) return
       associate (pair => [crossing%element_bar, crossing%element])
          radius = minval(elements%radius(pair))
-         half_length = half_length_of(crossing, deepest*radius)
+         if (any(crossing%held)) then
+            half_length = half_length_on(crossing, crossing%legs(legs(1)), crossing%legs(legs(2)), deepest*radius)
+         else
+            half_length = half_length_of(crossing, deepest*radius)
+         end if
          call share_of_point(half_length, resolution*spacing_of_places(places, pair, elements%length(pair)), &
             of_crossing, slope)
       end associate

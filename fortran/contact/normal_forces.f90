@@ -121,11 +121,11 @@ contains
       if (info /= hertz_ok) point%law_status = law_parallel
    end subroutine find_ellipse
 
-   !> The end of a wire has a part of the force.
+   !> The end of a wire has a part of the force, or several legs of a joint have.
    pure logical function is_near_end(point)
       type(contact_point_t), intent(in) :: point
 
-      is_near_end = any(point%of_end > 0)
+      is_near_end = any(point%of_end > 0 .or. abs(point%of_cylinder - 1) > 0)
    end function is_near_end
 
    !> Share of the contact that its lens carries. A law per length knows no round ends: they have the part of the force

@@ -19,8 +19,6 @@ module litz_wires
       integer, allocatable :: wire(:)
       !> Element that continues this one beyond its first and second node (2, n_elements); 0: the wire ends
       integer, allocatable :: next(:, :)
-      !> Another element leads nearly straight on beyond this node, be it that of a branch (2, n_elements)
-      logical, allocatable :: goes_on(:, :)
       !> +1: the element runs along its wire, -1: against it (n_elements)
       integer, allocatable :: direction(:)
       !> Elements in the order of the wires, and of the arc length along each (n_elements); those of wire w are
@@ -63,7 +61,6 @@ contains
       end do
       call list_elements_at_nodes(model, wires)
       call join_elements(model, chord, wires)
-      call find_straight_ways(model, chord, wires)
       call number_wires(model%n_elements, wires)
       call find_joints(model, wires)
       call nodal_triads(model, chord, length, wires)
@@ -112,29 +109,6 @@ contains
          end associate
       end do
    end subroutine find_joints
-
-   !> Where elements lead straight on, at branches, too.
-   pure subroutine find_straight_ways(model, chord, wires)
-      type(model_t), intent(in) :: model
-      !> Direction of each element, of length 1 (3, elements)
-      real(dp), intent(in) :: chord(:, :)
-      type(wires_t), intent(inout) :: wires
-      integer :: node, i, j
-
-      allocate (wires%goes_on(2, model%n_elements), source=.false.)
-      do node = 1, model%n_nodes
-         associate (here => wires%at_node(wires%first_at_node(node):wires%first_at_node(node + 1) - 1))
-            do i = 1, size(here)
-               do j = 1, size(here)
-                  if (i == j) cycle
-                  if (lead_straight_on(chord, here(i), here(j))) then
-                    wires%goes_on(merge(1, 2, here(i) < 0), abs(here(i))) = .true.
-                  end if
-               end do
-            end do
-         end associate
-      end do
-   end subroutine find_straight_ways
 
    !> Two elements that meet at a node turn by less than a corner there.
    pure logical function lead_straight_on(chord, a, b)

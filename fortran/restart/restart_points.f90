@@ -88,6 +88,7 @@ contains
       call table%field('of_cylinder', point%of_cylinder(2))
       call table%field('of_end_bar', point%of_end(1))
       call table%field('of_end', point%of_end(2))
+      call table%field('joint_angle', point%joint_angle)
       call table%field('of_crossing', point%of_crossing)
    end subroutine list_shares
 
