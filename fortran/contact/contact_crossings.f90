@@ -159,7 +159,8 @@ contains
       end do
    end subroutine collect_points
 
-   !> Each contact once (n_points): one at a node may be found by all elements there, and the first one keeps it.
+   !> Each contact once (n_points): one at a node may be found by all elements there, and the first one keeps it, of those
+   !> that have found an end or a joint if any has.
    pure function are_new(model, wires, elements, points) result(keep)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
@@ -169,7 +170,7 @@ contains
       !> The last point so far at each node of a barred wire, and behind these elsewhere on each barred wire, and the
       !> one before each point
       integer :: last_at(model%n_nodes + wires%n_wires), before(size(points))
-      integer :: k, place
+      integer :: k, place, earlier
 
       last_at = 0
       before = 0
@@ -177,11 +178,17 @@ contains
       do k = 1, size(points)
          if (all(abs([points(k)%xi_bar, points(k)%xi]) < 1 - near_node)) cycle
          place = chain_at(points(k)%element_bar, points(k)%xi_bar)
-         keep(k) = .not. is_found_before(model, wires, elements, points, k, last_at(place), before)
+         earlier = found_before(model, wires, elements, points, k, last_at(place), before)
          ! where the arc lengths of a closed wire begin, its elements change their roles
-         if (keep(k) .and. wires%wire(points(k)%element) == wires%wire(points(k)%element_bar)) then
-            keep(k) = .not. is_found_before(model, wires, elements, points, k, &
+         if (earlier == 0 .and. wires%wire(points(k)%element) == wires%wire(points(k)%element_bar)) then
+            earlier = found_before(model, wires, elements, points, k, &
                last_at(chain_at(points(k)%element, points(k)%xi)), before)
+         end if
+         if (earlier > 0) then
+            ! an end or a joint is one, whichever element has the nearest place there
+            keep(k) = keep(earlier) .and. any(points(k)%held .and. .not. points(earlier)%held)
+            if (.not. keep(k)) cycle
+            keep(earlier) = .false.
          end if
          before(k) = last_at(place)
          last_at(place) = k
@@ -214,17 +221,16 @@ contains
       if (abs(xi) >= 1 - near_node) node = model%connectivity(merge(1, 2, xi < 0), e)
    end function node_at
 
-   !> Whether one of the points before this one is at the same place of both wires.
-   pure logical function is_found_before(model, wires, elements, points, k, last, before) result(found)
+   !> The last one of the points before this one that is at the same place of both wires; 0: none.
+   pure integer function found_before(model, wires, elements, points, k, last, before) result(other)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(contact_point_t), intent(in) :: points(:)
       !> A point, the last one there, and the one before each point (n_points)
       integer, intent(in) :: k, last, before(:)
-      integer :: other
+      logical :: found
 
-      found = .false.
       other = last
       do while (other > 0)
          associate (point => points(k), earlier => points(other))
@@ -255,7 +261,7 @@ contains
             wires%circumference(wires%wire(e)))) <= near_node*elements%length(e)
       end function is_same
 
-   end function is_found_before
+   end function found_before
 
    !> Kinematics and gap of a point, on the side that its wires had in the last converged state.
    pure subroutine set_geometry(model, wires, elements, contact, converged_by_wire, from_converged, x_start, &

@@ -24,6 +24,9 @@ module litz_contact_legs
    !> [rad] (20 and 40 degrees)
    real(dp), parameter :: smooth_up_to = 20*pi/180, corner_from = 40*pi/180
 
+   !> Slope of a distance that counts as none
+   real(dp), parameter :: flat = 1.0e-9_dp
+
    !> What one wire of a contact sees of the other one, and how deep the contact is.
    type :: view_t
       !> 1: the barred, 2: the unbarred wire sees the other one, which has this element and this place in it
@@ -300,8 +303,8 @@ contains
          profile = profile_along(model, wires, elements, x, rotation, view, joint, ways(i))
          ways(i)%profile_bend = profile%bend
          ways(i)%slope = -ways(i)%xi*profile%slope
-         ! the contact is where the distance is least, but for round-off
-         if (joint%from == 0) ways(i)%slope = max(0.0_dp, ways(i)%slope)
+         ! where a contact is at a joint the distance grows along all stretches, but for round-off
+         if (joint%from == 0 .or. ways(i)%slope > -flat) ways(i)%slope = max(0.0_dp, ways(i)%slope)
       end do
       do i = 1, size(ways)
          ways(i)%tilt = ways(i)%slope

@@ -475,18 +475,22 @@ contains
       !> Out: with `line_share` and `section_share`
       type(contact_point_t), intent(inout) :: point
       real(dp) :: half_length, of_crossing, slope, radius
+      integer :: pair(2)
 
       if (crossing%is_long .or. .not. has_lens(crossing)) return
-      associate (pair => [crossing%element_bar, crossing%element])
+      if (any(crossing%held)) then
+         associate (bar => crossing%legs(legs(1)), leg => crossing%legs(legs(2)))
+            pair = [bar%element, leg%element]
+            radius = minval(elements%radius(pair))
+            half_length = half_length_on(crossing, bar, leg, deepest*radius)
+         end associate
+      else
+         pair = [crossing%element_bar, crossing%element]
          radius = minval(elements%radius(pair))
-         if (any(crossing%held)) then
-            half_length = half_length_on(crossing, crossing%legs(legs(1)), crossing%legs(legs(2)), deepest*radius)
-         else
-            half_length = half_length_of(crossing, deepest*radius)
-         end if
-         call share_of_point(half_length, resolution*spacing_of_places(places, pair, elements%length(pair)), &
-            of_crossing, slope)
-      end associate
+         half_length = half_length_of(crossing, deepest*radius)
+      end if
+      call share_of_point(half_length, resolution*spacing_of_places(places, pair, elements%length(pair)), of_crossing, &
+         slope)
       point%line_share = 1 - of_crossing
       point%section_share = smooth_step((half_length/radius - section_from)/(section_at - section_from))
    end subroutine share_with
