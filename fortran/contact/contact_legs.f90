@@ -24,6 +24,8 @@ module litz_contact_legs
    !> [rad] (20 and 40 degrees)
    real(dp), parameter :: smooth_up_to = 20*pi/180, corner_from = 40*pi/180
 
+   !> Sine of an angle that counts, at least
+   real(dp), parameter :: least_sine = 1.0e-3_dp
    !> Slope of a distance that counts as none
    real(dp), parameter :: flat = 1.0e-9_dp
 
@@ -97,7 +99,7 @@ contains
             if (point%held(side)) then
                call add_joint(model, wires, elements, x, rotation, view(side), joint_of_contact(model, view(side), &
                   point), point)
-               call set_tilt(side, point)
+               call set_tilt(view(side), point)
             else
                call add_own_stretch(model, wires, elements, x, rotation, view(side), view(3 - side)%along, point)
             end if
@@ -389,50 +391,59 @@ contains
       part = joint%share*part*(joint%overlap/view%overlap)**1.5_dp
       direction = way%away + (way%slope - way%tilt)*joint%normal
       point%legs = [point%legs, leg_t(side=view%side, element=way%element, xi=way%xi, arc=arc, &
-         at_contact=joint%from == 0, tilt=way%slope, bend=way%profile_bend, along=-way%xi*way%away, direction=direction/norm2(direction), part=part)]
+         at_contact=joint%from == 0, tilt=way%slope, bend=way%profile_bend, bend_of_law=way%profile_bend &
+         *(1 - way%tilt**2)/max(1 - way%slope**2, least_sine**2), along=-way%xi*way%away, &
+         direction=direction/norm2(direction), part=part)]
       associate (cylinder => point%present_parts%of_cylinder(view%side))
          cylinder = cylinder + part
       end associate
    end subroutine add_way
 
-   !> Where the contact is: the slope along the stretch along which the distance grows least, and the mean curvature.
-   pure subroutine set_tilt(side, point)
-      !> 1: barred, 2: unbarred wire
-      integer, intent(in) :: side
+   !> Where the contact is: the slope along the stretch along which the distance grows least, and the curvature of an
+   !> overlap that is as long as those of all stretches in the mean.
+   pure subroutine set_tilt(view, point)
+      !> From the wire that is at its end or joint
+      type(view_t), intent(in) :: view
       type(contact_point_t), intent(inout) :: point
-      logical :: here(size(point%legs))
+      type(leg_t), allocatable :: legs(:)
+      real(dp), allocatable :: weight(:)
+      integer :: i
 
-      here = point%legs%side == side .and. point%legs%at_contact
-      point%tilt(side) = minval(point%legs%tilt, here)
-      point%bend(side) = sum(point%legs%bend, here)/count(here)
-      if (sum(point%legs%part, here) > 0) point%bend(side) = sum(point%legs%part*point%legs%bend, here) &
-         /sum(point%legs%part, here)
+      associate (side => view%side)
+         legs = pack(point%legs, point%legs%side == side .and. point%legs%at_contact)
+         point%tilt(side) = minval(legs%tilt)
+         point%bend(side) = legs(1)%bend
+         if (size(legs) == 1) return
+         weight = max(legs%part, tiny(1.0_dp))
+         point%bend(side) = (sum(weight)/sum([(weight(i)/sqrt(least_bend(legs(i)%bend_of_law, view%overlap, &
+            view%radius)), i=1, size(legs))]))**2
+      end associate
    end subroutine set_tilt
 
-   !> Mean angle of all stretches of one wire with all of the other one, by their parts [rad]; 0: either has one only.
+   !> Angle at which an overlap is as long as those of all stretches of one wire with all of the other one in the mean,
+   !> by their parts [rad]; 0: either has one only.
    pure real(dp) function angle_of_legs(legs, angle) result(mean)
       type(leg_t), intent(in) :: legs(:)
       !> Angle of the axes at the contact, as the elements point [rad]
       real(dp), intent(in) :: angle
-      real(dp) :: weight, weights, between
+      real(dp) :: weight, weights, over_sine
       integer :: i, j
 
       mean = 0
       if (count(legs%side == 1) == 0 .or. count(legs%side == 2) == 0 .or. size(legs) < 3) return
       weights = 0
+      over_sine = 0
       do i = 1, size(legs)
          if (legs(i)%side /= 1) cycle
          do j = 1, size(legs)
             if (legs(j)%side /= 2) cycle
             ! equal parts where no cylinder has any
             weight = max(legs(i)%part*legs(j)%part, tiny(weight))
-            between = atan2(norm2(cross(legs(i)%direction, legs(j)%direction)), &
-               abs(dot_product(legs(i)%direction, legs(j)%direction)))
             weights = weights + weight
-            mean = mean + weight*between
+            over_sine = over_sine + weight/max(norm2(cross(legs(i)%direction, legs(j)%direction)), least_sine)
          end do
       end do
-      mean = mean/weights
+      mean = asin(min(1.0_dp, weights/over_sine))
       if (angle > pi/2) mean = pi - mean
    end function angle_of_legs
 

@@ -105,6 +105,7 @@ contains
          return
       end if
       point%lens_sine = lens_sine(point%kinematics)
+      if (point%joint_angle > 0) point%lens_sine = point%lens_sine*sin(point%joint_angle)/sin(point%kinematics%angle)
       point%weight = 1 - line_share_at(wires, elements, contact, by_place, point)
       radius = minval(elements%radius([point%element_bar, point%element]))
       half_length = half_length_of(point, deepest*radius)
