@@ -159,8 +159,8 @@ contains
       end do
    end subroutine collect_points
 
-   !> Each contact once (n_points): one at a node may be found by all elements there, and the first one keeps it, of those
-   !> that have found an end or a joint if any has.
+   !> Each contact once (n_points): one at a node may be found by all elements there, and the first one keeps it, of
+   !> those that have found an end or a joint if any has.
    pure function are_new(model, wires, elements, points) result(keep)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires

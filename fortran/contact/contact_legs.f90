@@ -1,9 +1,9 @@
 !> The stretches of a wire at a round end or joint, and what each of them has of a contact there.
 !>
 !> A wire is a tube: smooth stretches between round ends and joints (kinks, branches). Along each stretch the overlap
-!> with the other wire is a parabola, of which its cylinder has the integral between the ends of the stretch; a round end
-!> or joint has what the cylinders there leave. All stretches at a joint count alike, whichever of them the contact is
-!> attributed to, so that nothing depends on the order of elements. Source: theory section 10.
+!> with the other wire is a parabola, of which its cylinder has the integral between the ends of the stretch; a round
+!> end or joint has what the cylinders there leave. All stretches at a joint count alike, whichever of them the contact
+!> is attributed to, so that nothing depends on the order of elements. Source: theory section 10.
 module litz_contact_legs
    use litz_kinds, only: dp, pi
    use litz_axis, only: axis_shape, on_axis
@@ -63,7 +63,7 @@ module litz_contact_legs
       real(dp) :: xi = 0
       !> Unit vector away from the joint (3)
       real(dp) :: away(3) = 0
-      !> Slope and curvature of the distance along it, as they are, and as the law sees them: smooth bends are no corners
+      !> Slope and curvature of the distance along it, as they are and as the law sees them: smooth bends are no corners
       real(dp) :: slope = 0, profile_bend = 0, tilt = 0, bend = 0
       !> Part of its parabola that lies on it, and twice its middle over its length
       real(dp) :: part = 0, u = 0
@@ -204,7 +204,8 @@ contains
       associate (own => minval(part) - (1 - maxval(part)), cylinder => point%present_parts%of_cylinder(view%side))
          cylinder = cylinder + own
          point%legs = [point%legs, leg_t(side=view%side, element=e, xi=merge(point%xi_bar, point%xi, view%side == 1), &
-            arc=merge(point%arc_bar, point%arc, view%side == 1), at_contact=.true., along=along, direction=along, part=own)]
+            arc=merge(point%arc_bar, point%arc, view%side == 1), at_contact=.true., along=along, direction=along, &
+            part=own)]
       end associate
       do k = 1, 2
          if (.not. u(k) < 1) cycle

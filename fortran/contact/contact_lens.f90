@@ -5,13 +5,13 @@
 !> jump. Source: theory section 10.
 module litz_contact_lens
    use litz_kinds, only: dp
-   use litz_contact_points, only: contact_point_t
+   use litz_contact_points, only: contact_point_t, leg_t
    use litz_lens_law, only: smooth_step
    use litz_line_kinematics, only: lens_sine
    implicit none
    private
-   public :: has_lens, half_length_of, divide_at_ends, tells_shares, angle_of_axes, flatness, least_bend, wedge_length, deepest, &
-      least_overlap, small_sine, moderate_sine
+   public :: has_lens, half_length_of, half_length_on, divide_at_ends, tells_shares, angle_of_axes, flatness
+   public :: least_bend, wedge_length, deepest, least_overlap, small_sine, moderate_sine
 
    !> Sines of the angle between an axis and the surface of the other wire up to which they lie side by side, and from
    !> which on one runs into the other (5 and 15 degrees)
@@ -52,12 +52,28 @@ contains
          overlap = max(overlap, least_overlap*point%kinematics%distance)
          half_length = huge(half_length)
          do side = 1, 2
-            if (point%held(side)) half_length = min(half_length, wedge_length(point%tilt(side), point%bend(side), overlap))
+            if (point%held(side)) half_length = min(half_length, wedge_length(point%tilt(side), point%bend(side), &
+               overlap))
          end do
       else
          half_length = sqrt(2*point%kinematics%distance*overlap)/lens_sine(point%kinematics)
       end if
    end function half_length_of
+
+   !> How far the overlap of a contact at an end or joint reaches along two of its legs [m].
+   pure real(dp) function half_length_on(point, bar, leg, largest_overlap) result(half_length)
+      type(contact_point_t), intent(in) :: point
+      !> Of the barred and the unbarred wire
+      type(leg_t), intent(in) :: bar, leg
+      !> Overlap that counts at most [m]
+      real(dp), intent(in) :: largest_overlap
+      real(dp) :: overlap
+
+      overlap = max(min(-point%gap, largest_overlap), least_overlap*point%kinematics%distance)
+      half_length = huge(half_length)
+      if (point%held(1)) half_length = wedge_length(bar%tilt, bar%bend, overlap)
+      if (point%held(2)) half_length = min(half_length, wedge_length(leg%tilt, leg%bend, overlap))
+   end function half_length_on
 
    !> How far an overlap reaches from the end of a wire on, where the distance grows:
    !> `2 delta/(t + sqrt(t^2 + 2 k delta))` [m].

@@ -27,8 +27,8 @@ module litz_contact_points
    !> data of the law are none for it; a wire is curved about the other so much that the foot of a line is hardly known
    integer, parameter :: law_ok = 0, law_parallel = 1, law_bad_data = 2, law_too_curved = 3
 
-   !> A stretch of a wire of a contact, up to its next round end or joint: one on which the contact is, or one that leads
-   !> away from a joint near by.
+   !> A stretch of a wire of a contact, up to its next round end or joint: one on which the contact is, or one that
+   !> leads away from a joint near by.
    type :: leg_t
       !> 1: of the barred, 2: of the unbarred wire
       integer :: side = 0
@@ -77,8 +77,8 @@ module litz_contact_points
       type(parts_at_ends_t) :: present_parts
       !> At an end or a joint, or near a joint: the stretches of both wires there
       type(leg_t), allocatable :: legs(:)
-      !> Where it is at an end or a joint: slope of the distance along the leg from there along which it grows least, not
-      !> negative, and mean curvature (2) [-, 1/m]
+      !> Where it is at an end or a joint: slope of the distance along the leg from there along which it grows least,
+      !> not negative, and mean curvature (2) [-, 1/m]
       real(dp) :: tilt(2) = 0, bend(2) = 0
       !> The crossing of the same two wires that it was when the increment began
       type(crossing_t) :: start

@@ -6,7 +6,7 @@ module litz_line_shares
    use litz_kinds, only: dp, pi
    use litz_axis_choices, only: axis_hermite
    use litz_contact_lens, only: has_lens, half_length_of, divide_at_ends, tells_shares, angle_of_axes, flatness, &
-      least_bend, wedge_length, least_overlap, deepest, small_sine, moderate_sine
+      half_length_on, least_bend, deepest, small_sine, moderate_sine
    use litz_contact_points, only: contact_point_t, contact_set_t, leg_t, is_contact_of, pair_geometry, law_too_curved
    use litz_crossings_of_wires, only: crossings_of_wires_t, sort_crossings
    use litz_element_library, only: elements_t
@@ -174,7 +174,8 @@ contains
                part = bar%part*leg%part
                parts = parts + part
                of_cylinders = of_cylinders + part*(1 - share)
-               of_ends = min(of_ends, max(1 - share, share_of_short_lap(wires, elements, contact%places, point, bar, leg)))
+               of_ends = min(of_ends, max(1 - share, share_of_short_lap(wires, elements, contact%places, point, bar, &
+                  leg)))
             end associate
          end do
       end do
@@ -211,21 +212,6 @@ contains
       reach = sqrt(2*point%kinematics%distance*max(-point%gap, 0.0_dp))
       if (lap < reach) share = share*(1 - merge(bar%part, leg%part, point%held(1))*(1 - smooth_step(lap/reach)))
    end function share_of_short_lap
-
-   !> How far the overlap of a contact at an end or joint reaches along two of its legs [m].
-   pure real(dp) function half_length_on(point, bar, leg, largest_overlap) result(half_length)
-      type(contact_point_t), intent(in) :: point
-      !> Of the barred and the unbarred wire
-      type(leg_t), intent(in) :: bar, leg
-      !> Overlap that counts at most [m]
-      real(dp), intent(in) :: largest_overlap
-      real(dp) :: overlap
-
-      overlap = max(min(-point%gap, largest_overlap), least_overlap*point%kinematics%distance)
-      half_length = huge(half_length)
-      if (point%held(1)) half_length = wedge_length(bar%tilt, bar%bend, overlap)
-      if (point%held(2)) half_length = min(half_length, wedge_length(leg%tilt, leg%bend, overlap))
-   end function half_length_on
 
    !> Sine of straight wires between which the distance would be as curved.
    pure real(dp) function sine_at_end(point, radius) result(sine)
