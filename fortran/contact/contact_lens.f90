@@ -5,7 +5,7 @@
 !> jump. Source: theory section 10.
 module litz_contact_lens
    use litz_kinds, only: dp
-   use litz_contact_points, only: contact_point_t, leg_t
+   use litz_contact_points, only: contact_point_t, leg_t, is_contact_of
    use litz_lens_law, only: smooth_step
    use litz_line_kinematics, only: lens_sine
    implicit none
@@ -37,27 +37,26 @@ contains
       if (has_lens .and. .not. any(point%held)) has_lens = lens_sine(point%kinematics) > 0
    end function has_lens
 
-   !> `aW = sqrt(2 d delta)/s` of a crossing; from the end of a wire on that of a wedge [m].
+   !> `aW = sqrt(2 d delta)/s` of a crossing; from the end of a wire on that of a wedge, the longest at a joint [m].
    pure real(dp) function half_length_of(point, largest_overlap) result(half_length)
       !> With a lens
       type(contact_point_t), intent(in) :: point
       !> Overlap that counts at most [m]: iterates overlap deeply for a moment, which makes no lines of them
       real(dp), intent(in) :: largest_overlap
-      real(dp) :: overlap
-      integer :: side
+      integer :: i, j
 
-      overlap = max(0.0_dp, min(-point%gap, largest_overlap))
-      if (any(point%held)) then
-         ! at first touch a tilt of round-off would tell lines from ends
-         overlap = max(overlap, least_overlap*point%kinematics%distance)
-         half_length = huge(half_length)
-         do side = 1, 2
-            if (point%held(side)) half_length = min(half_length, wedge_length(point%tilt(side), point%bend(side), &
-               overlap))
-         end do
-      else
-         half_length = sqrt(2*point%kinematics%distance*overlap)/lens_sine(point%kinematics)
+      if (.not. any(point%held)) then
+         half_length = sqrt(2*point%kinematics%distance*max(0.0_dp, min(-point%gap, largest_overlap))) &
+            /lens_sine(point%kinematics)
+         return
       end if
+      half_length = 0
+      do i = 1, size(point%legs)
+         do j = 1, size(point%legs)
+            if (is_contact_of(point%legs(i), point%legs(j))) half_length = max(half_length, half_length_on(point, &
+               point%legs(i), point%legs(j), largest_overlap))
+         end do
+      end do
    end function half_length_of
 
    !> How far the overlap of a contact at an end or joint reaches along two of its legs [m].
@@ -69,6 +68,7 @@ contains
       real(dp), intent(in) :: largest_overlap
       real(dp) :: overlap
 
+      ! at first touch a tilt of round-off would tell lines from ends
       overlap = max(min(-point%gap, largest_overlap), least_overlap*point%kinematics%distance)
       half_length = huge(half_length)
       if (point%held(1)) half_length = wedge_length(bar%tilt, bar%bend, overlap)
