@@ -4,6 +4,7 @@ module litz_contact_capture
    use litz_kinds, only: dp, pi
    use litz_contact_history, only: contact_history_t, advanced_history, spot_of_history
    use litz_contact_points, only: contact_set_t, contact_point_t
+   use litz_line_cell, only: touching_length
    use litz_line_places, only: line_places_t
    use litz_state, only: state_t, contact_t
    implicit none
@@ -18,15 +19,23 @@ contains
       type(state_t), intent(inout) :: state
 
       deallocate (state%contacts)
-      allocate (state%contacts(count(contact%points%closed) + count(contact%line_points%closed)))
+      allocate (state%contacts(count(is_shown(contact%points)) + count(is_shown(contact%line_points))))
       call capture_points(contact%points, 0, contact%places, contact%last_id, state)
-      call capture_points(contact%line_points, count(contact%points%closed), contact%places, contact%last_id, state)
+      call capture_points(contact%line_points, count(is_shown(contact%points)), contact%places, contact%last_id, state)
       contact%converged = contact%points
       contact%converged_line_points = contact%line_points
       contact%converged_clearance = contact%clearance
    end subroutine capture_contacts
 
-   !> Closed contacts, each with an identity that it keeps while it lives.
+   !> Contacts that carry a force or a current: a place of a line may have only the latter, where a part of the wire
+   !> touches for which it stands.
+   elemental logical function is_shown(point)
+      type(contact_point_t), intent(in) :: point
+
+      is_shown = point%closed .or. point%conductance > 0
+   end function is_shown
+
+   !> These contacts, each with an identity that it keeps while it lives.
    subroutine capture_points(points, n_before, places, last_id, state)
       type(contact_point_t), intent(inout) :: points(:)
       !> Contacts of the state before these
@@ -40,12 +49,14 @@ contains
       m = n_before
       do i = 1, size(points)
          associate (point => points(i))
-            if (.not. point%closed) then
-               point%history = merge(spot_of_history(point%history), contact_history_t(), point%gap < 0)
-               cycle
+            if (point%closed) then
+               point%history = advanced_history(point%history, [point%arc_bar, point%arc], point%force, point%weight, &
+                  merge(point%force/point%weight, point%force, point%line_place > 0), point%friction, point%new_spot)
+            else
+               point%history = merge(spot_of_history(point%history), contact_history_t(), &
+                  point%gap < 0 .or. point%cell_touches)
             end if
-            point%history = advanced_history(point%history, [point%arc_bar, point%arc], point%force, point%weight, &
-               merge(point%force/point%weight, point%force, point%line_place > 0), point%friction, point%new_spot)
+            if (.not. is_shown(point)) cycle
             if (point%id == 0) then
                last_id = last_id + 1
                point%id = last_id
@@ -77,7 +88,9 @@ contains
       contact%resistance = ieee_value(contact%resistance, ieee_positive_inf)
       if (point%conductance > 0) contact%resistance = 1/point%conductance
       contact%joule_heat = point%current*point%voltage_gap + point%heat_of_strips
-      if (point%line_place > 0) contact%length = point%weight
+      if (point%line_place == 0) return
+      contact%length = point%weight
+      if (.not. point%closed) contact%length = point%weight*touching_length(point%cell)/sum(point%cell%reach)
    end function contact_of_point
 
 end module litz_contact_capture

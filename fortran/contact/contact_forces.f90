@@ -92,7 +92,7 @@ contains
       integer, allocatable :: touching(:), nodes(:, :)
       integer :: first, n, i
 
-      touching = pack([(i, i=1, size(points))], points%active .or. points%closed)
+      touching = pack([(i, i=1, size(points))], points%active .or. points%closed .or. conducts_apart(points))
       n = min(chunk, size(touching))
       allocate (k(n_motions, n_motions, n), r(n_motions, n), k_ee(4, 4, n), r_e(4, n), k_me(4, n_motions, n))
       allocate (nodes(4, n))
@@ -140,7 +140,7 @@ contains
          type(wire_pair_t) :: pair
          type(spot_in_circuit_t) :: circuit
          type(contact_electricity_t) :: electricity
-         logical :: conducts
+         logical :: has_friction, conducts
 
          associate (model => domain%model, wires => domain%wires, elements => domain%elements, &
             iterate => domain%iterate, law => domain%model%interactions( &
@@ -149,14 +149,15 @@ contains
             call pair_geometry(model, wires, elements, point%element_bar, point%element, iterate%x, iterate%rotation, &
                x, t, length)
             pair = wires_of(model, elements, point)
-            if (law%friction > 0) call find_friction(law, wires, x, t, length, pair, increment_start(point, nodes_p), &
+            has_friction = law%friction > 0 .and. (point%active .or. point%closed)
+            if (has_friction) call find_friction(law, wires, x, t, length, pair, increment_start(point, nodes_p), &
                point, k_friction, r_friction)
-            conducts = point%closed .and. all(pair%resistivity > 0) .and. law%spot%exists()
-            if (conducts) call find_spot(law, wires, pair, point, circuit)
+            conducts = (point%closed .or. conducts_apart(point)) .and. all(pair%resistivity > 0) .and. law%spot%exists()
+            if (conducts) call find_spot(law, wires, pair, x, t, length, point, circuit)
             call contact_blocks(point%kinematics, t, iterate%value(potential_slots(1), nodes_p), &
                contact_force_t(point%force, point%geometric_force, point%stiffness, 0.0_dp, point%at_gap), circuit, &
                form_hessian, k_p, r_p, k_me_p, k_ee_p, r_e_p, electricity)
-            if (law%friction > 0) then
+            if (has_friction) then
                k_p = k_p + k_friction
                r_p = r_p + r_friction
             end if
@@ -185,6 +186,13 @@ contains
       end function increment_start
 
    end subroutine assemble_contacts
+
+   !> A place of a line that does not touch itself conducts where a part of its cell touches.
+   elemental logical function conducts_apart(point)
+      type(contact_point_t), intent(in) :: point
+
+      conducts_apart = point%cell_touches .and. point%weight > 0
+   end function conducts_apart
 
    !> Arms of rigid bodies turn the forces of this iteration, not those of the law.
    pure subroutine add_supposed_force(point, nodes_p, forces)

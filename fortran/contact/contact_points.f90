@@ -8,6 +8,7 @@ module litz_contact_points
    use litz_friction_iteration, only: friction_iteration_t
    use litz_friction_law, only: friction_law_t
    use litz_hertz, only: hertz_ellipse_t
+   use litz_line_cell, only: line_cell_t
    use litz_line_law, only: line_wires_t
    use litz_line_places, only: line_places_t
    use litz_model, only: model_t, axis_hermite
@@ -103,6 +104,10 @@ module litz_contact_points
       logical :: foot_at_end = .false.
       !> Point of a line contact: its place on the unbarred wire, see litz_line_places; 0: the wires cross here
       integer :: line_place = 0
+      !> Of a point of a line contact between conductors: the part of the wire for which it stands, and whether the
+      !> wires touch anywhere in it
+      type(line_cell_t) :: cell
+      logical :: cell_touches = .false.
       !> Normal in the last converged state (3); 0: none
       real(dp) :: normal_before(3) = 0
       !> Law per length at the present angle, of a point of a line contact
@@ -310,6 +315,7 @@ contains
       point%is_long = earlier%is_long
       point%weight = earlier%weight
       point%line_share = earlier%line_share
+      point%cell%reach = earlier%cell%reach
       point%section_share = earlier%section_share
       point%lens_share = earlier%lens_share
       point%lens_sine = earlier%lens_sine

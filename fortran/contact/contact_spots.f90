@@ -1,6 +1,7 @@
 !> The spots of closed contacts between conductors.
 module litz_contact_spots
-   use litz_kinds, only: dp
+   use litz_kinds, only: dp, pi
+   use litz_axis_choices, only: axis_hermite
    use litz_contact_blocks, only: spot_in_circuit_t
    use litz_contact_electricity, only: contact_electricity_t
    use litz_contact_history, only: force_of_spot
@@ -9,10 +10,11 @@ module litz_contact_spots
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
    use litz_law_input, only: wire_pair_t
    use litz_lens_law, only: lens_t, lens_force, lens_spot_t, lens_spot, lens_integral, n_depths
-   use litz_line_law, only: line_spot_t, line_spot
-   use litz_line_point, only: spot_of_line
+   use litz_line_cell, only: cell_samples_t, cell_samples, cell_integral, n_of_cell, n_samples
+   use litz_line_kinematics, only: line_course_t, line_course
+   use litz_line_law, only: line_force_t, line_force, line_overlap_t, line_overlap, line_spot_t, line_spot
    use litz_model, only: interaction_t
-   use litz_normal_forces, only: is_lens, overlap_of_point, weight_of_lens
+   use litz_normal_forces, only: is_lens, share_of_ellipse, overlap_of_point, weight_of_lens
    use litz_normal_law, only: overlap_of_force_t
    use litz_spot_law, only: contact_spot_t, contact_spot, spot_law_t, spot_ok
    use litz_wires, only: wires_t, arc_from_to
@@ -26,60 +28,153 @@ contains
    !>
    !> What makes a spot that is remembered is the largest force, of a crossing as a whole or of a place of a line per
    !> length; at the present angle.
-   subroutine find_spot(law, wires, pair, point, circuit)
+   subroutine find_spot(law, wires, pair, x, t, length, point, circuit)
       type(interaction_t), intent(in) :: law
       type(wires_t), intent(in) :: wires
       type(wire_pair_t), intent(in) :: pair
+      !> Nodal positions [m] and unit tangents (3, 4), reference lengths (2) [m]: barred before unbarred
+      real(dp), intent(in) :: x(3, 4), t(3, 4), length(2)
       type(contact_point_t), intent(inout) :: point
       type(spot_in_circuit_t), intent(out) :: circuit
       real(dp) :: spot_force
-      integer :: info
+      type(contact_spot_t) :: of_ellipse
 
       circuit%series_resistance = pair%series_resistance
       if (law%spot_memory) point%new_spot = leaves_spot(law, wires, pair, point)
       call force_of_spot(law%spot_memory, point%history, point%force/point%weight, point%new_spot, spot_force, &
          circuit%follows)
-      if (law%spot%is_per_length) then
+      if (point%line_place > 0) then
+         call spot_of_cell(law, pair, spot_force, line_course(x, t, length, axis_hermite, point%foot_at_end, &
+            point%kinematics), point, circuit)
+      else if (law%spot%is_per_length) then
          call spot_per_length(law, pair, spot_force, point, circuit%spot)
-      else if (point%line_place > 0) then
-         circuit%spot = spot_of_line(strip_of(law%spot, point, spot_force), point%weight)
       else if (is_lens(law%normal, point)) then
          circuit%spot = spot_of_lens(law, pair, point, lens_of_spot(law, pair, point, spot_force))
+         if (share_of_ellipse(law%normal, point) > 0) then
+            call spot_of_crossing(law, pair, spot_force, point, of_ellipse)
+            circuit%spot = between(circuit%spot, of_ellipse, share_of_ellipse(law%normal, point))
+         end if
       else
-         call contact_spot(law%spot, spot_force, pair, point%ellipse, circuit%spot, info)
-         if (info /= spot_ok) point%law_status = law_bad_data
-         circuit%spot%conductance = point%weight*circuit%spot%conductance
+         call spot_of_crossing(law, pair, spot_force, point, circuit%spot)
       end if
    end subroutine find_spot
 
-   !> A resistance that is given per length: at a point of a line, or over the lens of a crossing.
+   !> The spot of wires that cross, as far as this point carries the contact.
+   pure subroutine spot_of_crossing(law, pair, spot_force, point, spot)
+      type(interaction_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      !> That makes the spot [N]
+      real(dp), intent(in) :: spot_force
+      type(contact_point_t), intent(inout) :: point
+      type(contact_spot_t), intent(out) :: spot
+      integer :: info
+
+      call contact_spot(law%spot, spot_force, pair, point%ellipse, spot, info)
+      if (info /= spot_ok) point%law_status = law_bad_data
+      spot%conductance = point%weight*spot%conductance
+   end subroutine spot_of_crossing
+
+   !> A spot that turns from one law into another, at the angle of a lens, which stays.
+   pure type(contact_spot_t) function between(first, second, share) result(spot)
+      type(contact_spot_t), intent(in) :: first, second
+      !> Of the second one
+      real(dp), intent(in) :: share
+
+      spot%semi_major = (1 - share)*first%semi_major + share*second%semi_major
+      spot%semi_minor = (1 - share)*first%semi_minor + share*second%semi_minor
+      spot%conductance = (1 - share)*first%conductance + share*second%conductance
+      spot%dconductance_dforce = (1 - share)*first%dconductance_dforce + share*second%dconductance_dforce
+   end function between
+
+   !> What a place of a line conducts: the integral over the part of its cell that touches.
+   pure subroutine spot_of_cell(law, pair, spot_force, course, point, circuit)
+      type(interaction_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      !> That makes the spot at the place [N/m]
+      real(dp), intent(in) :: spot_force
+      type(line_course_t), intent(in) :: course
+      type(contact_point_t), intent(inout) :: point
+      !> Out: the spot, and how its conductance changes; `follows` is known
+      type(spot_in_circuit_t), intent(inout) :: circuit
+      type(cell_samples_t) :: samples
+      type(line_overlap_t) :: made
+      type(contact_spot_t) :: at(n_samples)
+      type(line_force_t) :: force(n_samples)
+      real(dp) :: deeper, integral, derivative(n_of_cell), density
+      integer :: i, n, info
+
+      samples = cell_samples(point%cell)
+      n = samples%n
+      deeper = 0
+      if (.not. circuit%follows > 0) then
+         made = line_overlap(point%line, spot_force, law%normal%line_penalty())
+         deeper = max(0.0_dp, made%overlap - point%cell%overlap)
+         ! the strip stays as it was made while less of it touches
+         samples%doverlap(1, :n) = samples%doverlap(1, :n) - 1
+      end if
+      do i = 1, n
+         force(i) = line_force(point%line, samples%overlap(i) + deeper, law%normal%line_penalty())
+         call spot_at_sample(law, pair, point, force(i)%force, at(i), info)
+         if (info /= spot_ok) point%law_status = law_bad_data
+      end do
+      call cell_integral(samples, at(:n)%conductance, at(:n)%dconductance_dforce*force(:n)%stiffness, integral, &
+         derivative)
+      density = point%weight/sum(point%cell%reach)
+      circuit%spot%conductance = density*integral
+      circuit%spot%semi_minor = maxval(at(:n)%semi_minor)
+      circuit%spot%semi_major = density*sum(samples%weight(:n))/2
+      ! an ellipse of the same area
+      if (.not. law%spot%is_per_length) circuit%spot%semi_major = 4/pi*circuit%spot%semi_major
+      circuit%dconductance = density*(derivative(2)*course%dslope + derivative(3)*course%dbend &
+         - derivative(1)*point%kinematics%dgap)
+   end subroutine spot_of_cell
+
+   !> Conductance per length under a force per length, and how wide the strip is.
+   pure subroutine spot_at_sample(law, pair, point, force, spot, info)
+      type(interaction_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(in) :: point
+      !> [N/m]
+      real(dp), intent(in) :: force
+      type(contact_spot_t), intent(out) :: spot
+      !> `spot_ok`, or what is wrong
+      integer, intent(out) :: info
+      type(line_spot_t) :: strip
+
+      info = spot_ok
+      if (law%spot%is_per_length) then
+         call contact_spot(law%spot, force, pair, point%ellipse, spot, info)
+         return
+      end if
+      strip = strip_of(law%spot, point, force)
+      spot%semi_minor = strip%half_width
+      spot%conductance = strip%conductance
+      spot%dconductance_dforce = strip%dconductance_dforce
+   end subroutine spot_at_sample
+
+   !> A resistance that is given per length, over the lens of a crossing.
    pure subroutine spot_per_length(law, pair, spot_force, point, spot)
       type(interaction_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair
-      !> That makes the spot: of a crossing [N], of a place of a line per length [N/m]
+      !> That makes the spot [N]
       real(dp), intent(in) :: spot_force
       type(contact_point_t), intent(inout) :: point
       type(contact_spot_t), intent(out) :: spot
       type(contact_spot_t) :: at(n_depths)
       type(lens_t) :: lens
-      real(dp) :: dconductance_dgap
+      real(dp) :: dconductance_dgap, weight
       integer :: i, info
 
-      if (point%line_place > 0) then
-         call contact_spot(law%spot, spot_force, pair, point%ellipse, spot, info)
-         if (info /= spot_ok) point%law_status = law_bad_data
-         spot%conductance = point%weight*spot%conductance
-         spot%semi_major = point%weight/2
-         return
-      end if
       lens = lens_of_spot(law, pair, point, spot_force)
       do i = 1, n_depths
          call contact_spot(law%spot, lens%along(i)%force, pair, point%ellipse, at(i), info)
          if (info /= spot_ok) point%law_status = law_bad_data
       end do
       call lens_integral(lens, at%conductance, at%dconductance_dforce, spot%conductance, dconductance_dgap)
-      spot%conductance = weight_of_lens(law%normal, pair, point)*spot%conductance
-      spot%dconductance_dforce = dconductance_dgap/lens%dforce_dgap
+      weight = weight_of_lens(law%normal, pair, point)
+      spot%conductance = weight*spot%conductance
+      ! by the force that the point has, which may be that of an ellipse
+      spot%dconductance_dforce = weight*dconductance_dgap/point%at_gap%dforce_dgap
       spot%semi_major = lens%half_length
    end subroutine spot_per_length
 

@@ -10,7 +10,7 @@ module litz_line_laps
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: share_at_lap, distances_to_ends, lap_from_end, lap_at_crossing
+   public :: share_at_lap, cell_at_lap, distances_to_ends, lap_from_end, lap_at_crossing
 
    !> Ends and places that are nearer to each other than this part of the distance of places lie side by side: all
    !> places of a lap have to find the same
@@ -26,24 +26,74 @@ contains
       !> Of the angle between the elements, the sign of which says whether they run the same way
       real(dp), intent(in) :: cosine
       type(contact_point_t), intent(in) :: point
-      real(dp) :: to_end(2), own(2), spacing
-      integer :: side, ahead
+      real(dp) :: reach
+      integer :: ahead
 
       share = 1
-      to_end = distances_to_ends(wires, elements, point%element_bar, point%arc_bar)
-      side = minloc(to_end, 1)
-      spacing = elements%length(point%element)/places%n_parts(point%element)
-      if (to_end(side) >= spacing - tie*spacing) return
-      ahead = merge(side, 3 - side, cosine*wires%direction(point%element_bar)*wires%direction(point%element) > 0)
-      own = distances_to_ends(wires, elements, point%element, point%arc)
-      ! the wire of the place ends first
-      if (own(ahead) <= to_end(side) + tie*spacing .and. .not. point%foot_at_end) return
+      call find_end_of_lap(wires, elements, places, cosine, point, ahead, reach)
+      if (ahead == 0) return
       share = 0
       if (point%foot_at_end) return
       associate (length => places%length(point%line_place))
-         share = (length - spacing/2 + to_end(side))/length
+         share = (length - half_part(elements, places, point%element) + reach)/length
       end associate
    end function share_at_lap
+
+   !> From a place to the ends of the part of its wire for which it stands, against and along its element (2) [m].
+   pure function cell_at_lap(wires, elements, places, point) result(reach)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(line_places_t), intent(in) :: places
+      type(contact_point_t), intent(in) :: point
+      real(dp) :: reach(2), to_end
+      integer :: ahead
+
+      reach = half_part(elements, places, point%element)
+      ! at a node, the other side lies in the next element, if there is one
+      if (point%xi <= -1) reach(1) = places%length(point%line_place) - reach(2)
+      if (point%xi >= 1) reach(2) = places%length(point%line_place) - reach(1)
+      call find_end_of_lap(wires, elements, places, point%kinematics%cos_angle, point, ahead, to_end)
+      if (ahead == 0) return
+      if (wires%direction(point%element) < 0) ahead = 3 - ahead
+      reach(ahead) = max(0.0_dp, reach(ahead) - half_part(elements, places, point%element) + to_end)
+   end function cell_at_lap
+
+   !> The end of the other wire, where it comes before the next place and before the end of the wire of this one.
+   pure subroutine find_end_of_lap(wires, elements, places, cosine, point, ahead, to_end)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(line_places_t), intent(in) :: places
+      !> Of the angle between the elements
+      real(dp), intent(in) :: cosine
+      type(contact_point_t), intent(in) :: point
+      !> It lies towards the first (1) or the second end (2) of the wire of the place; 0: there is none
+      integer, intent(out) :: ahead
+      !> Distance of the foot from it [m]
+      real(dp), intent(out) :: to_end
+      real(dp) :: from_ends(2), own(2), spacing
+      integer :: side
+
+      ahead = 0
+      from_ends = distances_to_ends(wires, elements, point%element_bar, point%arc_bar)
+      side = minloc(from_ends, 1)
+      to_end = from_ends(side)
+      spacing = 2*half_part(elements, places, point%element)
+      if (to_end >= spacing - tie*spacing) return
+      ahead = merge(side, 3 - side, cosine*wires%direction(point%element_bar)*wires%direction(point%element) > 0)
+      own = distances_to_ends(wires, elements, point%element, point%arc)
+      ! the wire of the place ends first
+      if (own(ahead) <= to_end + tie*spacing .and. .not. point%foot_at_end) ahead = 0
+   end subroutine find_end_of_lap
+
+   !> Half of the distance of places in an element [m].
+   pure real(dp) function half_part(elements, places, e)
+      type(elements_t), intent(in) :: elements
+      type(line_places_t), intent(in) :: places
+      !> Element
+      integer, intent(in) :: e
+
+      half_part = elements%length(e)/places%n_parts(e)/2
+   end function half_part
 
    !> How far two wires lie beside each other from the end of one of them on, until the other one ends [m].
    pure real(dp) function lap_from_end(wires, elements, leg, other) result(lap)

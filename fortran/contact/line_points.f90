@@ -11,10 +11,11 @@ module litz_line_points
       inherit
    use litz_crossings_of_wires, only: crossings_of_wires_t, sort_crossings
    use litz_element_library, only: elements_t
+   use litz_line_cell, only: touching_length
    use litz_line_contact, only: serves_lines
    use litz_line_feet, only: foot_t, find_feet
    use litz_line_foot, only: foot_at_end
-   use litz_line_kinematics, only: line_kinematics
+   use litz_line_kinematics, only: line_kinematics, line_course_t, line_course
    use litz_line_shares, only: share_line_point, points_by_place_t, chain_by_place
    use litz_model, only: model_t
    use litz_parallel, only: worth_threads
@@ -152,7 +153,23 @@ contains
          point%regular = info == kinematics_ok .and. point%kinematics%gap < skin/2*sum(radius)
       end associate
       point%foot_at_end = foot%status == foot_at_end
-      if (point%regular .and. is_new) call share_line_point(wires, elements, contact, sorted, xe, t, length, point)
+      if (.not. point%regular) return
+      if (is_new) call share_line_point(wires, elements, contact, sorted, xe, t, length, point)
+      if (model%interactions(model%contact_pairs(point%pair)%interaction)%spot%exists() .and. &
+         all(elements%resistivity([point%element_bar, point%element]) > 0)) then
+         call set_cell(line_course(xe, t, length, axis_hermite, point%foot_at_end, point%kinematics), point)
+      end if
    end subroutine set_geometry
+
+   !> The overlap along the part of the wire for which a point stands.
+   pure subroutine set_cell(course, point)
+      type(line_course_t), intent(in) :: course
+      type(contact_point_t), intent(inout) :: point
+
+      point%cell%overlap = -point%gap
+      point%cell%slope = course%slope
+      point%cell%bend = course%bend
+      point%cell_touches = touching_length(point%cell) > 0
+   end subroutine set_cell
 
 end module litz_line_points

@@ -13,7 +13,7 @@ module litz_line_shares
    use litz_lens_law, only: share_of_point, smooth_step
    use litz_line_contact, only: serves_lines
    use litz_line_kinematics, only: lens_sine, crossing_qualities, line_profile_t, line_profile
-   use litz_line_laps, only: share_at_lap, lap_from_end, lap_at_crossing
+   use litz_line_laps, only: share_at_lap, cell_at_lap, lap_from_end, lap_at_crossing
    use litz_line_places, only: line_places_t, place_at, spacing_of_places
    use litz_model, only: model_t
    use litz_normal_law, only: normal_law_t
@@ -408,6 +408,7 @@ contains
          end if
          point%weight = point%line_share*share_of_pass(quality)*flatness(tilt)*contact%places%length(point%line_place) &
             *share_at_lap(wires, elements, contact%places, point%kinematics%cos_angle, point)
+         point%cell%reach = cell_at_lap(wires, elements, contact%places, point)
          if (.not. any(quality > least_quality)) point%law_status = law_too_curved
       end associate
    end subroutine share_line_point

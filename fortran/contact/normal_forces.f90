@@ -18,7 +18,7 @@ module litz_normal_forces
    use litz_parallel, only: worth_threads
    implicit none
    private
-   public :: apply_normal_law, wires_of, is_lens, weight_of_lens, overlap_of_point
+   public :: apply_normal_law, wires_of, is_lens, share_of_ellipse, weight_of_lens, overlap_of_point
 
    !> At first touch the Hertz law is linearised about the force of an overlap of at most this fraction of the radius
    real(dp), parameter :: first_overlap = 1.0e-3_dp
@@ -77,7 +77,8 @@ contains
       point%force = 0
       point%stiffness = 0
       point%iteration_force = 0
-      point%geometric_force = max(point%mixed_force, 0.0_dp)
+      point%geometric_force = 0
+      if (point%active .or. point%closed) point%geometric_force = max(point%mixed_force, 0.0_dp)
       if (.not. point%active) point%mixed_force = 0
       associate (law => model%interactions(model%contact_pairs(point%pair)%interaction))
          needs_line = point%weight > 0 .and. (point%line_place > 0 .or. is_lens(law%normal, point) .or. &
@@ -89,6 +90,7 @@ contains
          if (point%line_place > 0) then
             call press_line(law%normal%line_penalty(), point)
          else if (is_lens(law%normal, point)) then
+            if (law%spot%uses_ellipse .and. share_of_ellipse(law%normal, point) > 0) call find_ellipse(pair, point)
             call press_lens(law%normal, pair, point)
          else
             if (law%normal%uses_ellipse .or. law%spot%uses_ellipse) call find_ellipse(pair, point)
@@ -106,6 +108,16 @@ contains
 
       is_lens = point%line_place == 0 .and. (point%section_share > 0 .or. law%is_per_length_only())
    end function is_lens
+
+   !> What the spot of crossed wires counts beside the strip along the lens, whose conductances differ where there is a
+   !> film or a hardness: all as the section begins to count, nothing where it wholly does.
+   pure real(dp) function share_of_ellipse(law, point) result(share)
+      type(normal_law_t), intent(in) :: law
+      type(contact_point_t), intent(in) :: point
+
+      share = 1 - point%section_share
+      if (law%is_per_length_only()) share = 0
+   end function share_of_ellipse
 
    pure subroutine find_ellipse(pair, point)
       type(wire_pair_t), intent(in) :: pair

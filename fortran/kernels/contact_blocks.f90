@@ -34,6 +34,9 @@ module litz_contact_blocks
       real(dp) :: follows = 1
       !> s = rho L0/(4 A) (2) [ohm]: barred, unbarred; 0: the voltage is not corrected
       real(dp) :: series_resistance(2) = 0
+      !> How the conductance changes with the 24 mechanical unknowns, not by force and angle: by what touches of a part
+      !> of a line [S/m, S/rad]
+      real(dp) :: dconductance(24) = 0
    end type spot_in_circuit_t
 
 contains
@@ -57,7 +60,7 @@ contains
       call contact_mechanics(kinematics, t, force%force, force%stiffness, force%geometric_force, form, k_mm, r_m, &
          force%dforce_dangle)
       call current_of_spot(kinematics, v, force%law, circuit%spot, circuit%follows, circuit%series_resistance, &
-         electricity)
+         circuit%dconductance, electricity)
       k_me = coupling_tangent(electricity, kinematics)
       k_ee = electricity%k_ee
       r_e = electricity%r_e

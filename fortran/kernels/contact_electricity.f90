@@ -25,14 +25,15 @@ module litz_contact_electricity
       real(dp) :: n_v(4) = 0
       !> Currents leaving the four nodes [A], and the tangent over their voltages [S]
       real(dp) :: r_e(4) = 0, k_ee(4, 4) = 0
-      !> Rows over the 24 mechanical unknowns that N_V multiplies in K_me1, K_me2, K_me4 and K_me5
+      !> Rows over the 24 mechanical unknowns that N_V multiplies in K_me1, K_me2, K_me4 and K_me5; along a line K_me2
+      !> has what touches of a part of it, too
       real(dp) :: me1(24) = 0, me2(24) = 0, me4(24) = 0, me5(24) = 0
    end type contact_electricity_t
 
 contains
 
    !> Currents and tangents of a spot that the contact force makes, which follows the gap and the angle.
-   pure subroutine current_of_spot(kinematics, v, normal, spot, follows, series_resistance, electricity)
+   pure subroutine current_of_spot(kinematics, v, normal, spot, follows, series_resistance, dconductance, electricity)
       type(contact_kinematics_t), intent(in) :: kinematics
       !> Nodal voltages (4) [V]: barred 1, barred 2, 1, 2
       real(dp), intent(in) :: v(4)
@@ -42,22 +43,26 @@ contains
       real(dp), intent(in) :: follows
       !> s = rho L0/(4 A) (2) [ohm]: barred, unbarred; 0: no correction
       real(dp), intent(in) :: series_resistance(2)
+      !> How the conductance changes with the mechanical unknowns besides (24) [S/m, S/rad]
+      real(dp), intent(in) :: dconductance(24)
       type(contact_electricity_t), intent(out) :: electricity
 
       associate (dg_dforce => spot%dconductance_dforce*follows)
          call contact_electricity(kinematics, v, spot%conductance, dg_dforce*normal%dforce_dgap, &
-            spot%dconductance_dangle + dg_dforce*normal%dforce_dangle, series_resistance, electricity)
+            spot%dconductance_dangle + dg_dforce*normal%dforce_dangle, dconductance, series_resistance, electricity)
       end associate
    end subroutine current_of_spot
 
    !> Currents and tangents of a spot of known conductance.
    pure subroutine contact_electricity(kinematics, v, conductance, dconductance_dgap, dconductance_dangle, &
-      series_resistance, electricity)
+      dconductance, series_resistance, electricity)
       type(contact_kinematics_t), intent(in) :: kinematics
       !> Nodal voltages (4) [V]: barred 1, barred 2, 1, 2
       real(dp), intent(in) :: v(4)
       !> Of the spot: G [S], dG/dg [S/m] at fixed angle and dG/dangle [S/rad] at fixed gap
       real(dp), intent(in) :: conductance, dconductance_dgap, dconductance_dangle
+      !> How it changes with the mechanical unknowns besides (24) [S/m, S/rad]
+      real(dp), intent(in) :: dconductance(24)
       !> s = rho L0/(4 A) (2) [ohm]: barred, unbarred; 0: no correction
       real(dp), intent(in) :: series_resistance(2)
       type(contact_electricity_t), intent(out) :: electricity
@@ -81,7 +86,7 @@ contains
             electricity%k_ee(:, j) = g*(n_v*n_v(j))                                         ! K_ee = G N_V N_V^T
          end do
          electricity%me1 = g*(slope_bar*kinematics%dxi_bar - slope*kinematics%dxi)          ! G (Vb' dxib - V' dxi)
-         electricity%me2 = g_v*share**2*dconductance_dgap*kinematics%dgap                   ! (dI/dg) dg
+         electricity%me2 = g_v*share**2*(dconductance_dgap*kinematics%dgap + dconductance)  ! (dI/dg) dg
          electricity%me4 = g_v*share**2*dconductance_dangle*kinematics%dangle               ! (dI/dangle) dangle
          electricity%me5 = 2*g*current*(s(1)*xi_bar*kinematics%dxi_bar + s(2)*xi*kinematics%dxi)
       end associate

@@ -10,11 +10,11 @@
 module litz_line_kinematics
    use litz_kinds, only: dp
    use litz_rotations, only: cross
-   use litz_axis, only: axis_shape, on_axis, axis_row
+   use litz_axis, only: axis_shape, axis_third_derivative, on_axis, axis_row
    use litz_contact_kinematics, only: contact_kinematics_t, kinematics_ok, kinematics_singular
    implicit none
    private
-   public :: line_kinematics, lens_sine, crossing_qualities, line_profile_t, line_profile
+   public :: line_kinematics, lens_sine, crossing_qualities, line_profile_t, line_profile, line_course_t, line_course
 
    !> The distance to the barred wire along the unbarred one, round a place: `D(s) = D + t s + k s^2/2`.
    type :: line_profile_t
@@ -25,6 +25,13 @@ module litz_line_kinematics
       !> q (10.3) of a foot on the barred and on the unbarred wire
       real(dp) :: quality(2) = 0
    end type line_profile_t
+
+   !> The same along the unbarred wire before loading, and how it changes with the 24 mechanical unknowns.
+   type :: line_course_t
+      !> Slope [-] and curvature [1/m]
+      real(dp) :: slope = 0, bend = 0
+      real(dp) :: dslope(24) = 0, dbend(24) = 0
+   end type line_course_t
 
 contains
 
@@ -180,6 +187,83 @@ contains
          profile%bend = (quality(2) - along**2/(square*square_bar*quality(1)) - tilt**2)/d      ! k
       end associate
    end function line_profile
+
+   !> Slope and curvature of the distance round a place, and their variations, from those of (10.1): with
+   !> `D' = -n.x'`, `D'' = (x'.x' - (x'.xb')^2/M - D'^2)/D - n.x''` and `dn = (1 - n n^T)(S dp + xb' dxib)/D`.
+   pure type(line_course_t) function line_course(x, t, length, axis, at_end, kinematics) result(course)
+      !> Nodal positions [m] and unit tangents (3, 4): barred 1, barred 2, 1, 2
+      real(dp), intent(in) :: x(3, 4), t(3, 4)
+      !> Reference lengths (2) [m]: barred, unbarred
+      real(dp), intent(in) :: length(2)
+      !> `axis_linear` or `axis_hermite` of litz_axis_choices
+      integer, intent(in) :: axis
+      !> The foot is held at an end of the barred axis
+      logical, intent(in) :: at_end
+      !> Of `line_kinematics`
+      type(contact_kinematics_t), intent(in) :: kinematics
+      real(dp), dimension(4) :: h, h1, h2, hb, hb1, hb2
+      real(dp), dimension(3) :: x1, x2, xb1, xb2, xb3
+      real(dp), dimension(24) :: dslope, dbend, dalong, dm
+      real(dp) :: slope, bend, along, m
+
+      call axis_shape(axis, length(2), kinematics%xi, h, h1, h2)
+      call axis_shape(axis, length(1), kinematics%xi_bar, hb, hb1, hb2)
+      x1 = on_axis(h1, x(:, 3:4), t(:, 3:4))
+      x2 = on_axis(h2, x(:, 3:4), t(:, 3:4))
+      xb1 = on_axis(hb1, x(:, 1:2), t(:, 1:2))
+      xb2 = on_axis(hb2, x(:, 1:2), t(:, 1:2))
+      xb3 = on_axis(axis_third_derivative(axis, length(1)), x(:, 1:2), t(:, 1:2))
+      associate (n => kinematics%normal, d => kinematics%distance, dxib => kinematics%dxi_bar)
+         slope = -dot_product(n, x1)
+         along = dot_product(x1, xb1)
+         m = dot_product(xb1, xb1) + d*dot_product(n, xb2)                                      ! M
+         dslope = -turned_normal(x1 + slope*n) - of_place(h1, n)
+         dalong = of_place(h1, xb1) + of_foot(hb1, x1) + dot_product(x1, xb2)*dxib
+         dm = 2*of_foot(hb1, xb1) + 3*dot_product(xb1, xb2)*dxib + over_w(h, hb, t, xb2) &
+            + d*(of_foot(hb2, n) + dot_product(n, xb3)*dxib)
+         if (at_end) then
+            along = 0
+            dalong = 0
+         end if
+         bend = (dot_product(x1, x1) - along**2/m - slope**2)/d
+         dbend = (2*of_place(h1, x1) - (2*dalong - along/m*dm)*along/m - 2*slope*dslope - bend*kinematics%dgap)/d &
+            - turned_normal(x2 - dot_product(n, x2)*n) - of_place(h2, n)
+         bend = bend - dot_product(n, x2)
+      end associate
+      course = line_course_t(2/length(2)*slope, (2/length(2))**2*bend, 2/length(2)*dslope, (2/length(2))**2*dbend)
+
+   contains
+
+      !> `v.dn` of a direction perpendicular to the normal.
+      pure function turned_normal(v) result(row)
+         !> (3)
+         real(dp), intent(in) :: v(3)
+         real(dp) :: row(24)
+
+         row = (over_w(h, hb, t, v) + dot_product(xb1, v)*kinematics%dxi_bar)/kinematics%distance
+      end function turned_normal
+
+      !> How the product of a direction with a derivative of the unbarred axis changes.
+      pure function of_place(weight, v) result(row)
+         !> Shape functions (4), a direction (3)
+         real(dp), intent(in) :: weight(4), v(3)
+         real(dp) :: row(24)
+
+         row(1:12) = 0
+         row(13:24) = axis_row(weight, t(:, 3:4), v)
+      end function of_place
+
+      !> The same of the barred axis, at a foot that stays.
+      pure function of_foot(weight, v) result(row)
+         !> Shape functions (4), a direction (3)
+         real(dp), intent(in) :: weight(4), v(3)
+         real(dp) :: row(24)
+
+         row(1:12) = axis_row(weight, t(:, 1:2), v)
+         row(13:24) = 0
+      end function of_foot
+
+   end function line_course
 
    !> Sine `s` of a crossing by which `aW = sqrt(2 d delta)/s` is the half length of the lens of overlap, the mean of
    !> those along the two wires: `sqrt(2 d delta q)/s0`, `s0^2 = det M/(|x'|^2 |xb'|^2)` and `q = M/|x'|^2` of each

@@ -6,7 +6,7 @@ module litz_spot_table
    use litz_spot_law, only: spot_law_t, contact_spot_t, spot_ok, spot_bad_data
    implicit none
    private
-   public :: spot_table
+   public :: spot_table, table_resistance_at
 
 contains
 

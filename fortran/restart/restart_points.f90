@@ -75,6 +75,8 @@ contains
 
       call table%field('weight', point%weight)
       call table%field('line_share', point%line_share)
+      call table%field('reach_back', point%cell%reach(1))
+      call table%field('reach_on', point%cell%reach(2))
       call table%field('is_shared', point%is_shared)
       call table%field('is_long', point%is_long)
       call table%field('section_share', point%section_share)

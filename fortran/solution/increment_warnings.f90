@@ -197,6 +197,8 @@ contains
 
       associate (law => model%interactions(model%contact_pairs(contact%pair)%interaction))
          if (.not. law%spot%has_table .or. contact%resistance > huge(1.0_dp)) return
+         ! no force: the end of a line beside it
+         if (.not. contact%force > 0) return
          force = contact%force
          unit = 'N'
          if (law%spot%is_per_length) then

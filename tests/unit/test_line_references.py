@@ -478,6 +478,7 @@ EXPECTED = {
             "turned_wires.overlap": [nearly_parallel(case, i)[0] for i in case.SMALL[:2]],
             "turned_wires.parallel": nearly_parallel(case, -1)[0],
             "turned_wires.resistance": [1 / nearly_parallel(case, i)[1] for i in case.SMALL[1:]],
+            "turned_wires.fine.sections": 1 / case.PAIR.nearly_parallel(case.FORCE, case.FINE[-1], case.LENGTH)[1],
         }
     ),
 }

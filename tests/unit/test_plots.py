@@ -14,6 +14,7 @@ import litz
 from litz.base.quantities import engineering, label
 from litz.base.table import Table
 from litz.pictures import charts, plots, wire_picture
+from litz.pictures.render_wires import with_round_ends
 from litz.pictures.scene import SceneMaker, aim
 
 KINDS = (
@@ -143,6 +144,31 @@ class TestScene:
         assert scene.spot_text.startswith("2 contacts: disc area proportional to force")
         assert "maximum 20 N" in scene.spot_text
         assert len(SceneMaker(results, [1], spots="none").scene(1).spots) == 0
+
+    def test_contacts_with_a_round_off_current_have_no_discs(self, results, monkeypatch):
+        ledger = results.contacts_at(1)
+        current = ledger["current"] * [1, 1e-12]
+        monkeypatch.setattr(results, "contacts_at", lambda _: Table({**ledger, "current": current}, ledger.units))
+        scene = SceneMaker(results, [1], spots="current").scene(1)
+        assert len(scene.spots) == 1
+        assert scene.spot_text.startswith("1 contact: disc area proportional to current")
+        assert scene.spot_text.endswith("(1 without current)")
+
+    def test_tubes_end_in_half_spheres(self):
+        points = np.array([[0.0, 0, 0], [0, 0, 5], [1, 0, 0], [3, 0, 0], [7, 0, 0]])
+        radius, value = np.array([0.5, 0.5, 0.25, 0.25, 0.25]), np.array([1.0, 2, 3, 4, 5])
+        round_points, starts, radii, values = with_round_ends(points, np.array([0, 2, 5]), radius, value)
+        assert len(round_points) == len(radii) == len(values) == starts[-1]
+        for wire, (first, last) in enumerate(((points[0], points[1]), (points[2], points[4]))):
+            part, r = slice(starts[wire], starts[wire + 1]), (0.5, 0.25)[wire]
+            along = (round_points[part] - first) @ (last - first) / np.linalg.norm(last - first)
+            length = np.linalg.norm(last - first)
+            beyond = np.maximum(np.maximum(-along, along - length), 0)
+            assert np.all(np.diff(along) > 0)
+            assert along[0] == pytest.approx(-r, rel=1e-3)
+            assert along[-1] == pytest.approx(length + r, rel=1e-3)
+            np.testing.assert_allclose(radii[part] ** 2 + beyond**2, r**2)
+        np.testing.assert_array_equal(values[[0, starts[1] - 1, starts[1], -1]], [1, 2, 3, 5])
 
     def test_everything_is_inside_the_picture(self, results):
         scene = SceneMaker(results, [-1]).scene(-1)

@@ -11,6 +11,7 @@ program test_user_elements
    use litz_rotations, only: rotation_exp
    use litz_user_element, only: n_history, n_properties, n_options, history_side, history_gap, history_force, &
       history_current, history_energy
+   use litz_user_surface, only: user_node_to_segment, user_segment_to_segment, n_surface_properties, surface_active
    implicit none
    include 'hdata.h'
    include 'comblk.h'
@@ -39,8 +40,59 @@ program test_user_elements
    call test_feap_equals_abaqus_with_additive_rotations()
    call test_a_pair_that_is_apart_gives_nothing()
    call test_parallel_wires_ask_for_a_shorter_increment()
+   call test_surfaces_have_their_unknowns_node_by_node()
 
 contains
+
+   !> `ux uy v` of each node: balances, and columns that are the differences of the residual.
+   subroutine test_surfaces_have_their_unknowns_node_by_node()
+      real(dp), parameter :: step = 1.0e-5_dp
+      real(dp) :: start(3, 4), moved(3, 4)
+      real(dp) :: k_3(9, 9), r_3(9), k_4(12, 12), r_4(12), ends_3(9, 2), ends_4(12, 2)
+      integer :: unknown, side, info(2)
+
+      start = 0
+      start(2, 3:4) = -0.15_dp
+      start(3, :) = [1.0_dp, 1.4_dp, 0.2_dp, 0.1_dp]
+      start(1, 3) = 0.5_dp
+      call surfaces(start, k_3, r_3, k_4, r_4, info)
+      call expect(all(info == surface_active), 'the surfaces press each other')
+      do unknown = 1, 3
+         call expect(near(1 + sum(r_3(unknown::3)), 1.0_dp) .and. near(1 + sum(r_4(unknown::3)), 1.0_dp) .and. &
+            maxval(abs(r_4(unknown::3))) > 0.001_dp, 'forces and currents balance')
+      end do
+      do unknown = 1, 12
+         do side = 1, 2
+            moved = start + reshape([spread(0.0_dp, 1, unknown - 1), (3 - 2*side)*step, &
+               spread(0.0_dp, 1, 12 - unknown)], [3, 4])
+            call surfaces(moved, k_3, ends_3(:, side), k_4, ends_4(:, side), info)
+         end do
+         call surfaces(start, k_3, r_3, k_4, r_4, info)
+         call expect(maxval(abs((ends_4(:, 1) - ends_4(:, 2))/(2*step) - k_4(:, unknown))) < 1.0e-7_dp, &
+            'columns of the tangent of segments')
+         if (unknown <= 9) call expect(maxval(abs((ends_3(:, 1) - ends_3(:, 2))/(2*step) - k_3(:, unknown))) &
+            < 1.0e-7_dp, 'columns of the tangent of a node')
+      end do
+   end subroutine test_surfaces_have_their_unknowns_node_by_node
+
+   subroutine surfaces(u, k_3, r_3, k_4, r_4, info)
+      !> Displacements and voltages (3, 4)
+      real(dp), intent(in) :: u(3, 4)
+      !> Of the node against the segment
+      real(dp), intent(out) :: k_3(9, 9), r_3(9)
+      !> Of the segments
+      real(dp), intent(out) :: k_4(12, 12), r_4(12)
+      !> Of both
+      integer, intent(out) :: info(2)
+      real(dp), parameter :: corners(2, 4) = reshape([1.0_dp, 0.1_dp, 0.0_dp, 0.0_dp, -0.2_dp, 0.0_dp, 1.3_dp, &
+         0.05_dp], [2, 4])
+      real(dp), parameter :: given(n_surface_properties) = [3.0_dp, 2.0_dp, 0.3_dp, 0.2_dp, 0.7_dp, 0.4_dp, 5.0_dp, &
+         0.0_dp, 7.0_dp, 0.2_dp, 0.3_dp, 0.0_dp]
+      real(dp) :: results(5)
+
+      call user_node_to_segment(corners(:, 1:3), u(:, 1:3), 0.6_dp, given, [1, 1], k_3, r_3, results(:3), info(1))
+      call user_segment_to_segment(corners, u, [0.9_dp, 1.4_dp], given, [1, 1], k_4, r_4, results, info(2))
+   end subroutine surfaces
 
    !> Against the kernel, entry by entry: node n has rows 7n-6 to 7n-1 and 7n.
    subroutine test_abaqus_equals_the_kernel()

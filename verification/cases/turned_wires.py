@@ -2,7 +2,8 @@
 
 Source: H. Hertz (1882) and R. Holm for crossed wires, K. L. Johnson, Contact Mechanics (1985), section 4.2(c) and 5.6, for wires
 side by side and, section by section, for those that cross at a very small angle; in references/hertz.py and
-references/parallel_wires.py. In between, overlap, force and resistance change steadily, as the surfaces are smooth.
+references/parallel_wires.py. In between, overlap, force and resistance change steadily, as the surfaces are smooth,
+and fall as the contact grows.
 """
 
 import math
@@ -24,7 +25,17 @@ ANGLES = np.radians([*(90 * 0.97 ** np.arange(247)), 0.0])
 CROSSED, SMALL = (
     [int(np.abs(np.degrees(ANGLES) - degrees).argmin()) for degrees in group] for group in ((87, 60, 30), (0.5, 0.1, 0))
 )
-FILM = 1e-11
+FILM, PER_LENGTH = 1e-11, 1e-7
+#: Angles from point to line [rad], each 2 % below the one before, from 20 to 0.5 degrees, and spots that are compared there
+FINE = np.radians(20 * 0.98 ** np.arange(184))
+SPOTS = {
+    "metal": "HERTZ, VOLTAGE=LINEAR",
+    "film": f"FILM, VOLTAGE=LINEAR\n {FILM}",
+    "hardness": "PLASTIC, VOLTAGE=LINEAR\n 1e9",
+    "per length": f"CONSTANT, PER=LENGTH, VOLTAGE=LINEAR\n {PER_LENGTH}",
+}
+#: Force on wires that bend between their ends [N]: they do not follow each other yet at the smallest angle
+GENTLE = 0.05
 #: The wire that turns lies off the middle by this [m], so that the places of the two wires do not meet
 SHIFT = 0.73e-4
 #: Arc: its radius, the overlap at its crest [m], and the angles of the other wire [rad]
@@ -33,12 +44,14 @@ CREST, OVERLAP, TURNS = 0.5, 1e-6, np.radians(np.linspace(-6, 6, 121))
 HEAD = 20001
 
 
-def turned(lower, upper, angles, overlap, *, force=0.0, spot):
+def turned(lower, upper, angles, overlap, *, force=0.0, spot, elastic=False):
     """The upper one of two wires is a rigid body that is lowered by the overlap and then turned about z through the angles.
 
-    With a force, it is held by that instead while it turns.
+    With a force, it is held by that instead while it turns. Elastic wires are held at their ends only.
     """
-    held = f"*BOUNDARY, OP=NEW\n LOWER, ENCASTRE\n {HEAD}, 1, 2\n {HEAD}, 4, 5\n LOWER, 9, 9, 0.\n UPPER, 9, 9, 1e-3"
+    fixed, tied = ("LOWER_ENDS", "UPPER_ENDS") if elastic else ("LOWER", "UPPER")
+    ends = [(FIRST, FIRST + len(lower) - 1), (SECOND, SECOND + len(upper) - 1)]
+    held = f"*BOUNDARY, OP=NEW\n {fixed}, ENCASTRE\n {HEAD}, 1, 2\n {HEAD}, 4, 5\n LOWER, 9, 9, 0.\n UPPER, 9, 9, 1e-3"
     lowered = f" {HEAD}, 3, 3, {-overlap:.17g}"
     printed = "*NODE PRINT, NSET=HEAD\n U, RF\n*ELECTRODE PRINT\n UPPER, LOWER\n*END STEP"
     count = len(angles) - 1
@@ -49,7 +62,8 @@ def turned(lower, upper, angles, overlap, *, force=0.0, spot):
         f"*NODE, NSET=HEAD\n {HEAD}, 0., 0., {2 * COPPER.radius}",
         material("COPPER", COPPER, "LOWER", "UPPER"),
         touching(("LOWER", "UPPER"), spot=spot),
-        f"*RIGID BODY, REF NODE={HEAD}, TIE NSET=UPPER",
+        *(f"*NSET, NSET={name}_ENDS\n {a}, {b}" for name, (a, b) in zip(("LOWER", "UPPER"), ends, strict=True)),
+        f"*RIGID BODY, REF NODE={HEAD}, TIE NSET={tied}",
         "\n".join(["*AMPLITUDE, NAME=TURN, TIME=TOTAL TIME", " 0., 0.", *turn]),
         f"*STEP\n*STATIC, DIRECT\n 1., 1.\n{held}\n{lowered}\n {HEAD}, 6",
         *([f"*CLOAD\n {HEAD}, 3, {-force}"] if force else []),
@@ -60,18 +74,32 @@ def turned(lower, upper, angles, overlap, *, force=0.0, spot):
     )
 
 
-def sweep(spot, shift=0.0):
-    """Two straight wires under a constant force, from crossed to parallel."""
-    lower = straight(LENGTH, ELEMENTS) - [LENGTH / 2, 0, 0]
-    upper = straight(LENGTH, ELEMENTS, (0.0, 1.0, 0.0)) - [0, LENGTH / 2 - shift, -2 * COPPER.radius]
+def sweep(spot, shift=0.0, *, angles=ANGLES, force=FORCE, elements=ELEMENTS, elastic=False):
+    """Two straight wires under a constant force, turned through angles that begin at 90 degrees."""
+    lower = straight(LENGTH, elements) - [LENGTH / 2, 0, 0]
+    upper = straight(LENGTH, elements, (0.0, 1.0, 0.0)) - [0, LENGTH / 2 - shift, -2 * COPPER.radius]
     return join(
         heading(
             "Two wires are turned from crossed to parallel under a constant force",
-            f"Model   {ELEMENTS} B33 each, one fixed, one rigid and free along z",
+            f"Model   {elements} B33 each, one fixed, one free along z, {'at their ends' if elastic else 'rigid'}",
             "Expect  Hertz and Holm at first, parallel wires at last",
         ),
-        turned(lower, upper, math.pi / 2 - ANGLES, crossed().approach, force=FORCE, spot=spot),
+        turned(
+            lower, upper, math.pi / 2 - angles, crossed(force=force).approach, force=force, spot=spot, elastic=elastic
+        ),
     )
+
+
+def from_point_to_line(run, spot, **options):
+    """Overlap and resistance at the angles `FINE`; `run` takes a name and a deck."""
+    approaching = np.radians(np.geomspace(90, 20, 40))[:-1]
+    text = sweep(spot, SHIFT, angles=np.concatenate([approaching, FINE]), **options)
+    return tuple(column[len(approaching) :] for column in columns(run, text)[:2])
+
+
+def unsteadiness(values):
+    """Largest rise between angles that fall, and largest ripple, of a value at the angles `FINE`."""
+    return [float((values[1:] / values[:-1] - 1).max()), ripple(-np.log(FINE), values)]
 
 
 def over_arc(spot):
@@ -96,11 +124,16 @@ def over_arc(spot):
     )
 
 
-def crossed(angle=math.pi / 2):
+def touching_length(overlap, angles):
+    """Of two straight wires that overlap in their middle: the axes are less than two radii apart."""
+    return 2 * np.sqrt((4 * COPPER.radius - overlap) * overlap) / np.sin(angles)
+
+
+def crossed(angle=math.pi / 2, force=FORCE):
     """The spot of crossed wires."""
     modulus = hertz.effective_modulus([COPPER.young] * 2, [COPPER.poisson] * 2)
     return hertz.crossed_wires(
-        FORCE, angle, radius=[COPPER.radius] * 2, modulus=modulus, resistivity=[COPPER.resistivity] * 2
+        force, angle, radius=[COPPER.radius] * 2, modulus=modulus, resistivity=[COPPER.resistivity] * 2
     )
 
 
@@ -114,20 +147,33 @@ def ripple(x, values, neighbours=8):
     return float(worst)
 
 
-def columns(workspace, name, text):
-    """Overlap of the middle and resistance of each increment, and the force."""
-    history = workspace.run(name, text).history
+def columns(run, text):
+    """Overlap of the middle and resistance of each increment, and the force; `run` gives the results of a deck."""
+    history = run(text).history
     node = f"node {HEAD}"
     return -history[f"U3 {node}"][1:], history["resistance UPPER to LOWER"][1:], -history[f"RF3 {node}"][1:]
 
 
 def measure(workspace):
-    _, _, force = columns(workspace, "over_arc", over_arc(f"FILM, VOLTAGE=LINEAR\n {FILM}"))
+    def columns_of(name, text):
+        return columns(lambda deck: workspace.run(name, deck), text)
+
+    _, _, force = columns_of("over_arc", over_arc(f"FILM, VOLTAGE=LINEAR\n {FILM}"))
     values = {"turned_wires.arc": ripple(TURNS, force)}
     if workspace.quick:
         return values | {"figure": {}}
-    overlap, resistance, _ = columns(workspace, "sweep", sweep("HERTZ, VOLTAGE=LINEAR"))
-    film, with_film, _ = columns(workspace, "sweep_film", sweep(f"FILM, VOLTAGE=LINEAR\n {FILM}", SHIFT))
+    overlap, resistance, _ = columns_of("sweep", sweep(SPOTS["metal"]))
+    film, with_film, _ = columns_of("sweep_film", sweep(SPOTS["film"], SHIFT))
+    fine = {
+        name: from_point_to_line(lambda deck, name=name: workspace.run(f"fine_{name.replace(' ', '_')}", deck), spot)
+        for name, spot in SPOTS.items()
+    }
+    fine["elastic wires"] = from_point_to_line(
+        lambda deck: workspace.run("fine_elastic", deck), SPOTS["metal"], force=GENTLE, elastic=True
+    )
+    unsteady = np.array([unsteadiness(found) for _, found in fine.values()])
+    given = fine["per length"][0]
+    lengths = PER_LENGTH / fine["per length"][1]
     small = -np.log(ANGLES[:-1])
     values |= {
         "turned_wires.crossed.overlap": overlap[CROSSED].tolist(),
@@ -135,11 +181,22 @@ def measure(workspace):
         "turned_wires.overlap": overlap[SMALL[:2]].tolist(),
         "turned_wires.parallel": float(overlap[-1]),
         "turned_wires.resistance": resistance[SMALL[1:]].tolist(),
-        "turned_wires.rise": [float(np.diff(column).max() / column[0]) for column in (overlap, film, with_film)],
-        "turned_wires.ripple": [ripple(small, column[:-1]) for column in (overlap, film)],
+        "turned_wires.rise": [
+            float(np.diff(column).max() / column[0]) for column in (overlap, film, resistance, with_film)
+        ],
+        "turned_wires.ripple": [ripple(small, column[:-1]) for column in (overlap, film, resistance, with_film)],
+        "turned_wires.fine.rise": unsteady[:, 0].tolist(),
+        "turned_wires.fine.ripple": unsteady[:, 1].tolist(),
+        "turned_wires.fine.sections": float(fine["metal"][1][-1]),
+        "turned_wires.fine.length": float(np.abs(lengths / touching_length(given, FINE) - 1).max()),
     }
     return values | {
-        "figure": {"overlap": overlap.tolist(), "resistance": resistance.tolist(), "force": force.tolist()}
+        "figure": {
+            "overlap": overlap.tolist(),
+            "resistance": resistance.tolist(),
+            "force": force.tolist(),
+            "fine": {name: found.tolist() for name, (_, found) in fine.items()},
+        }
     }
 
 
@@ -148,7 +205,7 @@ def draw(values, path):
     if not found:
         return
     degrees, shown = np.degrees(ANGLES[:-1]), slice(0, -1)
-    with figures.panels(path, columns=3) as (overlap, resistance, force):
+    with figures.panels(path, columns=4) as (overlap, resistance, fine, force):
         small = degrees[degrees < 3]
         exact = np.array([PAIR.nearly_parallel(FORCE, math.radians(angle), LENGTH) for angle in small])
         overlap.loglog(small, 1e6 * exact[:, 0], label="parallel wires, summed", **figures.REFERENCE)
@@ -162,6 +219,10 @@ def draw(values, path):
         resistance.plot([90], [1e6 * crossed().resistance], "o", color="#222222")
         resistance.plot(degrees, 1e6 * np.array(found["resistance"][shown]), color=figures.STYLES["B33"]["color"])
         resistance.set(xlabel="angle [degrees]", ylabel="resistance [microohm]")
+        for i, (name, of_angle) in enumerate(found["fine"].items()):
+            fine.loglog(np.degrees(FINE), np.array(of_angle) / of_angle[0], color=f"C{i}", label=name)
+        fine.set(xlabel="angle [degrees]", ylabel="resistance, over that at 20 degrees")
+        fine.legend()
         force.plot(np.degrees(TURNS), found["force"], color=figures.STYLES["B33"]["color"])
         force.set(xlabel="angle to the arc [degrees]", ylabel="force [N]")
 

@@ -8,6 +8,7 @@ Any units that fit together will do. The formulas are in ``docs/theory.md``.
 The contact of two wires: `contact_em` (the 28 x 28 element), `contact_coupling` (its coupling block in the parts of the
 paper), `closest_points`, `contact_spot` (force to conductance), `contact_search` (which elements are near each other).
 Wires that touch along a line: `line_law` (force to approach and conductance, per length), `line_point` (one point of it).
+Surfaces of solids in the plane that touch, with laws per area: `node_to_segment_em`, `segment_to_segment_em`.
 The wires: `beam_b31`, `beam_b33` and their strains, `conductor`, `potential_rise`.
 """
 
@@ -27,6 +28,7 @@ from .contact import ContactCoupling, ContactEM, contact_coupling, contact_em
 from .line import LineLaw, LinePoint, line_law, line_point
 from .search import contact_search
 from .spot import ContactSpot, contact_spot
+from .surface import NodeToSegment, SegmentToSegment, node_to_segment_em, segment_to_segment_em
 
 __all__ = [
     "Beam",
@@ -38,6 +40,8 @@ __all__ = [
     "ContactSpot",
     "LineLaw",
     "LinePoint",
+    "NodeToSegment",
+    "SegmentToSegment",
     "beam_b31",
     "beam_b31_strains",
     "beam_b33",
@@ -50,5 +54,7 @@ __all__ = [
     "contact_spot",
     "line_law",
     "line_point",
+    "node_to_segment_em",
     "potential_rise",
+    "segment_to_segment_em",
 ]

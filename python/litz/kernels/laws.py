@@ -15,7 +15,7 @@ from .wire_pair import Numbers
 NormalLaw = str
 
 
-def _laws(names: NDArray[Any], values: NDArray[Any]) -> tuple[dict[str, int], dict[str, list[str]]]:
+def law_table(names: NDArray[Any], values: NDArray[Any]) -> tuple[dict[str, int], dict[str, list[str]]]:
     """Numbers of the laws of a family, and the names of the numbers that are their data."""
     laws = [name.decode().strip().lower() for name in names]
     fields = [[name.decode().strip() for name in column if name.strip()] for column in values.T]
@@ -24,15 +24,35 @@ def _laws(names: NDArray[Any], values: NDArray[Any]) -> tuple[dict[str, int], di
 
 
 #: The tables of `fortran/laws`
-NORMAL_LAWS, NORMAL_FIELDS = _laws(*_core.f2py_contact.normal_law_names())
-SPOT_LAWS, SPOT_FIELDS = _laws(*_core.f2py_contact.spot_law_names())
+NORMAL_LAWS, NORMAL_FIELDS = law_table(*_core.f2py_contact.normal_law_names())
+SPOT_LAWS, SPOT_FIELDS = law_table(*_core.f2py_contact.spot_law_names())
+PRESSURE_LAWS, PRESSURE_FIELDS = law_table(*_core.f2py_surface.pressure_law_names()[:2])
+CONDUCTANCE_LAWS, CONDUCTANCE_FIELDS = law_table(*_core.f2py_surface.conductance_law_names()[:2])
 #: The argument that has the numbers of each normal law that has some
 _NORMAL_VALUES = {**{law: "normal_value" for law, fields in NORMAL_FIELDS.items() if fields}, "linear": "eps_n"}
 
 
+def law_per_spot(argument: str, law: str, laws: dict[str, int], laws_per_area: dict[str, int]) -> int:
+    """Number of a law of wires; one that holds per area only is refused by that name."""
+    if law in laws_per_area and law not in laws:
+        raise ValueError(f'{argument}: "{law}" is a law per area, and wires touch in spots: {_list_names(laws)}')
+    return checks.choice(argument, law, laws)
+
+
+def law_per_area(argument: str, law: str, laws: dict[str, int], laws_per_spot: dict[str, int]) -> int:
+    """Number of a law of surfaces; one that holds per spot only is refused by that name."""
+    if law in laws_per_spot and law not in laws:
+        raise ValueError(f'{argument}: "{law}" is a law per spot, and this contact has an area: {_list_names(laws)}')
+    return checks.choice(argument, law, laws)
+
+
+def _list_names(laws: dict[str, int]) -> str:
+    return ", ".join(f'"{law}"' for law in laws)
+
+
 def normal_law_data(law: NormalLaw, **values: Numbers | None) -> tuple[int, NDArray[np.float64]]:
     """Number of a normal law and its data; refuses data that belong to another law."""
-    number = checks.choice("normal_law", law, NORMAL_LAWS)
+    number = law_per_spot("normal_law", law, NORMAL_LAWS, PRESSURE_LAWS)
     wanted = _NORMAL_VALUES.get(law)
     if wanted == "eps_n" and values["eps_n"] is None:
         raise ValueError('normal_law="linear" needs eps_n, the penalty stiffness [N/m]')

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import _core
-from . import checks
+from . import batch, checks
 from .axes import AXES, Axis
 from .wire_pair import Numbers
 
@@ -143,13 +143,13 @@ def line_law(
     3.063e-06 m, 5.904e-08 m, 1.399e+07 S/m
     """
     n = len(np.asarray(force_per_length)) if np.ndim(force_per_length) == 1 else None
-    force = _points("force_per_length", force_per_length, (), n)
+    force = batch.points("force_per_length", force_per_length, (), n)
     of_wires = _properties(radius, young, poisson, resistivity, n)
     values, too_wide = _core.f2py_line.line_laws(
-        force, *(value.T for value in of_wires), _angles(angle, n), _not_negative("film", film, n)
+        force, *(value.T for value in of_wires), _angles(angle, n), batch.not_negative("film", film, n)
     )
     if too_wide.any():
-        raise ValueError(_named(too_wide != 0, n) + _TOO_WIDE)
+        raise ValueError(batch.named(too_wide != 0, n) + _TOO_WIDE)
     return LineLaw(*(values if n is not None else map(float, values[:, 0])))
 
 
@@ -257,35 +257,37 @@ def line_point(
     """
     positions = np.asarray(x, dtype=float)
     n = len(positions) if positions.ndim == 3 else None
-    place = _points("xi", xi, (), n)
-    _check((place >= -1) & (place <= 1), n, "xi must be from -1 to 1")
-    vectors = _points("rotation_vectors", np.zeros((4, 3)) if rotation_vectors is None else rotation_vectors, (4, 3), n)
-    before = _points("normal_before", np.zeros(3) if normal_before is None else normal_before, (3,), n)
-    weights = _positive("weight", weight, (), n)
+    place = batch.points("xi", xi, (), n)
+    batch.check((place >= -1) & (place <= 1), n, "xi must be from -1 to 1")
+    vectors = batch.points(
+        "rotation_vectors", np.zeros((4, 3)) if rotation_vectors is None else rotation_vectors, (4, 3), n
+    )
+    before = batch.points("normal_before", np.zeros(3) if normal_before is None else normal_before, (3,), n)
+    weights = batch.positive("weight", weight, (), n)
     k, r, numbers, normal, info = _core.f2py_line.line_points(
-        _points("x", x, (4, 3), n).T,
+        batch.points("x", x, (4, 3), n).T,
         _tangents(t, n).T,
-        _positive("length", length, (2,), n).T,
-        _points("v", v, (4,), n).T,
+        batch.positive("length", length, (2,), n).T,
+        batch.points("v", v, (4,), n).T,
         place,
         weights,
         *(value.T for value in _properties(radius, young, poisson, resistivity, n)),
         _angles(angle, n),
-        np.zeros(len(place)) if eps_l is None else _positive("eps_l", eps_l, (), n),
-        _not_negative("film", film, n),
-        np.zeros(len(place)) if hardness is None else _positive("hardness", hardness, (), n),
+        np.zeros(len(place)) if eps_l is None else batch.positive("eps_l", eps_l, (), n),
+        batch.not_negative("film", film, n),
+        np.zeros(len(place)) if hardness is None else batch.positive("hardness", hardness, (), n),
         checks.choice("axis", axis, AXES),
-        _points("ends", ends, (2,), n).T,
+        batch.points("ends", ends, (2,), n).T,
         before.T,
         start is not None,
-        _points("start", 0.0 if start is None else start, (), n),
-        _not_negative("series_resistance", series_resistance, n, (2,)).T,
+        batch.points("start", 0.0 if start is None else start, (), n),
+        batch.not_negative("series_resistance", series_resistance, n, (2,)).T,
         rotation_vectors is not None,
         vectors.T,
     )
     for failure, words in _FAILURES.items():
         if (info == failure).any():
-            raise ValueError(_named(info == failure, n) + words)
+            raise ValueError(batch.named(info == failure, n) + words)
     xi_bar, gap, angles, force, half_width, resistance, current, voltage_gap, per_length, energy, quality, at_end = (
         numbers
     )
@@ -297,47 +299,18 @@ def line_point(
     return LinePoint(*(fields if n is not None else [f[0] if f.ndim > 1 else f[0].item() for f in fields]))
 
 
-def _points(name: str, value: ArrayLike, shape: tuple[int, ...], n: int | None) -> Floats:
-    """Return `value` with a leading axis: of one point, of n points that have their own, or of n that share it."""
-    if n is not None and np.ndim(value) == len(shape) + 1:
-        return checks.array(name, value, (n, *shape))
-    return np.broadcast_to(checks.array(name, value, shape), (1 if n is None else n, *shape))
-
-
-def _named(bad: NDArray[np.bool_], n: int | None) -> str:
-    """Which of many points is meant."""
-    return "" if n is None else f"point {int(np.argmax(bad))}: "
-
-
-def _check(good: NDArray[np.bool_], n: int | None, words: str) -> None:
-    """Raise a ValueError unless all points are good."""
-    if not good.all():
-        bad: NDArray[np.bool_] = np.array([not each.all() for each in good])
-        raise ValueError(_named(bad, n) + words)
-
-
-def _positive(name: str, value: ArrayLike, shape: tuple[int, ...], n: int | None) -> Floats:
-    result = _points(name, value, shape, n)
-    _check(result > 0, n, f"{name} must be greater than 0")
-    return result
-
-
-def _not_negative(name: str, value: ArrayLike, n: int | None, shape: tuple[int, ...] = ()) -> Floats:
-    result = _points(name, value, shape, n)
-    _check(result >= 0, n, f"{name} must not be negative")
-    return result
-
-
 def _angles(angle: Numbers, n: int | None) -> Floats:
-    result = _points("angle", angle, (), n)
-    _check((result >= 0) & (result <= np.pi), n, "angle must be from 0 (parallel wires) to pi")
+    result = batch.points("angle", angle, (), n)
+    batch.check((result >= 0) & (result <= np.pi), n, "angle must be from 0 (parallel wires) to pi")
     return result
 
 
 def _tangents(t: ArrayLike, n: int | None) -> Floats:
-    result = _points("t", t, (4, 3), n)
+    result = batch.points("t", t, (4, 3), n)
     error = np.abs(np.linalg.norm(result, axis=2) - 1)
-    _check(error <= checks.TRIAD_TOLERANCE, n, f"t must have rows of unit length (to {checks.TRIAD_TOLERANCE:.0e})")
+    batch.check(
+        error <= checks.TRIAD_TOLERANCE, n, f"t must have rows of unit length (to {checks.TRIAD_TOLERANCE:.0e})"
+    )
     return result
 
 
@@ -349,11 +322,11 @@ def _properties(
     def pairs(name: str, value: Numbers) -> ArrayLike:
         return checks.pair(name, value) if np.ndim(value) == 0 else value
 
-    nu = _points("poisson", pairs("poisson", poisson), (2,), n)
-    _check((nu > -1) & (nu < 0.5), n, "poisson must be between -1 and 0.5, both excluded")
+    nu = batch.points("poisson", pairs("poisson", poisson), (2,), n)
+    batch.check((nu > -1) & (nu < 0.5), n, "poisson must be between -1 and 0.5, both excluded")
     return (
-        _positive("radius", pairs("radius", radius), (2,), n),
-        _positive("young", pairs("young", young), (2,), n),
+        batch.positive("radius", pairs("radius", radius), (2,), n),
+        batch.positive("young", pairs("young", young), (2,), n),
         nu,
-        _positive("resistivity", pairs("resistivity", resistivity), (2,), n),
+        batch.positive("resistivity", pairs("resistivity", resistivity), (2,), n),
     )

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .. import _core
 from . import checks
-from .laws import SPOT_FIELDS, SPOT_LAWS, law_data
+from .laws import CONDUCTANCE_LAWS, SPOT_FIELDS, SPOT_LAWS, law_data, law_per_spot
 from .wire_pair import Numbers, properties
 
 #: "none", or the name of a law of `*GAP ELECTRICAL CONDUCTANCE` in lower case
@@ -136,7 +136,7 @@ def spot_law_data(
     parameter: str, law: SpotLaw, *, table: ArrayLike | None, **values: Numbers | None
 ) -> tuple[int, NDArray[np.float64]]:
     """Number of a spot law and its data; refuses data that belong to another law."""
-    number = checks.choice(parameter, law, _SPOT_LAWS)
+    number = law_per_spot(parameter, law, _SPOT_LAWS, CONDUCTANCE_LAWS)
     wanted = _LAW_VALUES.get(law)
     for name, value in values.items():
         if value is not None and name != wanted:

@@ -11,6 +11,8 @@ from ..wires.curves import hermite
 
 #: Points of the lines: more are not seen apart
 _MAX_POINTS = 8_000
+#: Discs below this part of the largest are round-off, and not drawn
+_NOTHING = 1e-9
 
 
 class ContactMarks:
@@ -62,9 +64,14 @@ class ContactMarks:
         if not len(size):
             return np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0)
         crossings, on_surfaces = self._crossings[increment], self._surfaces[increment]
-        centres, normals, thinner = all_spots(self._results, crossings, on_surfaces, curves)
-        size /= max(self._largest, np.finfo(float).tiny)
-        return centres, normals, thinner * np.clip(0.85 * np.sqrt(size), 0.15, None)
+        drawn = self._is_drawn(size)
+        centres, normals, thinner = (one[drawn] for one in all_spots(self._results, crossings, on_surfaces, curves))
+        part = size[drawn] / max(self._largest, np.finfo(float).tiny)
+        return centres, normals, thinner * np.clip(0.85 * np.sqrt(part), 0.15, None)
+
+    def _is_drawn(self, size: np.ndarray) -> np.ndarray:
+        """Which discs of these sizes are more than round-off."""
+        return size >= _NOTHING * self._largest
 
     def lines(self, increment: int, curves: tuple[np.ndarray, np.ndarray]) -> tuple[ZoneLines, np.ndarray]:
         """The lines through the zones, and their points (n, 3)."""
@@ -78,13 +85,14 @@ class ContactMarks:
         """What discs and lines mean, and how many there are."""
         if increment not in self._lines:
             return ""
-        discs, zones = len(self._sizes(increment)), len(self._lines[increment][0].has_ends)
+        drawn, zones = self._is_drawn(self._sizes(increment)), len(self._lines[increment][0].has_ends)
+        discs, hidden = int(drawn.sum()), int((~drawn).sum())
         notes = []
         if discs:
             factor, unit = engineering(np.array([self._largest]), self._crossings[increment].units[self._by])
             notes.append(
                 f"{discs} contact{'s' if discs > 1 else ''}: disc area proportional to {self._by},\n"
-                f"maximum {self._largest * factor:.3g} {unit}"
+                f"maximum {self._largest * factor:.3g} {unit}" + (f" ({hidden} without {self._by})" if hidden else "")
             )
         if zones:
             notes.append(f"{zones} zone{'s' if zones > 1 else ''} of line contact, with dots at the ends")

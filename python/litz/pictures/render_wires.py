@@ -27,9 +27,10 @@ def draw(job: Mapping[str, np.ndarray], picture: Path) -> None:
     add_lights(plotter, job)
     plotter.enable_anti_aliasing("ssaa")
 
-    tubes = polylines(job["points"], job["starts"])
-    tubes["radius"], tubes["value"] = job["radius"], job["value"]
-    # the tube filter gives normals, also to the caps
+    points, starts, radius, value = with_round_ends(job["points"], job["starts"], job["radius"], job["value"])
+    tubes = polylines(points, starts)
+    tubes["radius"], tubes["value"] = radius, value
+    # the tube filter gives normals, also to the caps, which are too small to be seen
     plotter.add_mesh(
         tubes.tube(scalars="radius", absolute=True, n_sides=int(job["sides"]), capping=True),
         scalars="value", cmap=str(job["colours"]), clim=tuple(job["limits"]), show_scalar_bar=False,
@@ -71,6 +72,28 @@ def polylines(points: np.ndarray, starts: np.ndarray) -> pv.PolyData:
     lines.points = points
     lines.lines = np.concatenate(cells)
     return lines
+
+
+def with_round_ends(
+    points: np.ndarray, starts: np.ndarray, radius: np.ndarray, value: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Lines as in `polylines`, continued at both ends by half spheres: a tube whose radius decreases to almost nothing."""
+    angles = np.radians([18.0, 36.0, 54.0, 70.0, 82.0, 89.0])
+    along, across = np.sin(angles), np.cos(angles)
+    pieces = []
+    for start, stop in itertools.pairwise(starts):
+        for end, neighbour, order in ((start, start + 1, -1), (stop - 1, stop - 2, 1)):
+            outward = points[end] - points[neighbour]
+            outward /= np.linalg.norm(outward)
+            cap = (
+                points[end] + radius[end] * along[:, None] * outward,
+                radius[end] * across,
+                np.full(len(along), value[end]),
+            )
+            pieces.append([column[::order] for column in cap])
+        pieces.insert(-1, [points[start:stop], radius[start:stop], value[start:stop]])
+    columns = [np.concatenate(column) for column in zip(*pieces, strict=True)]
+    return columns[0], starts + 2 * len(along) * np.arange(len(starts)), columns[1], columns[2]
 
 
 def add_lights(plotter: pv.Plotter, job: Mapping[str, np.ndarray]) -> None:

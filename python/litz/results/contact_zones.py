@@ -127,7 +127,8 @@ def _units_of_totals(units: dict[str, str]) -> dict[str, str]:
 def stretch_along(inside: ContactPlaces, side: int) -> Stretch:
     """The zones along their first (0) or second (1) wire, given rows that are in zones.
 
-    A place reaches halfway to the next one, a foot only to itself.
+    A place reaches halfway to the next one, a foot only to itself. Places without a force, which conduct because a part
+    of the wire touches for which they stand, lie beyond the ends.
     """
     zone, wire, arc = inside.zone, inside.wires[:, side], inside.arc[:, side]
     n = int(zone.max(initial=-1)) + 1
@@ -143,9 +144,13 @@ def stretch_along(inside: ContactPlaces, side: int) -> Stretch:
     arc = arc + np.where(arc < start[zone], ring, 0.0)
 
     half = np.where(inside.own == side, inside.spacing / 2, 0.0)
+    pressed = inside.ledger["force"] > 0
+    within = pressed | (np.bincount(zone, pressed, n) == 0)[zone]
     begin, end = np.full(n, np.inf), np.full(n, -np.inf)
-    np.minimum.at(begin, zone, np.maximum(arc - half, np.where(np.isinf(ring), 0.0, -np.inf)))
-    np.maximum.at(end, zone, np.minimum(arc + half, np.where(np.isinf(ring), inside.wire_length[wire], np.inf)))
+    lowest = np.maximum(arc - half, np.where(np.isinf(ring), 0.0, -np.inf))
+    highest = np.minimum(arc + half, np.where(np.isinf(ring), inside.wire_length[wire], np.inf))
+    np.minimum.at(begin, zone[within], lowest[within])
+    np.maximum.at(end, zone[within], highest[within])
     ring_of_zone = np.full(n, np.inf)
     ring_of_zone[zone] = ring
     whole = end - begin >= _WHOLE * ring_of_zone

@@ -199,7 +199,8 @@ def contact_network(results: ResultFile, increment: int, *, every_place: bool = 
     """The network of a run at an increment; `every_place`: each place of a line contact is a contact of its own."""
     wires = results.wires
     ledger = results.contacts_at(increment)
-    places = contact_places(results, ledger.where(ledger["force"] > 0))
+    carries = (ledger["force"] > 0) | np.isfinite(ledger["resistance"])
+    places = contact_places(results, ledger.where(carries))
     if every_place:
         places = replace(places, zone=np.full_like(places.zone, -1))
     # zones come after the crossings, which keep the order of the ledger

@@ -8,8 +8,8 @@ import {
 const VERTEX = `
    attribute float xi;
    attribute float angle;
-   attribute float ring;    // 1 on the surface, 0 on the axis
-   attribute float face;    // 0 on the tube, -1 and 1 on the caps
+   attribute float ring;    // distance from the axis, and beyond the end along it, in radii: on the half spheres
+   attribute float beyond;  // at the ends, ring^2 + beyond^2 = 1
    attribute vec3 p0;
    attribute vec3 p1;
    attribute vec3 m0;
@@ -32,8 +32,9 @@ const VERTEX = `
          : size.y <= size.z ? vec3(0., 1., 0.) : vec3(0., 0., 1.);
       vec3 first = normalize(cross(along, aside));
       vec3 outward = cos(angle) * first + sin(angle) * cross(along, first);
-      vec3 place = axis + ring * max(radius, minRadius) * outward;
-      viewNormal = normalMatrix * (face == 0. ? outward : face * along);
+      vec3 normal = ring * outward + beyond * along;
+      vec3 place = axis + max(radius, minRadius) * normal;
+      viewNormal = normalMatrix * normal;
       value = mix(ends.x, ends.y, (1. + xi) / 2.);
       gl_Position = projectionMatrix * modelViewMatrix * vec4(place, 1.);
       gl_Position.z = depth.x * gl_Position.z + depth.y * gl_Position.w;
@@ -129,13 +130,14 @@ export class Tubes {
    }
 }
 
-/** Vertices and triangles of one tube with its caps. */
+/** Vertices and triangles of one tube with half spheres at its ends. */
 function addTube(geometry, sides, segments) {
-   const rows = [[-1, 0, -1], [-1, 1, -1]];
+   const steps = Math.ceil(sides / 6), rows = [];
+   for (let k = steps; k > 0; k--) rows.push(onSphere(-1, (Math.PI / 2) * (k / steps)));
    for (let k = 0; k <= segments; k++) rows.push([-1 + (2 * k) / segments, 1, 0]);
-   rows.push([1, 1, 1], [1, 0, 1]);
+   for (let k = 1; k <= steps; k++) rows.push(onSphere(1, (Math.PI / 2) * (k / steps)));
    const vertices = rows.flatMap((row) => Array.from({ length: sides }, (_, k) => [...row, (2 * Math.PI * k) / sides]));
-   ["xi", "ring", "face", "angle"].forEach((name, column) => {
+   ["xi", "ring", "beyond", "angle"].forEach((name, column) => {
       geometry.setAttribute(name, new BufferAttribute(Float32Array.from(vertices, (vertex) => vertex[column]), 1));
    });
    // three.js requires an attribute of this name, and takes the number of vertices from it
@@ -147,6 +149,11 @@ function addTube(geometry, sides, segments) {
          triangles.push(a, b, a + sides, b, b + sides, a + sides);
       }
    geometry.setIndex(triangles);
+}
+
+/** A row of vertices at an end, xi = -1 or 1, at an angle from the section in which the tube ends. */
+function onSphere(end, angle) {
+   return [end, Math.cos(angle), end * Math.sin(angle)];
 }
 
 /** The undeformed axes as thin lines. */
