@@ -36,7 +36,9 @@ def in_order(legs, order):
     """Cards of legs that meet in the origin; those of `order` whose number is negative are read from their far end."""
     nodes, elements = " 1, 0, 0, 0\n", ""
     for k, points in enumerate(legs):
-        nodes += "".join(f" {10 * k + i + 1}, {x:.17g}, {y:.17g}, {z:.17g}\n" for i, (x, y, z) in enumerate(points) if i)
+        nodes += "".join(
+            f" {10 * k + i + 1}, {x:.17g}, {y:.17g}, {z:.17g}\n" for i, (x, y, z) in enumerate(points) if i
+        )
     number = 0
     for k in order:
         for i in range(6):
@@ -92,9 +94,7 @@ def test_a_kink_begins_as_a_smooth_bend_and_ends_as_a_sphere(run, yaw, overlap):
     """From 20 degrees, where it is a kink, the force falls from that of crossed wires to that of a hemisphere."""
     crossing, sphere = hertz(overlap, crossed_wires, math.radians(yaw)), hertz(overlap, end_on_wire)
     angles = [19.9, 20.1, 21, 24, 28, 33, 40, 90]
-    forces = [
-        force_on(run, in_order([leg(180, a / 2), leg(0, a / 2)], (1, 2)), yaw, overlap=overlap) for a in angles
-    ]
+    forces = [force_on(run, in_order([leg(180, a / 2), leg(0, a / 2)], (1, 2)), yaw, overlap=overlap) for a in angles]
     # a tenth of a degree beyond where it is a kink
     assert forces[:2] == pytest.approx([crossing] * 2, rel=5e-3)
     assert np.all(np.diff(forces[1:]) < 1e-6 * sphere)
