@@ -119,7 +119,8 @@ def test_a_corner_with_a_short_chamfer_is_a_corner(run, chamfer):
     """
     overlap, half = 0.01 * R, chamfer * R / 2
     legs = np.linspace(0, 12 * R, 7)[:, None] * np.array([math.sqrt(0.5), 0, -math.sqrt(0.5)])
-    points = np.concatenate([(legs * [-1, 1, 1] - [half, 0, 0])[::-1], legs + [half, 0, 0]])
+    out = np.array([half, 0, 0])
+    points = np.concatenate([(legs * [-1, 1, 1] - out)[::-1], legs + out])
     for place in (0.0, 0.6 * half):
         force = force_on(run, wire("LOWER", points, 1, element="B33"), 90, overlap=overlap, at=(place, 0, 0))
         assert force == pytest.approx(hertz(overlap, end_on_wire), rel=0.03)
