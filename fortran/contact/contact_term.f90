@@ -279,8 +279,8 @@ contains
    end subroutine settle
 
    !> What is carried along lines and what at crossings is settled for the present lengths of contact, a few times at
-   !> most: what then is left of a change is a matter of quadrature. Shares and forces belong together: where a change is
-   !> too small for another iteration, the shares stay, too.
+   !> most: what then is left of a change is a matter of quadrature. Shares and forces belong together: where a change
+   !> is too small for another iteration, the shares stay, too.
    subroutine settle_shares(domain, contact, has_moved)
       type(domain_t), intent(in) :: domain
       type(contact_set_t), intent(inout) :: contact

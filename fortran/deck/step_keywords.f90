@@ -208,8 +208,8 @@ contains
          ' ALLTW: done by changes of temperature, in models with temperatures.'// &
          ' ETOTAL: ALLSE + ALLCCE + ALLFD + ALLSD - ALLWK - ALLTW,'// &
          ' which goes to zero with the increment size, except for the error of B31 elements at contacts,'// &
-         ' which goes to zero with the element size, and of contacts that turn from crossings into lines (overlaps of'// &
-         ' one to three radii), some per cent of their energy.')
+         ' which goes to zero with the element size, and of contacts that turn from crossings into lines'// &
+         ' (overlaps of one to three radii), some per cent of their energy.')
       call finish(table, k)
 
       call begin(k, 'ELECTRODE PRINT', place_step, &
