@@ -22,8 +22,6 @@ contains
       allocate (state%contacts(count(is_shown(contact%points)) + count(is_shown(contact%line_points))))
       call capture_points(contact%points, 0, contact%places, contact%last_id, state)
       call capture_points(contact%line_points, count(is_shown(contact%points)), contact%places, contact%last_id, state)
-      contact%converged = contact%points
-      contact%converged_line_points = contact%line_points
       contact%converged_clearance = contact%clearance
    end subroutine capture_contacts
 

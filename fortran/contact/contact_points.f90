@@ -159,6 +159,8 @@ module litz_contact_points
       integer :: last_id = 0
       !> How often the shares of line contacts have been renewed in this increment
       integer :: n_settled = 0
+      !> They have changed by little, which counts from the next increment on
+      logical :: shares_wait = .false.
       !> Largest overlap of the reference configuration that an interference fit resolves, one per contact pair [m];
       !> 0: the pair is none
       real(dp), allocatable :: overlap(:)

@@ -91,6 +91,7 @@ contains
          call forget_predictions(contact%points)
          call forget_predictions(contact%line_points)
          contact%n_settled = 0
+         contact%shares_wait = .false.
          call follow_centre_line(domain%model, domain%elements, domain%iterate%x, domain%iterate%rotation, &
             domain%wires)
          call measure_turning(domain%model, domain%wires, domain%elements, domain%iterate%x, domain%iterate%rotation, &
@@ -280,7 +281,8 @@ contains
 
    !> What is carried along lines and what at crossings is settled for the present lengths of contact, a few times at
    !> most: what then is left of a change is a matter of quadrature. Shares and forces belong together: where a change
-   !> is too small for another iteration, the shares stay, too.
+   !> is too small for another iteration, the shares of the increment stay, too, and the next one begins with the new
+   !> ones.
    subroutine settle_shares(domain, contact, has_moved)
       type(domain_t), intent(in) :: domain
       type(contact_set_t), intent(inout) :: contact
@@ -299,6 +301,7 @@ contains
       else
          call move_alloc(points, contact%points)
          call move_alloc(line_points, contact%line_points)
+         contact%shares_wait = .true.
       end if
       contact%n_settled = contact%n_settled + 1
    end subroutine settle_shares
@@ -323,8 +326,18 @@ contains
    subroutine accept(self, domain)
       class(contact_term_t), intent(inout) :: self
       type(domain_t), intent(inout) :: domain
+      real(dp) :: unused_change
 
-      call capture_contacts(self%contact, domain%state)
+      associate (contact => self%contact)
+         call capture_contacts(contact, domain%state)
+         if (contact%shares_wait) then
+            call renew_shares(domain%model, domain%wires, domain%elements, domain%iterate%x, domain%iterate%rotation, &
+               contact, unused_change)
+            contact%shares_wait = .false.
+         end if
+         contact%converged = contact%points
+         contact%converged_line_points = contact%line_points
+      end associate
    end subroutine accept
 
 end module litz_contact_term
