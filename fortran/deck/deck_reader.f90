@@ -210,16 +210,20 @@ contains
       integer :: card, i
 
       if (self%errors%count > 0) return
+      ! wires without given temperatures have one, too: 0
+      if (any([(has_table_of_contacts(model%materials(i)), i=1, size(model%materials))])) then
+         do card = 1, self%deck%n_cards
+            if (keyword_of(self, card) /= 'CONTACT PAIR') cycle
+            call warn(card, 'contact_temperature', 'the laws of contacts take the first lines of *ELASTIC and'// &
+               ' *ELECTRICAL CONDUCTIVITY, whatever the temperature')
+            exit
+         end do
+      end if
       do card = 1, self%deck%n_cards
          if (.not. any(keyword_of(self, card) == [character(len=18) :: 'TEMPERATURE', 'INITIAL CONDITIONS'])) cycle
          if (.not. any([(depends_on_temperature(model%materials(i)), i=1, size(model%materials))])) then
             call warn(card, 'idle_temperatures', 'temperatures have no effect: no material of the model depends on'// &
                ' temperature')
-         end if
-         if (size(model%contact_pairs) + size(model%surface_pairs) > 0 .and. &
-            any([(has_table_of_contacts(model%materials(i)), i=1, size(model%materials))])) then
-            call warn(card, 'contact_temperature', 'the laws of contacts take the first lines of *ELASTIC and'// &
-               ' *ELECTRICAL CONDUCTIVITY, whatever the temperature')
          end if
          return
       end do
