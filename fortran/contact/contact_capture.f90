@@ -1,7 +1,7 @@
 !> Contacts of a converged iterate: what results show of them, and what they remember.
 module litz_contact_capture
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf
-   use litz_kinds, only: dp, pi
+   use litz_kinds, only: pi
    use litz_contact_history, only: contact_history_t, advanced_history, spot_of_history
    use litz_contact_points, only: contact_set_t, contact_point_t
    use litz_line_cell, only: touching_length

@@ -44,9 +44,8 @@ module litz_contact_points
       !> force, in parts of what they would have alone (2, 2): within an iteration both stay
       type(cut_lens_t) :: lens
       real(dp) :: force_part(2, 2) = 0
-      !> Places as litz_cut_lens has them (2) [m]; the energy is a function of them and of the overlap, its
-      !> derivatives by
-      !> them are forces along the wires (2) [N], which change with the overlap (2) [N/m] and the places (2, 2) [N/m]
+      !> Places as litz_cut_lens has them (2) [m]; the energy is a function of them and of the overlap, its derivatives
+      !> by them are forces along the wires (2) [N], which change with the overlap (2) [N/m] and the places (2, 2) [N/m]
       real(dp) :: place(2) = 0, slide_force(2) = 0, slide_by_overlap(2) = 0, slide_stiffness(2, 2) = 0
       !> Of the force and of its stiffness what that of uncut cylinders at the same overlap is multiplied by
       real(dp) :: cut = 1, cut_stiffness = 1

@@ -31,12 +31,10 @@ contains
       type(heat_cards_t), intent(out) :: cards
 
       allocate (cards%line(model%n_elements, 3), source=0)
-      associate (heat => model%steps(step)%heat)
-         allocate (model%steps(step)%heat(model%n_elements))
-         if (step == 1) return
-         model%steps(step)%heat = model%steps(step - 1)%heat
-         model%steps(step)%heat%source_before = model%steps(step - 1)%heat%source
-      end associate
+      allocate (model%steps(step)%heat(model%n_elements))
+      if (step == 1) return
+      model%steps(step)%heat = model%steps(step - 1)%heat
+      model%steps(step)%heat%source_before = model%steps(step - 1)%heat%source
    end subroutine begin_heat
 
    subroutine read_element_heat(self, model, card, heat, cards)

@@ -3,7 +3,6 @@
 !> `p_a` is the pressure of augmentation (0 at first): Uzawa's iteration puts `p_a <- p` until the overlap is as small
 !> as wanted. Source: P. Wriggers, Computational Contact Mechanics, 2nd ed. 2006, section 10.3.
 module litz_area_linear
-   use litz_kinds, only: dp
    use litz_area_law, only: pressure_law_t, area_input_t, pressure_t
    use litz_law_words, only: law_field_t
    implicit none
