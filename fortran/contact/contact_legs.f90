@@ -38,6 +38,8 @@ module litz_contact_legs
       logical :: is_point = .false.
       !> Position (3) [m], direction (3), and curvature (3) [1/m] of its axis
       real(dp) :: at(3) = 0, along(3) = 0, curvature(3) = 0
+      !> Directions of all its stretches there (3, n)
+      real(dp), allocatable :: ways(:, :)
       !> Distance of the axes, overlap, smaller radius [m]
       real(dp) :: distance = 0, overlap = 0, radius = 0
       !> `axis_linear` or `axis_hermite`
@@ -185,11 +187,34 @@ contains
          x2 = on_axis(h2, xe(:, first:first + 1), t(:, first:first + 1))
       end associate
       view%along = x1/norm2(x1)
+      view%ways = reshape(view%along, [3, 1])
+      if (view%is_point) view%ways = ways_at(model, wires, axis, model%connectivity(merge(1, 2, view%xi < 0), &
+         view%other), x, rotation)
       view%curvature = (x2 - dot_product(x2, view%along)*view%along)/dot_product(x1, x1)
       view%distance = point%kinematics%distance
       view%radius = minval(elements%radius([point%element_bar, point%element]))
       view%overlap = overlap_of(elements, point)
    end function view_from
+
+   !> Directions away from a node of all stretches there (3, n).
+   pure function ways_at(model, wires, axis, node, x, rotation) result(ways)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      !> `axis_linear` or `axis_hermite`; node
+      integer, intent(in) :: axis, node
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
+      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      real(dp), allocatable :: ways(:, :)
+      integer :: i, n
+
+      n = wires%first_at_node(node + 1) - wires%first_at_node(node)
+      allocate (ways(3, n))
+      do i = 1, n
+         associate (e => wires%at_node(wires%first_at_node(node) + i - 1))
+            ways(:, i) = away_from(model, wires, axis, abs(e), merge(1, 2, e < 0), x, rotation)
+         end associate
+      end do
+   end function ways_at
 
    !> The end or joint at which the contact is.
    pure type(joint_t) function joint_of_contact(model, view, point) result(joint)
@@ -351,17 +376,18 @@ contains
       end do
    end subroutine find_ways
 
-   !> 1 where a stretch leads away from a joint along the other wire, as seen along the line between the two, 0 where it
-   !> crosses that.
+   !> 1 where a stretch leads away from a joint along a stretch of the other wire, as seen along the line between the
+   !> two, 0 where it crosses that.
    pure real(dp) function side_by_side(view, joint, way)
       type(view_t), intent(in) :: view
       type(joint_t), intent(in) :: joint
       type(way_t), intent(in) :: way
-      real(dp) :: level(3)
+      real(dp) :: level(3), sine
+      integer :: i
 
       level = way%away - dot_product(way%away, joint%normal)*joint%normal
-      side_by_side = 1 - smooth_step((norm2(cross(level, view%along))/max(norm2(level), tiny(level)) - small_sine) &
-         /(moderate_sine - small_sine))
+      sine = minval([(norm2(cross(level, view%ways(:, i))), i=1, size(view%ways, 2))])/max(norm2(level), tiny(level))
+      side_by_side = 1 - smooth_step((sine - small_sine)/(moderate_sine - small_sine))
    end function side_by_side
 
    !> How the distance changes along a stretch from a joint on.

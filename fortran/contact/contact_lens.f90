@@ -74,13 +74,17 @@ contains
       type(leg_t), intent(in) :: bar, leg
       !> Overlap that counts at most [m]
       real(dp), intent(in) :: largest_overlap
-      real(dp) :: overlap
+      real(dp) :: overlap, bend(2)
 
+      bend = [bar%bend, leg%bend]
+      ! the curvature along a leg is that over the other one
+      if (all(point%held) .and. .not. all(point%at_end)) bend = max(0.0_dp, 1 - dot_product(bar%along, leg%along)**2 &
+         - [bar%tilt, leg%tilt]**2)/point%kinematics%distance
       ! at first touch a tilt of round-off would tell lines from ends
       overlap = max(min(-point%gap, largest_overlap), least_overlap*point%kinematics%distance)
       half_length = huge(half_length)
-      if (point%held(1)) half_length = wedge_length(bar%tilt, bar%bend, overlap)
-      if (point%held(2)) half_length = min(half_length, wedge_length(leg%tilt, leg%bend, overlap))
+      if (point%held(1)) half_length = wedge_length(bar%tilt, bend(1), overlap)
+      if (point%held(2)) half_length = min(half_length, wedge_length(leg%tilt, bend(2), overlap))
    end function half_length_on
 
    !> How far an overlap reaches from the end of a wire on, where the distance grows:

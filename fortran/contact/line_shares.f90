@@ -73,7 +73,8 @@ contains
       end do
    end subroutine share_crossings
 
-   !> The angle that a law sees is that of the axes; next to ends and joints it stays what it was in the last state in balance.
+   !> The angle that a law sees is that of the axes; next to ends and joints it stays what it was in the last state in
+   !> balance.
    pure subroutine set_angle_of_axes(point)
       type(contact_point_t), intent(inout) :: point
 
@@ -195,8 +196,8 @@ contains
       end do
    end subroutine renew_shares
 
-   !> How much the law of a contact near ends and joints has changed: by the shapes of its overlap, and by what it has of
-   !> them.
+   !> How much the law of a contact near ends and joints has changed: by the shapes of its overlap, and by what it has
+   !> of them.
    pure real(dp) function change_of_cut(earlier, lens) result(change)
       type(cut_lens_t), intent(in) :: earlier, lens
 

@@ -138,9 +138,14 @@ contains
       type(contact_point_t), intent(in) :: point
       !> The smaller one [m]
       real(dp), intent(in) :: radius
+      real(dp) :: bend
+      logical :: at_joint(2)
 
-      sine = sqrt(point%kinematics%distance*least_bend(maxval(point%bend), max(0.0_dp, min(-point%gap, &
-         deepest*radius)), radius))
+      ! along the end of one wire it is that over one of the legs of the other one
+      at_joint = point%held .and. .not. point%at_end
+      bend = maxval(point%bend, .not. at_joint([2, 1]))
+      if (all(at_joint)) bend = sin(point%lens%angle)**2/point%kinematics%distance
+      sine = sqrt(point%kinematics%distance*least_bend(bend, max(0.0_dp, min(-point%gap, deepest*radius)), radius))
       sine = max(least_sine, min(1.0_dp, sine))
    end function sine_at_end
 

@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 import pytest
-from verification.references.hertz import crossed_wires, effective_modulus, end_on_wire
+from verification.references.hertz import crossed_wires, effective_modulus, end_on_end, end_on_wire
 
 from decks import wire
 from line_wires import COPPER, HERTZ, UPPER, linear, step, two_wires
@@ -48,13 +48,14 @@ def in_order(legs, order):
     return f"*NODE, NSET=LOWER\n{nodes}*ELEMENT, TYPE=B33, ELSET=LOWER\n{elements}"
 
 
-def force_on(run, lower, yaw, rise=0.0, overlap=0.02 * R, law=HERTZ, pairs=("LOWER, UPPER",), at=(0, 0, 0)):
-    """Force of a rod that is pressed on a place by an overlap [m], its direction given by two angles [degrees]."""
+def force_on(run, lower, yaw, rise=0.0, overlap=0.02 * R, law=HERTZ, pairs=("LOWER, UPPER",), at=(0, 0, 0), until=12.07):
+    """Force of a rod that is pressed on a place by an overlap [m], its direction given by two angles [degrees]; it ends so
+    many radii behind the place."""
     yaw, rise = math.radians(yaw), math.radians(rise)
     along = np.array([math.cos(rise) * math.cos(yaw), math.cos(rise) * math.sin(yaw), math.sin(rise)])
     normal = np.array([0, 0, 1]) - along * along[2]
     normal /= np.linalg.norm(normal)
-    rod = np.array(at) + 2 * R * normal + np.linspace(-11.93 * R, 12.07 * R, 25)[:, None] * along
+    rod = np.array(at) + 2 * R * normal + np.linspace(-11.93 * R, until * R, 25)[:, None] * along
     push = "".join(f" UPPER, {d}, {d}, {-overlap * u:.17g}\n" for d, u in enumerate(normal, start=1))
     upper = wire("UPPER", rod, UPPER, element="B33")
     deck = two_wires(lower, upper, HELD, step(boundary=push), law=law, pairs=pairs)
@@ -133,3 +134,24 @@ def test_a_branch_adds_what_its_cylinder_has(run):
     force = force_on(run, in_order(legs, (1, 2, 3)), 90)
     # one ellipse for all three of them, at their mean angle
     assert force == pytest.approx(sum(half), rel=0.01)
+
+
+@pytest.mark.parametrize("until", [0.1, 1e-3, -1e-3])
+@pytest.mark.parametrize("law", LAWS, ids=["hertz", "linear"])
+@pytest.mark.parametrize(("falls", "yaw"), [((13, 13, 40), 80), ((0, 5, 10), 60)])
+def test_the_order_of_wires_that_meet_below_the_end_of_another_one_makes_no_difference(run, law, falls, yaw, until):
+    legs = [leg(180, falls[0]), leg(-12, falls[1]), leg(13, falls[2])]
+    orders = [(1, 2, 3), (3, 2, 1), (-2, 1, -3)]
+    forces = [force_on(run, in_order(legs, order), yaw, law=law, until=until) for order in orders]
+    forces.append(force_on(run, in_order(legs, (2, 3, 1)), yaw, law=law, pairs=("UPPER, LOWER",), until=until))
+    assert_same(forces)
+
+
+def test_the_end_of_a_rod_over_a_corner_is_half_a_sphere_on_a_sphere(run):
+    """Over the corner the rod has the half of its cylinder, on either side of its end."""
+    corner = in_order([leg(180, 45), leg(0, 45)], (1, 2))
+    half = (hertz(0.02 * R, end_on_wire) + hertz(0.02 * R, end_on_end)) / 2
+    forces = [force_on(run, corner, 90, until=until) for until in (1e-4, 0.0, -1e-4)]
+    # the slope of the force over a ten thousandth of a radius
+    assert forces == pytest.approx([half] * 3, rel=1e-3)
+    assert force_on(run, corner, 90, until=0.5) == pytest.approx(hertz(0.02 * R, end_on_wire), rel=1e-5)
