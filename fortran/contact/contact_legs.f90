@@ -205,15 +205,12 @@ contains
       !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
       real(dp), intent(in) :: x(:, :), rotation(:, :, :)
       real(dp), allocatable :: ways(:, :)
-      integer :: i, n
+      integer :: i
 
-      n = wires%first_at_node(node + 1) - wires%first_at_node(node)
-      allocate (ways(3, n))
-      do i = 1, n
-         associate (e => wires%at_node(wires%first_at_node(node) + i - 1))
-            ways(:, i) = away_from(model, wires, axis, abs(e), merge(1, 2, e < 0), x, rotation)
-         end associate
-      end do
+      associate (here => wires%at_node(wires%first_at_node(node):wires%first_at_node(node + 1) - 1))
+         ways = reshape([(away_from(model, wires, axis, abs(here(i)), merge(1, 2, here(i) < 0), x, rotation), &
+            i=1, size(here))], [3, size(here)])
+      end associate
    end function ways_at
 
    !> The end or joint at which the contact is.
