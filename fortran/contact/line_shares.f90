@@ -6,7 +6,7 @@ module litz_line_shares
    use litz_kinds, only: dp, pi
    use litz_axis_choices, only: axis_hermite
    use litz_contact_lens, only: has_lens, half_length_of, half_length_on, divide_at_ends, tells_shares, place_at_ends, &
-      flatness, deepest
+      flatness, least_bend, deepest
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_place_t, chain_by_place, pair_geometry, &
       law_too_curved
    use litz_cut_forces, only: settle_cut
@@ -62,6 +62,11 @@ contains
             call divide_at_ends(wires, elements, point)
             call place_at_ends(wires, elements, point)
             call set_angle_of_axes(point)
+         end associate
+      end do
+      ! what a contact at an end carries depends on how ends cut the one at the other end
+      do i = 1, size(contact%points)
+         associate (point => contact%points(i))
             if (.not. serves_lines(model, point%pair)) cycle
             associate (law => model%interactions(model%contact_pairs(point%pair)%interaction)%normal)
                if ((point%gap < 0 .or. law%is_per_length_only()) .and. .not. point%is_shared) then
@@ -348,7 +353,24 @@ contains
          slope)
       point%line_share = 1 - of_crossing
       point%section_share = smooth_step((half_length/radius - section_from)/(section_at - section_from))
+      call bound_field(crossing, half_length, radius, point)
    end subroutine share_with
+
+   !> Either the sections of the wires bound the field of a place, or how the wires part from each other does: where they
+   !> hardly part at the place itself, as side by side in a plane, it is the lens of the crossing to which it belongs.
+   pure subroutine bound_field(crossing, half_length, radius, point)
+      type(contact_point_t), intent(in) :: crossing
+      !> Of its overlap, and the smaller radius [m]
+      real(dp), intent(in) :: half_length, radius
+      !> With its `section_share`; out: its law sees at least this angle
+      type(contact_point_t), intent(inout) :: point
+      real(dp) :: bend
+
+      bend = (1 - point%section_share)*least_bend(0.0_dp, max(0.0_dp, min(-crossing%gap, deepest*radius)), &
+         max(half_length, radius))
+      point%law_sine = max(point%law_sine, sqrt(point%kinematics%distance*bend))
+      point%law_angle = asin(min(1.0_dp, point%law_sine))
+   end subroutine bound_field
 
    !> Of the two passes: half, unless one wire is curved about the other so that the other's places have no clear foot
    !> on it.
