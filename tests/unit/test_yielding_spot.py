@@ -145,7 +145,7 @@ class TestLoading:
 
     @pytest.mark.parametrize("yield_stress", [20e6, 100e6, 300e6])
     def test_between_the_published_laws_of_a_sphere_on_a_plane(self, yield_stress):
-        # both fits claim some per cent; they differ from each other by up to 13 %, and one jumps by 1.7 % at 6
+        # the law is to be within 10 % of both, which differ by up to 6 % from each other, and one of which jumps by 1.7 % at 6
         wires = dict(radius=1e-3, young=120e9, poisson=0.3)
         modulus = 60e9 / (1 - 0.3**2)
         _, onset = points([0.0], yield_stress=yield_stress, **wires)

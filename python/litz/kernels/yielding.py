@@ -93,8 +93,8 @@ def normal_law(
     -----
     Hertz up to the onset of yielding (R. L. Jackson, I. Green, J. Tribol. 127 (2005) 343-354), power laws up to the
     hardness, elastic unloading with Barber's stiffness, a dent that stays, reloading on the same curve. Published
-    laws for a sphere differ from it by up to 10 %, and from each other by 13 %, up to 110 times the overlap at the
-    onset; for crossed cylinders none are known. Formulas: ``docs/theory.md``, section 15.
+    laws for a sphere differ from it by up to 10 %, and from each other by up to 6 %, up to 110 times the overlap at
+    the onset; for crossed cylinders none are known. Formulas: ``docs/theory.md``, section 15.
 
     Examples
     --------
