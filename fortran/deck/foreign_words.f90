@@ -25,7 +25,8 @@ module litz_foreign_words
       ' *CONTROLS, PARAMETERS=STABILIZE where wires snap or are unsupported'), &
       foreign_word_t('VISCO|CREEP|VISCOELASTIC', '', '', 'nothing is rate-dependent: use *STATIC and *ELASTIC'), &
       foreign_word_t('PIEZOELECTRIC|ELECTROMAGNETIC', '', '', &
-      'use *STATIC, which solves forces and currents together, or *COUPLED TEMPERATURE-DISPLACEMENT for temperatures'), &
+      'use *STATIC, which solves forces and currents together, or *COUPLED TEMPERATURE-DISPLACEMENT for'// &
+      ' temperatures'), &
       foreign_word_t('HEAT TRANSFER', '', '', 'use *COUPLED THERMAL-ELECTRICAL, STEADY STATE'), &
       foreign_word_t('FREQUENCY|BUCKLE|COMPLEX FREQUENCY|STEADY STATE DYNAMICS', '', '', &
       'there are no eigenvalues: *STATIC follows the wires through large displacements'), &

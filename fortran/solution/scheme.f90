@@ -81,7 +81,8 @@ contains
       integer, intent(in) :: kind, coupling
       logical :: is_updated
 
-      is_updated = any(coupling == [coupling_updated, coupling_swept]) .or. (coupling == coupling_default .and. kind == solver_block)
+      is_updated = any(coupling == [coupling_updated, coupling_swept]) .or. &
+         (coupling == coupling_default .and. kind == solver_block)
       n = merge(1, n_groups, is_updated)
    end function coupled_groups
 

@@ -57,7 +57,8 @@ contains
          associate (node => domain%model%connectivity(:, self%elements(i)))
             ! below absolute zero the heat term refuses the iterate
             call wire_radiation(domain%iterate%value(temperature_slots(1), node), &
-               self%coefficient(i)*domain%conduction_length(self%elements(i)), self%surroundings(i), domain%model%absolute_zero, slope, r(:, i), info)
+               self%coefficient(i)*domain%conduction_length(self%elements(i)), self%surroundings(i), &
+               domain%model%absolute_zero, slope, r(:, i), info)
             k(1, 1, i) = slope(1)
             k(2, 2, i) = slope(2)
             self%heat(i) = sum(r(:, i))
