@@ -11,7 +11,7 @@ module litz_line_shares
    use litz_cut_lens, only: cut_lens_t
    use litz_crossings_of_wires, only: crossings_of_wires_t, sort_crossings
    use litz_element_library, only: elements_t
-   use litz_lens_law, only: share_of_point, share_of_ends, smooth_step
+   use litz_lens_law, only: share_of_point, share_of_ends, share_of_line, smooth_step
    use litz_line_contact, only: serves_lines
    use litz_line_kinematics, only: lens_sine, crossing_qualities, line_profile_t, line_profile
    use litz_line_laps, only: find_lap, cell_at_lap, lap_from_end, lap_at_crossing
@@ -30,9 +30,6 @@ module litz_line_shares
    real(dp), parameter :: least_quality = 0.25_dp, good_quality = 0.5_dp
    !> Evenly spaced places resolve an overlap as those of Lobatto's rule at this part of their distance do
    real(dp), parameter :: resolution = 0.65_dp
-   !> The sections of the wires bound the field of a lens from the first half length on, wholly from the second one, in
-   !> smaller radii
-   real(dp), parameter :: section_from = 1, section_at = 3
    !> Sines of the angle between the axes up to which the lens alone gives the angle of the law, and from which on the
    !> axes do (5 and 10 degrees)
    real(dp), parameter :: small_sine = 0.0872_dp, moderate_sine = 0.1736_dp
@@ -130,7 +127,7 @@ contains
       half_length = half_length_of(point, deepest*radius)
       call give_to_ends(elements, contact%places, line_share_at(wires, elements, contact, by_place, point), &
          merge(min(half_length, lap_at_crossing(wires, elements, point)), huge(radius), all(point%lens%near)), point)
-      point%section_share = smooth_step((half_length/radius - section_from)/(section_at - section_from))
+      point%section_share = share_of_line(half_length/radius)
       ! a penalty does not depend on the far field
       if (law%line_penalty() > 0) point%section_share = 0
       point%lens_share = share_of_lens(law, point)
@@ -399,6 +396,7 @@ contains
          end if
          point%line_share = 1
          point%section_share = 1
+         point%in_lens = .false.
          if (bend > 0 .or. tilt > 0) then
             ! to where the wires are nearest; of a wedge, as far as one reaches that counts
             if (bend > 0) then
@@ -481,7 +479,9 @@ contains
             of_crossing, slope)
       end associate
       point%line_share = 1 - of_crossing
-      point%section_share = smooth_step((half_length/radius - section_from)/(section_at - section_from))
+      point%section_share = share_of_line(half_length/radius)
+      ! next to an end the overlap is a wedge
+      point%in_lens = .not. any(crossing%held)
    end subroutine share_with
 
    !> Of the two passes: half, unless one wire is curved about the other so that the other's places have no clear foot
