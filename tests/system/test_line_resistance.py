@@ -93,9 +93,7 @@ class TestWiresThatYield:
     WIRE = PressedWire(1e-3, 120e9, 0.34, 1 / 5.88e7)
 
     def conductances(self, results_of, overlaps, sine, elements):
-        deck = crossing_at_a_small_angle(
-            overlaps, law="PLASTIC", data=f" {self.HARDNESS}", n=elements, sine=sine
-        )
+        deck = crossing_at_a_small_angle(overlaps, law="PLASTIC", data=f" {self.HARDNESS}", n=elements, sine=sine)
         return conductances_of_places(results_of(deck), len(overlaps))
 
     @pytest.mark.parametrize("sine", [0.12, 0.06, 0.03])
@@ -113,7 +111,11 @@ class TestWiresThatYield:
         found = self.conductances(results_of, overlaps, sine, elements)
         modulus = hertz.effective_modulus([self.WIRE.young] * 2, [self.WIRE.poisson] * 2)
         one = hertz.crossed_wires(
-            1.0, np.arcsin(sine), radius=[self.WIRE.radius] * 2, modulus=modulus, resistivity=[self.WIRE.resistivity] * 2
+            1.0,
+            np.arcsin(sine),
+            radius=[self.WIRE.radius] * 2,
+            modulus=modulus,
+            resistivity=[self.WIRE.resistivity] * 2,
         )
         force = (overlaps / one.approach) ** 1.5
         exact = 4 * np.sqrt(force / (np.pi * self.HARDNESS)) / (2 * self.WIRE.resistivity)

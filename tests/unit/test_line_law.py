@@ -96,7 +96,9 @@ class TestParallelWires:
         widest = EQUAL["radius"][0] / 4
         section = np.exp(-2 * (np.log(2 * EQUAL["radius"][0] / widest) + 1 / 8))
         assert b > widest
-        assert 1 / conductance == pytest.approx(-sum(EQUAL["resistivity"]) / (2 * pi) * np.log(0.25 + section), rel=1e-12)
+        assert 1 / conductance == pytest.approx(
+            -sum(EQUAL["resistivity"]) / (2 * pi) * np.log(0.25 + section), rel=1e-12
+        )
         assert (slope, by_angle) == (0, 0)
 
 
