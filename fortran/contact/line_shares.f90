@@ -356,8 +356,8 @@ contains
       call bound_field(crossing, half_length, radius, point)
    end subroutine share_with
 
-   !> Either the sections of the wires bound the field of a place, or how the wires part from each other does: where they
-   !> hardly part at the place itself, as side by side in a plane, it is the lens of the crossing to which it belongs.
+   !> Either the sections of the wires bound the field of a place, or how the wires part does: where they hardly part at
+   !> the place itself, as side by side in a plane, it is the lens of the crossing to which it belongs.
    pure subroutine bound_field(crossing, half_length, radius, point)
       type(contact_point_t), intent(in) :: crossing
       !> Of its overlap, and the smaller radius [m]

@@ -71,7 +71,8 @@ contains
          do pair = 1, size(pairs)
             last_pair = 0
             do i = 1, size(pairs)
-               if (pairs(i)%surface == pairs(pair)%surface) last_pair(domain%model%element_sets(pairs(i)%set)%members) = i
+               if (pairs(i)%surface /= pairs(pair)%surface) cycle
+               last_pair(domain%model%element_sets(pairs(i)%set)%members) = i
             end do
             associate (members => domain%model%element_sets(pairs(pair)%set)%members)
                mine = pack(members, last_pair(members) == pair)

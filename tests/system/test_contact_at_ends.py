@@ -339,7 +339,7 @@ def test_a_branch_on_the_far_side_does_not_divide_a_wire(run):
 
 @pytest.mark.parametrize("yaw", [0.0, 0.02])
 def test_a_tip_that_leans_in_the_plane_of_both_wires_is_pressed_harder_the_deeper_it_is(run, yaw):
-    """The overlap becomes two radii long, from a point to a line; in a plane nothing but its length bounds the field of its places."""
+    """The overlap becomes two radii long, from a point to a line; in a plane only its length bounds the field of places."""
     slope = 0.02
     tip = from_tip((0.0003, 0, 2 * COPPER.radius), (1, yaw, slope), n=8, length=0.01)
     push = moved(0, 0, -2 * slope * COPPER.radius, increments=40).replace("*END STEP\n", VOLT + "*END STEP\n")
