@@ -56,7 +56,7 @@ module litz_contact_points
       !> It is held where wires are joined, not at a free end
       logical :: at_joint(2) = .false.
       !> Of a point of a line contact next to the end of the other wire: how the length that it stands for changes with
-      !> its place there, and what it was in the last state in balance, which friction sees [m]
+      !> its place there, and what it was when the shares were found, which friction sees [m]
       real(dp) :: dweight_dlap = 0, settled_weight = 0
       !> Where it is: slope of the distance along the wire from there, not negative, and its curvature (2) [-, 1/m]
       real(dp) :: tilt(2) = 0, bend(2) = 0

@@ -217,7 +217,7 @@ contains
             report_of(problem, outcome, audit, increment, target, start_time), observer, error)
          if (allocated(error)) return
          call control%accept(step, step_time, &
-            merge(outcome%to_balance, outcome%factorisations, outcome%to_balance > 0))
+            merge(min(outcome%to_balance, outcome%factorisations), outcome%factorisations, outcome%to_balance > 0))
       end associate
    end subroutine run_increment
 
