@@ -12,13 +12,14 @@ module litz_contact_crossings
    use litz_contact_candidates, only: skin
    use litz_contact_ends, only: minimum_t, add_ends, max_ends
    use litz_contact_kinematics, only: contact_kinematics, kinematics_ok
+   use litz_contact_legs, only: measure_legs
+   use litz_contact_lens, only: is_at_cut_end
    use litz_contact_matching, only: match_points, slides_of
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_wire_t, pair_geometry, axis_of_pair, &
       away_from, arc_at, crossing_at, clearance_of, add_taper, chain_by_wire, inherit
    use litz_contact_side, only: have_passed
    use litz_element_library, only: elements_t
    use litz_end_kinematics, only: end_kinematics
-   use litz_line_kinematics, only: line_profile_t, line_profile
    use litz_model, only: model_t, axis_hermite
    use litz_parallel, only: worth_threads
    use litz_start_crossings, only: crossing_at_start, relative_motion
@@ -160,7 +161,8 @@ contains
       end do
    end subroutine collect_points
 
-   !> Each contact once (n_points): one at a node may be found by all elements there, and the first one keeps it.
+   !> Each contact once (n_points): one at a node may be found by all elements there, and the first one keeps it, of
+   !> those that have found an end or a joint if any has.
    pure function are_new(model, wires, elements, points) result(keep)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
@@ -170,7 +172,7 @@ contains
       !> The last point so far at each node of a barred wire, and behind these elsewhere on each barred wire, and the
       !> one before each point
       integer :: last_at(model%n_nodes + wires%n_wires), before(size(points))
-      integer :: k, place
+      integer :: k, place, earlier
 
       last_at = 0
       before = 0
@@ -178,11 +180,17 @@ contains
       do k = 1, size(points)
          if (all(abs([points(k)%xi_bar, points(k)%xi]) < 1 - near_node)) cycle
          place = chain_at(points(k)%element_bar, points(k)%xi_bar)
-         keep(k) = .not. is_found_before(model, wires, elements, points, k, last_at(place), before)
+         earlier = found_before(model, wires, elements, points, k, last_at(place), before)
          ! where the arc lengths of a closed wire begin, its elements change their roles
-         if (keep(k) .and. wires%wire(points(k)%element) == wires%wire(points(k)%element_bar)) then
-            keep(k) = .not. is_found_before(model, wires, elements, points, k, &
+         if (earlier == 0 .and. wires%wire(points(k)%element) == wires%wire(points(k)%element_bar)) then
+            earlier = found_before(model, wires, elements, points, k, &
                last_at(chain_at(points(k)%element, points(k)%xi)), before)
+         end if
+         if (earlier > 0) then
+            ! an end or a joint is one, whichever element has the nearest place there
+            keep(k) = keep(earlier) .and. any(points(k)%held .and. .not. points(earlier)%held)
+            if (.not. keep(k)) cycle
+            keep(earlier) = .false.
          end if
          before(k) = last_at(place)
          last_at(place) = k
@@ -215,17 +223,16 @@ contains
       if (abs(xi) >= 1 - near_node) node = model%connectivity(merge(1, 2, xi < 0), e)
    end function node_at
 
-   !> Whether one of the points before this one is at the same place of both wires.
-   pure logical function is_found_before(model, wires, elements, points, k, last, before) result(found)
+   !> The last one of the points before this one that is at the same place of both wires; 0: none.
+   pure integer function found_before(model, wires, elements, points, k, last, before) result(other)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(contact_point_t), intent(in) :: points(:)
       !> A point, the last one there, and the one before each point (n_points)
       integer, intent(in) :: k, last, before(:)
-      integer :: other
+      logical :: found
 
-      found = .false.
       other = last
       do while (other > 0)
          associate (point => points(k), earlier => points(other))
@@ -256,7 +263,7 @@ contains
             wires%circumference(wires%wire(e)))) <= near_node*elements%length(e)
       end function is_same
 
-   end function is_found_before
+   end function found_before
 
    !> Kinematics and gap of a point, on the side that its wires had in the last converged state.
    pure subroutine set_geometry(model, wires, elements, contact, converged_by_wire, from_converged, x_start, &
@@ -281,7 +288,6 @@ contains
          if (any(point%held)) then
             call end_kinematics(xe, t, length, axis, elements%radius([eb, e]), point%xi_bar, point%xi, point%held, &
                point%normal_before, kinematics, info)
-            if (info == kinematics_ok) call set_profiles(model, wires, elements, axis, x, rotation, point)
             if (from_converged > 0) point%start = crossing_at(wires, contact%converged(from_converged))
          else
             call contact_kinematics(xe, t, length, axis, elements%radius([eb, e]), point%xi_bar, point%xi, 0, &
@@ -293,33 +299,16 @@ contains
             if (have_passed(point%start, crossing_at(wires, point))) call contact_kinematics(xe, t, length, axis, &
                elements%radius([eb, e]), point%xi_bar, point%xi, -kinematics%side, kinematics, info)
          end if
-         if (info == kinematics_ok) call set_tangents(axis, xe, t, length, point)
+         if (info == kinematics_ok) call set_tangents(model, wires, elements, axis, x, rotation, xe, t, length, point)
          point%regular = info == kinematics_ok
          call add_taper(elements%taper([eb, e]), kinematics)
          point%gap = kinematics%gap + clearance_of(point%fit, contact%clearance(point%pair))
       end associate
+      if (point%regular) call measure_legs(model, wires, elements, axis, x, rotation, point)
    end subroutine set_geometry
 
-   !> Tangents of the axes where they are not held.
-   pure subroutine set_tangents(axis, xe, t, length, point)
-      !> `axis_linear` or `axis_hermite`
-      integer, intent(in) :: axis
-      !> Nodal positions [m] and unit tangents (3, 4), reference lengths (2) [m]: barred first
-      real(dp), intent(in) :: xe(3, 4), t(3, 4), length(2)
-      type(contact_point_t), intent(inout) :: point
-      real(dp) :: h(4), h1(4), h2(4), xi(2)
-      integer :: i
-
-      xi = [point%xi_bar, point%xi]
-      do i = 1, 2
-         if (point%held(i)) cycle
-         call axis_shape(axis, length(i), xi(i), h, h1, h2)
-         point%tangent(:, i) = on_axis(h1, xe(:, 2*i - 1:2*i), t(:, 2*i - 1:2*i))
-      end do
-   end subroutine set_tangents
-
-   !> How the distance grows from the ends of the wires on; from a kink along that leg along which it grows least.
-   pure subroutine set_profiles(model, wires, elements, axis, x, rotation, point)
+   !> Tangents of the axes where they move along their wires, and where they are held at free ends.
+   pure subroutine set_tangents(model, wires, elements, axis, x, rotation, xe, t, length, point)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
@@ -327,29 +316,23 @@ contains
       integer, intent(in) :: axis
       !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
       real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      !> Nodal positions [m] and unit tangents (3, 4), reference lengths (2) [m]: barred first
+      real(dp), intent(in) :: xe(3, 4), t(3, 4), length(2)
       type(contact_point_t), intent(inout) :: point
-      type(line_profile_t) :: profile
-      real(dp) :: xi(2), tilt
-      integer :: own, node, i, leg(2)
+      real(dp) :: h(4), h1(4), h2(4), xi(2)
+      integer :: i, pair(2)
 
-      do own = 1, 2
-         if (.not. point%held(own)) cycle
-         leg = [point%element_bar, point%element]
-         xi = [point%xi_bar, point%xi]
-         node = model%connectivity(merge(1, 2, xi(own) < 0), leg(own))
-         point%tilt(own) = huge(tilt)
-         point%at_joint(own) = wires%first_at_node(node + 1) - wires%first_at_node(node) > 1
-         do i = wires%first_at_node(node), wires%first_at_node(node + 1) - 1
-            leg(own) = abs(wires%at_node(i))
-            xi(own) = sign(1.0_dp, real(wires%at_node(i), dp))
-            profile = profile_along(own, leg, xi)
-            tilt = max(0.0_dp, -xi(own)*profile%slope)
-            if (tilt >= point%tilt(own)) cycle
-            point%tilt(own) = tilt
-            point%bend(own) = profile%bend
-            point%tangent(:, own) = inward_tangent(leg(own), xi(own))
-            point%on_other_leg(own) = leg(own) /= merge(point%element_bar, point%element, own == 1)
-         end do
+      xi = [point%xi_bar, point%xi]
+      pair = [point%element_bar, point%element]
+      do i = 1, 2
+         if (.not. point%held(i)) then
+            call axis_shape(axis, length(i), xi(i), h, h1, h2)
+            point%tangent(:, i) = on_axis(h1, xe(:, 2*i - 1:2*i), t(:, 2*i - 1:2*i))
+            cycle
+         end if
+         point%at_end(i) = is_at_cut_end(wires, elements, pair(i), merge(point%arc_bar, point%arc, i == 1), &
+            minval(elements%radius(pair)))
+         if (point%at_end(i)) point%tangent(:, i) = inward_tangent(pair(i), xi(i))
       end do
 
    contains
@@ -369,19 +352,6 @@ contains
          end associate
       end function inward_tangent
 
-      !> Along one of two elements, from the places at which they touch.
-      pure type(line_profile_t) function profile_along(own, pair, xi) result(profile)
-         !> 1: barred, 2: unbarred; both elements (2)
-         integer, intent(in) :: own, pair(2)
-         !> (2)
-         real(dp), intent(in) :: xi(2)
-         real(dp) :: xe(3, 4), t(3, 4), length(2)
-
-         call pair_geometry(model, wires, elements, pair(3 - own), pair(own), x, rotation, xe, t, length)
-         profile = line_profile(xe, t, length, axis, xi(3 - own), xi(own), &
-            (2*own - 3)*point%kinematics%normal, point%kinematics%distance)
-      end function profile_along
-
-   end subroutine set_profiles
+   end subroutine set_tangents
 
 end module litz_contact_crossings

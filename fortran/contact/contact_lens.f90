@@ -5,7 +5,7 @@
 module litz_contact_lens
    use litz_kinds, only: dp
    use litz_axis_choices, only: axis_hermite
-   use litz_contact_points, only: contact_point_t
+   use litz_contact_points, only: contact_point_t, leg_t, is_contact_of
    use litz_cut_lens, only: flat_tilt, steep_tilt
    use litz_element_library, only: elements_t
    use litz_end_places, only: place_at_end_t
@@ -15,9 +15,15 @@ module litz_contact_lens
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: has_lens, half_length_of, divide_at_ends, place_at_ends, ends_of_wires, is_at_end, flatness, least_bend, &
-      wedge_length, deepest
+   public :: has_lens, half_length_of, half_length_on, divide_at_ends, tells_shares, angle_of_axes, place_at_ends, &
+      ends_of_wires, is_at_cut_end, cut_ends, flatness, least_bend, wedge_length, deepest, least_overlap, small_sine, &
+      moderate_sine
 
+   !> Sines of the angle between the axes up to which the lens alone gives the angle of the law, and from which on the
+   !> axes do (5 and 10 degrees)
+   real(dp), parameter :: small_sine = 0.0872_dp, moderate_sine = 0.1736_dp
+   !> Overlap over the distance of the axes that is no more than round-off
+   real(dp), parameter :: near_round_off = 1.0e-12_dp
    !> Overlap beyond which a lens counts as no longer, in smaller radii
    real(dp), parameter :: deepest = 0.02_dp
    !> Overlap at an end by which its length is told, at least, in distances of the axes
@@ -39,25 +45,47 @@ contains
       if (has_lens .and. .not. any(point%held)) has_lens = lens_sine(point%kinematics) > 0
    end function has_lens
 
-   !> `aW = sqrt(2 d delta)/s` of a crossing; from the end of a wire on that of a wedge [m].
+   !> `aW = sqrt(2 d delta)/s` of a crossing; from the end of a wire on that of a wedge, the longest at a joint [m].
    pure real(dp) function half_length_of(point, largest_overlap) result(half_length)
       !> With a lens
       type(contact_point_t), intent(in) :: point
       !> Overlap that counts at most [m]: iterates overlap deeply for a moment, which makes no lines of them
       real(dp), intent(in) :: largest_overlap
-      real(dp) :: overlap
+      integer :: i, j
 
-      overlap = max(0.0_dp, min(-point%gap, largest_overlap))
-      if (any(point%held)) then
-         associate (tilt => point%tilt(merge(2, 1, point%held(2))), bend => point%bend(merge(2, 1, point%held(2))))
-            ! at first touch a tilt of round-off would tell lines from ends
-            overlap = max(overlap, least_overlap*point%kinematics%distance)
-            half_length = wedge_length(tilt, bend, overlap)
-         end associate
-      else
-         half_length = sqrt(2*point%kinematics%distance*overlap)/lens_sine(point%kinematics)
+      if (.not. any(point%held)) then
+         half_length = sqrt(2*point%kinematics%distance*max(0.0_dp, min(-point%gap, largest_overlap))) &
+            /lens_sine(point%kinematics)
+         return
       end if
+      half_length = 0
+      do i = 1, size(point%legs)
+         do j = 1, size(point%legs)
+            if (is_contact_of(point%legs(i), point%legs(j))) half_length = max(half_length, half_length_on(point, &
+               point%legs(i), point%legs(j), largest_overlap))
+         end do
+      end do
    end function half_length_of
+
+   !> How far the overlap of a contact at an end or joint reaches along two of its legs [m].
+   pure real(dp) function half_length_on(point, bar, leg, largest_overlap) result(half_length)
+      type(contact_point_t), intent(in) :: point
+      !> Of the barred and the unbarred wire
+      type(leg_t), intent(in) :: bar, leg
+      !> Overlap that counts at most [m]
+      real(dp), intent(in) :: largest_overlap
+      real(dp) :: overlap, bend(2)
+
+      bend = [bar%bend, leg%bend]
+      ! the curvature along a leg is that over the other one
+      if (all(point%held) .and. .not. all(point%at_end)) bend = max(0.0_dp, 1 - dot_product(bar%along, leg%along)**2 &
+         - [bar%tilt, leg%tilt]**2)/point%kinematics%distance
+      ! at first touch a tilt of round-off would tell lines from ends
+      overlap = max(min(-point%gap, largest_overlap), least_overlap*point%kinematics%distance)
+      half_length = huge(half_length)
+      if (point%held(1)) half_length = wedge_length(bar%tilt, bend(1), overlap)
+      if (point%held(2)) half_length = min(half_length, wedge_length(leg%tilt, bend(2), overlap))
+   end function half_length_on
 
    !> How far an overlap reaches from the end of a wire on, where the distance grows:
    !> `2 delta/(t + sqrt(t^2 + 2 k delta))` [m].
@@ -71,55 +99,91 @@ contains
       if (square > 0) length = 2*overlap/max(tilt + sqrt(square), tiny(square))
    end function wedge_length
 
-   !> How the ends of the two wires cut the overlap. What has been found for a closed contact stays until the forces
-   !> balance.
+   !> How the ends and joints of the two wires cut the overlap. What has been found for a closed contact stays until the
+   !> forces balance.
    pure subroutine divide_at_ends(wires, elements, point)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(contact_point_t), intent(inout) :: point
-      real(dp) :: overlap, to_end(2), way(3, 2)
+      real(dp) :: overlap, radius, to_end(2), way(3, 2)
       integer :: i
 
       if (point%lens%is_known .or. point%gap >= 0 .or. .not. point%kinematics%distance > 0) return
-      point%lens%is_known = .true.
-      associate (pair => [point%element_bar, point%element], arc => [point%arc_bar, point%arc], lens => point%lens, &
-         d => point%kinematics%distance)
+      call divide_at_joints(point)
+      associate (pair => [point%element_bar, point%element], lens => point%lens, d => point%kinematics%distance)
+         radius = minval(elements%radius(pair))
          do i = 1, 2
-            call find_round_end(wires, elements, pair(i), arc(i), lens%side(i), to_end(i))
+            call find_free_end(wires, elements, point, i, lens%side(i), to_end(i))
          end do
          lens%near = lens%side > 0
-         lens%angle = point%kinematics%angle
          lens%distance = d
          do i = 1, 2
             way(:, i) = point%tangent(:, i)
-            if (lens%near(i) .and. .not. is_at_end(wires, elements, point, i)) way(:, i) = &
+            if (lens%near(i) .and. .not. point%at_end(i)) way(:, i) = &
                -direction_of_end(wires, pair(i), lens%side(i))*way(:, i)
          end do
          lens%cosine = dot_product(way(:, 1), way(:, 2))/max(norm2(way(:, 1))*norm2(way(:, 2)), tiny(d))
          lens%bend = bends_over_feet(point, lens%cosine)
-         overlap = min(-point%gap, deepest*minval(elements%radius(pair)))
-         lens%bend = max(lens%bend, d*least_bend(0.0_dp, overlap, minval(elements%radius(pair))))
-         lens%is_flat = all(lens%near) .and. any(point%held) .and. &
+         overlap = min(-point%gap, deepest*radius)
+         lens%bend = max(lens%bend, d*least_bend(0.0_dp, overlap, radius))
+         lens%is_flat = all(lens%near) .and. any(point%at_end) .and. &
             any(lens%bend > 2*(1 - lens%cosine)*(1 + lens%cosine))
          ! nothing is felt of an end that is farther away
-         overlap = max(overlap, least_felt*minval(elements%radius(pair)))
+         overlap = max(overlap, least_felt*radius)
          do i = 1, 2
-            if (.not. is_at_end(wires, elements, point, i)) lens%near(i) = lens%near(i) .and. &
+            if (.not. point%at_end(i)) lens%near(i) = lens%near(i) .and. &
                lens%bend(i)*to_end(i)**2 < felt**2*2*d*overlap
          end do
       end associate
       call place_at_ends(wires, elements, point)
    end subroutine divide_at_ends
 
+   !> What joints change of the overlap, and the angle of the law.
+   pure subroutine divide_at_joints(point)
+      type(contact_point_t), intent(inout) :: point
+
+      associate (lens => point%lens, parts => point%present_parts)
+         lens%is_known = tells_shares(point)
+         lens%has_energies = .false.
+         lens%is_near_joint = parts%is_near
+         lens%of_joint(1, :) = parts%of_cylinder
+         lens%of_joint(2, :) = parts%of_end
+         lens%angle = merge(parts%angle, point%kinematics%angle, parts%is_near)
+         ! cylinders that are cut on both sides have nothing between their joints
+         lens%of_crossing = 1
+         if (all(parts%of_end > 0)) lens%of_crossing = smooth_step((sin(lens%angle) - flat_tilt)/(steep_tilt &
+            - flat_tilt))
+      end associate
+   end subroutine divide_at_joints
+
+   !> The overlap is more than that of round-off at first touch, so that what is found of it may stay.
+   pure logical function tells_shares(point)
+      type(contact_point_t), intent(in) :: point
+
+      tells_shares = -point%gap > near_round_off*point%kinematics%distance
+   end function tells_shares
+
+   !> Angle of the axes, next to a joint the mean one that the law sees [rad].
+   pure real(dp) function angle_of_axes(point) result(angle)
+      type(contact_point_t), intent(in) :: point
+
+      angle = merge(point%lens%angle, point%kinematics%angle, point%lens%is_near_joint)
+   end function angle_of_axes
+
    !> The distance times its curvature along either wire, over the feet on the other one (2) [-].
    pure function bends_over_feet(point, cosine) result(bend)
       type(contact_point_t), intent(in) :: point
       !> Of the angle between the wires
       real(dp), intent(in) :: cosine
-      real(dp) :: bend(2)
+      real(dp) :: bend(2), square_of_sine
 
       if (any(point%held)) then
-         bend = merge(point%kinematics%distance*point%bend + point%tilt**2, (1 - cosine)*(1 + cosine), point%held)
+         square_of_sine = (1 - cosine)*(1 + cosine)
+         ! the foot is on several legs
+         if (point%lens%is_near_joint) square_of_sine = sin(point%lens%angle)**2
+         bend = square_of_sine
+         if (.not. any(point%held .and. .not. point%at_end)) bend = merge(point%kinematics%distance*point%bend &
+            + point%tilt**2, bend, point%held)
       else
          associate (m_inverse => point%kinematics%between_q)
             bend = 1/([m_inverse(2, 2), m_inverse(1, 1)]*point%kinematics%squares([2, 1]))
@@ -140,7 +204,7 @@ contains
       associate (pair => [point%element_bar, point%element], arc => [point%arc_bar, point%arc])
          do i = 1, 2
             if (.not. point%lens%near(i)) cycle
-            if (is_at_end(wires, elements, point, i)) then
+            if (point%at_end(i)) then
                point%place(i) = (2*i - 3)*dot_product(point%kinematics%point_bar - point%kinematics%point, &
                   point%tangent(:, i))
             else
@@ -151,22 +215,33 @@ contains
       end associate
    end subroutine place_at_ends
 
-   !> The contact is held at an end of the wire, and not at a joint along it.
-   pure logical function is_at_end(wires, elements, point, i)
+   !> A place is at a free end of its wire.
+   pure logical function is_at_cut_end(wires, elements, e, arc, radius)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
-      type(contact_point_t), intent(in) :: point
-      !> 1: barred, 2: unbarred wire
-      integer, intent(in) :: i
-      real(dp) :: to_ends(2)
+      !> Element
+      integer, intent(in) :: e
+      !> Arc length along its wire, and smaller radius of the contact [m]
+      real(dp), intent(in) :: arc, radius
 
-      is_at_end = point%held(i) .and. point%lens%near(i)
-      if (.not. is_at_end) return
-      associate (e => merge(point%element_bar, point%element, i == 1), arc => merge(point%arc_bar, point%arc, i == 1))
-         to_ends = distances_to_ends(wires, elements, e, arc)
-         is_at_end = to_ends(point%lens%side(i)) <= at_end*elements%length(e)
-      end associate
-   end function is_at_end
+      is_at_cut_end = any(cut_ends(wires, elements, e, radius) .and. distances_to_ends(wires, elements, e, arc) &
+         <= at_end*elements%length(e))
+   end function is_at_cut_end
+
+   !> The ends of a wire that cut overlaps for themselves: the free ones (2). One just behind a joint is part of that.
+   pure function cut_ends(wires, elements, e, radius)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> Element of the wire
+      integer, intent(in) :: e
+      !> The smaller one of the contact [m]
+      real(dp), intent(in) :: radius
+      logical :: cut_ends(2)
+
+      cut_ends = wires%is_free(:, wires%wire(e))
+      if (.not. all(cut_ends)) cut_ends = cut_ends .and. &
+         sum(distances_to_ends(wires, elements, e, wires%arc(e))) >= radius
+   end function cut_ends
 
    !> The ends that cut a contact, as the kernels want them.
    pure function ends_of_wires(wires, elements, axis, point) result(ends)
@@ -187,12 +262,12 @@ contains
       do i = 1, 2
          if (.not. point%lens%near(i)) cycle
          ends(i)%direction = direction_of_end(wires, pair(i), point%lens%side(i))
-         if (.not. is_at_end(wires, elements, point, i)) cycle
+         if (.not. point%at_end(i)) cycle
          ends(i)%inward = point%tangent(:, i)
          ends(i)%node = 2*i - merge(1, 0, xi(i) < 0)
          ends(i)%turns = axis == axis_hermite
          ends(i)%length = elements%length(pair(i))
-         if (.not. point%on_other_leg(i)) ends(i)%other_node = 4*i - 1 - ends(i)%node
+         ends(i)%other_node = 4*i - 1 - ends(i)%node
       end do
    end function ends_of_wires
 
@@ -205,30 +280,31 @@ contains
       direction = (2*side - 3)*wires%direction(e)
    end function direction_of_end
 
-   !> The nearer end of a wire at which nothing goes straight on.
-   pure subroutine find_round_end(wires, elements, e, arc, side, distance)
+   !> The nearer free end of a wire.
+   pure subroutine find_free_end(wires, elements, point, i, side, distance)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
-      !> Element
-      integer, intent(in) :: e
-      !> Arc length along its wire [m]
-      real(dp), intent(in) :: arc
+      type(contact_point_t), intent(in) :: point
+      !> 1: barred, 2: unbarred wire
+      integer, intent(in) :: i
       !> 1 or 2, 0: there is none
       integer, intent(out) :: side
       !> Length of wire to it [m]
       real(dp), intent(out) :: distance
       real(dp) :: to_ends(2)
 
-      to_ends = distances_to_ends(wires, elements, e, arc)
-      associate (first => wires%element(wires%first(wires%wire(e))), &
-         last => wires%element(wires%first(wires%wire(e) + 1) - 1))
-         if (wires%goes_on(merge(1, 2, wires%direction(first) > 0), first)) to_ends(1) = huge(distance)
-         if (wires%goes_on(merge(2, 1, wires%direction(last) > 0), last)) to_ends(2) = huge(distance)
+      side = 0
+      distance = huge(distance)
+      associate (pair => [point%element_bar, point%element], arc => merge(point%arc_bar, point%arc, i == 1))
+         to_ends = distances_to_ends(wires, elements, pair(i), arc)
+         ! a joint has several legs, of which none is the one of the contact
+         if (point%held(i) .and. .not. point%at_end(i) .and. any(to_ends <= at_end*elements%length(pair(i)))) return
+         to_ends = merge(to_ends, distance, cut_ends(wires, elements, pair(i), minval(elements%radius(pair))))
       end associate
+      if (.not. any(to_ends < distance)) return
       side = minloc(to_ends, 1)
       distance = to_ends(side)
-      if (.not. distance < huge(distance)) side = 0
-   end subroutine find_round_end
+   end subroutine find_free_end
 
    !> Curvature of the distance along a wire from its end on, of an overlap that is no longer than a radius [1/m].
    pure real(dp) function least_bend(bend, overlap, radius)

@@ -8,11 +8,11 @@ module litz_contact_net
    use litz_kinds, only: dp
    use litz_contact_findings, only: finding_t, worse_of, finding_deep, finding_kink, finding_line, finding_passed
    use litz_contact_lens, only: half_length_of
-   use litz_contact_points, only: contact_set_t, contact_point_t, points_by_wire_t, chain_by_wire
+   use litz_contact_points, only: contact_set_t, contact_point_t, points_by_wire_t, points_by_place_t, &
+      chain_by_wire, chain_by_place
    use litz_element_library, only: elements_t
    use litz_contact_candidates, only: find_contact_pair
    use litz_line_contact, only: serves_lines, line_obstacle
-   use litz_line_shares, only: points_by_place_t, chain_by_place
    use litz_missed_contacts, only: inspect_pair, is_at
    use litz_model, only: model_t, axis_linear
    use litz_normal_law, only: penalty_that_holds

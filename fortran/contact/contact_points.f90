@@ -20,14 +20,46 @@ module litz_contact_points
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: contact_point_t, contact_set_t, points_by_wire_t
+   public :: contact_point_t, contact_set_t, points_by_wire_t, points_by_place_t, leg_t, joint_parts_t
    public :: law_ok, law_parallel, law_bad_data, law_too_curved
    public :: pair_geometry, away_from, axis_of_pair, arc_at, crossing_at, clearance_of, add_taper, &
-      chain_by_wire, inherit
+      chain_by_wire, chain_by_place, inherit, is_contact_of
 
    !> What has become of the laws of a contact: nothing; the axes are parallel, so that there is no Hertz ellipse; the
    !> data of the law are none for it; a wire is curved about the other so much that the foot of a line is hardly known
    integer, parameter :: law_ok = 0, law_parallel = 1, law_bad_data = 2, law_too_curved = 3
+
+   !> A stretch of a wire of a contact, up to its next round end or joint: one on which the contact is, or one that
+   !> leads away from a joint near by.
+   type :: leg_t
+      !> 1: of the barred, 2: of the unbarred wire
+      integer :: side = 0
+      !> Element, and a place in it: of the contact, or of the joint
+      integer :: element = 0
+      real(dp) :: xi = 0
+      !> Arc length along its wire there [m]
+      real(dp) :: arc = 0
+      !> The contact is on this stretch, or at its end
+      logical :: at_contact = .false.
+      !> From the joint on: slope [-] and curvature [1/m] of the distance to the other wire
+      real(dp) :: tilt = 0, bend = 0
+      !> Curvature as the law sees it, which takes a part of the tilt for a bend [1/m]
+      real(dp) :: bend_of_law = 0
+      !> Unit vectors along the axis of the element (3), and as the law sees it
+      real(dp) :: along(3) = 0, direction(3) = 0
+      !> What its cylinder has of the force, in parts of what a cylinder would have alone
+      real(dp) :: part = 0
+   end type leg_t
+
+   !> What joints of two wires change of a contact by the geometry of an iterate.
+   type :: joint_parts_t
+      !> It is at a joint of either wire, or a joint cuts its overlap
+      logical :: is_near = .false.
+      !> Parts of the force, of what they would have alone: of cylinders and of round joints (barred, unbarred wire)
+      real(dp) :: of_cylinder(2) = 1, of_end(2) = 0
+      !> Mean angle of the legs with the other wire [rad]
+      real(dp) :: angle = 0
+   end type joint_parts_t
 
    !> A crossing of two wires, open or closed: the contact that results show, and what the iteration needs besides.
    type, extends(contact_t) :: contact_point_t
@@ -49,16 +81,20 @@ module litz_contact_points
       real(dp) :: place(2) = 0, slide_force(2) = 0, slide_by_overlap(2) = 0, slide_stiffness(2, 2) = 0
       !> Of the force and of its stiffness what that of uncut cylinders at the same overlap is multiplied by
       real(dp) :: cut = 1, cut_stiffness = 1
-      !> Tangents (3, 2): of the axis along xi where it moves along its wire, from the end into the wire where it is
-      !> held there; and where that is along another leg than its element
+      !> It is held at a free end of the barred, of the unbarred wire, and not at a joint
+      logical :: at_end(2) = .false.
+      !> Tangents (3, 2): of the axis along xi where it moves along its wire, from a free end into the wire where it is
+      !> held there
       real(dp) :: tangent(3, 2) = 0
-      logical :: on_other_leg(2) = .false.
-      !> It is held where wires are joined, not at a free end
-      logical :: at_joint(2) = .false.
+      !> What joints change of it
+      type(joint_parts_t) :: present_parts
+      !> At an end or a joint, or near a joint: the stretches of both wires there
+      type(leg_t), allocatable :: legs(:)
       !> Of a point of a line contact next to the end of the other wire: how the length that it stands for changes with
       !> its place there, and what it was when the shares were found, which friction sees [m]
       real(dp) :: dweight_dlap = 0, settled_weight = 0
-      !> Where it is: slope of the distance along the wire from there, not negative, and its curvature (2) [-, 1/m]
+      !> Where it is at an end or a joint: slope of the distance along the leg from there along which it grows least,
+      !> not negative, and mean curvature (2) [-, 1/m]
       real(dp) :: tilt(2) = 0, bend(2) = 0
       !> The crossing of the same two wires that it was when the increment began
       type(crossing_t) :: start
@@ -79,6 +115,8 @@ module litz_contact_points
       logical :: is_long = .false.
       !> These shares have been found: within an iteration they stay
       logical :: is_shared = .false.
+      !> Of a point of a line contact: it lies in the lens of a crossing
+      logical :: in_lens = .false.
       !> Of a point of a line contact: its foot is held at the end of a wire
       logical :: foot_at_end = .false.
       !> Point of a line contact: its place on the unbarred wire, see litz_line_places; 0: the wires cross here
@@ -174,6 +212,12 @@ module litz_contact_points
       !> First point of each wire (n_wires), and the next one of each point (n_points); 0: none
       integer, allocatable :: first(:), next(:)
    end type points_by_wire_t
+
+   !> The points of line contacts of each place, as chains.
+   type :: points_by_place_t
+      !> Last point of each place (n_places), and the one before each point (n_points); 0: none
+      integer, allocatable :: last(:), before(:)
+   end type points_by_place_t
 
 contains
 
@@ -309,6 +353,7 @@ contains
       point%line_share = earlier%line_share
       point%cell%reach = earlier%cell%reach
       point%section_share = earlier%section_share
+      point%in_lens = earlier%in_lens
       point%lens_share = earlier%lens_share
       point%lens_sine = earlier%lens_sine
       point%law_angle = earlier%law_angle
@@ -322,6 +367,13 @@ contains
       point%settled_weight = earlier%settled_weight
       if (earlier%law_status == law_too_curved) point%law_status = law_too_curved
    end subroutine take_shares
+
+   !> The contact is on both of these legs: the first one of the barred, the second one of the unbarred wire.
+   elemental logical function is_contact_of(leg_bar, leg)
+      type(leg_t), intent(in) :: leg_bar, leg
+
+      is_contact_of = leg_bar%at_contact .and. leg%at_contact .and. leg_bar%side == 1 .and. leg%side == 2
+   end function is_contact_of
 
    !> Put points into chains, one for each barred wire.
    pure type(points_by_wire_t) function chain_by_wire(wires, points) result(by_wire)
@@ -337,5 +389,19 @@ contains
          end associate
       end do
    end function chain_by_wire
+
+   !> Put points of line contacts into chains, one for each place.
+   pure type(points_by_place_t) function chain_by_place(n_places, points) result(by_place)
+      !> Places on all wires
+      integer, intent(in) :: n_places
+      type(contact_point_t), intent(in) :: points(:)
+      integer :: k
+
+      allocate (by_place%last(n_places), by_place%before(size(points)), source=0)
+      do k = 1, size(points)
+         by_place%before(k) = by_place%last(points(k)%line_place)
+         by_place%last(points(k)%line_place) = k
+      end do
+   end function chain_by_place
 
 end module litz_contact_points

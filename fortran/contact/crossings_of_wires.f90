@@ -1,21 +1,23 @@
 !> The crossings of each two wires, in order along them, so that those near a place are found without a look at all.
 !>
-!> Each crossing is there twice, along either of its wires.
+!> Each crossing is there twice, along either of its wires; one at a joint along each of the wires that meet there.
 module litz_crossings_of_wires
    use litz_kinds, only: dp
-   use litz_contact_points, only: contact_point_t
+   use litz_contact_points, only: contact_point_t, is_contact_of
    use litz_wires, only: wires_t
    implicit none
    private
    public :: crossings_of_wires_t, sort_crossings
 
    type :: crossing_on_wire_t
-      !> Wire, the other one, and the arc length along the first [m], by which they are in order
+      !> Wire, the other one, and the arc length along the first [m], by which they are in order; that along the other
       integer :: own = 0, other = 0
-      real(dp) :: arc = 0
+      real(dp) :: arc = 0, arc_other = 0
       !> Number of the crossing, and whether its barred wire is `other`
       integer :: crossing = 0
       logical :: is_turned = .false.
+      !> At a joint: which of its legs lie on the barred and on the unbarred wire (2)
+      integer :: legs(2) = 0
    end type crossing_on_wire_t
 
    type :: crossings_of_wires_t
@@ -30,17 +32,56 @@ contains
    pure type(crossings_of_wires_t) function sort_crossings(wires, crossings) result(sorted)
       type(wires_t), intent(in) :: wires
       type(contact_point_t), intent(in) :: crossings(:)
-      integer :: i
+      integer :: i, n, bar, unbarred
 
-      allocate (sorted%list(2*size(crossings)))
+      allocate (sorted%list(2*sum([(n_entries(crossings(i)), i=1, size(crossings))])))
+      n = 0
       do i = 1, size(crossings)
-         associate (bar => wires%wire(crossings(i)%element_bar), wire => wires%wire(crossings(i)%element))
-            sorted%list(2*i - 1) = crossing_on_wire_t(bar, wire, crossings(i)%arc_bar, i, .false.)
-            sorted%list(2*i) = crossing_on_wire_t(wire, bar, crossings(i)%arc, i, .true.)
+         if (.not. any(crossings(i)%held)) then
+            call add(crossings(i)%element_bar, crossings(i)%element, crossings(i)%arc_bar, crossings(i)%arc, [0, 0], n)
+            cycle
+         end if
+         associate (legs => crossings(i)%legs)
+            do bar = 1, size(legs)
+               do unbarred = 1, size(legs)
+                  if (is_contact_of(legs(bar), legs(unbarred))) call add(legs(bar)%element, legs(unbarred)%element, &
+                     legs(bar)%arc, legs(unbarred)%arc, [bar, unbarred], n)
+               end do
+            end do
          end associate
       end do
       call merge_sort(sorted%list)
+
+   contains
+
+      !> Along both wires.
+      pure subroutine add(element_bar, element, arc_bar, arc, legs, n)
+         !> Barred and unbarred element
+         integer, intent(in) :: element_bar, element
+         !> Arc lengths along their wires [m]
+         real(dp), intent(in) :: arc_bar, arc
+         !> Of the barred and the unbarred wire (2)
+         integer, intent(in) :: legs(2)
+         !> Entries so far
+         integer, intent(inout) :: n
+
+         associate (wire_bar => wires%wire(element_bar), wire => wires%wire(element))
+            sorted%list(n + 1) = crossing_on_wire_t(wire_bar, wire, arc_bar, arc, i, .false., legs)
+            sorted%list(n + 2) = crossing_on_wire_t(wire, wire_bar, arc, arc_bar, i, .true., legs)
+         end associate
+         n = n + 2
+      end subroutine add
+
    end function sort_crossings
+
+   !> How many pairs of wires a crossing is one of.
+   pure integer function n_entries(crossing)
+      type(contact_point_t), intent(in) :: crossing
+
+      n_entries = 1
+      if (any(crossing%held)) n_entries = count(crossing%legs%side == 1 .and. crossing%legs%at_contact) &
+         *count(crossing%legs%side == 2 .and. crossing%legs%at_contact)
+   end function n_entries
 
    !> Source: merge sort from the bottom up, O(n log n).
    pure subroutine merge_sort(list)
@@ -124,11 +165,9 @@ contains
    end function first_at
 
    !> The crossing of the same two wires that is nearest to a point of a line contact; 0: none within reach.
-   pure subroutine find_nearest(self, wires, crossings, reach, reach_of_foot, point, nearest, least)
+   pure subroutine find_nearest(self, wires, reach, reach_of_foot, point, nearest, least, legs)
       class(crossings_of_wires_t), intent(in) :: self
       type(wires_t), intent(in) :: wires
-      !> Those of the list
-      type(contact_point_t), intent(in) :: crossings(:)
       !> Along the wire of the place, and along that of the foot [m]
       real(dp), intent(in) :: reach, reach_of_foot
       type(contact_point_t), intent(in) :: point
@@ -136,11 +175,14 @@ contains
       integer, intent(out) :: nearest
       !> Its distance along the wire of the place [m]
       real(dp), intent(out) :: least
+      !> At a joint: its legs that are these wires, barred first (2)
+      integer, intent(out) :: legs(2)
       real(dp) :: distance, beyond
       integer :: own, other, i
       logical :: is_turned
 
       nearest = 0
+      legs = 0
       least = reach
       is_turned = .false.
       own = wires%wire(point%element)
@@ -152,8 +194,7 @@ contains
             if (item%own /= own .or. item%other /= other .or. item%arc > point%arc + beyond) exit
             distance = wires%arc_between(own, point%arc, item%arc)
             if (distance > least) cycle
-            if (wires%arc_between(other, point%arc_bar, merge(crossings(item%crossing)%arc_bar, &
-               crossings(item%crossing)%arc, item%is_turned)) > reach_of_foot) cycle
+            if (wires%arc_between(other, point%arc_bar, item%arc_other) > reach_of_foot) cycle
             ! of equally near ones the last of those whose barred wire is the other one, or else the last
             if (nearest > 0 .and. .not. distance < least) then
                if (item%is_turned .eqv. is_turned) then
@@ -164,6 +205,7 @@ contains
             end if
             least = distance
             nearest = item%crossing
+            legs = item%legs
             is_turned = item%is_turned
          end associate
       end do
@@ -188,10 +230,10 @@ contains
                   if (b%own /= a%own .or. b%other /= a%other) exit
                   if (wires%circumference(a%own) <= 0 .and. b%arc - a%arc > 1.001_dp*(half_length(a%crossing) &
                      + longest)) exit
-                  if (b%is_turned .or. .not. half_length(b%crossing) > 0) cycle
+                  if (b%is_turned .or. b%crossing == a%crossing .or. .not. half_length(b%crossing) > 0) cycle
                   together = half_length(a%crossing) + half_length(b%crossing)
                   if (wires%arc_between(a%own, a%arc, b%arc) < together .and. wires%arc_between(a%other, &
-                     crossings(a%crossing)%arc, crossings(b%crossing)%arc) < together) then
+                     a%arc_other, b%arc_other) < together) then
                      crossings([a%crossing, b%crossing])%is_long = .true.
                   end if
                end associate

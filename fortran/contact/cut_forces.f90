@@ -45,32 +45,17 @@ contains
          point%slide_force = weight*q%first(2:3)*base%energy
          point%slide_by_overlap = weight*(q%first(2:3)*base%force + q%second(1, 2:3)*base%energy)
          point%slide_stiffness = weight*q%second(2:3, 2:3)*base%energy
-         call hold_joints(point)
          point%cut = q%value + q_delta*base%energy/base%force
          if (point%cut > 0) point%cut_stiffness = -stiffness/(point%cut*base%dforce_dgap)
       end associate
    end subroutine cut_force
-
-   !> At the joint of two wires there are several ways to slide off: none of them has a force in advance.
-   pure subroutine hold_joints(point)
-      type(contact_point_t), intent(inout) :: point
-      integer :: i
-
-      do i = 1, 2
-         if (.not. (point%held(i) .and. point%at_joint(i))) cycle
-         point%slide_force(i) = 0
-         point%slide_by_overlap(i) = 0
-         point%slide_stiffness(i, :) = 0
-         point%slide_stiffness(:, i) = 0
-      end do
-   end subroutine hold_joints
 
    !> The contact is held at ends that cut it (2).
    pure function is_at_ends(point)
       type(contact_point_t), intent(in) :: point
       logical :: is_at_ends(2)
 
-      is_at_ends = point%held .and. point%lens%near
+      is_at_ends = point%at_end .and. point%lens%near
    end function is_at_ends
 
    !> What the ends leave of the energy.

@@ -1,10 +1,9 @@
 !> Whether an overlap of two tubes is part of a line contact that is known.
 module litz_known_lines
    use litz_kinds, only: dp, pi
-   use litz_contact_points, only: contact_point_t, contact_set_t, arc_at
+   use litz_contact_points, only: contact_point_t, contact_set_t, arc_at, points_by_place_t
    use litz_element_library, only: elements_t
    use litz_line_places, only: place_at
-   use litz_line_shares, only: points_by_place_t
    use litz_tube_overlaps, only: tube_overlap_t
    use litz_wires, only: wires_t
    implicit none

@@ -4,7 +4,7 @@
 !> wire stands for all that lies between it and the end, the next one, which is beyond, for nothing.
 module litz_line_laps
    use litz_kinds, only: dp
-   use litz_contact_points, only: contact_point_t
+   use litz_contact_points, only: contact_point_t, leg_t
    use litz_element_library, only: elements_t
    use litz_line_places, only: line_places_t
    use litz_wires, only: wires_t
@@ -120,24 +120,20 @@ contains
    end function half_part
 
    !> How far two wires lie beside each other from the end of one of them on, until the other one ends [m].
-   pure real(dp) function lap_from_end(wires, elements, point, own) result(lap)
+   pure real(dp) function lap_from_end(wires, elements, leg, other) result(lap)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
-      !> Contact of an end
-      type(contact_point_t), intent(in) :: point
-      !> 1, 2: the barred, the unbarred wire ends there
-      integer, intent(in) :: own
-      real(dp) :: from_end(2), other(2), arc(2)
-      integer :: pair(2)
+      !> Of a contact of an end: the wire that ends there, and the other one
+      type(leg_t), intent(in) :: leg, other
+      real(dp) :: from_end(2), to_ends(2)
       logical :: is_forward
 
-      pair = [point%element_bar, point%element]
-      arc = [point%arc_bar, point%arc]
-      from_end = distances_to_ends(wires, elements, pair(own), arc(own))
-      other = distances_to_ends(wires, elements, pair(3 - own), arc(3 - own))
+      from_end = distances_to_ends(wires, elements, leg%element, leg%arc)
+      to_ends = distances_to_ends(wires, elements, other%element, other%arc)
       ! from its first end on the wire leads forward
-      is_forward = (from_end(1) < from_end(2)) .eqv. point%kinematics%cos_angle*product(wires%direction(pair)) > 0
-      lap = other(merge(2, 1, is_forward))
+      is_forward = (from_end(1) < from_end(2)) .eqv. dot_product(leg%along, other%along) &
+         *product(wires%direction([leg%element, other%element])) > 0
+      lap = to_ends(merge(2, 1, is_forward))
    end function lap_from_end
 
    !> Half of the length along which two wires that cross lie beside each other, until one of them ends [m].

@@ -8,7 +8,7 @@ module litz_line_points
    use litz_contact_candidates, only: skin
    use litz_contact_kinematics, only: kinematics_ok
    use litz_contact_points, only: contact_point_t, contact_set_t, pair_geometry, arc_at, clearance_of, &
-      add_taper, inherit
+      add_taper, inherit, points_by_place_t, chain_by_place
    use litz_crossings_of_wires, only: crossings_of_wires_t, sort_crossings
    use litz_element_library, only: elements_t
    use litz_line_cell, only: touching_length
@@ -16,7 +16,7 @@ module litz_line_points
    use litz_line_feet, only: foot_t, find_feet
    use litz_line_foot, only: foot_at_end
    use litz_line_kinematics, only: line_kinematics, line_course_t, line_course
-   use litz_line_shares, only: share_line_point, points_by_place_t, chain_by_place
+   use litz_line_shares, only: share_line_point
    use litz_model, only: model_t
    use litz_line_laps, only: slide_along_lap
    use litz_parallel, only: worth_threads

@@ -5,56 +5,40 @@
 module litz_line_shares
    use litz_kinds, only: dp, pi
    use litz_axis_choices, only: axis_hermite
-   use litz_contact_lens, only: has_lens, half_length_of, divide_at_ends, place_at_ends, flatness, least_bend, deepest
-   use litz_contact_points, only: contact_point_t, contact_set_t, pair_geometry, law_too_curved
+   use litz_contact_lens, only: has_lens, half_length_of, half_length_on, divide_at_ends, tells_shares, place_at_ends, &
+      flatness, deepest
+   use litz_contact_points, only: contact_point_t, contact_set_t, points_by_place_t, chain_by_place, pair_geometry, &
+      law_too_curved
    use litz_cut_forces, only: settle_cut
-   use litz_cut_lens, only: cut_lens_t
+   use litz_cut_lens, only: cut_lens_t, is_cut
    use litz_crossings_of_wires, only: crossings_of_wires_t, sort_crossings
    use litz_element_library, only: elements_t
-   use litz_lens_law, only: share_of_point, share_of_ends, smooth_step
+   use litz_lens_law, only: share_of_point, share_of_line, smooth_step
    use litz_line_contact, only: serves_lines
    use litz_line_kinematics, only: lens_sine, crossing_qualities, line_profile_t, line_profile
-   use litz_line_laps, only: find_lap, cell_at_lap, lap_from_end, lap_at_crossing
-   use litz_line_places, only: line_places_t, place_at, spacing_of_places
+   use litz_line_laps, only: find_lap, cell_at_lap, lap_at_crossing
+   use litz_line_places, only: line_places_t, spacing_of_places
    use litz_model, only: model_t
    use litz_normal_forces, only: wires_of
    use litz_normal_law, only: normal_law_t
+   use litz_shares_at_ends, only: share_end, share_along, share_beside_places, divide_share, share_of_lens, half_pass, &
+      resolution, least_sine
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: share_crossings, share_line_point, renew_shares, points_by_place_t, chain_by_place
+   public :: share_crossings, share_line_point, renew_shares
 
-   !> Weight of one of the two passes
-   real(dp), parameter :: half_pass = 0.5_dp
    !> q below which places have no clear foot, and from which on they have (theory section 10)
    real(dp), parameter :: least_quality = 0.25_dp, good_quality = 0.5_dp
-   !> Evenly spaced places resolve an overlap as those of Lobatto's rule at this part of their distance do
-   real(dp), parameter :: resolution = 0.65_dp
-   !> The sections of the wires bound the field of a lens from the first half length on, wholly from the second one, in
-   !> smaller radii
-   real(dp), parameter :: section_from = 1, section_at = 3
-   !> Sines of the angle between the axes up to which the lens alone gives the angle of the law, and from which on the
-   !> axes do (5 and 10 degrees)
-   real(dp), parameter :: small_sine = 0.0872_dp, moderate_sine = 0.1736_dp
    !> Less than this leads nowhere
    real(dp), parameter :: least_tilt = 1.0e-9_dp
-   !> Least angle that the law of a contact at an end sees [rad]
-   real(dp), parameter :: least_sine = 1.0e-3_dp
-
-   !> Cosine of the angle between wires that lie along each other (15 degrees)
-   real(dp), parameter :: along_each_other = 0.966_dp
-
    !> A change of the sine of a lens, relative to it, matters this much more than one of a share
    real(dp), parameter :: sine_matters = 20
+   !> So does one of the parts of legs and joint, which all of the contact goes with
+   real(dp), parameter :: joints_matter = 10
 
    !> Half lengths of a lens from its crossing where it has certainly ended
    real(dp), parameter :: lens_ends = 1.2_dp
-
-   !> The points of line contacts of each place, as chains.
-   type :: points_by_place_t
-      !> Last point of each place (n_places), and the one before each point (n_points); 0: none
-      integer, allocatable :: last(:), before(:)
-   end type points_by_place_t
 
 contains
 
@@ -86,11 +70,12 @@ contains
       end do
    end subroutine share_crossings
 
-   !> The angle that a law sees is that of the axes; next to ends it stays what it was in the last state in balance.
+   !> The angle that a law sees is that of the axes; next to ends and joints it stays what it was in the last state in
+   !> balance.
    pure subroutine set_angle_of_axes(point)
       type(contact_point_t), intent(inout) :: point
 
-      point%law_angle = merge(point%lens%angle, point%kinematics%angle, any(point%lens%near))
+      point%law_angle = merge(point%lens%angle, point%kinematics%angle, is_cut(point%lens))
       ! wires that are parallel may well meet end to end
       if (any(point%held)) point%law_angle = max(least_sine, min(pi - least_sine, point%law_angle))
       point%law_sine = sin(point%law_angle)
@@ -118,7 +103,7 @@ contains
 
       ! an iterate in which the wires have passed each other tells nothing
       if (.not. point%kinematics%distance > 0) return
-      point%is_shared = .true.
+      point%is_shared = point%gap >= 0 .or. tells_shares(point)
       point%weight = 0
       if (.not. has_lens(point)) return
       if (any(point%held)) then
@@ -126,100 +111,19 @@ contains
          return
       end if
       point%lens_sine = lens_sine(point%kinematics)
+      if (point%lens%is_near_joint) point%lens_sine = point%lens_sine*sin(point%lens%angle) &
+         /sin(point%kinematics%angle)
       radius = minval(elements%radius([point%element_bar, point%element]))
       half_length = half_length_of(point, deepest*radius)
-      call give_to_ends(elements, contact%places, line_share_at(wires, elements, contact, by_place, point), &
-         merge(min(half_length, lap_at_crossing(wires, elements, point)), huge(radius), all(point%lens%near)), point)
-      point%section_share = smooth_step((half_length/radius - section_from)/(section_at - section_from))
+      point%weight = 1 - line_share_at(wires, elements, contact, by_place, point)
+      call divide_share(point%weight, share_beside_places(elements, contact%places, [point%element_bar, &
+         point%element], point%weight, merge(min(half_length, lap_at_crossing(wires, elements, point)), huge(radius), &
+         all(point%lens%near))), point)
+      point%section_share = share_of_line(half_length/radius)
       ! a penalty does not depend on the far field
       if (law%line_penalty() > 0) point%section_share = 0
       point%lens_share = share_of_lens(law, point)
    end subroutine share_crossing
-
-   !> What places along the line leave of a contact it carries itself; its round ends carry more where little is left
-   !> for places.
-   pure subroutine give_to_ends(elements, places, line_share, length, point)
-      type(elements_t), intent(in) :: elements
-      type(line_places_t), intent(in) :: places
-      !> Part that places carry, and length of what the ends leave of the overlap [m]
-      real(dp), intent(in) :: line_share, length
-      type(contact_point_t), intent(inout) :: point
-
-      associate (pair => [point%element_bar, point%element])
-         point%weight = share_of_ends(line_share, length, resolution*spacing_of_places(places, pair, &
-            elements%length(pair)))
-      end associate
-      point%lens%share = 1
-      if (point%weight > 0) point%lens%share(1, 1) = (1 - line_share)/point%weight
-   end subroutine give_to_ends
-
-   !> How much the lens counts beside the angle of the axes.
-   pure real(dp) function share_of_lens(law, point) result(share)
-      type(normal_law_t), intent(in) :: law
-      type(contact_point_t), intent(in) :: point
-
-      share = max(point%section_share, &
-         1 - smooth_step((sin(point%kinematics%angle) - small_sine)/(moderate_sine - small_sine)))
-      if (law%is_per_length_only()) share = 1
-   end function share_of_lens
-
-   !> What the end of a wire carries: all but the share of the places there, which lose theirs where the axis leans
-   !> towards the other wire.
-   pure subroutine share_end(law, wires, elements, contact, by_place, point)
-      type(normal_law_t), intent(in) :: law
-      type(wires_t), intent(in) :: wires
-      type(elements_t), intent(in) :: elements
-      type(contact_set_t), intent(in) :: contact
-      type(points_by_place_t), intent(in) :: by_place
-      type(contact_point_t), intent(inout) :: point
-      real(dp) :: share, radius
-
-      radius = minval(elements%radius([point%element_bar, point%element]))
-      share = 0
-      if (size(contact%line_points) > 0) share = half_pass*(share_along(wires, elements, contact, by_place, &
-         point%element_bar, point%xi_bar, point%element, point%arc) + share_along(wires, elements, contact, by_place, &
-         point%element, point%xi, point%element_bar, point%arc_bar))
-      call give_to_ends(elements, contact%places, share*flatness(maxval(point%tilt)), min(half_length_of(point, &
-         deepest*radius), lap_from_end(wires, elements, point, merge(2, 1, point%held(2)))), point)
-      if (count(point%held) == 1) call leave_to_twin(wires, contact%points, point)
-      point%lens_sine = sine_at_end(point, radius)
-      point%lens_share = share_of_lens(law, point)
-   end subroutine share_end
-
-   !> Wires that lie along each other touch at the ends of both: what is of the end of the other one is the matter of
-   !> the contact there, and of what is of both each has a half.
-   pure subroutine leave_to_twin(wires, points, point)
-      type(wires_t), intent(in) :: wires
-      type(contact_point_t), intent(in) :: points(:)
-      type(contact_point_t), intent(inout) :: point
-      integer :: i, other
-
-      other = merge(2, 1, point%held(1))
-      if (.not. point%lens%near(other) .or. abs(point%kinematics%cos_angle) < along_each_other) return
-      do i = 1, size(points)
-         associate (twin => points(i))
-            if (.not. (twin%gap < 0 .and. twin%held(other) .and. .not. twin%held(3 - other))) cycle
-            if (twin%lens%side(other) /= point%lens%side(other)) cycle
-            if (wires%wire(twin%element_bar) /= wires%wire(point%element_bar)) cycle
-            if (wires%wire(twin%element) /= wires%wire(point%element)) cycle
-            point%lens%share(merge(2, 1, other == 1), merge(2, 1, other == 2)) = 0
-            point%lens%share(1, 1) = point%lens%share(1, 1)/2
-            point%lens%share(2, 2) = point%lens%share(2, 2)/2
-            return
-         end associate
-      end do
-   end subroutine leave_to_twin
-
-   !> Sine of straight wires between which the distance would be as curved.
-   pure real(dp) function sine_at_end(point, radius) result(sine)
-      type(contact_point_t), intent(in) :: point
-      !> The smaller one [m]
-      real(dp), intent(in) :: radius
-
-      sine = sqrt(point%kinematics%distance*least_bend(maxval(point%bend), max(0.0_dp, min(-point%gap, &
-         deepest*radius)), radius))
-      sine = max(least_sine, min(1.0_dp, sine))
-   end function sine_at_end
 
    !> Share of the contact that is carried along the line where two wires cross: of both passes, as their places have
    !> it.
@@ -239,50 +143,6 @@ contains
          point%element, point%arc) + share_of_pass(quality([2, 1]))*share_along(wires, elements, contact, by_place, &
          point%element, point%xi, point%element_bar, point%arc_bar)
    end function line_share_at
-
-   !> The same along one of the wires: between the two places next to the crossing.
-   pure real(dp) function share_along(wires, elements, contact, by_place, e, xi, other, arc) result(share)
-      type(wires_t), intent(in) :: wires
-      type(elements_t), intent(in) :: elements
-      type(contact_set_t), intent(in) :: contact
-      type(points_by_place_t), intent(in) :: by_place
-      !> Element
-      integer, intent(in) :: e
-      !> Place in it
-      real(dp), intent(in) :: xi
-      !> Element of the other wire
-      integer, intent(in) :: other
-      !> Arc length there [m]
-      real(dp), intent(in) :: arc
-      real(dp) :: u
-      integer :: i
-
-      u = (1 + max(-1.0_dp, min(1.0_dp, xi)))/2*contact%places%n_parts(e)
-      i = min(int(u), contact%places%n_parts(e) - 1)
-      share = (i + 1 - u)*at(place_at(contact%places, e, i)) + (u - i)*at(place_at(contact%places, e, i + 1))
-
-   contains
-
-      !> At a place: that of its point on the other wire, if it has one near the crossing.
-      pure real(dp) function at(place)
-         !> Its number
-         integer, intent(in) :: place
-         integer :: k
-
-         at = 0
-         k = by_place%last(place)
-         do while (k > 0)
-            associate (of_line => contact%line_points(k))
-               if (wires%wire(of_line%element_bar) == wires%wire(other)) then
-                  if (wires%arc_between(wires%wire(other), of_line%arc_bar, arc) < &
-                     elements%length(e) + elements%length(other)) at = of_line%line_share
-               end if
-            end associate
-            k = by_place%before(k)
-         end do
-      end function at
-
-   end function share_along
 
    !> Bring up to date what is carried along the line, once the forces balance: within an iteration it stays.
    subroutine renew_shares(model, wires, elements, x, rotation, contact, largest_change)
@@ -322,7 +182,7 @@ contains
             largest_change = max(largest_change, change_of_cut(earlier%lens, point%lens))
             associate (law => model%interactions(model%contact_pairs(point%pair)%interaction)%normal)
                if (point%is_shared) call share_crossing(law, wires, elements, contact, by_place, point)
-               if (any(point%lens%near)) then
+               if (is_cut(point%lens)) then
                   call set_angle_of_axes(point)
                   if (serves_lines(model, point%pair)) call blend_angle_of_lens(point)
                   call settle_cut(law, wires_of(model, elements, point), point)
@@ -333,14 +193,17 @@ contains
       end do
    end subroutine renew_shares
 
-   !> How much the law of a contact near ends has changed: by the shapes of its overlap, and by what it has of them.
+   !> How much the law of a contact near ends and joints has changed: by the shapes of its overlap, and by what it has
+   !> of them.
    pure real(dp) function change_of_cut(earlier, lens) result(change)
       type(cut_lens_t), intent(in) :: earlier, lens
 
-      change = 0
+      change = joints_matter*maxval(abs(lens%of_joint - earlier%of_joint))
+      if (lens%is_near_joint .and. earlier%is_near_joint) change = max(change, joints_matter*abs(lens%angle &
+         - earlier%angle))
       if (any(earlier%near .neqv. lens%near)) change = 1
       if (any(earlier%near .neqv. lens%near) .or. .not. any(lens%near)) return
-      change = max(maxval(abs(lens%share - earlier%share)), maxval(abs(lens%bend/earlier%bend - 1)), &
+      change = max(change, maxval(abs(lens%share - earlier%share)), maxval(abs(lens%bend/earlier%bend - 1)), &
          abs(lens%cosine - earlier%cosine))
    end function change_of_cut
 
@@ -353,20 +216,6 @@ contains
       if (earlier%lens_sine > 0) change = max(change, sine_matters*point%weight*point%lens_share &
          *abs(point%lens_sine/earlier%lens_sine - 1))
    end function change_of
-
-   !> Put points of line contacts into chains, one for each place.
-   pure type(points_by_place_t) function chain_by_place(n_places, points) result(by_place)
-      !> Places on all wires
-      integer, intent(in) :: n_places
-      type(contact_point_t), intent(in) :: points(:)
-      integer :: k
-
-      allocate (by_place%last(n_places), by_place%before(size(points)), source=0)
-      do k = 1, size(points)
-         by_place%before(k) = by_place%last(points(k)%line_place)
-         by_place%last(points(k)%line_place) = k
-      end do
-   end function chain_by_place
 
    !> What the point carries: nothing where the overlap that it lies in is short, which is the matter of a crossing, and
    !> nothing where one wire runs into the other.
@@ -384,7 +233,7 @@ contains
       type(contact_point_t), intent(inout) :: point
       type(line_profile_t) :: profile
       real(dp) :: tilt, reach, distance, of_length, part
-      integer :: i
+      integer :: i, legs(2)
 
       profile = line_profile(xe, tangents, length, axis_hermite, point%xi_bar, point%xi, point%kinematics%normal, &
          point%kinematics%distance)
@@ -399,6 +248,7 @@ contains
          end if
          point%line_share = 1
          point%section_share = 1
+         point%in_lens = .false.
          if (bend > 0 .or. tilt > 0) then
             ! to where the wires are nearest; of a wedge, as far as one reaches that counts
             if (bend > 0) then
@@ -407,12 +257,11 @@ contains
                reach = 1.5_dp*deepest*minval(elements%radius(pair))/max(tilt, least_tilt) &
                   + 2*spacing_of_places(contact%places, pair, length)
             end if
-            call sorted%find_nearest(wires, contact%points, reach, reach + 2*sum(elements%radius(pair)), point, i, &
-               distance)
+            call sorted%find_nearest(wires, reach, reach + 2*sum(elements%radius(pair)), point, i, distance, legs)
             ! a wedge is cut by an end, and not by a crossing
             if (i > 0) then
-               if (bend > 0 .or. any(contact%points(i)%held)) call share_with(contact%points(i), contact%places, &
-                  elements, point)
+               if (bend > 0 .or. any(contact%points(i)%held)) call share_with(contact%points(i), legs, &
+                  contact%places, elements, point)
             end if
             ! the lens is still open
             if (i == 0 .and. bend > 0) then
@@ -438,8 +287,8 @@ contains
       type(contact_set_t), intent(inout) :: contact
       !> aW [m]; 0: no lens (n_points)
       real(dp) :: half_length(size(contact%points))
-      real(dp) :: reach, distance
-      integer :: i, nearest
+      real(dp) :: reach, distance, length
+      integer :: i, nearest, legs(2)
 
       half_length = 0
       do i = 1, size(contact%points)
@@ -454,34 +303,51 @@ contains
             contact%line_points(i)%element])
             if (.not. point%gap < 0) cycle
             reach = sum(elements%length(pair))
-            call sorted%find_nearest(wires, contact%points, reach, reach, point, nearest, distance)
+            call sorted%find_nearest(wires, reach, reach, point, nearest, distance, legs)
             if (nearest == 0) cycle
             if (.not. half_length(nearest) > 0) cycle
+            length = half_length(nearest)
+            associate (crossing => contact%points(nearest))
+               if (any(crossing%held)) length = half_length_on(crossing, crossing%legs(legs(1)), &
+                  crossing%legs(legs(2)), huge(length))
+            end associate
             contact%points(nearest)%is_long = contact%points(nearest)%is_long .or. distance > &
-               lens_ends*half_length(nearest) + spacing_of_places(contact%places, pair, elements%length(pair))
+               lens_ends*length + spacing_of_places(contact%places, pair, elements%length(pair))
          end associate
       end do
    end subroutine find_long_overlaps
 
    !> What the line carries of a crossing, and how much the section of the wires counts in its law: both by the length
    !> of the lens.
-   pure subroutine share_with(crossing, places, elements, point)
+   pure subroutine share_with(crossing, legs, places, elements, point)
       type(contact_point_t), intent(in) :: crossing
+      !> At an end or joint: its legs on the wires of the point, barred first (2)
+      integer, intent(in) :: legs(2)
       type(line_places_t), intent(in) :: places
       type(elements_t), intent(in) :: elements
       !> Out: with `line_share` and `section_share`
       type(contact_point_t), intent(inout) :: point
       real(dp) :: half_length, of_crossing, slope, radius
+      integer :: pair(2)
 
       if (crossing%is_long .or. .not. has_lens(crossing)) return
-      associate (pair => [crossing%element_bar, crossing%element])
+      if (any(crossing%held)) then
+         associate (bar => crossing%legs(legs(1)), leg => crossing%legs(legs(2)))
+            pair = [bar%element, leg%element]
+            radius = minval(elements%radius(pair))
+            half_length = half_length_on(crossing, bar, leg, deepest*radius)
+         end associate
+      else
+         pair = [crossing%element_bar, crossing%element]
          radius = minval(elements%radius(pair))
          half_length = half_length_of(crossing, deepest*radius)
-         call share_of_point(half_length, resolution*spacing_of_places(places, pair, elements%length(pair)), &
-            of_crossing, slope)
-      end associate
+      end if
+      call share_of_point(half_length, resolution*spacing_of_places(places, pair, elements%length(pair)), of_crossing, &
+         slope)
       point%line_share = 1 - of_crossing
-      point%section_share = smooth_step((half_length/radius - section_from)/(section_at - section_from))
+      point%section_share = share_of_line(half_length/radius)
+      ! next to an end the overlap is a wedge
+      point%in_lens = .not. any(crossing%held)
    end subroutine share_with
 
    !> Of the two passes: half, unless one wire is curved about the other so that the other's places have no clear foot

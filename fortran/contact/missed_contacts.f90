@@ -7,11 +7,10 @@ module litz_missed_contacts
       finding_end, finding_kink, finding_line
    use litz_contact_joints, only: end_paths, path_between, lead_apart, joint_length, joined_radii
    use litz_contact_points, only: contact_set_t, contact_point_t, points_by_wire_t, pair_geometry, axis_of_pair, &
-      away_from, arc_at
+      away_from, arc_at, points_by_place_t
    use litz_element_library, only: elements_t
    use litz_joint_overlaps, only: inspect_legs, leads_to_joint
    use litz_known_lines, only: is_on_known_line
-   use litz_line_shares, only: points_by_place_t
    use litz_model, only: model_t
    use litz_rotations, only: cross
    use litz_straight_segments, only: segment_distance

@@ -7,6 +7,7 @@ module litz_normal_forces
    use litz_kinds, only: dp
    use litz_contact_points, only: contact_point_t, law_ok, law_parallel, law_too_curved
    use litz_cut_forces, only: cut_force, ellipse_of_parts, kept_part, scaled
+   use litz_cut_lens, only: is_cut
    use litz_element_library, only: elements_t
    use litz_hertz, only: hertz_ellipse, hertz_ok
    use litz_law_input, only: wire_pair_t
@@ -136,12 +137,12 @@ contains
       if (info /= hertz_ok) point%law_status = law_parallel
    end subroutine find_ellipse
 
-   !> The law of a point that ends cut: a penalty per contact does not ask for its shape.
+   !> The law of a point that ends or joints cut: a penalty per contact does not ask for its shape.
    pure logical function is_shaped(law, point)
       type(normal_law_t), intent(in) :: law
       type(contact_point_t), intent(in) :: point
 
-      is_shaped = any(point%lens%near) .and. .not. law%is_straight
+      is_shaped = is_cut(point%lens) .and. .not. law%is_straight
    end function is_shaped
 
    !> The law that its spot follows: a lens has what the ends leave of it as in the last state in balance.
@@ -187,7 +188,7 @@ contains
       type(force_of_gap_t), intent(in) :: base
       type(contact_point_t), intent(inout) :: point
 
-      if (is_shaped(law, point) .or. is_lens(law, point) .and. any(point%lens%near)) then
+      if (is_shaped(law, point) .or. is_lens(law, point) .and. is_cut(point%lens)) then
          call cut_force(law, pair, base, point)
       else
          point%at_gap = scaled(base, point%weight)

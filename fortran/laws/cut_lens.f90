@@ -13,7 +13,7 @@ module litz_cut_lens
    use litz_jets, only: jet_t, variable, constant, composed, operator(+), operator(-), operator(*), operator(**)
    implicit none
    private
-   public :: cut_lens_t, lens_part_t, cut_energy, energy_below, integral_to, is_whole
+   public :: cut_lens_t, lens_part_t, cut_energy, energy_below, integral_to, is_whole, is_cut
 
    !> Energy of a contact over its overlap: the power of Hertz
    real(dp), parameter :: energy_power = 2.5_dp
@@ -38,6 +38,11 @@ module litz_cut_lens
       !> Energy of the pairs of shapes over that of two cylinders, at the same overlap: index 1 of a cylinder, 2 of a
       !> round end, barred before unbarred (2, 2)
       real(dp) :: energy(2, 2) = 1
+      !> It is at a joint of either wire, or a joint cuts its overlap: what the cylinders (1) of all legs and the round
+      !> joint (2) of the barred and the unbarred wire have of the force, in parts of what they would have alone (2, 2),
+      !> and what counts of the part of both cylinders
+      logical :: is_near_joint = .false.
+      real(dp) :: of_joint(2, 2) = reshape([1.0_dp, 0.0_dp, 1.0_dp, 0.0_dp], [2, 2]), of_crossing = 1
       !> Both ends cut an overlap that would be much longer than the least bend has it: they lie side by side
       logical :: is_flat = .false.
       !> What the contact has of these pairs, of which other contacts or the places along a line have the rest (2, 2)
@@ -52,7 +57,14 @@ module litz_cut_lens
 
 contains
 
-   !> No end is near enough to be felt, and the contact is not at one.
+   !> An end or a joint is near.
+   pure logical function is_cut(lens)
+      type(cut_lens_t), intent(in) :: lens
+
+      is_cut = any(lens%near) .or. lens%is_near_joint
+   end function is_cut
+
+   !> No end or joint is near enough to be felt, and the contact is not at one.
    pure logical function is_whole(lens, held, overlap, place)
       type(cut_lens_t), intent(in) :: lens
       !> The contact is at the end of the barred, of the unbarred wire (2)
@@ -60,7 +72,8 @@ contains
       !> Overlap [m], and places as `cut_energy` has them (2) [m]
       real(dp), intent(in) :: overlap, place(2)
 
-      is_whole = .not. any(lens%near .and. (held .or. lens%bend*place**2 < 2*lens%distance*overlap))
+      is_whole = .not. (lens%is_near_joint .or. any(lens%near .and. (held .or. lens%bend*place**2 &
+         < 2*lens%distance*overlap)))
    end function is_whole
 
    !> The energy over that of two cylinders without ends at the overlap of the contact.
@@ -100,9 +113,25 @@ contains
          *energy_of(corner)*scale
       part%pair(2, 1) = part%pair(2, 1)*energy_of(at_end(1))*scale
       part%pair(1, 2) = part%pair(1, 2)*energy_of(at_end(2))*scale
+      if (lens%is_near_joint) part%pair = divided_at_joints(lens, part%pair)
       part%pair = (lens%share*lens%energy)*part%pair
       part%whole = part%pair(1, 1) + part%pair(2, 1) + part%pair(1, 2) + part%pair(2, 2)
    end function cut_energy
+
+   !> What joints leave of the parts of cylinders and ends: of each cylinder those of its legs, the joint has the rest.
+   pure function divided_at_joints(lens, pair) result(divided)
+      type(cut_lens_t), intent(in) :: lens
+      !> Index 1 of a cylinder, 2 of a round end, barred before unbarred (2, 2)
+      type(jet_t), intent(in) :: pair(2, 2)
+      type(jet_t) :: divided(2, 2)
+
+      associate (bar => lens%of_joint(:, 1), unbarred => lens%of_joint(:, 2))
+         divided(1, 1) = (bar(1)*unbarred(1)*lens%of_crossing)*pair(1, 1)
+         divided(2, 1) = unbarred(1)*(pair(2, 1) + bar(2)*pair(1, 1))
+         divided(1, 2) = bar(1)*(pair(1, 2) + unbarred(2)*pair(1, 1))
+         divided(2, 2) = pair(2, 2) + unbarred(2)*(pair(2, 1) + bar(2)*pair(1, 1)) + bar(2)*pair(1, 2)
+      end associate
+   end function divided_at_joints
 
    !> Places and overlaps round the contact, from the place at which it is.
    pure subroutine find_overlaps(lens, held, delta, place, a, foot, middle, at_end, corner)

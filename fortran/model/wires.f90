@@ -19,8 +19,6 @@ module litz_wires
       integer, allocatable :: wire(:)
       !> Element that continues this one beyond its first and second node (2, n_elements); 0: the wire ends
       integer, allocatable :: next(:, :)
-      !> Another element leads nearly straight on beyond this node, be it that of a branch (2, n_elements)
-      logical, allocatable :: goes_on(:, :)
       !> +1: the element runs along its wire, -1: against it (n_elements)
       integer, allocatable :: direction(:)
       !> Elements in the order of the wires, and of the arc length along each (n_elements); those of wire w are
@@ -39,6 +37,8 @@ module litz_wires
       integer, allocatable :: at_node(:), first_at_node(:)
       !> The wire shares a node with another one (n_wires)
       logical, allocatable :: is_joined(:)
+      !> Nothing else is at the node where the wire begins, ends (2, n_wires)
+      logical, allocatable :: is_free(:, :)
       !> Reference tangents at both ends of the axis that touches others (3, 2, n_elements), see litz_contact_tangents
       real(dp), allocatable :: contact_tangents0(:, :, :)
    contains
@@ -63,9 +63,9 @@ contains
       end do
       call list_elements_at_nodes(model, wires)
       call join_elements(model, chord, wires)
-      call find_straight_ways(model, chord, wires)
       call number_wires(model%n_elements, wires)
       call find_joints(model, wires)
+      call find_free_ends(model, wires)
       call nodal_triads(model, chord, length, wires)
       allocate (wires%contact_tangents0, source=wires%triads0(:, 1, :, :))
    end subroutine build_wires
@@ -113,28 +113,23 @@ contains
       end do
    end subroutine find_joints
 
-   !> Where elements lead straight on, at branches, too.
-   pure subroutine find_straight_ways(model, chord, wires)
+   !> Which wires end freely.
+   pure subroutine find_free_ends(model, wires)
       type(model_t), intent(in) :: model
-      !> Direction of each element, of length 1 (3, elements)
-      real(dp), intent(in) :: chord(:, :)
       type(wires_t), intent(inout) :: wires
-      integer :: node, i, j
+      integer :: w, k
 
-      allocate (wires%goes_on(2, model%n_elements), source=.false.)
-      do node = 1, model%n_nodes
-         associate (here => wires%at_node(wires%first_at_node(node):wires%first_at_node(node + 1) - 1))
-            do i = 1, size(here)
-               do j = 1, size(here)
-                  if (i == j) cycle
-                  if (lead_straight_on(chord, here(i), here(j))) then
-                    wires%goes_on(merge(1, 2, here(i) < 0), abs(here(i))) = .true.
-                  end if
-               end do
-            end do
-         end associate
+      allocate (wires%is_free(2, wires%n_wires))
+      do w = 1, wires%n_wires
+         do k = 1, 2
+            associate (e => wires%element(merge(wires%first(w), wires%first(w + 1) - 1, k == 1)))
+               associate (node => model%connectivity(merge(k, 3 - k, wires%direction(e) > 0), e))
+                  wires%is_free(k, w) = wires%first_at_node(node + 1) - wires%first_at_node(node) == 1
+               end associate
+            end associate
+         end do
       end do
-   end subroutine find_straight_ways
+   end subroutine find_free_ends
 
    !> Two elements that meet at a node turn by less than a corner there.
    pure logical function lead_straight_on(chord, a, b)

@@ -80,6 +80,7 @@ contains
       call table%field('is_shared', point%is_shared)
       call table%field('is_long', point%is_long)
       call table%field('section_share', point%section_share)
+      call table%field('in_lens', point%in_lens)
       call table%field('lens_share', point%lens_share)
       call table%field('lens_sine', point%lens_sine)
       call table%field('law_angle', point%law_angle)
@@ -102,10 +103,14 @@ contains
          call table%field('lens_flat', lens%is_flat)
          call table%field('lens_angle', lens%angle)
          call table%field('lens_distance', lens%distance)
+         call table%field('lens_near_joint', lens%is_near_joint)
+         call table%field('lens_of_crossing', lens%of_crossing)
          do i = 1, 2
             call table%field('lens_near'//trim(wire(i)), lens%near(i))
             call table%field('lens_side'//trim(wire(i)), lens%side(i))
             call table%field('lens_bend'//trim(wire(i)), lens%bend(i))
+            call table%field('legs_at_joint'//trim(wire(i)), lens%of_joint(1, i))
+            call table%field('joint'//trim(wire(i)), lens%of_joint(2, i))
             do j = 1, 2
                associate (name => '_'//trim(shape(i))//'_'//trim(shape(j)))
                   call table%field('lens_energy'//name, lens%energy(i, j))

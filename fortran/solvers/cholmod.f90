@@ -5,6 +5,7 @@ module litz_cholmod
    use, intrinsic :: iso_c_binding, only: c_ptr, c_null_ptr, c_associated, c_int, c_int64_t, c_double
    use litz_kinds, only: dp, int64
    use litz_available_memory, only: available_memory, memory_text
+   use litz_elimination_order, only: find_elimination_order
    use litz_errors, only: error_t, fail, exit_solver
    use litz_linear_solver, only: csr_matrix_t
    use litz_sparse_factor, only: sparse_factor_t
@@ -42,7 +43,7 @@ module litz_cholmod
          type(c_ptr), value :: handle
       end subroutine cholmod_shim_destroy
 
-      function cholmod_shim_analyse(handle, n, start, row) bind(c) result(status)
+      function cholmod_shim_analyse(handle, n, start, row, order) bind(c) result(status)
          import :: c_ptr, c_int64_t, c_int
          implicit none
          type(c_ptr), value :: handle
@@ -52,6 +53,8 @@ module litz_cholmod
          integer(c_int64_t), intent(in) :: start(*)
          !> Row of each entry, from 0, ascending within a column
          integer(c_int64_t), intent(in) :: row(*)
+         !> Equation that may be eliminated first, second, ... (n), from 0
+         integer(c_int64_t), intent(in) :: order(*)
          integer(c_int) :: status
       end function cholmod_shim_analyse
 
@@ -113,6 +116,7 @@ contains
       class(cholmod_factor_t), intent(inout) :: self
       type(csr_matrix_t), intent(in) :: matrix
       type(error_t), allocatable, intent(out) :: error
+      integer(c_int64_t), allocatable :: order(:)
       integer(c_int) :: status
 
       if (.not. c_associated(self%handle)) self%handle = cholmod_shim_create()
@@ -124,7 +128,9 @@ contains
       self%index = int(matrix%column, c_int64_t) - 1
       if (allocated(self%pivot)) deallocate (self%pivot)
       allocate (self%pivot(matrix%n_rows))
-      status = cholmod_shim_analyse(self%handle, int(matrix%n_rows, c_int64_t), self%start, self%index)
+      call find_elimination_order(matrix, order, error)
+      if (allocated(error)) return
+      status = cholmod_shim_analyse(self%handle, int(matrix%n_rows, c_int64_t), self%start, self%index, order)
       if (status /= cholmod_ok) then
          error = cholmod_error(status, matrix%n_rows)
       else

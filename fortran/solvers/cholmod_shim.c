@@ -46,6 +46,9 @@ cholmod_shim *cholmod_shim_create(void)
     self->common.print = 0;
     self->common.supernodal = CHOLMOD_SUPERNODAL;
     self->common.quick_return_if_not_posdef = 1;
+    self->common.nmethods = 2;
+    self->common.method[0].ordering = CHOLMOD_GIVEN;
+    self->common.method[1].ordering = CHOLMOD_AMD;
     return self;
 }
 
@@ -56,11 +59,33 @@ void cholmod_shim_destroy(cholmod_shim *self)
     free(self);
 }
 
-int cholmod_shim_analyse(cholmod_shim *self, int64_t n, int64_t *start, int64_t *row)
+/* A fill-reducing order of a symmetric pattern: the better one of METIS and AMD. order[new] = old. */
+int cholmod_shim_order(int64_t n, int64_t *start, int64_t *row, int64_t *order)
+{
+    cholmod_sparse a = matrix_view(n, start, row, NULL);
+    cholmod_common common;
+    cholmod_factor *factor;
+    int status;
+    if (!cholmod_l_start(&common)) return CHOLMOD_OUT_OF_MEMORY;
+    common.print = 0;
+    common.supernodal = CHOLMOD_SIMPLICIAL;
+    common.nmethods = 2;
+    common.method[0].ordering = CHOLMOD_METIS;
+    common.method[1].ordering = CHOLMOD_AMD;
+    factor = cholmod_l_analyze(&a, &common);
+    status = common.status;
+    if (factor) memcpy(order, factor->Perm, (size_t)n * sizeof *order);
+    cholmod_l_free_factor(&factor, &common);
+    cholmod_l_finish(&common);
+    return status;
+}
+
+/* The better one of the given order, order[new] = old, and of AMD is taken. */
+int cholmod_shim_analyse(cholmod_shim *self, int64_t n, int64_t *start, int64_t *row, int64_t *order)
 {
     cholmod_sparse a = matrix_view(n, start, row, NULL);
     cholmod_l_free_factor(&self->factor, &self->common);
-    self->factor = cholmod_l_analyze(&a, &self->common);
+    self->factor = cholmod_l_analyze_p(&a, order, NULL, 0, &self->common);
     return self->common.status;
 }
 

@@ -43,11 +43,11 @@ contains
    subroutine the_nearest_crossing_of_the_same_wires_is_found()
       real(dp), parameter :: reaches(3) = [0.005_dp, 0.055_dp, 10.0_dp], of_foot = 0.205_dp
       real(dp) :: least, distance
-      integer :: p, r, nearest, k
+      integer :: p, r, nearest, k, legs(2)
 
       do p = 1, n_points
          do r = 1, size(reaches)
-            call sorted%find_nearest(wires, crossings, reaches(r), of_foot, points(p), nearest, distance)
+            call sorted%find_nearest(wires, reaches(r), of_foot, points(p), nearest, distance, legs)
             least = reaches(r)
             do k = 1, n_crossings
                least = min(least, distance_of(k, points(p), of_foot, .false.), &

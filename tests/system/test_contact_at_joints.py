@@ -1,0 +1,157 @@
+"""Contact at kinks and branches: the same force whichever of the elements there comes first, however much the wire turns
+there, and wherever next to the joint the other wire is pressed on."""
+
+import math
+
+import numpy as np
+import pytest
+from verification.references.hertz import crossed_wires, effective_modulus, end_on_end, end_on_wire
+
+from decks import wire
+from line_wires import COPPER, HERTZ, UPPER, linear, step, two_wires
+
+R = COPPER.radius
+HELD = "*BOUNDARY\n LOWER, ENCASTRE\n UPPER, ENCASTRE\n LOWER, 9\n UPPER, 9\n"
+LAWS = [HERTZ, linear("", 1e10)]
+
+
+def hertz(overlap, spot_of, *more):
+    """Force of a Hertz contact of two equal wires at this overlap [N]."""
+    data = {
+        "radius": [R, R],
+        "modulus": effective_modulus([COPPER.young] * 2, [COPPER.poisson] * 2),
+        "resistivity": [COPPER.resistivity] * 2,
+    }
+    return (overlap / spot_of(1.0, *more, **data).approach) ** 1.5
+
+
+def leg(yaw, fall, n=6, length=12 * R):
+    """Points of a wire that leads from the origin in a direction [degrees], and falls."""
+    yaw, fall = math.radians(yaw), math.radians(fall)
+    direction = [math.cos(yaw) * math.cos(fall), math.sin(yaw) * math.cos(fall), -math.sin(fall)]
+    return np.linspace(0, length, n + 1)[:, None] * np.array(direction)
+
+
+def in_order(legs, order):
+    """Cards of legs that meet in the origin; those of `order` whose number is negative are read from their far end."""
+    nodes, elements = " 1, 0, 0, 0\n", ""
+    for k, points in enumerate(legs):
+        nodes += "".join(
+            f" {10 * k + i + 1}, {x:.17g}, {y:.17g}, {z:.17g}\n" for i, (x, y, z) in enumerate(points) if i
+        )
+    number = 0
+    for k in order:
+        for i in range(6):
+            number += 1
+            ends = [10 * (abs(k) - 1) + i + 1 if i else 1, 10 * (abs(k) - 1) + i + 2]
+            elements += " {}, {}, {}\n".format(number, *(ends if k > 0 else ends[::-1]))
+    return f"*NODE, NSET=LOWER\n{nodes}*ELEMENT, TYPE=B33, ELSET=LOWER\n{elements}"
+
+
+def force_on(run, lower, yaw, rise=0.0, overlap=0.02 * R, law=HERTZ, pairs=("LOWER, UPPER",), at=(0, 0, 0), until=12.07):
+    """Force of a rod that is pressed on a place by an overlap [m], its direction given by two angles [degrees]; it ends so
+    many radii behind the place."""
+    yaw, rise = math.radians(yaw), math.radians(rise)
+    along = np.array([math.cos(rise) * math.cos(yaw), math.cos(rise) * math.sin(yaw), math.sin(rise)])
+    normal = np.array([0, 0, 1]) - along * along[2]
+    normal /= np.linalg.norm(normal)
+    rod = np.array(at) + 2 * R * normal + np.linspace(-11.93 * R, until * R, 25)[:, None] * along
+    push = "".join(f" UPPER, {d}, {d}, {-overlap * u:.17g}\n" for d, u in enumerate(normal, start=1))
+    upper = wire("UPPER", rod, UPPER, element="B33")
+    deck = two_wires(lower, upper, HELD, step(boundary=push), law=law, pairs=pairs)
+    process, results = run(deck, name="joint")
+    assert process.returncode == 0, process.stderr
+    return results.contacts_at(-1)["force"].sum()
+
+
+def assert_same(forces):
+    # nothing but round-off, and the tolerance of the law's own iterations, is different
+    assert forces == pytest.approx(np.full(len(forces), forces[0]), rel=1e-7)
+
+
+@pytest.mark.parametrize("law", LAWS, ids=["hertz", "linear"])
+@pytest.mark.parametrize(("degrees", "rise"), [(21, 3), (21, 7.5), (30, -6), (30, 12), (39, 16.5)])
+def test_the_order_of_the_legs_of_a_kink_makes_no_difference(run, law, degrees, rise):
+    """A rod in the plane of the kink, which lies along one of its legs and leans against the other."""
+    legs = [leg(180, degrees / 2), leg(0, degrees / 2)]
+    orders = [(1, 2), (2, 1), (-1, 2), (-2, -1)]
+    assert_same([force_on(run, in_order(legs, order), 0, rise, law=law) for order in orders])
+
+
+@pytest.mark.parametrize("law", LAWS, ids=["hertz", "linear"])
+@pytest.mark.parametrize("falls", [(0, 0, 0), (5, 8, 3), (0, 10, 10), (2, 2, 20)])
+@pytest.mark.parametrize("yaw", [90, 60, 10, 0])
+def test_the_order_of_three_wires_that_meet_makes_no_difference(run, law, falls, yaw):
+    legs = [leg(180, falls[0]), leg(-12, falls[1]), leg(13, falls[2])]
+    orders = [(1, 2, 3), (3, 2, 1), (-2, 1, -3)]
+    forces = [force_on(run, in_order(legs, order), yaw, law=law) for order in orders]
+    forces.append(force_on(run, in_order(legs, (2, 3, 1)), yaw, law=law, pairs=("UPPER, LOWER",)))
+    assert_same(forces)
+
+
+@pytest.mark.parametrize("yaw", [90, 45, 15])
+@pytest.mark.parametrize("overlap", [0.01 * R, 5e-4 * R])
+def test_a_kink_begins_as_a_smooth_bend_and_ends_as_a_sphere(run, yaw, overlap):
+    """From 20 degrees, where it is a kink, the force falls from that of crossed wires to that of a hemisphere."""
+    crossing, sphere = hertz(overlap, crossed_wires, math.radians(yaw)), hertz(overlap, end_on_wire)
+    angles = [19.9, 20.1, 21, 24, 28, 33, 40, 90]
+    forces = [force_on(run, in_order([leg(180, a / 2), leg(0, a / 2)], (1, 2)), yaw, overlap=overlap) for a in angles]
+    # a tenth of a degree beyond where it is a kink
+    assert forces[:2] == pytest.approx([crossing] * 2, rel=5e-3)
+    assert np.all(np.diff(forces[1:]) < 1e-6 * sphere)
+    assert forces[-2:] == pytest.approx([sphere] * 2, rel=1e-5)
+
+
+@pytest.mark.parametrize("law", LAWS, ids=["hertz", "linear"])
+def test_a_rod_across_feels_little_of_a_kink_of_little_more_than_20_degrees(run, law):
+    """Over the joint and along a leg: everywhere within 2 % of the force of crossed wires."""
+    fall = math.radians(20.5 / 2)
+    kink = in_order([leg(180, 20.5), leg(0, 0)], (1, 2))
+    on_leg = [force_on(run, kink, 90, law=law, at=(s * R, 0, 0)) for s in (0, 1e-3, 0.05, 0.1, 0.2, 0.4, 0.8)]
+    on_top = force_on(run, in_order([leg(180, math.degrees(fall)), leg(0, math.degrees(fall))], (1, 2)), 90, law=law)
+    assert [*on_leg, on_top] == pytest.approx(np.full(8, on_leg[-1]), rel=0.02)
+
+
+@pytest.mark.parametrize("chamfer", [0.02, 0.1])
+def test_a_corner_with_a_short_chamfer_is_a_corner(run, chamfer):
+    """90 degrees as two kinks of 45 degrees: the wire between them is so short that the joints have all of the force.
+
+    A bend of that radius would have up to 4 % more than the sphere of a kink.
+    """
+    overlap, half = 0.01 * R, chamfer * R / 2
+    legs = np.linspace(0, 12 * R, 7)[:, None] * np.array([math.sqrt(0.5), 0, -math.sqrt(0.5)])
+    out = np.array([half, 0, 0])
+    points = np.concatenate([(legs * [-1, 1, 1] - out)[::-1], legs + out])
+    for place in (0.0, 0.6 * half):
+        force = force_on(run, wire("LOWER", points, 1, element="B33"), 90, overlap=overlap, at=(place, 0, 0))
+        assert force == pytest.approx(hertz(overlap, end_on_wire), rel=0.03)
+
+
+def test_a_branch_adds_what_its_cylinder_has(run):
+    """Three legs at one height: a rod across all of them has half of a crossing on each."""
+    legs = [leg(180, 0), leg(0, 0), leg(25, 0)]
+    half = [hertz(0.02 * R, crossed_wires, math.radians(90 - yaw)) / 2 for yaw in (0, 0, 25)]
+    force = force_on(run, in_order(legs, (1, 2, 3)), 90)
+    # one ellipse for all three of them, at their mean angle
+    assert force == pytest.approx(sum(half), rel=0.01)
+
+
+@pytest.mark.parametrize("until", [0.1, 1e-3, -1e-3])
+@pytest.mark.parametrize("law", LAWS, ids=["hertz", "linear"])
+@pytest.mark.parametrize(("falls", "yaw"), [((13, 13, 40), 80), ((0, 5, 10), 60)])
+def test_the_order_of_wires_that_meet_below_the_end_of_another_one_makes_no_difference(run, law, falls, yaw, until):
+    legs = [leg(180, falls[0]), leg(-12, falls[1]), leg(13, falls[2])]
+    orders = [(1, 2, 3), (3, 2, 1), (-2, 1, -3)]
+    forces = [force_on(run, in_order(legs, order), yaw, law=law, until=until) for order in orders]
+    forces.append(force_on(run, in_order(legs, (2, 3, 1)), yaw, law=law, pairs=("UPPER, LOWER",), until=until))
+    assert_same(forces)
+
+
+def test_the_end_of_a_rod_over_a_corner_is_half_a_sphere_on_a_sphere(run):
+    """Over the corner the rod has the half of its cylinder, on either side of its end."""
+    corner = in_order([leg(180, 45), leg(0, 45)], (1, 2))
+    half = (hertz(0.02 * R, end_on_wire) + hertz(0.02 * R, end_on_end)) / 2
+    forces = [force_on(run, corner, 90, until=until) for until in (1e-4, 0.0, -1e-4)]
+    # the slope of the force over a ten thousandth of a radius
+    assert forces == pytest.approx([half] * 3, rel=1e-3)
+    assert force_on(run, corner, 90, until=0.5) == pytest.approx(hertz(0.02 * R, end_on_wire), rel=1e-5)
