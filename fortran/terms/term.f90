@@ -192,8 +192,8 @@ contains
       real(dp), intent(in) :: eta, correction(:, :)
    end subroutine predict
 
-   !> The forces do not balance yet: what the term holds back in the iteration may take its place all the same if it will
-   !> hardly be another in the end.
+   !> The forces do not balance yet: what the term holds back in the iteration may take its place if it will hardly be
+   !> another in the end.
    subroutine anticipate(self, domain, residual, has_moved)
       class(term_t), intent(inout) :: self
       type(domain_t), intent(inout) :: domain
