@@ -270,7 +270,7 @@ contains
       call predict_contacts(domain%model, eta, correction, self%contact%line_points)
    end subroutine predict
 
-   !> The overlaps are known well enough for the shares.
+   !> The overlaps are known well enough for the shares, and where axes have sheared, for where they are.
    subroutine anticipate(self, domain, residual, has_moved)
       class(contact_term_t), intent(inout) :: self
       type(domain_t), intent(inout) :: domain
@@ -283,7 +283,7 @@ contains
          if (residual > nearly_balanced*max(0.0_dp, maxval(points%force), maxval(line_points%force))) return
          if (max(0.0_dp, maxval(missed_by(points)), maxval(missed_by(line_points))) > missed_overlap*max(0.0_dp, &
             maxval(-points%gap), maxval(-line_points%gap))) return
-         call settle_shares(domain, self%contact, has_moved)
+         if (self%contact%n_settled == 0) call self%settle(domain, has_moved)
       end associate
    end subroutine anticipate
 
