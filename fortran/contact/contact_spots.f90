@@ -9,6 +9,7 @@ module litz_contact_spots
    use litz_law_input, only: wire_pair_t
    use litz_lens_law, only: lens_t, kept_lens, lens_spot_t, lens_spot, lens_integral, n_depths, share_of_line
    use litz_line_kinematics, only: line_course
+   use litz_line_law, only: line_wires_t
    use litz_model, only: interaction_t
    use litz_normal_forces, only: is_lens, law_of_spot, share_of_ellipse, weight_of_lens
    use litz_normal_law, only: force_of_gap_t
@@ -36,11 +37,13 @@ contains
       type(spot_in_circuit_t), intent(out) :: circuit
       real(dp) :: spot_force
       type(contact_point_t) :: earlier
+      type(line_wires_t) :: present
 
       circuit%series_resistance = pair%series_resistance
       if (law%spot_memory) point%new_spot = leaves_spot(law, wires, pair, point)
       call force_of_spot(law%spot_memory, point%history, point%force/point%weight, point%new_spot, spot_force, &
          circuit%follows)
+      present = point%line
       if (law%spot_memory .and. point%spot_section > point%section_share) then
          earlier = as_it_was(law, pair, point)
          point%line = earlier%line
@@ -48,10 +51,12 @@ contains
       if (point%line_place > 0) then
          call spot_of_cell(law, pair, spot_force, line_course(x, t, length, axis_hermite, point%foot_at_end, &
             point%kinematics), point, circuit)
-         return
+      else
+         call find_whole_spot(law, pair, spot_force, point, circuit%spot)
+         if (.not. circuit%follows > 0) call keep_what_touches(law, pair, spot_force, point, circuit)
       end if
-      call find_whole_spot(law, pair, spot_force, point, circuit%spot)
-      if (.not. circuit%follows > 0) call keep_what_touches(law, pair, spot_force, point, circuit)
+      ! that of the forces
+      point%line = present
    end subroutine find_spot
 
    !> The spot that a force makes of a crossing.

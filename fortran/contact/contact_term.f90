@@ -332,7 +332,7 @@ contains
       associate (contact => self%contact)
          call follow_spots(domain%model, domain%wires, domain%elements, contact%points)
          call follow_spots(domain%model, domain%wires, domain%elements, contact%line_points)
-         call capture_contacts(contact, domain%state)
+         call capture_contacts(domain%model, domain%elements, contact, domain%state)
          if (contact%shares_wait) then
             call renew_shares(domain%model, domain%wires, domain%elements, domain%iterate%x, domain%iterate%rotation, &
                contact, unused_change)
