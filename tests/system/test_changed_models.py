@@ -195,6 +195,13 @@ FREE_VALUES = {
     ("COUPLED THERMAL-ELECTRICAL", "first"): "size of the increments",
     ("COUPLED THERMAL-ELECTRICAL", "smallest"): "size of the increments",
     ("COUPLED THERMAL-ELECTRICAL", "largest"): "size of the increments",
+    ("COUPLED TEMPERATURE-DISPLACEMENT", "STEADY STATE"): "one choice",
+    ("COUPLED TEMPERATURE-DISPLACEMENT", "ELECTRICAL"): "needed where a material conducts currents",
+    ("COUPLED TEMPERATURE-DISPLACEMENT", "total"): "as that of *STATIC",
+    ("COUPLED TEMPERATURE-DISPLACEMENT", "DIRECT"): "size of the increments",
+    ("COUPLED TEMPERATURE-DISPLACEMENT", "first"): "size of the increments",
+    ("COUPLED TEMPERATURE-DISPLACEMENT", "smallest"): "size of the increments",
+    ("COUPLED TEMPERATURE-DISPLACEMENT", "largest"): "size of the increments",
     ("DFLUX", "label"): "one choice", ("FILM", "label"): "one choice", ("RADIATE", "label"): "one choice",
     ("CFLUX", "dof"): "11 or empty",
     ("BEAM SECTION", "I12"): "must be 0", ("CECURRENT", "dof"): "9 or empty",
@@ -338,6 +345,8 @@ FREE_FIELDS = {
         # text, size of the increments, output, how it is solved
         "title", "nlgeom", "max_increments", "first", "smallest", "largest", "direct", "requests", "output_frequency",
         "restart_frequency", "controls", "solver", "coupling", "reform_kernel",
+        # follows from what the steps solve for
+        "has_solved",
     },
 }  # fmt: skip
 
@@ -450,7 +459,7 @@ def test_files_of_an_earlier_format_are_refused_in_words(litz, kept, tmp_path):
         file.attrs["format_version"] = file.attrs["format_version"] - 1
     done = litz("run", kept / "deck.inp", "-o", tmp_path / "out", "--restart", tmp_path / "old.h5")
     assert done.returncode == 4
-    assert "another version of litz wrote it, in format 6 (this one reads format 7)" in done.stderr
+    assert "another version of litz wrote it, in format 7 (this one reads format 8)" in done.stderr
     assert not (tmp_path / "out").exists() or not list((tmp_path / "out").iterdir())
 
 
