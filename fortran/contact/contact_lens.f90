@@ -16,8 +16,8 @@ module litz_contact_lens
    implicit none
    private
    public :: has_lens, half_length_of, half_length_on, divide_at_ends, tells_shares, angle_of_axes, place_at_ends, &
-      ends_of_wires, second_ends, is_at_cut_end, cut_ends, flatness, least_bend, wedge_length, deepest, least_overlap, small_sine, &
-      moderate_sine
+      ends_of_wires, second_ends, is_at_cut_end, cut_ends, flatness, least_bend, wedge_length, deepest, &
+      least_overlap, small_sine, moderate_sine
 
    !> Sines of the angle between the axes up to which the lens alone gives the angle of the law, and from which on the
    !> axes do (5 and 10 degrees)

@@ -187,8 +187,8 @@ contains
 
    !> A wire whose end is lowered on another one, or meets its end; or one that is lowered on the kink of another.
    function deck_at_end(laws, place, pair, options) result(deck)
-      !> `end`, `tips`, `kink`, `leg` next to a kink, or where a wire crosses another one next to its end; and the data line of the contact
-      !> pair
+      !> `end`, `tips`, `kink`, `leg` next to a kink, or where a wire crosses another one next to its end; and the data
+      !> line of the contact pair
       character(len=*), intent(in) :: laws, place, pair
       !> Parameters of the interaction
       character(len=*), intent(in), optional :: options
@@ -377,8 +377,8 @@ contains
                call check(any([(maxval(abs(points(i)%slide_force)) > 1.0e-6_dp*points(i)%force .and. &
                   count(points(i)%held) == held_of(place), i=1, size(points))]), name//': cut by an end', 0.0_dp)
             else if (place == 'leg') then
-               call check(any([(maxval(abs(points(i)%ball_slope)) > 0.1_dp .and. points(i)%closed, i=1, size(points))]), &
-                  name//': a radius that changes', 0.0_dp)
+               call check(any([(maxval(abs(points(i)%ball_slope)) > 0.1_dp .and. points(i)%closed, &
+                  i=1, size(points))]), name//': a radius that changes', 0.0_dp)
             else
                call check(any([(any(points(i)%held) .and. points(i)%closed, i=1, size(points))]), &
                   name//': an end in contact', 0.0_dp)
