@@ -91,7 +91,7 @@ module litz_contact_points
       !> At an end or a joint, or near a joint: the stretches of both wires there
       type(leg_t), allocatable :: legs(:)
       !> Of a point of a line contact next to the end of the other wire: how the length that it stands for changes with
-      !> its place there, and what it was in the last state in balance, which friction sees [m]
+      !> its place there, and what it was when the shares were found, which friction sees [m]
       real(dp) :: dweight_dlap = 0, settled_weight = 0
       !> Where it is at an end or a joint: slope of the distance along the leg from there along which it grows least,
       !> not negative, and mean curvature (2) [-, 1/m]
