@@ -18,6 +18,7 @@ module litz_contact_term
    use litz_line_shares, only: share_crossings, renew_shares
    use litz_model, only: step_t
    use litz_normal_forces, only: apply_normal_law
+   use litz_spot_memory, only: follow_spots
    use litz_state, only: energies_t
    use litz_term, only: term_t, status_t
    use litz_timing, only: phase_search, phase_contact, phase_update
@@ -358,6 +359,8 @@ contains
       real(dp) :: unused_change
 
       associate (contact => self%contact)
+         call follow_spots(domain%model, domain%wires, domain%elements, contact%points)
+         call follow_spots(domain%model, domain%wires, domain%elements, contact%line_points)
          call capture_contacts(domain%model, domain%elements, contact, domain%state)
          if (contact%shares_wait) then
             call renew_shares(domain%model, domain%wires, domain%elements, domain%iterate%x, domain%iterate%rotation, &
