@@ -120,6 +120,12 @@ module litz_contact_points
       real(dp) :: lens_sine = 0, lens_share = 0, section_share = 0
       !> The wires overlap on beyond its lens: what looks like a short overlap is a ripple of a long one
       logical :: is_long = .false.
+      !> How much the section counts in what it conducts, that of its largest lens if spots are remembered; and the
+      !> deepest overlap of that lens [m], of a point of a line contact that of the crossing in whose lens it lies
+      real(dp) :: spot_section = 0, kept_overlap = 0
+      !> Force of the whole contact, whatever its share: of a crossing [N], of a place of a line per length [N/m], where
+      !> a spot is remembered of which it carries nothing
+      real(dp) :: whole_force = 0
       !> These shares have been found: within an iteration they stay
       logical :: is_shared = .false.
       !> Of a point of a line contact: it lies in the lens of a crossing
@@ -361,6 +367,8 @@ contains
       point%cell%reach = earlier%cell%reach
       point%section_share = earlier%section_share
       point%in_lens = earlier%in_lens
+      point%spot_section = earlier%spot_section
+      point%kept_overlap = earlier%kept_overlap
       point%lens_share = earlier%lens_share
       point%lens_sine = earlier%lens_sine
       point%law_angle = earlier%law_angle

@@ -18,6 +18,7 @@ module litz_contact_term
    use litz_line_shares, only: share_crossings, renew_shares
    use litz_model, only: step_t
    use litz_normal_forces, only: apply_normal_law
+   use litz_spot_memory, only: follow_spots
    use litz_state, only: energies_t
    use litz_term, only: term_t, status_t
    use litz_timing, only: phase_search, phase_contact, phase_update
@@ -270,7 +271,7 @@ contains
       call predict_contacts(domain%model, eta, correction, self%contact%line_points)
    end subroutine predict
 
-   !> The overlaps are known well enough for the shares.
+   !> The overlaps are known well enough for the shares, and where axes have sheared, for where they are.
    subroutine anticipate(self, domain, residual, has_moved)
       class(contact_term_t), intent(inout) :: self
       type(domain_t), intent(inout) :: domain
@@ -283,7 +284,7 @@ contains
          if (residual > nearly_balanced*max(0.0_dp, maxval(points%force), maxval(line_points%force))) return
          if (max(0.0_dp, maxval(missed_by(points)), maxval(missed_by(line_points))) > missed_overlap*max(0.0_dp, &
             maxval(-points%gap), maxval(-line_points%gap))) return
-         call settle_shares(domain, self%contact, has_moved)
+         if (self%contact%n_settled == 0) call self%settle(domain, has_moved)
       end associate
    end subroutine anticipate
 
@@ -358,6 +359,8 @@ contains
       real(dp) :: unused_change
 
       associate (contact => self%contact)
+         call follow_spots(domain%model, domain%wires, domain%elements, contact%points)
+         call follow_spots(domain%model, domain%wires, domain%elements, contact%line_points)
          call capture_contacts(domain%model, domain%elements, contact, domain%state)
          if (contact%shares_wait) then
             call renew_shares(domain%model, domain%wires, domain%elements, domain%iterate%x, domain%iterate%rotation, &
