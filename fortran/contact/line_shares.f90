@@ -118,7 +118,7 @@ contains
       point%lens_sine = lens_sine(point%kinematics)
       if (point%lens%is_near_joint) point%lens_sine = point%lens_sine*sin(point%lens%angle) &
          /sin(point%kinematics%angle)
-      radius = minval(elements%radius([point%element_bar, point%element]))
+      radius = minval(point%radius)
       half_length = half_length_of(point, deepest*radius)
       point%weight = 1 - line_share_at(wires, elements, contact, by_place, point)
       call divide_share(point%weight, share_beside_places(elements, contact%places, [point%element_bar, &
@@ -339,15 +339,14 @@ contains
       integer :: pair(2)
 
       if (crossing%is_long .or. .not. has_lens(crossing)) return
+      radius = minval(crossing%radius)
       if (any(crossing%held)) then
          associate (bar => crossing%legs(legs(1)), leg => crossing%legs(legs(2)))
             pair = [bar%element, leg%element]
-            radius = minval(elements%radius(pair))
             half_length = half_length_on(crossing, bar, leg, deepest*radius)
          end associate
       else
          pair = [crossing%element_bar, crossing%element]
-         radius = minval(elements%radius(pair))
          half_length = half_length_of(crossing, deepest*radius)
       end if
       call share_of_point(half_length, resolution*spacing_of_places(places, pair, elements%length(pair)), of_crossing, &
