@@ -30,7 +30,7 @@ class TestFromPointToLine:
         _, resistance = turned_wires.from_point_to_line(results_of, SPOTS[spot])
         rise, ripple = turned_wires.unsteadiness(resistance)
         # the plastic spot of crossed wires has the same resistance at all angles: to round-off at the crossing, and in
-        # places to half of the error with which they sum up the force of the lens, which is 0.1 %
+        # places to half of the error with which they sum up the force of the lens, which changes by 0.1 % in a step
         assert rise < (1e-3 if spot == "hardness" else 1e-12)
         # that of the force is half a per cent; a place that begins to conduct as a whole is a step of 5 to 20 %
         assert ripple < 1e-2

@@ -25,13 +25,13 @@ ANGLES = np.radians([*(90 * 0.97 ** np.arange(247)), 0.0])
 CROSSED, SMALL = (
     [int(np.abs(np.degrees(ANGLES) - degrees).argmin()) for degrees in group] for group in ((87, 60, 30), (0.5, 0.1, 0))
 )
-FILM, PER_LENGTH = 1e-11, 1e-7
+FILM, PER_LENGTH, HARDNESS = 1e-11, 1e-7, 1e9
 #: Angles from point to line [rad], each 2 % below the one before, from 20 to 0.5 degrees, and spots that are compared there
 FINE = np.radians(20 * 0.98 ** np.arange(184))
 SPOTS = {
     "metal": "HERTZ, VOLTAGE=LINEAR",
     "film": f"FILM, VOLTAGE=LINEAR\n {FILM}",
-    "hardness": "PLASTIC, VOLTAGE=LINEAR\n 1e9",
+    "hardness": f"PLASTIC, VOLTAGE=LINEAR\n {HARDNESS}",
     "per length": f"CONSTANT, PER=LENGTH, VOLTAGE=LINEAR\n {PER_LENGTH}",
 }
 #: Force on wires that bend between their ends [N]: they do not follow each other yet at the smallest angle
@@ -137,6 +137,15 @@ def crossed(angle=math.pi / 2, force=FORCE):
     )
 
 
+def departure_from_round_spot(overlap, resistance):
+    """Of wires that yield with the hardness of `SPOTS`, from F = pi a^2 H under Hertz's force of their overlap: while half
+    of their lens is shorter than a radius."""
+    force = np.array([(d / crossed(angle, 1.0).approach) ** 1.5 for d, angle in zip(overlap, FINE, strict=True)])
+    exact = COPPER.resistivity / 2 * np.sqrt(math.pi * HARDNESS / force)
+    is_short = touching_length(overlap, FINE) < 2 * COPPER.radius
+    return float(np.abs(resistance / exact - 1)[is_short].max())
+
+
 def ripple(x, values, neighbours=8):
     """Largest departure of a curve from the cubic through its neighbourhood, relative to the value."""
     worst = 0.0
@@ -185,7 +194,8 @@ def measure(workspace):
             float(np.diff(column).max() / column[0]) for column in (overlap, film, resistance, with_film)
         ],
         "turned_wires.ripple": [ripple(small, column[:-1]) for column in (overlap, film, resistance, with_film)],
-        "turned_wires.fine.rise": unsteady[:, 0].tolist(),
+        "turned_wires.fine.rise": [rise for name, rise in zip(fine, unsteady[:, 0], strict=True) if name != "hardness"],
+        "turned_wires.fine.round": departure_from_round_spot(*fine["hardness"]),
         "turned_wires.fine.ripple": unsteady[:, 1].tolist(),
         "turned_wires.fine.sections": float(fine["metal"][1][-1]),
         "turned_wires.fine.length": float(np.abs(lengths / touching_length(given, FINE) - 1).max()),
