@@ -182,6 +182,22 @@ contains
       call k%add_data([real_field('fraction', '-', 'from 0 to 1', limit_not_negative)])
       call finish(table, k)
 
+      call begin(k, 'DENSITY', place_model, 'Mass per volume, for the heat that wires store in steps over time.', &
+         after='MATERIAL')
+      call k%add_data([real_field('rho', 'kg/m^3', 'density', limit_positive)])
+      call finish(table, k)
+
+      call begin(k, 'SPECIFIC HEAT', place_model, 'Heat that a wire stores per mass and kelvin, in steps over time.', &
+         after='MATERIAL')
+      call k%add_data([real_field('c', 'J/(kg K)', 'specific heat', limit_positive), of_temperature], last=0)
+      call finish(table, k)
+
+      call begin(k, 'LATENT HEAT', place_model, 'Heat of changes of phase, taken up evenly between solidus and'// &
+         ' liquidus, in addition to the specific heat.', after='MATERIAL')
+      call k%add_data([real_field('l', 'J/kg', 'latent heat', limit_positive), &
+         real_field('Ts', 'K', 'solidus temperature'), real_field('Tl', 'K', 'liquidus temperature')], last=0)
+      call finish(table, k)
+
       call begin(k, 'BEAM SECTION', place_model, &
          'Cross-section and material of all elements of a set. Every element has'// &
          ' exactly one. CIRC: solid round wire, shear factor 6(1+nu)/(7+6nu). GENERAL: given'// &

@@ -179,10 +179,6 @@ class TestStepsThatFollow:
 
 
 class TestWhatIsRefused:
-    def test_transients(self, refused):
-        message = refused(1, 0.01, procedure="*COUPLED TEMPERATURE-DISPLACEMENT, ELECTRICAL\n")
-        assert "*COUPLED TEMPERATURE-DISPLACEMENT needs the parameter STEADY STATE" in message
-
     def test_currents_that_the_step_does_not_speak_of(self, refused):
         message = refused(1, 0.01, procedure="*COUPLED TEMPERATURE-DISPLACEMENT, STEADY STATE\n")
         assert "material COPPER conducts currents" in message
