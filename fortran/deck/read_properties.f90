@@ -131,6 +131,7 @@ contains
       type(reader_t), intent(inout) :: self
       !> Index of the card
       integer, intent(in) :: card
+      !> Heats [J/kg], solidus and liquidus temperatures [K] (3, n)
       real(dp), allocatable, intent(out) :: table(:, :)
       integer :: line
       logical :: ok

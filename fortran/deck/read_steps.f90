@@ -7,8 +7,8 @@ module litz_read_steps
    use litz_fields, only: fields, n_fields, field_displacement, field_temperature, field_of_dof, group_mechanical
    use litz_foreign_words, only: advice_about
    use litz_model, only: model_t, step_t, solved_by_heat, solved_by_all
-   use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, has_flag, integer_parameter, real_parameter, keyword_of, &
-      name_of, n_cards_of
+   use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, has_flag, integer_parameter, real_parameter, &
+      keyword_of, name_of, n_cards_of
    use litz_data_lines, only: read_line
    use litz_lookup, only: name_map_t
    use litz_nodal_values, only: value_list_t, kind_boundary, kind_temperature, kind_initial, field_of_load, &

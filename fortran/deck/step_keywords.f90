@@ -16,8 +16,8 @@ module litz_step_keywords
    character(len=*), parameter :: new_alone = 'OP=NEW'
 
    !> What time is in steps that solve for temperatures
-   character(len=*), parameter :: over_time = ' With STEADY STATE, time scales the loads: values without an amplitude'// &
-      ' ramp over the step. Without it, wires store heat, and such values are there from the start of the step.'
+   character(len=*), parameter :: over_time = ' With STEADY STATE, time scales the loads: values without an'// &
+      ' amplitude ramp over the step. Without it, wires store heat, and such values are there from the start of the step.'
 
 contains
 
@@ -41,8 +41,8 @@ contains
       call finish(table, k)
 
       call begin(k, 'COUPLED THERMAL-ELECTRICAL', place_step, 'Currents and temperatures together: currents'// &
-         ' make heat, temperatures change conductivities. Motions are held.'//over_time//' After it, no step that moves wires may follow. Contacts are not'// &
-         ' possible.')
+         ' make heat, temperatures change conductivities. Motions are held.'//over_time// &
+         ' After it, no step that moves wires may follow. Contacts are not possible.')
       call add_transient(k)
       call add_increments(k)
       call finish(table, k)
@@ -65,8 +65,8 @@ contains
 
       call k%add(flag('STEADY STATE', 'no heat is stored; without it, materials that conduct heat need *DENSITY and'// &
          ' *SPECIFIC HEAT'))
-      call k%add(number('DELTMX', 'largest change of a free temperature in an increment [K]; without it the increments'// &
-         ' of a step over time are all as large as the first', limit_positive))
+      call k%add(number('DELTMX', 'largest change of a free temperature in an increment [K]; without it the'// &
+         ' increments of a step over time are all as large as the first', limit_positive))
    end subroutine add_transient
 
    !> Time of the step, and how it is divided.

@@ -96,8 +96,8 @@ contains
       call weigh('the power of the supports is not the Joule heat', abs(power_imbalance(state)), power, &
          total_round_off(field_potential)*potential, audit%power)
       not_shown = 0
-      call weigh('the heat that leaves the wires or is stored is not that which is made in them', abs(heat_imbalance(state)), &
-         sum(abs(state%heat_made) + abs(state%surface_heat) + abs(state%heat_stored)) &
+      call weigh('the heat that leaves the wires or is stored is not that which is made in them', &
+         abs(heat_imbalance(state)), sum(abs(state%heat_made) + abs(state%surface_heat) + abs(state%heat_stored)) &
          + sum(abs(state%reaction(heat_slot, :))), &
          total_round_off(field_temperature), &
          not_shown)

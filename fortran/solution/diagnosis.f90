@@ -68,8 +68,8 @@ contains
       character(len=:), allocatable :: text
 
       text = ''
-      if (step%solves(field_temperature) .and. .not. step%transient .and. any(outcome%cause == [cause_iterations, cause_failed_law, &
-         cause_no_solution]) .and. .not. (outcome%cause == cause_iterations .and. &
+      if (step%solves(field_temperature) .and. .not. step%transient .and. any(outcome%cause == [cause_iterations, &
+         cause_failed_law, cause_no_solution]) .and. .not. (outcome%cause == cause_iterations .and. &
          group_converged(outcome%last, group_transport))) then
          text = describe_heat(problem)
          return

@@ -68,8 +68,9 @@ contains
       self%increment = increment
       self%weights = [1, 0]
       associate (before => domain%state%time_increment)
-         if (domain%state%step_time > 0 .and. increment <= largest_growth*before) &
+         if (domain%state%step_time > 0 .and. increment <= largest_growth*before) then
             self%weights = bdf2_weights(increment/before)
+         end if
       end associate
    end subroutine apply_load
 

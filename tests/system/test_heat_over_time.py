@@ -134,7 +134,9 @@ class TestClosedForms:
 
     def test_it_ends_where_a_steady_step_does(self, run):
         heat = "*BOUNDARY\nENDS, 11, 11, 300\n"
-        long = run(f"0.5, {5 * LENGTH**2 / DIFFUSIVITY:.17g}", heat=heat, amperes=30.0, sigma=SIGMA).field("temperature")
+        long = run(f"0.5, {5 * LENGTH**2 / DIFFUSIVITY:.17g}", heat=heat, amperes=30.0, sigma=SIGMA).field(
+            "temperature"
+        )
         steady = run("1., 1.", heat=heat, amperes=30.0, sigma=SIGMA,
                      procedure="*COUPLED THERMAL-ELECTRICAL, STEADY STATE").field("temperature")  # fmt: skip
         np.testing.assert_allclose(long, steady, atol=1e-9 * (steady.max() - ROOM))
@@ -169,8 +171,9 @@ class TestIncrements:
 class TestWhatIsRefused:
     def test_materials_that_store_no_heat(self, refused):
         for material in ("", f"*DENSITY\n{DENSITY}\n", f"*SPECIFIC HEAT\n{HEAT}\n"):
-            assert "the material COPPER conducts heat; in a step without STEADY STATE it needs *DENSITY and *SPECIFIC HEAT" in refused(
-                1, "0.1, 1.", material=material
+            assert (
+                "the material COPPER conducts heat; in a step without STEADY STATE it needs *DENSITY and *SPECIFIC HEAT"
+                in refused(1, "0.1, 1.", material=material)
             )
 
     def test_a_limit_of_changes_that_nothing_asks_for(self, refused):
