@@ -115,6 +115,9 @@ program test_tangents
       'LAW=HERTZ, VOLTAGE=LINEAR, SPOT=LARGEST FORCE'//nl, 5.0_dp, 1.2e-5_dp, 0.02_dp)
    call check_lines('bow over a straight wire, wires that yield', hertz//'*GAP ELECTRICAL CONDUCTANCE, '// &
       'LAW=PLASTIC, VOLTAGE=LINEAR'//nl//'1e9'//nl, 1.0_dp, 1.2e-5_dp, 0.02_dp)
+   call check_lines('bow over a straight wire, spots of a larger force', hertz// &
+      '*GAP ELECTRICAL CONDUCTANCE, LAW=PLASTIC, VOLTAGE=LINEAR, SPOT=LARGEST FORCE'//nl//'1e9'//nl, 1.0_dp, &
+      1.2e-5_dp, 0.02_dp, 2.0_dp)
    call check_lines('line that sticks', hertz//'*FRICTION'//nl//'1e3'//nl, 0.0_dp, 4.0e-6_dp, 0.02_dp)
    call check_lines('line of a penalty that sticks', penalty_of_line//'*FRICTION, ELASTIC SLIP=1e-7'//nl//'1e3'//nl, &
       0.0_dp, 3.5e-5_dp, 0.01_dp)
@@ -332,15 +335,22 @@ contains
    end subroutine check_terms
 
    !> Wires that touch along a line, `part` of the usual random motion away from equilibrium.
-   subroutine check_lines(name, laws, bow, push, part)
+   subroutine check_lines(name, laws, bow, push, part, larger)
       character(len=*), intent(in) :: name, laws
       real(dp), intent(in) :: bow, push, part
+      !> Times the present one is the largest force that places remember; absent: 1
+      real(dp), intent(in), optional :: larger
       type(problem_t) :: problem
       integer :: trial
 
       ! the same motions whatever was checked before: none of them brings a place to the verge of touching
       call start_random_numbers()
       call solve_first_step(deck_along(laws, bow, push), problem)
+      if (present(larger)) then
+         associate (history => problem%contact%converged_line_points%history)
+            history%largest_force = larger*history%largest_force
+         end associate
+      end if
       do trial = 1, 3
          call compare(name, problem, exact, part)
          call check(count(problem%contact%line_points%closed) > 1, name//': points of a line in contact', 0.0_dp)

@@ -7,6 +7,7 @@ import numpy as np
 from ..base.table import Table
 from ..errors import WarningEntry
 from .contact_places import ContactPlaces, contact_places
+from .contact_pressures import pressure_lines
 from .contact_zones import contact_zones, wire_pairs
 from .result_file import ResultFile
 from .surface_forces import surface_forces
@@ -67,6 +68,7 @@ def _last_increment(results: ResultFile) -> str:
         f"  largest displacement   {size.max():12.5g} {unit['m']:4} at node {results.node_ids[size.argmax()]}",
         f"  potential              {potential.min():12.5g} {unit['V']:4} to {potential.max():.5g} {unit['V']}",
         *_contacts(places, zones, unit),
+        *pressure_lines(results),
     ]
     lines += _on_surfaces(results)
     if heat_wires + heat_contacts > 0:
@@ -77,11 +79,28 @@ def _last_increment(results: ResultFile) -> str:
                 f"(wires {heat_wires:.5g} {unit['W']}, contacts {heat_contacts:.5g} {unit['W']})"
             ),
         ]
+    lines += _heat(results)
     history = results.history
     lines += [
         f"  {name}  {history[name][-1]:.8g} {history.units[name]}" for name in history if name.startswith("resistance ")
     ]
     return "\n".join(lines + _pairs(places, zones, unit))
+
+
+def _heat(results: ResultFile) -> list[str]:
+    """Temperatures, and where the heat leaves the wires, in models that have temperatures."""
+    if "temperature" not in results.fields:
+        return []
+    temperature, watt = results.field("temperature"), results.unit_labels["W"]
+    supports, sides = -results.field("reaction_heat").sum(), results.field("surface_heat").sum()
+    hottest = results.node_ids[temperature.argmax()]
+    lines = [f"  temperature            {_range(temperature, results.units['temperature'])} at node {hottest}"]
+    if supports or sides:
+        lines.append(
+            f"  heat out               {supports + sides:12.5g} {watt:4} "
+            f"(prescribed temperatures {supports:.5g} {watt}, films and radiation {sides:.5g} {watt})"
+        )
+    return lines
 
 
 def _contacts(places: ContactPlaces, zones: Table, unit: dict[str, str]) -> list[str]:
