@@ -17,7 +17,8 @@ module litz_step_keywords
 
    !> What time is in steps that solve for temperatures
    character(len=*), parameter :: over_time = ' With STEADY STATE, time scales the loads: values without an'// &
-      ' amplitude ramp over the step. Without it, wires store heat, and such values are there from the start of the step.'
+      ' amplitude ramp over the step. Without it, wires store heat, and such values are there from the start of the'// &
+      ' step.'
 
 contains
 
