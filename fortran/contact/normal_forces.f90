@@ -44,10 +44,13 @@ contains
             pair%young(i) = model%materials(section%material)%young
             pair%poisson(i) = model%materials(section%material)%poisson
             ! stiffness is that of the reference section, in contacts as in beams; gaps see the swelling
-            pair%radius(i) = section%contact_radius
+            pair%radius(i) = section%contact_radius + point%lens%of_ball(i)
          end associate
       end do
-      pair%resistivity = elements%resistivity(both)
+      pair%resistivity = merge(point%present_parts%resistivity, elements%resistivity(both), &
+         point%present_parts%is_mixed)
+      pair%young = merge(point%lens%young, pair%young, point%lens%is_mixed)
+      pair%poisson = merge(point%lens%poisson, pair%poisson, point%lens%is_mixed)
       if (model%interactions(model%contact_pairs(point%pair)%interaction)%voltage_correction) then
          pair%series_resistance = pair%resistivity*elements%length(both)/(4*elements%area(both))
       end if
