@@ -236,7 +236,7 @@ contains
          call report_increment(problem, outcome, audit, &
             report_of(problem, outcome, audit, increment, target, start_time), observer, error)
          if (allocated(error)) return
-         call control%accept(step, step_time, outcome%effort(), ratio*increment)
+         call control%accept(step, step_time, outcome%effort(), min(ratio, 1/epsilon(ratio))*increment)
       end associate
    end subroutine run_increment
 

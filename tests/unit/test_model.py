@@ -305,7 +305,7 @@ def built():
         ("model.step(cload_op='ADD')", "MOD or NEW"),
         ("model.press(1e-3)", "no guides"),
         ("model.card('STATIC')", "belongs in a step"),
-        ("model.card('DENSITY')", "no keyword"),
+        ("model.card('DAMPING')", "no keyword"),
         ("step.card('NODE')", "model part"),
         ("step.move(upper.ends, 'up', 1.0)", "a direction must be one of"),
         ("step.move(upper.ends, 9, 1.0)", "a direction must be one of"),
