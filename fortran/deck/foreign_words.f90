@@ -27,7 +27,7 @@ module litz_foreign_words
       foreign_word_t('PIEZOELECTRIC|ELECTROMAGNETIC', '', '', &
       'use *STATIC, which solves forces and currents together, or *COUPLED TEMPERATURE-DISPLACEMENT for'// &
       ' temperatures'), &
-      foreign_word_t('HEAT TRANSFER', '', '', 'use *COUPLED THERMAL-ELECTRICAL, STEADY STATE'), &
+      foreign_word_t('HEAT TRANSFER', '', '', 'use *COUPLED THERMAL-ELECTRICAL'), &
       foreign_word_t('FREQUENCY|BUCKLE|COMPLEX FREQUENCY|STEADY STATE DYNAMICS', '', '', &
       'there are no eigenvalues: *STATIC follows the wires through large displacements'), &
       foreign_word_t('IMPERFECTION', '', '', 'put it into the coordinates of *NODE'), &
@@ -58,10 +58,9 @@ module litz_foreign_words
 
    !> Keywords about materials, contact, loads and results
    type(foreign_word_t), parameter :: of_laws(*) = [ &
-      foreign_word_t('DENSITY|DAMPING', '', '', 'leave it out: there is no inertia and no weight'), &
+      foreign_word_t('DAMPING', '', '', 'leave it out: there is no inertia'), &
       foreign_word_t('PLASTIC|HYPERELASTIC|DEFORMATION PLASTICITY|CYCLIC HARDENING|USER MATERIAL|DEPVAR', '', '', &
       'beams are elastic: use *ELASTIC; contact spots may yield (*GAP ELECTRICAL CONDUCTANCE, LAW=PLASTIC)'), &
-      foreign_word_t('SPECIFIC HEAT|LATENT HEAT', '', '', 'leave it out: temperatures are steady'), &
       foreign_word_t('SURFACE|NODE SURFACE|SURFACE DEFINITION', '', '', &
       'leave it out: *CONTACT PAIR names element sets'), &
       foreign_word_t('CONTACT|CONTACT INCLUSIONS|CONTACT EXCLUSIONS|CONTACT PROPERTY ASSIGNMENT|'// &

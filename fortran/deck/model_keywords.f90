@@ -134,6 +134,29 @@ contains
          limit_positive, required=.false.)], when='GENERATE=YES', last=0)
    end subroutine add_set_data
 
+   !> How much heat a material stores.
+   pure subroutine add_storage(table, of_temperature)
+      type(keyword_table_t), intent(inout) :: table
+      type(field_spec_t), intent(in) :: of_temperature
+      type(keyword_t) :: k
+
+      call begin(k, 'DENSITY', place_model, 'Mass per volume, for the heat that wires store in steps over time.', &
+         after='MATERIAL')
+      call k%add_data([real_field('rho', 'kg/m^3', 'density', limit_positive)])
+      call finish(table, k)
+
+      call begin(k, 'SPECIFIC HEAT', place_model, 'Heat that a wire stores per mass and kelvin, in steps over time.', &
+         after='MATERIAL')
+      call k%add_data([real_field('c', 'J/(kg K)', 'specific heat', limit_positive), of_temperature], last=0)
+      call finish(table, k)
+
+      call begin(k, 'LATENT HEAT', place_model, 'Heat of changes of phase, taken up evenly between solidus and'// &
+         ' liquidus, in addition to the specific heat.', after='MATERIAL')
+      call k%add_data([real_field('l', 'J/kg', 'latent heat', limit_positive), &
+         real_field('Ts', 'K', 'solidus temperature'), real_field('Tl', 'K', 'liquidus temperature')], last=0)
+      call finish(table, k)
+   end subroutine add_storage
+
    pure subroutine add_properties(table)
       type(keyword_table_t), intent(inout) :: table
       type(keyword_t) :: k
@@ -142,7 +165,7 @@ contains
       of_temperature = real_field('T', 'K', 'temperature; ascending. Linear between two lines, constant outside the'// &
          ' table', required=.false.)
       call begin(k, 'MATERIAL', place_model, 'Begins a material; *ELASTIC, *EXPANSION, *ELECTRICAL CONDUCTIVITY,'// &
-         ' *CONDUCTIVITY and *JOULE HEAT FRACTION follow it.')
+         ' *CONDUCTIVITY, *JOULE HEAT FRACTION, *DENSITY, *SPECIFIC HEAT and *LATENT HEAT follow it.')
       call k%add(name('NAME', 'name of the material', required=.true.))
       call finish(table, k)
 
@@ -182,6 +205,7 @@ contains
       call k%add_data([real_field('fraction', '-', 'from 0 to 1', limit_not_negative)])
       call finish(table, k)
 
+      call add_storage(table, of_temperature)
       call begin(k, 'BEAM SECTION', place_model, &
          'Cross-section and material of all elements of a set. Every element has'// &
          ' exactly one. CIRC: solid round wire, shear factor 6(1+nu)/(7+6nu). GENERAL: given'// &

@@ -72,6 +72,8 @@ contains
                   'the material '//this%name//' has two *CONDUCTIVITY')
                this%heat_conductivity = table
             end associate
+         case ('DENSITY', 'SPECIFIC HEAT', 'LATENT HEAT')
+            call read_storage(self, model, card, material)
          case ('JOULE HEAT FRACTION')
             call read_only_line(self, card, ok)
             if (.not. ok .or. material == 0) cycle
@@ -87,6 +89,73 @@ contains
          call fail_at(self, self%materials%token(i), 'the material '//model%materials(i)%name//' has no *ELASTIC')
       end do
    end subroutine read_materials
+
+   !> What says how much heat a material stores.
+   subroutine read_storage(self, model, card, material)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(inout) :: model
+      !> Index of the card, and of the material (0: in error)
+      integer, intent(in) :: card, material
+      real(dp), allocatable :: table(:, :)
+      logical :: ok, twice
+
+      select case (keyword_of(self, card))
+      case ('DENSITY')
+         call read_only_line(self, card, ok)
+         table = reshape([merge(self%values%real(1), 1.0_dp, ok)], [1, 1])
+      case ('SPECIFIC HEAT')
+         call read_property(self, card, 1, table, ok)
+      case ('LATENT HEAT')
+         call read_latent_heat(self, card, table)
+      end select
+      if (material == 0) return
+      associate (this => model%materials(material))
+         select case (keyword_of(self, card))
+         case ('DENSITY')
+            twice = this%density > 0
+            this%density = table(1, 1)
+         case ('SPECIFIC HEAT')
+            twice = allocated(this%specific_heat)
+            this%specific_heat = table
+         case default
+            twice = allocated(this%latent_heat)
+            this%latent_heat = table
+         end select
+         if (twice) call fail_at(self, self%deck%cards(card)%name, 'the material '//this%name//' has two *'// &
+            keyword_of(self, card))
+      end associate
+   end subroutine read_storage
+
+   !> Heats, and the temperatures between which each is taken up (3, n); ascending.
+   subroutine read_latent_heat(self, card, table)
+      type(reader_t), intent(inout) :: self
+      !> Index of the card
+      integer, intent(in) :: card
+      !> Heats [J/kg], solidus and liquidus temperatures [K] (3, n)
+      real(dp), allocatable, intent(out) :: table(:, :)
+      integer :: line
+      logical :: ok
+      real(dp) :: last
+
+      allocate (table(3, 0))
+      do line = self%deck%cards(card)%first_data, self%deck%cards(card)%last_data
+         call read_line(self, card, line, ok)
+         if (.not. ok) cycle
+         associate (values => self%values%real)
+            last = -huge(last)
+            if (size(table, 2) > 0) last = table(3, size(table, 2))
+            if (values(3) <= values(2)) then
+               call fail_at(self, self%values%token(3), 'the liquidus must be above the solidus; '// &
+                  to_text(values(3))//' follows '//to_text(values(2)))
+            else if (values(2) < last) then
+               call fail_at(self, self%values%token(2), 'changes of phase must ascend; '//to_text(values(2))// &
+                  ' is below the liquidus of the one before, '//to_text(last))
+            else
+               table = reshape([table, values(:3)], [3, size(table, 2) + 1])
+            end if
+         end associate
+      end do
+   end subroutine read_latent_heat
 
    !> Properties over temperature, on lines of their values and the temperature.
    subroutine read_property(self, card, n_values, table, ok)

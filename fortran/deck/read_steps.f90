@@ -7,8 +7,8 @@ module litz_read_steps
    use litz_fields, only: fields, n_fields, field_displacement, field_temperature, field_of_dof, group_mechanical
    use litz_foreign_words, only: advice_about
    use litz_model, only: model_t, step_t, solved_by_heat, solved_by_all
-   use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, has_flag, integer_parameter, keyword_of, &
-      name_of, n_cards_of
+   use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, has_flag, integer_parameter, real_parameter, &
+      keyword_of, name_of, n_cards_of
    use litz_data_lines, only: read_line
    use litz_lookup, only: name_map_t
    use litz_nodal_values, only: value_list_t, kind_boundary, kind_temperature, kind_initial, field_of_load, &
@@ -222,9 +222,10 @@ contains
       if (so_far%has_procedure) call fail_at(self, self%deck%cards(card)%name, 'this step has two *'// &
          keyword_of(self, card))
       so_far%has_procedure = .true.
-      call read_increments(self, card, model%steps(so_far%step))
       if (keyword_of(self, card) == 'COUPLED THERMAL-ELECTRICAL') model%steps(so_far%step)%solves = solved_by_heat
       if (keyword_of(self, card) == 'COUPLED TEMPERATURE-DISPLACEMENT') model%steps(so_far%step)%solves = solved_by_all
+      call read_transient(self, card, model%steps(so_far%step))
+      call read_increments(self, card, model%steps(so_far%step))
       call check_procedure(self, model, card, so_far%step)
    end subroutine read_procedure
 
@@ -265,7 +266,8 @@ contains
       type(step_t), intent(inout) :: step
       logical :: ok
 
-      step%direct = has_flag(self, card, 'DIRECT')
+      ! as in Abaqus, what limits the change of temperatures lets increments grow and shrink
+      step%direct = has_flag(self, card, 'DIRECT') .or. (step%transient .and. .not. step%largest_change > 0)
       associate (this => self%deck%cards(card), values => self%values)
          if (this%last_data < this%first_data) then
             call set_default_increments()
@@ -318,8 +320,7 @@ contains
                ' *COUPLED THERMAL-ELECTRICAL')
          end if
          if (.not. model%steps(step)%solves(field_temperature)) return
-         if (.not. has_flag(self, card, 'STEADY STATE')) call fail_at(self, token, &
-            'temperatures are steady: '//procedure//' needs the parameter STEADY STATE')
+         if (model%steps(step)%transient) call require_storage(self, model, card)
          if (n_cards_of(self, 'CONTACT PAIR') > 0) call fail_at(self, token, 'contacts conduct no heat: '// &
             procedure//' is not possible in a deck with *CONTACT PAIR')
          if (model%steps(step)%solves(field_displacement)) call require_electrical(self, model, card)
@@ -332,6 +333,40 @@ contains
          end do
       end associate
    end subroutine check_procedure
+
+   !> Steady or over time.
+   subroutine read_transient(self, card, step)
+      type(reader_t), intent(inout) :: self
+      !> Index of the card
+      integer, intent(in) :: card
+      type(step_t), intent(inout) :: step
+      type(token_t) :: token
+
+      if (.not. step%solves(field_temperature)) return
+      step%transient = .not. has_flag(self, card, 'STEADY STATE')
+      step%largest_change = real_parameter(self, card, 'DELTMX', 0.0_dp)
+      token = parameter_of(self, card, 'DELTMX')
+      if (token%line > 0 .and. (.not. step%transient .or. has_flag(self, card, 'DIRECT'))) call fail_at(self, token, &
+         'DELTMX chooses the increments of steps over time: it is not possible with STEADY STATE or DIRECT')
+   end subroutine read_transient
+
+   !> What conducts heat stores it.
+   subroutine require_storage(self, model, card)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      !> Index of the card
+      integer, intent(in) :: card
+      integer :: i
+
+      do i = 1, size(model%materials)
+         associate (material => model%materials(i))
+            if (.not. allocated(material%heat_conductivity)) cycle
+            if (material%density > 0 .and. allocated(material%specific_heat)) cycle
+            call fail_at(self, self%deck%cards(card)%name, 'the material '//material%name// &
+               ' conducts heat; in a step without STEADY STATE it needs *DENSITY and *SPECIFIC HEAT')
+         end associate
+      end do
+   end subroutine require_storage
 
    !> Currents flow in every step that moves wires; in Abaqus they do with this parameter only.
    subroutine require_electrical(self, model, card)

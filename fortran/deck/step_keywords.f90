@@ -4,7 +4,7 @@ module litz_step_keywords
    use litz_keywords, only: keyword_t, keyword_table_t, field_spec_t, place_step, place_both, place_begins_step, &
       limit_positive, limit_not_negative
    use litz_keyword_builders, only: begin, finish, integer_field, real_field, dofs_of, choice_field, name_field, &
-      item_field, text_field, unused, flag, choice, name, count_of
+      item_field, text_field, unused, flag, choice, name, number, count_of
    use litz_quantities, only: on_points, on_cells
    use litz_result_quantities, only: requested_names, described_requests
    use litz_text, only: join_words, words_of
@@ -14,6 +14,11 @@ module litz_step_keywords
 
    !> Nothing but the removal of what earlier steps prescribed
    character(len=*), parameter :: new_alone = 'OP=NEW'
+
+   !> What time is in steps that solve for temperatures
+   character(len=*), parameter :: over_time = ' With STEADY STATE, time scales the loads: values without an'// &
+      ' amplitude ramp over the step. Without it, wires store heat, and such values are there from the start of the'// &
+      ' step.'
 
 contains
 
@@ -36,19 +41,17 @@ contains
       call add_increments(k)
       call finish(table, k)
 
-      call begin(k, 'COUPLED THERMAL-ELECTRICAL', place_step, 'Steady currents and temperatures together: currents'// &
-         ' make heat, temperatures change conductivities. Motions are held. Time scales the loads: values without'// &
-         ' an amplitude ramp over the step. After it, no step that moves wires may follow. Contacts are not'// &
-         ' possible.')
-      call k%add(flag('STEADY STATE', 'no heat is stored; it must be given'))
+      call begin(k, 'COUPLED THERMAL-ELECTRICAL', place_step, 'Currents and temperatures together: currents'// &
+         ' make heat, temperatures change conductivities. Motions are held.'//over_time// &
+         ' After it, no step that moves wires may follow. Contacts are not possible.')
+      call add_transient(k)
       call add_increments(k)
       call finish(table, k)
 
       call begin(k, 'COUPLED TEMPERATURE-DISPLACEMENT', place_step, 'Equilibrium of forces and moments,'// &
-         ' steady temperatures and currents together: wires expand with the temperatures that are solved for. Time'// &
-         ' scales the loads: values without an amplitude ramp over the step. A *STATIC after it keeps the'// &
-         ' temperatures. Contacts are not possible.')
-      call k%add(flag('STEADY STATE', 'no heat is stored; it must be given'))
+         ' temperatures and currents together: wires expand with the temperatures that are solved for.'//over_time// &
+         ' A *STATIC after it keeps the temperatures. Contacts are not possible.')
+      call add_transient(k)
       call k%add(flag('ELECTRICAL', 'with currents and their heat; needed where a material conducts them'))
       call add_increments(k)
       call finish(table, k)
@@ -56,6 +59,16 @@ contains
       call begin(k, 'END STEP', place_step, 'Ends a step.')
       call finish(table, k)
    end subroutine add_step
+
+   !> Steady or over time.
+   pure subroutine add_transient(k)
+      type(keyword_t), intent(inout) :: k
+
+      call k%add(flag('STEADY STATE', 'no heat is stored; without it, materials that conduct heat need *DENSITY and'// &
+         ' *SPECIFIC HEAT'))
+      call k%add(number('DELTMX', 'largest change of a free temperature in an increment [K]; without it the'// &
+         ' increments of a step over time are all as large as the first', limit_positive))
+   end subroutine add_transient
 
    !> Time of the step, and how it is divided.
    pure subroutine add_increments(k)

@@ -5,13 +5,19 @@
 !> at each node, with the mass `C` of the element and the latent heat `l` between solidus `Ts` and liquidus `Tl`. The
 !> difference of enthalpies conserves energy whatever the increment, also where it steps over a latent heat. Lumped:
 !> consistent capacities let the temperature next to a jump leave the range of those around it.
+!>
+!> With the increment before, of `dt/w`, the rate is of second order (BDF2):
+!>
+!>     R = C/2 (a (H(T) - H(T_before)) - b (H(T_before) - H(T_before_that)))/dt,                                     (2)
+!>     a = (1 + 2w)/(1 + w),  b = w^2/(1 + w)
+!>
 !> Source: theory section 13.
 module litz_heat_capacity
    use litz_kinds, only: dp
    use litz_property_table, only: property_at, property_integral
    implicit none
    private
-   public :: latent_heat_t, heat_capacity, enthalpy_difference
+   public :: latent_heat_t, heat_capacity, enthalpy_difference, bdf2_weights
 
    !> Heat of a change of phase.
    type :: latent_heat_t
@@ -44,6 +50,15 @@ contains
          k(i) = mass_per_time/2*slope
       end do
    end subroutine heat_capacity
+
+   !> `a` and `b`. Source: (2).
+   pure function bdf2_weights(ratio) result(weights)
+      !> w: the increment over the one before
+      real(dp), intent(in) :: ratio
+      real(dp) :: weights(2)
+
+      weights = [1 + 2*ratio, ratio**2]/(1 + ratio)
+   end function bdf2_weights
 
    !> `H(T) - H(T_before)` and its slope over T.
    pure subroutine enthalpy_difference(temperature, before, specific_heat, latent, difference, slope)

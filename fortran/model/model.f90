@@ -22,7 +22,7 @@ module litz_model
    public :: coupling_default, coupling_monolithic, coupling_updated, coupling_swept
    public :: request_node, request_element, request_contact, request_electrode, request_energy
    public :: shear_given, shear_round, shear_unreduced
-   public :: dof_potential, dof_temperature, amplitude_factor
+   public :: dof_potential, dof_temperature, amplitude_factor, ramp_at
    public :: solved_by_static, solved_by_heat, solved_by_all
 
    !> Longest name of a set, material, ... (longer ones are refused)
@@ -72,6 +72,12 @@ module litz_model
       real(dp), allocatable :: heat_conductivity(:, :)
       !> Part of the electric power that becomes heat
       real(dp) :: joule_fraction = 1
+      !> [kg/m^3]; 0: not given
+      real(dp) :: density = 0
+      !> Temperatures [K], ascending, and specific heats [J/(kg K)] (2, n); not there: no heat is stored
+      real(dp), allocatable :: specific_heat(:, :)
+      !> Heat of changes of phase [J/kg], and the temperatures between which it is taken up [K] (3, n); not there: none
+      real(dp), allocatable :: latent_heat(:, :)
    end type material_t
 
    type :: section_t
@@ -222,11 +228,15 @@ module litz_model
       logical :: solves(n_fields) = solved_by_static
       !> Fields that it or an earlier step solves for (n_fields)
       logical :: has_solved(n_fields) = solved_by_static
+      !> Wires store heat: the step is one over time
+      logical :: transient = .false.
+      !> Of a temperature in an increment [K]; 0: no limit
+      real(dp) :: largest_change = 0
       logical :: nlgeom = .true.
       integer :: max_increments = 100
       !> First, total, smallest and largest increment of time
       real(dp) :: first = 1, total = 1, smallest = 1.0e-5_dp, largest = 1
-      !> *STATIC, DIRECT: increments of fixed size
+      !> Increments of fixed size
       logical :: direct = .false.
       !> Prescribed values and loads as they stand in this step, all earlier ones carried over
       type(nodal_value_t), allocatable :: boundary(:), load(:)
@@ -284,6 +294,15 @@ module litz_model
    end type model_t
 
 contains
+
+   !> The part of a change over a step that is reached: it grows evenly, or is there at once in a step over time.
+   pure real(dp) function ramp_at(step, step_time) result(ramp)
+      type(step_t), intent(in) :: step
+      !> Time since the step began [s]
+      real(dp), intent(in) :: step_time
+
+      ramp = merge(1.0_dp, step_time/step%total, step%transient)
+   end function ramp_at
 
    !> Piecewise linear value of an amplitude, constant beyond its ends.
    pure real(dp) function amplitude_factor(amplitude, time) result(factor)

@@ -166,7 +166,10 @@ contains
             if (allocated(this%heat_conductivity)) then
                call record%list('*CONDUCTIVITY', this%heat_conductivity)
                call record%value('*JOULE HEAT FRACTION', this%joule_fraction)
+               call record%value('*DENSITY', this%density)
             end if
+            if (allocated(this%specific_heat)) call record%list('*SPECIFIC HEAT', this%specific_heat)
+            if (allocated(this%latent_heat)) call record%list('*LATENT HEAT', this%latent_heat)
             if (allocated(this%elastic_table)) call record%list('elasticity over temperature', this%elastic_table)
             if (.not. allocated(this%expansion_table)) cycle
             call record%list('expansion over temperature', this%expansion_table)
@@ -290,6 +293,7 @@ contains
       call record%begin('step '//to_text(record%step))
       if (step%solves(field_temperature)) call record%value('procedure', trim(merge( &
          '*COUPLED TEMPERATURE-DISPLACEMENT', '*COUPLED THERMAL-ELECTRICAL      ', step%solves(field_displacement))))
+      if (step%transient) call record%value('heat', 'stored')
       call record%value('its time (*STATIC)', step%total)
       call record_values('*BOUNDARY', step%boundary)
       call record_values('*TEMPERATURE', step%predefined)

@@ -93,6 +93,9 @@ contains
             if (allocated(this%heat_conductivity)) line = line//', lambda = '// &
                to_text(this%heat_conductivity(2, 1))//' '//model%units%label('W/(m K)')// &
                of_table(size(this%heat_conductivity, 2), this%heat_conductivity(1, 1))
+            if (this%density > 0 .and. allocated(this%specific_heat)) line = line//', rho c = '// &
+               to_text(this%density*this%specific_heat(2, 1))//' '//model%units%label('J/(m^3 K)')// &
+               of_table(size(this%specific_heat, 2), this%specific_heat(1, 1))
             line = line//nl
          end associate
       end function material_line
@@ -308,7 +311,8 @@ contains
          text = 'step '//to_text(s)
          if (len(step%title) > 0) text = text//' ('//step%title//')'
          if (step%solves(field_temperature)) text = text// &
-            trim(merge(': motions,', ':         ', step%solves(field_displacement)))//' currents and temperatures'
+            trim(merge(': motions,', ':         ', step%solves(field_displacement)))//' currents and temperatures'// &
+            trim(merge(' over time', '          ', step%transient))
          text = text//': time '//to_text(step%total)//' '//trim(model%units%time)//', '
          if (step%direct) then
             text = text//'increments of '//to_text(step%first)//' '//trim(model%units%time)

@@ -106,6 +106,9 @@ module litz_state
       !> Heat flow along the wire per area of the cross-section, from the first to the second node (n_elements) [W/m^2],
       !> heat of currents and sources in the element, and heat that leaves its side (n_elements) [W]
       real(dp), allocatable :: heat_flux(:), heat_made(:), surface_heat(:)
+      !> What the elements take up of the heat (n_elements) [W], and the temperatures when the last increment began
+      !> (n_nodes) [K]
+      real(dp), allocatable :: heat_stored(:), temperature_before(:)
       !> Current per area of the cross-section (n_elements) [A/m^2]
       real(dp), allocatable :: current_density(:)
       !> Forces on the nodes from what is neither in the model nor a support or load: damping (n_slots, n_nodes)

@@ -96,8 +96,9 @@ contains
       call weigh('the power of the supports is not the Joule heat', abs(power_imbalance(state)), power, &
          total_round_off(field_potential)*potential, audit%power)
       not_shown = 0
-      call weigh('the heat that leaves the wires is not that which is made in them', abs(heat_imbalance(state)), &
-         sum(abs(state%heat_made)) + sum(abs(state%surface_heat)) + sum(abs(state%reaction(heat_slot, :))), &
+      call weigh('the heat that leaves the wires or is stored is not that which is made in them', &
+         abs(heat_imbalance(state)), sum(abs(state%heat_made) + abs(state%surface_heat) + abs(state%heat_stored)) &
+         + sum(abs(state%reaction(heat_slot, :))), &
          total_round_off(field_temperature), &
          not_shown)
       do field = 1, n_fields
@@ -392,12 +393,12 @@ contains
          - sum(state%joule_heat) - sum(state%contacts%joule_heat)
    end function power_imbalance
 
-   !> What comes in at nodes and on the length of the wires [W].
+   !> What comes in at nodes and on the length of the wires and is not stored [W].
    pure real(dp) function heat_imbalance(state) result(left)
       type(state_t), intent(in) :: state
 
       left = sum(state%reaction(heat_slot, :) + state%load(heat_slot, :)) + sum(state%heat_made) &
-         - sum(state%surface_heat)
+         - sum(state%surface_heat) - sum(state%heat_stored)
    end function heat_imbalance
 
    !> What the currents that are left over, and the round-off of those fed in, make of the power at most [W].

@@ -68,8 +68,8 @@ contains
       character(len=:), allocatable :: text
 
       text = ''
-      if (step%solves(field_temperature) .and. any(outcome%cause == [cause_iterations, cause_failed_law, &
-         cause_no_solution]) .and. .not. (outcome%cause == cause_iterations .and. &
+      if (step%solves(field_temperature) .and. .not. step%transient .and. any(outcome%cause == [cause_iterations, &
+         cause_failed_law, cause_no_solution]) .and. .not. (outcome%cause == cause_iterations .and. &
          group_converged(outcome%last, group_transport))) then
          text = describe_heat(problem)
          return
@@ -168,6 +168,8 @@ contains
 
       if (outcome%cause == cause_fed_part .and. outcome%fed_at_start) then
          text = 'Smaller increments would not help.'
+      else if (step%direct .and. step%transient) then
+         text = 'Increments over time are not cut back without DELTMX=.'
       else if (step%direct) then
          text = 'Increments of *STATIC, DIRECT are not cut back: remove DIRECT.'
       else if (outcome%cause == cause_lost_contact .or. outcome%cause == cause_turned_ends) then

@@ -56,7 +56,7 @@ contains
       type(error_t), allocatable, intent(out) :: solver_error, error
       real(dp), dimension(problem%equations%count(group)) :: b, x
       real(dp) :: correction(n_slots, problem%model%n_nodes)
-      integer :: field
+      integer :: field, i
 
       b = problem%equations%gather(group, problem%loading%load - problem%forces%internal)
       if (free > 0) call hold_fields(problem, group, free, b)
@@ -68,6 +68,9 @@ contains
       if (allocated(solver_error)) return
       correction = 0
       call problem%equations%spread_to_nodes(group, x, correction)
+      do i = 1, size(problem%terms)
+         call problem%terms(i)%term%shorten(problem%domain_t, correction)
+      end do
       associate (first => first_slot_of_group(group), last => last_slot_of_group(group))
          call problem%iterate%move(problem%state, problem%model%x, correction(first:last, :), first)
       end associate

@@ -27,11 +27,12 @@ module litz_newton
    private
    public :: outcome_t, solve_increment, count_negative_pivots, start_iterate
    public :: cause_iterations, cause_not_finite, cause_singular, cause_lost_contact, cause_turned_ends, &
-      cause_fed_part, cause_no_solution, cause_failed_law
+      cause_fed_part, cause_no_solution, cause_failed_law, cause_large_change
 
    !> Why an increment is given up
    integer, parameter :: cause_iterations = 1, cause_not_finite = 2, cause_singular = 3, cause_lost_contact = 4, &
-      cause_turned_ends = 5, cause_failed_law = 6, cause_fed_part = 7, cause_no_solution = 8
+      cause_turned_ends = 5, cause_failed_law = 6, cause_fed_part = 7, cause_no_solution = 8, &
+      cause_large_change = 9
 
    type :: outcome_t
       logical :: converged = .false.

@@ -12,6 +12,8 @@ module litz_step_control
    integer, parameter :: max_passages = 12, max_unmodelled = 3
    !> Increments that are given up because the ends of an element are turned too far, one after the other
    integer, parameter :: max_turned = 3
+   !> Part of the largest bearable increment that is taken next; Abaqus's D_t
+   real(dp), parameter :: safety = 0.85_dp
 
    type :: step_control_t
       !> Increment wanted next
@@ -100,13 +102,15 @@ contains
    end function propose
 
    !> After a converged increment.
-   pure subroutine accept(self, step, step_time, iterations)
+   pure subroutine accept(self, step, step_time, iterations, bearable)
       class(step_control_t), intent(inout) :: self
       type(step_t), intent(in) :: step
       !> At the end of the increment
       real(dp), intent(in) :: step_time
       !> Iterations that the increment took
       integer, intent(in) :: iterations
+      !> Increment that would have been the largest bearable one [s]
+      real(dp), intent(in) :: bearable
 
       if (step_time >= self%refused_time) self%refusals = 0
       if (step_time >= self%turned_time) self%turned = 0
@@ -121,20 +125,22 @@ contains
       else if (self%quick >= 2) then
          self%wanted = self%wanted*step%controls%d_d
       end if
-      self%wanted = min(step%largest, max(step%smallest, self%wanted))
+      self%wanted = min(step%largest, max(step%smallest, min(self%wanted, safety*bearable)))
    end subroutine accept
 
    !> After a failed increment; `.false.`: it cannot get smaller.
-   logical function cut(self, step, failed_increment, attempts) result(possible)
+   logical function cut(self, step, failed_increment, attempts, ratio) result(possible)
       class(step_control_t), intent(inout) :: self
       type(step_t), intent(in) :: step
       !> Size of the increment that failed [s]
       real(dp), intent(in) :: failed_increment
       !> Attempts at this increment so far
       integer, intent(in) :: attempts
+      !> What the increment bore, over its size; 1: that is not why it has failed
+      real(dp), intent(in) :: ratio
 
       self%quick = 0
-      self%wanted = failed_increment*step%controls%d_f
+      self%wanted = failed_increment*merge(safety*ratio, step%controls%d_f, ratio < 1)
       possible = .not. step%direct .and. attempts <= step%controls%i_a .and. self%wanted >= step%smallest
    end function cut
 

@@ -12,7 +12,7 @@ module litz_steps
    use litz_loading, only: loading_t, start_loading, load_targets, next_break_point
    use litz_line_contact, only: serves_lines
    use litz_model, only: model_t, step_t, nodal_value_t, coupling_swept
-   use litz_newton, only: outcome_t, solve_increment, count_negative_pivots, cause_not_finite, &
+   use litz_newton, only: outcome_t, solve_increment, count_negative_pivots, cause_not_finite, cause_large_change, &
       cause_lost_contact, cause_turned_ends, cause_fed_part
    use litz_observer, only: observer_t
    use litz_parallel_wires, only: shallow_angle
@@ -185,7 +185,7 @@ contains
       type(iteration_report_t) :: report
       type(outcome_t) :: outcome
       type(audit_t) :: audit
-      real(dp) :: break_point, increment, target
+      real(dp) :: break_point, increment, target, ratio
       logical :: possible
       integer :: i
 
@@ -205,12 +205,15 @@ contains
             call solve_increment(problem, step, report, observer, outcome, error)
             if (allocated(error)) return
             problem%n_iterations = problem%n_iterations + outcome%iterations
+            ratio = bearable_ratio(problem, step)
+            if (outcome%converged .and. ratio < 1) call refuse_change(outcome, step)
             if (outcome%converged) exit
             problem%has_factor = .false.
             call observer%attempt_done(problem, report_of(problem, outcome, audit, increment, target, start_time), &
                error)
             if (allocated(error)) return
-            possible = control%cut(step, increment, report%attempt)
+            if (outcome%cause /= cause_large_change) ratio = 1
+            possible = control%cut(step, increment, report%attempt, ratio)
             if (outcome%cause == cause_lost_contact) then
                if (.not. control%refuse(outcome%finding, problem%wires%wire, target)) possible = .false.
             end if
@@ -233,9 +236,31 @@ contains
          call report_increment(problem, outcome, audit, &
             report_of(problem, outcome, audit, increment, target, start_time), observer, error)
          if (allocated(error)) return
-         call control%accept(step, step_time, outcome%effort())
+         call control%accept(step, step_time, outcome%effort(), min(ratio, 1/epsilon(ratio))*increment)
       end associate
    end subroutine run_increment
+
+   !> The largest increment that all terms bear, over the one that has converged.
+   real(dp) function bearable_ratio(problem, step) result(ratio)
+      type(problem_t), intent(in) :: problem
+      type(step_t), intent(in) :: step
+      integer :: i
+
+      ratio = huge(ratio)
+      if (step%direct) return
+      do i = 1, size(problem%terms)
+         ratio = min(ratio, problem%terms(i)%term%bearable_increment(problem%domain_t, step))
+      end do
+   end function bearable_ratio
+
+   subroutine refuse_change(outcome, step)
+      type(outcome_t), intent(inout) :: outcome
+      type(step_t), intent(in) :: step
+
+      outcome%converged = .false.
+      outcome%cause = cause_large_change
+      outcome%reason = 'a temperature changes by more than DELTMX='//to_text(step%largest_change)
+   end subroutine refuse_change
 
    !> The iterate becomes the converged state.
    subroutine advance(problem, outcome, increment, step_time, start_time)

@@ -1,6 +1,7 @@
 !> The terms of the equations of a model. A new one is registered here.
 module litz_term_list
    use litz_beam_term, only: new_beam_term
+   use litz_capacity_term, only: new_capacity_term
    use litz_conductor_term, only: new_conductor_term
    use litz_contact_points, only: contact_set_t
    use litz_contact_term, only: contact_term_t
@@ -29,6 +30,7 @@ contains
       call add(new_surface_term(domain))
       call add(new_heat_term(domain%model))
       call add(radiation_term_t())
+      call add(new_capacity_term(domain%model))
       call add(new_conductor_term(domain%elements%resistivity))
       if (contact%present) call add(contact_term_t(contact))
       ! after all that has unknowns of dependent nodes and makes forces on them

@@ -8,7 +8,7 @@ module litz_heat_term
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
    use litz_fields, only: field_temperature, group_transport, potential_slots, temperature_slots
-   use litz_model, only: model_t, step_t, element_heat_t
+   use litz_model, only: model_t, step_t, element_heat_t, ramp_at
    use litz_parallel, only: worth_threads
    use litz_property_table, only: property_at
    use litz_scatter, only: chunk
@@ -79,7 +79,7 @@ contains
       real(dp), intent(in) :: step_time, increment
 
       self%surface = step%heat
-      self%source = step%heat%source_before + step_time/step%total*(step%heat%source - step%heat%source_before)
+      self%source = step%heat%source_before + ramp_at(step, step_time)*(step%heat%source - step%heat%source_before)
    end subroutine apply_load
 
    !> What a film cools has a temperature.

@@ -1,13 +1,14 @@
 !> Prescribed values, loads and given values as functions of time.
 !>
-!> Without an amplitude a value ramps over the step from what it was at the start of the step; what a step no longer
+!> Without an amplitude a value ramps over the step from what it was at the start of the step, and is there at once in a
+!> step over time; what a step no longer
 !> names ramps to zero (loads), to its initial value (what is given and no unknown, such as a temperature; one that an
 !> earlier step has solved for stays) or is set free (prescribed values). Source: Abaqus's rules for static steps.
 module litz_loading
    use litz_kinds, only: dp
    use litz_fields, only: fields, n_fields, n_slots, first_slot, last_slot, field_rotation, field_of_dof, &
       field_of_slot, group_mechanical, slot_of_dof
-   use litz_model, only: model_t, step_t, nodal_value_t, amplitude_factor
+   use litz_model, only: model_t, step_t, nodal_value_t, amplitude_factor, ramp_at
    use litz_rotations, only: rotation_exp, nearest_rotation_vector
    use litz_state, only: state_t
    implicit none
@@ -85,7 +86,7 @@ contains
       real(dp) :: ramp
       integer :: i, slot
 
-      ramp = step_time/step%total
+      ramp = ramp_at(step, step_time)
       call set_given_values()
       do i = 1, size(step%boundary)
          associate (item => step%boundary(i))

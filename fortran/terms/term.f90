@@ -39,9 +39,11 @@ module litz_term
       procedure :: has_mutual_tangent
       procedure :: add_mutual_tangent
       procedure :: bearable_fraction
+      procedure :: shorten
       procedure :: predict
       procedure :: anticipate
       procedure :: settle
+      procedure :: bearable_increment
       !> An increment has converged
       procedure :: add_energies
       procedure :: accept
@@ -183,6 +185,23 @@ contains
 
       bearable_fraction = 1
    end function bearable_fraction
+
+   !> Keep the correction of a group that takes its turn to where the linearisation of the term ends, node by node.
+   subroutine shorten(self, domain, correction)
+      class(term_t), intent(in) :: self
+      type(domain_t), intent(in) :: domain
+      !> (n_slots, n_nodes)
+      real(dp), intent(inout) :: correction(:, :)
+   end subroutine shorten
+
+   !> The increment that has converged, over the largest one that the term bears: less than 1 is a reason for another.
+   real(dp) function bearable_increment(self, domain, step) result(ratio)
+      class(term_t), intent(in) :: self
+      type(domain_t), intent(in) :: domain
+      type(step_t), intent(in) :: step
+
+      ratio = huge(ratio)
+   end function bearable_increment
 
    !> Take what the term iterates itself along with the step `eta dq` of the unknowns.
    subroutine predict(self, domain, eta, correction)

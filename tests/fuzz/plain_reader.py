@@ -298,8 +298,8 @@ class PlainReader:
                 read, given = (self.read_heat, heat) if keyword in HEAT else (self.read_values, in_force[keyword])
                 read(keyword, parameters, data, given, fresh.setdefault(keyword, set()))
             elif keyword in PROCEDURES:
-                self.read_times(parameters, data, step)
                 step["heat"] = PROCEDURES.index(keyword)
+                self.read_times(parameters, data, step)
             elif keyword == "CONTROLS":
                 self.read_controls(parameters, data, step["controls"])
             elif keyword == "SOLVER":
@@ -352,7 +352,8 @@ class PlainReader:
         given += [None] * (4 - len(given))
         step["total"] = 1.0 if given[1] is None else given[1]
         step["first"] = step["total"] if given[0] is None else given[0]
-        step["direct"] = int("DIRECT" in parameters)
+        is_transient = step["heat"] > 0 and "STEADYSTATE" not in parameters
+        step["direct"] = int("DIRECT" in parameters or (is_transient and "DELTMX" not in parameters))
         step["largest"] = step["total"] if given[3] is None else given[3]
         step["largest"] = step["first"] if step["direct"] else step["largest"]
 

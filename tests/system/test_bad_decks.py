@@ -367,7 +367,7 @@ KEYWORDS = [
         'unknown keyword "XYZZY"; `litz keywords` lists',
         "*XYZZY",
     ),
-    case("keyword of Abaqus", "*GAP", "*DENSITY\n*GAP", "litz has no *DENSITY: leave it out", "*DENSITY"),
+    case("keyword of Abaqus", "*GAP", "*DAMPING\n*GAP", "litz has no *DAMPING: leave it out", "*DAMPING"),
     case("procedure of Abaqus", "*STATIC", "*Dynamic, application=quasi-static", "use *STATIC", "*Dynamic"),
     case(
         "parameter of Abaqus",

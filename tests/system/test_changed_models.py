@@ -98,6 +98,7 @@ HEATED = (
     wire("LOW", straight((-0.01, 0, 0), (0.06, 0, 0), 5), 901, element="B33")
     + "*NSET, NSET=SPARE\n 902\n*MATERIAL, NAME=COPPER\n*ELASTIC\n 120e9, 0.34\n*ELECTRICAL CONDUCTIVITY\n 5.88e7\n"
     "*CONDUCTIVITY, TYPE=ISO\n 390., 250\n 380., 350\n*JOULE HEAT FRACTION\n 0.9\n"
+    "*DENSITY\n 8960.\n*SPECIFIC HEAT\n 385., 250\n 390., 350\n*LATENT HEAT\n 2e5, 1300., 1310.\n"
     "*PHYSICAL CONSTANTS, ABSOLUTE ZERO=-1.0, STEFAN BOLTZMANN=5.67e-8\n"
     "*BEAM SECTION, ELSET=LOW, MATERIAL=COPPER, SECTION=CIRC\n 1e-3\n"
     "*AMPLITUDE, NAME=WAVE\n 0, 0, 1, 1\n*AMPLITUDE, NAME=OTHER\n 0, 0, 1, 2\n*BOUNDARY\n 901, 9\n"
@@ -190,12 +191,14 @@ FREE_VALUES = {
     ("STATIC", "smallest"): "size of the increments", ("STATIC", "largest"): "size of the increments",
     ("ELASTIC", "TYPE"): "one choice", ("INITIAL CONDITIONS", "TYPE"): "one choice",
     ("EXPANSION", "TYPE"): "one choice", ("CONDUCTIVITY", "TYPE"): "one choice",
-    ("COUPLED THERMAL-ELECTRICAL", "STEADY STATE"): "one choice",
+    ("COUPLED THERMAL-ELECTRICAL", "STEADY STATE"): "a flag: tested by itself",
+    ("COUPLED THERMAL-ELECTRICAL", "DELTMX"): "size of the increments",
     ("COUPLED THERMAL-ELECTRICAL", "DIRECT"): "size of the increments",
     ("COUPLED THERMAL-ELECTRICAL", "first"): "size of the increments",
     ("COUPLED THERMAL-ELECTRICAL", "smallest"): "size of the increments",
     ("COUPLED THERMAL-ELECTRICAL", "largest"): "size of the increments",
-    ("COUPLED TEMPERATURE-DISPLACEMENT", "STEADY STATE"): "one choice",
+    ("COUPLED TEMPERATURE-DISPLACEMENT", "STEADY STATE"): "as that of *COUPLED THERMAL-ELECTRICAL",
+    ("COUPLED TEMPERATURE-DISPLACEMENT", "DELTMX"): "size of the increments",
     ("COUPLED TEMPERATURE-DISPLACEMENT", "ELECTRICAL"): "needed where a material conducts currents",
     ("COUPLED TEMPERATURE-DISPLACEMENT", "total"): "as that of *STATIC",
     ("COUPLED TEMPERATURE-DISPLACEMENT", "DIRECT"): "size of the increments",
@@ -334,6 +337,12 @@ def test_every_value_that_decides_results_is_compared(litz_of_module, go_on):
     assert len(covered) > 50
 
 
+def test_a_step_that_stores_heat_is_another(go_on):
+    done = go_on((HEATED + HEAT_STEP).replace(", STEADY STATE", "") + HEAT_LATER, heated=True)
+    assert done.returncode == 1
+    assert "step 1: heat in the deck, but not in the restart file" in done.stderr
+
+
 SOURCES = {name: (FORTRAN / "model" / f"{name}.f90").read_text() for name in ("model", "model_record")}
 
 #: Fields of the model that a user may change, and why
@@ -344,7 +353,7 @@ FREE_FIELDS = {
     "step_t": {
         # text, size of the increments, output, how it is solved
         "title", "nlgeom", "max_increments", "first", "smallest", "largest", "direct", "requests", "output_frequency",
-        "restart_frequency", "controls", "solver", "coupling", "reform_kernel",
+        "restart_frequency", "largest_change", "controls", "solver", "coupling", "reform_kernel",
         # follows from what the steps solve for
         "has_solved",
     },
@@ -459,7 +468,7 @@ def test_files_of_an_earlier_format_are_refused_in_words(litz, kept, tmp_path):
         file.attrs["format_version"] = file.attrs["format_version"] - 1
     done = litz("run", kept / "deck.inp", "-o", tmp_path / "out", "--restart", tmp_path / "old.h5")
     assert done.returncode == 4
-    assert "another version of litz wrote it, in format 9 (this one reads format 10)" in done.stderr
+    assert "another version of litz wrote it, in format 10 (this one reads format 11)" in done.stderr
     assert not (tmp_path / "out").exists() or not list((tmp_path / "out").iterdir())
 
 

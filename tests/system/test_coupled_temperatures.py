@@ -111,7 +111,9 @@ class TestAWireThatItsCurrentHeats:
         assert results.field("displacement")[20, 1] + bow == pytest.approx(w, rel=3e-3)
 
     def test_the_potential_and_the_temperatures_do_not_see_the_motion(self, run):
-        bent = run(voltage_for(4 * CRITICAL), elements=40, bow=RADIUS / 20, increments="0.05, 1, , 0.05\n").field("temperature")
+        bent = run(voltage_for(4 * CRITICAL), elements=40, bow=RADIUS / 20, increments="0.05, 1, , 0.05\n").field(
+            "temperature"
+        )
         still = run(voltage_for(4 * CRITICAL), elements=40, bow=RADIUS / 20,
                     procedure="*COUPLED THERMAL-ELECTRICAL, STEADY STATE\n")  # fmt: skip
         np.testing.assert_allclose(bent, still.field("temperature"), rtol=1e-10)
@@ -167,22 +169,22 @@ class TestStepsThatFollow:
     def test_a_second_step_takes_up_the_temperatures_of_the_first(self, run):
         """Over a *STATIC between them, in which what the first has prescribed of temperatures waits."""
         again = f"*STEP\n{PROCEDURE}*BOUNDARY\n1, 9, 9, {voltage_for(30.0):.17g}\n*END STEP\n"
-        results = run(voltage_for(60.0), elements=7, ends="1, ENCASTRE", later=self.LATER.format(load="8, 1, 5.\n") + again)
+        results = run(
+            voltage_for(60.0), elements=7, ends="1, ENCASTRE", later=self.LATER.format(load="8, 1, 5.\n") + again
+        )
         assert results.field("temperature")[3:5].mean() - ROOM == pytest.approx(6 * 30 * 12 / 49, rel=1e-9)
         assert results.field("reaction_heat").sum() == pytest.approx(-results.field("joule_heat").sum(), rel=1e-10)
 
     def test_a_run_goes_on_from_every_increment(self, litz, tmp_path):
         later = "*STEP\n*STATIC\n0.5, 1\n*CLOAD\n8, 1, 5.\n*END STEP\n"
         later += f"*STEP\n{PROCEDURE}0.5, 1\n*BOUNDARY\n1, 9, 9, {voltage_for(30.0):.17g}\n*END STEP\n"
-        text = deck(voltage_for(60.0), elements=7, ends="1, ENCASTRE", increments="0.5, 1\n", step=KEEP_ALL, later=later)
+        text = deck(
+            voltage_for(60.0), elements=7, ends="1, ENCASTRE", increments="0.5, 1\n", step=KEEP_ALL, later=later
+        )
         assert_goes_on_from_everywhere(litz, tmp_path, text)
 
 
 class TestWhatIsRefused:
-    def test_transients(self, refused):
-        message = refused(1, 0.01, procedure="*COUPLED TEMPERATURE-DISPLACEMENT, ELECTRICAL\n")
-        assert "*COUPLED TEMPERATURE-DISPLACEMENT needs the parameter STEADY STATE" in message
-
     def test_currents_that_the_step_does_not_speak_of(self, refused):
         message = refused(1, 0.01, procedure="*COUPLED TEMPERATURE-DISPLACEMENT, STEADY STATE\n")
         assert "material COPPER conducts currents" in message

@@ -321,7 +321,7 @@ class TestRefusals:
         (tmp_path / "wire.inp").write_text(deck().replace(", STEADY STATE", ""))
         done = litz("run", tmp_path / "wire.inp", "-o", tmp_path / "wire")
         assert done.returncode == 1
-        assert "needs the parameter STEADY STATE" in done.stderr
+        assert "in a step without STEADY STATE it needs *DENSITY and *SPECIFIC HEAT" in done.stderr
 
     def test_motion_after_heat(self, refused, litz, tmp_path):
         (tmp_path / "wire.inp").write_text(deck() + "*STEP\n*STATIC\n*END STEP\n")

@@ -99,8 +99,10 @@ program test_tangents
    call check_terms('heated wires on a plane', 'B33', 'B31', surfaces('PLANE', '0, 0, -1.02e-3, 2e-4, -0.005, 1'), '', &
       heat, exact)
    expansion = ''
-   call check_heat('heat', '5e7'//nl, '390'//nl)
-   call check_heat('heat over temperature', '9e7, 100'//nl//'2e7, 900'//nl, '430, 100'//nl//'350, 900'//nl)
+   call check_heat('heat', '5e7'//nl, '390'//nl, ', STEADY STATE')
+   call check_heat('heat over temperature', '9e7, 100'//nl//'2e7, 900'//nl, '430, 100'//nl//'350, 900'//nl, &
+      ', STEADY STATE')
+   call check_heat('heat over time', '9e7, 100'//nl//'2e7, 900'//nl, '430, 100'//nl//'350, 900'//nl, '')
    call check_lines('line of a penalty', penalty_of_line//clean, 0.0_dp, 3.0e-5_dp, 0.02_dp)
    call check_lines('line of Hertz', hertz//clean, 0.0_dp, 4.0e-6_dp, 0.1_dp)
    call check_lines('line with a film', hertz//'*GAP ELECTRICAL CONDUCTANCE, LAW=FILM, VOLTAGE=LINEAR'//nl//'1e-12' &
@@ -408,24 +410,30 @@ contains
    end function held_of
 
    !> Currents and heat in a wire with a branch that conducts heat alone.
-   subroutine check_heat(name, sigma, lambda)
+   subroutine check_heat(name, sigma, lambda, steady)
       !> Data lines of *ELECTRICAL CONDUCTIVITY and *CONDUCTIVITY
       character(len=*), intent(in) :: name, sigma, lambda
-      character(len=*), parameter :: step = '*STEP'//nl//'*COUPLED THERMAL-ELECTRICAL, STEADY STATE'//nl// &
+      !> Parameters of the procedure
+      character(len=*), intent(in) :: steady
+      character(len=*), parameter :: storage = '*DENSITY'//nl//'8960'//nl//'*SPECIFIC HEAT'//nl//'300, 100'//nl// &
+         '400, 900'//nl//'*LATENT HEAT'//nl//'1e6, -1e5, 1e5'//nl
+      character(len=*), parameter :: step = &
          '*BOUNDARY'//nl//'1, 11, 11, 300'//nl//'4, 11, 11, 350'//nl//'1, 9'//nl//'4, 9, 9, 0.3'//nl// &
          '*CFLUX'//nl//'5, 11, 0.02'//nl//'*DFLUX'//nl//'A, BF, 1e5'//nl//'*FILM'//nl//'A, F, 290, 50'//nl// &
          '*RADIATE'//nl//'B, R, 280, 0.9'//nl//'2, R, 280, 0.5'//nl//'*END STEP'//nl
       type(problem_t) :: problem
+      character(len=:), allocatable :: whole_step
       integer :: trial
 
+      whole_step = '*STEP'//nl//'*COUPLED THERMAL-ELECTRICAL'//steady//nl//step
       call solve_first_step('*NODE'//nl//'1, 0, 0, 0'//nl//'2, 0.03, 0, 0'//nl//'3, 0.05, 0.01, 0'//nl// &
          '4, 0.1, 0, 0'//nl//'5, 0.05, 0.08, 0'//nl//'*ELEMENT, TYPE=B33, ELSET=A'//nl//'1, 1, 2'//nl//'2, 2, 3'//nl// &
          '3, 3, 4'//nl//'*ELEMENT, TYPE=B33, ELSET=B'//nl//'4, 3, 5'//nl//'*MATERIAL, NAME=M'//nl//'*ELASTIC'//nl// &
-         '1e11, 0.3'//nl//'*ELECTRICAL CONDUCTIVITY'//nl//sigma//'*CONDUCTIVITY'//nl//lambda// &
+         '1e11, 0.3'//nl//'*ELECTRICAL CONDUCTIVITY'//nl//sigma//'*CONDUCTIVITY'//nl//lambda//storage// &
          '*JOULE HEAT FRACTION'//nl//'0.8'//nl//'*MATERIAL, NAME=N'//nl//'*ELASTIC'//nl//'1e11, 0.3'//nl// &
-         '*CONDUCTIVITY'//nl//'2'//nl//'*PHYSICAL CONSTANTS, STEFAN BOLTZMANN=5.67e-8'//nl// &
+         '*CONDUCTIVITY'//nl//'2'//nl//storage//'*PHYSICAL CONSTANTS, STEFAN BOLTZMANN=5.67e-8'//nl// &
          '*BEAM SECTION, ELSET=A, MATERIAL=M, SECTION=CIRC'//nl//'1e-3'//nl// &
-         '*BEAM SECTION, ELSET=B, MATERIAL=N, SECTION=CIRC'//nl//'1e-3'//nl//step//step, problem)
+         '*BEAM SECTION, ELSET=B, MATERIAL=N, SECTION=CIRC'//nl//'1e-3'//nl//whole_step//whole_step, problem)
       do trial = 1, 3
          call compare(name, problem, exact, 1.0e3_dp)
       end do

@@ -1,0 +1,213 @@
+!> Heat that wires store, in steps over time: half of that of an element at either node.
+!>
+!> Backward Euler in the first increment of a step, before which loads and surroundings may have jumped, and BDF2 with
+!> increments of any size after it. Source: theory section 13.
+module litz_capacity_term
+   use litz_kinds, only: dp
+   use litz_domain, only: domain_t
+   use litz_errors, only: error_t
+   use litz_fields, only: field_temperature, temperature_slots
+   use litz_heat_capacity, only: latent_heat_t, enthalpy_difference, bdf2_weights
+   use litz_model, only: model_t, step_t
+   use litz_term, only: term_t
+   implicit none
+   private
+   public :: capacity_term_t, new_capacity_term
+
+   !> An increment may be larger than the one before it by this factor at most for BDF2, which is stable below
+   !> 1 + sqrt(2)
+   real(dp), parameter :: largest_growth = 2.4_dp
+
+   integer, parameter :: slot = temperature_slots(1)
+
+   type, extends(term_t) :: capacity_term_t
+      !> Elements that store heat
+      integer, allocatable :: elements(:)
+      !> The step is one over time
+      logical :: is_at_work = .false.
+      !> Increment [s], and weights of the last two changes of the enthalpy in its rate
+      real(dp) :: increment = 1, weights(2) = [1.0_dp, 0.0_dp]
+      !> Temperatures when the increment began (n_nodes) [K]
+      real(dp), allocatable :: at_start(:)
+      !> What the elements take up (n_elements) [W]
+      real(dp), allocatable :: stored(:)
+   contains
+      procedure :: apply_load
+      procedure :: start
+      procedure :: hold
+      procedure :: evaluate
+      procedure :: shorten
+      procedure :: bearable_increment
+      procedure :: accept
+   end type capacity_term_t
+
+contains
+
+   pure type(capacity_term_t) function new_capacity_term(model) result(capacity)
+      type(model_t), intent(in) :: model
+      integer :: e
+
+      allocate (capacity%elements(0))
+      do e = 1, model%n_elements
+         associate (material => model%materials(model%sections(model%element_section(e))%material))
+            if (allocated(material%heat_conductivity) .and. allocated(material%specific_heat) .and. &
+               material%density > 0) capacity%elements = [capacity%elements, e]
+         end associate
+      end do
+      allocate (capacity%stored(model%n_elements), source=0.0_dp)
+   end function new_capacity_term
+
+   subroutine apply_load(self, domain, step, step_time, increment)
+      class(capacity_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      type(step_t), intent(in) :: step
+      !> Time of the step at the end of the increment, and the increment [s]
+      real(dp), intent(in) :: step_time, increment
+
+      self%is_at_work = step%transient
+      self%increment = increment
+      self%weights = [1, 0]
+      associate (before => domain%state%time_increment)
+         if (domain%state%step_time > 0 .and. increment <= largest_growth*before) then
+            self%weights = bdf2_weights(increment/before)
+         end if
+      end associate
+   end subroutine apply_load
+
+   subroutine start(self, domain)
+      class(capacity_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+
+      self%at_start = domain%state%value(slot, :)
+   end subroutine start
+
+   !> What stores heat has a temperature.
+   subroutine hold(self, domain, field, held)
+      class(capacity_term_t), intent(in) :: self
+      type(domain_t), intent(in) :: domain
+      !> One of the fields of litz_fields
+      integer, intent(in) :: field
+      !> (n_nodes)
+      logical, intent(inout) :: held(:)
+      integer :: i
+
+      if (field /= field_temperature .or. .not. self%is_at_work) return
+      do i = 1, size(self%elements)
+         held(domain%model%connectivity(:, self%elements(i))) = .true.
+      end do
+   end subroutine hold
+
+   subroutine evaluate(self, domain, error)
+      class(capacity_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      !> Never
+      type(error_t), allocatable, intent(out) :: error
+      real(dp), allocatable :: k(:, :, :), r(:, :)
+      integer :: i, side
+
+      self%stored = 0
+      if (.not. self%is_at_work .or. size(self%elements) == 0) return
+      allocate (k(2, 2, size(self%elements)), r(2, size(self%elements)), source=0.0_dp)
+      do i = 1, size(self%elements)
+         do side = 1, 2
+            call evaluate_side(self, domain, self%elements(i), side, k(side, side, i), r(side, i))
+         end do
+         self%stored(self%elements(i)) = sum(r(:, i))
+      end do
+      call domain%add_cells(domain%model%connectivity(:, self%elements), temperature_slots, temperature_slots, k, r)
+   end subroutine evaluate
+
+   !> What the half of an element next to one of its nodes takes up.
+   pure subroutine evaluate_side(self, domain, e, side, k, r)
+      class(capacity_term_t), intent(in) :: self
+      type(domain_t), intent(in) :: domain
+      !> Element, and place of the node in it
+      integer, intent(in) :: e, side
+      !> [W/K], [W]
+      real(dp), intent(out) :: k, r
+      real(dp) :: change, slope, change_before, slope_before, mass_per_time
+
+      associate (section => domain%model%sections(domain%model%element_section(e)), &
+         node => domain%model%connectivity(side, e))
+         associate (material => domain%model%materials(section%material))
+            mass_per_time = material%density*section%area*domain%elements%length(e)/(2*self%increment)
+            call enthalpy_difference(domain%iterate%value(slot, node), domain%state%value(slot, node), &
+               material%specific_heat, latent_heats(domain%model, section%material), change, slope)
+            r = self%weights(1)*mass_per_time*change
+            k = self%weights(1)*mass_per_time*slope
+            if (.not. self%weights(2) > 0) return
+            call enthalpy_difference(domain%state%value(slot, node), domain%state%temperature_before(node), &
+               material%specific_heat, latent_heats(domain%model, section%material), change_before, slope_before)
+            r = r - self%weights(2)*mass_per_time*change_before
+         end associate
+      end associate
+   end subroutine evaluate_side
+
+   pure function latent_heats(model, material) result(latent)
+      type(model_t), intent(in) :: model
+      !> Index of the material
+      integer, intent(in) :: material
+      type(latent_heat_t), allocatable :: latent(:)
+      integer :: i
+
+      allocate (latent(0))
+      if (.not. allocated(model%materials(material)%latent_heat)) return
+      associate (table => model%materials(material)%latent_heat)
+         latent = [(latent_heat_t(table(1, i), table(2, i), table(3, i)), i=1, size(table, 2))]
+      end associate
+   end function latent_heats
+
+   !> No temperature passes a solidus or liquidus in one iteration: the slope of the enthalpy is another one behind it.
+   subroutine shorten(self, domain, correction)
+      class(capacity_term_t), intent(in) :: self
+      type(domain_t), intent(in) :: domain
+      !> (n_slots, n_nodes)
+      real(dp), intent(inout) :: correction(:, :)
+      integer :: i, side, k
+      real(dp) :: below
+
+      if (.not. self%is_at_work) return
+      do i = 1, size(self%elements)
+         associate (section => domain%model%sections(domain%model%element_section(self%elements(i))))
+            if (.not. allocated(domain%model%materials(section%material)%latent_heat)) cycle
+            associate (kinks => domain%model%materials(section%material)%latent_heat(2:, :))
+               do side = 1, 2
+                  associate (node => domain%model%connectivity(side, self%elements(i)))
+                     associate (t => domain%iterate%value(slot, node), dt => correction(slot, node))
+                        do k = 1, size(kinks)
+                           associate (kink => kinks(merge(1, 2, mod(k, 2) == 1), (k + 1)/2))
+                              below = kink - 8*spacing(max(abs(kink), abs(t)))
+                              if (t < kink .and. t + dt > kink) dt = kink - t
+                              if (t >= kink .and. t + dt < kink) dt = max(dt, below - t)
+                           end associate
+                        end do
+                     end associate
+                  end associate
+               end do
+            end associate
+         end associate
+      end do
+   end subroutine shorten
+
+   !> Free temperatures do not change by more than DELTMX.
+   real(dp) function bearable_increment(self, domain, step) result(ratio)
+      class(capacity_term_t), intent(in) :: self
+      type(domain_t), intent(in) :: domain
+      type(step_t), intent(in) :: step
+      real(dp) :: change
+
+      ratio = huge(ratio)
+      if (.not. self%is_at_work .or. .not. step%largest_change > 0) return
+      change = maxval(abs(domain%iterate%change(slot, :)), domain%equations%number(slot, :) > 0)
+      if (change > step%largest_change/huge(ratio)) ratio = step%largest_change/change
+   end function bearable_increment
+
+   subroutine accept(self, domain)
+      class(capacity_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+
+      domain%state%heat_stored = self%stored
+      domain%state%temperature_before = self%at_start
+   end subroutine accept
+
+end module litz_capacity_term

@@ -1,0 +1,193 @@
+"""Temperatures over time: what the equations give in closed form, how large the increments are, and what is refused."""
+
+import numpy as np
+import pytest
+
+from litz import Results
+from same_results import KEEP_ALL
+from test_restart import assert_goes_on_from_everywhere
+
+LENGTH, RADIUS, ROOM = 0.1, 0.5e-3, 300.0
+AREA = np.pi * RADIUS**2
+LAMBDA, RHO, SLOPE, DENSITY, HEAT = 390.0, 1.72e-8, 4e-3, 8960.0, 385.0
+DIFFUSIVITY = LAMBDA / (DENSITY * HEAT)
+#: Resistivity linear in the temperature
+SIGMA = "\n".join(f"{1 / (RHO * (1 + SLOPE * (t - ROOM))):.17g}, {t:.17g}" for t in (100.0, 1e7))
+STORED = f"*DENSITY\n{DENSITY}\n*SPECIFIC HEAT\n{HEAT}\n"
+
+
+def deck(increments, *, elements=10, length=LENGTH, heat="", amperes=0.0, loads="", material=STORED, sigma=f"{1 / RHO:.17g}",
+         procedure="*COUPLED THERMAL-ELECTRICAL", step="", model="", later=""):  # fmt: skip
+    """A wire along x, insulated unless `heat` says otherwise, with a current through it."""
+    nodes = "\n".join(f"{i + 1}, {x:.17g}, 0, 0" for i, x in enumerate(np.linspace(0, length, elements + 1)))
+    members = "\n".join(f"{i}, {i}, {i + 1}" for i in range(1, elements + 1))
+    fed = f"*CECURRENT\n1, , {amperes:.17g}\n" if amperes else ""
+    return f"""\
+*NODE, NSET=ALL
+{nodes}
+*ELEMENT, TYPE=B33, ELSET=WIRE
+{members}
+*MATERIAL, NAME=COPPER
+*ELASTIC
+1.2e11, 0.34
+*EXPANSION
+17e-6
+*ELECTRICAL CONDUCTIVITY
+{sigma}
+*CONDUCTIVITY
+{LAMBDA}
+{material}*BEAM SECTION, ELSET=WIRE, MATERIAL=COPPER, SECTION=CIRC
+{RADIUS}
+*NSET, NSET=ENDS
+1, {elements + 1}
+*BOUNDARY
+1, ENCASTRE
+{elements + 1}, 9
+*INITIAL CONDITIONS, TYPE=TEMPERATURE
+ALL, {ROOM}
+{model}*STEP, INC=10000
+{procedure}
+{increments}
+{step}{heat}{fed}{loads}*NODE PRINT, NSET=ALL
+NT, RFL
+*END STEP
+{later}"""
+
+
+@pytest.fixture
+def run(litz, tmp_path):
+    def run_deck(*arguments, **changes):
+        (tmp_path / "wire.inp").write_text(deck(*arguments, **changes))
+        done = litz("run", tmp_path / "wire.inp", "-o", tmp_path / "wire", "--quiet")
+        assert done.returncode == 0, done.stderr
+        return Results(tmp_path / "wire")
+
+    return run_deck
+
+
+@pytest.fixture
+def refused(litz, tmp_path):
+    def run_deck(code, *arguments, **changes):
+        (tmp_path / "wire.inp").write_text(deck(*arguments, **changes))
+        done = litz("run", tmp_path / "wire.inp", "-o", tmp_path / "wire", "--quiet")
+        assert done.returncode == code, done.stderr
+        return done.stderr
+
+    return run_deck
+
+
+class TestClosedForms:
+    def test_a_bar_whose_ends_are_heated_at_once(self, run):
+        """The Fourier series, at a time when three of its terms count; second order in increments and elements."""
+        time = 0.1 * LENGTH**2 / DIFFUSIVITY
+        errors = []
+        for n in (16, 32):
+            results = run(f"{time / n**2:.17g}, {time:.17g}", elements=n, heat="*BOUNDARY\nENDS, 11, 11, 400\n")
+            x = np.linspace(0, 1, n + 1)
+            odd = np.arange(1, 30, 2)[:, None]
+            rest = (4 / (np.pi * odd) * np.sin(np.pi * odd * x) * np.exp(-((np.pi * odd) ** 2) * 0.1)).sum(0)
+            errors.append(abs(results.field("temperature") - (400 - 100 * rest)).max())
+        assert errors[0] < 0.5
+        # the first increment follows the jump by backward Euler: its part falls faster
+        assert errors[0] / errors[1] == pytest.approx(4, rel=0.15)
+
+    def test_a_wire_that_heats_up_without_losses(self, run):
+        """T - T0 = (exp(a k t) - 1)/a with k = I^2 rho0/(A^2 rho_m c): the formula of Onderdonk for the time of melting."""
+        amperes, melting = 200.0, 1358.0
+        rate = amperes**2 * RHO / (AREA**2 * DENSITY * HEAT)
+        time = np.log(1 + SLOPE * (melting - ROOM)) / (SLOPE * rate)
+        errors = []
+        for n in (50, 100):
+            results = run(f"{time / n:.17g}, {time:.17g}", elements=2, amperes=amperes, sigma=SIGMA)
+            temperature = results.field("temperature")
+            assert np.ptp(temperature) < 1e-6
+            errors.append(abs(temperature[0] - melting))
+        # (a k dt)^2/3 of the slope at the end, with a k dt = 0.017, over one rise of e
+        assert errors[1] < 1e-3 * (melting - ROOM)
+        assert errors[0] / errors[1] == pytest.approx(4, rel=0.1)
+
+    def test_a_wire_that_a_film_cools(self, run):
+        """exp(-h P t/(rho_m c A)), with increments of the same size."""
+        film, around = 40.0, 250.0
+        decay = film * 2 / (RADIUS * DENSITY * HEAT)
+        errors = []
+        for n in (10, 20, 40):
+            results = run(f"{1 / (decay * n):.17g}, {1 / decay:.17g}", elements=20, length=1e-3,
+                          loads=f"*FILM\nWIRE, F, {around}, {film}\n")  # fmt: skip
+            errors.append(abs(results.field("temperature").mean() - around - (ROOM - around) * np.exp(-1)))
+        assert errors[0] / errors[1] == pytest.approx(4, rel=0.1)
+        assert errors[1] / errors[2] == pytest.approx(4, rel=0.1)
+        assert errors[2] < 1e-4 * (ROOM - around)
+
+    @pytest.mark.parametrize("share", [0.3, 0.9, 1.4])
+    @pytest.mark.parametrize("n", [3, 20])
+    def test_a_wire_that_melts_under_an_even_power(self, run, share, n):
+        """The enthalpy is that of the heat, however few increments: before, within and after the change of phase."""
+        latent, solidus, liquidus, amperes = 2.05e5, 350.0, 351.0, 200.0
+        rate = amperes**2 * RHO / (AREA**2 * DENSITY)
+        start, end = HEAT * (solidus - ROOM), HEAT * (liquidus - ROOM) + latent
+        wanted = share * start if share < 0.5 else (share * (start + end) / 2 if share < 1 else share * end)
+        expected = np.interp(wanted, [0, start, end, end + HEAT * 1e4], [ROOM, solidus, liquidus, liquidus + 1e4])
+        results = run(f"{wanted / rate / n:.17g}, {wanted / rate:.17g}", elements=3, amperes=amperes,
+                      material=STORED + f"*LATENT HEAT\n{latent}, {solidus}, {liquidus}\n")  # fmt: skip
+        np.testing.assert_allclose(results.field("temperature"), expected, rtol=1e-8)
+
+    def test_it_ends_where_a_steady_step_does(self, run):
+        heat = "*BOUNDARY\nENDS, 11, 11, 300\n"
+        long = run(f"0.5, {5 * LENGTH**2 / DIFFUSIVITY:.17g}", heat=heat, amperes=30.0, sigma=SIGMA).field(
+            "temperature"
+        )
+        steady = run("1., 1.", heat=heat, amperes=30.0, sigma=SIGMA,
+                     procedure="*COUPLED THERMAL-ELECTRICAL, STEADY STATE").field("temperature")  # fmt: skip
+        np.testing.assert_allclose(long, steady, atol=1e-9 * (steady.max() - ROOM))
+
+    def test_motions_follow(self, run):
+        """A wire that is free to lengthen, over time."""
+        results = run("0.1, 1.", amperes=100.0, procedure="*COUPLED TEMPERATURE-DISPLACEMENT, ELECTRICAL")
+        rise = 100.0**2 * RHO / (AREA**2 * DENSITY * HEAT)
+        np.testing.assert_allclose(results.field("temperature") - ROOM, rise, rtol=1e-9)
+        assert results.field("displacement")[-1, 0] == pytest.approx(17e-6 * rise * LENGTH, rel=1e-9)
+
+
+class TestIncrements:
+    def test_no_temperature_changes_by_more_than_deltmx(self, run):
+        results = run("0.001, 10., 1e-6", heat="*BOUNDARY\nENDS, 11, 11, 400\n",
+                      procedure="*COUPLED THERMAL-ELECTRICAL, DELTMX=5.")  # fmt: skip
+        history = results.field("temperature", increment=None)
+        assert np.abs(np.diff(history[:, 1:-1], axis=0)).max() <= 5.0
+        # they grow as the temperatures even out
+        assert results.status["time_increment"][-3] > 20 * results.status["time_increment"][0]
+
+    def test_without_it_they_are_all_of_the_same_size(self, run):
+        results = run("0.1, 1.", amperes=10.0)
+        np.testing.assert_allclose(results.status["time_increment"], 0.1, rtol=1e-12)
+
+    def test_a_run_goes_on_from_every_increment(self, litz, tmp_path):
+        text = deck("0.3, 2., 1e-4", heat="*BOUNDARY\nENDS, 11, 11, 320\n", amperes=60.0, sigma=SIGMA, step=KEEP_ALL,
+                    procedure="*COUPLED TEMPERATURE-DISPLACEMENT, ELECTRICAL, DELTMX=9.")  # fmt: skip
+        assert_goes_on_from_everywhere(litz, tmp_path, text)
+
+
+class TestWhatIsRefused:
+    def test_materials_that_store_no_heat(self, refused):
+        for material in ("", f"*DENSITY\n{DENSITY}\n", f"*SPECIFIC HEAT\n{HEAT}\n"):
+            assert (
+                "the material COPPER conducts heat; in a step without STEADY STATE it needs *DENSITY and *SPECIFIC HEAT"
+                in refused(1, "0.1, 1.", material=material)
+            )
+
+    def test_a_limit_of_changes_that_nothing_asks_for(self, refused):
+        for flags in ("STEADY STATE, DELTMX=5.", "DIRECT, DELTMX=5."):
+            assert "DELTMX chooses the increments of steps over time" in refused(
+                1, "0.1, 1.", procedure=f"*COUPLED THERMAL-ELECTRICAL, {flags}"
+            )
+
+    def test_changes_of_phase_that_do_not_ascend(self, refused):
+        message = refused(1, "0.1, 1.", material=STORED + "*LATENT HEAT\n1e5, 400, 399\n1e5, 500, 501\n1e5, 450, 460\n")
+        assert "the liquidus must be above the solidus; 399 follows 400" in message
+        assert "450 is below the liquidus of the one before, 501" in message
+
+    def test_two_of_a_kind(self, refused):
+        message = refused(1, "0.1, 1.", material=2 * (STORED + "*LATENT HEAT\n1e5, 400, 401\n"))
+        for keyword in ("DENSITY", "SPECIFIC HEAT", "LATENT HEAT"):
+            assert f"the material COPPER has two *{keyword}" in message
