@@ -59,6 +59,11 @@ contains
       else
          call spot_of_crossing(law, pair, spot_force, point, circuit%spot)
       end if
+      ! the resistivities are those at the temperatures of the places
+      associate (by_place => circuit%spot%dconductance_dresistivity*pair%dresistivity*pair%dtemperature)
+         circuit%dconductance = circuit%dconductance + by_place(1)*point%kinematics%dxi_bar &
+            + by_place(2)*point%kinematics%dxi
+      end associate
    end subroutine find_spot
 
    !> The spot of wires that cross, as far as this point carries the contact.
@@ -74,6 +79,7 @@ contains
       call contact_spot(law%spot, spot_force, pair, point%ellipse, spot, info)
       if (info /= spot_ok) point%law_status = law_bad_data
       spot%conductance = point%weight*spot%conductance
+      spot%dconductance_dresistivity = point%weight*spot%dconductance_dresistivity
    end subroutine spot_of_crossing
 
    !> A spot that turns from one law into another, at the angle of a lens, which stays.
@@ -86,6 +92,8 @@ contains
       spot%semi_minor = (1 - share)*first%semi_minor + share*second%semi_minor
       spot%conductance = (1 - share)*first%conductance + share*second%conductance
       spot%dconductance_dforce = (1 - share)*first%dconductance_dforce + share*second%dconductance_dforce
+      spot%dconductance_dresistivity = (1 - share)*first%dconductance_dresistivity &
+         + share*second%dconductance_dresistivity
    end function between
 
    !> What a place of a line conducts: the integral over the part of its cell that touches.
@@ -123,6 +131,10 @@ contains
          derivative)
       density = point%weight/sum(point%cell%reach)
       circuit%spot%conductance = density*integral
+      do i = 1, 2
+         circuit%spot%dconductance_dresistivity(i) = density*dot_product(samples%weight(:n), &
+            at(:n)%dconductance_dresistivity(i))
+      end do
       circuit%spot%semi_minor = maxval(at(:n)%semi_minor)
       circuit%spot%semi_major = density*sum(samples%weight(:n))/2
       ! an ellipse of the same area
@@ -152,6 +164,7 @@ contains
       spot%semi_minor = strip%half_width
       spot%conductance = strip%conductance
       spot%dconductance_dforce = strip%dconductance_dforce
+      spot%dconductance_dresistivity = strip%dconductance_dresistivity
    end subroutine spot_at_sample
 
    !> A resistance that is given per length, over the lens of a crossing.
@@ -222,6 +235,7 @@ contains
       spot%semi_minor = strip%half_width
       spot%conductance = weight_of_lens(point)*strip%conductance
       spot%dconductance_dforce = weight_of_lens(point)*strip%dconductance_dgap/slope_of(law, point)
+      spot%dconductance_dresistivity = weight_of_lens(point)*strip%dconductance_dresistivity
    end function spot_of_lens
 
    !> dF/dg of the force by which the spot of a lens follows the gap [N/m].

@@ -8,12 +8,14 @@ module litz_surface_term
    use litz_contact_tangents, only: follow_centre_line
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
-   use litz_contact_energies, only: work_on_surfaces
+   use litz_contact_energies, only: work_on_surfaces, softening_on_surfaces
+   use litz_element_library, only: material_at, material_place_t
    use litz_fields, only: motion_slots, temperature_slots
    use litz_contact_kinematics, only: n_motions
    use litz_friction_iteration, only: friction_iteration_t, predict_friction, forget_friction
    use litz_friction_law, only: friction_law_t, friction_start_t
    use litz_line_law, only: line_wires_t
+   use litz_model, only: model_t
    use litz_state, only: energies_t
    use litz_surface_cells, only: surface_cell_t, surface_memory_t, wire_axis_t, survey_cell, law_of_cell, &
       laws_of_ends, bends_at_ends, press_cell, cell_forces, predicted_force, contact_of_cell, centre_of_force, &
@@ -46,6 +48,8 @@ module litz_surface_term
       !> Forces of surfaces that are fixed in space on the nodes (6, n_nodes) [N, N m]
       real(dp), allocatable :: outer(:, :)
       type(touched_t), allocatable :: touched(:)
+      !> Elastic energies where the increment began, at the temperatures of its end (n_cells) [J]
+      real(dp), allocatable :: energy_at_start(:)
    contains
       procedure :: request_slots
       procedure :: connect
@@ -142,6 +146,7 @@ contains
       call update_laws(self, domain, 0.0_dp, has_changed)
       self%updates = 0
       call press(self, domain)
+      self%energy_at_start = elastic_energies(domain%model, self%cells)
       call remember(self, domain)
       self%cells%predicted = -1
    end subroutine start
@@ -220,13 +225,14 @@ contains
       do i = 1, size(self%cells)
          associate (cell => self%cells(i), model => domain%model)
             axis = element_axis(domain, cell%element, cell%pair)
-            associate (material => model%materials(model%sections(model%element_section(cell%element))%material))
-               law = law_of_cell(present_surface(domain, cell%pair), axis, material%young, material%poisson, &
+            associate (there => material_at(model, domain%elements, cell%element, cell%overlap%nearest))
+               law = law_of_cell(present_surface(domain, cell%pair), axis, there%young, there%poisson, &
                   cell%overlap%nearest)
-               if (any(cell%has_end)) call update_ends(material%young, material%poisson, axis, cell)
             end associate
+            if (any(cell%has_end)) call update_ends(axis, cell)
             call update_stick(cell)
-            if (tolerance > 0 .and. abs(log_lens(law) - log_lens(cell%law)) <= tolerance*abs(log_lens(law))) cycle
+            if (tolerance > 0 .and. abs(log_lens(law) - log_lens(cell%law)) <= tolerance*abs(log_lens(law)) .and. &
+               abs(law%modulus - cell%law%modulus) <= tolerance*law%modulus) cycle
             cell%law = law
             has_changed = .true.
          end associate
@@ -235,15 +241,16 @@ contains
    contains
 
       !> What the round ends carry.
-      subroutine update_ends(young, poisson, axis, cell)
-         !> Of the wire [Pa], [-]
-         real(dp), intent(in) :: young, poisson
+      subroutine update_ends(axis, cell)
          type(wire_axis_t), intent(in) :: axis
          type(surface_cell_t), intent(inout) :: cell
+         type(material_place_t) :: there(2)
          real(dp) :: laws(2), bend(2)
 
          associate (interaction => domain%model%interactions(domain%model%surface_pairs(cell%pair)%interaction))
-            laws = laws_of_ends(present_surface(domain, cell%pair), axis, young, poisson, &
+            there = [material_at(domain%model, domain%elements, cell%element, -1.0_dp), &
+               material_at(domain%model, domain%elements, cell%element, 1.0_dp)]
+            laws = laws_of_ends(present_surface(domain, cell%pair), axis, there%young, there%poisson, &
                interaction%normal%line_penalty(), cell%has_end)
          end associate
          bend = bends_at_ends(present_surface(domain, cell%pair), axis)
@@ -393,8 +400,25 @@ contains
          energies%thermal = energies%thermal + work_on_surfaces(domain%model, domain%elements, &
             domain%state%value(temperature_slots(1), :), domain%iterate%value(temperature_slots(1), :), cells%element, &
             (cells%force + merge(cells%memory%start%force, 0.0_dp, cells%memory%closed))/2)
+         energies%thermal = energies%thermal + softening_on_surfaces(domain%model, domain%elements, &
+            domain%state%value(temperature_slots(1), :), cells%element, cells%overlap%nearest, &
+            (self%energy_at_start + elastic_energies(domain%model, cells))/2)
       end associate
    end subroutine add_energies
+
+   !> What the elasticity of wires holds in contacts with surfaces (n_cells) [J]: penalties do not.
+   pure function elastic_energies(model, cells) result(energy)
+      type(model_t), intent(in) :: model
+      type(surface_cell_t), intent(in) :: cells(:)
+      real(dp) :: energy(size(cells))
+      integer :: i
+
+      do i = 1, size(cells)
+         associate (law => model%interactions(model%surface_pairs(cells(i)%pair)%interaction)%normal)
+            energy(i) = merge(0.0_dp, cells(i)%energy, law%line_penalty() > 0)
+         end associate
+      end do
+   end function elastic_energies
 
    !> Contacts for the results; surfaces that are fixed in space push from outside.
    subroutine accept(self, domain)
