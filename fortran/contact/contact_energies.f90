@@ -155,17 +155,19 @@ contains
    end function work_on_surfaces
 
    !> What the change of the elasticity does on contacts with rigid surfaces.
-   pure real(dp) function softening_on_surfaces(model, elements, before, element, xi, energy) result(work)
+   pure real(dp) function softening_on_surfaces(model, elements, before, element, xi, energy_before, energy) result(work)
       type(model_t), intent(in) :: model
       !> At the temperatures of the end of the increment
       type(elements_t), intent(in) :: elements
       !> Temperatures at its start (n_nodes) [K]
       real(dp), intent(in) :: before(:)
-      !> Element of each contact (n), place of its law, and mean of its elastic energies at the start and the end, both
-      !> at the temperatures of the end [J]
+      !> Element of each contact (n), and place of its law
       integer, intent(in) :: element(:)
-      real(dp), intent(in) :: xi(:), energy(:)
+      real(dp), intent(in) :: xi(:)
+      !> Its elastic energies at the start and at the end (n) [J]
+      real(dp), intent(in) :: energy_before(:), energy(:)
       type(material_place_t) :: now, then
+      real(dp) :: stiffer_before
       integer :: i
 
       work = 0
@@ -173,7 +175,8 @@ contains
       do i = 1, size(element)
          now = material_at(model, elements, element(i), xi(i))
          then = material_at(model, elements, element(i), xi(i), before)
-         work = work + energy(i)*(1 - then%young/(1 - then%poisson**2)*(1 - now%poisson**2)/now%young)
+         stiffer_before = then%young/(1 - then%poisson**2)*(1 - now%poisson**2)/now%young
+         work = work + (energy_before(i)*(1/stiffer_before - 1) + energy(i)*(1 - stiffer_before))/2
       end do
    end function softening_on_surfaces
 

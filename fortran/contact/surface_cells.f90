@@ -65,6 +65,8 @@ module litz_surface_cells
       type(friction_start_t) :: start
       !> Path of the slip [m] and heat of friction [J] since the contact closed
       real(dp) :: slip_path = 0, dissipation = 0
+      !> Of the overlap [J]
+      real(dp) :: energy = 0
    end type surface_memory_t
 
    type :: surface_cell_t
@@ -321,6 +323,7 @@ contains
             before%start%elastic_energy + friction%elastic_work)
          memory%slip_path = before%slip_path + norm2(friction%plastic_slip)
          memory%dissipation = before%dissipation + friction%dissipation
+         memory%energy = cell%energy
       end associate
    end function advanced_memory
 

@@ -15,7 +15,6 @@ module litz_surface_term
    use litz_friction_iteration, only: friction_iteration_t, predict_friction, forget_friction
    use litz_friction_law, only: friction_law_t, friction_start_t
    use litz_line_law, only: line_wires_t
-   use litz_model, only: model_t
    use litz_state, only: energies_t
    use litz_surface_cells, only: surface_cell_t, surface_memory_t, wire_axis_t, survey_cell, law_of_cell, &
       laws_of_ends, bends_at_ends, press_cell, cell_forces, predicted_force, contact_of_cell, centre_of_force, &
@@ -39,7 +38,7 @@ module litz_surface_term
    real(dp), parameter :: stick_tolerance = 0.01_dp
 
    !> Numbers of the memory of a cell in the state
-   integer, parameter :: n_remembered = 8
+   integer, parameter :: n_remembered = 9
 
    type, extends(term_t) :: surface_term_t
       type(surface_cell_t), allocatable :: cells(:)
@@ -48,8 +47,6 @@ module litz_surface_term
       !> Forces of surfaces that are fixed in space on the nodes (6, n_nodes) [N, N m]
       real(dp), allocatable :: outer(:, :)
       type(touched_t), allocatable :: touched(:)
-      !> Elastic energies where the increment began, at the temperatures of its end (n_cells) [J]
-      real(dp), allocatable :: energy_at_start(:)
    contains
       procedure :: request_slots
       procedure :: connect
@@ -146,7 +143,6 @@ contains
       call update_laws(self, domain, 0.0_dp, has_changed)
       self%updates = 0
       call press(self, domain)
-      self%energy_at_start = elastic_energies(domain%model, self%cells)
       call remember(self, domain)
       self%cells%predicted = -1
    end subroutine start
@@ -162,7 +158,7 @@ contains
       end if
       do i = 1, size(self%cells)
          associate (cell => self%cells(i), m => domain%state%surface_memory(:, i))
-            cell%memory = surface_memory_t(m(1) > 0, friction_start_t(m(2:3), m(4), m(5), m(6)), m(7), m(8))
+            cell%memory = surface_memory_t(m(1) > 0, friction_start_t(m(2:3), m(4), m(5), m(6)), m(7), m(8), m(9))
             cell%has_place = cell%memory%closed .and. cell%force > 0
             cell%part = 1
             cell%iteration = friction_iteration_t()
@@ -386,9 +382,12 @@ contains
       class(surface_term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain
       type(energies_t), intent(inout) :: energies
+      logical :: is_elastic(size(self%cells))
       integer :: i
 
-      associate (cells => self%cells)
+      associate (cells => self%cells, model => domain%model)
+         is_elastic = [(.not. model%interactions(model%surface_pairs(cells(i)%pair)%interaction)%normal%line_penalty() &
+            > 0, i=1, size(cells))]
          energies%contact = energies%contact + sum(cells%energy) + sum(cells%memory%start%elastic_energy &
             + cells%friction%elastic_work, mask=cells%force > 0)
          energies%work = energies%work + sum(cells%friction%work_beyond_mean)
@@ -401,24 +400,11 @@ contains
             domain%state%value(temperature_slots(1), :), domain%iterate%value(temperature_slots(1), :), cells%element, &
             (cells%force + merge(cells%memory%start%force, 0.0_dp, cells%memory%closed))/2)
          energies%thermal = energies%thermal + softening_on_surfaces(domain%model, domain%elements, &
-            domain%state%value(temperature_slots(1), :), cells%element, cells%overlap%nearest, &
-            (self%energy_at_start + elastic_energies(domain%model, cells))/2)
+            domain%state%value(temperature_slots(1), :), pack(cells%element, is_elastic), &
+            pack(cells%overlap%nearest, is_elastic), pack(cells%memory%energy, is_elastic), &
+            pack(cells%energy, is_elastic))
       end associate
    end subroutine add_energies
-
-   !> What the elasticity of wires holds in contacts with surfaces (n_cells) [J]: penalties do not.
-   pure function elastic_energies(model, cells) result(energy)
-      type(model_t), intent(in) :: model
-      type(surface_cell_t), intent(in) :: cells(:)
-      real(dp) :: energy(size(cells))
-      integer :: i
-
-      do i = 1, size(cells)
-         associate (law => model%interactions(model%surface_pairs(cells(i)%pair)%interaction)%normal)
-            energy(i) = merge(0.0_dp, cells(i)%energy, law%line_penalty() > 0)
-         end associate
-      end do
-   end function elastic_energies
 
    !> Contacts for the results; surfaces that are fixed in space push from outside.
    subroutine accept(self, domain)
@@ -432,7 +418,7 @@ contains
          self%cells(i)%memory = advanced_memory(self%cells(i))
          associate (m => self%cells(i)%memory)
             domain%state%surface_memory(:, i) = [merge(1.0_dp, 0.0_dp, m%closed), m%start%traction, m%start%force, &
-               m%start%stiffness, m%start%elastic_energy, m%slip_path, m%dissipation]
+               m%start%stiffness, m%start%elastic_energy, m%slip_path, m%dissipation, m%energy]
          end associate
       end do
       closed = pack([(i, i=1, size(self%cells))], self%cells%force > 0)
