@@ -115,6 +115,8 @@ module litz_contact_points
       logical :: is_long = .false.
       !> These shares have been found: within an iteration they stay
       logical :: is_shared = .false.
+      !> Of a point of a line contact: it lies in the lens of a crossing
+      logical :: in_lens = .false.
       !> Of a point of a line contact: its foot is held at the end of a wire
       logical :: foot_at_end = .false.
       !> Point of a line contact: its place on the unbarred wire, see litz_line_places; 0: the wires cross here
@@ -351,6 +353,7 @@ contains
       point%line_share = earlier%line_share
       point%cell%reach = earlier%cell%reach
       point%section_share = earlier%section_share
+      point%in_lens = earlier%in_lens
       point%lens_share = earlier%lens_share
       point%lens_sine = earlier%lens_sine
       point%law_angle = earlier%law_angle

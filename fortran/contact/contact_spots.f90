@@ -9,7 +9,9 @@ module litz_contact_spots
    use litz_friction_law, only: friction_slip
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
    use litz_law_input, only: wire_pair_t
-   use litz_lens_law, only: lens_t, lens_force, lens_spot_t, lens_spot, lens_integral, n_depths
+   use litz_lens_at_place, only: lens_at_place_t, lens_at_place
+   use litz_lens_law, only: lens_t, lens_force, lens_spot_t, lens_spot, lens_integral, n_depths, &
+      share_of_line, slope_of_line_share
    use litz_line_cell, only: cell_samples_t, cell_samples, cell_integral, n_of_cell, n_samples
    use litz_line_kinematics, only: line_course_t, line_course
    use litz_line_law, only: line_force_t, line_force, line_overlap_t, line_overlap, line_spot_t, line_spot
@@ -110,7 +112,7 @@ contains
       type(line_overlap_t) :: made
       type(contact_spot_t) :: at(n_samples)
       type(line_force_t) :: force(n_samples)
-      real(dp) :: deeper, integral, derivative(n_of_cell), density
+      real(dp) :: deeper, integral, derivative(n_of_cell), by_resistivity(2), density
       integer :: i, n, info
 
       samples = cell_samples(point%cell)
@@ -129,12 +131,14 @@ contains
       end do
       call cell_integral(samples, at(:n)%conductance, at(:n)%dconductance_dforce*force(:n)%stiffness, integral, &
          derivative)
+      do i = 1, 2
+         by_resistivity(i) = dot_product(samples%weight(:n), at(:n)%dconductance_dresistivity(i))
+      end do
+      call blend_spot_of_crossing(law, pair, samples, deeper, circuit%follows, point, integral, derivative, &
+         by_resistivity)
       density = point%weight/sum(point%cell%reach)
       circuit%spot%conductance = density*integral
-      do i = 1, 2
-         circuit%spot%dconductance_dresistivity(i) = density*dot_product(samples%weight(:n), &
-            at(:n)%dconductance_dresistivity(i))
-      end do
+      circuit%spot%dconductance_dresistivity = density*by_resistivity
       circuit%spot%semi_minor = maxval(at(:n)%semi_minor)
       circuit%spot%semi_major = density*sum(samples%weight(:n))/2
       ! an ellipse of the same area
@@ -142,6 +146,52 @@ contains
       circuit%dconductance = density*(derivative(2)*course%dslope + derivative(3)*course%dbend &
          - derivative(1)*point%kinematics%dgap)
    end subroutine spot_of_cell
+
+   !> As far as the overlap is short beside the radii, wires that yield conduct by the spot of their crossing: spread
+   !> over the lens, a cell has what touches of it.
+   pure subroutine blend_spot_of_crossing(law, pair, samples, deeper, follows, point, integral, derivative, &
+      by_resistivity)
+      type(interaction_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      !> Of the cell
+      type(cell_samples_t), intent(in) :: samples
+      !> How much deeper the wires were when the spot was made [m]; 1: it follows the present force, 0: it stays
+      real(dp), intent(in) :: deeper, follows
+      type(contact_point_t), intent(inout) :: point
+      !> In: of the strip, out: of both; by overlap, slope and curvature (3)
+      real(dp), intent(inout) :: integral, derivative(n_of_cell)
+      !> Likewise, by the resistivities
+      real(dp), intent(inout) :: by_resistivity(2)
+      type(lens_at_place_t) :: lens
+      type(contact_spot_t) :: spot
+      real(dp) :: share, dshare(n_of_cell), touching, dtouching(n_of_cell), density, ddensity(n_of_cell)
+      real(dp) :: ones(n_samples)
+      integer :: info
+
+      if (law%spot%hardness_number == 0 .or. law%normal%is_per_length_only() .or. .not. point%in_lens) return
+      lens = lens_at_place(point%line, point%cell%overlap + deeper, point%cell%slope, point%cell%bend, &
+         law%normal%line_penalty())
+      if (.not. lens%force > 0) return
+      associate (radius => minval(pair%radius))
+         share = 1 - share_of_line(lens%half_length/radius)
+         dshare = -slope_of_line_share(lens%half_length/radius)*lens%dhalf_length/radius
+      end associate
+      call contact_spot(law%spot, lens%force, pair, point%ellipse, spot, info)
+      if (info /= spot_ok) point%law_status = law_bad_data
+      density = spot%conductance/(2*lens%half_length)
+      ddensity = spot%dconductance_dforce/(2*lens%half_length)*lens%dforce - density/lens%half_length*lens%dhalf_length
+      ! how deep it was stays
+      if (.not. follows > 0) then
+         ddensity(1) = 0
+         dshare(1) = 0
+      end if
+      ones = 1
+      call cell_integral(samples, ones(:samples%n), 0*ones(:samples%n), touching, dtouching)
+      derivative = (1 - share)*derivative + share*(density*dtouching + ddensity*touching) &
+         + dshare*(density*touching - integral)
+      integral = (1 - share)*integral + share*density*touching
+      by_resistivity = (1 - share)*by_resistivity + share*touching*spot%dconductance_dresistivity/(2*lens%half_length)
+   end subroutine blend_spot_of_crossing
 
    !> Conductance per length under a force per length, and how wide the strip is.
    pure subroutine spot_at_sample(law, pair, point, force, spot, info)

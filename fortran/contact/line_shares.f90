@@ -13,7 +13,7 @@ module litz_line_shares
    use litz_cut_lens, only: cut_lens_t, is_cut
    use litz_crossings_of_wires, only: crossings_of_wires_t, sort_crossings
    use litz_element_library, only: elements_t
-   use litz_lens_law, only: share_of_point, smooth_step
+   use litz_lens_law, only: share_of_point, share_of_line, smooth_step
    use litz_line_contact, only: serves_lines
    use litz_line_kinematics, only: lens_sine, crossing_qualities, line_profile_t, line_profile
    use litz_line_laps, only: find_lap, cell_at_lap, lap_at_crossing
@@ -30,9 +30,6 @@ module litz_line_shares
 
    !> q below which places have no clear foot, and from which on they have (theory section 10)
    real(dp), parameter :: least_quality = 0.25_dp, good_quality = 0.5_dp
-   !> The sections of the wires bound the field of a lens from the first half length on, wholly from the second one, in
-   !> smaller radii
-   real(dp), parameter :: section_from = 1, section_at = 3
    !> Less than this leads nowhere
    real(dp), parameter :: least_tilt = 1.0e-9_dp
    !> A change of the sine of a lens, relative to it, matters this much more than one of a share
@@ -122,7 +119,7 @@ contains
       call divide_share(point%weight, share_beside_places(elements, contact%places, [point%element_bar, &
          point%element], point%weight, merge(min(half_length, lap_at_crossing(wires, elements, point)), huge(radius), &
          all(point%lens%near))), point)
-      point%section_share = smooth_step((half_length/radius - section_from)/(section_at - section_from))
+      point%section_share = share_of_line(half_length/radius)
       ! a penalty does not depend on the far field
       if (law%line_penalty() > 0) point%section_share = 0
       point%lens_share = share_of_lens(law, point)
@@ -251,6 +248,7 @@ contains
          end if
          point%line_share = 1
          point%section_share = 1
+         point%in_lens = .false.
          if (bend > 0 .or. tilt > 0) then
             ! to where the wires are nearest; of a wedge, as far as one reaches that counts
             if (bend > 0) then
@@ -347,7 +345,9 @@ contains
       call share_of_point(half_length, resolution*spacing_of_places(places, pair, elements%length(pair)), of_crossing, &
          slope)
       point%line_share = 1 - of_crossing
-      point%section_share = smooth_step((half_length/radius - section_from)/(section_at - section_from))
+      point%section_share = share_of_line(half_length/radius)
+      ! next to an end the overlap is a wedge
+      point%in_lens = .not. any(crossing%held)
    end subroutine share_with
 
    !> Of the two passes: half, unless one wire is curved about the other so that the other's places have no clear foot

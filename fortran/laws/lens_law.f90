@@ -9,10 +9,9 @@ module litz_lens_law
    use litz_line_law, only: line_wires_t, line_force_t, line_force, line_spot_t, line_spot
    implicit none
    private
-   public :: lens_integral, n_depths
+   public :: lens_integral, n_depths, gauss_depth, gauss_weight
    public :: lens_t, lens_force, lens_spot_t, lens_spot, lens_energy, share_of_point, curvature_of_share, &
-      share_of_ends, &
-      smooth_step
+      share_of_ends, share_of_line, slope_of_line_share, smooth_step
 
    integer, parameter :: n_depths = 2
    !> `1 - u^2` of the Gauss points, and twice their weights
@@ -28,6 +27,10 @@ module litz_lens_law
       0.46791393457269104739_dp, 0.36076157304813860757_dp, 0.17132449237917034504_dp]
    !> A lens is a point up to the first half length, a line from the second one on, in spacings of the line points
    real(dp), parameter, public :: point_up_to = 2, line_from = 6
+   !> Beside the smaller radius the half length of a lens is short up to the first value, so that the lens is the far
+   !> field and the spot is that of crossed wires; from the second one on it is long, as a line whose far field is the
+   !> section of the wires
+   real(dp), parameter :: short_up_to = 1, long_from = 3
 
    !> Lens and force; all 0 where the wires do not overlap.
    type :: lens_t
@@ -188,6 +191,24 @@ contains
       call share_of_point(length, spacing, share, slope)
       share = max(1 - line_share, share)
    end function share_of_ends
+
+   !> How far a lens has turned from a point into a line, by its length beside the radii.
+   elemental real(dp) function share_of_line(half_length) result(share)
+      !> aW in smaller radii [-]
+      real(dp), intent(in) :: half_length
+
+      share = smooth_step((half_length - short_up_to)/(long_from - short_up_to))
+   end function share_of_line
+
+   !> Its derivative.
+   elemental real(dp) function slope_of_line_share(half_length) result(slope)
+      !> aW in smaller radii [-]
+      real(dp), intent(in) :: half_length
+      real(dp) :: u
+
+      u = max(0.0_dp, min(1.0_dp, (half_length - short_up_to)/(long_from - short_up_to)))
+      slope = 6*u*(1 - u)/(long_from - short_up_to)
+   end function slope_of_line_share
 
    !> 0 up to 0, 1 from 1 on, without a corner.
    elemental real(dp) function smooth_step(u)

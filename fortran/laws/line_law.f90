@@ -24,6 +24,8 @@ module litz_line_law
    real(dp), parameter :: smallest_overlap = 1.0e-100_dp
    !> Below this B/A the energy comes from its series
    real(dp), parameter :: small_ratio = 0.02_dp
+   !> No strip of wires that yield is wider than half of its far field: the largest A
+   real(dp), parameter :: largest_lens = 0.25_dp
 
    !> What the laws need of two wires at an angle: to be made once for many points.
    type :: line_wires_t
@@ -195,6 +197,9 @@ contains
    end function line_overlap
 
    !> The strip of a force per length and its conductance, `1/g' = ((rho + rhob)/pi) Lam_e + sigma_f/(2 b)`.
+   !>
+   !> `A` is the square of the half width over the length of the far field, which is that of the lens whether the wires
+   !> yield or not: with the half width `b` of a hardness it is `A (b/b_H)^2`, `b_H` of the elastic strip.
    pure type(line_spot_t) function line_spot(line, force, film, hardness) result(spot)
       type(line_wires_t), intent(in) :: line
       !> f [N/m]
@@ -203,7 +208,7 @@ contains
       real(dp), intent(in) :: film
       !> H [Pa] of `f = 2 b H`; 0: the elastic strip
       real(dp), intent(in) :: hardness
-      real(dp) :: b, log_slope, section, share, of_film
+      real(dp) :: b, log_slope, section, of_film, lens, dlens_dangle, lens_slope, share
 
       if (.not. force > 0) return
       if (hardness > 0) then
@@ -217,16 +222,38 @@ contains
       spot%too_wide = b > line%max_half_width*(1 + 4*epsilon(b))
       b = min(b, line%max_half_width)
       if (spot%too_wide) log_slope = 0
+      lens = line%lens
+      dlens_dangle = line%dlens_dangle
+      lens_slope = 0                                                                       ! d ln A/d ln f
+      if (hardness > 0) call widen_lens(line, b/(2*hardness*line%square_per_force), log_slope, lens, dlens_dangle, &
+         lens_slope)
 
       section = line%electric_section*b**2                                                 ! B_e
-      share = section/(line%lens + section)
+      share = (lens_slope*lens/2 + log_slope*section)/(lens + section)                     ! -d Lam_e/d ln f
       of_film = film/(2*b)
-      spot%conductance = 1/(-line%resistivity/(2*pi)*log(line%lens + section) + of_film)
-      spot%dconductance_dforce = spot%conductance**2*log_slope/force*(line%resistivity/pi*share + of_film)
-      spot%dconductance_dangle = spot%conductance**2*line%resistivity/(2*pi)*line%dlens_dangle/(line%lens + section)
-      spot%dconductance_dresistivity = spot%conductance**2/(2*pi)*(log(line%lens + section) &
-         - 2*section/(line%lens + section)*line%electric_offset)
+      spot%conductance = 1/(-line%resistivity/(2*pi)*log(lens + section) + of_film)
+      spot%dconductance_dforce = spot%conductance**2/force*(line%resistivity/pi*share + log_slope*of_film)
+      spot%dconductance_dangle = spot%conductance**2*line%resistivity/(2*pi)*dlens_dangle/(lens + section)
+      spot%dconductance_dresistivity = spot%conductance**2/(2*pi)*(log(lens + section) &
+         - 2*section/(lens + section)*line%electric_offset)
    end function line_spot
+
+   !> `A (b/b_H)^2` of wires that yield, and its derivatives.
+   pure subroutine widen_lens(line, square, log_slope, lens, dlens_dangle, lens_slope)
+      type(line_wires_t), intent(in) :: line
+      !> (b/b_H)^2, which goes with b, and d ln b/d ln f [-]
+      real(dp), intent(in) :: square, log_slope
+      !> A [-], its derivative with respect to the angle [1/rad], and d ln A/d ln f [-]
+      real(dp), intent(out) :: lens, dlens_dangle, lens_slope
+
+      lens = square*line%lens
+      dlens_dangle = square*line%dlens_dangle
+      lens_slope = log_slope
+      if (lens <= largest_lens) return
+      lens = largest_lens
+      dlens_dangle = 0
+      lens_slope = 0
+   end subroutine widen_lens
 
    !> `Lam = -ln(A + B)/2`.
    pure real(dp) function logarithm(line, force) result(lam)

@@ -84,3 +84,48 @@ def pressed(overlap, *, length=20e-3, elements=(8, 8), degrees=0.0, shift=0.0, c
         for n, place in zip(elements, ({}, dict(degrees=degrees, shift=shift, height=height)), strict=True)
     )
     return two_wires(lower, upper, LED, lowered(overlap, *cards, static=static), **model)
+
+
+def crossing_at_a_small_angle(overlaps, of_spot="", law="HERTZ", data="", n=9, sine=0.12):
+    """Two straight wires of 1 mm radius, rigid and led: one step for each overlap [m]. Their lens is about a radius long,
+    so that places along it and the crossing share the contact."""
+    arc = np.linspace(-0.00995, 0.00995, n + 1)
+    lines = ["*NODE, NSET=A"]
+    lines += [f" {i}, {s:.12g}, 0, 0" for i, s in enumerate(arc, 1)]
+    lines += ["*NODE, NSET=B"]
+    direction = np.array([np.sqrt(1 - sine**2), sine])
+    places = (arc[:, None] + 2e-4) * direction
+    lines += [f" {1001 + i}, {x:.12g}, {y:.12g}, 0.002" for i, (x, y) in enumerate(places)]
+    for name, first in (("A", 1), ("B", 1001)):
+        lines += [f"*ELEMENT, TYPE=B33, ELSET={name}"]
+        lines += [f" {first + i}, {first + i}, {first + i + 1}" for i in range(n)]
+        lines += [f"*BEAM SECTION, ELSET={name}, MATERIAL=M, SECTION=CIRC", " 1e-3"]
+    lines += ["*MATERIAL, NAME=M", "*ELASTIC", " 120e9, 0.34", "*ELECTRICAL CONDUCTIVITY", " 5.88e7"]
+    lines += ["*NODE", " 901, 0, 0, 0", " 902, 0, 0, 0.002"]
+    lines += ["*RIGID BODY, REF NODE=901, TIE NSET=A", "*RIGID BODY, REF NODE=902, TIE NSET=B"]
+    lines += ["*SURFACE INTERACTION, NAME=T", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ"]
+    lines += [f"*GAP ELECTRICAL CONDUCTANCE, LAW={law}{of_spot}", *([data] if data else [])]
+    lines += [
+        "*CONTACT PAIR, INTERACTION=T",
+        " A, B",
+        "*BOUNDARY",
+        " 901, ENCASTRE",
+        " 902, 1, 2",
+        " 902, 4, 6",
+        " B, 9",
+    ]
+    for overlap in overlaps:
+        lines += ["*STEP, INC=200", "*STATIC", " 0.25, 1", "*BOUNDARY", f" 902, 3, 3, {-overlap}", " A, 9, 9, 1"]
+        lines += ["*END STEP"]
+    return "\n".join(lines) + "\n"
+
+
+def conductances_of_places(results, n_steps):
+    """Conductance of all places and crossings at the end of each step [S]."""
+    contacts = results.contacts
+    found = []
+    for number in range(1, n_steps + 1):
+        last = contacts["increment"][contacts["step"] == number].max()
+        resistance = contacts["resistance"][(contacts["step"] == number) & (contacts["increment"] == last)]
+        found.append((1 / resistance[resistance > 0]).sum())
+    return np.array(found)

@@ -4,7 +4,19 @@ import numpy as np
 import pytest
 from verification.references.parallel_wires import ParallelWires
 
-from line_wires import COPPER, HERTZ, LED, along, linear, lowered, spot, step, two_wires
+from line_wires import (
+    COPPER,
+    HERTZ,
+    LED,
+    along,
+    conductances_of_places,
+    crossing_at_a_small_angle,
+    linear,
+    lowered,
+    spot,
+    step,
+    two_wires,
+)
 from litz import Results
 from same_results import KEEP_ALL, assert_same_end
 
@@ -148,57 +160,12 @@ def test_a_run_that_goes_on_remembers_the_spots(litz, tmp_path):
         assert_same_end(Results(tmp_path / "whole"), Results(tmp_path / part), step_number, increment)
 
 
-def crossing_at_a_small_angle(overlaps, memory, n=9, sine=0.12):
-    """Two straight wires of 1 mm radius, rigid and led: one step for each overlap [m]. Their lens is about a radius long,
-    so that places along it and the crossing share the contact."""
-    along = np.linspace(-0.00995, 0.00995, n + 1)
-    lines = ["*NODE, NSET=A"]
-    lines += [f" {i}, {s:.12g}, 0, 0" for i, s in enumerate(along, 1)]
-    lines += ["*NODE, NSET=B"]
-    direction = np.array([np.sqrt(1 - sine**2), sine])
-    places = (along[:, None] + 2e-4) * direction
-    lines += [f" {101 + i}, {x:.12g}, {y:.12g}, 0.002" for i, (x, y) in enumerate(places)]
-    for name, first in (("A", 1), ("B", 101)):
-        lines += [f"*ELEMENT, TYPE=B33, ELSET={name}"]
-        lines += [f" {first + i}, {first + i}, {first + i + 1}" for i in range(n)]
-        lines += [f"*BEAM SECTION, ELSET={name}, MATERIAL=M, SECTION=CIRC", " 1e-3"]
-    lines += ["*MATERIAL, NAME=M", "*ELASTIC", " 120e9, 0.34", "*ELECTRICAL CONDUCTIVITY", " 5.88e7"]
-    lines += ["*NODE", " 901, 0, 0, 0", " 902, 0, 0, 0.002"]
-    lines += ["*RIGID BODY, REF NODE=901, TIE NSET=A", "*RIGID BODY, REF NODE=902, TIE NSET=B"]
-    lines += ["*SURFACE INTERACTION, NAME=T", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ"]
-    lines += [f"*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ{', SPOT=LARGEST FORCE' * memory}"]
-    lines += [
-        "*CONTACT PAIR, INTERACTION=T",
-        " A, B",
-        "*BOUNDARY",
-        " 901, ENCASTRE",
-        " 902, 1, 2",
-        " 902, 4, 6",
-        " B, 9",
-    ]
-    for overlap in overlaps:
-        lines += ["*STEP, INC=200", "*STATIC", " 0.25, 1", "*BOUNDARY", f" 902, 3, 3, {-overlap}", " A, 9, 9, 1"]
-        lines += ["*END STEP"]
-    return "\n".join(lines) + "\n"
-
-
-def conductances_of_places(results, n_steps):
-    """Conductance of all places and crossings at the end of each step [S]."""
-    contacts = results.contacts
-    found = []
-    for number in range(1, n_steps + 1):
-        last = contacts["increment"][contacts["step"] == number].max()
-        resistance = contacts["resistance"][(contacts["step"] == number) & (contacts["increment"] == last)]
-        found.append((1 / resistance[resistance > 0]).sum())
-    return np.array(found)
-
-
 def test_at_a_new_largest_force_a_spot_has_nothing_to_remember(run):
     """Where places and a crossing share a contact, too, and hand it to each other as the force falls and rises."""
     overlaps = [2e-6, 1e-6, 3e-6, 0.2e-6, 4e-6]
     with_memory, without = (
         conductances_of_places(
-            run(crossing_at_a_small_angle(overlaps, memory), name=f"memory{memory}")[1], len(overlaps)
+            run(crossing_at_a_small_angle(overlaps, MEMORY * memory), name=f"memory{memory}")[1], len(overlaps)
         )
         for memory in (True, False)
     )
@@ -210,7 +177,7 @@ def test_at_a_new_largest_force_a_spot_has_nothing_to_remember(run):
 
 def test_shares_in_the_results_are_those_that_the_forces_have(run):
     """What a place carries per length is the law of its gap: f grows with the overlap, the same at both wires."""
-    contacts = run(crossing_at_a_small_angle([2e-6, 1e-6], memory=False))[1].contacts
+    contacts = run(crossing_at_a_small_angle([2e-6, 1e-6]))[1].contacts
     of_line = (contacts["length"] > 0) & (contacts["force"] > 0) & (contacts["gap"] < -1e-7)
     per_length = contacts["force"][of_line] / contacts["length"][of_line]
     order = np.argsort(contacts["gap"][of_line])

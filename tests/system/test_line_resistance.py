@@ -4,6 +4,10 @@ import numpy as np
 import pytest
 from verification.cases import turned_wires
 from verification.cases.turned_wires import FINE, GENTLE, PER_LENGTH, SHIFT, SPOTS
+from verification.references import hertz
+from verification.references.parallel_wires import ParallelWires, PressedWire
+
+from line_wires import conductances_of_places, crossing_at_a_small_angle
 
 
 @pytest.fixture
@@ -25,8 +29,9 @@ class TestFromPointToLine:
     def test_the_resistance_of_stiff_wires_falls_steadily(self, results_of, spot):
         _, resistance = turned_wires.from_point_to_line(results_of, SPOTS[spot])
         rise, ripple = turned_wires.unsteadiness(resistance)
-        # the plastic spot of crossed wires has the same resistance at all angles, to round-off
-        assert rise < 1e-12
+        # the plastic spot of crossed wires has the same resistance at all angles: to round-off at the crossing, and in
+        # places to half of the error with which they sum up the force of the lens, which is 0.1 %
+        assert rise < (1e-3 if spot == "hardness" else 1e-12)
         # that of the force is half a per cent; a place that begins to conduct as a whole is a step of 5 to 20 %
         assert ripple < 1e-2
 
@@ -79,3 +84,51 @@ class TestPlacesAtTheEnds:
     def test_in_the_network_they_are_part_of_their_contact(self, results):
         network = results.contact_network(-1)
         assert abs(network.current[0]) == pytest.approx(np.abs(results.contacts_at(-1)["current"]).sum(), rel=1e-12)
+
+
+class TestWiresThatYield:
+    """Crossed at small angles: the spot of a hardness, which is round, turns into the strip of it along the lens."""
+
+    HARDNESS = 1e9
+    WIRE = PressedWire(1e-3, 120e9, 0.34, 1 / 5.88e7)
+
+    def conductances(self, results_of, overlaps, sine, elements):
+        deck = crossing_at_a_small_angle(overlaps, law="PLASTIC", data=f" {self.HARDNESS}", n=elements, sine=sine)
+        return conductances_of_places(results_of(deck), len(overlaps))
+
+    @pytest.mark.parametrize("sine", [0.12, 0.06, 0.03])
+    def test_conduct_the_same_on_every_mesh(self, results_of, sine):
+        """Lenses of 0.2 to 6 radii, which are the matter of the crossing, of the places or of both."""
+        overlaps = [2e-7, 5e-7, 1e-6, 2e-6, 4e-6, 8e-6]
+        coarse, medium, fine = (self.conductances(results_of, overlaps, sine, n) for n in (9, 40, 160))
+        assert coarse == pytest.approx(fine, rel=6e-3)
+        assert medium == pytest.approx(fine, rel=6e-3)
+
+    @pytest.mark.parametrize("elements", [9, 160])
+    def test_by_the_round_spot_where_the_lens_is_short(self, results_of, elements):
+        """Shorter than a radius: 0.24, 0.53 and 0.75 radii."""
+        overlaps, sine = np.array([2e-7, 1e-6, 2e-6]), 0.12
+        found = self.conductances(results_of, overlaps, sine, elements)
+        modulus = hertz.effective_modulus([self.WIRE.young] * 2, [self.WIRE.poisson] * 2)
+        one = hertz.crossed_wires(
+            1.0,
+            np.arcsin(sine),
+            radius=[self.WIRE.radius] * 2,
+            modulus=modulus,
+            resistivity=[self.WIRE.resistivity] * 2,
+        )
+        force = (overlaps / one.approach) ** 1.5
+        exact = 4 * np.sqrt(force / (np.pi * self.HARDNESS)) / (2 * self.WIRE.resistivity)
+        assert found == pytest.approx(exact, rel=2e-3)
+
+    def test_by_the_strip_of_parallel_wires_where_the_lens_is_long(self, results_of):
+        """26 radii, so that the section is the nearer bound of the far field: A/B is a hundredth."""
+        overlap, sine = 1.6e-6, 0.003
+        (found,) = self.conductances(results_of, [overlap], sine, 9)
+        pair = ParallelWires(self.WIRE, self.WIRE)
+        arc = np.linspace(-9.75e-3, 9.75e-3, 2001)
+        forces = np.array([pair.force(overlap - (sine * s) ** 2 / (4 * self.WIRE.radius)) for s in arc])
+        # b = f/(2 H): 1/g' = (2 rho/pi) (ln(2 r/b) + 1/8)
+        logarithm = np.log(4 * self.WIRE.radius * self.HARDNESS / forces) + 1 / 8
+        strips = np.pi / (2 * self.WIRE.resistivity * logarithm)
+        assert found == pytest.approx(np.trapezoid(strips, arc), rel=2e-2)

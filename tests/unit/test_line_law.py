@@ -43,7 +43,8 @@ class Formulas:
     def conductance(self, f, film=0.0, half_width=None):
         b = self.half_width(f) if half_width is None else half_width
         lam2 = (self.rho * (np.log(2 * self.r / b) + 1 / 8)).sum() / self.rho.sum()
-        lam = -np.log(self.a + np.exp(-2 * lam2)) / 2
+        # the far field of the lens is as long for a strip of any width
+        lam = -np.log(self.a * (b / self.half_width(f)) ** 2 + np.exp(-2 * lam2)) / 2
         return 1 / (self.rho.sum() / pi * lam + film / (2 * b))
 
     def force(self, overlap):
@@ -88,6 +89,17 @@ class TestParallelWires:
         force = Formulas(UNEQUAL).force(1e-7)
         assert b == pytest.approx(force / 2e9, rel=1e-13)
         assert conductance == pytest.approx(Formulas(UNEQUAL).conductance(force, FILM, b), rel=1e-13)
+
+    def test_wires_that_hardly_resist_have_no_strip_wider_than_half_of_its_far_field(self):
+        # crossed: A (b/b_H)^2 would be 3 times the square of that
+        _, _, (b, conductance, slope, by_angle), _ = at_overlap(EQUAL, 1e-6, pi / 2, hardness=1e6)
+        widest = EQUAL["radius"][0] / 4
+        section = np.exp(-2 * (np.log(2 * EQUAL["radius"][0] / widest) + 1 / 8))
+        assert b > widest
+        assert 1 / conductance == pytest.approx(
+            -sum(EQUAL["resistivity"]) / (2 * pi) * np.log(0.25 + section), rel=1e-12
+        )
+        assert (slope, by_angle) == (0, 0)
 
 
 @pytest.mark.parametrize("wires", WIRES)
@@ -137,6 +149,21 @@ class TestEveryAngle:
         slopes = derivative(at, 0.0, 0.02)[:, 0] / force
         assert law.dapproach_df == pytest.approx(slopes[0], rel=1e-10)
         assert law.dconductance_df == pytest.approx(slopes[1], rel=1e-9)
+
+    def test_the_strip_of_a_hardness(self, wires, angle):
+        formulas, hardness = Formulas(wires, angle), 1e9
+
+        def at(overlap):
+            (force, *_), _, (b, conductance, *_), _ = at_overlap(wires, overlap, angle, hardness=hardness)
+            return np.array([force, b, conductance])
+
+        overlap = 1e-4 * min(wires["radius"])
+        force, b, conductance = at(overlap)
+        assert b == pytest.approx(force / (2 * hardness), rel=1e-13)
+        assert conductance == pytest.approx(formulas.conductance(force, half_width=b), rel=1e-12)
+        *_, (_, _, slope, *_), _ = at_overlap(wires, overlap, angle, hardness=hardness)
+        slopes = derivative(lambda s: at(overlap * (1 + s)), 0.0, 0.02)[:, 0]
+        assert slope == pytest.approx(slopes[2] / slopes[0], rel=1e-9)
 
     @pytest.mark.parametrize("share", [1e-6, 1e-4, 1e-2])
     def test_the_force_is_the_inverse_of_the_approach(self, wires, angle, share):

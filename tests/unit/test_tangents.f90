@@ -117,6 +117,8 @@ program test_tangents
       'LAW=CONSTANT, PER=LENGTH, VOLTAGE=LINEAR'//nl//'1e-7'//nl, 5.0_dp, 1.2e-5_dp, 0.02_dp)
    call check_lines('bow over a straight wire, spots of the largest force', hertz//'*GAP ELECTRICAL CONDUCTANCE, '// &
       'LAW=HERTZ, VOLTAGE=LINEAR, SPOT=LARGEST FORCE'//nl, 5.0_dp, 1.2e-5_dp, 0.02_dp)
+   call check_lines('bow over a straight wire, wires that yield', hertz//'*GAP ELECTRICAL CONDUCTANCE, '// &
+      'LAW=PLASTIC, VOLTAGE=LINEAR'//nl//'1e9'//nl, 1.0_dp, 1.2e-5_dp, 0.02_dp)
    call check_lines('line that sticks', hertz//'*FRICTION'//nl//'1e3'//nl, 0.0_dp, 4.0e-6_dp, 0.02_dp)
    call check_lines('line of a penalty that sticks', penalty_of_line//'*FRICTION, ELASTIC SLIP=1e-7'//nl//'1e3'//nl, &
       0.0_dp, 3.5e-5_dp, 0.01_dp)

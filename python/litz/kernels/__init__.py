@@ -6,7 +6,8 @@ and columns refer to spins, small rotations that turn a node on from where it is
 Any units that fit together will do. The formulas are in ``docs/theory.md``.
 
 The contact of two wires: `contact_em` (the 28 x 28 element), `contact_coupling` (its coupling block in the parts of the
-paper), `closest_points`, `contact_spot` (force to conductance), `contact_search` (which elements are near each other).
+paper), `closest_points`, `normal_law` (overlap to force), `contact_spot` (force to
+conductance), of elastic wires or of metal that yields and keeps a dent, `contact_search` (which elements are near each other).
 Wires that touch along a line: `line_law` (force to approach and conductance, per length), `line_point` (one point of it).
 Surfaces of solids in the plane that touch, with laws per area: `node_to_segment_em`, `segment_to_segment_em`.
 The wires: `beam_b31`, `beam_b33`, their strains and `beam_forces_by_temperature`, `conductor`, `potential_rise`.
@@ -44,6 +45,7 @@ from .line import LineLaw, LinePoint, line_law, line_point
 from .search import contact_search
 from .spot import ContactSpot, contact_spot
 from .surface import NodeToSegment, SegmentToSegment, node_to_segment_em, segment_to_segment_em
+from .yielding import NormalForce, normal_law
 
 __all__ = [
     "Beam",
@@ -59,6 +61,7 @@ __all__ = [
     "LineLaw",
     "LinePoint",
     "NodeToSegment",
+    "NormalForce",
     "SegmentToSegment",
     "SpotHeat",
     "WireRadiation",
@@ -79,6 +82,7 @@ __all__ = [
     "line_law",
     "line_point",
     "node_to_segment_em",
+    "normal_law",
     "potential_rise",
     "segment_to_segment_em",
     "spot_heat",

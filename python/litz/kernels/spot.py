@@ -11,10 +11,13 @@ from .. import _core
 from . import checks
 from .laws import CONDUCTANCE_LAWS, SPOT_FIELDS, SPOT_LAWS, law_data, law_per_spot
 from .wire_pair import Numbers, properties
+from .yielding import crossing_angle, refuse, refuse_wide, yield_data
 
 #: "none", or the name of a law of `*GAP ELECTRICAL CONDUCTANCE` in lower case
 SpotLaw = str
 
+#: Spot laws that have the ellipse of the mechanics, elastic or not
+_ELASTIC_SPOTS = ("hertz", "film")
 _SPOT_LAWS = {"none": 0} | SPOT_LAWS
 #: The argument that has the numbers of each spot law that has some: one of its own, or `law_value`
 _LAW_VALUES = {
@@ -56,6 +59,9 @@ def contact_spot(
     resistance: float | None = None,
     law_value: Numbers | None = None,
     table: ArrayLike | None = None,
+    yield_stress: Numbers | None = None,
+    largest_force: float = 0.0,
+    mean_free_path: Numbers = 0.0,
 ) -> ContactSpot:
     """Spot and conductance of two round wires pressed together.
 
@@ -78,7 +84,7 @@ def contact_spot(
         - "constant": `resistance` under any positive force;
         - "table": through the pairs of `table`.
     hardness : float, optional
-        For "plastic" [Pa].
+        For "plastic" [Pa]; with `yield_stress` for "hertz" and "film": see `normal_law`.
     film_resistivity : float, optional
         For "film" [ohm m^2].
     resistance : float, optional
@@ -88,6 +94,14 @@ def contact_spot(
     table : array_like, shape (2, n), optional
         For "table": forces [N], ascending, and resistances [ohm]. Interpolated smoothly and monotonically in
         logarithms; beyond its ends the power law of the end slope continues; a single pair is a constant.
+    yield_stress : float or array_like, shape (2,), optional
+        For "hertz" and "film": yield stress of each wire [Pa], see `normal_law`. The spot grows as the metal yields, and
+        shrinks along another path when the force falls. Without it the wires stay elastic.
+    largest_force : float
+        With `yield_stress`: largest force that the contact has had [N].
+    mean_free_path : float or array_like, shape (2,)
+        For "hertz" and "film": mean free path of the electrons in each wire [m]. Spots that are not much larger have
+        Sharvin's resistance besides a part of Holm's; 0: only Holm's.
 
     Returns
     -------
@@ -112,23 +126,70 @@ def contact_spot(
     >>> spot = contact_spot(1.0, angle=pi / 2, **wires)
     >>> print(f"{spot.semi_major:.4g} m, {1 / spot.conductance:.4g} ohm")
     2.228e-05 m, 0.0003816 ohm
+
+    Soft copper yields: its spot is larger, and stays larger when the force falls to a tenth:
+
+    >>> soft = dict(yield_stress=50e6, hardness=450e6, angle=pi / 2, **wires)
+    >>> pressed, released = contact_spot(1.0, **soft), contact_spot(0.1, largest_force=1.0, **soft)
+    >>> print(f"{1 / pressed.conductance:.4g} ohm, {1 / released.conductance:.4g} ohm")
+    0.0002373 ohm, 0.000462 ohm
     """
     of_wires = properties(radius, young, poisson, resistivity)
     law_number, data = spot_law_data(
         "law",
         law,
-        hardness=hardness,
+        hardness=None if yield_stress is not None and law in _ELASTIC_SPOTS else hardness,
         film_resistivity=film_resistivity,
         resistance=resistance,
         law_value=law_value,
         table=table,
     )
-    angle = checks.number("angle", angle)
-    if not 0 < angle < np.pi:
-        raise ValueError(f"angle must be between 0 and pi, not {angle:g} rad; parallel wires have no point contact")
-    values, info = _core.f2py_contact.contact_spot(law_number, data, checks.number("force", force), *of_wires, angle)
-    if info != 0:
-        raise ValueError(f"angle is so close to parallel that the spot is infinitely long: {angle:g} rad")
+    angle = crossing_angle(angle)
+    paths = checks.pair("mean_free_path", mean_free_path)
+    if yield_stress is None and not paths.any():
+        if largest_force != 0:
+            raise ValueError("largest_force needs yield_stress: elastic wires remember none")
+        values, info = _core.f2py_contact.contact_spot(
+            law_number, data, checks.number("force", force), *of_wires, angle
+        )
+        refuse(info, 0.0, np.zeros(2), 0.0, angle)
+        return ContactSpot(*map(float, values))
+    return _metal_spot(force, of_wires, angle, law, film_resistivity, yield_stress, hardness, largest_force, paths)
+
+
+def _metal_spot(
+    force: float,
+    of_wires: tuple[NDArray[np.float64], ...],
+    angle: float,
+    law: SpotLaw,
+    film_resistivity: float | None,
+    yield_stress: Numbers | None,
+    hardness: float | None,
+    largest_force: float,
+    mean_free_path: NDArray[np.float64],
+) -> ContactSpot:
+    """The spot of a law that knows its area, of metal that yields or has a mean free path."""
+    if law not in _ELASTIC_SPOTS:
+        names = "yield_stress belongs" if yield_stress is not None else "mean_free_path belongs"
+        raise ValueError(f'{names} to the spot laws "hertz" and "film", not to "{law}"')
+    if (mean_free_path < 0).any():
+        raise ValueError(f"mean_free_path must not be negative, but holds {mean_free_path.min():g}")
+    largest = checks.number("largest_force", largest_force)
+    if largest < 0:
+        raise ValueError(f"largest_force must not be negative, not {largest:g}")
+    stresses, hardness_value = yield_data(yield_stress, hardness)
+    values, widest, yield_pressure, info = _core.f2py_yielding.spot_of_force(
+        checks.number("force", force),
+        largest,
+        *of_wires,
+        angle,
+        stresses,
+        hardness_value,
+        mean_free_path,
+        0.0 if film_resistivity is None else film_resistivity,
+    )
+    refuse(info, hardness_value, stresses, yield_pressure, angle)
+    refuse_wide(widest, of_wires[0])
     return ContactSpot(*map(float, values))
 
 
