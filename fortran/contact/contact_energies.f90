@@ -155,14 +155,16 @@ contains
    end function work_on_surfaces
 
    !> What the change of the elasticity does on contacts with rigid surfaces.
-   pure real(dp) function softening_on_surfaces(model, elements, before, element, xi, energy_before, energy) result(work)
+   pure real(dp) function softening_on_surfaces(model, elements, before, element, xi, energy_before, energy) &
+      result(work)
       type(model_t), intent(in) :: model
       !> At the temperatures of the end of the increment
       type(elements_t), intent(in) :: elements
       !> Temperatures at its start (n_nodes) [K]
       real(dp), intent(in) :: before(:)
-      !> Element of each contact (n), and place of its law
+      !> Element of each contact (n)
       integer, intent(in) :: element(:)
+      !> Place of its law in the element (n)
       real(dp), intent(in) :: xi(:)
       !> Its elastic energies at the start and at the end (n) [J]
       real(dp), intent(in) :: energy_before(:), energy(:)

@@ -48,7 +48,9 @@ def in_order(legs, order):
     return f"*NODE, NSET=LOWER\n{nodes}*ELEMENT, TYPE=B33, ELSET=LOWER\n{elements}"
 
 
-def force_on(run, lower, yaw, rise=0.0, overlap=0.02 * R, law=HERTZ, pairs=("LOWER, UPPER",), at=(0, 0, 0), until=12.07):
+def force_on(
+    run, lower, yaw, rise=0.0, overlap=0.02 * R, law=HERTZ, pairs=("LOWER, UPPER",), at=(0, 0, 0), until=12.07
+):
     """Force of a rod that is pressed on a place by an overlap [m], its direction given by two angles [degrees]; it ends so
     many radii behind the place."""
     yaw, rise = math.radians(yaw), math.radians(rise)

@@ -62,7 +62,9 @@ def test_a_crossing_has_the_law_of_the_temperatures_of_its_places(run):
         "resistivity": [resistivity(v) for v in t], "angle": np.pi / 2,
     }  # fmt: skip
     assert contact["gap"][-1] == pytest.approx(-overlap, rel=1e-6)
-    assert contact["force"][-1] == pytest.approx((overlap / kernels.contact_spot(1.0, **spots).approach) ** 1.5, rel=1e-5)
+    assert contact["force"][-1] == pytest.approx(
+        (overlap / kernels.contact_spot(1.0, **spots).approach) ** 1.5, rel=1e-5
+    )
     expected = kernels.contact_spot(contact["force"][-1], **spots).conductance
     assert 1 / contact["resistance"][-1] == pytest.approx(expected, rel=1e-6)
 

@@ -638,9 +638,9 @@ contains
             if (.not. point%closed) cycle
             nodes = [problem%model%connectivity(:, point%element_bar), problem%model%connectivity(:, point%element)]
             term = -point%force*slope_of_modulus(problem, point, reshape(v(1:6, nodes), [24]))*point%kinematics%dgap
-            term = term - point%at_gap%dforce_dangle*(1 - point%lens_share)*cos(point%kinematics%angle)/cos(point%law_angle) &
-               *point%kinematics%dgap*dot_product(point%kinematics%dangle, &
-               reshape(v(1:6, nodes), [24]))
+            term = term - point%at_gap%dforce_dangle*(1 - point%lens_share) &
+               *cos(point%kinematics%angle)/cos(point%law_angle)*point%kinematics%dgap &
+               *dot_product(point%kinematics%dangle, reshape(v(1:6, nodes), [24]))
             product(1:6, nodes) = product(1:6, nodes) + reshape(term, [6, 4])
          end associate
       end do
