@@ -4,8 +4,12 @@ module litz_contact_capture
    use litz_kinds, only: pi
    use litz_contact_history, only: contact_history_t, advanced_history, spot_of_history
    use litz_contact_points, only: contact_set_t, contact_point_t
+   use litz_contact_pressure, only: elastic_pressure
+   use litz_element_library, only: elements_t
    use litz_line_cell, only: touching_length
    use litz_line_places, only: line_places_t
+   use litz_model, only: model_t
+   use litz_normal_forces, only: wires_of
    use litz_state, only: state_t, contact_t
    implicit none
    private
@@ -14,16 +18,35 @@ module litz_contact_capture
 contains
 
    !> The points of the converged iterate, crossings before those of line contacts.
-   subroutine capture_contacts(contact, state)
+   subroutine capture_contacts(model, elements, contact, state)
+      type(model_t), intent(in) :: model
+      type(elements_t), intent(in) :: elements
       type(contact_set_t), intent(inout) :: contact
       type(state_t), intent(inout) :: state
 
+      call set_pressures(model, elements, contact%points)
+      call set_pressures(model, elements, contact%line_points)
       deallocate (state%contacts)
       allocate (state%contacts(count(is_shown(contact%points)) + count(is_shown(contact%line_points))))
       call capture_points(contact%points, 0, contact%places, contact%last_id, state)
       call capture_points(contact%line_points, count(is_shown(contact%points)), contact%places, contact%last_id, state)
       contact%converged_clearance = contact%clearance
    end subroutine capture_contacts
+
+   pure subroutine set_pressures(model, elements, points)
+      type(model_t), intent(in) :: model
+      type(elements_t), intent(in) :: elements
+      type(contact_point_t), intent(inout) :: points(:)
+      integer :: i
+
+      do i = 1, size(points)
+         points(i)%pressure = 0
+         if (.not. points(i)%closed) cycle
+         associate (law => model%interactions(model%contact_pairs(points(i)%pair)%interaction))
+            points(i)%pressure = elastic_pressure(law%normal, wires_of(model, elements, points(i)), points(i))
+         end associate
+      end do
+   end subroutine set_pressures
 
    !> Contacts that carry a force or a current: a place of a line may have only the latter, where a part of the wire
    !> touches for which it stands.

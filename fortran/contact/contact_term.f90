@@ -331,7 +331,7 @@ contains
       real(dp) :: unused_change
 
       associate (contact => self%contact)
-         call capture_contacts(contact, domain%state)
+         call capture_contacts(domain%model, domain%elements, contact, domain%state)
          if (contact%shares_wait) then
             call renew_shares(domain%model, domain%wires, domain%elements, domain%iterate%x, domain%iterate%rotation, &
                contact, unused_change)

@@ -24,8 +24,9 @@ module litz_foreign_words
       foreign_word_t('DYNAMIC|MODAL DYNAMIC|DIRECT CYCLIC', '', '', 'there is no inertia: use *STATIC, and'// &
       ' *CONTROLS, PARAMETERS=STABILIZE where wires snap or are unsupported'), &
       foreign_word_t('VISCO|CREEP|VISCOELASTIC', '', '', 'nothing is rate-dependent: use *STATIC and *ELASTIC'), &
-      foreign_word_t('COUPLED TEMPERATURE-DISPLACEMENT|PIEZOELECTRIC|ELECTROMAGNETIC', '', '', &
-      'use *STATIC, which solves forces and currents together, or *COUPLED THERMAL-ELECTRICAL for temperatures'), &
+      foreign_word_t('PIEZOELECTRIC|ELECTROMAGNETIC', '', '', &
+      'use *STATIC, which solves forces and currents together, or *COUPLED TEMPERATURE-DISPLACEMENT for'// &
+      ' temperatures'), &
       foreign_word_t('HEAT TRANSFER', '', '', 'use *COUPLED THERMAL-ELECTRICAL, STEADY STATE'), &
       foreign_word_t('FREQUENCY|BUCKLE|COMPLEX FREQUENCY|STEADY STATE DYNAMICS', '', '', &
       'there are no eigenvalues: *STATIC follows the wires through large displacements'), &

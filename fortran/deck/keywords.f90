@@ -76,10 +76,10 @@ module litz_keywords
    end type data_spec_t
 
    type :: keyword_t
-      character(len=28) :: name = ''
+      character(len=32) :: name = ''
       integer :: place = place_model
       !> The keyword it belongs to and must follow, or empty
-      character(len=28) :: after = ''
+      character(len=32) :: after = ''
       type(parameter_spec_t), allocatable :: parameters(:)
       type(data_spec_t), allocatable :: data(:)
       character(len=help_length) :: help = ''

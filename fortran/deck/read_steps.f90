@@ -6,7 +6,7 @@ module litz_read_steps
    use litz_deck, only: token_t
    use litz_fields, only: fields, n_fields, field_displacement, field_temperature, field_of_dof, group_mechanical
    use litz_foreign_words, only: advice_about
-   use litz_model, only: model_t, step_t, solved_by_heat
+   use litz_model, only: model_t, step_t, solved_by_heat, solved_by_all
    use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, has_flag, integer_parameter, keyword_of, &
       name_of, n_cards_of
    use litz_data_lines, only: read_line
@@ -31,7 +31,7 @@ module litz_read_steps
       type(heat_cards_t) :: heat_cards
       !> Number of the step; its *STEP, the last *CLOAD, and the last of *DFLUX, *FILM, *RADIATE in it (0: none)
       integer :: step = 0, step_card = 0, load_card = 0, heat_card = 0
-      !> The step has a *STATIC or *COUPLED THERMAL-ELECTRICAL
+      !> The step has a *STATIC or another procedure
       logical :: has_procedure = .false.
    end type so_far_t
 
@@ -48,7 +48,7 @@ contains
       call start_list(so_far%temperature, kind_temperature, model)
       call start_list(so_far%initial, kind_initial, model)
       model%has_field(field_temperature) = n_cards_of(self, 'TEMPERATURE') + n_cards_of(self, 'INITIAL CONDITIONS') &
-         + n_cards_of(self, 'COUPLED THERMAL-ELECTRICAL') > 0
+         > 0 .or. solves_temperatures(self)
       do field = 1, n_fields
          call start_list(so_far%load(field), field, model)
       end do
@@ -62,6 +62,14 @@ contains
       if (so_far%step > 0) call close_step(self, model, so_far)
       model%initial = so_far%initial%items(:so_far%initial%n)
    end subroutine read_steps
+
+   !> Some step of the deck does.
+   logical function solves_temperatures(self)
+      type(reader_t), intent(in) :: self
+
+      solves_temperatures = n_cards_of(self, 'COUPLED THERMAL-ELECTRICAL') &
+         + n_cards_of(self, 'COUPLED TEMPERATURE-DISPLACEMENT') > 0
+   end function solves_temperatures
 
    subroutine read_card(self, model, card, so_far)
       type(reader_t), intent(inout) :: self
@@ -85,7 +93,7 @@ contains
             ! one that has been reported already, such as *DYNAMIC
             so_far%has_procedure = so_far%has_procedure .or. &
                index(advice_about(self%deck%text(self%deck%cards(card)%name)), 'use *STATIC') > 0
-         case ('STATIC', 'COUPLED THERMAL-ELECTRICAL')
+         case ('STATIC', 'COUPLED THERMAL-ELECTRICAL', 'COUPLED TEMPERATURE-DISPLACEMENT')
             call read_procedure(self, model, card, so_far)
          case ('NODE PRINT', 'EL PRINT', 'CONTACT PRINT', 'ENERGY PRINT', 'ELECTRODE PRINT', 'NODE FILE', 'EL FILE')
             call read_request(self, model, card, so_far%requests, model%steps(step))
@@ -159,19 +167,49 @@ contains
          if (.not. so_far%has_procedure) call fail_at(self, self%deck%cards(so_far%step_card)%name, &
             'this step has no *STATIC')
          call check_increments(self, so_far%step_card, this, so_far%has_procedure)
-         if (.not. this%solves(field_displacement)) then
-            call refuse_motions(self, boundary, so_far%load_card)
-         else if (heat_card > 0) then
-            call fail_at(self, self%deck%cards(heat_card)%name, &
-               'a step that does not solve for temperatures has no *'// &
-               keyword_of(self, heat_card)//'; put it into a *COUPLED THERMAL-ELECTRICAL')
-         end if
+         if (.not. this%solves(field_displacement)) call refuse_motions(self, boundary, so_far%load_card)
+         if (.not. this%solves(field_temperature) .and. heat_card > 0) call fail_at(self, &
+            self%deck%cards(heat_card)%name, 'a step that does not solve for temperatures has no *'// &
+            keyword_of(self, heat_card)//'; put it into a *COUPLED THERMAL-ELECTRICAL or'// &
+            ' *COUPLED TEMPERATURE-DISPLACEMENT')
+         this%has_solved = this%solves
+         if (so_far%step > 1) this%has_solved = this%solves .or. model%steps(so_far%step - 1)%has_solved
          this%boundary = boundary%items(:boundary%n)
          this%predefined = temperature%items(:temperature%n)
          this%load = [(load(field)%items(:load(field)%n), field=1, n_fields)]
+         if (.not. this%solves(field_temperature) .and. solves_temperatures(self)) call set_temperatures_aside(self, &
+            this, boundary, load(field_temperature))
          this%requests = so_far%requests%items(:so_far%requests%n)
       end associate
    end subroutine close_step
+
+   !> What other steps prescribe of temperatures, and feed in of heat, is nothing to one that does not solve for them.
+   subroutine set_temperatures_aside(self, step, boundary, load)
+      type(reader_t), intent(inout) :: self
+      type(step_t), intent(inout) :: step
+      !> Prescribed values, and heat that is fed in
+      type(value_list_t), intent(in) :: boundary, load
+
+      call refuse(boundary)
+      call refuse(load)
+      step%boundary = pack(step%boundary, field_of_dof(step%boundary%dof) /= field_temperature)
+      step%load = pack(step%load, field_of_dof(step%load%dof) /= field_temperature)
+
+   contains
+
+      subroutine refuse(list)
+         type(value_list_t), intent(in) :: list
+         integer :: i
+
+         do i = 1, list%n
+            if (list%line(i) == 0 .or. field_of_dof(list%items(i)%dof) /= field_temperature) cycle
+            call fail_at(self, self%deck%line_token(list%line(i)), 'this step does not solve for temperatures; give'// &
+               ' them by *TEMPERATURE, or use *COUPLED TEMPERATURE-DISPLACEMENT')
+            return
+         end do
+      end subroutine refuse
+
+   end subroutine set_temperatures_aside
 
    !> What the step solves for.
    subroutine read_procedure(self, model, card, so_far)
@@ -185,7 +223,8 @@ contains
          keyword_of(self, card))
       so_far%has_procedure = .true.
       call read_increments(self, card, model%steps(so_far%step))
-      if (keyword_of(self, card) /= 'STATIC') model%steps(so_far%step)%solves = solved_by_heat
+      if (keyword_of(self, card) == 'COUPLED THERMAL-ELECTRICAL') model%steps(so_far%step)%solves = solved_by_heat
+      if (keyword_of(self, card) == 'COUPLED TEMPERATURE-DISPLACEMENT') model%steps(so_far%step)%solves = solved_by_all
       call check_procedure(self, model, card, so_far%step)
    end subroutine read_procedure
 
@@ -272,17 +311,18 @@ contains
       integer, intent(in) :: card, step
       integer :: i
 
-      associate (token => self%deck%cards(card)%name)
-         if (model%steps(step)%solves(field_displacement)) then
-            if (step == 1) return
-            if (.not. model%steps(step - 1)%solves(field_displacement)) call fail_at(self, token, &
-               'no *STATIC can follow a *COUPLED THERMAL-ELECTRICAL')
-            return
+      associate (token => self%deck%cards(card)%name, procedure => '*'//keyword_of(self, card))
+         if (step > 1) then
+            if (model%steps(step)%solves(field_displacement) .and. .not. model%steps(step - 1)%solves( &
+               field_displacement)) call fail_at(self, token, 'no '//procedure//' can follow a'// &
+               ' *COUPLED THERMAL-ELECTRICAL')
          end if
+         if (.not. model%steps(step)%solves(field_temperature)) return
          if (.not. has_flag(self, card, 'STEADY STATE')) call fail_at(self, token, &
-            'temperatures are steady: *COUPLED THERMAL-ELECTRICAL needs the parameter STEADY STATE')
-         if (n_cards_of(self, 'CONTACT PAIR') > 0) call fail_at(self, token, 'contacts conduct no heat:'// &
-            ' *COUPLED THERMAL-ELECTRICAL is not possible in a deck with *CONTACT PAIR')
+            'temperatures are steady: '//procedure//' needs the parameter STEADY STATE')
+         if (n_cards_of(self, 'CONTACT PAIR') > 0) call fail_at(self, token, 'contacts conduct no heat: '// &
+            procedure//' is not possible in a deck with *CONTACT PAIR')
+         if (model%steps(step)%solves(field_displacement)) call require_electrical(self, model, card)
          do i = 1, size(model%materials)
             associate (material => model%materials(i))
                if (allocated(material%heat_conductivity) .or. .not. material%conductivity > 0) cycle
@@ -292,6 +332,20 @@ contains
          end do
       end associate
    end subroutine check_procedure
+
+   !> Currents flow in every step that moves wires; in Abaqus they do with this parameter only.
+   subroutine require_electrical(self, model, card)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      !> Index of the card
+      integer, intent(in) :: card
+      integer :: i
+
+      if (has_flag(self, card, 'ELECTRICAL')) return
+      i = findloc(model%materials%conductivity > 0, .true., 1)
+      if (i > 0) call fail_at(self, self%deck%cards(card)%name, 'the material '//model%materials(i)%name// &
+         ' conducts currents, which make heat: *COUPLED TEMPERATURE-DISPLACEMENT needs the parameter ELECTRICAL')
+   end subroutine require_electrical
 
    !> Where motions are held none can be prescribed and no force can be given.
    subroutine refuse_motions(self, boundary, load_card)

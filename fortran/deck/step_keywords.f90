@@ -38,8 +38,18 @@ contains
 
       call begin(k, 'COUPLED THERMAL-ELECTRICAL', place_step, 'Steady currents and temperatures together: currents'// &
          ' make heat, temperatures change conductivities. Motions are held. Time scales the loads: values without'// &
-         ' an amplitude ramp over the step. After it, no *STATIC may follow. Contacts are not possible.')
+         ' an amplitude ramp over the step. After it, no step that moves wires may follow. Contacts are not'// &
+         ' possible.')
       call k%add(flag('STEADY STATE', 'no heat is stored; it must be given'))
+      call add_increments(k)
+      call finish(table, k)
+
+      call begin(k, 'COUPLED TEMPERATURE-DISPLACEMENT', place_step, 'Equilibrium of forces and moments,'// &
+         ' steady temperatures and currents together: wires expand with the temperatures that are solved for. Time'// &
+         ' scales the loads: values without an amplitude ramp over the step. A *STATIC after it keeps the'// &
+         ' temperatures. Contacts are not possible.')
+      call k%add(flag('STEADY STATE', 'no heat is stored; it must be given'))
+      call k%add(flag('ELECTRICAL', 'with currents and their heat; needed where a material conducts them'))
       call add_increments(k)
       call finish(table, k)
 

@@ -19,11 +19,11 @@ module litz_model
    public :: step_t, nodal_value_t, element_heat_t, output_request_t, controls_t, rigid_body_t
    public :: axis_linear, axis_hermite
    public :: solver_default, solver_block, solver_umfpack, solver_skyline
-   public :: coupling_default, coupling_monolithic, coupling_updated
+   public :: coupling_default, coupling_monolithic, coupling_updated, coupling_swept
    public :: request_node, request_element, request_contact, request_electrode, request_energy
    public :: shear_given, shear_round, shear_unreduced
    public :: dof_potential, dof_temperature, amplitude_factor
-   public :: solved_by_static, solved_by_heat
+   public :: solved_by_static, solved_by_heat, solved_by_all
 
    !> Longest name of a set, material, ... (longer ones are refused)
    integer, parameter :: name_length = 80
@@ -35,14 +35,17 @@ module litz_model
    !> Shear stiffness: given, of a round wire, of the whole area
    integer, parameter :: shear_given = 0, shear_round = 1, shear_unreduced = 2
 
-   integer, parameter :: coupling_default = 0, coupling_monolithic = 1, coupling_updated = 2
+   !> Groups of fields in one Newton step; each after those that it depends on; or one after the other again and again,
+   !> because they act back on those before them
+   integer, parameter :: coupling_default = 0, coupling_monolithic = 1, coupling_updated = 2, coupling_swept = 3
 
    integer, parameter :: request_node = 1, request_element = 2, request_contact = 3, request_electrode = 4, &
       request_energy = 5
 
-   !> What *STATIC and *COUPLED THERMAL-ELECTRICAL solve for (n_fields)
+   !> What *STATIC, *COUPLED THERMAL-ELECTRICAL and *COUPLED TEMPERATURE-DISPLACEMENT solve for (n_fields)
    logical, parameter :: solved_by_static(n_fields) = .not. fields%is_optional
    logical, parameter :: solved_by_heat(n_fields) = fields%group == group_transport
+   logical, parameter :: solved_by_all(n_fields) = .true.
 
    type :: named_set_t
       character(len=:), allocatable :: name
@@ -217,6 +220,8 @@ module litz_model
       character(len=:), allocatable :: title
       !> Fields that are solved for; motions that are not are held, temperatures are given (n_fields)
       logical :: solves(n_fields) = solved_by_static
+      !> Fields that it or an earlier step solves for (n_fields)
+      logical :: has_solved(n_fields) = solved_by_static
       logical :: nlgeom = .true.
       integer :: max_increments = 100
       !> First, total, smallest and largest increment of time

@@ -9,7 +9,7 @@
 module litz_model_record
    use litz_kinds, only: dp, int64
    use litz_checksum, only: checksum
-   use litz_fields, only: fields, n_fields, n_slots, field_temperature, field_of_dof, slot_of_dof
+   use litz_fields, only: fields, n_fields, n_slots, field_displacement, field_temperature, field_of_dof, slot_of_dof
    use litz_growing_text, only: growing_text_t
    use litz_law_words, only: law_words_t
    use litz_model, only: model_t, interaction_t, step_t, nodal_value_t, rigid_body_t
@@ -288,7 +288,8 @@ contains
 
       used = .false.
       call record%begin('step '//to_text(record%step))
-      if (step%solves(field_temperature)) call record%value('procedure', '*COUPLED THERMAL-ELECTRICAL')
+      if (step%solves(field_temperature)) call record%value('procedure', trim(merge( &
+         '*COUPLED TEMPERATURE-DISPLACEMENT', '*COUPLED THERMAL-ELECTRICAL      ', step%solves(field_displacement))))
       call record%value('its time (*STATIC)', step%total)
       call record_values('*BOUNDARY', step%boundary)
       call record_values('*TEMPERATURE', step%predefined)

@@ -1,7 +1,7 @@
 !> A summary of the resolved model, for `litz check`.
 module litz_model_summary
    use litz_element_types, only: element_types
-   use litz_fields, only: fields, field_of_dof, max_dof, field_temperature
+   use litz_fields, only: fields, field_of_dof, max_dof, field_displacement, field_temperature
    use litz_growing_text, only: growing_text_t
    use litz_kinds, only: dp
    use litz_axis_choices, only: axis_hermite
@@ -307,7 +307,8 @@ contains
       associate (step => model%steps(s))
          text = 'step '//to_text(s)
          if (len(step%title) > 0) text = text//' ('//step%title//')'
-         if (step%solves(field_temperature)) text = text//': currents and temperatures'
+         if (step%solves(field_temperature)) text = text// &
+            trim(merge(': motions,', ':         ', step%solves(field_displacement)))//' currents and temperatures'
          text = text//': time '//to_text(step%total)//' '//trim(model%units%time)//', '
          if (step%direct) then
             text = text//'increments of '//to_text(step%first)//' '//trim(model%units%time)

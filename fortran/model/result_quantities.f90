@@ -121,6 +121,8 @@ contains
       call table%field('point_2', c%point, 'm', 'point of the second axis')
       call table%field('semi_major', c%semi_major, 'm', 'longer semi-axis of the spot')
       call table%field('semi_minor', c%semi_minor, 'm', 'shorter semi-axis of the spot')
+      call table%field('pressure', c%pressure, 'Pa', &
+         'largest pressure of elastic wires (Hertz) under this force')
       call table%field('resistance', c%resistance, 'ohm', 'contact resistance, infinite where no current can pass', &
          may_be_infinite=.true.)
       call table%field('current', c%current, 'A', 'current from the barred to the unbarred wire')

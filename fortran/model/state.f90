@@ -32,6 +32,8 @@ module litz_state
       real(dp) :: slip_path = 0, dissipation = 0
       !> Semi-axes of the spot [m]
       real(dp) :: semi_major = 0, semi_minor = 0
+      !> Largest pressure between elastic wires [Pa]
+      real(dp) :: pressure = 0
       !> Contact resistance [ohm], infinite where no current can pass; current from barred to unbarred [A],
       !> its voltage [V]
       real(dp) :: resistance = 0, current = 0, voltage_gap = 0

@@ -10,7 +10,8 @@ module litz_convergence
    use litz_reports, only: iteration_report_t
    implicit none
    private
-   public :: measure_residual, nodal_residual, measure_scales, has_converged, corrections_small, worst_field
+   public :: measure_residual, nodal_residual, measure_scales, has_converged, group_converged, &
+      corrections_small, worst_field
 
    !> Residuals accepted only because of round-off are reported above this fraction of the reference
    real(dp), parameter :: worth_reporting = 1.0e-6_dp
@@ -129,6 +130,15 @@ contains
 
       has_converged = all(report%residual <= report%allowed .or. fields%group > last_group)
    end function has_converged
+
+   !> The fields of a group are within their tolerances.
+   pure logical function group_converged(report, group)
+      type(iteration_report_t), intent(in) :: report
+      !> One of the groups of litz_fields
+      integer, intent(in) :: group
+
+      group_converged = all(report%residual <= report%allowed .or. fields%group /= group)
+   end function group_converged
 
    !> The second criterion of *CONTROLS, asked for with a non-zero C_n.
    pure logical function corrections_small(step, change, report)

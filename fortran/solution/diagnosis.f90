@@ -1,8 +1,9 @@
 !> Why an increment could not be solved: where the iteration stood, and which setting of the deck helps.
 module litz_diagnosis
    use litz_contact_points, only: contact_point_t
+   use litz_convergence, only: group_converged
    use litz_kinds, only: dp
-   use litz_fields, only: fields, field_temperature, field_of_slot, first_slot
+   use litz_fields, only: fields, field_temperature, group_transport, field_of_slot, first_slot
    use litz_errors, only: error_t, fail, exit_not_converged
    use litz_model, only: step_t
    use litz_newton, only: outcome_t, cause_iterations, cause_not_finite, cause_singular, cause_lost_contact, &
@@ -68,7 +69,8 @@ contains
 
       text = ''
       if (step%solves(field_temperature) .and. any(outcome%cause == [cause_iterations, cause_failed_law, &
-         cause_no_solution])) then
+         cause_no_solution]) .and. .not. (outcome%cause == cause_iterations .and. &
+         group_converged(outcome%last, group_transport))) then
          text = describe_heat(problem)
          return
       end if

@@ -7,7 +7,8 @@ module litz_newton
    use litz_kinds, only: dp
    use litz_assembly, only: evaluate
    use litz_contact_findings, only: finding_t, finding_none
-   use litz_convergence, only: measure_residual, has_converged, corrections_small, worst_field
+   use litz_convergence, only: measure_residual, has_converged, group_converged, &
+      corrections_small, worst_field
    use litz_element_library, only: heat_elements
    use litz_errors, only: error_t
    use litz_fields, only: n_fields, n_slots, n_groups, first_slot, last_slot, last_slot_of_group, &
@@ -41,6 +42,9 @@ module litz_newton
       !> Those that factored it until the forces first balanced: what terms then bring up to date says nothing about the
       !> size of the increment
       integer :: to_balance = 0
+      !> The group whose turn it is, iterations since its turn began, most of them in a turn, and how often groups that
+      !> act back on the first ones have had theirs
+      integer :: in_turn = 1, counted = 0, longest_turn = 0, sweeps = 0
       !> Why it was given up, for the user
       character(len=:), allocatable :: reason
       !> One of the causes above; 0: it was not
@@ -61,6 +65,9 @@ module litz_newton
       logical :: passed_critical = .false.
       !> A flux was fed into a part that floated when the increment began: no smaller one would connect it
       logical :: fed_at_start = .false.
+   contains
+      procedure :: effort
+      procedure :: end_turn
    end type outcome_t
 
    !> Iterations at most, in multiples of I_C, where contacts open and close as predicted all the way
@@ -86,7 +93,6 @@ contains
       type(error_t), allocatable :: solver_error
       character(len=:), allocatable :: refusal
       integer, allocatable :: numbers(:)
-      integer :: counted
       logical :: keep
 
       call start_iterate(problem)
@@ -94,16 +100,17 @@ contains
       outcome%last = report
       call count_status(problem, outcome%last)
       numbers = [outcome%last%contacts_active]
-      counted = 0
       do
-         call evaluate(problem, error)
-         if (allocated(error)) return
-         if (outcome%iterations == 0) outcome%fed_at_start = problem%fed_node > 0
          outcome%before = outcome%last
-         call measure_residual(problem, step, outcome%last, outcome%at_round_off)
+         if (outcome%in_turn == 1) then
+            call evaluate(problem, error)
+            if (allocated(error)) return
+            if (outcome%iterations == 0) outcome%fed_at_start = problem%fed_node > 0
+            call measure_residual(problem, step, outcome%last, outcome%at_round_off)
+         end if
          call count_status(problem, outcome%last)
-         if (outcome%last%factor_age == 0 .and. &
-            .not. only_contacts_changed(outcome%last, numbers)) counted = counted + 1
+         if (outcome%in_turn == 1 .and. outcome%last%factor_age == 0 .and. &
+            .not. only_contacts_changed(outcome%last, numbers)) outcome%counted = outcome%counted + 1
          numbers = [numbers, outcome%last%contacts_active]
          if (.not. carries_prescribed(problem)) then
             call settle(problem, step, outcome, error)
@@ -135,10 +142,12 @@ contains
          if (.not. carries_prescribed(problem) .and. all(outcome%last%residual <= outcome%last%allowed)) then
             if (corrections_small(step, problem%iterate%change, outcome%last)) exit
          end if
-         if (counted > step%controls%i_c .or. outcome%iterations >= max_iterations*step%controls%i_c) then
+         if (max(outcome%counted, outcome%sweeps) > step%controls%i_c .or. &
+            outcome%iterations >= max_iterations*step%controls%i_c) then
             call give_up(outcome, cause_iterations, worst_field(problem%model, problem%scheme%n_coupled, outcome%last))
             return
          end if
+         if (outcome%in_turn > 1) cycle
          keep = keeps_factor(problem, step, outcome)
          call solve_step(problem, keep, correction, solver_error)
          if (allocated(solver_error)) then
@@ -152,6 +161,25 @@ contains
       call refuse_wrong_state(problem, outcome)
       call problem%timing%lap(phase_check)
    end subroutine solve_increment
+
+   !> How many iterations the size of the increment has cost.
+   pure integer function effort(self)
+      class(outcome_t), intent(in) :: self
+
+      effort = merge(self%to_balance, self%factorisations, self%to_balance > 0)
+      if (self%sweeps > 0) effort = max(self%longest_turn, self%counted, self%sweeps)
+   end function effort
+
+   pure subroutine end_turn(self, next)
+      class(outcome_t), intent(inout) :: self
+      !> The group whose turn it is now
+      integer, intent(in) :: next
+
+      self%longest_turn = max(self%longest_turn, self%counted)
+      self%counted = 0
+      if (next > 1) self%sweeps = self%sweeps + 1
+      self%in_turn = next
+   end subroutine end_turn
 
    !> What a solve has shown.
    pure subroutine note_solve(problem, kept, outcome)
@@ -314,12 +342,31 @@ contains
          if (group <= problem%scheme%n_coupled) then
             if (.not. has_mutual_tangent(problem, group)) cycle
          end if
-         if (.not. has_converged(outcome%last, group - 1)) return
+         if (outcome%in_turn /= group) then
+            if (.not. has_converged(outcome%last, group - 1)) return
+            if (group_converged(outcome%last, group)) cycle
+            if (problem%scheme%is_swept) call outcome%end_turn(group)
+         end if
          call update_group(problem, group, outcome%last, solver_error, error)
          if (allocated(solver_error) .or. allocated(error)) return
          call measure_residual(problem, step, outcome%last, outcome%at_round_off)
+         if (outcome%in_turn /= group) cycle
+         call note_update(problem, outcome)
+         if (group_converged(outcome%last, group)) call outcome%end_turn(1)
       end do
    end subroutine update_groups
+
+   !> An iteration of a group that takes its turn.
+   pure subroutine note_update(problem, outcome)
+      type(problem_t), intent(in) :: problem
+      type(outcome_t), intent(inout) :: outcome
+
+      outcome%iterations = outcome%iterations + 1
+      outcome%factorisations = outcome%factorisations + 1
+      outcome%counted = outcome%counted + 1
+      outcome%last%iteration = outcome%iterations
+      outcome%last%factor_age = 0
+   end subroutine note_update
 
    !> Factor and solve for the correction of all unknowns (n_slots, n_nodes), prescribed ones included.
    subroutine solve_step(problem, keep, correction, error)

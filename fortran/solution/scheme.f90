@@ -5,7 +5,8 @@
 !> name gets the whole system as one matrix instead.
 !>
 !> A Newton step is for the first `n_coupled` groups; those after them are solved for when these have converged
-!> (`solve_group`).
+!> (`solve_group`). Where these act back on the first ones, all take their turns until none has anything left to do: a
+!> sweep.
 module litz_scheme
    use litz_kinds, only: dp
    use litz_equations, only: equations_t, system_t
@@ -13,7 +14,7 @@ module litz_scheme
    use litz_errors, only: error_t
    use litz_fields, only: n_groups, depends_on
    use litz_linear_solver, only: linear_solver_t, csr_matrix_t
-   use litz_model, only: coupling_default, coupling_monolithic, coupling_updated
+   use litz_model, only: coupling_default, coupling_updated, coupling_swept
    use litz_solver_factory, only: create_solver, resolved_solver
    use litz_solver_names, only: solver_default, solver_block
    use litz_sparse_pattern, only: csr_entries, csr_add_product
@@ -32,6 +33,8 @@ module litz_scheme
       integer :: n_coupled = n_groups
       !> These are one matrix
       logical :: is_whole = .false.
+      !> Groups after those act back on them, and take more than one iteration
+      logical :: is_swept = .false.
       !> Negative pivots of the first group in the last factorisation; -1: not known
       integer :: negative_pivots = -1
       !> Group and equation in it that the last call failed at; 0: none is to blame
@@ -63,6 +66,7 @@ contains
 
       self%kind = resolved_solver(kind)
       self%n_coupled = coupled_groups(self%kind, coupling)
+      self%is_swept = coupling == coupling_swept
       self%is_whole = self%n_coupled > 1 .and. self%kind /= solver_block
       do i = 1, n_groups
          call create_solver(kind, self%group(i)%solver, error)
@@ -77,7 +81,8 @@ contains
       integer, intent(in) :: kind, coupling
       logical :: is_updated
 
-      is_updated = coupling == coupling_updated .or. (coupling == coupling_default .and. kind == solver_block)
+      is_updated = any(coupling == [coupling_updated, coupling_swept]) .or. &
+         (coupling == coupling_default .and. kind == solver_block)
       n = merge(1, n_groups, is_updated)
    end function coupled_groups
 
@@ -94,7 +99,8 @@ contains
       integer, intent(in) :: kind, coupling
 
       is_same = self%is_created() .and. self%kind == resolved_solver(kind) .and. &
-         self%n_coupled == coupled_groups(resolved_solver(kind), coupling)
+         self%n_coupled == coupled_groups(resolved_solver(kind), coupling) .and. &
+         (self%is_swept .eqv. coupling == coupling_swept)
    end function is_same
 
    !> Symbolic work; call again only when the pattern has changed.

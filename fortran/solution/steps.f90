@@ -11,7 +11,7 @@ module litz_steps
    use litz_kinds, only: dp
    use litz_loading, only: loading_t, start_loading, load_targets, next_break_point
    use litz_line_contact, only: serves_lines
-   use litz_model, only: model_t, step_t, nodal_value_t, coupling_updated
+   use litz_model, only: model_t, step_t, nodal_value_t, coupling_swept
    use litz_newton, only: outcome_t, solve_increment, count_negative_pivots, cause_not_finite, &
       cause_lost_contact, cause_turned_ends, cause_fed_part
    use litz_observer, only: observer_t
@@ -48,6 +48,7 @@ contains
          if (continued) then
             restored%given = problem%loading%given
             restored%solves = problem%loading%solves
+            restored%stays = problem%loading%stays
             problem%loading = restored
          else
             call course%control%start(step)
@@ -89,15 +90,15 @@ contains
       !> One of the solver constants of the model; 0: as the step says
       integer, intent(in) :: solver
       type(error_t), allocatable, intent(out) :: error
-      logical :: exists(n_slots, problem%model%n_nodes), same_system
+      logical, dimension(n_slots, problem%model%n_nodes) :: exists, stays
+      logical :: same_system
       integer, allocatable :: number_before(:, :)
-      integer :: i, kind, coupling
+      integer :: kind, coupling
 
       call start_loading(step, problem%state, problem%loading)
-      exists = .false.
-      do i = 1, size(problem%terms)
-         call problem%terms(i)%term%request_slots(problem%domain_t, exists)
-      end do
+      call request_slots(problem, step%has_solved, stays)
+      call request_slots(problem, step%solves, exists)
+      problem%loading%stays = stays
       call refuse_absent_unknowns(problem%model, step%boundary, exists, error)
       call find_given_values(problem%model, step, exists, problem%loading, error)
       call refuse_absent_unknowns(problem%model, step%load, exists, error)
@@ -105,8 +106,8 @@ contains
       if (problem%scheme%is_created()) number_before = problem%equations%number
       call number_equations(problem%loading%fixed, exists, problem%equations)
       kind = merge(solver, step%solver, solver > 0)
-      ! temperatures and potentials act on each other: they have an iteration of their own
-      coupling = merge(coupling_updated, step%coupling, step%solves(field_temperature))
+      ! temperatures act on potentials and on motions, and need an iteration of their own
+      coupling = merge(coupling_swept, step%coupling, step%solves(field_temperature))
       same_system = problem%scheme%is_same(kind, coupling)
       if (same_system) same_system = all(number_before == problem%equations%number)
       if (.not. same_system) then
@@ -116,6 +117,22 @@ contains
       end if
       problem%has_factor = .false.
    end subroutine begin_step
+
+   !> Unknowns that the terms have in a step.
+   subroutine request_slots(problem, solves, exists)
+      type(problem_t), intent(inout) :: problem
+      !> Fields that it solves for (n_fields)
+      logical, intent(in) :: solves(:)
+      !> (n_slots, n_nodes)
+      logical, intent(out) :: exists(:, :)
+      integer :: i
+
+      problem%loading%solves = solves
+      exists = .false.
+      do i = 1, size(problem%terms)
+         call problem%terms(i)%term%request_slots(problem%domain_t, exists)
+      end do
+   end subroutine request_slots
 
    !> A value or load of an unknown that no term has would be without effect.
    pure subroutine refuse_absent_unknowns(model, items, exists, error)
@@ -216,8 +233,7 @@ contains
          call report_increment(problem, outcome, audit, &
             report_of(problem, outcome, audit, increment, target, start_time), observer, error)
          if (allocated(error)) return
-         call control%accept(step, step_time, &
-            merge(outcome%to_balance, outcome%factorisations, outcome%to_balance > 0))
+         call control%accept(step, step_time, outcome%effort())
       end associate
    end subroutine run_increment
 

@@ -225,7 +225,12 @@ contains
       class(heat_term_t), intent(inout) :: self
       type(domain_t), intent(inout) :: domain
 
-      if (.not. domain%loading%solves(field_temperature)) return
+      if (.not. domain%loading%solves(field_temperature)) then
+         domain%state%heat_flux = 0
+         domain%state%heat_made = 0
+         domain%state%surface_heat = 0
+         return
+      end if
       domain%state%heat_flux = self%flow/domain%model%sections(domain%model%element_section)%area
       domain%state%heat_made = self%made
       domain%state%surface_heat = self%through_film

@@ -1,8 +1,8 @@
 !> Prescribed values, loads and given values as functions of time.
 !>
 !> Without an amplitude a value ramps over the step from what it was at the start of the step; what a step no longer
-!> names ramps to zero (loads), to its initial value (what is given and no unknown, such as a temperature) or is set
-!> free (prescribed values). Source: Abaqus's rules for static steps.
+!> names ramps to zero (loads), to its initial value (what is given and no unknown, such as a temperature; one that an
+!> earlier step has solved for stays) or is set free (prescribed values). Source: Abaqus's rules for static steps.
 module litz_loading
    use litz_kinds, only: dp
    use litz_fields, only: fields, n_fields, n_slots, first_slot, last_slot, field_rotation, field_of_dof, &
@@ -21,6 +21,8 @@ module litz_loading
       logical, allocatable :: fixed(:, :)
       !> .true. where the value is given and no unknown (n_slots, n_nodes)
       logical, allocatable :: given(:, :)
+      !> .true. where what is given stays as it is, unless the step names it (n_slots, n_nodes)
+      logical, allocatable :: stays(:, :)
       !> Values at the start of the step, of what is prescribed or given and of loads (n_slots, n_nodes)
       real(dp), allocatable :: start_value(:, :), start_load(:, :)
       !> Values at the time last asked for (n_slots, n_nodes) [m, rad, V, K] and [N, N m, A, W]
@@ -50,6 +52,7 @@ contains
          loading%fixed = .false.
       end if
       if (.not. allocated(loading%given)) allocate (loading%given(n_slots, n), source=.false.)
+      if (.not. allocated(loading%stays)) allocate (loading%stays(n_slots, n), source=.false.)
       loading%start_load = loading%load
       loading%start_value = state%value
       call move_alloc(loading%fixed, kept)
@@ -95,13 +98,17 @@ contains
       do i = 1, size(step%load)
          call set_load(step%load(i))
       end do
+      do i = 1, n_slots
+         if (fields(field_of_slot(i))%is_optional .and. .not. step%solves(field_of_slot(i))) loading%load(i, :) = 0
+      end do
 
    contains
 
-      !> What no line of this step names returns to its initial value.
+      !> What no line of this step names returns to its initial value, or stays.
       subroutine set_given_values()
          if (.not. any(loading%given)) return
-         where (loading%given) loading%value = loading%start_value &
+         where (loading%given .and. loading%stays) loading%value = loading%start_value
+         where (loading%given .and. .not. loading%stays) loading%value = loading%start_value &
             + ramp*(initial_values(model) - loading%start_value)
          do i = 1, size(step%predefined)
             associate (item => step%predefined(i))

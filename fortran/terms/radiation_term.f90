@@ -12,7 +12,7 @@ module litz_radiation_term
    public :: radiation_term_t
 
    type, extends(term_t) :: radiation_term_t
-      !> Elements that radiate, eps sigma P l [W/K^4], temperature of the surroundings [K], and what each radiates [W]
+      !> Elements that radiate, eps sigma P [W/(m K^4)], temperature of the surroundings [K], and what each radiates [W]
       integer, allocatable :: elements(:)
       real(dp), allocatable :: coefficient(:), surroundings(:), heat(:)
    contains
@@ -30,14 +30,13 @@ contains
       type(step_t), intent(in) :: step
       !> Time of the step at the end of the increment, and the increment [s]
       real(dp), intent(in) :: step_time, increment
-      integer :: e, i
+      integer :: e
 
       self%elements = pack([(e, e=1, size(step%heat))], step%heat%emissivity > 0)
       if (.not. step%solves(field_temperature)) self%elements = self%elements(:0)
       associate (model => domain%model, elements => self%elements)
          self%coefficient = step%heat(elements)%emissivity*model%stefan_boltzmann &
-            *2*pi*model%sections(model%element_section(elements))%contact_radius* &
-            [(domain%conduction_length(elements(i)), i=1, size(elements))]
+            *2*pi*model%sections(model%element_section(elements))%contact_radius
          self%surroundings = step%heat(elements)%surroundings
          self%heat = 0*self%surroundings
       end associate
@@ -57,8 +56,9 @@ contains
       do i = 1, size(self%elements)
          associate (node => domain%model%connectivity(:, self%elements(i)))
             ! below absolute zero the heat term refuses the iterate
-            call wire_radiation(domain%iterate%value(temperature_slots(1), node), self%coefficient(i), &
-               self%surroundings(i), domain%model%absolute_zero, slope, r(:, i), info)
+            call wire_radiation(domain%iterate%value(temperature_slots(1), node), &
+               self%coefficient(i)*domain%conduction_length(self%elements(i)), self%surroundings(i), &
+               domain%model%absolute_zero, slope, r(:, i), info)
             k(1, 1, i) = slope(1)
             k(2, 2, i) = slope(2)
             self%heat(i) = sum(r(:, i))

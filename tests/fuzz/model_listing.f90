@@ -110,7 +110,8 @@ contains
       integer :: i
 
       write (unit, '(a)') 'step'//show([step%max_increments, step%output_frequency, step%solver, step%coupling, &
-         merge(1, 0, step%direct), merge(1, 0, all(step%solves .eqv. solved_by_heat))])// &
+         merge(1, 0, step%direct), merge(1, 0, all(step%solves .eqv. solved_by_heat)) + &
+         merge(2, 0, all(step%solves))])// &
          show([step%first, step%total, step%largest])
       associate (c => step%controls)
          write (unit, '(a)') 'controls'//show([c%i_c, c%i_l, c%i_g, c%i_a])// &

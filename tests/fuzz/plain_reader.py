@@ -17,6 +17,8 @@ KINDS = {"NODEPRINT": 1, "ELPRINT": 2, "CONTACTPRINT": 3, "ELECTRODEPRINT": 4, "
 LOADS = {"BOUNDARY": "boundary", "CLOAD": "load", "CECURRENT": "load", "CFLUX": "load", "TEMPERATURE": "given"}
 #: The one degree of freedom of a keyword whose lines name none
 DOFS = {"CECURRENT": 9, "CFLUX": 11, "TEMPERATURE": 11, "INITIALCONDITIONS": 11}
+#: What a step solves for: motions and potentials, potentials and temperatures, all
+PROCEDURES = ("STATIC", "COUPLEDTHERMAL-ELECTRICAL", "COUPLEDTEMPERATURE-DISPLACEMENT")
 #: Where the numbers of a keyword are: source before the step, source, sink and film, surroundings and emissivity
 HEAT = {"DFLUX": (1, 2), "FILM": (2, 4), "RADIATE": (4, 6)}
 CONTROLS = {
@@ -295,9 +297,9 @@ class PlainReader:
             elif keyword in LOADS or keyword in HEAT:
                 read, given = (self.read_heat, heat) if keyword in HEAT else (self.read_values, in_force[keyword])
                 read(keyword, parameters, data, given, fresh.setdefault(keyword, set()))
-            elif keyword in ("STATIC", "COUPLEDTHERMAL-ELECTRICAL"):
+            elif keyword in PROCEDURES:
                 self.read_times(parameters, data, step)
-                step["heat"] = int(keyword != "STATIC")
+                step["heat"] = PROCEDURES.index(keyword)
             elif keyword == "CONTROLS":
                 self.read_controls(parameters, data, step["controls"])
             elif keyword == "SOLVER":
@@ -315,8 +317,11 @@ class PlainReader:
                 lines.append("step" + show([step[key] for key in ("inc", "frequency", "solver", "coupling", "direct", "heat")])
                              + show([step[key] for key in ("first", "total", "largest")]))  # fmt: skip
                 lines.append("controls" + show(step["controls"].values()))
+                # what is prescribed of temperatures waits in a step that does not solve for them
+                waits = step["heat"] == 0 and any(self.of(keyword) for keyword in PROCEDURES[1:])
                 for kind, word in LOADS.items():
-                    lines += [f"{word}{show([*key, *value])}" for key, value in in_force[kind].items()]
+                    lines += [f"{word}{show([*key, *value])}" for key, value in in_force[kind].items()
+                              if not (waits and word != "given" and key[1] == 11)]  # fmt: skip
                 warm = [element for element in self.elements if any(heat.get(element, []))]
                 lines += [f"heat {element}{show(heat[element])}" for element in warm]
                 lines += [

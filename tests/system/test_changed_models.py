@@ -195,6 +195,13 @@ FREE_VALUES = {
     ("COUPLED THERMAL-ELECTRICAL", "first"): "size of the increments",
     ("COUPLED THERMAL-ELECTRICAL", "smallest"): "size of the increments",
     ("COUPLED THERMAL-ELECTRICAL", "largest"): "size of the increments",
+    ("COUPLED TEMPERATURE-DISPLACEMENT", "STEADY STATE"): "one choice",
+    ("COUPLED TEMPERATURE-DISPLACEMENT", "ELECTRICAL"): "needed where a material conducts currents",
+    ("COUPLED TEMPERATURE-DISPLACEMENT", "total"): "as that of *STATIC",
+    ("COUPLED TEMPERATURE-DISPLACEMENT", "DIRECT"): "size of the increments",
+    ("COUPLED TEMPERATURE-DISPLACEMENT", "first"): "size of the increments",
+    ("COUPLED TEMPERATURE-DISPLACEMENT", "smallest"): "size of the increments",
+    ("COUPLED TEMPERATURE-DISPLACEMENT", "largest"): "size of the increments",
     ("DFLUX", "label"): "one choice", ("FILM", "label"): "one choice", ("RADIATE", "label"): "one choice",
     ("CFLUX", "dof"): "11 or empty",
     ("BEAM SECTION", "I12"): "must be 0", ("CECURRENT", "dof"): "9 or empty",
@@ -338,6 +345,8 @@ FREE_FIELDS = {
         # text, size of the increments, output, how it is solved
         "title", "nlgeom", "max_increments", "first", "smallest", "largest", "direct", "requests", "output_frequency",
         "restart_frequency", "controls", "solver", "coupling", "reform_kernel",
+        # follows from what the steps solve for
+        "has_solved",
     },
 }  # fmt: skip
 

@@ -193,7 +193,7 @@ contains
          call random_number(v)
          contacts(i) = contact_t(id=i + 7, element_bar=1, element=2, xi_bar=r(1), xi=r(2), pair=1, angle=r(3), &
             gap=r(4), normal=v(:, 1), point_bar=v(:, 2), point=v(:, 3), force=r(5), friction_status=2, &
-            traction=v(:, 4), slip_path=r(6), dissipation=r(7), semi_major=r(8), semi_minor=r(9), &
+            traction=v(:, 4), slip_path=r(6), dissipation=r(7), semi_major=r(8), semi_minor=r(9), pressure=r(14), &
             resistance=r(10), current=r(11), voltage_gap=r(12), joule_heat=r(13))
          if (i == 1) contacts(i)%resistance = ieee_value(1.0_dp, ieee_positive_inf)
       end do
@@ -357,7 +357,7 @@ contains
       real(dp), allocatable :: numbers(:)
 
       numbers = [c%xi_bar, c%xi, c%angle, c%gap, c%normal, c%point_bar, c%point, c%force, c%traction, c%slip_path, &
-         c%dissipation, c%semi_major, c%semi_minor, c%resistance, c%current, c%voltage_gap, c%joule_heat]
+         c%dissipation, c%semi_major, c%semi_minor, c%pressure, c%resistance, c%current, c%voltage_gap, c%joule_heat]
    end function numbers_of_contact
 
    pure function energies(e) result(numbers)

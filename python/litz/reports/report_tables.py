@@ -9,6 +9,7 @@ from ..base.quantities import engineering
 from ..base.table import Table
 from ..results import Results
 from ..results.contact_history import crossings_by_themselves
+from ..results.contact_pressures import onsets_in_words
 from ..wires.curves import arc_lengths
 
 _MAX_CONTACTS = 8
@@ -240,7 +241,9 @@ def worst_contacts(results: Results) -> str:
     density = current_density(ledger)
     if density.any():
         measures.append(("largest current density in the spot", density))
-    return "".join(
+    has_pressure = "pressure" in ledger and ledger["pressure"].any()
+    note = f'<p class="note">Pressures are those of elastic wires; {onsets_in_words()}.</p>' if has_pressure else ""
+    return note + "".join(
         _contact_table(name, ledger, _worst_of_each(ledger["id"], values)[:_MAX_CONTACTS]) for name, values in measures
     )
 
@@ -321,7 +324,9 @@ def _worst_of_each(ids: np.ndarray, values: np.ndarray) -> np.ndarray:
 
 def _contact_table(name: str, ledger: Table, rows: np.ndarray, *, with_time: bool = True) -> str:
     density, unit = current_density(ledger), ledger.units
-    heads = [name, "elements", "penetration", "force", "current", "current density", "resistance", "angle"]
+    heads = [name, "elements", "penetration", "force", "pressure", "current", "current density", "resistance", "angle"]
+    # results of litz 0.1 have no pressures
+    pressure = ledger["pressure"] if "pressure" in ledger else np.zeros(ledger.n_rows)
     heads += ["step:increment", f"time [{unit['time']}]"] if with_time else []
     lines = []
     for k in rows:
@@ -330,6 +335,7 @@ def _contact_table(name: str, ledger: Table, rows: np.ndarray, *, with_time: boo
             f"{ledger['element_1'][k]}, {ledger['element_2'][k]}",
             amount(max(0.0, -ledger["gap"][k]), unit["gap"]),
             amount(ledger["force"][k], unit["force"]),
+            amount(pressure[k], unit.get("pressure", "")),
             amount(ledger["current"][k], unit["current"]),
             amount(density[k], f"{unit['current']}/{unit['semi_major']}^2"),
             amount(ledger["resistance"][k], unit["resistance"]),

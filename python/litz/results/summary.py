@@ -7,6 +7,7 @@ import numpy as np
 from ..base.table import Table
 from ..errors import WarningEntry
 from .contact_places import ContactPlaces, contact_places
+from .contact_pressures import pressure_lines
 from .contact_zones import contact_zones, wire_pairs
 from .result_file import ResultFile
 from .surface_forces import surface_forces
@@ -67,6 +68,7 @@ def _last_increment(results: ResultFile) -> str:
         f"  largest displacement   {size.max():12.5g} {unit['m']:4} at node {results.node_ids[size.argmax()]}",
         f"  potential              {potential.min():12.5g} {unit['V']:4} to {potential.max():.5g} {unit['V']}",
         *_contacts(places, zones, unit),
+        *pressure_lines(results),
     ]
     lines += _on_surfaces(results)
     if heat_wires + heat_contacts > 0:
