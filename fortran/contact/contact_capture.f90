@@ -72,10 +72,10 @@ contains
          associate (point => points(i))
             if (point%closed) then
                point%history = advanced_history(point%history, [point%arc_bar, point%arc], point%force, point%weight, &
-                  merge(point%force/point%weight, point%force, point%line_place > 0), point%friction, point%new_spot)
+                  point%friction, point%new_spot)
             else
-               point%history = merge(spot_of_history(point%history), contact_history_t(), &
-                  point%gap < 0 .or. point%cell_touches)
+               point%history = merge(spot_of_history(point%history, [point%arc_bar, point%arc], point%whole_force, &
+                  point%new_spot), contact_history_t(), point%gap < 0 .or. point%cell_touches)
             end if
             if (.not. is_shown(point)) cycle
             if (point%id == 0) then

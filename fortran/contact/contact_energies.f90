@@ -87,7 +87,7 @@ contains
    end function work_of_swelling
 
    !> What the change of the elasticity in an increment does on contacts: their elastic energy goes with `E*` of their
-   !> places where nothing moves. Source: theory (14.4).
+   !> places where nothing moves. Source: theory (14.5).
    pure real(dp) function work_of_softening(model, elements, before, converged, points) result(work)
       type(model_t), intent(in) :: model
       !> At the temperatures of the end of the increment

@@ -91,7 +91,7 @@ module litz_contact_points
       !> At an end or a joint, or near a joint: the stretches of both wires there
       type(leg_t), allocatable :: legs(:)
       !> Of a point of a line contact next to the end of the other wire: how the length that it stands for changes with
-      !> its place there, and what it was in the last state in balance, which friction sees [m]
+      !> its place there, and what it was when the shares were found, which friction sees [m]
       real(dp) :: dweight_dlap = 0, settled_weight = 0
       !> Where it is at an end or a joint: slope of the distance along the leg from there along which it grows least,
       !> not negative, and mean curvature (2) [-, 1/m]
@@ -113,6 +113,12 @@ module litz_contact_points
       real(dp) :: lens_sine = 0, lens_share = 0, section_share = 0
       !> The wires overlap on beyond its lens: what looks like a short overlap is a ripple of a long one
       logical :: is_long = .false.
+      !> How much the section counts in what it conducts, that of its largest lens if spots are remembered; and the
+      !> deepest overlap of that lens [m], of a point of a line contact that of the crossing in whose lens it lies
+      real(dp) :: spot_section = 0, kept_overlap = 0
+      !> Force of the whole contact, whatever its share: of a crossing [N], of a place of a line per length [N/m], where
+      !> a spot is remembered of which it carries nothing
+      real(dp) :: whole_force = 0
       !> These shares have been found: within an iteration they stay
       logical :: is_shared = .false.
       !> Of a point of a line contact: it lies in the lens of a crossing
@@ -354,6 +360,8 @@ contains
       point%cell%reach = earlier%cell%reach
       point%section_share = earlier%section_share
       point%in_lens = earlier%in_lens
+      point%spot_section = earlier%spot_section
+      point%kept_overlap = earlier%kept_overlap
       point%lens_share = earlier%lens_share
       point%lens_sine = earlier%lens_sine
       point%law_angle = earlier%law_angle

@@ -18,6 +18,7 @@ module litz_contact_term
    use litz_line_shares, only: share_crossings, renew_shares
    use litz_model, only: step_t
    use litz_normal_forces, only: apply_normal_law
+   use litz_spot_memory, only: follow_spots
    use litz_state, only: energies_t
    use litz_term, only: term_t, status_t
    use litz_timing, only: phase_search, phase_contact, phase_update
@@ -29,6 +30,9 @@ module litz_contact_term
    !> How often an increment settles what is carried along lines at most, and the change of a share that is left alone
    integer, parameter :: max_settlings = 1
    real(dp), parameter :: settled_change = 0.02_dp
+   !> Overlaps are known when no linear step has missed one by more than this part of the largest, and no force is left
+   !> over that is more than this part of the largest contact force: the next step then changes them by its square
+   real(dp), parameter :: missed_overlap = 0.02_dp, nearly_balanced = 0.1_dp
 
    type, extends(term_t) :: contact_term_t
       !> The set of contacts, which the checks of a converged state, restart files and results read, too
@@ -46,6 +50,7 @@ module litz_contact_term
       procedure :: add_mutual_tangent
       procedure :: bearable_fraction
       procedure :: predict
+      procedure :: anticipate
       procedure :: settle
       procedure :: add_energies
       procedure :: accept
@@ -266,6 +271,31 @@ contains
       call predict_contacts(domain%model, eta, correction, self%contact%line_points)
    end subroutine predict
 
+   !> The overlaps are known well enough for the shares, and where axes have sheared, for where they are.
+   subroutine anticipate(self, domain, residual, has_moved)
+      class(contact_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      !> Largest force that is left over at any node [N]
+      real(dp), intent(in) :: residual
+      !> The forces must be evaluated again
+      logical, intent(inout) :: has_moved
+
+      associate (points => self%contact%points, line_points => self%contact%line_points)
+         if (residual > nearly_balanced*max(0.0_dp, maxval(points%force), maxval(line_points%force))) return
+         if (max(0.0_dp, maxval(missed_by(points)), maxval(missed_by(line_points))) > missed_overlap*max(0.0_dp, &
+            maxval(-points%gap), maxval(-line_points%gap))) return
+         if (self%contact%n_settled == 0) call self%settle(domain, has_moved)
+      end associate
+   end subroutine anticipate
+
+   !> By how much the last linear step has missed the gap of a contact [m].
+   elemental real(dp) function missed_by(point)
+      type(contact_point_t), intent(in) :: point
+
+      missed_by = 0
+      if (point%closed) missed_by = merge(abs(point%gap - point%predicted_gap), huge(missed_by), point%predicted)
+   end function missed_by
+
    !> The axes have sheared since the increment began: contact is to balance where they are now.
    subroutine settle(self, domain, has_moved)
       class(contact_term_t), intent(inout) :: self
@@ -331,6 +361,8 @@ contains
       real(dp) :: unused_change
 
       associate (contact => self%contact)
+         call follow_spots(domain%model, domain%wires, domain%elements, contact%points)
+         call follow_spots(domain%model, domain%wires, domain%elements, contact%line_points)
          call capture_contacts(domain%model, domain%elements, contact, domain%state)
          if (contact%shares_wait) then
             call renew_shares(domain%model, domain%wires, domain%elements, domain%iterate%x, domain%iterate%rotation, &

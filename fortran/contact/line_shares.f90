@@ -122,6 +122,7 @@ contains
       point%section_share = share_of_line(half_length/radius)
       ! a penalty does not depend on the far field
       if (law%line_penalty() > 0) point%section_share = 0
+      point%spot_section = max(point%section_share, share_of_kept(point, radius))
       point%lens_share = share_of_lens(law, point)
    end subroutine share_crossing
 
@@ -248,6 +249,8 @@ contains
          end if
          point%line_share = 1
          point%section_share = 1
+         point%spot_section = 1
+         point%kept_overlap = 0
          point%in_lens = .false.
          if (bend > 0 .or. tilt > 0) then
             ! to where the wires are nearest; of a wedge, as far as one reaches that counts
@@ -346,9 +349,23 @@ contains
          slope)
       point%line_share = 1 - of_crossing
       point%section_share = share_of_line(half_length/radius)
+      point%spot_section = point%section_share
       ! next to an end the overlap is a wedge
       point%in_lens = .not. any(crossing%held)
+      if (.not. point%in_lens) return
+      point%kept_overlap = crossing%kept_overlap
+      point%spot_section = max(point%spot_section, share_of_kept(crossing, radius))
    end subroutine share_with
+
+   !> How much the section counted in the largest lens of a crossing.
+   pure real(dp) function share_of_kept(crossing, radius) result(share)
+      type(contact_point_t), intent(in) :: crossing
+      !> The smaller one [m]
+      real(dp), intent(in) :: radius
+
+      share = share_of_line(sqrt(2*crossing%kinematics%distance*crossing%kept_overlap)/(lens_sine(crossing%kinematics) &
+         *radius))
+   end function share_of_kept
 
    !> Of the two passes: half, unless one wire is curved about the other so that the other's places have no clear foot
    !> on it.

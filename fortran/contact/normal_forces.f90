@@ -20,7 +20,8 @@ module litz_normal_forces
    use litz_parallel, only: worth_threads
    implicit none
    private
-   public :: apply_normal_law, wires_of, is_lens, law_of_spot, share_of_ellipse, weight_of_lens, overlap_of_point
+   public :: apply_normal_law, wires_of, line_of_point, is_lens, law_of_spot, share_of_ellipse, weight_of_lens
+   public :: overlap_of_point
 
    !> At first touch the Hertz law is linearised about the force of an overlap of at most this fraction of the radius
    real(dp), parameter :: first_overlap = 1.0e-3_dp
@@ -88,7 +89,7 @@ contains
       if (.not. point%active) point%mixed_force = 0
       associate (law => model%interactions(model%contact_pairs(point%pair)%interaction))
          needs_line = point%weight > 0 .and. (point%line_place > 0 .or. is_lens(law%normal, point) .or. &
-            law%spot%is_per_length)
+            law%spot%is_per_length .or. law%spot_memory)
          if (.not. (point%active .or. point%closed .or. needs_line)) return
          pair = wires_of(model, elements, point)
          if (needs_line) point%line = line_of_point(pair, point)

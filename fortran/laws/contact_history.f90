@@ -24,8 +24,8 @@ module litz_contact_history
       real(dp) :: slip_path = 0, dissipation = 0
       !> Energy of the tangential spring [J]
       real(dp) :: elastic_energy = 0
-      !> Largest force since the contact closed or last left its spot: of a crossing [N], of a place of a line per
-      !> length [N/m]; and the arc lengths where it had it (2) [m]
+      !> Largest force of the whole contact, whatever its share, since it closed or last left its spot: of a crossing
+      !> [N], of a place of a line per length [N/m]; and the arc lengths where it had it (2) [m]
       real(dp) :: largest_force = 0
       real(dp) :: spot_arc(2) = 0
    end type contact_history_t
@@ -33,12 +33,10 @@ module litz_contact_history
 contains
 
    !> The memory of a contact that is closed when an increment has converged.
-   pure function advanced_history(start, arc, force, weight, spot_force, friction, new_spot) result(history)
+   pure function advanced_history(start, arc, force, weight, friction, new_spot) result(history)
       type(contact_history_t), intent(in) :: start
       !> Arc lengths (2) [m], normal force [N], share [-] or length [m]
       real(dp), intent(in) :: arc(2), force, weight
-      !> What makes a spot of it: the force of a crossing [N], that of a place of a line per length [N/m]
-      real(dp), intent(in) :: spot_force
       type(friction_law_t), intent(in) :: friction
       !> The contact has left the spot of its largest force
       logical, intent(in) :: new_spot
@@ -52,21 +50,36 @@ contains
       history%slip_path = start%slip_path + norm2(friction%plastic_slip)
       history%dissipation = start%dissipation + friction%dissipation
       history%elastic_energy = start%elastic_energy + friction%elastic_work
-      history%largest_force = start%largest_force
-      history%spot_arc = start%spot_arc
-      if (new_spot .or. spot_force >= start%largest_force) then
-         history%largest_force = spot_force
-         history%spot_arc = arc
-      end if
+      call remember_spot(start, arc, force/weight, new_spot, history)
    end function advanced_history
 
-   !> What is left of the memory where the wires still overlap, but another point carries the contact: their spot.
-   elemental type(contact_history_t) function spot_of_history(start) result(history)
+   !> What is left of the memory where the wires still overlap, but other points carry the contact: their spot, which
+   !> goes on to be that of the whole contact.
+   pure type(contact_history_t) function spot_of_history(start, arc, spot_force, new_spot) result(history)
       type(contact_history_t), intent(in) :: start
+      !> Arc lengths (2) [m], and force of the whole contact [N] or per length [N/m]; 0: unknown
+      real(dp), intent(in) :: arc(2), spot_force
+      !> The contact has left the spot of its largest force
+      logical, intent(in) :: new_spot
+
+      call remember_spot(start, arc, spot_force, new_spot, history)
+   end function spot_of_history
+
+   !> The largest force, and where it was.
+   pure subroutine remember_spot(start, arc, spot_force, new_spot, history)
+      type(contact_history_t), intent(in) :: start
+      !> Arc lengths (2) [m], force [N] or force per length [N/m]
+      real(dp), intent(in) :: arc(2), spot_force
+      !> The contact has left the spot of its largest force
+      logical, intent(in) :: new_spot
+      type(contact_history_t), intent(inout) :: history
 
       history%largest_force = start%largest_force
       history%spot_arc = start%spot_arc
-   end function spot_of_history
+      if (.not. (new_spot .or. spot_force >= start%largest_force)) return
+      history%largest_force = spot_force
+      history%spot_arc = arc
+   end subroutine remember_spot
 
    !> Force that has made the spot of a contact, and its derivative with respect to the present force.
    !>

@@ -10,7 +10,7 @@ module litz_lens_law
    implicit none
    private
    public :: lens_integral, n_depths, gauss_depth, gauss_weight
-   public :: lens_t, lens_force, lens_spot_t, lens_spot, lens_energy, share_of_point, curvature_of_share, &
+   public :: lens_t, lens_force, kept_lens, lens_spot_t, lens_spot, lens_energy, share_of_point, curvature_of_share, &
       share_of_ends, share_of_line, slope_of_line_share, smooth_step
 
    integer, parameter :: n_depths = 2
@@ -40,6 +40,9 @@ module litz_lens_law
       real(dp) :: force = 0, dforce_dgap = 0, dforce_dangle = 0
       !> The law at the deepest place, and at the Gauss points
       type(line_force_t) :: deepest, along(n_depths)
+      !> Gap of its deepest place [m], and how the overlap at the Gauss points changes with that [-]
+      real(dp) :: gap = 0
+      real(dp) :: doverlap_dgap(n_depths) = -gauss_depth
    end type lens_t
 
    !> Conductance of a lens, 0 where there is no force.
@@ -71,6 +74,7 @@ contains
 
       if (gap >= 0) return
       distance = sum(line%radius) + gap                                                    ! d
+      lens%gap = gap
       lens%half_length = sqrt(-2*distance*gap)/sine
       lens%dhalf_length_dgap = -(distance + gap)/(sine**2*lens%half_length)
       lens%dhalf_length_dangle = -lens%half_length*cosine(sine)/sine
@@ -85,6 +89,24 @@ contains
       lens%dforce_dgap = f*lens%dhalf_length_dgap + df_dgap*lens%half_length
       lens%dforce_dangle = f*lens%dhalf_length_dangle + df_dangle*lens%half_length
    end function lens_force
+
+   !> The present lens and its force, with the law of the overlaps along it when it was deeper: these stay.
+   pure type(lens_t) function kept_lens(line, gap, sine, penalty, made) result(lens)
+      type(line_wires_t), intent(in) :: line
+      !> Gap between the surfaces [m], negative in contact
+      real(dp), intent(in) :: gap
+      !> s, positive [-]
+      real(dp), intent(in) :: sine
+      !> eps_l [N/m^2]; 0: the elastic law. The deepest overlap that it had [m]
+      real(dp), intent(in) :: penalty, made
+      integer :: i
+
+      lens = lens_force(line, gap, sine, penalty)
+      do i = 1, n_depths
+         lens%along(i) = line_force(line, made + gap*(1 - gauss_depth(i)), penalty)
+      end do
+      lens%doverlap_dgap = 1 - gauss_depth
+   end function kept_lens
 
    !> `G = aW int g' du` and its derivatives.
    pure type(lens_spot_t) function lens_spot(line, lens, film, hardness) result(spot)
@@ -107,7 +129,7 @@ contains
          associate (f => lens%along(i))
             at = line_spot(line, f%force, film, hardness)
             g = g + gauss_weight(i)*at%conductance
-            dg_dgap = dg_dgap - gauss_weight(i)*at%dconductance_dforce*f%stiffness*gauss_depth(i)
+            dg_dgap = dg_dgap + gauss_weight(i)*at%dconductance_dforce*f%stiffness*lens%doverlap_dgap(i)
             dg_dangle = dg_dangle + gauss_weight(i)*(at%dconductance_dangle + at%dconductance_dforce*f%dforce_dangle)
             dg_dresistivity = dg_dresistivity + gauss_weight(i)*at%dconductance_dresistivity
          end associate
@@ -131,7 +153,7 @@ contains
       mean = dot_product(gauss_weight, value)
       integral = mean*lens%half_length
       dintegral_dgap = mean*lens%dhalf_length_dgap &
-         - dot_product(gauss_weight*gauss_depth, slope*lens%along%stiffness)*lens%half_length
+         + dot_product(gauss_weight*lens%doverlap_dgap, slope*lens%along%stiffness)*lens%half_length
    end subroutine lens_integral
 
    !> Integral of the force over the overlap at a fixed angle [J].

@@ -82,6 +82,8 @@ contains
       call table%field('is_long', point%is_long)
       call table%field('section_share', point%section_share)
       call table%field('in_lens', point%in_lens)
+      call table%field('spot_section', point%spot_section)
+      call table%field('kept_overlap', point%kept_overlap)
       call table%field('lens_share', point%lens_share)
       call table%field('lens_sine', point%lens_sine)
       call table%field('law_angle', point%law_angle)

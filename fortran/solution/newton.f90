@@ -11,7 +11,7 @@ module litz_newton
       corrections_small, worst_field
    use litz_element_library, only: heat_elements
    use litz_errors, only: error_t
-   use litz_fields, only: n_fields, n_slots, n_groups, first_slot, last_slot, last_slot_of_group, &
+   use litz_fields, only: field_displacement, n_fields, n_slots, n_groups, first_slot, last_slot, last_slot_of_group, &
       temperature_slots
    use litz_grounding, only: describe_fed_part
    use litz_group_solution, only: has_mutual_tangent
@@ -72,6 +72,9 @@ module litz_newton
 
    !> Iterations at most, in multiples of I_C, where contacts open and close as predicted all the way
    integer, parameter :: max_iterations = 4
+
+   !> Iterations to balance from where terms anticipate
+   integer, parameter :: still_to_go = 2
 
    !> A factor of the tangent is kept if the last iteration has left no more than this of the residual. That is about
    !> how much the tangent has changed in it, and what the next iteration with the old one will leave.
@@ -166,7 +169,7 @@ contains
    pure integer function effort(self)
       class(outcome_t), intent(in) :: self
 
-      effort = merge(self%to_balance, self%factorisations, self%to_balance > 0)
+      effort = merge(min(self%to_balance, self%factorisations), self%factorisations, self%to_balance > 0)
       if (self%sweeps > 0) effort = max(self%longest_turn, self%counted, self%sweeps)
    end function effort
 
@@ -253,7 +256,8 @@ contains
       carries_prescribed = any(abs(problem%iterate%prescribed) > 0)
    end function carries_prescribed
 
-   !> Once the forces of the first group balance, terms bring up to date what they have held back.
+   !> Once the forces of the first group balance, terms bring up to date what they have held back; or before, when the
+   !> iterate tells well enough what that will be, so that the iterations that are left are with it.
    subroutine settle(problem, step, outcome, error)
       type(problem_t), intent(inout) :: problem
       type(step_t), intent(in) :: step
@@ -262,13 +266,20 @@ contains
       logical :: has_moved
       integer :: i
 
-      if (.not. has_converged(outcome%last, 1)) return
       has_moved = .false.
-      do i = 1, size(problem%terms)
-         call problem%terms(i)%term%settle(problem%domain_t, has_moved)
-      end do
+      if (has_converged(outcome%last, 1)) then
+         do i = 1, size(problem%terms)
+            call problem%terms(i)%term%settle(problem%domain_t, has_moved)
+         end do
+         if (has_moved .and. outcome%to_balance == 0) outcome%to_balance = outcome%factorisations
+      else
+         do i = 1, size(problem%terms)
+            call problem%terms(i)%term%anticipate(problem%domain_t, outcome%last%residual(field_displacement), &
+               has_moved)
+         end do
+         if (has_moved) outcome%to_balance = outcome%factorisations + still_to_go
+      end if
       if (.not. has_moved) return
-      if (outcome%to_balance == 0) outcome%to_balance = outcome%factorisations
       call evaluate(problem, error)
       if (allocated(error)) return
       call measure_residual(problem, step, outcome%last, outcome%at_round_off)

@@ -40,6 +40,7 @@ module litz_term
       procedure :: add_mutual_tangent
       procedure :: bearable_fraction
       procedure :: predict
+      procedure :: anticipate
       procedure :: settle
       !> An increment has converged
       procedure :: add_energies
@@ -190,6 +191,17 @@ contains
       !> Fraction of the step that is taken, and the step (n_slots, n_nodes)
       real(dp), intent(in) :: eta, correction(:, :)
    end subroutine predict
+
+   !> The forces do not balance yet: what the term holds back in the iteration may take its place if it will hardly be
+   !> another in the end.
+   subroutine anticipate(self, domain, residual, has_moved)
+      class(term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      !> Largest force that is left over at any node [N]
+      real(dp), intent(in) :: residual
+      !> The forces must be evaluated again
+      logical, intent(inout) :: has_moved
+   end subroutine anticipate
 
    !> The forces balance: what the term has held back in the iteration takes its place.
    subroutine settle(self, domain, has_moved)

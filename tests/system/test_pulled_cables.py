@@ -33,3 +33,17 @@ def test_a_cable_is_pulled_without_a_warning(name, litz, tmp_path):
     assert results.warnings == []
     # wires that are laid on each other hold each other as soon as they are pulled
     assert results.contacts_at(-1)["force"].sum() > 0
+
+
+def test_shares_of_places_and_crossings_that_change_with_the_load_take_no_iterations_of_their_own(litz, tmp_path):
+    """A first step that carries the prescribed motion, and three that square a miss of some hundredths down to 1e-8.
+
+    On the way the overlap grows by a tenth to a fifth in each increment, and with it what is carried along the line.
+    """
+    model = build.strand([1, 6], radius=[0.52e-3, 0.5e-3], lay_length=45e-3, length=22.5e-3)
+    model.press(-5e-4 * 22.5e-3)
+    process = litz("run", model.write(tmp_path / "strand.inp"), "-o", tmp_path)
+    assert process.returncode == 0, process.stderr
+    iterations = Results(tmp_path / "strand.vtkhdf").status["iterations"]
+    assert len(iterations) == 10
+    assert max(iterations[3:]) <= 4

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from litz import Results
+from litz import Results, report
 from same_results import KEEP_ALL
 from test_restart import assert_goes_on_from_everywhere
 
@@ -393,3 +393,19 @@ def test_the_summary_of_a_deck_lists_heat(litz, tmp_path):
     assert "sigma = 5e+07 S/m at 200 K (2 temperatures), lambda = 390 W/(m K)" in summary
     assert "step 1: currents and temperatures" in summary
     assert "heat sources in 1 element, films on 8 elements, radiation from 1 element" in summary
+
+
+def test_results_tell_temperatures_and_where_heat_leaves(litz, tmp_path):
+    (tmp_path / "wire.inp").write_text(deck(loads=TestSides.FIN, model=TestSides.CONSTANTS))
+    assert litz("run", tmp_path / "wire.inp", "-o", tmp_path / "wire", "--quiet").returncode == 0
+    results = Results(tmp_path / "wire" / "wire.vtkhdf")
+    highest = results.field("temperature").max()
+    ends, sides = -results.field("reaction_heat").sum(), results.field("surface_heat").sum()
+    assert min(ends, sides) > 0
+    assert ends + sides == pytest.approx(results.field("joule_heat").sum(), rel=1e-9)
+    words = results.summary()
+    assert f"to {highest:.5g} K at node 5" in words
+    assert f"(prescribed temperatures {ends:.5g} W, films and radiation {sides:.5g} W)" in words
+    page = report(results, tmp_path / "report.html").read_text(encoding="utf-8")
+    assert "highest temperature, at node 5" in page
+    assert "heat out by films and radiation" in page

@@ -9,6 +9,7 @@ import pytest
 
 from litz import build
 from litz.build.geometry import end_distance, segment_distance
+from litz.model import COPPER, STEEL
 from litz.wires.chains import find_wires
 from litz.wires.curves import element_curves, hermite
 
@@ -96,6 +97,34 @@ def test_the_program_accepts_the_deck(name, mesh_file, litz, tmp_path):
     n_wires = sum(len(group.wires) for group in model.groups.values())
     assert f"{len(model.x)} nodes, {len(model.connectivity)} elements" in done.stdout
     assert f"wires (chains of elements): {n_wires}" in done.stdout
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_conductors_are_pressed_without_a_voltage(name, litz, tmp_path):
+    model = MODELS[name]()
+    model.press(1e-9)
+    assert model.to_deck().count(" MINUS, 9\n") == 1
+    done = litz("check", model.write(tmp_path / "model.inp"))
+    assert done.returncode == 0, done.stderr
+
+
+def test_what_else_prescribes_potentials_or_currents_grounds_the_model_itself():
+    def deck(*, fix=None, step=None, material=COPPER):
+        model = build.strand([1, 6], radius=[0.52e-3, 0.5e-3], lay_length=45e-3, length=12e-3, material=material)
+        if fix:
+            model.fix("PLUS", fix)
+        pressed = model.press(-1e-6)
+        if step:
+            step(pressed)
+        return model.to_deck()
+
+    ground = "MINUS, 9\n"
+    assert ground in deck()
+    assert ground not in deck(material=STEEL)
+    assert ground not in deck(fix="potential")
+    assert ground not in deck(step=lambda step: step.potential("PLUS", 1e-3))
+    assert ground not in deck(step=lambda step: step.current("PLUS", 1.0))
+    assert ground not in deck(step=lambda step: step.card("BOUNDARY", {}, [["PLUS", 9, 9, 1e-3]]))
 
 
 def test_text_and_mesh_file_give_the_same_run(litz, tmp_path):

@@ -3,8 +3,9 @@
 program test_lens_at_place
    use litz_kinds, only: dp
    use litz_law_input, only: wire_pair_t
-   use litz_lens_at_place, only: lens_at_place_t, lens_at_place
-   use litz_lens_law, only: lens_t, lens_force
+   use litz_lens_at_place, only: deepest_overlap_t, deepest_overlap, lens_at_place_t, lens_at_place, integral_at_place
+   use litz_line_cell, only: line_cell_t
+   use litz_lens_law, only: lens_t, lens_force, n_depths
    use litz_line_law, only: line_wires_t, line_wires
    implicit none
 
@@ -25,6 +26,8 @@ program test_lens_at_place
       call check_place(places(i), 0.0_dp)
    end do
    call check_place(0.4_dp, 3.0e10_dp)
+   call what_was_deeper_stays()
+   call the_integral_of_the_force()
    call nothing_where_there_is_no_lens()
    if (failures > 0) error stop 1
 
@@ -60,6 +63,37 @@ contains
       end do
    end subroutine check_place
 
+   !> The overlap of an earlier lens stays, and with it all that follows but for the course of the distance.
+   subroutine what_was_deeper_stays()
+      type(line_cell_t) :: cell
+      type(deepest_overlap_t) :: now, made, known
+      type(lens_at_place_t) :: lens
+
+      cell = line_cell_t(overlap=deepest/4, slope=1.0e-3_dp, bend=2.0_dp)
+      now = deepest_overlap(cell, 0.0_dp)
+      made = deepest_overlap(cell, deepest)
+      call check('deeper', made%value - now%value, deepest, 1.0e-20_dp)
+      call check('the overlap counts', now%derivative(1), 1.0_dp, 0.0_dp)
+      call check('the overlap does not count', made%derivative(1), 0.0_dp, 0.0_dp)
+      known%value = made%value
+      lens = lens_at_place(line, known, cell%bend, 0.0_dp)
+      call check('known overlap', maxval(abs(lens%dforce(:2))), 0.0_dp, 0.0_dp)
+      ! F goes with the length, which goes with the root of the curvature
+      call check('known overlap, length', lens%dforce(3)*2*cell%bend/lens%force, -1.0_dp, 1.0e-13_dp)
+   end subroutine what_was_deeper_stays
+
+   !> The integral of the force per length is the force.
+   subroutine the_integral_of_the_force()
+      type(lens_at_place_t) :: lens
+      real(dp) :: force, derivative(3)
+      real(dp), parameter :: ones(n_depths) = 1
+
+      lens = at([deepest/2, 1.0e-3_dp, 2.0_dp], 0.0_dp)
+      call integral_at_place(lens, lens%along%force, ones, force, derivative)
+      call check('integral', force/lens%force, 1.0_dp, 1.0e-14_dp)
+      call check('integral, derivative', maxval(abs(derivative/lens%dforce - 1)), 0.0_dp, 1.0e-13_dp)
+   end subroutine the_integral_of_the_force
+
    subroutine nothing_where_there_is_no_lens()
       type(lens_at_place_t) :: lens
 
@@ -73,7 +107,8 @@ contains
       !> Overlap [m], slope [-] and curvature [1/m] of the distance (3), and eps_l [N/m^2]
       real(dp), intent(in) :: cell(3), penalty
 
-      at = lens_at_place(line, cell(1), cell(2), cell(3), penalty)
+      at = lens_at_place(line, deepest_overlap(line_cell_t(overlap=cell(1), slope=cell(2), bend=cell(3)), 0.0_dp), &
+         cell(3), penalty)
    end function at
 
    pure function unit(k)

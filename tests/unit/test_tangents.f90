@@ -119,6 +119,9 @@ program test_tangents
       'LAW=HERTZ, VOLTAGE=LINEAR, SPOT=LARGEST FORCE'//nl, 5.0_dp, 1.2e-5_dp, 0.02_dp)
    call check_lines('bow over a straight wire, wires that yield', hertz//'*GAP ELECTRICAL CONDUCTANCE, '// &
       'LAW=PLASTIC, VOLTAGE=LINEAR'//nl//'1e9'//nl, 1.0_dp, 1.2e-5_dp, 0.02_dp)
+   call check_lines('bow over a straight wire, spots of a larger force', hertz// &
+      '*GAP ELECTRICAL CONDUCTANCE, LAW=PLASTIC, VOLTAGE=LINEAR, SPOT=LARGEST FORCE'//nl//'1e9'//nl, 1.0_dp, &
+      1.2e-5_dp, 0.02_dp, 2.0_dp)
    call check_lines('line that sticks', hertz//'*FRICTION'//nl//'1e3'//nl, 0.0_dp, 4.0e-6_dp, 0.02_dp)
    call check_lines('line of a penalty that sticks', penalty_of_line//'*FRICTION, ELASTIC SLIP=1e-7'//nl//'1e3'//nl, &
       0.0_dp, 3.5e-5_dp, 0.01_dp)
@@ -347,17 +350,21 @@ contains
          '*GAP ELECTRICAL CONDUCTANCE, LAW=PLASTIC'//nl//'1e9'//nl, '', heat, exact)
       call check_terms('resistivity of places, film', 'B33', 'B33', hertz//'*GAP ELECTRICAL CONDUCTANCE, LAW=FILM'//nl &
          //'1e-12'//nl, '', heat, exact)
-      call check_lines('resistivity of places, line', hertz//clean, 0.0_dp, 4.0e-6_dp, 0.1_dp, heat)
+      call check_lines('resistivity of places, line', hertz//clean, 0.0_dp, 4.0e-6_dp, 0.1_dp, loads=heat)
+      call check_lines('resistivity of places, line of metal that yields', hertz//'*GAP ELECTRICAL CONDUCTANCE, '// &
+         'LAW=PLASTIC, VOLTAGE=LINEAR'//nl//'1e9'//nl, 5.0_dp, 1.2e-5_dp, 0.02_dp, loads=heat)
       elasticity = '1.2e11, 0.3, 0'//nl//'0.8e11, 0.35, 100'//nl
       call check_terms('elasticity of places', 'B33', 'B33', hertz//spot, '', heat, exact)
-            elasticity = '1.1e11, 0.3'//nl
+      elasticity = '1.1e11, 0.3'//nl
       conductivity = '5e7'//nl
    end subroutine check_contacts_over_temperature
 
    !> Wires that touch along a line, `part` of the usual random motion away from equilibrium.
-   subroutine check_lines(name, laws, bow, push, part, loads)
+   subroutine check_lines(name, laws, bow, push, part, larger, loads)
       character(len=*), intent(in) :: name, laws
       real(dp), intent(in) :: bow, push, part
+      !> Times the present one is the largest force that places remember; absent: 1
+      real(dp), intent(in), optional :: larger
       !> Cards of the second step
       character(len=*), intent(in), optional :: loads
       type(problem_t) :: problem
@@ -369,6 +376,11 @@ contains
       ! the same motions whatever was checked before: none of them brings a place to the verge of touching
       call start_random_numbers()
       call solve_first_step(deck_along(laws, bow, push, cards), problem)
+      if (present(larger)) then
+         associate (history => problem%contact%converged_line_points%history)
+            history%largest_force = larger*history%largest_force
+         end associate
+      end if
       do trial = 1, 3
          call compare(name, problem, exact, part)
          call check(count(problem%contact%line_points%closed) > 1, name//': points of a line in contact', 0.0_dp)

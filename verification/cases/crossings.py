@@ -10,8 +10,7 @@ Where the grids are lowered at their supports, the crossings near these carry al
 every node of the upper layer nearly all of the crossings close. The hardest grid: thin wires clamped at both ends (length
 400 radii) that a load bends by three radii, so that they stretch while 100 crossings close.
 
-Missed: threads bent by ten diameters need 11 (linear penalty) and 18 iterations (Hertz), a hundred crossings of B31 11
-(Hertz).
+Missed: threads bent by ten diameters need 11 (linear penalty) and 18 iterations (Hertz).
 """
 
 import math

@@ -31,6 +31,7 @@ class LoadedModel(SurfaceModel):
         self.supports: list[Prescribed] = []
         self.guides: dict[Target, float] = {}
         self.height: float | None = None
+        self.ground: str | None = None
         self.steps: list[Step] = []
         self.cards: list[CardSpec] = []
         self.units = _unit_labels(units)
@@ -237,7 +238,8 @@ class LoadedModel(SurfaceModel):
         displacement : float
             Displacement at the end of the step of the nodes with factor 1 [m]; at most `height`.
         voltage : float, optional
-            Between the node sets PLUS and MINUS, with MINUS at 0 V [V]; None: the step prescribes no potential.
+            Between the node sets PLUS and MINUS, with MINUS at 0 V [V]; None: the step prescribes no potential. Where
+            nothing else in the model prescribes a potential or a current, MINUS is written at 0 V, so that none flows.
         name : str
             Name of the step.
         **options
@@ -263,6 +265,8 @@ class LoadedModel(SurfaceModel):
             step.potential("PLUS", voltage)
             step.potential("MINUS", 0.0)
             step.electrode_print("PLUS", "MINUS")
+        elif "MINUS" in self.node_sets:
+            self.ground = "MINUS"
         return step
 
     def card(self, name: str, parameters: dict[str, Any] | None = None, rows: list | None = None) -> None:

@@ -48,6 +48,8 @@ class Model(LoadedModel):
     height : float, optional
         Displacement of a pressing that brings top and bottom to one level [m], the upper limit of
         any pressing; None without such a limit.
+    ground : str, optional
+        Node set that is written at 0 V if nothing else prescribes a potential or a current; set by `press`.
     steps : list of Step
         The loading.
 

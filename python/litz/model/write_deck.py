@@ -1,10 +1,11 @@
 """A model as the text of a deck."""
 
 from collections.abc import Iterable, Iterator
+from itertools import chain
 
 from ..deck.lines import card_lines, data_line, number
 from .loaded_model import LoadedModel
-from .loading import grouped
+from .loading import Prescribed, degree_of_freedom, grouped
 from .wires import WireGroup
 
 #: Members of a set on one line
@@ -37,10 +38,26 @@ def deck_text(model: LoadedModel, mesh_file: str | None = None) -> str:
         lines += _cards(pair.cards())
     lines += _cards(model.cards)
     lines.append("**")
-    lines += _cards(grouped("BOUNDARY", model.supports))
+    lines += _cards(grouped("BOUNDARY", [*model.supports, *_ground(model)]))
     for step in model.steps:
         lines += _cards(step.all_cards())
     return "\n".join(lines) + "\n"
+
+
+def _ground(model: LoadedModel) -> Iterator[Prescribed]:
+    """The electrode at 0 V of conductors for which nothing else is prescribed: one that asks for no current has none."""
+    potential = degree_of_freedom("potential")
+    held = chain(model.supports, *(step.prescribed for step in model.steps))
+    loads = chain.from_iterable(step.loads for step in model.steps)
+    written = chain(model.cards, *(step.cards for step in model.steps))
+    if (
+        model.ground is not None
+        and any(group.material.conductivity is not None for group in model.groups.values())
+        and not any(one.first <= potential <= one.last for one in held)
+        and not any(one.dof == potential for one in loads)
+        and not any(name in ("BOUNDARY", "CECURRENT") for name, _, _ in written)
+    ):
+        yield Prescribed(model.ground, potential, potential)
 
 
 def _cards(cards: Iterable) -> Iterator[str]:

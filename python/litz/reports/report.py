@@ -129,6 +129,8 @@ def _pictures(results: Results) -> list[str]:
     contacts, field = results.contacts, lambda name: results.field(name).any()
     if field("joule_heat"):
         wanted.append(("wires", "Joule heat in each element.", {"field": "joule_heat"}))
+    if "temperature" in results.fields:
+        wanted.append(("wires", "Temperature.", {"field": "temperature"}))
     wanted.append(("wires", "Bending moment.", {"field": "bending_moment"}))
     wanted.append(("residuals", "Residuals over the iterations.", {}))
     if contacts.n_rows:

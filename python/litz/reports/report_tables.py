@@ -100,7 +100,7 @@ def balance(results: Results) -> str:
         k = int(np.argmax(values))
         rows.append((names.get(name, name), f"{values[k]:.2g}", f"{results.steps[k]}:{results.increments[k]}"))
     audit = table(("audit: what is left of a sum, over its largest part", "worst", "step:increment"), rows)
-    return audit + _power(results) + _energies(results)
+    return audit + _power(results) + _heat(results) + _energies(results)
 
 
 def _power(results: Results) -> str:
@@ -118,6 +118,24 @@ def _power(results: Results) -> str:
         ("Joule heat of the contacts", amount(contacts, unit["W"])),
     ]
     return table(("current and power at the last increment", ""), rows)
+
+
+def _heat(results: Results) -> str:
+    """Where heat enters and leaves, in models that solve for temperatures."""
+    if "temperature" not in results.fields:
+        return ""
+    temperature, supports, sides = (
+        results.field(name) for name in ("temperature", "reaction_heat", "surface_heat")
+    )  # fmt: skip
+    kelvin, watt = results.units["temperature"], results.unit_labels["W"]
+    rows = [
+        ("lowest temperature", amount(temperature.min(), kelvin)),
+        (f"highest temperature, at node {results.node_ids[temperature.argmax()]}", amount(temperature.max(), kelvin)),
+        ("heat in at nodes", amount(results.field("applied_heat").sum(), watt)),
+        ("heat out where temperatures are prescribed", amount(-supports.sum(), watt)),
+        ("heat out by films and radiation", amount(sides.sum(), watt)),
+    ]
+    return table(("temperatures and heat at the last increment", ""), rows)
 
 
 def _energies(results: Results) -> str:

@@ -79,11 +79,28 @@ def _last_increment(results: ResultFile) -> str:
                 f"(wires {heat_wires:.5g} {unit['W']}, contacts {heat_contacts:.5g} {unit['W']})"
             ),
         ]
+    lines += _heat(results)
     history = results.history
     lines += [
         f"  {name}  {history[name][-1]:.8g} {history.units[name]}" for name in history if name.startswith("resistance ")
     ]
     return "\n".join(lines + _pairs(places, zones, unit))
+
+
+def _heat(results: ResultFile) -> list[str]:
+    """Temperatures, and where the heat leaves the wires, in models that have temperatures."""
+    if "temperature" not in results.fields:
+        return []
+    temperature, watt = results.field("temperature"), results.unit_labels["W"]
+    supports, sides = -results.field("reaction_heat").sum(), results.field("surface_heat").sum()
+    hottest = results.node_ids[temperature.argmax()]
+    lines = [f"  temperature            {_range(temperature, results.units['temperature'])} at node {hottest}"]
+    if supports or sides:
+        lines.append(
+            f"  heat out               {supports + sides:12.5g} {watt:4} "
+            f"(prescribed temperatures {supports:.5g} {watt}, films and radiation {sides:.5g} {watt})"
+        )
+    return lines
 
 
 def _contacts(places: ContactPlaces, zones: Table, unit: dict[str, str]) -> list[str]:
