@@ -7,6 +7,7 @@ module litz_contact_candidates
    use litz_contact_search, only: near_segments
    use litz_contact_tangents, only: axis_of_element
    use litz_element_library, only: elements_t
+   use litz_joint_radii, only: largest_radius
    use litz_line_places, only: prepare_line_places
    use litz_errors, only: error_t, fail, exit_memory
    use litz_model, only: model_t
@@ -131,7 +132,7 @@ contains
             contact%valid_sagitta(e) = axis_sagitta(p) + bending*elements%length(e)
             ! what the axis may leave its chord by, what its nodes and its bow have moved since the increment began,
             ! and half of the overlap it then had count as thickness
-            reach(i) = (1 + skin/2)*elements%radius(e) + contact%depth/2 + contact%valid_sagitta(e) &
+            reach(i) = (1 + skin/2)*largest_radius(wires, elements, e) + contact%depth/2 + contact%valid_sagitta(e) &
                + sqrt(maxval(sum((x(:, node) - x_start(:, node))**2, 1))) &
                + axis_sagitta(p - axis_of_element(model, wires, elements, e, x_start, rotation_start))
          end associate

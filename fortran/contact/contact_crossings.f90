@@ -20,6 +20,7 @@ module litz_contact_crossings
    use litz_contact_side, only: have_passed
    use litz_element_library, only: elements_t
    use litz_end_kinematics, only: end_kinematics
+   use litz_joint_radii, only: add_balls, largest_radius
    use litz_model, only: model_t, axis_hermite
    use litz_parallel, only: worth_threads
    use litz_start_crossings, only: crossing_at_start, relative_motion
@@ -102,7 +103,7 @@ contains
       associate (eb => candidate(1), e => candidate(2))
          call pair_geometry(model, wires, elements, eb, e, x, rotation, xe, t, length)
          distance = norm2(sum(xe(:, 1:2), 2) - sum(xe(:, 3:4), 2))/2 - sum(length) &
-            - (1 + skin/2)*(elements%radius(eb) + elements%radius(e))
+            - (1 + skin/2)*(largest_radius(wires, elements, eb) + largest_radius(wires, elements, e))
          ! wires that have passed each other are apart again
          if (distance > 0) distance = distance - contact%depth - relative_motion(model, x_start, x, eb, e)
          if (distance > 0) return
@@ -302,6 +303,7 @@ contains
          if (info == kinematics_ok) call set_tangents(model, wires, elements, axis, x, rotation, xe, t, length, point)
          point%regular = info == kinematics_ok
          call add_taper(elements%taper([eb, e]), kinematics)
+         call add_balls(wires, elements, point)
          point%gap = kinematics%gap + clearance_of(point%fit, contact%clearance(point%pair))
       end associate
       if (point%regular) call measure_legs(model, wires, elements, axis, x, rotation, point)

@@ -16,8 +16,8 @@ module litz_contact_lens
    implicit none
    private
    public :: has_lens, half_length_of, half_length_on, divide_at_ends, tells_shares, angle_of_axes, place_at_ends, &
-      ends_of_wires, is_at_cut_end, cut_ends, flatness, least_bend, wedge_length, deepest, least_overlap, small_sine, &
-      moderate_sine
+      ends_of_wires, second_ends, is_at_cut_end, cut_ends, flatness, least_bend, wedge_length, deepest, &
+      least_overlap, small_sine, moderate_sine
 
    !> Sines of the angle between the axes up to which the lens alone gives the angle of the law, and from which on the
    !> axes do (5 and 10 degrees)
@@ -111,7 +111,8 @@ contains
       if (point%lens%is_known .or. point%gap >= 0 .or. .not. point%kinematics%distance > 0) return
       call divide_at_joints(point)
       associate (pair => [point%element_bar, point%element], lens => point%lens, d => point%kinematics%distance)
-         radius = minval(elements%radius(pair))
+         lens%of_ball = point%radius - elements%radius(pair)
+         radius = minval(point%radius)
          do i = 1, 2
             call find_free_end(wires, elements, point, i, lens%side(i), to_end(i))
          end do
@@ -148,6 +149,9 @@ contains
          lens%is_near_joint = parts%is_near
          lens%of_joint(1, :) = parts%of_cylinder
          lens%of_joint(2, :) = parts%of_end
+         lens%is_mixed = parts%is_mixed
+         lens%young = parts%young
+         lens%poisson = parts%poisson
          lens%angle = merge(parts%angle, point%kinematics%angle, parts%is_near)
          ! cylinders that are cut on both sides have nothing between their joints
          lens%of_crossing = 1
@@ -271,6 +275,17 @@ contains
       end do
    end function ends_of_wires
 
+   !> The second ends of both wires, from which places along them are counted.
+   pure function second_ends(wires, point) result(ends)
+      type(wires_t), intent(in) :: wires
+      type(contact_point_t), intent(in) :: point
+      type(place_at_end_t) :: ends(2)
+
+      ends%held = point%held
+      if (point%line_place > 0) ends%held = [point%foot_at_end, .true.]
+      ends%direction = wires%direction([point%element_bar, point%element])
+   end function second_ends
+
    !> 1 where an end of its wire lies in the direction of xi of an element, -1 where it lies against it.
    pure integer function direction_of_end(wires, e, side) result(direction)
       type(wires_t), intent(in) :: wires
@@ -299,7 +314,7 @@ contains
          to_ends = distances_to_ends(wires, elements, pair(i), arc)
          ! a joint has several legs, of which none is the one of the contact
          if (point%held(i) .and. .not. point%at_end(i) .and. any(to_ends <= at_end*elements%length(pair(i)))) return
-         to_ends = merge(to_ends, distance, cut_ends(wires, elements, pair(i), minval(elements%radius(pair))))
+         to_ends = merge(to_ends, distance, cut_ends(wires, elements, pair(i), minval(point%radius)))
       end associate
       if (.not. any(to_ends < distance)) return
       side = minloc(to_ends, 1)

@@ -59,6 +59,10 @@ module litz_contact_points
       real(dp) :: of_cylinder(2) = 1, of_end(2) = 0
       !> Mean angle of the legs with the other wire [rad]
       real(dp) :: angle = 0
+      !> The legs of a wire are not of one material (2), and the means of these by what the legs have of the force:
+      !> Young's modulus [Pa], Poisson's ratio and resistivity [ohm m] (2), of the sums of these parts (2)
+      logical :: is_mixed(2) = .false.
+      real(dp), dimension(2) :: young = 0, poisson = 0, resistivity = 0, sum_of_parts = 0
    end type joint_parts_t
 
    !> A crossing of two wires, open or closed: the contact that results show, and what the iteration needs besides.
@@ -70,6 +74,9 @@ module litz_contact_points
       !> Arc lengths along the two wires [m]
       real(dp) :: arc_bar = 0, arc = 0
       type(contact_kinematics_t) :: kinematics
+      !> Radii of both wires there (2) [m], and next to the ball of a joint how they change along the wires (2) [-] and
+      !> how that does (2) [1/m]
+      real(dp) :: radius(2) = 0, ball_slope(2) = 0, ball_bend(2) = 0
       !> On the barred, on the unbarred wire it is at a round end, or at the round joint of a kink
       logical :: held(2) = .false.
       !> Near the end of a wire: how that cuts its overlap, and what the pairs of cylinders and round ends have of the

@@ -6,6 +6,7 @@ module litz_line_feet
    use litz_contact_candidates, only: skin
    use litz_contact_points, only: contact_set_t, pair_geometry, arc_at
    use litz_element_library, only: elements_t
+   use litz_joint_radii, only: largest_radius
    use litz_line_contact, only: serves_lines
    use litz_line_foot, only: line_foot, foot_inside, foot_at_end, foot_too_curved
    use litz_model, only: model_t
@@ -96,7 +97,8 @@ contains
          if (.not. may_be_long(model, wires, elements, x_start, rotation_start, contact%depth, &
             pair)) return
          ! round-off must not take what the kinematics find within reach
-         farthest = (1 + skin/2)*sum(elements%radius(pair))*(1 + near_round_off)
+         farthest = (1 + skin/2)*(largest_radius(wires, elements, pair(1)) + largest_radius(wires, elements, pair(2))) &
+            *(1 + near_round_off)
          allocate (found(sum(places%n_parts(pair) + 1)))
          n = 0
          do side = 1, 2

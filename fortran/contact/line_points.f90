@@ -11,6 +11,7 @@ module litz_line_points
       add_taper, inherit, points_by_place_t, chain_by_place
    use litz_crossings_of_wires, only: crossings_of_wires_t, sort_crossings
    use litz_element_library, only: elements_t
+   use litz_joint_radii, only: add_balls
    use litz_line_cell, only: touching_length
    use litz_line_contact, only: serves_lines
    use litz_line_feet, only: foot_t, find_feet
@@ -151,6 +152,7 @@ contains
          call line_kinematics(xe, t, length, axis_hermite, radius, point%xi_bar, point%xi, &
             foot%status == foot_at_end, point%normal_before, point%kinematics, info)
          call add_taper(elements%taper([point%element_bar, point%element]), point%kinematics)
+         call add_balls(wires, elements, point)
          point%gap = point%kinematics%gap + clearance_of(point%fit, contact%clearance(point%pair))
          point%regular = info == kinematics_ok .and. point%kinematics%gap < skin/2*sum(radius)
       end associate

@@ -6,7 +6,7 @@ module litz_line_shares
    use litz_kinds, only: dp, pi
    use litz_axis_choices, only: axis_hermite
    use litz_contact_lens, only: has_lens, half_length_of, half_length_on, divide_at_ends, tells_shares, place_at_ends, &
-      flatness, deepest
+      flatness, least_bend, deepest
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_place_t, chain_by_place, pair_geometry, &
       law_too_curved
    use litz_cut_forces, only: settle_cut
@@ -59,6 +59,11 @@ contains
             call divide_at_ends(wires, elements, point)
             call place_at_ends(wires, elements, point)
             call set_angle_of_axes(point)
+         end associate
+      end do
+      ! what a contact at an end carries depends on how ends cut the one at the other end
+      do i = 1, size(contact%points)
+         associate (point => contact%points(i))
             if (.not. serves_lines(model, point%pair)) cycle
             associate (law => model%interactions(model%contact_pairs(point%pair)%interaction)%normal)
                if ((point%gap < 0 .or. law%is_per_length_only()) .and. .not. point%is_shared) then
@@ -113,7 +118,7 @@ contains
       point%lens_sine = lens_sine(point%kinematics)
       if (point%lens%is_near_joint) point%lens_sine = point%lens_sine*sin(point%lens%angle) &
          /sin(point%kinematics%angle)
-      radius = minval(elements%radius([point%element_bar, point%element]))
+      radius = minval(point%radius)
       half_length = half_length_of(point, deepest*radius)
       point%weight = 1 - line_share_at(wires, elements, contact, by_place, point)
       call divide_share(point%weight, share_beside_places(elements, contact%places, [point%element_bar, &
@@ -334,15 +339,14 @@ contains
       integer :: pair(2)
 
       if (crossing%is_long .or. .not. has_lens(crossing)) return
+      radius = minval(crossing%radius)
       if (any(crossing%held)) then
          associate (bar => crossing%legs(legs(1)), leg => crossing%legs(legs(2)))
             pair = [bar%element, leg%element]
-            radius = minval(elements%radius(pair))
             half_length = half_length_on(crossing, bar, leg, deepest*radius)
          end associate
       else
          pair = [crossing%element_bar, crossing%element]
-         radius = minval(elements%radius(pair))
          half_length = half_length_of(crossing, deepest*radius)
       end if
       call share_of_point(half_length, resolution*spacing_of_places(places, pair, elements%length(pair)), of_crossing, &
@@ -352,6 +356,7 @@ contains
       point%spot_section = point%section_share
       ! next to an end the overlap is a wedge
       point%in_lens = .not. any(crossing%held)
+      call bound_field(crossing, half_length, radius, point)
       if (.not. point%in_lens) return
       point%kept_overlap = crossing%kept_overlap
       point%spot_section = max(point%spot_section, share_of_kept(crossing, radius))
@@ -366,6 +371,22 @@ contains
       share = share_of_line(sqrt(2*crossing%kinematics%distance*crossing%kept_overlap)/(lens_sine(crossing%kinematics) &
          *radius))
    end function share_of_kept
+
+   !> Either the sections of the wires bound the field of a place, or how the wires part does: where they hardly part at
+   !> the place itself, as side by side in a plane, it is the lens of the crossing to which it belongs.
+   pure subroutine bound_field(crossing, half_length, radius, point)
+      type(contact_point_t), intent(in) :: crossing
+      !> Of its overlap, and the smaller radius [m]
+      real(dp), intent(in) :: half_length, radius
+      !> With its `section_share`; out: its law sees at least this angle
+      type(contact_point_t), intent(inout) :: point
+      real(dp) :: bend
+
+      bend = (1 - point%section_share)*least_bend(0.0_dp, max(0.0_dp, min(-crossing%gap, deepest*radius)), &
+         max(half_length, radius))
+      point%law_sine = max(point%law_sine, sqrt(point%kinematics%distance*bend))
+      point%law_angle = asin(min(1.0_dp, point%law_sine))
+   end subroutine bound_field
 
    !> Of the two passes: half, unless one wire is curved about the other so that the other's places have no clear foot
    !> on it.

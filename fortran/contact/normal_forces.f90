@@ -41,13 +41,13 @@ contains
 
       both = [point%element_bar, point%element]
       there = [material_at(model, elements, both(1), point%xi_bar), material_at(model, elements, both(2), point%xi)]
-      pair%young = there%young
-      pair%poisson = there%poisson
-      pair%resistivity = there%resistivity
-      pair%dresistivity = there%dresistivity
+      pair%young = merge(point%lens%young, there%young, point%lens%is_mixed)
+      pair%poisson = merge(point%lens%poisson, there%poisson, point%lens%is_mixed)
+      pair%resistivity = merge(point%present_parts%resistivity, there%resistivity, point%present_parts%is_mixed)
+      pair%dresistivity = merge(0.0_dp, there%dresistivity, point%present_parts%is_mixed)
       pair%dtemperature = there%dtemperature
       ! stiffness is that of the reference section, in contacts as in beams; gaps see the swelling
-      pair%radius = model%sections(model%element_section(both))%contact_radius
+      pair%radius = model%sections(model%element_section(both))%contact_radius + point%lens%of_ball
       if (model%interactions(model%contact_pairs(point%pair)%interaction)%voltage_correction) then
          pair%series_resistance = elements%resistivity(both)*elements%length(both)/(4*elements%area(both))
       end if

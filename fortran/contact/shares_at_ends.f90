@@ -42,7 +42,7 @@ contains
       real(dp) :: radius, of_crossing, part, parts, of_cylinders, of_ends
       integer :: i, j
 
-      radius = minval(elements%radius([point%element_bar, point%element]))
+      radius = minval(point%radius)
       parts = 0
       of_cylinders = 0
       of_ends = 1

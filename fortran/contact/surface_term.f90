@@ -61,21 +61,27 @@ module litz_surface_term
 
 contains
 
+   !> A cell for each element that may touch a surface, by the laws of the last contact pair that names both.
    pure type(surface_term_t) function new_surface_term(domain) result(term)
       type(domain_t), intent(in) :: domain
-      logical :: is_member(domain%model%n_elements)
-      integer :: pair, i
+      integer :: last_pair(domain%model%n_elements), pair, i
+      integer, allocatable :: mine(:)
 
       allocate (term%cells(0))
-      do pair = 1, size(domain%model%surface_pairs)
-         associate (members => domain%model%element_sets(domain%model%surface_pairs(pair)%set)%members)
-            is_member = .false.
-            is_member(members) = .true.
-            term%cells = [term%cells, (surface_cell_t(element=members(i), pair=pair, &
-               has_end=ends_of(domain%wires, domain%model%connectivity(:, members(i)), is_member, members(i))), &
-               i=1, size(members))]
-         end associate
-      end do
+      associate (pairs => domain%model%surface_pairs)
+         do pair = 1, size(pairs)
+            last_pair = 0
+            do i = 1, size(pairs)
+               if (pairs(i)%surface /= pairs(pair)%surface) cycle
+               last_pair(domain%model%element_sets(pairs(i)%set)%members) = i
+            end do
+            associate (members => domain%model%element_sets(pairs(pair)%set)%members)
+               mine = pack(members, last_pair(members) == pair)
+            end associate
+            term%cells = [term%cells, (surface_cell_t(element=mine(i), pair=pair, has_end=ends_of(domain%wires, &
+               domain%model%connectivity(:, mine(i)), last_pair > 0, mine(i))), i=1, size(mine))]
+         end do
+      end associate
    end function new_surface_term
 
    !> Which nodes of an element are round ends or joints (2): at a kink of the first element there that may touch.

@@ -278,7 +278,8 @@ contains
       call begin(k, 'CONTACT PAIR', place_model, &
          'Wires that may touch. All crossings between the two sets are searched; with one set, those within it,'// &
          ' also of a wire with itself. With the name of a rigid surface in place of the second set: wires that may'// &
-         ' touch this surface, to which no current passes.')
+         ' touch this surface, to which no current passes. Where several pairs name the same wires, or the same'// &
+         ' wire and surface, the last one in the deck holds.')
       call k%add(name('INTERACTION', 'the laws of the contact', required=.true.))
       call k%add(flag('INTERFERENCE FIT', &
          'overlaps at the start are intended; they are resolved linearly over the first step'))

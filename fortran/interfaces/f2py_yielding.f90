@@ -4,8 +4,12 @@ module f2py_yielding
    use iso_c_binding, only: c_double, c_int
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
    use litz_kinds, only: pi
+   use litz_law_input, only: wire_pair_t
+   use litz_line_law, only: line_wires, line_spot_t
    use litz_spot_law, only: contact_spot_t
    use litz_spot_resistance, only: spot_metal_t, elastic_spot, yielded_spot
+   use litz_yielding_line, only: yielding_line_t, yielding_line, line_dent_t, line_dent, line_state_t, &
+      line_state_at_force, line_state_at_overlap, yielded_strip
    use litz_yielding_spot, only: yielding_t, yielding_crossing, dent_t, dent_of_force, yielding_state_t, &
       state_at_overlap, state_at_force
    implicit none
@@ -115,6 +119,57 @@ contains
          values(:, i) = numbers_of(state, ellipse%ratio, dent%depth)
       end do
    end subroutine normal_law_of_points
+
+   ! values: force, overlap, doverlap/dforce, b, g', dg'/dforce, dent
+   subroutine line_law_of_points(n, given, is_overlap, largest_force, radius, young, poisson, resistivity, angle, &
+      film, yield_stress, values, onset, too_wide)
+      !> Number of points
+      integer(c_int), intent(in) :: n
+      !> Forces per length [N/m], or overlaps [m] (n)
+      real(c_double), intent(in) :: given(n)
+      !> Not 0: overlaps
+      integer(c_int), intent(in) :: is_overlap
+      !> Largest forces per length so far (n) [N/m]
+      real(c_double), intent(in) :: largest_force(n)
+      !> Radii [m], Young's moduli [Pa], Poisson's ratios [-] and resistivities [ohm m] (2, n): barred, unbarred
+      real(c_double), intent(in) :: radius(2, n), young(2, n), poisson(2, n), resistivity(2, n)
+      !> Angles between the axes [rad] (n)
+      real(c_double), intent(in) :: angle(n)
+      !> Film resistances times area (n) [ohm m^2]
+      real(c_double), intent(in) :: film(n)
+      !> Yield stresses (2, n) [Pa]
+      real(c_double), intent(in) :: yield_stress(2, n)
+      !> f [N/m], delta [m], ddelta/df [m^2/N], b [m], g' [S/m], dg'/df [S/N], dent [m] (7, n)
+      real(c_double), intent(out) :: values(7, n)
+      !> p_Y [Pa], f_Y [N/m], b_Y [m] (3, n)
+      real(c_double), intent(out) :: onset(3, n)
+      !> Not 0: the strip is wider than the law holds for (n)
+      integer(c_int), intent(out) :: too_wide(n)
+      type(wire_pair_t) :: wires
+      type(yielding_line_t) :: law
+      type(line_dent_t) :: dent
+      type(line_state_t) :: state
+      type(line_spot_t) :: spot
+      integer :: i
+      values = 0
+      do i = 1, n
+         wires = wire_pair_t(radius(:, i), young(:, i), poisson(:, i), resistivity(:, i))
+         law = yielding_line(line_wires(wires, angle(i)), wires, yield_stress(:, i))
+         onset(:, i) = [law%yield_pressure, law%force, law%half_width]
+         dent = line_dent(law, largest_force(i))
+         if (is_overlap /= 0) then
+            state = line_state_at_overlap(law, dent, given(i))
+         else
+            state = line_state_at_force(law, dent, given(i))
+         end if
+         if (state%loads) dent = line_dent(law, state%force)
+         too_wide(i) = merge(1, 0, state%too_wide)
+         values([2, 7], i) = [state%overlap, dent%depth]
+         spot = yielded_strip(law, state, film(i))
+         if (state%force > 0) values(:6, i) = [state%force, state%overlap, 1/state%stiffness, state%half_width, &
+            spot%conductance, spot%dconductance_dforce]
+      end do
+   end subroutine line_law_of_points
 
    pure function numbers_of(state, ratio, depth) result(values)
       type(yielding_state_t), intent(in) :: state

@@ -43,6 +43,11 @@ module litz_cut_lens
       !> and what counts of the part of both cylinders
       logical :: is_near_joint = .false.
       real(dp) :: of_joint(2, 2) = reshape([1.0_dp, 0.0_dp, 1.0_dp, 0.0_dp], [2, 2]), of_crossing = 1
+      !> The legs of a wire are not of one material: means of Young's modulus [Pa] and Poisson's ratio (2)
+      logical :: is_mixed(2) = .false.
+      real(dp) :: young(2) = 0, poisson(2) = 0
+      !> What the ball of a joint adds to the radii (2) [m]
+      real(dp) :: of_ball(2) = 0
       !> Both ends cut an overlap that would be much longer than the least bend has it: they lie side by side
       logical :: is_flat = .false.
       !> What the contact has of these pairs, of which other contacts or the places along a line have the rest (2, 2)

@@ -37,7 +37,8 @@ module litz_wires
       integer, allocatable :: at_node(:), first_at_node(:)
       !> The wire shares a node with another one (n_wires)
       logical, allocatable :: is_joined(:)
-      !> Nothing else is at the node where the wire begins, ends (2, n_wires)
+      !> Node where the wire begins, ends (2, n_wires), and whether nothing else is there
+      integer, allocatable :: end_node(:, :)
       logical, allocatable :: is_free(:, :)
       !> Reference tangents at both ends of the axis that touches others (3, 2, n_elements), see litz_contact_tangents
       real(dp), allocatable :: contact_tangents0(:, :, :)
@@ -65,7 +66,7 @@ contains
       call join_elements(model, chord, wires)
       call number_wires(model%n_elements, wires)
       call find_joints(model, wires)
-      call find_free_ends(model, wires)
+      call find_ends(model, wires)
       call nodal_triads(model, chord, length, wires)
       allocate (wires%contact_tangents0, source=wires%triads0(:, 1, :, :))
    end subroutine build_wires
@@ -113,23 +114,23 @@ contains
       end do
    end subroutine find_joints
 
-   !> Which wires end freely.
-   pure subroutine find_free_ends(model, wires)
+   !> Where wires end, and which end freely.
+   pure subroutine find_ends(model, wires)
       type(model_t), intent(in) :: model
       type(wires_t), intent(inout) :: wires
       integer :: w, k
 
-      allocate (wires%is_free(2, wires%n_wires))
+      allocate (wires%end_node(2, wires%n_wires), wires%is_free(2, wires%n_wires))
       do w = 1, wires%n_wires
          do k = 1, 2
-            associate (e => wires%element(merge(wires%first(w), wires%first(w + 1) - 1, k == 1)))
-               associate (node => model%connectivity(merge(k, 3 - k, wires%direction(e) > 0), e))
-                  wires%is_free(k, w) = wires%first_at_node(node + 1) - wires%first_at_node(node) == 1
-               end associate
+            associate (e => wires%element(merge(wires%first(w), wires%first(w + 1) - 1, k == 1)), &
+               node => wires%end_node(k, w))
+               node = model%connectivity(merge(k, 3 - k, wires%direction(e) > 0), e)
+               wires%is_free(k, w) = wires%first_at_node(node + 1) - wires%first_at_node(node) == 1
             end associate
          end do
       end do
-   end subroutine find_free_ends
+   end subroutine find_ends
 
    !> Two elements that meet at a node turn by less than a corner there.
    pure logical function lead_straight_on(chord, a, b)

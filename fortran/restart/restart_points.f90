@@ -114,6 +114,10 @@ contains
             call table%field('lens_bend'//trim(wire(i)), lens%bend(i))
             call table%field('legs_at_joint'//trim(wire(i)), lens%of_joint(1, i))
             call table%field('joint'//trim(wire(i)), lens%of_joint(2, i))
+            call table%field('legs_mixed'//trim(wire(i)), lens%is_mixed(i))
+            call table%field('legs_young'//trim(wire(i)), lens%young(i))
+            call table%field('of_ball'//trim(wire(i)), lens%of_ball(i))
+            call table%field('legs_poisson'//trim(wire(i)), lens%poisson(i))
             do j = 1, 2
                associate (name => '_'//trim(shape(i))//'_'//trim(shape(j)))
                   call table%field('lens_energy'//name, lens%energy(i, j))

@@ -335,3 +335,35 @@ def test_a_branch_on_the_far_side_does_not_divide_a_wire(run):
         results = solved(run(two_wires(cards, across, HELD, moved(0, 0, -OVERLAP)), name=f"tee{i}"))
         forces.append(results.contacts_at(-1)["force"].sum())
     assert forces[1] == pytest.approx(forces[0], rel=1e-6)
+
+
+@pytest.mark.parametrize("yaw", [0.0, 0.02])
+def test_a_tip_that_leans_in_the_plane_of_both_wires_is_pressed_harder_the_deeper_it_is(run, yaw):
+    """The overlap becomes two radii long, from a point to a line; in a plane only its length bounds the field of places."""
+    slope = 0.02
+    tip = from_tip((0.0003, 0, 2 * COPPER.radius), (1, yaw, slope), n=8, length=0.01)
+    push = moved(0, 0, -2 * slope * COPPER.radius, increments=40).replace("*END STEP\n", VOLT + "*END STEP\n")
+    results = solved(run(two_wires(ALONG_X, tip, HELD, push, law=HERTZ + spot("HERTZ"))))
+    every = [results.contacts_at(i) for i in range(1, len(results.times))]
+    force, current = (np.array([abs(each[name]).sum() for each in every]) for name in ("force", "current"))
+    assert np.all(np.diff(force) > 0)
+    assert np.all(np.diff(current) > 0)
+    # what is pressed conducts
+    assert all(np.all(np.isfinite(each["resistance"][each["force"] > 0])) for each in every)
+
+
+@pytest.mark.parametrize("lap", [0.35, 0.5, 0.8, 1.2])
+def test_a_lap_of_two_ends_has_the_same_force_in_any_direction(run, lap):
+    """The ends of both wires share what is between them, whichever of them is found first."""
+    along = np.linspace(0, 0.012, 10)[:, None]
+    forces = []
+    for direction, up in (
+        ((1, 0, 0), (0, 0, 1)),
+        ((0.6, 0, 0.8), (-0.8, 0, 0.6)),
+        ((2 / 3, 1 / 3, 2 / 3), (1 / 3, 2 / 3, -2 / 3)),
+    ):
+        lower = (along - 0.012 + lap * COPPER.radius) * direction
+        upper = along * direction + 2 * COPPER.radius * np.array(up)
+        deck = two_wires(lower, upper, HELD, moved(*(-100 * OVERLAP * np.array(up)), increments=2))
+        forces.append(solved(run(deck)).contacts_at(-1)["force"].sum())
+    assert forces == pytest.approx([forces[0]] * 3, rel=1e-6)

@@ -8,7 +8,7 @@ import pytest
 from verification.references.hertz import crossed_wires, effective_modulus, end_on_end, end_on_wire
 
 from decks import wire
-from line_wires import COPPER, HERTZ, UPPER, linear, step, two_wires
+from line_wires import COPPER, HERTZ, UPPER, PressedWire, linear, material, step, two_wires
 
 R = COPPER.radius
 HELD = "*BOUNDARY\n LOWER, ENCASTRE\n UPPER, ENCASTRE\n LOWER, 9\n UPPER, 9\n"
@@ -62,6 +62,30 @@ def force_on(
     upper = wire("UPPER", rod, UPPER, element="B33")
     deck = two_wires(lower, upper, HELD, step(boundary=push), law=law, pairs=pairs)
     process, results = run(deck, name="joint")
+    assert process.returncode == 0, process.stderr
+    return results.contacts_at(-1)["force"].sum()
+
+
+def of_legs(legs, order, wires):
+    """The same cards with legs of several wires, and what turns a deck of one lower wire into one of these."""
+    cards, elements = in_order(legs, order).split("*ELEMENT, TYPE=B33, ELSET=LOWER\n")
+    rows, text, sections = elements.splitlines(), "", "*ELSET, ELSET=LOWER\n LEG1, LEG2\n"
+    for i, k in enumerate(map(abs, order)):
+        text += f"*ELEMENT, TYPE=B33, ELSET=LEG{k}\n" + "\n".join(rows[6 * i : 6 * i + 6]) + "\n"
+        sections += material(f"LEG{k}", wires[k - 1])
+    return cards + text + sections
+
+
+def force_on_legs(run, degrees, order, wires, at=(0, 0, 0), normal=(0, 0, 1), law=HERTZ, overlap=0.02 * R, yaw=90):
+    """Force of a rod across that is pressed on a kink, the legs of which are of several wires."""
+    lower = of_legs([leg(180, degrees / 2), leg(0, degrees / 2)], order, wires)
+    distance = R + max(each.radius for each in wires)
+    normal = np.array(normal)
+    along = np.array([math.cos(math.radians(yaw)), math.sin(math.radians(yaw)), 0])
+    rod = np.array(at) + distance * normal + np.linspace(-11.93 * R, 12.07 * R, 25)[:, None] * along
+    push = "".join(f" UPPER, {d}, {d}, {-overlap * u:.17g}\n" for d, u in enumerate(normal, start=1))
+    deck = two_wires(lower, wire("UPPER", rod, UPPER, element="B33"), HELD, step(boundary=push), law=law)
+    process, results = run(deck.replace(material("LOWER", COPPER), ""), name="legs")
     assert process.returncode == 0, process.stderr
     return results.contacts_at(-1)["force"].sum()
 
@@ -157,3 +181,51 @@ def test_the_end_of_a_rod_over_a_corner_is_half_a_sphere_on_a_sphere(run):
     # the slope of the force over a ten thousandth of a radius
     assert forces == pytest.approx([half] * 3, rel=1e-3)
     assert force_on(run, corner, 90, until=0.5) == pytest.approx(hertz(0.02 * R, end_on_wire), rel=1e-5)
+
+
+HARD = PressedWire(R, 400e9, 0.28, 1.4e-7)
+THIN = PressedWire(0.8 * R, COPPER.young, COPPER.poisson, COPPER.resistivity)
+
+
+@pytest.mark.parametrize("law", LAWS, ids=["hertz", "linear"])
+@pytest.mark.parametrize("legs", [(COPPER, HARD), (COPPER, THIN)], ids=["hard", "thin"])
+@pytest.mark.parametrize(("degrees", "shift"), [(90, 0), (30, 0), (25, 0), (25, 0.05), (25, -0.05), (60, 0.3)])
+def test_the_order_of_legs_of_several_wires_makes_no_difference(run, law, legs, degrees, shift):
+    fall = math.radians(degrees / 2)
+    at = abs(shift) * R * np.array([math.copysign(math.cos(fall), shift), 0, -math.sin(fall)])
+    normal = (math.copysign(math.sin(fall), shift) if shift else 0, 0, math.cos(fall) if shift else 1)
+    orders = [(1, 2), (2, 1), (-1, 2), (-2, -1)]
+    assert_same([force_on_legs(run, degrees, order, legs, at, normal, law) for order in orders])
+
+
+def test_the_modulus_of_a_joint_is_that_of_its_legs_without_a_jump(run):
+    """A rod across a kink of 30 degrees, from one leg over the joint on to the other one."""
+    fall, overlap, n = math.radians(15), 0.02 * R, 16
+    along = np.array([[-math.cos(fall), 0, -math.sin(fall)], [math.cos(fall), 0, -math.sin(fall)]])
+    out = np.array([[-math.sin(fall), 0, math.cos(fall)], [math.sin(fall), 0, math.cos(fall)]])
+    places = [(s * along[0], out[0]) for s in np.linspace(0.4 * R, 0, n)]
+    places += [(0 * out[0], [math.sin(a), 0, math.cos(a)]) for a in np.linspace(-fall, fall, n)]
+    places += [(s * along[1], out[1]) for s in np.linspace(0, 0.4 * R, n)]
+    force = np.array([force_on_legs(run, 30, (1, 2), (COPPER, HARD), at, normal) for at, normal in places])
+    moduli = [effective_modulus([COPPER.young, w.young], [COPPER.poisson, w.poisson]) for w in (COPPER, HARD)]
+    crossing = [hertz(overlap, crossed_wires, math.pi / 2) * modulus / moduli[0] for modulus in moduli]
+    assert force[[0, -1]] == pytest.approx(crossing, rel=1e-5)
+    # the steps of a smooth change: in a tenth of its way or more
+    assert np.max(np.abs(np.diff(force))) < (crossing[1] - crossing[0]) / 5
+
+
+def test_a_joint_is_a_ball_of_its_thickest_leg_and_the_thin_one_comes_out_of_it(run):
+    joint = force_on_legs(run, 90, (1, 2), (COPPER, THIN))
+    assert joint == pytest.approx(hertz(0.02 * R, end_on_wire), rel=1e-5)
+    fall = math.radians(45)
+    on_thin = np.array([math.cos(fall), 0, -math.sin(fall)])
+    normal = np.array([math.sin(fall), 0, math.cos(fall)])
+    # outside the ball it has its own radius; the force along the wire is that of the rising radius
+    force = force_on_legs(run, 90, (1, 2), (COPPER, THIN), 1.5 * R * on_thin, normal, overlap=0.22 * R)
+    data = {
+        "radius": [R, THIN.radius],
+        "modulus": effective_modulus([COPPER.young] * 2, [COPPER.poisson] * 2),
+        "resistivity": [COPPER.resistivity] * 2,
+    }
+    approach = crossed_wires(1.0, math.pi / 2, **data).approach
+    assert force == pytest.approx((0.02 * R / approach) ** 1.5, rel=1e-5)

@@ -58,6 +58,19 @@ def test_a_drum_across_a_wire_is_a_hertz_contact(run):
     np.testing.assert_allclose(table["normal_z"], -1, rtol=1e-4)
 
 
+@pytest.mark.parametrize("last", ["WIRE", "BOTH"])
+def test_of_two_contact_pairs_of_a_wire_and_a_surface_the_last_one_holds(run, last):
+    """The elements beside the drum touch it once, by the laws of the last pair that names them."""
+    deck, pair = crossing(8.5e-8), "*CONTACT PAIR, INTERACTION=IS\n WIRE, S\n"
+    stiff = "*CONTACT PAIR, INTERACTION=ISTIFF\n BOTH, S\n"
+    laws = f"*ELSET, ELSET=BOTH\n 2, 3\n*SURFACE INTERACTION, NAME=ISTIFF\n{STIFF}"
+    _, alone = run(deck if last == "WIRE" else deck.replace("NAME=IS\n", f"NAME=IS\n{STIFF}"))
+    process, both = run(deck.replace(pair, laws + (stiff + pair if last == "WIRE" else pair + stiff)))
+    assert process.returncode == 0, process.stderr
+    for name in ("element", "force"):
+        assert both.surface_contacts_at(-1)[name] == pytest.approx(alone.surface_contacts_at(-1)[name], rel=1e-12)
+
+
 def test_the_force_does_not_depend_on_where_it_is_in_the_mesh(run):
     """In the middle of an element, near a node, at a node."""
     runs = [run(crossing(3e-7, shift), name=f"at{i}")[1] for i, shift in enumerate((0, 1e-3, 1.9999e-3))]

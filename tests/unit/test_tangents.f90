@@ -136,6 +136,8 @@ program test_tangents
    call check_ends('end of the barred wire that slips', hertz//'*FRICTION'//nl//'1e-4'//nl, 'end', 'B, A')
    call check_ends('kink on a wire', hertz//spot, 'kink', 'A, B')
    call check_ends('kink that slips', hertz//'*FRICTION'//nl//'1e-4'//nl, 'kink', 'A, B')
+   call check_ends('thin leg next to a joint', hertz//spot, 'leg', 'A, B'//nl//'C, B')
+   call check_ends('thin leg of the unbarred wire next to a joint', hertz//spot, 'leg', 'B, A'//nl//'B, C')
    call check_ends('end on an end', penalty_of_line//clean, 'tips', 'A, B')
    call check_ends('end on an end that slips', hertz//'*FRICTION'//nl//'1e-4'//nl, 'tips', 'A, B')
    ! contacts that slide off an end, of which that cuts a part: crossings, ends, and where both wires end
@@ -195,8 +197,8 @@ contains
 
    !> A wire whose end is lowered on another one, or meets its end; or one that is lowered on the kink of another.
    function deck_at_end(laws, place, pair, options) result(deck)
-      !> `end`, `tips`, `kink` or where a wire crosses another one next to its end; and the data line of the contact
-      !> pair
+      !> `end`, `tips`, `kink`, `leg` next to a kink, or where a wire crosses another one next to its end; and the data
+      !> line of the contact pair
       character(len=*), intent(in) :: laws, place, pair
       !> Parameters of the interaction
       character(len=*), intent(in), optional :: options
@@ -220,6 +222,10 @@ contains
       case ('before both', 'behind one', 'behind both')
          deck = cantilever//nodes_across(merge(-1.0e-5_dp, 2.0e-5_dp, place == 'before both'), &
             merge(-3.0e-5_dp, 2.0e-5_dp, place == 'behind both'))
+      case ('leg')
+         deck = '*NODE'//nl//'1, -0.02, 0, -0.008'//nl//'2, -0.008, 0.001, -0.0032'//nl//'3, 0, 0, 0'//nl// &
+            '4, 0.02, 0, -0.008'//nl//'11, 0.0012, -0.02, 0.00142'//nl//'12, 0.001, -0.006, 0.00142'//nl// &
+            '13, 0.0011, 0.008, 0.00142'//nl//'14, 0.0009, 0.02, 0.00142'//nl
       case ('kink')
          deck = '*NODE'//nl//'1, -0.02, 0, -0.008'//nl//'2, -0.008, 0.001, -0.0032'//nl//'3, 0, 0, 0'//nl// &
             '4, 0.02, 0, -0.008'//nl//'11, 0.0002, -0.02, 0.00185'//nl//'12, -0.0002, -0.006, 0.00185'//nl// &
@@ -228,8 +234,8 @@ contains
       cards = ''
       if (present(options)) cards = options
       deck = deck//elements_and_contact('B33', 'B33', cards, laws, pair)//'*BOUNDARY'//nl//'1, 1, 6'//nl
-      if (any(place == [character(len=4) :: 'end', 'kink'])) deck = deck//'4, 1, 6'//nl
-      both = any(place == [character(len=6) :: 'kink', 'before', 'behind'])
+      if (any(place == [character(len=4) :: 'end', 'kink', 'leg'])) deck = deck//'4, 1, 6'//nl
+      both = any(place == [character(len=6) :: 'kink', 'leg', 'before', 'behind'])
       deck = deck//step_of(-2.0e-4_dp, '', both)//step_of(-2.4e-4_dp, '', both)
    end function deck_at_end
 
@@ -260,7 +266,11 @@ contains
       names = 'A, B'
       if (present(pair)) names = pair
 
-      cards = '*ELEMENT, TYPE='//type_1//', ELSET=A'//nl//'1, 1, 2'//nl//'2, 2, 3'//nl//'3, 3, 4'//nl// &
+      cards = '*ELEMENT, TYPE='//type_1//', ELSET=A'//nl//'1, 1, 2'//nl//'2, 2, 3'//nl
+      ! a leg of its own
+      if (index(names, 'C') > 0) cards = cards//'*BEAM SECTION, ELSET=C, MATERIAL=M, SECTION=CIRC'//nl//'0.7e-3'//nl// &
+         '*ELEMENT, TYPE='//type_1//', ELSET=C'//nl
+      cards = cards//'3, 3, 4'//nl// &
          '*ELEMENT, TYPE='//type_2//', ELSET=B'//nl//'11, 11, 12'//nl//'12, 12, 13'//nl//'13, 13, 14'//nl// &
          '*MATERIAL, NAME=M'//nl//'*ELASTIC'//nl//elasticity//expansion// &
          '*ELECTRICAL CONDUCTIVITY'//nl//conductivity// &
@@ -408,6 +418,9 @@ contains
             if (place(1:2) == 'be') then
                call check(any([(maxval(abs(points(i)%slide_force)) > 1.0e-6_dp*points(i)%force .and. &
                   count(points(i)%held) == held_of(place), i=1, size(points))]), name//': cut by an end', 0.0_dp)
+            else if (place == 'leg') then
+               call check(any([(maxval(abs(points(i)%ball_slope)) > 0.1_dp .and. points(i)%closed, &
+                  i=1, size(points))]), name//': a radius that changes', 0.0_dp)
             else
                call check(any([(any(points(i)%held) .and. points(i)%closed, i=1, size(points))]), &
                   name//': an end in contact', 0.0_dp)

@@ -42,6 +42,8 @@ class LineLaw(NamedTuple):
     conductance: float | Floats
     #: Derivative of the conductance by the force per length at a fixed angle [S/N]
     dconductance_df: float | Floats
+    #: Approach at which wires that have yielded part [m]; 0 of elastic ones
+    dent: float | Floats = 0.0
 
 
 class LinePoint(NamedTuple):
@@ -99,6 +101,8 @@ def line_law(
     resistivity: Numbers,
     angle: Numbers = 0.0,
     film: Numbers = 0.0,
+    yield_stress: Numbers | None = None,
+    largest_force_per_length: Numbers = 0.0,
 ) -> LineLaw:
     """Strip, approach and conductance per length of two round wires pressed together along a line.
 
@@ -114,11 +118,16 @@ def line_law(
         Angle between the axes [rad], from 0 (parallel) to pi.
     film : float or array_like, shape (n,)
         Resistance of a film on the strip times its area [ohm m^2]; 0: clean metal.
+    yield_stress : float or array_like, shape (2,) or (n, 2), optional
+        Yield stress of each wire [Pa]; one number serves both. Without it the wires stay elastic.
+    largest_force_per_length : float or array_like, shape (n,)
+        With `yield_stress`: largest force per length so far [N/m].
 
     Returns
     -------
     LineLaw
-        `half_width` [m], `approach` [m], `dapproach_df` [m^2/N], `conductance` [S/m], `dconductance_df` [S/N].
+        `half_width` [m], `approach` [m], `dapproach_df` [m^2/N], `conductance` [S/m], `dconductance_df` [S/N], and the
+        `dent` [m] that yielding has left.
 
     Raises
     ------
@@ -132,7 +141,7 @@ def line_law(
     Mechanics, section 5.6, with the load carried off by shear), and the constriction of the current in a disc,
     ``1/g' = (2 rho/pi) ln(2.266 r/b)`` of equal wires. Crossed wires: the integral over the lens of overlap is that of
     `contact_spot`, for the force as for the conductance. In between the smaller of lens and section is the far field.
-    Formulas and derivatives are in ``docs/theory.md``, section 10.
+    Formulas and derivatives are in ``docs/theory.md``, section 10; those of metal that yields in section 15.
 
     Examples
     --------
@@ -144,10 +153,22 @@ def line_law(
     """
     n = len(np.asarray(force_per_length)) if np.ndim(force_per_length) == 1 else None
     force = batch.points("force_per_length", force_per_length, (), n)
-    of_wires = _properties(radius, young, poisson, resistivity, n)
-    values, too_wide = _core.f2py_line.line_laws(
-        force, *(value.T for value in of_wires), _angles(angle, n), batch.not_negative("film", film, n)
-    )
+    of_wires = [value.T for value in _properties(radius, young, poisson, resistivity, n)]
+    angles, films = _angles(angle, n), batch.not_negative("film", film, n)
+    largest = batch.not_negative("largest_force_per_length", largest_force_per_length, n)
+    if yield_stress is None:
+        if largest.any():
+            raise ValueError("largest_force_per_length needs yield_stress: elastic wires remember none")
+        values, too_wide = _core.f2py_line.line_laws(force, *of_wires, angles, films)
+        values = np.vstack([values, np.zeros(len(force))])
+    else:
+        stress = np.full(2, yield_stress) if np.ndim(yield_stress) == 0 else yield_stress
+        stresses = batch.positive("yield_stress", stress, (2,), n)
+        found, _, too_wide = _core.f2py_yielding.line_law_of_points(
+            force, 0, largest, *of_wires, angles, films, stresses.T
+        )
+        found[1] *= force > 0
+        values = found[[3, 1, 2, 4, 5, 6]]
     if too_wide.any():
         raise ValueError(batch.named(too_wide != 0, n) + _TOO_WIDE)
     return LineLaw(*(values if n is not None else map(float, values[:, 0])))
