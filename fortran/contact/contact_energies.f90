@@ -5,12 +5,14 @@
 module litz_contact_energies
    use litz_kinds, only: dp
    use litz_contact_points, only: contact_set_t, contact_point_t, clearance_of
-   use litz_element_library, only: elements_t, end_swelling
+   use litz_element_library, only: elements_t, end_swelling, material_at, material_place_t
+   use litz_hertz, only: effective_modulus
    use litz_model, only: model_t
    use litz_state, only: energies_t
    implicit none
    private
-   public :: add_contact_energies, work_of_swelling, work_on_surfaces
+   public :: add_contact_energies, work_of_swelling, work_of_softening, work_on_surfaces, &
+      softening_on_surfaces
 
 contains
 
@@ -84,6 +86,51 @@ contains
 
    end function work_of_swelling
 
+   !> What the change of the elasticity in an increment does on contacts: their elastic energy goes with `E*` of their
+   !> places where nothing moves. Source: theory (14.5).
+   pure real(dp) function work_of_softening(model, elements, before, converged, points) result(work)
+      type(model_t), intent(in) :: model
+      !> At the temperatures of the end of the increment
+      type(elements_t), intent(in) :: elements
+      !> Temperatures at its start (n_nodes) [K]
+      real(dp), intent(in) :: before(:)
+      !> At the start of the increment, and at its end
+      type(contact_point_t), intent(in) :: converged(:), points(:)
+      integer :: i
+
+      work = 0
+      if (size(elements%heated) == 0) return
+      do i = 1, size(converged)
+         if (is_elastic(converged(i))) work = work + converged(i)%at_gap%energy*(1/stiffer_before(converged(i)) - 1)/2
+      end do
+      do i = 1, size(points)
+         if (is_elastic(points(i))) work = work + points(i)%at_gap%energy*(1 - stiffer_before(points(i)))/2
+      end do
+
+   contains
+
+      pure logical function is_elastic(point)
+         type(contact_point_t), intent(in) :: point
+
+         associate (law => model%interactions(model%contact_pairs(point%pair)%interaction)%normal)
+            is_elastic = point%at_gap%energy > 0 .and. .not. (law%is_straight .or. law%line_penalty() > 0)
+         end associate
+      end function is_elastic
+
+      !> E* before over E* now.
+      pure real(dp) function stiffer_before(point) result(ratio)
+         type(contact_point_t), intent(in) :: point
+         type(material_place_t) :: now(2), then(2)
+
+         now = [material_at(model, elements, point%element_bar, point%xi_bar), &
+            material_at(model, elements, point%element, point%xi)]
+         then = [material_at(model, elements, point%element_bar, point%xi_bar, before), &
+            material_at(model, elements, point%element, point%xi, before)]
+         ratio = effective_modulus(then%young, then%poisson)/effective_modulus(now%young, now%poisson)
+      end function stiffer_before
+
+   end function work_of_softening
+
    !> The same of wires on rigid surfaces, which see the mean radius of an element.
    pure real(dp) function work_on_surfaces(model, elements, before, now, element, force) result(work)
       type(model_t), intent(in) :: model
@@ -106,6 +153,34 @@ contains
       end do
       work = dot_product(force, swelling(element))
    end function work_on_surfaces
+
+   !> What the change of the elasticity does on contacts with rigid surfaces.
+   pure real(dp) function softening_on_surfaces(model, elements, before, element, xi, energy_before, energy) &
+      result(work)
+      type(model_t), intent(in) :: model
+      !> At the temperatures of the end of the increment
+      type(elements_t), intent(in) :: elements
+      !> Temperatures at its start (n_nodes) [K]
+      real(dp), intent(in) :: before(:)
+      !> Element of each contact (n)
+      integer, intent(in) :: element(:)
+      !> Place of its law in the element (n)
+      real(dp), intent(in) :: xi(:)
+      !> Its elastic energies at the start and at the end (n) [J]
+      real(dp), intent(in) :: energy_before(:), energy(:)
+      type(material_place_t) :: now, then
+      real(dp) :: stiffer_before
+      integer :: i
+
+      work = 0
+      if (size(elements%heated) == 0) return
+      do i = 1, size(element)
+         now = material_at(model, elements, element(i), xi(i))
+         then = material_at(model, elements, element(i), xi(i), before)
+         stiffer_before = then%young/(1 - then%poisson**2)*(1 - now%poisson**2)/now%young
+         work = work + (energy_before(i)*(1/stiffer_before - 1) + energy(i)*(1 - stiffer_before))/2
+      end do
+   end function softening_on_surfaces
 
    !> Elastic energy of friction at the start of the increment that no contact carries on.
    pure real(dp) function elastic_energy_lost(converged, points) result(energy)

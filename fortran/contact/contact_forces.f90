@@ -284,7 +284,8 @@ contains
          xi = reshape([places_by_point(a, points), places_by_point(b, line_points)], shape(pairs))
          normal = reshape([(a(points(k))%kinematics%normal, k=1, n), (b(line_points(k))%kinematics%normal, k=1, &
             size(line_points))], [3, size(pairs, 2)])
-         call collect_strips(wires, elements, contact%places, pairs, xi, normal, [(k > n, k=1, size(pairs, 2))], strips)
+         call collect_strips(model, wires, elements, contact%places, pairs, xi, normal, &
+            [(k > n, k=1, size(pairs, 2))], strips)
          call collect_shared(pairs, nodes, xi, reshape([resistances_by_point(a, points), &
             resistances_by_point(b, line_points)], shape(pairs)), 1/conductance, strips, contact%shared)
       end associate

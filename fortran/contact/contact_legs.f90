@@ -8,7 +8,7 @@ module litz_contact_legs
    use litz_kinds, only: dp, pi
    use litz_contact_lens, only: cut_ends, flatness, least_bend
    use litz_contact_points, only: contact_point_t, leg_t, joint_parts_t, arc_at
-   use litz_element_library, only: elements_t
+   use litz_element_library, only: elements_t, material_at
    use litz_joint_ways, only: view_t, joint_t, way_t, view_from, overlap_of, find_ways
    use litz_lens_law, only: smooth_step
    use litz_line_kinematics, only: lens_sine
@@ -266,7 +266,8 @@ contains
       call add_material(model, elements, view%side, way%element, part, point)
    end subroutine add_way
 
-   !> The material of a leg counts with its part of the force, that of a round joint is the mean of its legs.
+   !> The material of a leg counts with its part of the force, that of a round joint is the mean of its legs,
+   !> each at its mean temperature.
    pure subroutine add_material(model, elements, side, e, part, point)
       type(model_t), intent(in) :: model
       type(elements_t), intent(in) :: elements
@@ -277,12 +278,12 @@ contains
       type(contact_point_t), intent(inout) :: point
 
       associate (parts => point%present_parts, weight => max(part, 0.0_dp), own => merge(point%element_bar, &
-         point%element, side == 1), section => model%sections(model%element_section(e)))
+         point%element, side == 1), leg => material_at(model, elements, e, 0.0_dp))
          if (model%element_section(e) /= model%element_section(own)) parts%is_mixed(side) = .true.
          parts%sum_of_parts(side) = parts%sum_of_parts(side) + weight
-         parts%young(side) = parts%young(side) + weight*model%materials(section%material)%young
-         parts%poisson(side) = parts%poisson(side) + weight*model%materials(section%material)%poisson
-         parts%resistivity(side) = parts%resistivity(side) + weight*elements%resistivity(e)
+         parts%young(side) = parts%young(side) + weight*leg%young
+         parts%poisson(side) = parts%poisson(side) + weight*leg%poisson
+         parts%resistivity(side) = parts%resistivity(side) + weight*leg%resistivity
       end associate
    end subroutine add_material
 

@@ -57,6 +57,11 @@ contains
       end if
       ! that of the forces
       point%line = present
+      ! the resistivities are those at the temperatures of the places
+      associate (by_place => circuit%spot%dconductance_dresistivity*pair%dresistivity*pair%dtemperature)
+         circuit%dconductance = circuit%dconductance + by_place(1)*point%kinematics%dxi_bar &
+            + by_place(2)*point%kinematics%dxi
+      end associate
    end subroutine find_spot
 
    !> The spot that a force makes of a crossing.
@@ -96,6 +101,7 @@ contains
       type(spot_in_circuit_t), intent(inout) :: circuit
       type(lens_t) :: made, now
       real(dp) :: long, round, whole(2), touching(2), half_width
+      real(dp), dimension(2) :: whole_by_resistivity, touching_by_resistivity
       type(contact_spot_t) :: round_spot
 
       if (any(point%held) .or. .not. (law%spot%serves_lines .or. law%spot%is_per_length)) return
@@ -103,8 +109,8 @@ contains
       long = share_of_line(made%half_length/minval(pair%radius))
       if (.not. (law%normal%serves_lines() .and. long > 0)) return
       now = kept_lens(point%line, point%gap, point%law_sine, law%normal%line_penalty(), -made%gap)
-      call spot_along_lens(law, pair, now, point, touching, half_width)
-      call spot_along_lens(law, pair, made, point, whole, half_width)
+      call spot_along_lens(law, pair, now, point, touching, touching_by_resistivity, half_width)
+      call spot_along_lens(law, pair, made, point, whole, whole_by_resistivity, half_width)
       round = 0
       round_spot = contact_spot_t()
       if (is_round(law)) then
@@ -117,20 +123,25 @@ contains
          spot%semi_major = (1 - long)*made%half_length + long*now%half_length
          spot%semi_minor = half_width
          spot%conductance = of_strip*((1 - long)*whole(1) + long*touching(1)) + of_round*(1 - long + long*left)
+         spot%dconductance_dresistivity = of_strip*((1 - long)*whole_by_resistivity + long*touching_by_resistivity) &
+            + round*round_spot%dconductance_dresistivity*(1 - long + long*left)
          circuit%dconductance = long*(of_strip*touching(2) + of_round*now%dhalf_length_dgap/made%half_length) &
             *point%kinematics%dgap
       end associate
    end subroutine keep_what_touches
 
    !> Conductance along a lens, and its derivative with respect to the gap.
-   pure subroutine spot_along_lens(law, pair, lens, point, conductance, half_width)
+   pure subroutine spot_along_lens(law, pair, lens, point, conductance, by_resistivity, half_width)
       type(interaction_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair
       type(lens_t), intent(in) :: lens
       type(contact_point_t), intent(inout) :: point
       !> [S], [S/m], and half width of the widest strip at a Gauss point [m]
       real(dp), intent(out) :: conductance(2), half_width
+      !> Derivatives of the conductance by the resistivities (2) [S/(ohm m)]
+      real(dp), intent(out) :: by_resistivity(2)
       type(contact_spot_t) :: at(n_depths)
+      real(dp) :: unused_slope
       integer :: i, info
 
       do i = 1, n_depths
@@ -138,6 +149,9 @@ contains
          if (info /= spot_ok) point%law_status = law_bad_data
       end do
       call lens_integral(lens, at%conductance, at%dconductance_dforce, conductance(1), conductance(2))
+      do i = 1, 2
+         call lens_integral(lens, at%dconductance_dresistivity(i), 0*at%conductance, by_resistivity(i), unused_slope)
+      end do
       half_width = maxval(at%semi_minor)
    end subroutine spot_along_lens
 
@@ -154,6 +168,7 @@ contains
       call contact_spot(law%spot, spot_force, pair, point%ellipse, spot, info)
       if (info /= spot_ok) point%law_status = law_bad_data
       spot%conductance = point%weight*spot%conductance
+      spot%dconductance_dresistivity = point%weight*spot%dconductance_dresistivity
    end subroutine spot_of_crossing
 
    !> A spot that turns from one law into another, at the angle of a lens, which stays.
@@ -166,6 +181,8 @@ contains
       spot%semi_minor = (1 - share)*first%semi_minor + share*second%semi_minor
       spot%conductance = (1 - share)*first%conductance + share*second%conductance
       spot%dconductance_dforce = (1 - share)*first%dconductance_dforce + share*second%dconductance_dforce
+      spot%dconductance_dresistivity = (1 - share)*first%dconductance_dresistivity &
+         + share*second%dconductance_dresistivity
    end function between
 
    !> A resistance that is given per length, over the lens of a crossing.
@@ -208,6 +225,7 @@ contains
       spot%semi_minor = strip%half_width
       spot%conductance = weight_of_lens(point)*strip%conductance
       spot%dconductance_dforce = weight_of_lens(point)*strip%dconductance_dgap/slope_of(law, point)
+      spot%dconductance_dresistivity = weight_of_lens(point)*strip%dconductance_dresistivity
    end function spot_of_lens
 
    !> dF/dg of the force by which the spot of a lens follows the gap [N/m].

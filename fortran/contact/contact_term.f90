@@ -4,7 +4,7 @@ module litz_contact_term
    use litz_contact_candidates, only: find_candidates, candidates_hold
    use litz_contact_capture, only: capture_contacts
    use litz_contact_crossings, only: locate_points
-   use litz_contact_energies, only: add_contact_energies, work_of_swelling
+   use litz_contact_energies, only: add_contact_energies, work_of_swelling, work_of_softening
    use litz_contact_forces, only: assemble_contacts, share_currents, predict_contacts, refused_contact
    use litz_contact_points, only: contact_set_t, contact_point_t
    use litz_contact_descent, only: descent_fraction
@@ -348,6 +348,8 @@ contains
             now => domain%iterate%value(temperature_slots(1), :))
             energies%thermal = energies%thermal + work_of_swelling(domain%model, domain%elements, before, now, &
                contact%converged, contact%points) + work_of_swelling(domain%model, domain%elements, before, now, &
+               contact%converged_line_points, contact%line_points) + work_of_softening(domain%model, domain%elements, &
+               before, contact%converged, contact%points) + work_of_softening(domain%model, domain%elements, before, &
                contact%converged_line_points, contact%line_points)
          end associate
       end associate

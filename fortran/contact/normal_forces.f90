@@ -8,7 +8,7 @@ module litz_normal_forces
    use litz_contact_points, only: contact_point_t, law_ok, law_parallel, law_too_curved
    use litz_cut_forces, only: cut_force, ellipse_of_parts, kept_part, scaled
    use litz_cut_lens, only: is_cut
-   use litz_element_library, only: elements_t
+   use litz_element_library, only: elements_t, material_at, material_place_t
    use litz_hertz, only: hertz_ellipse, hertz_ok
    use litz_law_input, only: wire_pair_t
    use litz_lens_law, only: lens_t, lens_force, lens_energy
@@ -31,28 +31,25 @@ module litz_normal_forces
 
 contains
 
-   !> Both wires of a point, barred first.
+   !> Both wires of a point, barred first, at the temperatures of its places.
    pure type(wire_pair_t) function wires_of(model, elements, point) result(pair)
       type(model_t), intent(in) :: model
       type(elements_t), intent(in) :: elements
       type(contact_point_t), intent(in) :: point
-      integer :: i, both(2)
+      type(material_place_t) :: there(2)
+      integer :: both(2)
 
       both = [point%element_bar, point%element]
-      do i = 1, 2
-         associate (section => model%sections(model%element_section(both(i))))
-            pair%young(i) = model%materials(section%material)%young
-            pair%poisson(i) = model%materials(section%material)%poisson
-            ! stiffness is that of the reference section, in contacts as in beams; gaps see the swelling
-            pair%radius(i) = section%contact_radius + point%lens%of_ball(i)
-         end associate
-      end do
-      pair%resistivity = merge(point%present_parts%resistivity, elements%resistivity(both), &
-         point%present_parts%is_mixed)
-      pair%young = merge(point%lens%young, pair%young, point%lens%is_mixed)
-      pair%poisson = merge(point%lens%poisson, pair%poisson, point%lens%is_mixed)
+      there = [material_at(model, elements, both(1), point%xi_bar), material_at(model, elements, both(2), point%xi)]
+      pair%young = merge(point%lens%young, there%young, point%lens%is_mixed)
+      pair%poisson = merge(point%lens%poisson, there%poisson, point%lens%is_mixed)
+      pair%resistivity = merge(point%present_parts%resistivity, there%resistivity, point%present_parts%is_mixed)
+      pair%dresistivity = merge(0.0_dp, there%dresistivity, point%present_parts%is_mixed)
+      pair%dtemperature = there%dtemperature
+      ! stiffness is that of the reference section, in contacts as in beams; gaps see the swelling
+      pair%radius = model%sections(model%element_section(both))%contact_radius + point%lens%of_ball
       if (model%interactions(model%contact_pairs(point%pair)%interaction)%voltage_correction) then
-         pair%series_resistance = pair%resistivity*elements%length(both)/(4*elements%area(both))
+         pair%series_resistance = elements%resistivity(both)*elements%length(both)/(4*elements%area(both))
       end if
    end function wires_of
 

@@ -21,6 +21,8 @@ module litz_spots_of_places
    !> A quantity, and its derivatives with respect to overlap, slope and curvature at the place (3)
    type :: varying_t
       real(dp) :: value = 0, derivative(n_of_cell) = 0
+      !> Derivatives of a conductance by the resistivities of the wires (2) [S/(ohm m)]
+      real(dp) :: by_resistivity(2) = 0
    end type varying_t
 
 contains
@@ -52,6 +54,7 @@ contains
       if (point%in_lens) call add_crossing(law, pair, samples, deeper, point, of_strip)
       density = point%weight/sum(point%cell%reach)
       circuit%spot%conductance = density*of_strip%value
+      circuit%spot%dconductance_dresistivity = density*of_strip%by_resistivity
       circuit%spot%semi_minor = half_width
       circuit%spot%semi_major = density*sum(samples%weight(:samples%n))/2
       ! an ellipse of the same area
@@ -84,6 +87,9 @@ contains
          half_width = maxval(at(:n)%semi_minor)
          call cell_integral(samples, at(:n)%conductance, at(:n)%dconductance_dforce*force(:n)%stiffness, strip%value, &
             strip%derivative)
+         do i = 1, 2
+            strip%by_resistivity(i) = dot_product(samples%weight(:n), at(:n)%dconductance_dresistivity(i))
+         end do
       end associate
    end subroutine find_strip
 
@@ -133,6 +139,7 @@ contains
       type(varying_t), intent(out) :: spot
       type(contact_spot_t) :: at(n_depths)
       type(varying_t) :: round
+      real(dp) :: unused_slope(n_of_cell)
       integer :: i, info
 
       do i = 1, n_depths
@@ -140,6 +147,10 @@ contains
          if (info /= spot_ok) point%law_status = law_bad_data
       end do
       call integral_at_place(lens, at%conductance, at%dconductance_dforce, spot%value, spot%derivative)
+      do i = 1, 2
+         call integral_at_place(lens, at%dconductance_dresistivity(i), 0*at%conductance, spot%by_resistivity(i), &
+            unused_slope)
+      end do
       if (.not. is_round(law)) return
       call find_round_spot(law, pair, lens, point, round)
       spot = blend(spot, round, share_of_spot(lens, pair))
@@ -157,7 +168,8 @@ contains
 
       call contact_spot(law%spot, lens%force, pair, point%ellipse, at_force, info)
       if (info /= spot_ok) point%law_status = law_bad_data
-      spot = varying_t(at_force%conductance, at_force%dconductance_dforce*lens%dforce)
+      spot = varying_t(at_force%conductance, at_force%dconductance_dforce*lens%dforce, &
+         at_force%dconductance_dresistivity)
    end subroutine find_round_spot
 
    !> The spot of a crossing depends on its force alone, whatever its lens.
@@ -187,6 +199,7 @@ contains
       type(varying_t), intent(in) :: touching
 
       part%value = spot%value*touching%value/(2*lens%half_length)
+      part%by_resistivity = spot%by_resistivity*touching%value/(2*lens%half_length)
       part%derivative = (spot%derivative*touching%value + spot%value*touching%derivative)/(2*lens%half_length) &
          - part%value/lens%half_length*lens%dhalf_length
    end function even_share
@@ -197,6 +210,7 @@ contains
       type(varying_t), intent(in) :: share
 
       both%value = (1 - share%value)*first%value + share%value*second%value
+      both%by_resistivity = (1 - share%value)*first%by_resistivity + share%value*second%by_resistivity
       both%derivative = (1 - share%value)*first%derivative + share%value*second%derivative &
          + (second%value - first%value)*share%derivative
    end function blend
@@ -222,6 +236,7 @@ contains
       spot%semi_minor = strip%half_width
       spot%conductance = strip%conductance
       spot%dconductance_dforce = strip%dconductance_dforce
+      spot%dconductance_dresistivity = strip%dconductance_dresistivity
    end subroutine spot_per_length
 
    !> The strip at a place of a line, made by a force per length.

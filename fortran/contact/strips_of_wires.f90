@@ -6,8 +6,9 @@
 !> next to it, so that points of both passes come together.
 module litz_strips_of_wires
    use litz_kinds, only: dp, pi
-   use litz_element_library, only: elements_t
+   use litz_element_library, only: elements_t, material_at, material_place_t
    use litz_line_places, only: line_places_t, place_at
+   use litz_model, only: model_t
    use litz_wires, only: wires_t
    implicit none
    private
@@ -36,7 +37,8 @@ module litz_strips_of_wires
 
 contains
 
-   subroutine collect_strips(wires, elements, places, pairs, xi, normal, is_line, strips)
+   subroutine collect_strips(model, wires, elements, places, pairs, xi, normal, is_line, strips)
+      type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(line_places_t), intent(in) :: places
@@ -67,7 +69,7 @@ contains
             do while (a > 0)
                b = parts(a)%before
                do while (b > 0)
-                  if (parts(a)%other /= parts(b)%other) call add_pair(parts(a), parts(b), places%length(place))
+                  if (parts(a)%other /= parts(b)%other) call add_pair(parts(a), parts(b), place)
                   b = parts(b)%before
                end do
                a = parts(a)%before
@@ -110,20 +112,22 @@ contains
       end subroutine add_part
 
       !> Two strips at a place of a wire.
-      subroutine add_pair(a, b, length)
+      subroutine add_pair(a, b, place)
          type(part_t), intent(in) :: a, b
-         !> For which the place stands [m]
-         real(dp), intent(in) :: length
+         !> Its number
+         integer, intent(in) :: place
+         type(material_place_t) :: there
          real(dp) :: apart
 
          n = n + 1
          if (pass == 1) return
          ! from the axis to the strip; the chord between both is 2 sin(theta/2)
          apart = norm2((2*a%side - 3)*normal(:, a%contact) - (2*b%side - 3)*normal(:, b%contact))
+         there = material_at(model, elements, places%element(place), places%xi(place))
          strips%contacts(:, n) = [a%contact, b%contact]
          ! the current leaves the barred wire and enters the unbarred one
-         strips%resistance(n) = (2*a%side - 3)*(2*b%side - 3)*a%share*b%share/length &
-            *elements%resistivity(pairs(a%side, a%contact))/pi*(0.125_dp - log(max(apart, least_distance)))
+         strips%resistance(n) = (2*a%side - 3)*(2*b%side - 3)*a%share*b%share/places%length(place) &
+            *there%resistivity/pi*(0.125_dp - log(max(apart, least_distance)))
       end subroutine add_pair
 
    end subroutine collect_strips

@@ -65,6 +65,8 @@ module litz_surface_cells
       type(friction_start_t) :: start
       !> Path of the slip [m] and heat of friction [J] since the contact closed
       real(dp) :: slip_path = 0, dissipation = 0
+      !> Of the overlap [J]
+      real(dp) :: energy = 0
    end type surface_memory_t
 
    type :: surface_cell_t
@@ -146,16 +148,19 @@ contains
    pure function laws_of_ends(surface, axis, young, poisson, penalty, has_end) result(laws)
       type(rigid_surface_t), intent(in) :: surface
       type(wire_axis_t), intent(in) :: axis
-      !> Of the wire [Pa], [-], and eps_l [N/m^2] or 0
-      real(dp), intent(in) :: young, poisson, penalty
+      !> Of both ends of the wire (2) [Pa], [-], and eps_l [N/m^2] or 0
+      real(dp), intent(in) :: young(2), poisson(2), penalty
       !> (2)
       logical, intent(in) :: has_end(2)
       real(dp) :: laws(2), curvature
+      integer :: side
 
       curvature = 0
       if (surface%shape /= surface_plane) curvature = merge(-1, 1, surface%shape == surface_bore)/surface%radius
       laws = 0
-      if (any(has_end)) laws = merge(rigid_end(axis%radius, young, poisson, penalty, curvature), 0.0_dp, has_end)
+      do side = 1, 2
+         if (has_end(side)) laws(side) = rigid_end(axis%radius, young(side), poisson(side), penalty, curvature)
+      end do
    end function laws_of_ends
 
    !> Curvature of the distance along the wire at its ends (2) [1/m].
@@ -318,6 +323,7 @@ contains
             before%start%elastic_energy + friction%elastic_work)
          memory%slip_path = before%slip_path + norm2(friction%plastic_slip)
          memory%dissipation = before%dissipation + friction%dissipation
+         memory%energy = cell%energy
       end associate
    end function advanced_memory
 

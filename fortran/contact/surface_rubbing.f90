@@ -4,6 +4,7 @@
 module litz_surface_rubbing
    use litz_kinds, only: dp
    use litz_domain, only: domain_t
+   use litz_element_library, only: material_at
    use litz_fields, only: group_mechanical, motion_slots
    use litz_rigid_surface, only: rigid_surface_t
    use litz_surface_cells, only: surface_cell_t, wire_axis_t
@@ -30,8 +31,8 @@ contains
 
       associate (model => domain%model)
          associate (this => model%interactions(model%surface_pairs(cell%pair)%interaction), &
-            material => model%materials(model%sections(model%element_section(cell%element))%material))
-            sticking = sticking_t(this%friction, this%stick_law, this%stick_value, material%young, material%poisson)
+            there => material_at(model, domain%elements, cell%element, cell%overlap%nearest))
+            sticking = sticking_t(this%friction, this%stick_law, this%stick_value, there%young, there%poisson)
          end associate
       end associate
    end function sticking_of

@@ -8,7 +8,8 @@ module litz_surface_term
    use litz_contact_tangents, only: follow_centre_line
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
-   use litz_contact_energies, only: work_on_surfaces
+   use litz_contact_energies, only: work_on_surfaces, softening_on_surfaces
+   use litz_element_library, only: material_at, material_place_t
    use litz_fields, only: motion_slots, temperature_slots
    use litz_contact_kinematics, only: n_motions
    use litz_friction_iteration, only: friction_iteration_t, predict_friction, forget_friction
@@ -37,7 +38,7 @@ module litz_surface_term
    real(dp), parameter :: stick_tolerance = 0.01_dp
 
    !> Numbers of the memory of a cell in the state
-   integer, parameter :: n_remembered = 8
+   integer, parameter :: n_remembered = 9
 
    type, extends(term_t) :: surface_term_t
       type(surface_cell_t), allocatable :: cells(:)
@@ -163,7 +164,7 @@ contains
       end if
       do i = 1, size(self%cells)
          associate (cell => self%cells(i), m => domain%state%surface_memory(:, i))
-            cell%memory = surface_memory_t(m(1) > 0, friction_start_t(m(2:3), m(4), m(5), m(6)), m(7), m(8))
+            cell%memory = surface_memory_t(m(1) > 0, friction_start_t(m(2:3), m(4), m(5), m(6)), m(7), m(8), m(9))
             cell%has_place = cell%memory%closed .and. cell%force > 0
             cell%part = 1
             cell%iteration = friction_iteration_t()
@@ -226,13 +227,14 @@ contains
       do i = 1, size(self%cells)
          associate (cell => self%cells(i), model => domain%model)
             axis = element_axis(domain, cell%element, cell%pair)
-            associate (material => model%materials(model%sections(model%element_section(cell%element))%material))
-               law = law_of_cell(present_surface(domain, cell%pair), axis, material%young, material%poisson, &
+            associate (there => material_at(model, domain%elements, cell%element, cell%overlap%nearest))
+               law = law_of_cell(present_surface(domain, cell%pair), axis, there%young, there%poisson, &
                   cell%overlap%nearest)
-               if (any(cell%has_end)) call update_ends(material%young, material%poisson, axis, cell)
             end associate
+            if (any(cell%has_end)) call update_ends(axis, cell)
             call update_stick(cell)
-            if (tolerance > 0 .and. abs(log_lens(law) - log_lens(cell%law)) <= tolerance*abs(log_lens(law))) cycle
+            if (tolerance > 0 .and. abs(log_lens(law) - log_lens(cell%law)) <= tolerance*abs(log_lens(law)) .and. &
+               abs(law%modulus - cell%law%modulus) <= tolerance*law%modulus) cycle
             cell%law = law
             has_changed = .true.
          end associate
@@ -241,15 +243,16 @@ contains
    contains
 
       !> What the round ends carry.
-      subroutine update_ends(young, poisson, axis, cell)
-         !> Of the wire [Pa], [-]
-         real(dp), intent(in) :: young, poisson
+      subroutine update_ends(axis, cell)
          type(wire_axis_t), intent(in) :: axis
          type(surface_cell_t), intent(inout) :: cell
+         type(material_place_t) :: there(2)
          real(dp) :: laws(2), bend(2)
 
          associate (interaction => domain%model%interactions(domain%model%surface_pairs(cell%pair)%interaction))
-            laws = laws_of_ends(present_surface(domain, cell%pair), axis, young, poisson, &
+            there = [material_at(domain%model, domain%elements, cell%element, -1.0_dp), &
+               material_at(domain%model, domain%elements, cell%element, 1.0_dp)]
+            laws = laws_of_ends(present_surface(domain, cell%pair), axis, there%young, there%poisson, &
                interaction%normal%line_penalty(), cell%has_end)
          end associate
          bend = bends_at_ends(present_surface(domain, cell%pair), axis)
@@ -385,9 +388,12 @@ contains
       class(surface_term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain
       type(energies_t), intent(inout) :: energies
+      logical :: is_elastic(size(self%cells))
       integer :: i
 
-      associate (cells => self%cells)
+      associate (cells => self%cells, model => domain%model)
+         is_elastic = [(.not. model%interactions(model%surface_pairs(cells(i)%pair)%interaction)%normal%line_penalty() &
+            > 0, i=1, size(cells))]
          energies%contact = energies%contact + sum(cells%energy) + sum(cells%memory%start%elastic_energy &
             + cells%friction%elastic_work, mask=cells%force > 0)
          energies%work = energies%work + sum(cells%friction%work_beyond_mean)
@@ -399,6 +405,10 @@ contains
          energies%thermal = energies%thermal + work_on_surfaces(domain%model, domain%elements, &
             domain%state%value(temperature_slots(1), :), domain%iterate%value(temperature_slots(1), :), cells%element, &
             (cells%force + merge(cells%memory%start%force, 0.0_dp, cells%memory%closed))/2)
+         energies%thermal = energies%thermal + softening_on_surfaces(domain%model, domain%elements, &
+            domain%state%value(temperature_slots(1), :), pack(cells%element, is_elastic), &
+            pack(cells%overlap%nearest, is_elastic), pack(cells%memory%energy, is_elastic), &
+            pack(cells%energy, is_elastic))
       end associate
    end subroutine add_energies
 
@@ -414,7 +424,7 @@ contains
          self%cells(i)%memory = advanced_memory(self%cells(i))
          associate (m => self%cells(i)%memory)
             domain%state%surface_memory(:, i) = [merge(1.0_dp, 0.0_dp, m%closed), m%start%traction, m%start%force, &
-               m%start%stiffness, m%start%elastic_energy, m%slip_path, m%dissipation]
+               m%start%stiffness, m%start%elastic_energy, m%slip_path, m%dissipation, m%energy]
          end associate
       end do
       closed = pack([(i, i=1, size(self%cells))], self%cells%force > 0)

@@ -5,7 +5,7 @@ module litz_deck_reader
    use litz_growing_text, only: growing_text_t
    use litz_keyword_table, only: keyword_table
    use litz_deck, only: token_t
-   use litz_material_properties, only: has_thermal_mechanics
+   use litz_material_properties, only: has_thermal_mechanics, has_thermal_resistivity
    use litz_model, only: model_t, material_t
    use litz_reader, only: reader_t, fail_at, keyword_of, parameter_of, real_parameter
    use litz_data_lines, only: read_line
@@ -201,8 +201,7 @@ contains
       end do
    end subroutine report_findings
 
-   !> Temperatures of materials that do not depend on them are results and nothing else; contacts do not depend on those
-   !> at which tables give the stiffness and the conductivity of wires.
+   !> Temperatures of materials that do not depend on them are results and nothing else.
    subroutine warn_about_temperatures(self, model, warnings)
       type(reader_t), intent(in) :: self
       type(model_t), intent(in) :: model
@@ -210,15 +209,6 @@ contains
       integer :: card, i
 
       if (self%errors%count > 0) return
-      ! wires without given temperatures have one, too: 0
-      if (any([(has_table_of_contacts(model%materials(i)), i=1, size(model%materials))])) then
-         do card = 1, self%deck%n_cards
-            if (keyword_of(self, card) /= 'CONTACT PAIR') cycle
-            call warn(card, 'contact_temperature', 'the laws of contacts take the first lines of *ELASTIC and'// &
-               ' *ELECTRICAL CONDUCTIVITY, whatever the temperature')
-            exit
-         end do
-      end if
       do card = 1, self%deck%n_cards
          if (.not. any(keyword_of(self, card) == [character(len=18) :: 'TEMPERATURE', 'INITIAL CONDITIONS'])) cycle
          if (.not. any([(depends_on_temperature(model%materials(i)), i=1, size(model%materials))])) then
@@ -234,17 +224,8 @@ contains
          type(material_t), intent(in) :: material
 
          depends_on_temperature = has_thermal_mechanics(material) .or. allocated(material%heat_conductivity) .or. &
-            has_table_of_contacts(material)
+            has_thermal_resistivity(material)
       end function depends_on_temperature
-
-      !> Contacts would depend on it.
-      pure logical function has_table_of_contacts(material)
-         type(material_t), intent(in) :: material
-
-         has_table_of_contacts = allocated(material%elastic_table)
-         if (allocated(material%resistivity)) has_table_of_contacts = has_table_of_contacts .or. &
-            size(material%resistivity, 2) > 1
-      end function has_table_of_contacts
 
       subroutine warn(card, kind, words)
          !> Index of the card

@@ -13,6 +13,9 @@ module litz_law_input
       real(dp) :: radius(2) = 0, young(2) = 0, poisson(2) = 0, resistivity(2) = 0
       !> rho L0/(4 A) [ohm], see contact_electricity; 0: the paper's linear voltage
       real(dp) :: series_resistance(2) = 0
+      !> How the resistivities change with the temperatures of the contact's places, and these with the places xi
+      !> [ohm m/K, K]
+      real(dp) :: dresistivity(2) = 0, dtemperature(2) = 0
    end type wire_pair_t
 
    type :: law_input_t

@@ -49,6 +49,8 @@ module litz_lens_law
    type :: lens_spot_t
       !> G [S], dG/dg [S/m] at fixed angle, dG/dangle [S/rad] at fixed gap
       real(dp) :: conductance = 0, dconductance_dgap = 0, dconductance_dangle = 0
+      !> dG/drho of the barred and of the unbarred wire (2) [S/(ohm m)]
+      real(dp) :: dconductance_dresistivity(2) = 0
       !> Half width of the strip at the deepest place [m]
       real(dp) :: half_width = 0
       !> The strip is wider than the law holds for
@@ -113,7 +115,7 @@ contains
       !> sigma_f [ohm m^2], H [Pa]; see line_spot
       real(dp), intent(in) :: film, hardness
       type(line_spot_t) :: at
-      real(dp) :: g, dg_dgap, dg_dangle
+      real(dp) :: g, dg_dgap, dg_dangle, dg_dresistivity(2)
       integer :: i
 
       at = line_spot(line, lens%deepest%force, film, hardness)
@@ -122,14 +124,17 @@ contains
       g = 0
       dg_dgap = 0
       dg_dangle = 0
+      dg_dresistivity = 0
       do i = 1, n_depths
          associate (f => lens%along(i))
             at = line_spot(line, f%force, film, hardness)
             g = g + gauss_weight(i)*at%conductance
             dg_dgap = dg_dgap + gauss_weight(i)*at%dconductance_dforce*f%stiffness*lens%doverlap_dgap(i)
             dg_dangle = dg_dangle + gauss_weight(i)*(at%dconductance_dangle + at%dconductance_dforce*f%dforce_dangle)
+            dg_dresistivity = dg_dresistivity + gauss_weight(i)*at%dconductance_dresistivity
          end associate
       end do
+      spot%dconductance_dresistivity = dg_dresistivity*lens%half_length
       spot%conductance = g*lens%half_length
       spot%dconductance_dgap = g*lens%dhalf_length_dgap + dg_dgap*lens%half_length
       spot%dconductance_dangle = g*lens%dhalf_length_dangle + dg_dangle*lens%half_length

@@ -35,6 +35,8 @@ module litz_line_law
       real(dp) :: modulus = 0
       !> rho + rhob [ohm m]
       real(dp) :: resistivity = 0
+      !> Lam2 + ln b of the current in the barred and in the unbarred wire, less their mean [-]
+      real(dp) :: electric_offset(2) = 0
       !> Square of the half width over the force per length [m^3/N]
       real(dp) :: square_per_force = 0
       !> A [-], 0 of parallel wires, and its derivative with respect to the angle [1/rad]
@@ -67,6 +69,8 @@ module litz_line_law
       real(dp) :: half_width = 0
       !> g' [S/m], dg'/df [S/N] at fixed angle, dg'/dangle [S/(m rad)] at fixed force
       real(dp) :: conductance = 0, dconductance_dforce = 0, dconductance_dangle = 0
+      !> dg'/drho of the barred and of the unbarred wire (2) [S/(ohm m^2)]
+      real(dp) :: dconductance_dresistivity(2) = 0
       !> The strip is wider than the law holds for; the conductance is that of the widest one
       logical :: too_wide = .false.
    end type line_spot_t
@@ -90,6 +94,7 @@ contains
       ! Lam2 + ln b, the mean of what each section gives
       line%section = exp(-2*mean(log(2*r) - 1/(8*(1 - wires%poisson)), softness))
       line%electric_section = exp(-2*mean(log(2*r) + 0.125_dp, wires%resistivity))
+      line%electric_offset = log(2*r) - mean(log(2*r), wires%resistivity)
       call add_lens(wires, angle, line)
       line%max_half_width = widest_strip*minval(r)
       line%max_force = line%max_half_width**2/line%square_per_force
@@ -229,6 +234,8 @@ contains
       spot%conductance = 1/(-line%resistivity/(2*pi)*log(lens + section) + of_film)
       spot%dconductance_dforce = spot%conductance**2/force*(line%resistivity/pi*share + log_slope*of_film)
       spot%dconductance_dangle = spot%conductance**2*line%resistivity/(2*pi)*dlens_dangle/(lens + section)
+      spot%dconductance_dresistivity = spot%conductance**2/(2*pi)*(log(lens + section) &
+         - 2*section/(lens + section)*line%electric_offset)
    end function line_spot
 
    !> `A (b/b_H)^2` of wires that yield, and its derivatives.

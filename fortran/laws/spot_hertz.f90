@@ -35,6 +35,7 @@ contains
          ! R_c = (rho1+rho2) K/(2 pi a)
          spot%conductance = 3*force/(sum(given%wires%resistivity)*ellipse%modulus*spot%approach)
          spot%dconductance_dforce = spot%conductance/(3*force)
+         spot%dconductance_dresistivity = -spot%conductance/sum(given%wires%resistivity)
          spot%dconductance_dangle = -spot%conductance*ellipse%dapproach_dangle/ellipse%approach
       end associate
    end subroutine hertz_spot

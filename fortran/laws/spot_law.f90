@@ -38,6 +38,8 @@ module litz_spot_law
       real(dp) :: approach = 0
       !> G [S], dG/dF [S/N] at fixed angle, dG/dangle [S/rad] at fixed force
       real(dp) :: conductance = 0, dconductance_dforce = 0, dconductance_dangle = 0
+      !> dG/drho of the barred and of the unbarred wire (2) [S/(ohm m)]
+      real(dp) :: dconductance_dresistivity(2) = 0
    end type contact_spot_t
 
    !> Number 0: no current crosses the contact.
@@ -96,6 +98,7 @@ contains
 
       share = 1/(1 + spot%conductance*resistance)
       spot%conductance = spot%conductance*share
+      spot%dconductance_dresistivity = spot%dconductance_dresistivity*share**2
       spot%dconductance_dforce = spot%dconductance_dforce*share**2 - spot%conductance**2*dresistance_dforce
       spot%dconductance_dangle = spot%dconductance_dangle*share**2 - spot%conductance**2*dresistance_dangle
    end subroutine add_in_series

@@ -36,6 +36,7 @@ contains
          spot%approach = spot%semi_major**2/r_star
          spot%conductance = 4*spot%semi_major/sum(wires%resistivity)            ! R_c = (rho1+rho2)/(4a)
          spot%dconductance_dforce = spot%conductance/(3*force)
+         spot%dconductance_dresistivity = -spot%conductance/sum(wires%resistivity)
       end associate
    end subroutine paper_spot
 

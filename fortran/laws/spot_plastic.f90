@@ -34,6 +34,7 @@ contains
       spot%semi_minor = spot%semi_major
       spot%conductance = 4*spot%semi_major/sum(given%wires%resistivity)          ! R_c = (rho1+rho2)/(4a)
       spot%dconductance_dforce = spot%conductance/(2*given%force)
+      spot%dconductance_dresistivity = -spot%conductance/sum(given%wires%resistivity)
    end subroutine plastic_spot
 
 end module litz_spot_plastic

@@ -11,7 +11,7 @@ module litz_material_properties
    use litz_property_table, only: property_at
    implicit none
    private
-   public :: has_thermal_mechanics, elasticity_at, thermal_strain
+   public :: has_thermal_mechanics, has_thermal_resistivity, elasticity_at, thermal_strain
 
 contains
 
@@ -21,6 +21,14 @@ contains
 
       has_thermal_mechanics = allocated(material%elastic_table) .or. allocated(material%expansion_table)
    end function has_thermal_mechanics
+
+   !> Its resistivity changes with the temperature.
+   pure logical function has_thermal_resistivity(material)
+      type(material_t), intent(in) :: material
+
+      has_thermal_resistivity = .false.
+      if (material%conductivity > 0) has_thermal_resistivity = size(material%resistivity, 2) > 1
+   end function has_thermal_resistivity
 
    !> Young's modulus [Pa] and Poisson's ratio.
    pure function elasticity_at(material, temperature) result(elasticity)

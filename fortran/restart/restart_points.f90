@@ -63,6 +63,7 @@ contains
       call table%field('side', point%kinematics%side)
       call table%field('angle', point%kinematics%angle)
       call table%field('force', point%force)
+      call table%field('energy', point%at_gap%energy)
       call table%field('traction', point%traction)
       call list_shares(table, point)
       call list_history(table, point%history)

@@ -9,8 +9,10 @@ module litz_newton
    use litz_contact_findings, only: finding_t, finding_none
    use litz_convergence, only: measure_residual, has_converged, group_converged, &
       corrections_small, worst_field
+   use litz_element_library, only: heat_elements
    use litz_errors, only: error_t
-   use litz_fields, only: field_displacement, n_fields, n_slots, n_groups, first_slot, last_slot, last_slot_of_group
+   use litz_fields, only: field_displacement, n_fields, n_slots, n_groups, first_slot, last_slot, last_slot_of_group, &
+      temperature_slots
    use litz_grounding, only: describe_fed_part
    use litz_group_solution, only: has_mutual_tangent
    use litz_group_update, only: update_group
@@ -227,6 +229,7 @@ contains
          end where
       end associate
       problem%is_far = .true.
+      call heat_elements(problem%model, problem%iterate%value(temperature_slots(1), :), problem%elements)
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%start(problem%domain_t)
       end do

@@ -4,14 +4,16 @@ module litz_element_library
    use litz_beam_b31, only: beam_b31, beam_b31_reference, beam_b31_rigidities
    use litz_beam_b33, only: beam_b33, beam_b33_reference, beam_b33_rigidities
    use litz_element_types, only: element_types, element_b31, element_b33
-   use litz_material_properties, only: has_thermal_mechanics, elasticity_at, thermal_strain
+   use litz_material_properties, only: has_thermal_mechanics, has_thermal_resistivity, elasticity_at, &
+      thermal_strain
    use litz_model, only: model_t
+   use litz_property_table, only: property_at
    use litz_section_stiffness, only: section_stiffness
    use litz_wires, only: wires_t
    implicit none
    private
    public :: elements_t, heated_beam_t, prepare_elements, heat_elements, beam_at_temperature, end_swelling, &
-      evaluate_beam
+      material_at, material_place_t, evaluate_beam
 
    !> What stays the same for each element during a run, but for what depends on its temperature.
    type :: elements_t
@@ -29,8 +31,12 @@ module litz_element_library
       real(dp), allocatable :: initial_temperature(:, :)
       !> Axial strain of the stress-free state from temperature (n_elements)
       real(dp), allocatable :: thermal_strain(:)
-      !> Resistivity (n_elements) [ohm m]; 0 where there is no electric field
+      !> Resistivity at mid length (n_elements) [ohm m]; 0 where there is no electric field
       real(dp), allocatable :: resistivity(:)
+      !> Elements whose resistivity depends on the temperature (n)
+      integer, allocatable :: thermal_resistors(:)
+      !> Present temperatures of the nodes of each element, where some element depends on them (2, n_elements) [K]
+      real(dp), allocatable :: temperature(:, :)
       !> Area, and contact radius at mid length (n_elements) [m^2, m]
       real(dp), allocatable :: area(:), radius(:)
       !> How much larger the contact radius is at the second node than at mid length, linear in between (n_elements) [m]
@@ -45,6 +51,14 @@ module litz_element_library
       real(dp) :: stiffness(6) = 0, rigidity(6) = 0
       real(dp) :: thermal_strain = 0
    end type heated_beam_t
+
+   !> The material at a place of a wire.
+   type :: material_place_t
+      !> E [Pa], nu [-] and rho [ohm m]; 0: no electric field
+      real(dp) :: young = 0, poisson = 0, resistivity = 0
+      !> Derivative of rho by the temperature, and of the temperature by the place xi [ohm m/K, K]
+      real(dp) :: dresistivity = 0, dtemperature = 0
+   end type material_place_t
 
    !> The procedures of a kernel.
    type :: beam_t
@@ -138,6 +152,9 @@ contains
       elements%heated = pack([(e, e=1, n)], [(has_thermal_mechanics(model%materials(model%sections( &
          model%element_section(e))%material)), e=1, n)])
       allocate (elements%initial_temperature(2, size(elements%heated)))
+      elements%thermal_resistors = pack([(e, e=1, n)], [(has_thermal_resistivity(model%materials(model%sections( &
+         model%element_section(e))%material)), e=1, n)])
+      allocate (elements%temperature(2, n), source=0.0_dp)
    end subroutine prepare_elements
 
    !> Properties at the present temperatures.
@@ -147,9 +164,18 @@ contains
       real(dp), intent(in) :: temperature(:)
       type(elements_t), intent(inout) :: elements
       type(heated_beam_t) :: beam
-      real(dp) :: mean, swelling(2)
+      real(dp) :: mean, swelling(2), slope
       integer :: i
 
+      if (size(elements%heated) + size(elements%thermal_resistors) == 0) return
+      elements%temperature = reshape(temperature(reshape(model%connectivity, [size(model%connectivity)])), &
+         shape(elements%temperature))
+      do i = 1, size(elements%thermal_resistors)
+         associate (e => elements%thermal_resistors(i))
+            call property_at(model%materials(model%sections(model%element_section(e))%material)%resistivity, &
+               sum(elements%temperature(:, e))/2, elements%resistivity(e), slope)
+         end associate
+      end do
       do i = 1, size(elements%heated)
          associate (e => elements%heated(i))
             mean = sum(temperature(model%connectivity(:, e)))/2
@@ -165,6 +191,32 @@ contains
          end associate
       end do
    end subroutine heat_elements
+
+   !> The material of a wire at a place of it, at the temperature there.
+   pure type(material_place_t) function material_at(model, elements, e, xi, temperature) result(there)
+      type(model_t), intent(in) :: model
+      type(elements_t), intent(in) :: elements
+      !> Element
+      integer, intent(in) :: e
+      !> Place in [-1, 1]
+      real(dp), intent(in) :: xi
+      !> Of the nodes, instead of the present ones (n_nodes) [K]
+      real(dp), intent(in), optional :: temperature(:)
+      real(dp) :: elasticity(2), t(2), t_there
+
+      t = elements%temperature(:, e)
+      if (present(temperature)) t = temperature(model%connectivity(:, e))
+      associate (material => model%materials(model%sections(model%element_section(e))%material))
+         t_there = ((1 - xi)*t(1) + (1 + xi)*t(2))/2
+         elasticity = elasticity_at(material, t_there)
+         there%young = elasticity(1)
+         there%poisson = elasticity(2)
+         there%dtemperature = (t(2) - t(1))/2
+         there%resistivity = elements%resistivity(e)
+         if (has_thermal_resistivity(material)) call property_at(material%resistivity, t_there, there%resistivity, &
+            there%dresistivity)
+      end associate
+   end function material_at
 
    !> What temperature adds to the contact radius at both nodes [m].
    pure function end_swelling(model, elements, i, temperature) result(swelling)

@@ -1,7 +1,5 @@
 """Wires that expand with their temperature: bars, a bimetal, buckling, contacts that swell, and the balance of energy."""
 
-import re
-
 import numpy as np
 import pytest
 
@@ -277,22 +275,6 @@ def test_temperatures_that_nothing_depends_on_are_a_remark(litz, tmp_path):
     _, messages = run(litz, tmp_path, text)
     assert "no material of the model depends on temperature" in messages
     assert "depends on temperature" not in run(litz, tmp_path, wire())[1]
-
-
-def test_contacts_that_do_not_follow_a_table_over_temperature_are_a_remark(litz, tmp_path):
-    words = "the laws of contacts take the first lines"
-    text = swelling_pair("*TEMPERATURE\n LOWER, 100\n UPPER, 100")
-    assert words not in run(litz, tmp_path, text)[1]
-    head, data = text.split("*ELASTIC\n")
-    softer = f"{head}*ELASTIC\n {YOUNG}, 0.34, 0\n 100e9, 0.34, 100\n{data.split(chr(10), 1)[1]}"
-    assert words in run(litz, tmp_path, softer)[1]
-    # without given temperatures wires are at 0, and contacts at the first line all the same
-    untold = re.sub(r"\*TEMPERATURE\n LOWER, 100\n UPPER, 100\n", "", softer)
-    assert "*TEMPERATURE" not in untold
-    deck = tmp_path / "untold.inp"
-    deck.write_text(untold)
-    done = litz("check", deck)
-    assert words in done.stdout + done.stderr
 
 
 @pytest.mark.parametrize(

@@ -15,11 +15,14 @@ program test_tangents
    use litz_contact_points, only: contact_point_t
    use litz_deck_reader, only: read_deck
    use litz_errors, only: error_t, error_list_t
+   use litz_hertz, only: effective_modulus
    use litz_fields, only: n_slots, n_groups, depends_on, field_rotation, first_slot, last_slot, fields, potential_slots
    use litz_initial_contacts, only: find_initial_overlap
    use litz_loading, only: load_targets
+   use litz_law_input, only: wire_pair_t
    use litz_model, only: model_t
    use litz_newton, only: start_iterate
+   use litz_normal_forces, only: wires_of
    use litz_problem, only: problem_t, prepare_problem
    use litz_rotations, only: cross
    use litz_sparse_pattern, only: csr_multiply
@@ -45,14 +48,16 @@ program test_tangents
    !> Temperatures of all nodes of the wires, unlike each other
    character(len=*), parameter :: heat = '*TEMPERATURE'//nl//'1, 10'//nl//'2, 90'//nl//'3, 20'//nl//'4, 40'//nl// &
       '11, 5'//nl//'12, 60'//nl//'13, 10'//nl//'14, 80'//nl
-   !> Card of the material that expands
-   character(len=:), allocatable :: expansion
+   !> Card of the material that expands, and its data
+   character(len=:), allocatable :: expansion, elasticity, conductivity
    integer :: failures = 0, term
    !> Which terms of the list have added something in some deck
    logical, allocatable :: has_added(:)
 
    call start_random_numbers()
    expansion = ''
+   elasticity = '1.1e11, 0.3'//nl
+   conductivity = '5e7'//nl
    call check_terms('B33 and B31', 'B33', 'B31', penalty, '', '', exact)
    call check_terms('conductors and spots of a penalty', 'B33', 'B33', penalty//spot, '', '', exact)
    call check_terms('paper spot', 'B33', 'B31', penalty//'*GAP ELECTRICAL CONDUCTANCE, LAW=PAPER'//nl, '', '', exact)
@@ -99,6 +104,7 @@ program test_tangents
    call check_terms('heated wires on a plane', 'B33', 'B31', surfaces('PLANE', '0, 0, -1.02e-3, 2e-4, -0.005, 1'), '', &
       heat, exact)
    expansion = ''
+   call check_contacts_over_temperature()
    call check_heat('heat', '5e7'//nl, '390'//nl, ', STEADY STATE')
    call check_heat('heat over temperature', '9e7, 100'//nl//'2e7, 900'//nl, '430, 100'//nl//'350, 900'//nl, &
       ', STEADY STATE')
@@ -170,8 +176,9 @@ contains
    end function deck_of
 
    !> A wire above another one and along it, in a bow above its middle; the nodes do not match.
-   function deck_along(laws, bow, push) result(deck)
-      character(len=*), intent(in) :: laws
+   function deck_along(laws, bow, push, loads) result(deck)
+      !> The loads are those of the second step
+      character(len=*), intent(in) :: laws, loads
       !> Curvature of the upper wire [1/m], and how far its ends are lowered [m]
       real(dp), intent(in) :: bow, push
       character(len=:), allocatable :: deck
@@ -187,7 +194,7 @@ contains
          deck = deck//node(i)//height//nl
       end do
       deck = deck//elements_and_contact('B33', 'B33', '', laws)//'*BOUNDARY'//nl//'1, 1, 6'//nl//'4, 1, 6'//nl// &
-         step_of(-push, '')//step_of(-1.25_dp*push, '')
+         step_of(-push, '')//step_of(-1.25_dp*push, loads)
    end function deck_along
 
    !> A wire whose end is lowered on another one, or meets its end; or one that is lowered on the kink of another.
@@ -267,8 +274,8 @@ contains
          '*ELEMENT, TYPE='//type_1//', ELSET=C'//nl
       cards = cards//'3, 3, 4'//nl// &
          '*ELEMENT, TYPE='//type_2//', ELSET=B'//nl//'11, 11, 12'//nl//'12, 12, 13'//nl//'13, 13, 14'//nl// &
-         '*MATERIAL, NAME=M'//nl//'*ELASTIC'//nl//'1.1e11, 0.3'//nl//expansion// &
-         '*ELECTRICAL CONDUCTIVITY'//nl//'5e7'//nl// &
+         '*MATERIAL, NAME=M'//nl//'*ELASTIC'//nl//elasticity//expansion// &
+         '*ELECTRICAL CONDUCTIVITY'//nl//conductivity// &
          '*BEAM SECTION, ELSET=A, MATERIAL=M, SECTION=CIRC'//nl//'1e-3'//nl// &
          '*BEAM SECTION, ELSET=B, MATERIAL=M, SECTION=CIRC'//nl//'0.8e-3'//nl// &
          '*SURFACE INTERACTION, NAME=T'//options//nl//laws//'*CONTACT PAIR, INTERACTION=T'//nl//names//nl
@@ -344,18 +351,43 @@ contains
       call note_terms(problem)
    end subroutine check_terms
 
+   !> Contacts whose resistivities are those of the temperatures of their places, which move with them; and whose
+   !> elasticity is.
+   subroutine check_contacts_over_temperature()
+      conductivity = '8e7, 0'//nl//'2e7, 100'//nl
+      call check_terms('resistivity of places, paper', 'B33', 'B31', penalty//'*GAP ELECTRICAL CONDUCTANCE, LAW=PAPER' &
+         //nl, '', heat, exact)
+      call check_terms('resistivity of places, Hertz', 'B33', 'B33', hertz//spot, '', heat, exact)
+      call check_terms('resistivity of places, plastic', 'B33', 'B33', penalty// &
+         '*GAP ELECTRICAL CONDUCTANCE, LAW=PLASTIC'//nl//'1e9'//nl, '', heat, exact)
+      call check_terms('resistivity of places, film', 'B33', 'B33', hertz//'*GAP ELECTRICAL CONDUCTANCE, LAW=FILM'//nl &
+         //'1e-12'//nl, '', heat, exact)
+      call check_lines('resistivity of places, line', hertz//clean, 0.0_dp, 4.0e-6_dp, 0.1_dp, loads=heat)
+      call check_lines('resistivity of places, line of metal that yields', hertz//'*GAP ELECTRICAL CONDUCTANCE, '// &
+         'LAW=PLASTIC, VOLTAGE=LINEAR'//nl//'1e9'//nl, 5.0_dp, 1.2e-5_dp, 0.02_dp, loads=heat)
+      elasticity = '1.2e11, 0.3, 0'//nl//'0.8e11, 0.35, 100'//nl
+      call check_terms('elasticity of places', 'B33', 'B33', hertz//spot, '', heat, exact)
+      elasticity = '1.1e11, 0.3'//nl
+      conductivity = '5e7'//nl
+   end subroutine check_contacts_over_temperature
+
    !> Wires that touch along a line, `part` of the usual random motion away from equilibrium.
-   subroutine check_lines(name, laws, bow, push, part, larger)
+   subroutine check_lines(name, laws, bow, push, part, larger, loads)
       character(len=*), intent(in) :: name, laws
       real(dp), intent(in) :: bow, push, part
       !> Times the present one is the largest force that places remember; absent: 1
       real(dp), intent(in), optional :: larger
+      !> Cards of the second step
+      character(len=*), intent(in), optional :: loads
       type(problem_t) :: problem
+      character(len=:), allocatable :: cards
       integer :: trial
 
+      cards = ''
+      if (present(loads)) cards = loads
       ! the same motions whatever was checked before: none of them brings a place to the verge of touching
       call start_random_numbers()
-      call solve_first_step(deck_along(laws, bow, push), problem)
+      call solve_first_step(deck_along(laws, bow, push, cards), problem)
       if (present(larger)) then
          associate (history => problem%contact%converged_line_points%history)
             history%largest_force = larger*history%largest_force
@@ -626,7 +658,7 @@ contains
    end function tangent_times
 
    !> How the angle between the wires changes the force of each contact: `-dF/dpsi dgap (dpsi . v)`, as far as the angle
-   !> of the law is that of the axes.
+   !> of the law is that of the axes; and likewise the elasticity of its places, with which an elastic force goes.
    subroutine add_angle_term(problem, v, product)
       type(problem_t), intent(in) :: problem
       real(dp), intent(in) :: v(:, :)
@@ -638,13 +670,36 @@ contains
          associate (point => problem%contact%points(i))
             if (.not. point%closed) cycle
             nodes = [problem%model%connectivity(:, point%element_bar), problem%model%connectivity(:, point%element)]
-            term = -point%at_gap%dforce_dangle*(1 - point%lens_share)*cos(point%kinematics%angle)/cos(point%law_angle) &
-               *point%kinematics%dgap*dot_product(point%kinematics%dangle, &
-               reshape(v(1:6, nodes), [24]))
+            term = -point%force*slope_of_modulus(problem, point, reshape(v(1:6, nodes), [24]))*point%kinematics%dgap
+            term = term - point%at_gap%dforce_dangle*(1 - point%lens_share) &
+               *cos(point%kinematics%angle)/cos(point%law_angle)*point%kinematics%dgap &
+               *dot_product(point%kinematics%dangle, reshape(v(1:6, nodes), [24]))
             product(1:6, nodes) = product(1:6, nodes) + reshape(term, [6, 4])
          end associate
       end do
    end subroutine add_angle_term
+
+   !> How ln E* of a contact's places changes as they move by `v`; 0 of a penalty.
+   real(dp) function slope_of_modulus(problem, point, v) result(slope)
+      type(problem_t), intent(in) :: problem
+      type(contact_point_t), intent(in) :: point
+      real(dp), intent(in) :: v(24)
+      real(dp), parameter :: step = 1.0_dp
+      type(contact_point_t) :: moved
+      type(wire_pair_t) :: pair(2)
+      integer :: side
+
+      slope = 0
+      if (problem%model%interactions(problem%model%contact_pairs(point%pair)%interaction)%normal%is_straight) return
+      do side = 1, 2
+         moved = point
+         moved%xi_bar = point%xi_bar + (2*side - 3)*step*dot_product(point%kinematics%dxi_bar, v)
+         moved%xi = point%xi + (2*side - 3)*step*dot_product(point%kinematics%dxi, v)
+         pair(side) = wires_of(problem%model, problem%elements, moved)
+      end do
+      slope = log(effective_modulus(pair(2)%young, pair(2)%poisson)/effective_modulus(pair(1)%young, pair(1)%poisson)) &
+         /(2*step)
+   end function slope_of_modulus
 
    !> One block of the tangent times `v`.
    function times(problem, row_group, column_group, v) result(y)
