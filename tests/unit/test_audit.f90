@@ -266,7 +266,7 @@ contains
 
       allocate (state%value(n_slots, 4), state%reaction(n_slots, 4), state%load(n_slots, 4), &
          state%outer_force(n_slots, 4), state%section_forces(6, 2), state%heat_made(2), &
-         state%surface_heat(2), source=0.0_dp)
+         state%surface_heat(2), state%heat_stored(2), source=0.0_dp)
       state%rotation = spread(reshape(unit_matrix, [3, 3]), 3, 4)
       state%reaction(3, :) = [f/2, f/2, -f/2, -f/2]
       ! half of the current leaves each wire at either end of its element, as the linear voltage has it
