@@ -30,8 +30,9 @@ class NormalForce(NamedTuple):
     dforce_dangle: float | Floats
     #: Derivative of the force by the largest force at fixed overlap [-]; 0 while it is itself the largest
     dforce_dlargest: float | Floats
-    #: Half axes of the spot [m]
+    #: Larger half axis of the spot [m]
     semi_major: float | Floats
+    #: Smaller half axis of the spot [m]
     semi_minor: float | Floats
     #: Radius of the disc of the same conductance [m], ``G = 4 disc_radius/(rho1 + rho2)``
     disc_radius: float | Floats
