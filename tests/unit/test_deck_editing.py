@@ -168,7 +168,7 @@ def test_the_table_is_what_the_program_prints(request):
     assert printed.returncode == 0
     names = [keyword["name"] for keyword in json.loads(printed.stdout)]
     # help goes on below itself
-    listed = [line[1:29].strip() for line in program("keywords").stdout.splitlines() if line[1:29].strip()]
+    listed = [line[1:34].strip() for line in program("keywords").stdout.splitlines() if line[1:34].strip()]
     assert names == listed
 
 
