@@ -23,7 +23,8 @@ contains
       text = ''
       do i = 1, table%n
          associate (keyword => table%keywords(i))
-            text = text//wrapped('*'//keyword%name//'  '//first_sentence(trim(keyword%help)), width, 3 + len(keyword%name))
+            text = text//wrapped('*'//keyword%name//'  '//first_sentence(trim(keyword%help)), width, &
+               3 + len(keyword%name))
          end associate
       end do
    end function keyword_list
