@@ -20,9 +20,16 @@ module litz_capacity_term
 
    integer, parameter :: slot = temperature_slots(1)
 
+   !> Changes of phase of a material.
+   type :: phases_t
+      type(latent_heat_t), allocatable :: latent(:)
+   end type phases_t
+
    type, extends(term_t) :: capacity_term_t
       !> Elements that store heat
       integer, allocatable :: elements(:)
+      !> Of each material
+      type(phases_t), allocatable :: phases(:)
       !> The step is one over time
       logical :: is_at_work = .false.
       !> Increment [s], and weights of the last two changes of the enthalpy in its rate
@@ -45,16 +52,20 @@ contains
 
    pure type(capacity_term_t) function new_capacity_term(model) result(capacity)
       type(model_t), intent(in) :: model
-      integer :: e
+      integer :: e, material
 
       allocate (capacity%elements(0))
       do e = 1, model%n_elements
-         associate (material => model%materials(model%sections(model%element_section(e))%material))
-            if (allocated(material%heat_conductivity) .and. allocated(material%specific_heat) .and. &
-               material%density > 0) capacity%elements = [capacity%elements, e]
+         associate (wire => model%materials(model%sections(model%element_section(e))%material))
+            if (allocated(wire%heat_conductivity) .and. allocated(wire%specific_heat) .and. &
+               wire%density > 0) capacity%elements = [capacity%elements, e]
          end associate
       end do
       allocate (capacity%stored(model%n_elements), source=0.0_dp)
+      allocate (capacity%phases(size(model%materials)))
+      do material = 1, size(model%materials)
+         capacity%phases(material)%latent = latent_heats(model, material)
+      end do
    end function new_capacity_term
 
    subroutine apply_load(self, domain, step, step_time, increment)
@@ -89,12 +100,8 @@ contains
       integer, intent(in) :: field
       !> (n_nodes)
       logical, intent(inout) :: held(:)
-      integer :: i
 
-      if (field /= field_temperature .or. .not. self%is_at_work) return
-      do i = 1, size(self%elements)
-         held(domain%model%connectivity(:, self%elements(i))) = .true.
-      end do
+      if (field == field_temperature .and. self%is_at_work) call domain%mark_nodes(self%elements, held)
    end subroutine hold
 
    subroutine evaluate(self, domain, error)
@@ -129,15 +136,16 @@ contains
 
       associate (section => domain%model%sections(domain%model%element_section(e)), &
          node => domain%model%connectivity(side, e))
-         associate (material => domain%model%materials(section%material))
+         associate (material => domain%model%materials(section%material), &
+            latent => self%phases(section%material)%latent)
             mass_per_time = material%density*section%area*domain%elements%length(e)/(2*self%increment)
             call enthalpy_difference(domain%iterate%value(slot, node), domain%state%value(slot, node), &
-               material%specific_heat, latent_heats(domain%model, section%material), change, slope)
+               material%specific_heat, latent, change, slope)
             r = self%weights(1)*mass_per_time*change
             k = self%weights(1)*mass_per_time*slope
             if (.not. self%weights(2) > 0) return
             call enthalpy_difference(domain%state%value(slot, node), domain%state%temperature_before(node), &
-               material%specific_heat, latent_heats(domain%model, section%material), change_before, slope_before)
+               material%specific_heat, latent, change_before, slope_before)
             r = r - self%weights(2)*mass_per_time*change_before
          end associate
       end associate

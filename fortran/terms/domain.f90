@@ -34,12 +34,27 @@ module litz_domain
    contains
       procedure :: clear_system
       procedure :: add_cells
+      procedure :: mark_nodes
       procedure :: conduction_length
       procedure :: mean_temperature
       procedure :: resistivity
    end type domain_t
 
 contains
+
+   !> Set the marks of all nodes of some elements.
+   pure subroutine mark_nodes(self, elements, marked)
+      class(domain_t), intent(in) :: self
+      !> Indices of the elements (n)
+      integer, intent(in) :: elements(:)
+      !> (n_nodes)
+      logical, intent(inout) :: marked(:)
+      integer :: i
+
+      do i = 1, size(elements)
+         marked(self%model%connectivity(:, elements(i))) = .true.
+      end do
+   end subroutine mark_nodes
 
    !> Length over which an element conducts, its reference length or the distance of its nodes [m].
    pure real(dp) function conduction_length(self, element) result(length)

@@ -62,12 +62,10 @@ contains
       type(domain_t), intent(in) :: domain
       !> (n_slots, n_nodes)
       logical, intent(inout) :: exists(:, :)
-      integer :: i
 
-      if (.not. domain%loading%solves(field_temperature)) return
-      do i = 1, size(self%conducting)
-         exists(temperature_slots(1), domain%model%connectivity(:, self%conducting(i))) = .true.
-      end do
+      if (domain%loading%solves(field_temperature)) then
+        call domain%mark_nodes(self%conducting, exists(temperature_slots(1), :))
+      end if
    end subroutine request_slots
 
    !> Sources ramp over the step, films do not.
@@ -90,12 +88,9 @@ contains
       integer, intent(in) :: field
       !> (n_nodes)
       logical, intent(inout) :: held(:)
-      integer :: i
 
-      if (field /= field_temperature) return
-      do i = 1, size(self%conducting)
-         if (self%surface(self%conducting(i))%film > 0) held(domain%model%connectivity(:, self%conducting(i))) = .true.
-      end do
+      if (field == field_temperature) call domain%mark_nodes(pack(self%conducting, &
+         self%surface(self%conducting)%film > 0), held)
    end subroutine hold
 
    subroutine evaluate(self, domain, error)

@@ -76,12 +76,8 @@ contains
       integer, intent(in) :: field
       !> (n_nodes)
       logical, intent(inout) :: held(:)
-      integer :: i
 
-      if (field /= field_temperature .or. .not. allocated(self%elements)) return
-      do i = 1, size(self%elements)
-         held(domain%model%connectivity(:, self%elements(i))) = .true.
-      end do
+      if (field == field_temperature .and. allocated(self%elements)) call domain%mark_nodes(self%elements, held)
    end subroutine hold
 
    subroutine accept(self, domain)

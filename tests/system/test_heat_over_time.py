@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from litz import Results
+from run_of_deck import refusal_of_deck, run_of_deck
 from same_results import KEEP_ALL
 from test_restart import assert_goes_on_from_everywhere
 
@@ -56,24 +56,12 @@ NT, RFL
 
 @pytest.fixture
 def run(litz, tmp_path):
-    def run_deck(*arguments, **changes):
-        (tmp_path / "wire.inp").write_text(deck(*arguments, **changes))
-        done = litz("run", tmp_path / "wire.inp", "-o", tmp_path / "wire", "--quiet")
-        assert done.returncode == 0, done.stderr
-        return Results(tmp_path / "wire")
-
-    return run_deck
+    return run_of_deck(litz, tmp_path, deck)
 
 
 @pytest.fixture
 def refused(litz, tmp_path):
-    def run_deck(code, *arguments, **changes):
-        (tmp_path / "wire.inp").write_text(deck(*arguments, **changes))
-        done = litz("run", tmp_path / "wire.inp", "-o", tmp_path / "wire", "--quiet")
-        assert done.returncode == code, done.stderr
-        return done.stderr
-
-    return run_deck
+    return refusal_of_deck(litz, tmp_path, deck)
 
 
 class TestClosedForms:
