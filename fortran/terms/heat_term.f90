@@ -64,7 +64,7 @@ contains
       logical, intent(inout) :: exists(:, :)
 
       if (domain%loading%solves(field_temperature)) then
-        call domain%mark_nodes(self%conducting, exists(temperature_slots(1), :))
+         call domain%mark_nodes(self%conducting, exists(temperature_slots(1), :))
       end if
    end subroutine request_slots
 
