@@ -105,10 +105,13 @@ contains
             so_far%heat_card = card
             call read_element_heat(self, model, card, model%steps(step)%heat, so_far%heat_cards)
          case ('CONTROLS')
+            call refuse_second(self, so_far%step_card, card, 'PARAMETERS')
             call read_controls(self, card, model%steps(step)%controls)
          case ('SOLVER')
+            call refuse_second(self, so_far%step_card, card)
             call read_solver(self, card, model%steps(step))
          case ('SOLUTION TECHNIQUE')
+            call refuse_second(self, so_far%step_card, card)
             call read_solution_technique(self, card, model%steps(step))
          case default
             field = field_of_load(keyword)
@@ -117,6 +120,29 @@ contains
          end select
       end associate
    end subroutine read_card
+
+   !> A step says once how it is solved: of two cards the user would not see which one holds.
+   subroutine refuse_second(self, step_card, card, parameter)
+      type(reader_t), intent(inout) :: self
+      !> Index of the *STEP, and of the card
+      integer, intent(in) :: step_card, card
+      !> Cards that differ in this choice are of different kinds
+      character(len=*), intent(in), optional :: parameter
+      character(len=:), allocatable :: what
+      integer :: other
+
+      what = '*'//keyword_of(self, card)
+      do other = step_card + 1, card - 1
+         if (keyword_of(self, other) /= keyword_of(self, card)) cycle
+         if (present(parameter)) then
+            if (choice_of(self, other, parameter) /= choice_of(self, card, parameter)) cycle
+            what = what//', '//parameter//'='//self%deck%shown(parameter_of(self, card, parameter))
+         end if
+         call fail_at(self, self%deck%cards(card)%name, 'this step has two '//what//'; first in '// &
+            self%deck%place(self%deck%cards(other)%name%line))
+         return
+      end do
+   end subroutine refuse_second
 
    !> A step has what the one before it has.
    subroutine open_step(self, model, card, so_far)

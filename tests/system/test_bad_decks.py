@@ -527,6 +527,27 @@ KEYWORDS = [
     ),
     case("static twice", "*CLOAD", "*STATIC\n*CLOAD", "this step has two *STATIC", "STATIC"),
     case(
+        "controls twice",
+        "*CLOAD",
+        "*CONTROLS, PARAMETERS=FIELD\n 1e-6\n*controls, parameters=field\n 1e-4\n*CLOAD",
+        'this step has two *CONTROLS, PARAMETERS="field"; first in bad.inp:',
+        "controls",
+    ),
+    case(
+        "solver twice",
+        "*CLOAD",
+        "*SOLVER, NAME=UMFPACK\n*solver, NAME=BLOCK\n*CLOAD",
+        "this step has two *SOLVER; first in bad.inp:",
+        "solver",
+    ),
+    case(
+        "solution technique twice",
+        "*CLOAD",
+        "*SOLUTION TECHNIQUE, TYPE=NEWTON\n*solution technique, TYPE=MODIFIED NEWTON\n*CLOAD",
+        "this step has two *SOLUTION TECHNIQUE; first in bad.inp:",
+        "solution",
+    ),
+    case(
         "material twice",
         "*AMPLITUDE",
         "*MATERIAL, NAME=cu\n*ELASTIC\n1., 0.\n*AMPLITUDE",
