@@ -545,7 +545,7 @@ KEYWORDS = [
         "*CLOAD",
         "*SOLUTION TECHNIQUE, TYPE=NEWTON\n*solution technique, TYPE=MODIFIED NEWTON\n*CLOAD",
         "this step has two *SOLUTION TECHNIQUE; first in bad.inp:",
-        "solution",
+        "solution technique",
     ),
     case(
         "material twice",
