@@ -7,7 +7,11 @@ from litz.build.starters import STARTERS
 from test_cli import command
 
 
-@pytest.mark.parametrize("task", STARTERS)
+#: Those with wires that touch
+TOUCHING = [task for task in STARTERS if task != "fuse"]
+
+
+@pytest.mark.parametrize("task", TOUCHING)
 def test_a_starter_runs_as_it_stands_and_conducts(task, tmp_path):
     done = command("new", task, cwd=tmp_path)
     assert done.returncode == 0, done.stderr
@@ -21,7 +25,8 @@ def test_a_starter_runs_as_it_stands_and_conducts(task, tmp_path):
 @pytest.mark.parametrize("task", STARTERS)
 def test_a_starter_says_what_each_kind_of_card_is_for(task, tmp_path):
     deck = litz.Deck.read(litz.new(task, tmp_path / "deck.inp"))
-    for keyword in ("ELEMENT", "MATERIAL", "BEAM SECTION", "CONTACT PAIR", "STEP", "STATIC"):
+    kinds = ["CONTACT PAIR", "STATIC"] if task in TOUCHING else ["INITIAL CONDITIONS", "COUPLED THERMAL-ELECTRICAL"]
+    for keyword in ("ELEMENT", "MATERIAL", "BEAM SECTION", "STEP", *kinds):
         assert deck.find(keyword)[0].comments, keyword
     assert "litz run deck.inp -o deck" in deck.text
 
@@ -33,6 +38,14 @@ def test_friction_of_the_starter_is_coulombs(tmp_path):
     # at the end of each drag the wire slips, at the limit: mu = 0.3 of the force, which presses nearly along z
     assert sliding[-1] / pressing[-1] == pytest.approx(-0.3, rel=1e-3)
     assert history["ALLFD"][-1] > 0
+
+
+def test_the_fuse_of_the_starter_melts_as_that_of_the_deck(inputs, tmp_path):
+    assert command("new", "fuse", cwd=tmp_path).returncode == 0
+    mine = litz.run(tmp_path / "fuse.inp", output_directory=tmp_path / "mine")
+    deck = litz.run(inputs / "19_fuse.inp", output_directory=tmp_path / "deck")
+    assert mine.history["NT node 11"] == pytest.approx(deck.history["NT node 11"], rel=1e-9)
+    assert mine.history["NT node 11"][-1] > 1358
 
 
 def test_a_file_is_never_replaced(tmp_path):

@@ -119,11 +119,11 @@ def test_elements_between_given_nodes_are_found_as_wires():
 
 
 #: Keywords that models do not write
-NOT_BUILT = {
-    "INCLUDE", "MESH", "EL FILE", "INITIAL CONDITIONS", "TEMPERATURE", "CONDUCTIVITY", "EXPANSION",
-    "JOULE HEAT FRACTION",
-    "PHYSICAL CONSTANTS", "COUPLED THERMAL-ELECTRICAL", "COUPLED TEMPERATURE-DISPLACEMENT",
-    "DENSITY", "SPECIFIC HEAT", "LATENT HEAT", "CFLUX", "DFLUX", "FILM", "RADIATE",
+NOT_BUILT = {"INCLUDE", "MESH", "EL FILE", "JOULE HEAT FRACTION"}
+#: Those of models with temperatures
+OF_HEAT = {
+    "INITIAL CONDITIONS", "TEMPERATURE", "CONDUCTIVITY", "EXPANSION", "PHYSICAL CONSTANTS", "COUPLED THERMAL-ELECTRICAL",
+    "COUPLED TEMPERATURE-DISPLACEMENT", "DENSITY", "SPECIFIC HEAT", "LATENT HEAT", "CFLUX", "DFLUX", "FILM", "RADIATE",
 }  # fmt: skip
 
 
@@ -178,7 +178,66 @@ def test_the_program_accepts_all_that_can_be_said(litz_program, tmp_path):
     assert done.returncode == 0, done.stdout + done.stderr
     assert "step 3" in done.stdout
     used = {card.name for card in litz.Deck.read(deck)}
-    assert set(litz.keywords()) - used == NOT_BUILT
+    assert set(litz.keywords()) - used == NOT_BUILT | OF_HEAT
+
+
+def warm_wire():
+    """A wire of copper with all of its thermal properties."""
+    copper = litz.Material(
+        "COPPER", 120e9, 0.34, [(6e7, 20.0), (1e7, 1000.0)], expansion=17e-6,
+        thermal_conductivity=[(400.0, 20.0), (350.0, 1000.0)], density=8960.0, specific_heat=385.0,
+        latent_heat=(205e3, 1084.0, 1085.0),
+    )  # fmt: skip
+    model = litz.Model("warm")
+    wire = model.wire("W", (0, 0, 0), (0.1, 0, 0), radius=1e-3, material=copper, elements=4)
+    model.physical_constants(absolute_zero=-273.15, stefan_boltzmann=5.67e-8)
+    model.initial_temperature(20.0)
+    model.fix(wire.start)
+    model.fix(wire.end, "potential")
+    return model, wire
+
+
+def test_the_program_accepts_all_that_can_be_said_of_heat(litz_program, tmp_path):
+    model, wire = warm_wire()
+    swell = model.step("WARM", procedure="static", increment=0.5)
+    swell.temperature(wire, 100.0)
+    steady = model.step("STEADY", procedure="COUPLED TEMPERATURE-DISPLACEMENT", steady_state=True)
+    steady.temperature(wire.ends, 20.0)
+    steady.current(wire.start, 1.0)
+    heat = model.step("HEAT", procedure="coupled thermal-electrical", first=0.1, total=2.0, deltmx=50.0)
+    heat.film("W", 20.0, 10.0)
+    heat.radiate(wire, 20.0, 0.5)
+    heat.body_heat(wire, 1e3)
+    heat.heat(wire.middle, 0.1)
+    heat.node_print(wire, "NT", "RFL")
+    deck = model.write(tmp_path / "warm.inp")
+    done = subprocess.run([litz_program, "check", deck], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert {card.name for card in litz.Deck.read(deck)} >= OF_HEAT
+
+
+def test_the_increments_of_a_step_over_time_are_those_of_the_keyword():
+    model, _ = warm_wire()
+    model.step(procedure="COUPLED THERMAL-ELECTRICAL", first=0.1, total=2.0)
+    model.step(procedure="COUPLED THERMAL-ELECTRICAL", first=0.1, total=2.0, largest=0.5, deltmx=10.0)
+    one, other = deck_of(model).find("COUPLED THERMAL-ELECTRICAL")
+    assert one.data == [[0.1, 2]]
+    assert other.data == [[0.1, 2, 2e-5, 0.5]]
+    assert other["DELTMX"] == 10.0
+
+
+def test_a_wire_in_the_air_is_as_warm_as_its_film_and_its_current_say(tmp_path):
+    model = litz.Model("in the air")
+    metal = litz.Material("METAL", 1e11, 0.3, 1e7, thermal_conductivity=100.0)
+    wire = model.wire("W", (0, 0, 0), (0.1, 0, 0), radius=1e-3, material=metal, elements=4)
+    model.fix(wire.start)
+    model.fix(wire.end, "potential")
+    step = model.step(procedure="COUPLED THERMAL-ELECTRICAL", steady_state=True)
+    step.film(wire, 20.0, 15.0)
+    step.current(wire.start, 10.0)
+    results = model.run(tmp_path / "air")
+    area, perimeter = math.pi * 1e-6, 2 * math.pi * 1e-3
+    np.testing.assert_allclose(results.field("temperature"), 20 + 100 / (1e7 * area) / (15 * perimeter), rtol=1e-9)
 
 
 def test_an_increment_alone_is_the_first_and_the_largest():

@@ -9,7 +9,7 @@ from typing import Any
 from ..base.names import unknown_name
 from ..deck import Card, Deck
 from ..errors import FileError
-from ..model import COPPER, Hertz, HertzSpot, Model
+from ..model import COPPER, Hertz, HertzSpot, Material, Model
 from ..model.loading import describe_fields
 from .cables import strand
 from .fabrics import wire_grid
@@ -30,6 +30,9 @@ _NOTES = {
     "STATIC": "first increment, time of the step, smallest and largest increment [s]",
     "STEP BOUNDARY": "value at the end of the step [{units}], reached in proportion to time",
     "STEP NODE PRINT": "output to the history file (.csv) at every increment",
+    "INITIAL CONDITIONS": "temperature before the first step [K]",
+    "STEP COUPLED THERMAL-ELECTRICAL": "currents and temperatures over time: increment, time of the step [s]",
+    "STEP CECURRENT": "currents into nodes [A]",
     "STEP ELECTRODE PRINT": "voltage, current and resistance between two node sets, also in the history file",
     "STEP ENERGY PRINT": "energies: the work of the supports is stored in wires and contacts, or dissipated by friction",
 }
@@ -125,12 +128,40 @@ def _strand() -> Model:
     return model
 
 
+def _fuse() -> Model:
+    rho, slope, room, melting = 1.72e-8, 3.93e-3, 293.15, 1357.0
+    hot = 1700.0
+    copper = Material(
+        "COPPER",
+        young=120e9,
+        poisson=0.34,
+        conductivity=[(1 / rho, room), (1 / (rho * (1 + slope * (hot - room))), hot)],
+        thermal_conductivity=390.0,
+        density=8960.0,
+        specific_heat=385.0,
+        latent_heat=(205e3, melting, melting + 1),
+    )
+    model = Model("A copper wire that a current of 60 A heats until it melts")
+    model.comments = ["The resistivity of copper rises with the temperature by 0.393 % of that at 293.15 K per kelvin."]
+    fuse = model.wire("FUSE", (-10e-3, 0, 0), (10e-3, 0, 0), radius=0.1e-3, material=copper, elements=20)
+    model.fix(fuse.start)
+    model.fix(fuse.end, "potential")
+    model.initial_temperature(room)
+    step = model.step("SWITCHED_ON", procedure="COUPLED THERMAL-ELECTRICAL", first=1e-4, total=0.029)
+    step.temperature(fuse.ends, room)
+    step.current(fuse.start, 60.0)
+    step.node_print(fuse.middle, "NT")
+    step.electrode_print(fuse.start, fuse.end)
+    return model
+
+
 STARTERS = {
     "crossed-wires": Starter("two wires pressed together: force and resistance of one contact", _crossed_wires),
     "friction": Starter("a wire dragged along another one: stick and slip, energies", _friction),
     "grid": Starter("four wires across four others: current through a network of contacts", _grid),
     "fibre-mat": Starter("random fibres pressed between two electrodes", _fibre_mat),
     "strand": Starter("six wires laid on a core, pulled: contact along lines", _strand),
+    "fuse": Starter("a wire heated by its current over time until it melts", _fuse),
 }
 
 
@@ -146,7 +177,7 @@ def new(task: str, path: str | os.PathLike | None = None) -> Path:
     Parameters
     ----------
     task : str
-        "crossed-wires", "friction", "grid", "fibre-mat" or "strand".
+        "crossed-wires", "friction", "grid", "fibre-mat", "strand" or "fuse".
     path : path, optional
         Path of the deck; default: `TASK.inp` in the current directory. An existing file is not replaced.
 

@@ -245,4 +245,9 @@ def _sections_of(cards: list[tuple[str, Card]], materials: dict[str, list[float]
                 stacklevel=6,
             )
             continue
-        yield f"{prefix}{card['ELSET']}", Circular(float(card[0, 0])), Material(name, *values)
+        yield f"{prefix}{card['ELSET']}", Circular(float(card[0, 0])), _material(name, *values)
+
+
+def _material(name: str, young: float, poisson: float, conductivity: float | None = None) -> Material:
+    """A material of the numbers that have been read."""
+    return Material(name, young, poisson, conductivity)

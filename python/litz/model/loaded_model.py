@@ -153,6 +153,18 @@ class LoadedModel(SurfaceModel):
         target = self.target(nodes)
         self.supports += [Prescribed(target, first, last) for first, last in ranges_of(directions)]
 
+    def initial_temperature(self, value: float, nodes: AnyNodes | None = None) -> None:
+        """Set the temperature before the first step, of some nodes or of all wires [K]."""
+        targets = [self.target(group) for group in self.groups.values()] if nodes is None else [self.target(nodes)]
+        if not targets:
+            raise ValueError("the model has no wires yet: add them with model.wire() before their temperature")
+        self.card("INITIAL CONDITIONS", {"TYPE": "TEMPERATURE"}, [[target, value] for target in targets])
+
+    def physical_constants(self, *, absolute_zero: float | None = None, stefan_boltzmann: float | None = None) -> None:
+        """Set absolute zero on the scale of the temperatures, and the Stefan-Boltzmann constant [W/(m^2 K^4)]."""
+        values = {"ABSOLUTE ZERO": absolute_zero, "STEFAN BOLTZMANN": stefan_boltzmann}
+        self.card("PHYSICAL CONSTANTS", {name: value for name, value in values.items() if value is not None})
+
     def rigid_body(self, reference: Reference, *, tie: AnyNodes | None = None, pin: AnyNodes | None = None) -> int:
         """Let nodes move with a reference node as one rigid body.
 
@@ -215,6 +227,15 @@ class LoadedModel(SurfaceModel):
             Maximum number of increments; default: ten times as many as the largest increment needs, at least 100.
         direct : bool
             Increments of the fixed size `first`.
+        procedure : {"STATIC", "COUPLED THERMAL-ELECTRICAL", "COUPLED TEMPERATURE-DISPLACEMENT"}
+            What is solved for: motions and potentials, potentials and temperatures, or all three.
+        steady_state : bool
+            Temperatures that no longer change; otherwise wires store heat, and the time of the step is real.
+        electrical : bool
+            A coupled temperature-displacement step solves for potentials, too.
+        deltmx : float
+            Largest change of a temperature in an increment of a step over time [K], which then chooses the increments;
+            without it all of them are as large as the first.
         boundary_op, cload_op, cecurrent_op : {"MOD", "NEW"}
             NEW removes what earlier steps have prescribed or loaded.
         """

@@ -169,8 +169,21 @@ class Prescribed:
 
 
 @dataclass(frozen=True)
+class Temperature:
+    """A line of `*TEMPERATURE` [K]."""
+
+    target: Target
+    value: float
+    amplitude: str | None = None
+
+    def row(self) -> list:
+        """The values of the line."""
+        return [self.target, self.value]
+
+
+@dataclass(frozen=True)
 class Load:
-    """A line of `*CLOAD` [N, N m] or `*CECURRENT` [A]."""
+    """A line of `*CLOAD` [N, N m], `*CECURRENT` [A] or `*CFLUX` [W]."""
 
     target: Target
     dof: int
@@ -182,7 +195,7 @@ class Load:
         return [self.target, self.dof, self.value]
 
 
-def grouped(card: str, items: Sequence[Prescribed | Load], op: str = "MOD") -> Iterator[CardSpec]:
+def grouped(card: str, items: Sequence[Prescribed | Load | Temperature], op: str = "MOD") -> Iterator[CardSpec]:
     """Cards for prescribed values or loads: one for each run of lines with the same amplitude.
 
     With `OP=NEW` and no lines a card that removes what earlier steps prescribed.

@@ -1,17 +1,24 @@
 """What wires are made of, and their cross-sections."""
 
 import math
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import MISSING, dataclass, fields
 from typing import Any
 
 from ..deck.keyword_table import check_card, check_name
 from ..deck.lines import CardSpec
 
 
+#: A number, or a table over the temperature: lines of the value and the temperature [K], which ascends
+OverTemperature = float | Sequence[tuple[float, float]]
+
+
 @dataclass(frozen=True)
 class Material:
     """A linear elastic material, a conductor where it has a conductivity.
+
+    What is given as a table over the temperature is linear between its lines and constant beyond them; of the conductivity
+    that holds for its inverse, the resistivity.
 
     Attributes
     ----------
@@ -21,11 +28,28 @@ class Material:
         Young's modulus [Pa].
     poisson : float
         Poisson's ratio [-].
-    conductivity : float, optional
+    conductivity : float or table, optional
         Electrical conductivity [S/m]; None for an insulator.
+    expansion : float or table, optional
+        Secant coefficient of thermal expansion from the initial temperature [1/K].
+    thermal_conductivity : float or table, optional
+        Conductivity for heat [W/(m K)].
+    density : float, optional
+        Mass per volume [kg/m^3].
+    specific_heat : float or table, optional
+        Heat stored per mass and kelvin [J/(kg K)].
+    latent_heat : tuple of 3 float, optional
+        Heat of melting [J/kg], taken up between solidus and liquidus [K].
 
     Examples
     --------
+    Copper whose resistivity rises by 0.39 % per kelvin:
+
+    >>> rho = {293.0: 1.7e-8, 1350.0: 1.7e-8 * (1 + 3.9e-3 * 1057)}
+    >>> copper = Material("COPPER", 120e9, 0.34, [(1 / r, t) for t, r in rho.items()], thermal_conductivity=390.0)
+    >>> [name for name, _, _ in copper.cards()]
+    ['MATERIAL', 'ELASTIC', 'ELECTRICAL CONDUCTIVITY', 'CONDUCTIVITY']
+
     >>> Material("BRASS", young=100e9, poisson=0.6)
     Traceback (most recent call last):
     ...
@@ -35,11 +59,20 @@ class Material:
     name: str
     young: float
     poisson: float
-    conductivity: float | None = None
+    conductivity: OverTemperature | None = None
+    expansion: OverTemperature | None = None
+    thermal_conductivity: OverTemperature | None = None
+    density: float | None = None
+    specific_heat: OverTemperature | None = None
+    latent_heat: tuple[float, float, float] | None = None
 
     def __post_init__(self) -> None:
         """Checks the values."""
         check_name(self.name, "the name of a material")
+        for name in _OVER_TEMPERATURE:
+            value = getattr(self, name)
+            if value is not None:
+                object.__setattr__(self, name, _hashable(value))
         for card in self.cards():
             check_card(*card)
 
@@ -47,14 +80,35 @@ class Material:
         """The cards of the material."""
         yield "MATERIAL", {"NAME": self.name}, []
         yield "ELASTIC", {}, [[self.young, self.poisson]]
-        if self.conductivity is not None:
-            yield "ELECTRICAL CONDUCTIVITY", {}, [[self.conductivity]]
+        for name, keyword in _OVER_TEMPERATURE.items():
+            value = getattr(self, name)
+            if value is not None:
+                yield keyword, {}, [[value]] if isinstance(value, float | int) else [list(row) for row in value]
+        if self.density is not None:
+            yield "DENSITY", {}, [[self.density]]
+        if self.latent_heat is not None:
+            yield "LATENT HEAT", {}, [list(self.latent_heat)]
+
+
+#: Properties that may depend on the temperature, and their keywords
+_OVER_TEMPERATURE = {
+    "conductivity": "ELECTRICAL CONDUCTIVITY",
+    "expansion": "EXPANSION",
+    "thermal_conductivity": "CONDUCTIVITY",
+    "specific_heat": "SPECIFIC HEAT",
+}
+
+
+def _hashable(value: OverTemperature) -> Any:
+    """The number as it is, or the table as tuples."""
+    return value if not isinstance(value, Iterable) else tuple(tuple(float(one) for one in row) for row in value)
 
 
 def predefined(kind: type, **values: Any) -> Any:
     """A constant of this package, created without the checks that need the keyword table of the program; a test checks it."""
     constant: Any = object.__new__(kind)
-    constant.__dict__.update(values)
+    optional = {field.name: field.default for field in fields(kind) if field.default is not MISSING}
+    constant.__dict__.update(optional | values)
     return constant
 
 

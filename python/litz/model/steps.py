@@ -12,6 +12,7 @@ from .loading import (
     Direction,
     Load,
     Prescribed,
+    Temperature,
     degree_of_freedom,
     degrees_of_freedom,
     directions_of,
@@ -41,7 +42,9 @@ class Step:
     prescribed : list of Prescribed
         Prescribed displacements, rotations and potentials.
     loads : list of Load
-        Forces, moments and currents.
+        Forces, moments, currents and heat.
+    temperatures : list of Temperature
+        Temperatures of a step in which they are no unknowns.
     cards : list of tuple
         Controls, solver and requests: keyword, parameters, data lines.
     """
@@ -58,6 +61,10 @@ class Step:
         largest: float | None = None,
         inc: int | None = None,
         direct: bool = False,
+        procedure: str = "STATIC",
+        steady_state: bool = False,
+        electrical: bool = True,
+        deltmx: float | None = None,
         boundary_op: str = "MOD",
         cload_op: str = "MOD",
         cecurrent_op: str = "MOD",
@@ -66,15 +73,24 @@ class Step:
         self.name = name
         self.prescribed: list[Prescribed] = []
         self.loads: list[Load] = []
+        self.temperatures: list[Temperature] = []
         self.cards: list[CardSpec] = []
         first = (total if increment is None else increment) if first is None else first
         largest = (total if increment is None else increment) if largest is None else largest
         times = [first, total, smallest, largest]
-        self._static: CardSpec = ("STATIC", {"DIRECT": True} if direct else {}, [times])
+        self._static: CardSpec = (
+            procedure.upper(),
+            _procedure(procedure, direct, steady_state, electrical, deltmx),
+            [times],
+        )
         check_card(*self._static)
         if direct:
             largest = first
             times[2:] = []
+        elif _is_over_time(self._static) and deltmx is None:
+            # increments of a step over time are all as large as the first
+            largest = first
+            times[2:] = [smallest] if smallest is not None else []
         else:
             smallest = min(_SMALLEST_FRACTION * total, first) if smallest is None else smallest
             times[2:] = [smallest, largest]
@@ -164,7 +180,42 @@ class Step:
         """Prescribe a potential [V]."""
         self.boundary(nodes, degree_of_freedom("potential"), None, value, amplitude)
 
+    def temperature(self, nodes: AnyNodes, value: float, amplitude: Amplitude | str | None = None) -> None:
+        """Prescribe a temperature [K].
+
+        In a step that solves for temperatures it is held there (`*BOUNDARY`, degree of freedom 11); in another one it is what
+        wires expand by (`*TEMPERATURE`).
+        """
+        if self._static[0] == "STATIC":
+            item = Temperature(self._model.target(nodes), value, self._amplitude(amplitude))
+            check_card("TEMPERATURE", {}, [item.row()])
+            self.temperatures.append(item)
+        else:
+            self.boundary(nodes, degree_of_freedom("temperature"), None, value, amplitude)
+
     # Loads
+
+    def heat(self, nodes: AnyNodes, value: float, amplitude: Amplitude | str | None = None) -> None:
+        """Heat [W] into the wire at each of the nodes."""
+        self._load(
+            "CFLUX",
+            Load(self._model.target(nodes), degree_of_freedom("temperature"), value, self._amplitude(amplitude)),
+        )
+
+    def body_heat(self, elements: str | WireGroup, value: float) -> None:
+        """Heat per volume [W/m^3] in all of these elements."""
+        self.card("DFLUX", {}, [[self._model.element_set_of(elements), "BF", value]])
+
+    def film(self, elements: str | WireGroup, surroundings: float, coefficient: float) -> None:
+        """Heat that passes from the sides of wires to surroundings of this temperature [K], per area and kelvin [W/(m^2 K)]."""
+        self.card("FILM", {}, [[self._model.element_set_of(elements), "F", surroundings, coefficient]])
+
+    def radiate(self, elements: str | WireGroup, surroundings: float, emissivity: float) -> None:
+        """Heat that the sides of wires radiate to surroundings of this temperature [K].
+
+        Needs the Stefan-Boltzmann constant of `Model.physical_constants`.
+        """
+        self.card("RADIATE", {}, [[self._model.element_set_of(elements), "R", surroundings, emissivity]])
 
     def cload(self, nodes: AnyNodes, dof: Direction, value: float, amplitude: Amplitude | str | None = None) -> None:
         """A force [N] or moment [N m] of fixed direction at each of the nodes; `dof` as the direction of `move`."""
@@ -216,7 +267,7 @@ class Step:
         nodes : str, Nodes or WireGroup
             Where.
         *quantities : str
-            U, UR, RF, RM, CF, CM, EPOT, RCURR, CECUR.
+            U, UR, RF, RM, CF, CM, EPOT, NT, RCURR, RFL, CECUR, CFL.
         totals : {"NO", "YES", "ONLY"}
             Sums over the set (means of U, UR, EPOT): not at all, besides the nodes, or alone.
         """
@@ -303,10 +354,28 @@ class Step:
         """All cards of the step, in the order of the deck."""
         yield self._step
         yield self._static
-        potential = degree_of_freedom("potential")
-        loads = [load for load in self.loads if load.dof != potential]
-        currents = [load for load in self.loads if load.dof == potential]
-        for name, items in (("BOUNDARY", self.prescribed), ("CLOAD", loads), ("CECURRENT", currents)):
-            yield from grouped(name, items, self._ops[name])
+        card_of = {degree_of_freedom("potential"): "CECURRENT", degree_of_freedom("temperature"): "CFLUX"}
+        yield from grouped("BOUNDARY", self.prescribed, self._ops["BOUNDARY"])
+        yield from grouped("TEMPERATURE", self.temperatures)
+        for name in ("CLOAD", "CECURRENT", "CFLUX"):
+            loads = [load for load in self.loads if card_of.get(load.dof, "CLOAD") == name]
+            yield from grouped(name, loads, self._ops.get(name, "MOD"))
         yield from self.cards
         yield "END STEP", {}, []
+
+
+def _procedure(name: str, direct: bool, steady_state: bool, electrical: bool, deltmx: float | None) -> dict[str, Any]:
+    """Parameters of the card with the procedure."""
+    parameters: dict[str, Any] = {"DIRECT": True} if direct else {}
+    if squeezed(name) == squeezed("COUPLED TEMPERATURE-DISPLACEMENT") and electrical:
+        parameters["ELECTRICAL"] = True
+    if steady_state:
+        parameters["STEADY STATE"] = True
+    if deltmx is not None:
+        parameters["DELTMX"] = deltmx
+    return parameters
+
+
+def _is_over_time(procedure: CardSpec) -> bool:
+    """Heat is stored in the step, so that its time is real."""
+    return procedure[0] != "STATIC" and "STEADY STATE" not in procedure[1]
