@@ -1,7 +1,9 @@
 !> The torque with which two wires that cross resist to be turned against each other, of a run.
 !>
 !> The law sees the angle `theta(psi)` of straight wires, which next to long lenses is not wholly that of the
-!> axes; where ends or joints cut the contact it stays within an iteration, and there is no torque. Source: theory (5.1a).
+!> axes; where ends or joints cut the contact it stays within an iteration, and there is no torque.
+!>
+!> Source: theory (5.1a).
 module litz_turning_forces
    use litz_kinds, only: dp
    use litz_contact_kinematics, only: n_motions
