@@ -101,7 +101,8 @@ contains
       too_wide = merge(1, 0, [normal%too_wide, strip%too_wide])
    end subroutine line_law
 
-   ! force: aW, F, dF/dg, dF/dangle, energy and its derivatives by the angle; spot: G, dG/dg, dG/dangle, b at the deepest place
+   ! force: aW, F, dF/dg, dF/dangle, energy and its two derivatives by the angle;
+   ! spot: G, dG/dg, dG/dangle, b at the deepest place
    subroutine lens_law(gap, sine, radius, young, poisson, resistivity, penalty, film, hardness, force, spot)
       !> Gap [m], negative in contact
       real(c_double), intent(in) :: gap

@@ -158,8 +158,8 @@ contains
          + (f + inverse%stiffness*beyond/2)*beyond
    end function line_force
 
-   !> Second derivative of the force by the angle at fixed overlap, from those of `delta = -f ln(A + B)/(pi E*)` by f and
-   !> A [N/(m rad^2)].
+   !> Second derivative of the force by the angle at fixed overlap [N/(m rad^2)], from those of
+   !> `delta = -f ln(A + B)/(pi E*)` by f and A.
    pure real(dp) function second_by_angle(line, f, b, inverse) result(second)
       type(line_wires_t), intent(in) :: line
       !> f [N/m] and B [-]
