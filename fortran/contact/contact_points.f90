@@ -157,8 +157,8 @@ module litz_contact_points
       type(force_of_gap_t) :: at_gap
       real(dp) :: iteration_force = 0
       !> Law of a crossing at the overlap with the mixed force, where it depends on the angle; how this iteration
-      !> depends on the angle of the axes; and the torques about the normal, of the law at the present gap and as this iteration
-      !> supposes it [N m]
+      !> depends on the angle of the axes; and the torques about the normal, of the law at the present gap and as this
+      !> iteration supposes it [N m]
       type(force_of_gap_t) :: at_mixed
       type(turning_t) :: turning
       real(dp) :: torque = 0, iteration_torque = 0
