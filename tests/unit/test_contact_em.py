@@ -131,7 +131,11 @@ def torque_and_row(pair, result):
     """dPi/dpsi of the law of the pair, and dpsi over its unknowns."""
     wires = [np.broadcast_to(pair.properties[name], 2) for name in ("radius", "young", "poisson")]
     values, info = _core.f2py_contact.normal_force(
-        2 if pair.laws.get("normal_law") == "hertz" else 1, [pair.laws.get("eps_n", 0.0)], result.gap, *wires, result.angle
+        2 if pair.laws.get("normal_law") == "hertz" else 1,
+        [pair.laws.get("eps_n", 0.0)],
+        result.gap,
+        *wires,
+        result.angle,
     )
     assert info == 0
     *_, rows, info = _core.f2py_contact.contact_kinematics(
