@@ -140,7 +140,7 @@ contains
          real(dp), intent(out) :: k_ee_p(4, 4), r_e_p(4), k_me_p(4, n_motions)
          real(dp) :: x(3, 4), t(3, 4), length(2), k_friction(n_motions, n_motions), k_slide(n_motions, n_motions)
          real(dp), dimension(n_motions) :: r_friction, r_slide, r_turning, dforce
-         real(dp) :: k_turning(n_motions, n_motions), dforce_dangle
+         real(dp) :: k_turning(n_motions, n_motions)
          type(wire_pair_t) :: pair
          type(spot_in_circuit_t) :: circuit
          type(contact_electricity_t) :: electricity
@@ -154,10 +154,10 @@ contains
                x, t, length)
             pair = wires_of(model, elements, point)
             call find_sliding(wires, elements, law%axis, x, t, length, point, k_slide, r_slide, dforce)
-            call find_turning(law%axis, x, t, length, point, k_turning, r_turning, dforce_dangle)
+            call find_turning(law%axis, x, t, length, point, k_turning, r_turning)
             if (law%friction > 0 .and. (point%active .or. point%closed)) then
                call find_friction(law, wires, x, t, length, pair, increment_start(domain, contact, point, nodes_p), &
-                  dforce, point, k_friction, r_friction)
+                  dforce + point%turning%dforce*point%kinematics%dangle, point, k_friction, r_friction)
                k_slide = k_slide + k_friction
                r_slide = r_slide + r_friction
             end if
@@ -165,7 +165,7 @@ contains
             if (conducts) call find_spot(law, wires, pair, x, t, length, point, circuit)
             circuit%dconductance = circuit%dconductance + spot_that_slides(law%normal, point, circuit, dforce)
             call contact_blocks(point%kinematics, t, iterate%value(potential_slots(1), nodes_p), &
-               contact_force_t(point%force, point%geometric_force, point%stiffness, dforce_dangle, &
+               contact_force_t(point%force, point%geometric_force, point%stiffness, point%turning%dforce, &
                law_of_spot(law%normal, point)), circuit, form_hessian, k_p, r_p, k_me_p, k_ee_p, r_e_p, electricity)
             k_p = k_p + k_slide + k_turning
             r_p = r_p + r_slide + r_turning
@@ -235,7 +235,7 @@ contains
 
       if (.not. allocated(forces%supposed)) return
       difference = (point%force - point%geometric_force)*point%kinematics%dgap &
-         - point%torque_beyond*point%kinematics%dangle
+         + (point%turning%denergy - point%torque)*point%kinematics%dangle
       do a = 1, size(nodes_p)
          first = (a - 1)*(n_motions/size(nodes_p)) + 1
          associate (supposed => forces%supposed(:, nodes_p(a)))
@@ -254,7 +254,7 @@ contains
       integer :: a
 
       difference = point%friction_iteration%difference - (point%iteration_force - point%force)*point%kinematics%dgap &
-         - point%torque_beyond*point%kinematics%dangle
+         + (point%iteration_torque - point%torque)*point%kinematics%dangle
       associate (iteration => forces%iteration(motion_slots(1):motion_slots(2), :))
          do a = 1, size(nodes_p)
             iteration(:, nodes_p(a)) = iteration(:, nodes_p(a)) &
@@ -401,7 +401,8 @@ contains
             point%predicted = .true.
             point%predicted_gap = point%gap + eta*dgap
             if (.not. point%active) cycle
-            force = (1 - eta)*point%mixed_force + eta*(point%iteration_force - point%stiffness*dgap)
+            force = (1 - eta)*point%mixed_force + eta*(point%iteration_force - point%stiffness*dgap &
+               + point%turning%dforce*dot_product(point%kinematics%dangle, dq))
             ! a contact that would have to pull opens, even if the linearised law leaves it an overlap
             if (force <= 0) point%predicted_gap = max(point%predicted_gap, 0.0_dp)
             point%mixed_force = max(force, 0.0_dp)

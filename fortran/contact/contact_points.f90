@@ -3,6 +3,7 @@ module litz_contact_points
    use litz_kinds, only: dp
    use litz_contact_history, only: contact_history_t
    use litz_contact_kinematics, only: contact_kinematics_t
+   use litz_contact_turning, only: turning_t
    use litz_contact_side, only: crossing_t, crossing_of
    use litz_cut_lens, only: cut_lens_t
    use litz_element_library, only: elements_t
@@ -155,8 +156,12 @@ module litz_contact_points
       !> Law at the present gap, and the force that this iteration linearises about [N]
       type(force_of_gap_t) :: at_gap
       real(dp) :: iteration_force = 0
-      !> Torque about the normal at the present gap less the one that this iteration follows [N m]
-      real(dp) :: torque_beyond = 0
+      !> Law of a crossing at the overlap with the mixed force, where it depends on the angle; how this iteration
+      !> depends on the angle of the axes; and the torques about the normal, of the law at the present gap and as this
+      !> iteration supposes it [N m]
+      type(force_of_gap_t) :: at_mixed
+      type(turning_t) :: turning
+      real(dp) :: torque = 0, iteration_torque = 0
       !> A law or what it builds on has failed here: one of `law_...`
       integer :: law_status = law_ok
       !> Force of the geometric stiffness [N]; zero at first touch, where no force is known yet

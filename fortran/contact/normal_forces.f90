@@ -79,6 +79,7 @@ contains
       point%closed = point%gap < 0 .and. point%weight > 0
       point%active = merge(point%predicted_gap < 0, point%closed, point%predicted) .and. point%weight > 0
       point%at_gap = force_of_gap_t()
+      point%at_mixed = force_of_gap_t()
       point%slide_force = 0
       if (point%law_status /= law_too_curved) point%law_status = law_ok
       point%force = 0
@@ -177,7 +178,8 @@ contains
       weight = point%weight*point%cut
       point%mixed_force = point%mixed_force/weight
       call linearise(law, point%gap, first_overlap*minval(pair%radius), pair, point%ellipse, point%mixed_force, &
-         point%stiffness, point%iteration_force)
+         point%stiffness, point%iteration_force, point%at_mixed)
+      point%at_mixed = scaled(point%at_mixed, weight)
       call follow_cut(weight, point)
    end subroutine press_point
 
@@ -229,9 +231,7 @@ contains
 
       penalty = normal%line_penalty()
       lens = lens_force(point%line, point%gap, point%law_sine, penalty)
-      base = force_of_gap_t(lens%force, lens%dforce_dgap, lens%dforce_dangle)
-      call lens_energy(point%line, point%gap, point%law_sine, penalty, base%energy, base%denergy_dangle)
-      base%d2energy_dangle2 = curvature_by_angle(base, point%law_sine)
+      base = law_of_lens(point, lens, point%gap, penalty)
       call press(normal, pair, base, point)
       if (.not. point%active) return
       weight = point%weight*point%cut
@@ -246,22 +246,20 @@ contains
       point%mixed_force = lens%force
       point%stiffness = -lens%dforce_dgap
       point%iteration_force = point%mixed_force + point%stiffness*(-point%gap - overlap)
+      if (point%lens_share < 1) point%at_mixed = scaled(law_of_lens(point, lens, -overlap, penalty), weight)
       call follow_cut(weight, point)
    end subroutine press_lens
 
-   !> Of the energy, which is nearly a power of the sine: second derivative by the angle [J/rad^2].
-   pure real(dp) function curvature_by_angle(law, sine) result(curvature)
-      type(force_of_gap_t), intent(in) :: law
-      !> [-]
-      real(dp), intent(in) :: sine
-      real(dp) :: squared_cosine, power
+   !> A lens as the law of a crossing.
+   pure type(force_of_gap_t) function law_of_lens(point, lens, gap, penalty) result(law)
+      type(contact_point_t), intent(in) :: point
+      type(lens_t), intent(in) :: lens
+      !> Of its deepest place [m], and eps_l [N/m^2] or 0
+      real(dp), intent(in) :: gap, penalty
 
-      squared_cosine = (1 - sine)*(1 + sine)
-      curvature = 0
-      if (.not. (squared_cosine > 0 .and. law%energy > 0)) return
-      power = law%denergy_dangle/law%energy*sine/sqrt(squared_cosine)
-      curvature = law%energy*power*((power - 1)*squared_cosine/sine**2 - 1)
-   end function curvature_by_angle
+      law = force_of_gap_t(lens%force, lens%dforce_dgap, lens%dforce_dangle)
+      call lens_energy(point%line, gap, point%law_sine, penalty, law%energy, law%denergy_dangle, law%d2energy_dangle2)
+   end function law_of_lens
 
    !> The overlap of a lens at a force, by Newton's method in their logarithms, between which there is nearly a straight
    !> line.

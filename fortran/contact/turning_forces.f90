@@ -11,6 +11,7 @@ module litz_turning_forces
    use litz_contact_points, only: contact_point_t
    use litz_contact_turning, only: contact_turning, turning_t
    use litz_cut_lens, only: is_cut
+   use litz_normal_law, only: force_of_gap_t
    implicit none
    private
    public :: find_turning
@@ -20,40 +21,45 @@ module litz_turning_forces
 
 contains
 
-   !> Residual and tangent of the torque, and how the force changes with the angle of the axes.
-   pure subroutine find_turning(axis, x, t, length, point, k, r, dforce_dangle)
+   !> Residual and tangent of the torque. As the force, so the iteration linearises it about the force that the last one
+   !> predicted: the angle changes the overlap at that force by `-F_psi/k`, and the force the torque by `F_psi/k`.
+   pure subroutine find_turning(axis, x, t, length, point, k, r)
       !> `axis_linear` or `axis_hermite`
       integer, intent(in) :: axis
       !> Nodal positions [m] and unit tangents (3, 4), barred element first; reference lengths (2) [m]
       real(dp), intent(in) :: x(3, 4), t(3, 4), length(2)
-      !> With its law at the present gap; out: with `torque_beyond`
+      !> With its law at the present gap and at the mixed force; out: with both torques and `turning`
       type(contact_point_t), intent(inout) :: point
       !> Tangent (24, 24) and residual (24)
       real(dp), intent(out) :: k(n_motions, n_motions), r(n_motions)
-      !> [N/rad]
-      real(dp), intent(out) :: dforce_dangle
-      type(turning_t) :: turning
-      real(dp) :: kept
+      type(turning_t) :: law
+      real(dp) :: unused(n_motions), slope
 
       k = 0
       r = 0
-      dforce_dangle = 0
-      point%torque_beyond = 0
-      if (point%line_place > 0 .or. any(point%held) .or. is_cut(point%lens) .or. .not. point%force > 0) return
-      turning = turning_of(point)
-      if (.not. (abs(turning%denergy) > 0 .or. abs(turning%d2energy) > 0)) return
-      ! an iteration follows the torque of the force that it supposes, as it follows that force
-      kept = min(1.0_dp, point%geometric_force/point%force)
-      dforce_dangle = kept*turning%dforce
-      call contact_turning(point%kinematics, x, t, length, axis, turning_t(kept*turning%denergy, &
-         kept*turning%d2energy, dforce_dangle), form_hessian, k, r)
-      r = turning%denergy*point%kinematics%dangle
-      point%torque_beyond = (1 - kept)*turning%denergy
+      point%turning = turning_t()
+      point%torque = 0
+      point%iteration_torque = 0
+      if (point%line_place > 0 .or. any(point%held) .or. is_cut(point%lens)) return
+      law = turning_of(point, point%at_gap)
+      point%torque = law%denergy
+      r = point%torque*point%kinematics%dangle
+      if (.not. (point%active .and. point%stiffness > 0)) return
+      point%turning = turning_of(point, point%at_mixed)
+      associate (turning => point%turning)
+         slope = turning%dforce/point%stiffness
+         ! at first touch no force is known yet
+         if (.not. point%geometric_force > 0) turning = turning_t(0.0_dp, turning%dforce*slope, turning%dforce)
+         point%iteration_torque = turning%denergy + slope*(point%iteration_force - point%mixed_force)
+         if (any(abs([turning%denergy, turning%d2energy, turning%dforce]) > 0)) call contact_turning( &
+            point%kinematics, x, t, length, axis, turning, form_hessian, k, unused)
+      end associate
    end subroutine find_turning
 
    !> Derivatives of its energy by the angle of the axes.
-   pure type(turning_t) function turning_of(point) result(turning)
+   pure type(turning_t) function turning_of(point, law) result(turning)
       type(contact_point_t), intent(in) :: point
+      type(force_of_gap_t), intent(in) :: law
       real(dp) :: slope, curvature, cosine, kept
 
       slope = 1
@@ -66,11 +72,9 @@ contains
          slope = kept*point%kinematics%cos_angle/cosine
          curvature = (sin(point%law_angle)*slope**2 - kept*sin(point%kinematics%angle))/cosine
       end if
-      associate (law => point%at_gap)
-         turning%denergy = law%denergy_dangle*slope
-         turning%d2energy = law%d2energy_dangle2*slope**2 + law%denergy_dangle*curvature
-         turning%dforce = law%dforce_dangle*slope
-      end associate
+      turning%denergy = law%denergy_dangle*slope
+      turning%d2energy = law%d2energy_dangle2*slope**2 + law%denergy_dangle*curvature
+      turning%dforce = law%dforce_dangle*slope
    end function turning_of
 
 end module litz_turning_forces

@@ -101,7 +101,8 @@ contains
       too_wide = merge(1, 0, [normal%too_wide, strip%too_wide])
    end subroutine line_law
 
-   ! force: aW, F, dF/dg, dF/dangle, energy; spot: G, dG/dg, dG/dangle, b at the deepest place
+   ! force: aW, F, dF/dg, dF/dangle, energy and its two derivatives by the angle;
+   ! spot: G, dG/dg, dG/dangle, b at the deepest place
    subroutine lens_law(gap, sine, radius, young, poisson, resistivity, penalty, film, hardness, force, spot)
       !> Gap [m], negative in contact
       real(c_double), intent(in) :: gap
@@ -121,19 +122,20 @@ contains
       real(c_double), intent(in) :: film
       !> H [Pa]; 0: the elastic strip
       real(c_double), intent(in) :: hardness
-      !> aW [m], F [N], dF/dg [N/m], dF/dangle [N/rad], energy [J] and its derivative by the angle [J/rad]
-      real(c_double), intent(out) :: force(6)
+      !> aW [m], F [N], dF/dg [N/m], dF/dangle [N/rad], energy [J], its derivatives by the angle [J/rad, J/rad^2]
+      real(c_double), intent(out) :: force(7)
       !> G [S], dG/dg [S/m], dG/dangle [S/rad], b [m]
       real(c_double), intent(out) :: spot(4)
       type(line_wires_t) :: line
       type(lens_t) :: lens
       type(lens_spot_t) :: strip
-      real(c_double) :: energy, denergy_dangle
+      real(c_double) :: energy, denergy_dangle, d2energy_dangle2
       line = core_line_wires(wire_pair_t(radius, young, poisson, resistivity), asin(min(sine, 1.0_c_double)))
       lens = lens_force(line, gap, sine, penalty)
       strip = lens_spot(line, lens, film, hardness)
-      call lens_energy(line, gap, sine, penalty, energy, denergy_dangle)
-      force = [lens%half_length, lens%force, lens%dforce_dgap, lens%dforce_dangle, energy, denergy_dangle]
+      call lens_energy(line, gap, sine, penalty, energy, denergy_dangle, d2energy_dangle2)
+      force = [lens%half_length, lens%force, lens%dforce_dgap, lens%dforce_dangle, energy, denergy_dangle, &
+         d2energy_dangle2]
       spot = [strip%conductance, strip%dconductance_dgap, strip%dconductance_dangle, strip%half_width]
    end subroutine lens_law
 

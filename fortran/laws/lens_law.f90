@@ -38,6 +38,8 @@ module litz_lens_law
       real(dp) :: half_length = 0, dhalf_length_dgap = 0, dhalf_length_dangle = 0
       !> F [N], dF/dg [N/m], dF/dangle [N/rad] at fixed gap
       real(dp) :: force = 0, dforce_dgap = 0, dforce_dangle = 0
+      !> d2F/dangle2 [N/rad^2] at fixed gap
+      real(dp) :: d2force_dangle2 = 0
       !> The law at the deepest place, and at the Gauss points
       type(line_force_t) :: deepest, along(n_depths)
       !> Gap of its deepest place [m], and how the overlap at the Gauss points changes with that [-]
@@ -69,7 +71,7 @@ contains
       real(dp), intent(in) :: sine
       !> eps_l [N/m^2]; 0: the elastic law
       real(dp), intent(in) :: penalty
-      real(dp) :: distance, f, df_dgap, df_dangle
+      real(dp) :: distance, f, df_dgap, df_dangle, d2f_dangle2
       integer :: i
 
       if (gap >= 0) return
@@ -85,9 +87,12 @@ contains
       f = dot_product(gauss_weight, lens%along%force)
       df_dgap = -dot_product(gauss_weight*gauss_depth, lens%along%stiffness)
       df_dangle = dot_product(gauss_weight, lens%along%dforce_dangle)
+      d2f_dangle2 = dot_product(gauss_weight, lens%along%d2force_dangle2)
       lens%force = f*lens%half_length
       lens%dforce_dgap = f*lens%dhalf_length_dgap + df_dgap*lens%half_length
       lens%dforce_dangle = f*lens%dhalf_length_dangle + df_dangle*lens%half_length
+      lens%d2force_dangle2 = (f*(1 + 2*(cosine(sine)/sine)**2) + d2f_dangle2)*lens%half_length &
+         + 2*df_dangle*lens%dhalf_length_dangle
    end function lens_force
 
    !> The present lens and its force, with the law of the overlaps along it when it was deeper: these stay.
@@ -157,7 +162,7 @@ contains
    end subroutine lens_integral
 
    !> Integral of the force over the overlap at a fixed angle, and how it changes with the angle.
-   pure subroutine lens_energy(line, gap, sine, penalty, energy, denergy_dangle)
+   pure subroutine lens_energy(line, gap, sine, penalty, energy, denergy_dangle, d2energy_dangle2)
       !> At the angle whose sine is `min(sine, 1)`
       type(line_wires_t), intent(in) :: line
       !> Gap between the surfaces [m], negative in contact
@@ -166,19 +171,21 @@ contains
       real(dp), intent(in) :: sine
       !> eps_l [N/m^2]; 0: the elastic law
       real(dp), intent(in) :: penalty
-      !> [J, J/rad]
-      real(dp), intent(out) :: energy, denergy_dangle
+      !> [J, J/rad, J/rad^2]
+      real(dp), intent(out) :: energy, denergy_dangle, d2energy_dangle2
       type(lens_t) :: lens
       real(dp) :: weight
       integer :: i
 
       energy = 0
       denergy_dangle = 0
+      d2energy_dangle2 = 0
       do i = 1, size(energy_place)
          lens = lens_force(line, gap*energy_place(i)**2, sine, penalty)
          weight = -energy_weight(i)*2*energy_place(i)*gap
          energy = energy + weight*lens%force
          denergy_dangle = denergy_dangle + weight*lens%dforce_dangle
+         d2energy_dangle2 = d2energy_dangle2 + weight*lens%d2force_dangle2
       end do
    end subroutine lens_energy
 

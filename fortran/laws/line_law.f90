@@ -39,8 +39,8 @@ module litz_line_law
       real(dp) :: electric_offset(2) = 0
       !> Square of the half width over the force per length [m^3/N]
       real(dp) :: square_per_force = 0
-      !> A [-], 0 of parallel wires, and its derivative with respect to the angle [1/rad]
-      real(dp) :: lens = 0, dlens_dangle = 0
+      !> A [-], 0 of parallel wires, and its derivatives with respect to the angle [1/rad, 1/rad^2]
+      real(dp) :: lens = 0, dlens_dangle = 0, d2lens_dangle2 = 0
       !> B/b^2 of the force and of the conductance [1/m^2]
       real(dp) :: section = 0, electric_section = 0
       !> Largest half width at which the law holds [m], and the force per length [N/m] and overlap [m] with it
@@ -49,8 +49,8 @@ module litz_line_law
 
    !> The law at an overlap; all 0 where there is none.
    type :: line_force_t
-      !> f [N/m], df/ddelta [N/m^2], df/dangle [N/(m rad)] at fixed overlap
-      real(dp) :: force = 0, stiffness = 0, dforce_dangle = 0
+      !> f [N/m], df/ddelta [N/m^2], df/dangle [N/(m rad)] and its derivative [N/(m rad^2)] at fixed overlap
+      real(dp) :: force = 0, stiffness = 0, dforce_dangle = 0, d2force_dangle2 = 0
       !> Integral of f over the overlap [J/m]
       real(dp) :: energy = 0
       !> The strip is wider than the law holds for; from there on the force is a straight line over the overlap
@@ -108,7 +108,7 @@ contains
       real(dp), intent(in) :: angle
       type(line_wires_t), intent(inout) :: line
       type(hertz_ellipse_t) :: ellipse
-      real(dp) :: stiffness, log_slope
+      real(dp) :: stiffness, log_slope, change
       integer :: info
 
       if (.not. sin(angle) > 0) return
@@ -117,7 +117,13 @@ contains
       stiffness = 0.75_dp*sin(angle)/(ellipse%approach*sqrt(2*sum(wires%radius)*ellipse%approach))   ! k_H
       log_slope = 1/tan(angle) - 1.5_dp*ellipse%dapproach_dangle/ellipse%approach          ! d ln k_H/dangle
       line%lens = exp(-pi*line%modulus/stiffness)
+      ! of wires that are as good as parallel
+      if (.not. line%lens > 0) return
       line%dlens_dangle = line%lens*pi*line%modulus/stiffness*log_slope
+      change = -1/sin(angle)**2 - 1.5_dp*(ellipse%d2approach_dangle2/ellipse%approach &
+         - (ellipse%dapproach_dangle/ellipse%approach)**2)                                 ! d2 ln k_H/dangle2
+      line%d2lens_dangle2 = line%dlens_dangle*(pi*line%modulus/stiffness - 1)*log_slope &
+         + line%lens*pi*line%modulus/stiffness*change
    end subroutine add_lens
 
    !> Force per length, its derivatives and the energy at an overlap.
@@ -147,9 +153,33 @@ contains
       found%stiffness = inverse%stiffness
       found%force = f + inverse%stiffness*beyond
       found%dforce_dangle = inverse%stiffness*f*line%dlens_dangle/(pi*line%modulus*(line%lens + b))
+      found%d2force_dangle2 = second_by_angle(line, f, b, inverse)
       found%energy = f**2/(pi*line%modulus)*(logarithm(line, f) - energy_deficit(line, f)/2) &
          + (f + inverse%stiffness*beyond/2)*beyond
    end function line_force
+
+   !> Second derivative of the force by the angle at fixed overlap [N/(m rad^2)], from those of
+   !> `delta = -f ln(A + B)/(pi E*)` by f and A.
+   pure real(dp) function second_by_angle(line, f, b, inverse) result(second)
+      type(line_wires_t), intent(in) :: line
+      !> f [N/m] and B [-]
+      real(dp), intent(in) :: f, b
+      !> At this force
+      type(line_overlap_t), intent(in) :: inverse
+      real(dp) :: whole, by_lens, of_lens, of_both, of_force
+
+      second = 0
+      if (.not. line%lens > 0) return
+      associate (k => inverse%stiffness)
+         whole = pi*line%modulus*(line%lens + b)
+         by_lens = k*f/whole                                                               ! df/dA
+         of_lens = f/(whole*(line%lens + b))                                               ! d2delta/dA2
+         of_both = -line%lens/(whole*(line%lens + b))                                      ! d2delta/(df dA)
+         of_force = -inverse%dstiffness_dforce/k**2                                        ! d2delta/df2
+         second = by_lens*line%d2lens_dangle2 &
+            - k*(of_lens + (2*of_both + of_force*by_lens)*by_lens)*line%dlens_dangle**2
+      end associate
+   end function second_by_angle
 
    !> `f(delta)` by Newton in `ln f`.
    !>

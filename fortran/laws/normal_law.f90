@@ -102,7 +102,7 @@ contains
    !>
    !> `delta(F)` is close to a straight line where `F(delta)` is steep, so that a law which is not straight is
    !> linearised about the force that the last iteration predicted.
-   pure subroutine linearise(law, gap, first_overlap, wires, ellipse, mixed_force, stiffness, iteration_force)
+   pure subroutine linearise(law, gap, first_overlap, wires, ellipse, mixed_force, stiffness, iteration_force, at_mixed)
       type(normal_law_t), intent(in) :: law
       !> Gap [m], and largest overlap about which a contact is linearised that has had no force [m]
       real(dp), intent(in) :: gap, first_overlap
@@ -112,6 +112,8 @@ contains
       real(dp), intent(inout) :: mixed_force
       !> [N/m], [N]
       real(dp), intent(out) :: stiffness, iteration_force
+      !> The law at the overlap with this force; of a straight line, which does not depend on the angle, nothing
+      type(force_of_gap_t), intent(out) :: at_mixed
       type(overlap_of_force_t) :: found
       type(force_of_gap_t) :: at_first
 
@@ -128,6 +130,7 @@ contains
       found = overlap_at_force(law, mixed_force, wires, ellipse)
       stiffness = found%stiffness
       iteration_force = mixed_force + stiffness*(-gap - found%overlap)
+      at_mixed = force_at_gap(law, -found%overlap, wires, ellipse)
    end subroutine linearise
 
    !> eps_l of `f = eps_l |g|` along a line [N/m^2]; 0: it has none.

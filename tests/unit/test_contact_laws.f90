@@ -51,31 +51,34 @@ contains
    end function near
 
    subroutine test_a_penalty_is_its_own_straight_line()
+      type(force_of_gap_t) :: at_mixed
       real(dp) :: mixed_force, stiffness, force, gap
 
       mixed_force = 5
       gap = 3.0e-6_dp
-      call linearise(normal_law('LINEAR', [penalty]), gap, first_overlap, pair, ellipse, mixed_force, stiffness, force)
+      call linearise(normal_law('LINEAR', [penalty]), gap, first_overlap, pair, ellipse, mixed_force, stiffness, &
+         force, at_mixed)
       call expect(near(stiffness, penalty) .and. near(force, -penalty*gap), 'the line goes on beyond the touch')
       call expect(near(mixed_force, 5.0_dp), 'the predicted force stays')
    end subroutine test_a_penalty_is_its_own_straight_line
 
    !> The line meets the law at the predicted force and has its slope there.
    subroutine test_a_curved_law_is_linearised_about_the_predicted_force()
-      type(force_of_gap_t) :: touch
+      type(force_of_gap_t) :: touch, at_mixed
       real(dp) :: mixed_force, stiffness, force
       real(dp), parameter :: overlap = 4.0e-6_dp, gap = -7.0e-6_dp
 
       touch = force_at_gap(normal_law('HERTZ'), -overlap, pair, ellipse)
       mixed_force = touch%force
-      call linearise(normal_law('HERTZ'), gap, first_overlap, pair, ellipse, mixed_force, stiffness, force)
+      call linearise(normal_law('HERTZ'), gap, first_overlap, pair, ellipse, mixed_force, stiffness, force, at_mixed)
       call expect(near(stiffness, -touch%dforce_dgap), 'slope of the law')
       call expect(near(force, touch%force + touch%dforce_dgap*(gap + overlap)), 'tangent of the law')
+      call expect(near(at_mixed%denergy_dangle, touch%denergy_dangle), 'torque of the predicted force')
    end subroutine test_a_curved_law_is_linearised_about_the_predicted_force
 
    subroutine test_a_first_touch_is_linearised_about_a_small_overlap()
       type(normal_law_t) :: law
-      type(force_of_gap_t) :: expected
+      type(force_of_gap_t) :: expected, at_mixed
       real(dp), parameter :: gaps(3) = [-3.0e-6_dp, 2.0e-6_dp, -0.2e-6_dp]
       real(dp), parameter :: taken(3) = [-first_overlap, -first_overlap, -0.2e-6_dp]
       real(dp) :: mixed_force, stiffness, force
@@ -84,7 +87,7 @@ contains
       law = normal_law('HERTZ')
       do i = 1, size(gaps)
          mixed_force = 0
-         call linearise(law, gaps(i), first_overlap, pair, ellipse, mixed_force, stiffness, force)
+         call linearise(law, gaps(i), first_overlap, pair, ellipse, mixed_force, stiffness, force, at_mixed)
          expected = force_at_gap(law, taken(i), pair, ellipse)
          call expect(near(mixed_force, expected%force), 'force of the first overlap, or of a smaller one')
          call expect(near(stiffness, -expected%dforce_dgap), 'its slope')

@@ -669,7 +669,8 @@ contains
          associate (point => problem%contact%points(i))
             if (.not. point%closed) cycle
             nodes = [problem%model%connectivity(:, point%element_bar), problem%model%connectivity(:, point%element)]
-            term = -point%force*slope_of_modulus(problem, point, reshape(v(1:6, nodes), [24]))*point%kinematics%dgap
+            term = (point%torque*point%kinematics%dangle - point%force*point%kinematics%dgap) &
+               *slope_of_modulus(problem, point, reshape(v(1:6, nodes), [24]))
             product(1:6, nodes) = product(1:6, nodes) + reshape(term, [6, 4])
          end associate
       end do
