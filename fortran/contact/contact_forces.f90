@@ -26,6 +26,7 @@ module litz_contact_forces
    use litz_strips_of_wires, only: strips_t, collect_strips
    use litz_text, only: to_text
    use litz_timing, only: phase_contact, phase_assembly
+   use litz_turning_forces, only: find_turning
    use litz_wires, only: wires_t
    implicit none
    private
@@ -138,7 +139,8 @@ contains
          !> Tangent and currents of the voltages (4, 4), (4), tangent of the currents by the motions (4, 24)
          real(dp), intent(out) :: k_ee_p(4, 4), r_e_p(4), k_me_p(4, n_motions)
          real(dp) :: x(3, 4), t(3, 4), length(2), k_friction(n_motions, n_motions), k_slide(n_motions, n_motions)
-         real(dp), dimension(n_motions) :: r_friction, r_slide, dforce
+         real(dp), dimension(n_motions) :: r_friction, r_slide, r_turning, dforce
+         real(dp) :: k_turning(n_motions, n_motions), dforce_dangle
          type(wire_pair_t) :: pair
          type(spot_in_circuit_t) :: circuit
          type(contact_electricity_t) :: electricity
@@ -152,6 +154,7 @@ contains
                x, t, length)
             pair = wires_of(model, elements, point)
             call find_sliding(wires, elements, law%axis, x, t, length, point, k_slide, r_slide, dforce)
+            call find_turning(law%axis, x, t, length, point, k_turning, r_turning, dforce_dangle)
             if (law%friction > 0 .and. (point%active .or. point%closed)) then
                call find_friction(law, wires, x, t, length, pair, increment_start(domain, contact, point, nodes_p), &
                   dforce, point, k_friction, r_friction)
@@ -162,10 +165,10 @@ contains
             if (conducts) call find_spot(law, wires, pair, x, t, length, point, circuit)
             circuit%dconductance = circuit%dconductance + spot_that_slides(law%normal, point, circuit, dforce)
             call contact_blocks(point%kinematics, t, iterate%value(potential_slots(1), nodes_p), &
-               contact_force_t(point%force, point%geometric_force, point%stiffness, 0.0_dp, law_of_spot(law%normal, &
-               point)), circuit, form_hessian, k_p, r_p, k_me_p, k_ee_p, r_e_p, electricity)
-            k_p = k_p + k_slide
-            r_p = r_p + r_slide
+               contact_force_t(point%force, point%geometric_force, point%stiffness, dforce_dangle, &
+               law_of_spot(law%normal, point)), circuit, form_hessian, k_p, r_p, k_me_p, k_ee_p, r_e_p, electricity)
+            k_p = k_p + k_slide + k_turning
+            r_p = r_p + r_slide + r_turning
             if (conducts) call keep_current(electricity, circuit, point)
          end associate
       end subroutine evaluate
@@ -231,7 +234,8 @@ contains
       integer :: a, first
 
       if (.not. allocated(forces%supposed)) return
-      difference = (point%force - point%geometric_force)*point%kinematics%dgap
+      difference = (point%force - point%geometric_force)*point%kinematics%dgap &
+         - point%torque_beyond*point%kinematics%dangle
       do a = 1, size(nodes_p)
          first = (a - 1)*(n_motions/size(nodes_p)) + 1
          associate (supposed => forces%supposed(:, nodes_p(a)))
@@ -249,7 +253,8 @@ contains
       real(dp) :: difference(n_motions)
       integer :: a
 
-      difference = point%friction_iteration%difference - (point%iteration_force - point%force)*point%kinematics%dgap
+      difference = point%friction_iteration%difference - (point%iteration_force - point%force)*point%kinematics%dgap &
+         - point%torque_beyond*point%kinematics%dangle
       associate (iteration => forces%iteration(motion_slots(1):motion_slots(2), :))
          do a = 1, size(nodes_p)
             iteration(:, nodes_p(a)) = iteration(:, nodes_p(a)) &

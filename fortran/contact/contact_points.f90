@@ -157,6 +157,8 @@ module litz_contact_points
       !> Law at the present gap, and the force that this iteration linearises about [N]
       type(force_of_gap_t) :: at_gap
       real(dp) :: iteration_force = 0
+      !> Torque about the normal at the present gap less the one that this iteration follows [N m]
+      real(dp) :: torque_beyond = 0
       !> A law or what it builds on has failed here: one of `law_...`
       integer :: law_status = law_ok
       !> Force of the geometric stiffness [N]; zero at first touch, where no force is known yet

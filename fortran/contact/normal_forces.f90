@@ -229,8 +229,9 @@ contains
 
       penalty = normal%line_penalty()
       lens = lens_force(point%line, point%gap, point%law_sine, penalty)
-      base = force_of_gap_t(lens%force, lens%dforce_dgap, lens%dforce_dangle, &
-         lens_energy(point%line, point%gap, point%law_sine, penalty))
+      base = force_of_gap_t(lens%force, lens%dforce_dgap, lens%dforce_dangle)
+      call lens_energy(point%line, point%gap, point%law_sine, penalty, base%energy, base%denergy_dangle)
+      base%d2energy_dangle2 = curvature_by_angle(base, point%law_sine)
       call press(normal, pair, base, point)
       if (.not. point%active) return
       weight = point%weight*point%cut
@@ -247,6 +248,20 @@ contains
       point%iteration_force = point%mixed_force + point%stiffness*(-point%gap - overlap)
       call follow_cut(weight, point)
    end subroutine press_lens
+
+   !> Of the energy, which is nearly a power of the sine: second derivative by the angle [J/rad^2].
+   pure real(dp) function curvature_by_angle(law, sine) result(curvature)
+      type(force_of_gap_t), intent(in) :: law
+      !> [-]
+      real(dp), intent(in) :: sine
+      real(dp) :: squared_cosine, power
+
+      squared_cosine = (1 - sine)*(1 + sine)
+      curvature = 0
+      if (.not. (squared_cosine > 0 .and. law%energy > 0)) return
+      power = law%denergy_dangle/law%energy*sine/sqrt(squared_cosine)
+      curvature = law%energy*power*((power - 1)*squared_cosine/sine**2 - 1)
+   end function curvature_by_angle
 
    !> The overlap of a lens at a force, by Newton's method in their logarithms, between which there is nearly a straight
    !> line.

@@ -1,7 +1,7 @@
 !> Materials, amplitudes and interactions by their names.
 module litz_definitions
    use litz_deck, only: token_t
-   use litz_reader, only: reader_t, definitions_t, fail_at, name_of, names_hint
+   use litz_reader, only: reader_t, definitions_t, fail_at, name_of, names_hint, may_be_defined
    implicit none
    private
    public :: add_definition, find_definition
@@ -66,6 +66,7 @@ contains
       else
          definitions%missed = .true.
          if (token%last < token%first) return
+         if (may_be_defined(self, 'NAME', token)) return
          call fail_at(self, token, 'there is no '//what//' '//self%deck%shown(token)// &
             names_hint(self, definitions%names, token))
       end if

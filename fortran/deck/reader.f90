@@ -12,7 +12,7 @@ module litz_reader
    private
    public :: reader_t, values_t, set_builder_t, definitions_t
    public :: fail_at, applies, has_choice, names_hint, name_of, parameter_of, has_flag, choice_of, real_parameter, &
-      integer_parameter, keyword_of, n_cards_of
+      integer_parameter, keyword_of, n_cards_of, may_be_defined
 
    !> After this many errors no more hints are searched for
    integer, parameter :: max_hints = 100
@@ -149,6 +149,25 @@ contains
          end do
       end associate
    end function parameter_of
+
+   !> A keyword that nobody knows may have been meant to define this name: it has been reported, and that is enough.
+   pure logical function may_be_defined(self, parameter, token)
+      type(reader_t), intent(in) :: self
+      !> The parameter with which keywords of the kind define names: `NSET`, `ELSET`, `NAME`
+      character(len=*), intent(in) :: parameter
+      !> The name where it is used
+      type(token_t), intent(in) :: token
+      type(token_t) :: defined
+      integer :: card
+
+      may_be_defined = .false.
+      do card = 1, self%deck%n_cards
+         if (self%spec(card) > 0) cycle
+         defined = parameter_of(self, card, parameter)
+         if (defined%line == 0) cycle
+         if (name_of(self, defined) == name_of(self, token)) may_be_defined = .true.
+      end do
+   end function may_be_defined
 
    pure logical function has_flag(self, card, name)
       type(reader_t), intent(in) :: self

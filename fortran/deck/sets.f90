@@ -6,7 +6,8 @@ module litz_sets
    use litz_deck, only: token_t
    use litz_lookup, only: id_map_t
    use litz_model, only: model_t, named_set_t, name_length
-   use litz_reader, only: reader_t, set_builder_t, fail_at, parameter_of, has_flag, name_of, keyword_of, names_hint
+   use litz_reader, only: reader_t, set_builder_t, fail_at, parameter_of, has_flag, name_of, keyword_of, names_hint, &
+      may_be_defined
    use litz_data_lines, only: read_line
    implicit none
    private
@@ -302,6 +303,7 @@ contains
       if (token%last < token%first) return
       set = builder%names%get(name_of(self, token))
       if (set > 0) return
+      if (may_be_defined(self, trim(merge('NSET ', 'ELSET', what == 'node')), token)) return
       call fail_at(self, token, 'there is no '//what//' set '//self%deck%shown(token)//other_kind()// &
          names_hint(self, builder%names, token))
 

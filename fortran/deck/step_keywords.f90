@@ -231,9 +231,8 @@ contains
          ' ALLTW: done by changes of temperature, in models with temperatures.'// &
          ' ETOTAL: ALLSE + ALLCCE + ALLFD + ALLSD - ALLWK - ALLTW,'// &
          ' which goes to zero with the increment size, except for the error of B31 elements at contacts,'// &
-         ' which goes to zero with the element size, and of wires that turn against each other while they press:'// &
-         ' their force depends on the angle, but no moment about its direction belongs to that. Between crossed and'// &
-         ' parallel this is as much as the contact holds.')
+         ' which goes to zero with the element size, and of contacts that turn or slide next to ends and kinks of'// &
+         ' wires, or turn from a crossing into a line: at most what they hold.')
       call finish(table, k)
 
       call begin(k, 'ELECTRODE PRINT', place_step, &

@@ -123,7 +123,7 @@ contains
          spot%dconductance_dangle]
    end subroutine contact_spot
 
-   ! values: force, dforce_dgap, dforce_dangle, energy
+   ! values: force, dforce_dgap, dforce_dangle, energy, denergy_dangle, d2energy_dangle2
    subroutine normal_force(law, n_data, data, gap, radius, young, poisson, angle, values, info)
       !> Place of the law in litz_normal_laws
       integer(c_int), intent(in) :: law
@@ -141,8 +141,8 @@ contains
       real(c_double), intent(in) :: poisson(2)
       !> Angle between the tangents [rad]
       real(c_double), intent(in) :: angle
-      !> F [N], dF/dgap [N/m], dF/dangle [N/rad], stored energy [J]
-      real(c_double), intent(out) :: values(4)
+      !> F [N], dF/dgap [N/m], dF/dangle [N/rad], stored energy [J] and its derivatives by the angle [J/rad, J/rad^2]
+      real(c_double), intent(out) :: values(6)
       !> 0: all is well; else one of the constants of litz_hertz
       integer(c_int), intent(out) :: info
       type(hertz_ellipse_t) :: ellipse
@@ -153,7 +153,8 @@ contains
       call ellipse_for(normal_law, radius, young, poisson, angle, ellipse, info)
       if (info /= hertz_ok) return
       found = force_at_gap(normal_law, gap, wire_pair_t(radius, young, poisson), ellipse)
-      values = [found%force, found%dforce_dgap, found%dforce_dangle, found%energy]
+      values = [found%force, found%dforce_dgap, found%dforce_dangle, found%energy, found%denergy_dangle, &
+         found%d2energy_dangle2]
    end subroutine normal_force
 
    ! values: overlap, stiffness, dstiffness_dforce

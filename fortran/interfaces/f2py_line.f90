@@ -121,18 +121,19 @@ contains
       real(c_double), intent(in) :: film
       !> H [Pa]; 0: the elastic strip
       real(c_double), intent(in) :: hardness
-      !> aW [m], F [N], dF/dg [N/m], dF/dangle [N/rad], energy [J]
-      real(c_double), intent(out) :: force(5)
+      !> aW [m], F [N], dF/dg [N/m], dF/dangle [N/rad], energy [J] and its derivative by the angle [J/rad]
+      real(c_double), intent(out) :: force(6)
       !> G [S], dG/dg [S/m], dG/dangle [S/rad], b [m]
       real(c_double), intent(out) :: spot(4)
       type(line_wires_t) :: line
       type(lens_t) :: lens
       type(lens_spot_t) :: strip
+      real(c_double) :: energy, denergy_dangle
       line = core_line_wires(wire_pair_t(radius, young, poisson, resistivity), asin(min(sine, 1.0_c_double)))
       lens = lens_force(line, gap, sine, penalty)
       strip = lens_spot(line, lens, film, hardness)
-      force = [lens%half_length, lens%force, lens%dforce_dgap, lens%dforce_dangle, &
-         lens_energy(line, gap, sine, penalty)]
+      call lens_energy(line, gap, sine, penalty, energy, denergy_dangle)
+      force = [lens%half_length, lens%force, lens%dforce_dgap, lens%dforce_dangle, energy, denergy_dangle]
       spot = [strip%conductance, strip%dconductance_dgap, strip%dconductance_dangle, strip%half_width]
    end subroutine lens_law
 

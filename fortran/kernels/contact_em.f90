@@ -22,6 +22,7 @@ module litz_contact_em
    use litz_contact_blocks, only: contact_blocks, contact_force_t, spot_in_circuit_t
    use litz_contact_electricity, only: contact_electricity_t
    use litz_contact_mechanics, only: form_spin
+   use litz_contact_turning, only: contact_turning, turning_t
    use litz_rotation_forms, only: spin_to_rotation_vectors
    implicit none
    private
@@ -103,7 +104,7 @@ contains
       type(hertz_ellipse_t) :: ellipse
       type(contact_spot_t) :: spot
       type(force_of_gap_t) :: normal
-      real(dp) :: k_mm(24, 24), r_m(24), k_me(4, 24), k_ee(4, 4), r_e(4)
+      real(dp) :: k_mm(24, 24), r_m(24), k_me(4, 24), k_ee(4, 4), r_e(4), k_turning(24, 24), r_turning(24)
       integer :: law_info
       logical :: is_round(2)
 
@@ -144,6 +145,12 @@ contains
          contact_force_t(contact%force, contact%force, -normal%dforce_dgap, normal%dforce_dangle, normal), &
          spot_in_circuit_t(spot, series_resistance=wires%series_resistance), form_spin, k_mm, r_m, k_me, k_ee, r_e, &
          contact%electricity)
+      if (abs(normal%denergy_dangle) > 0 .or. abs(normal%d2energy_dangle2) > 0) then
+         call contact_turning(contact%kinematics, x, t, length, laws%axis, turning_t(normal%denergy_dangle, &
+            normal%d2energy_dangle2, normal%dforce_dangle), form_spin, k_turning, r_turning)
+         k_mm = k_mm + k_turning
+         r_m = r_m + r_turning
+      end if
       k(1:24, 1:24) = k_mm
       k(25:28, 1:24) = k_me
       k(25:28, 25:28) = k_ee

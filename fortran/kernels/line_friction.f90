@@ -20,7 +20,7 @@ module litz_line_friction
    use litz_kinds, only: dp
    use litz_axis, only: axis_shape, on_axis, axis_row
    use litz_axis_choices, only: axis_hermite
-   use litz_contact_friction, only: add_turning_tangent
+   use litz_closest_point_motion, only: add_turning_tangent
    use litz_contact_kinematics, only: contact_kinematics_t
    use litz_friction_law, only: friction_law_t
    use litz_rotations, only: cross, identity3, skew

@@ -25,6 +25,8 @@ module litz_hertz
       !> Derivatives with respect to the angle, per radian: of cd, and of log(a b). Both are smooth and vanish at 90
       !> degrees, where a and b of equal wires change places and have no derivative of their own.
       real(dp) :: dapproach_dangle = 0, dlog_area_dangle = 0
+      !> Second derivative of cd, per radian^2
+      real(dp) :: d2approach_dangle2 = 0
       !> The same of log(b/a); 0 at 90 degrees, where equal wires have none
       real(dp) :: dlog_ratio_dangle = 0
    end type hertz_ellipse_t
@@ -59,6 +61,7 @@ contains
       logical, intent(in), optional :: is_round(2)
       type(elliptic_t) :: f
       real(dp) :: mean_curvature, product, q, c, dc_dangle, a_curvature, log_slope, dratio_dc, dlog_major_dc, ca
+      real(dp) :: dapproach_dc, d2approach_dc2
 
       info = hertz_parallel
       if (present(is_round)) then
@@ -80,16 +83,22 @@ contains
       ellipse%semi_major = ca
       ellipse%approach = 3*f%k/(2*pi*ca*ellipse%modulus)                        ! delta = 3F K/(2 pi a E*)
 
-      ! c = 0 needs equal wires at 90 degrees, where everything that is returned is stationary
-      if (c <= 0) return
-      dc_dangle = -product*sin(angle)*cos(angle)/c
       dratio_dc = -2/(q*log_slope)                                              ! d log(b/a)/dc
       dlog_major_dc = ((f%c/f%d - 1)*dratio_dc + 1/(1 - c))/3                   ! d log(a)/dc
-      ellipse%dlog_area_dangle = (2*dlog_major_dc + dratio_dc)*dc_dangle
-      ellipse%dlog_ratio_dangle = dratio_dc*dc_dangle
       ! The complementary energy (3/5) F delta is stationary in the ellipse, so only the curvatures vary:
       ! (3/5) F d(delta) = F <x^2> dA + F <y^2> dB, with the mean squares a^2/5 and b^2/5 of Hertz's pressure
-      ellipse%dapproach_dangle = -mean_curvature*ca**2*f%m/6*dc_dangle
+      dapproach_dc = -mean_curvature*ca**2*f%m/6
+      d2approach_dc2 = -mean_curvature*ca**2*(f%m*dlog_major_dc - f%m1*dratio_dc)/3
+      ! c = 0 needs equal wires at 90 degrees, where everything that is returned is stationary
+      ellipse%d2approach_dangle2 = d2approach_dc2*product
+      if (c <= 0) return
+      dc_dangle = -product*sin(angle)*cos(angle)/c
+      ellipse%dlog_area_dangle = (2*dlog_major_dc + dratio_dc)*dc_dangle
+      ellipse%dlog_ratio_dangle = dratio_dc*dc_dangle
+      ellipse%dapproach_dangle = dapproach_dc*dc_dangle
+      ! c^2 is linear in cos(2 angle): c'^2 + c c'' = -product cos(2 angle)
+      ellipse%d2approach_dangle2 = d2approach_dc2*dc_dangle**2 &
+         - dapproach_dc/c*(product*cos(2*angle) + dc_dangle**2)
    end subroutine hertz_ellipse
 
    !> Mean and difference of the curvatures of two wires that may touch with their round ends, by K. L. Johnson, Contact

@@ -156,8 +156,8 @@ contains
          + dot_product(gauss_weight*lens%doverlap_dgap, slope*lens%along%stiffness)*lens%half_length
    end subroutine lens_integral
 
-   !> Integral of the force over the overlap at a fixed angle [J].
-   pure real(dp) function lens_energy(line, gap, sine, penalty) result(energy)
+   !> Integral of the force over the overlap at a fixed angle, and how it changes with the angle.
+   pure subroutine lens_energy(line, gap, sine, penalty, energy, denergy_dangle)
       !> At the angle whose sine is `min(sine, 1)`
       type(line_wires_t), intent(in) :: line
       !> Gap between the surfaces [m], negative in contact
@@ -166,15 +166,21 @@ contains
       real(dp), intent(in) :: sine
       !> eps_l [N/m^2]; 0: the elastic law
       real(dp), intent(in) :: penalty
+      !> [J, J/rad]
+      real(dp), intent(out) :: energy, denergy_dangle
       type(lens_t) :: lens
+      real(dp) :: weight
       integer :: i
 
       energy = 0
+      denergy_dangle = 0
       do i = 1, size(energy_place)
          lens = lens_force(line, gap*energy_place(i)**2, sine, penalty)
-         energy = energy - energy_weight(i)*lens%force*2*energy_place(i)*gap
+         weight = -energy_weight(i)*2*energy_place(i)*gap
+         energy = energy + weight*lens%force
+         denergy_dangle = denergy_dangle + weight*lens%dforce_dangle
       end do
-   end function lens_energy
+   end subroutine lens_energy
 
    !> Share w_P of the contact that the point carries; the line points carry the rest.
    pure subroutine share_of_point(half_length, spacing, weight, dweight_dhalf_length)

@@ -28,7 +28,7 @@ contains
    pure function force_of_gap(given) result(found)
       type(law_input_t), intent(in) :: given
       type(force_of_gap_t) :: found
-      real(dp) :: scaled
+      real(dp) :: scaled, slope
 
       associate (gap => given%gap, ellipse => given%ellipse)
          scaled = -gap/ellipse%approach
@@ -36,6 +36,9 @@ contains
          found%dforce_dgap = 3*found%force/(2*gap)
          found%dforce_dangle = -3*found%force*ellipse%dapproach_dangle/(2*ellipse%approach)
          found%energy = 0.4_dp*found%force*abs(gap)                              ! 2 F delta/5
+         slope = ellipse%dapproach_dangle/ellipse%approach
+         found%denergy_dangle = -1.5_dp*found%energy*slope                       ! it goes with cd^(-3/2)
+         found%d2energy_dangle2 = 1.5_dp*found%energy*(2.5_dp*slope**2 - ellipse%d2approach_dangle2/ellipse%approach)
       end associate
    end function force_of_gap
 

@@ -15,8 +15,8 @@ module litz_normal_law
    type :: force_of_gap_t
       !> F [N], pushing the wires apart, dF/dg [N/m] (negative in contact), dF/dangle [N/rad]
       real(dp) :: force = 0, dforce_dgap = 0, dforce_dangle = 0
-      !> Integral of the force over the overlap [J]
-      real(dp) :: energy = 0
+      !> Integral of the force over the overlap [J], and its derivatives by the angle [J/rad, J/rad^2]
+      real(dp) :: energy = 0, denergy_dangle = 0, d2energy_dangle2 = 0
    end type force_of_gap_t
 
    !> The law at a force.

@@ -5,6 +5,7 @@ module litz_terminal
    use litz_model, only: model_t, request_contact
    use litz_problem, only: problem_t
    use litz_reports, only: increment_report_t
+   use litz_text, only: plural
    use litz_timing, only: peak_memory
    implicit none
    private
@@ -56,13 +57,11 @@ contains
       type(problem_t), intent(in) :: problem
       !> Directory and stem of the results
       character(len=*), intent(in) :: base
-      character(len=80) :: counts
       character(len=12) :: seconds
 
       write (seconds, '(f12.2)') problem%timing%total()
-      write (counts, '(a, i0, a, i0, a)') 'finished: ', problem%n_increments, ' increments, ', problem%n_iterations, &
-         ' iterations, '
-      write (output_unit, '(a)') trim(counts)//' '//trim(adjustl(seconds))//' s, at most '// &
+      write (output_unit, '(a)') 'finished: '//plural(problem%n_increments, 'increment')//', '// &
+         plural(problem%n_iterations, 'iteration')//', '//trim(adjustl(seconds))//' s, at most '// &
          memory_text(peak_memory())//' of memory; results in '//base//'.*'
    end subroutine print_end
 

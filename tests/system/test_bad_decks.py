@@ -367,6 +367,20 @@ KEYWORDS = [
         'unknown keyword "XYZZY"; `litz keywords` lists',
         "*XYZZY",
     ),
+    case(
+        "unknown keyword that was to define a set in use",
+        "*NSET, NSET=PLUS",
+        "*NSTE, NSET=PLUS",
+        'unknown keyword "NSTE"; did you mean *NSET?',
+        "*NSTE",
+    ),
+    case(
+        "unknown keyword that was to define a name in use",
+        "*AMPLITUDE",
+        "*AMPLITUDDE",
+        'unknown keyword "AMPLITUDDE"; did you mean *AMPLITUDE?',
+        "*AMPLITUDDE",
+    ),
     case("keyword of Abaqus", "*GAP", "*DAMPING\n*GAP", "litz has no *DAMPING: leave it out", "*DAMPING"),
     case("procedure of Abaqus", "*STATIC", "*Dynamic, application=quasi-static", "use *STATIC", "*Dynamic"),
     case(

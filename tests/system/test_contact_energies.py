@@ -58,3 +58,72 @@ def test_the_work_of_a_fit_counts_the_force_of_a_contact_that_opens(run):
     mean = (force[1:] + force[:-1]) / 2
     work = np.cumsum(mean * (np.diff(resolved) - np.diff(lifted)))
     np.testing.assert_allclose(results.history["ALLWK"][1:], work, rtol=1e-9, atol=1e-9 * work.max())
+
+
+def turned(increments):
+    """A rigid wire is pressed on one that is clamped, and turned from crossed to 11 degrees."""
+    return f"""*NODE
+ 1, -0.01, 0, 0
+ 2, 0, 0, 0
+ 3, 0.01, 0, 0
+ 11, 0, -0.01, 1.001e-3
+ 12, 0, 0.01, 1.001e-3
+ 20, 0, 0, 1e-3
+*NSET, NSET=ENDS
+ 11, 12
+*NSET, NSET=REFERENCE
+ 20
+*ELEMENT, TYPE=B33, ELSET=LOWER
+ 1, 1, 2
+ 2, 2, 3
+*ELEMENT, TYPE=B33, ELSET=UPPER
+ 11, 11, 12
+*RIGID BODY, REF NODE=20, TIE NSET=ENDS
+*MATERIAL, NAME=CU
+*ELASTIC
+ 120e9, 0.34
+*BEAM SECTION, SECTION=CIRC, ELSET=LOWER, MATERIAL=CU
+ 0.5e-3
+*BEAM SECTION, SECTION=CIRC, ELSET=UPPER, MATERIAL=CU
+ 0.5e-3
+*SURFACE INTERACTION, NAME=TOUCH
+*CONTACT PAIR, INTERACTION=TOUCH
+ LOWER, UPPER
+*BOUNDARY
+ 1, 1, 6
+ 3, 1, 6
+ 20, 1, 2
+ 20, 4, 6
+*STEP
+*STATIC
+ 0.1, 1
+*BOUNDARY
+ 20, 3, 3, -4e-6
+*NODE PRINT, NSET=REFERENCE
+ RM
+*ENERGY PRINT
+*END STEP
+*STEP, INC=1000
+*STATIC, DIRECT
+ {1 / increments}, 1
+*BOUNDARY
+ 20, 6, 6, -1.3788
+*END STEP
+"""
+
+
+def test_wires_that_turn_while_they_press_get_the_work_of_the_torque(run):
+    """Their force depends on the angle: without a torque about it what the contact holds would come from nowhere."""
+    left = []
+    for increments in (20, 80):
+        process, results = run(turned(increments), name=f"by{increments}")
+        assert process.returncode == 0, process.stderr
+        history = results.history
+        change = history["ETOTAL"][-1] - at_end_of(results, 1, "ETOTAL")
+        held = at_end_of(results, 1, "ALLCCE")
+        work = history["ALLWK"][-1] - at_end_of(results, 1, "ALLWK")
+        assert work > 0.8 * held
+        left.append(abs(change) / held)
+    # the work of an increment is that of the mean torque
+    assert left[0] < 3e-3
+    assert left[1] < left[0] / 12

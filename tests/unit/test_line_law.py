@@ -329,7 +329,7 @@ class TestLens:
     @pytest.mark.parametrize("sine", [0.01, 0.3, 0.9])
     def test_derivatives(self, laws, sine):
         gap, angle = -3e-8, np.arcsin(sine)
-        (_, force, by_gap, by_angle, _), (_, spot_by_gap, spot_by_angle, _) = self.lens(gap, sine, **laws)
+        (_, force, by_gap, by_angle, _, energy_by_angle), (_, spot_by_gap, spot_by_angle, _) = self.lens(gap, sine, **laws)
 
         def at(gap, angle):
             normal, spot = self.lens(gap, np.sin(angle), **laws)
@@ -341,6 +341,7 @@ class TestLens:
         assert (by_angle, spot_by_angle) == pytest.approx(angles[:2], rel=1e-8)
         # six Gauss points over the overlap
         assert -force == pytest.approx(gaps[2], rel=1e-6)
+        assert energy_by_angle == pytest.approx(angles[2], rel=1e-8)
 
     def test_the_curvature_may_make_the_lens_shorter_than_at_90_degrees(self):
         (half, *_), _ = self.lens(-1e-8, 1.2)

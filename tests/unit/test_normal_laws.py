@@ -16,7 +16,7 @@ DEPTHS = [1e-9, 1e-6, 1e-4]
 
 
 def at_gap(law, gap, angle=ANGLE):
-    """Force, dforce_dgap, dforce_dangle, energy."""
+    """Force, dforce_dgap, dforce_dangle, energy, denergy_dangle, d2energy_dangle2."""
     values, info = _core.f2py_contact.normal_force(NORMAL_LAWS[law], DATA[law], gap, *WIRES, angle)
     assert info == 0
     return values
@@ -36,11 +36,11 @@ def test_the_laws_of_the_table():
 
 
 def test_the_penalty_is_force_over_overlap():
-    assert tuple(at_gap("linear", -2e-6)) == pytest.approx((6.0, -3e6, 0.0, 6e-6), rel=1e-15)
+    assert tuple(at_gap("linear", -2e-6)) == pytest.approx((6.0, -3e6, 0.0, 6e-6, 0.0, 0.0), rel=1e-15)
 
 
 def test_the_energy_of_hertz_is_two_fifths_of_force_times_overlap():
-    force, *_, energy = at_gap("hertz", -2e-6)
+    force, _, _, energy, *_ = at_gap("hertz", -2e-6)
     assert energy == pytest.approx(0.4 * force * 2e-6, rel=1e-15)
 
 
@@ -54,13 +54,34 @@ def test_an_open_gap_has_no_force_and_no_energy(law, gap):
 @pytest.mark.parametrize("angle", [0.02, 0.3, 1.0, 1.5, 2.5])
 @pytest.mark.parametrize("depth", DEPTHS)
 def test_derivatives_of_the_force(law, depth, angle):
-    force, dforce_dgap, dforce_dangle, _ = at_gap(law, -depth, angle)
+    force, dforce_dgap, dforce_dangle, *_ = at_gap(law, -depth, angle)
     by_gap = derivative(lambda s: at_gap(law, -depth * (1 - s), angle)[0], 0.0, 4e-3)[0] / depth
     step = 4e-3 * min(1.0, angle)
     by_angle = derivative(lambda d: at_gap(law, -depth, angle + d)[0], 0.0, step)[0]
     assert dforce_dgap == pytest.approx(by_gap, rel=1e-10)
     # round-off of the force, over the step
     assert dforce_dangle == pytest.approx(by_angle, abs=1e-12 * force / step)
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("wires", [WIRES, ([1e-3, 1e-3], [120e9, 70e9], [0.34, 0.2])], ids=["unequal", "equal radii"])
+@pytest.mark.parametrize("angle", [0.02, 0.3, 1.0, 1.5, np.pi / 2 - 1e-4, np.pi / 2, 2.5])
+def test_derivatives_of_the_energy_by_the_angle(law, wires, angle):
+    def energies(d):
+        values, info = _core.f2py_contact.normal_force(NORMAL_LAWS[law], DATA[law], -1e-6, *wires, angle + d)
+        assert info == 0
+        return values[[3, 4]]
+
+    energy, by_angle, by_angle_twice = at_gap_of(law, wires, angle)
+    step = 4e-3 * min(1.0, angle)
+    first, second = derivative(energies, 0.0, step)
+    assert by_angle == pytest.approx(first, abs=1e-12 * energy / step)
+    assert by_angle_twice == pytest.approx(second, abs=1e-9 * energy / min(1.0, angle) ** 2)
+
+
+def at_gap_of(law, wires, angle):
+    """Energy and its two derivatives by the angle."""
+    return _core.f2py_contact.normal_force(NORMAL_LAWS[law], DATA[law], -1e-6, *wires, angle)[0][3:]
 
 
 @pytest.mark.parametrize("law", LAWS)

@@ -653,13 +653,12 @@ contains
                - load(first:last, node), v(first:last, node))/2
          end do
       end associate
-      call add_angle_term(problem, v, product)
+      call add_modulus_term(problem, v, product)
       where (problem%equations%number == 0) product = 0
    end function tangent_times
 
-   !> How the angle between the wires changes the force of each contact: `-dF/dpsi dgap (dpsi . v)`, as far as the angle
-   !> of the law is that of the axes; and likewise the elasticity of its places, with which an elastic force goes.
-   subroutine add_angle_term(problem, v, product)
+   !> How the elasticity of the places of each contact changes, with which an elastic force goes.
+   subroutine add_modulus_term(problem, v, product)
       type(problem_t), intent(in) :: problem
       real(dp), intent(in) :: v(:, :)
       real(dp), intent(inout) :: product(:, :)
@@ -671,13 +670,10 @@ contains
             if (.not. point%closed) cycle
             nodes = [problem%model%connectivity(:, point%element_bar), problem%model%connectivity(:, point%element)]
             term = -point%force*slope_of_modulus(problem, point, reshape(v(1:6, nodes), [24]))*point%kinematics%dgap
-            term = term - point%at_gap%dforce_dangle*(1 - point%lens_share) &
-               *cos(point%kinematics%angle)/cos(point%law_angle)*point%kinematics%dgap &
-               *dot_product(point%kinematics%dangle, reshape(v(1:6, nodes), [24]))
             product(1:6, nodes) = product(1:6, nodes) + reshape(term, [6, 4])
          end associate
       end do
-   end subroutine add_angle_term
+   end subroutine add_modulus_term
 
    !> How ln E* of a contact's places changes as they move by `v`; 0 of a penalty.
    real(dp) function slope_of_modulus(problem, point, v) result(slope)

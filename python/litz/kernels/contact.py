@@ -162,8 +162,8 @@ def contact_em(
     -----
     D. P. Boso, P. Litewka, B. A. Schrefler, P. Wriggers, Electric-mechanical beam-to-beam contact. The upper right
     block (24, 4) of `K` is zero. `contact_coupling` gives the parts of the lower left block. The formulas are in
-    ``docs/theory.md`` and in ``fortran/kernels/contact_kinematics.f90``, ``contact_mechanics.f90`` and
-    ``contact_electricity.f90``.
+    ``docs/theory.md`` and in ``fortran/kernels/contact_kinematics.f90``, ``contact_mechanics.f90``,
+    ``contact_turning.f90`` and ``contact_electricity.f90``.
 
     Examples
     --------
