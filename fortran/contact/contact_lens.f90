@@ -67,8 +67,8 @@ contains
       end do
    end function half_length_of
 
-   !> How far the overlap of a contact reaches along two of its legs that begin at an end or joint [m]: where the contact
-   !> is, or next to it.
+   !> How far the overlap of a contact reaches along two of its legs that begin at an end or joint [m]: where the
+   !> contact is, or next to it.
    pure real(dp) function half_length_on(point, bar, leg, largest_overlap) result(half_length)
       type(contact_point_t), intent(in) :: point
       !> Of the barred and the unbarred wire

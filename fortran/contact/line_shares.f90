@@ -21,7 +21,8 @@ module litz_line_shares
    use litz_model, only: model_t
    use litz_normal_forces, only: wires_of
    use litz_normal_law, only: normal_law_t
-   use litz_shares_at_ends, only: own_t, share_end, share_on_legs, share_along, share_of_lens, half_pass, resolution, least_sine
+   use litz_shares_at_ends, only: own_t, share_end, share_on_legs, share_along, share_of_lens, half_pass, resolution, &
+      least_sine
    use litz_wires, only: wires_t
    implicit none
    private

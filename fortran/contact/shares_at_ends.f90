@@ -4,7 +4,8 @@
 !> more where little is left for places. Source: theory section 10.
 module litz_shares_at_ends
    use litz_kinds, only: dp
-   use litz_contact_lens, only: half_length_on, angle_of_axes, flatness, least_bend, deepest, least_overlap, small_sine, moderate_sine
+   use litz_contact_lens, only: half_length_on, angle_of_axes, flatness, least_bend, deepest, least_overlap, &
+      small_sine, moderate_sine
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_place_t, leg_t, is_contact_of
    use litz_cut_lens, only: is_cut
    use litz_element_library, only: elements_t
@@ -33,8 +34,8 @@ module litz_shares_at_ends
    !> The overlap of two legs at a joint counts as no longer, in smaller radii: longer ones are the matter of places
    real(dp), parameter :: longest = 2
 
-   !> What a crossing has where it lies: share of the places there, length of what ends leave of its overlap [m], and the
-   !> sine that its law sees.
+   !> What a crossing has where it lies: share of the places there, length of what ends leave of its overlap [m], and
+   !> the sine that its law sees.
    type :: own_t
       real(dp) :: line_share = 0, length = 0, sine = 1
    end type own_t
@@ -57,9 +58,9 @@ contains
       if (count(point%held) == 1) call leave_to_twin(wires, contact%points, point)
    end subroutine share_end
 
-   !> What a contact carries: of each of its legs, by what its cylinder has of the force, all but the share of the places
-   !> there. Next to a joint these are the stretch on which it lies and the legs beyond the joint. The law sees the mean
-   !> length of what is left of their overlaps.
+   !> What a contact carries: of each of its legs, by what its cylinder has of the force, all but the share of the
+   !> places there. Next to a joint these are the stretch on which it lies and the legs beyond the joint. The law sees
+   !> the mean length of what is left of their overlaps.
    pure subroutine share_on_legs(law, wires, elements, contact, by_place, own, point)
       type(normal_law_t), intent(in) :: law
       type(wires_t), intent(in) :: wires
