@@ -39,6 +39,7 @@ DECKS = [
     "16_bent_strand",
     "17_knot",
     "18_rod_over_drum",
+    "19_fuse",
 ]
 THIN_COPPER = {"radius": 0.1e-3, "young": 120e9, "poisson": 0.34, "resistivity": 1 / 58.8e6}
 
@@ -411,6 +412,30 @@ def test_current_passes_through_a_lap_as_between_two_conducting_lines(results_of
             joint.lap_current(x[:-1]) + joint.lap_current(x[1:]) + 4 * joint.lap_current(x[:-1] + 0.5e-3)
         ) / 6
         np.testing.assert_allclose(current[10:] / current[0], mean_current, atol=0.01)
+
+
+def test_a_fuse_melts_as_if_its_middle_were_alone(results_of, header):
+    """Joule heat goes into the specific heat and, at the melting point, into the latent heat: Onderdonk's formula."""
+    results = results_of("19_fuse")
+    room, solidus, liquidus = 293.15, 1357.0, 1358.0
+    slope, conductivity, per_volume, current = 3.93e-3, 390.0, 8960.0 * 385.0, 60.0
+    resistivity, area = 1.72e-8, math.pi * 1e-4**2
+    rate = (current / area) ** 2 * resistivity * slope / per_volume
+    rows = header("19_fuse")
+    assert len(rows) == 4
+    middle = results.history["NT node 11"]
+    for time, temperature in rows:
+        assert temperature == pytest.approx(room + math.expm1(rate * time) / slope, abs=0.006)
+        assert middle[at(results, time)] == pytest.approx(temperature, abs=0.1)
+    begins = math.log1p(slope * (solidus - room)) / rate
+    at_solidus = resistivity * (1 + slope * (solidus - room))
+    latent = 8960.0 * 205e3 + per_volume * (liquidus - solidus)
+    molten = begins + latent / ((current / area) ** 2 * at_solidus)
+    # within an increment
+    assert results.times[middle > solidus][0] == pytest.approx(begins, abs=1e-4)
+    assert results.times[middle > liquidus][0] == pytest.approx(molten, abs=1e-4)
+    # what the head of the deck says that it could carry for good, with its ends held
+    assert math.pi * area / 0.02 * math.sqrt(conductivity / (resistivity * slope)) == pytest.approx(11.85, abs=0.005)
 
 
 def test_a_rod_is_drawn_over_a_drum_as_an_exact_elastica_with_friction(results_of, header):
