@@ -329,7 +329,9 @@ class TestLens:
     @pytest.mark.parametrize("sine", [0.01, 0.3, 0.9])
     def test_derivatives(self, laws, sine):
         gap, angle = -3e-8, np.arcsin(sine)
-        (_, force, by_gap, by_angle, _, energy_by_angle), (_, spot_by_gap, spot_by_angle, _) = self.lens(gap, sine, **laws)
+        (_, force, by_gap, by_angle, _, energy_by_angle), (_, spot_by_gap, spot_by_angle, _) = self.lens(
+            gap, sine, **laws
+        )
 
         def at(gap, angle):
             normal, spot = self.lens(gap, np.sin(angle), **laws)
