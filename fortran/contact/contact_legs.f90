@@ -259,7 +259,7 @@ contains
       point%legs = [point%legs, leg_t(side=view%side, element=way%element, xi=way%xi, arc=arc, &
          at_contact=joint%from == 0, tilt=way%slope, bend=way%profile_bend, bend_of_law=way%profile_bend &
          *(1 - way%tilt**2)/max(1 - way%slope**2, least_sine**2), along=-way%xi*way%away, &
-         direction=direction/norm2(direction), part=part)]
+         direction=direction/norm2(direction), part=part, overlap=joint%overlap)]
       associate (cylinder => point%present_parts%of_cylinder(view%side))
          cylinder = cylinder + part
       end associate

@@ -67,7 +67,8 @@ contains
       end do
    end function half_length_of
 
-   !> How far the overlap of a contact at an end or joint reaches along two of its legs [m].
+   !> How far the overlap of a contact reaches along two of its legs that begin at an end or joint [m]: where the
+   !> contact is, or next to it.
    pure real(dp) function half_length_on(point, bar, leg, largest_overlap) result(half_length)
       type(contact_point_t), intent(in) :: point
       !> Of the barred and the unbarred wire
@@ -75,16 +76,23 @@ contains
       !> Overlap that counts at most [m]
       real(dp), intent(in) :: largest_overlap
       real(dp) :: overlap, bend(2)
+      logical :: is_wedge(2)
 
       bend = [bar%bend, leg%bend]
       ! the curvature along a leg is that over the other one
       if (all(point%held) .and. .not. all(point%at_end)) bend = max(0.0_dp, 1 - dot_product(bar%along, leg%along)**2 &
          - [bar%tilt, leg%tilt]**2)/point%kinematics%distance
       ! at first touch a tilt of round-off would tell lines from ends
-      overlap = max(min(-point%gap, largest_overlap), least_overlap*point%kinematics%distance)
+      overlap = min(-point%gap, largest_overlap)
+      is_wedge = point%held
+      if (.not. any(point%held)) then
+         is_wedge = .not. [bar%at_contact, leg%at_contact]
+         overlap = min(overlap, minval([bar%overlap, leg%overlap], is_wedge))
+      end if
+      overlap = max(overlap, least_overlap*point%kinematics%distance)
       half_length = huge(half_length)
-      if (point%held(1)) half_length = wedge_length(bar%tilt, bend(1), overlap)
-      if (point%held(2)) half_length = min(half_length, wedge_length(leg%tilt, bend(2), overlap))
+      if (is_wedge(1)) half_length = wedge_length(bar%tilt, bend(1), overlap)
+      if (is_wedge(2)) half_length = min(half_length, wedge_length(leg%tilt, bend(2), overlap))
    end function half_length_on
 
    !> How far an overlap reaches from the end of a wire on, where the distance grows:

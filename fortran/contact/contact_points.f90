@@ -46,6 +46,8 @@ module litz_contact_points
       real(dp) :: tilt = 0, bend = 0
       !> Curvature as the law sees it, which takes a part of the tilt for a bend [1/m]
       real(dp) :: bend_of_law = 0
+      !> Overlap at the joint [m]
+      real(dp) :: overlap = 0
       !> Unit vectors along the axis of the element (3), and as the law sees it
       real(dp) :: along(3) = 0, direction(3) = 0
       !> What its cylinder has of the force, in parts of what a cylinder would have alone

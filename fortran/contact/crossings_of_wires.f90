@@ -1,9 +1,10 @@
 !> The crossings of each two wires, in order along them, so that those near a place are found without a look at all.
 !>
-!> Each crossing is there twice, along either of its wires; one at a joint along each of the wires that meet there.
+!> Each crossing is there twice, along either of its wires; one at or near a joint along each of the wires that meet
+!> there.
 module litz_crossings_of_wires
    use litz_kinds, only: dp
-   use litz_contact_points, only: contact_point_t, is_contact_of
+   use litz_contact_points, only: contact_point_t, leg_t, is_contact_of
    use litz_wires, only: wires_t
    implicit none
    private
@@ -16,8 +17,10 @@ module litz_crossings_of_wires
       !> Number of the crossing, and whether its barred wire is `other`
       integer :: crossing = 0
       logical :: is_turned = .false.
-      !> At a joint: which of its legs lie on the barred and on the unbarred wire (2)
+      !> At a joint, or beyond one: which of its legs lie on the barred and on the unbarred wire (2)
       integer :: legs(2) = 0
+      !> The crossing is not on both wires, but near a joint beyond which its lens goes on along them
+      logical :: is_beyond = .false.
    end type crossing_on_wire_t
 
    type :: crossings_of_wires_t
@@ -39,13 +42,13 @@ contains
       do i = 1, size(crossings)
          if (.not. any(crossings(i)%held)) then
             call add(crossings(i)%element_bar, crossings(i)%element, crossings(i)%arc_bar, crossings(i)%arc, [0, 0], n)
-            cycle
+            if (.not. allocated(crossings(i)%legs)) cycle
          end if
          associate (legs => crossings(i)%legs)
             do bar = 1, size(legs)
                do unbarred = 1, size(legs)
-                  if (is_contact_of(legs(bar), legs(unbarred))) call add(legs(bar)%element, legs(unbarred)%element, &
-                     legs(bar)%arc, legs(unbarred)%arc, [bar, unbarred], n)
+                  if (counts_on(crossings(i), legs(bar), legs(unbarred))) call add(legs(bar)%element, &
+                     legs(unbarred)%element, legs(bar)%arc, legs(unbarred)%arc, [bar, unbarred], n)
                end do
             end do
          end associate
@@ -64,23 +67,39 @@ contains
          integer, intent(in) :: legs(2)
          !> Entries so far
          integer, intent(inout) :: n
+         logical :: is_beyond
 
          associate (wire_bar => wires%wire(element_bar), wire => wires%wire(element))
-            sorted%list(n + 1) = crossing_on_wire_t(wire_bar, wire, arc_bar, arc, i, .false., legs)
-            sorted%list(n + 2) = crossing_on_wire_t(wire, wire_bar, arc, arc_bar, i, .true., legs)
+            is_beyond = any(legs > 0) .and. .not. any(crossings(i)%held)
+            sorted%list(n + 1) = crossing_on_wire_t(wire_bar, wire, arc_bar, arc, i, .false., legs, is_beyond)
+            sorted%list(n + 2) = crossing_on_wire_t(wire, wire_bar, arc, arc_bar, i, .true., legs, is_beyond)
          end associate
          n = n + 2
       end subroutine add
 
    end function sort_crossings
 
+   !> Two legs are a pair of wires along which a crossing has an entry of its own: at a joint where it is, or beyond one
+   !> that is near.
+   elemental logical function counts_on(crossing, bar, leg)
+      type(contact_point_t), intent(in) :: crossing
+      !> Of the barred and of the unbarred wire
+      type(leg_t), intent(in) :: bar, leg
+
+      counts_on = is_contact_of(bar, leg)
+      if (.not. any(crossing%held)) counts_on = bar%side == 1 .and. leg%side == 2 .and. .not. counts_on
+   end function counts_on
+
    !> How many pairs of wires a crossing is one of.
    pure integer function n_entries(crossing)
       type(contact_point_t), intent(in) :: crossing
+      integer :: i
 
-      n_entries = 1
-      if (any(crossing%held)) n_entries = count(crossing%legs%side == 1 .and. crossing%legs%at_contact) &
-         *count(crossing%legs%side == 2 .and. crossing%legs%at_contact)
+      n_entries = merge(0, 1, any(crossing%held))
+      if (.not. allocated(crossing%legs)) return
+      do i = 1, size(crossing%legs)
+         n_entries = n_entries + count(counts_on(crossing, crossing%legs(i), crossing%legs))
+      end do
    end function n_entries
 
    !> Source: merge sort from the bottom up, O(n log n).
@@ -175,7 +194,7 @@ contains
       integer, intent(out) :: nearest
       !> Its distance along the wire of the place [m]
       real(dp), intent(out) :: least
-      !> At a joint: its legs that are these wires, barred first (2)
+      !> At or beyond a joint: its legs that are these wires, barred first (2)
       integer, intent(out) :: legs(2)
       real(dp) :: distance, beyond
       integer :: own, other, i
@@ -224,12 +243,13 @@ contains
       longest = maxval([0.0_dp, half_length])
       do i = 1, size(self%list)
          associate (a => self%list(i))
-            if (a%is_turned .or. .not. half_length(a%crossing) > 0) cycle
+            if (a%is_turned .or. a%is_beyond .or. .not. half_length(a%crossing) > 0) cycle
             do k = i + 1, size(self%list)
                associate (b => self%list(k))
                   if (b%own /= a%own .or. b%other /= a%other) exit
                   if (wires%circumference(a%own) <= 0 .and. b%arc - a%arc > 1.001_dp*(half_length(a%crossing) &
                      + longest)) exit
+                  if (b%is_beyond) cycle
                   if (b%is_turned .or. b%crossing == a%crossing .or. .not. half_length(b%crossing) > 0) cycle
                   together = half_length(a%crossing) + half_length(b%crossing)
                   if (wires%arc_between(a%own, a%arc, b%arc) < together .and. wires%arc_between(a%other, &

@@ -21,8 +21,8 @@ module litz_line_shares
    use litz_model, only: model_t
    use litz_normal_forces, only: wires_of
    use litz_normal_law, only: normal_law_t
-   use litz_shares_at_ends, only: share_end, share_along, share_beside_places, divide_share, share_of_lens, half_pass, &
-      resolution, least_sine
+   use litz_shares_at_ends, only: own_t, share_end, share_on_legs, share_along, share_of_lens, half_pass, resolution, &
+      least_sine
    use litz_wires, only: wires_t
    implicit none
    private
@@ -104,6 +104,7 @@ contains
       type(contact_set_t), intent(in) :: contact
       type(points_by_place_t), intent(in) :: by_place
       type(contact_point_t), intent(inout) :: point
+      type(own_t) :: own
       real(dp) :: half_length, radius
 
       ! an iterate in which the wires have passed each other tells nothing
@@ -115,20 +116,18 @@ contains
          call share_end(law, wires, elements, contact, by_place, point)
          return
       end if
-      point%lens_sine = lens_sine(point%kinematics)
-      if (point%lens%is_near_joint) point%lens_sine = point%lens_sine*sin(point%lens%angle) &
-         /sin(point%kinematics%angle)
       radius = minval(point%radius)
       half_length = half_length_of(point, deepest*radius)
-      point%weight = 1 - line_share_at(wires, elements, contact, by_place, point)
-      call divide_share(point%weight, share_beside_places(elements, contact%places, [point%element_bar, &
-         point%element], point%weight, merge(min(half_length, lap_at_crossing(wires, elements, point)), huge(radius), &
-         all(point%lens%near))), point)
       point%section_share = share_of_line(half_length/radius)
       ! a penalty does not depend on the far field
       if (law%line_penalty() > 0) point%section_share = 0
       point%spot_section = max(point%section_share, share_of_kept(point, radius))
-      point%lens_share = share_of_lens(law, point)
+      point%lens_sine = lens_sine(point%kinematics)
+      point%lens_share = share_of_lens(law, point, point%kinematics%angle)
+      own%line_share = line_share_at(wires, elements, contact, by_place, point)
+      own%length = merge(min(half_length, lap_at_crossing(wires, elements, point)), huge(radius), all(point%lens%near))
+      own%sine = (1 - point%lens_share)*sin(point%kinematics%angle) + point%lens_share*point%lens_sine
+      call share_on_legs(law, wires, elements, contact, by_place, own, point)
    end subroutine share_crossing
 
    !> Share of the contact that is carried along the line where two wires cross: of both passes, as their places have
@@ -266,9 +265,9 @@ contains
                   + 2*spacing_of_places(contact%places, pair, length)
             end if
             call sorted%find_nearest(wires, reach, reach + 2*sum(elements%radius(pair)), point, i, distance, legs)
-            ! a wedge is cut by an end, and not by a crossing
+            ! a wedge is cut by an end or joint, and not by a crossing
             if (i > 0) then
-               if (bend > 0 .or. any(contact%points(i)%held)) call share_with(contact%points(i), legs, &
+               if (bend > 0 .or. any(legs > 0)) call share_with(contact%points(i), legs, &
                   contact%places, elements, point)
             end if
             ! the lens is still open
@@ -316,6 +315,8 @@ contains
             if (.not. half_length(nearest) > 0) cycle
             length = half_length(nearest)
             associate (crossing => contact%points(nearest))
+               ! what goes on beyond a joint is as long as the leg there
+               if (any(legs > 0) .and. .not. any(crossing%held)) cycle
                if (any(crossing%held)) length = half_length_on(crossing, crossing%legs(legs(1)), &
                   crossing%legs(legs(2)), huge(length))
             end associate
@@ -329,7 +330,7 @@ contains
    !> of the lens.
    pure subroutine share_with(crossing, legs, places, elements, point)
       type(contact_point_t), intent(in) :: crossing
-      !> At an end or joint: its legs on the wires of the point, barred first (2)
+      !> At an end or joint, or beyond one: its legs on the wires of the point, barred first (2)
       integer, intent(in) :: legs(2)
       type(line_places_t), intent(in) :: places
       type(elements_t), intent(in) :: elements
@@ -340,7 +341,7 @@ contains
 
       if (crossing%is_long .or. .not. has_lens(crossing)) return
       radius = minval(crossing%radius)
-      if (any(crossing%held)) then
+      if (any(legs > 0)) then
          associate (bar => crossing%legs(legs(1)), leg => crossing%legs(legs(2)))
             pair = [bar%element, leg%element]
             half_length = half_length_on(crossing, bar, leg, deepest*radius)
@@ -355,7 +356,7 @@ contains
       point%section_share = share_of_line(half_length/radius)
       point%spot_section = point%section_share
       ! next to an end the overlap is a wedge
-      point%in_lens = .not. any(crossing%held)
+      point%in_lens = .not. any(legs > 0)
       call bound_field(crossing, half_length, radius, point)
       if (.not. point%in_lens) return
       point%kept_overlap = crossing%kept_overlap

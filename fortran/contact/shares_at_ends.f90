@@ -4,7 +4,8 @@
 !> more where little is left for places. Source: theory section 10.
 module litz_shares_at_ends
    use litz_kinds, only: dp
-   use litz_contact_lens, only: half_length_on, angle_of_axes, flatness, least_bend, deepest, small_sine, moderate_sine
+   use litz_contact_lens, only: half_length_on, angle_of_axes, flatness, least_bend, deepest, least_overlap, &
+      small_sine, moderate_sine
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_place_t, leg_t, is_contact_of
    use litz_cut_lens, only: is_cut
    use litz_element_library, only: elements_t
@@ -12,10 +13,11 @@ module litz_shares_at_ends
    use litz_line_laps, only: lap_from_end
    use litz_line_places, only: line_places_t, place_at, spacing_of_places
    use litz_normal_law, only: normal_law_t
+   use litz_rotations, only: cross
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: share_end, share_along, share_beside_places, divide_share, share_of_lens
+   public :: own_t, share_end, share_on_legs, share_along, share_of_lens
    public :: half_pass, resolution, least_sine
 
    !> Weight of one of the two passes
@@ -27,6 +29,16 @@ module litz_shares_at_ends
 
    !> Cosine of the angle between wires that lie along each other (15 degrees)
    real(dp), parameter :: along_each_other = 0.966_dp
+   !> Least part of a force that counts in a mean
+   real(dp), parameter :: tiny_part = 1.0e-100_dp
+   !> The overlap of two legs at a joint counts as no longer, in smaller radii: longer ones are the matter of places
+   real(dp), parameter :: longest = 2
+
+   !> What a crossing has where it lies: share of the places there, length of what ends leave of its overlap [m], and
+   !> the sine that its law sees.
+   type :: own_t
+      real(dp) :: line_share = 0, length = 0, sine = 1
+   end type own_t
 
 contains
 
@@ -39,33 +51,92 @@ contains
       type(contact_set_t), intent(in) :: contact
       type(points_by_place_t), intent(in) :: by_place
       type(contact_point_t), intent(inout) :: point
-      real(dp) :: radius, of_crossing, part, parts, of_cylinders, of_ends
+
+      point%lens_sine = sine_at_end(point, minval(point%radius))
+      point%lens_share = share_of_lens(law, point, angle_of_axes(point))
+      call share_on_legs(law, wires, elements, contact, by_place, own_t(), point)
+      if (count(point%held) == 1) call leave_to_twin(wires, contact%points, point)
+   end subroutine share_end
+
+   !> What a contact carries: of each of its legs, by what its cylinder has of the force, all but the share of the
+   !> places there. Next to a joint these are the stretch on which it lies and the legs beyond the joint. The law sees
+   !> the mean length of what is left of their overlaps.
+   pure subroutine share_on_legs(law, wires, elements, contact, by_place, own, point)
+      type(normal_law_t), intent(in) :: law
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(contact_set_t), intent(in) :: contact
+      type(points_by_place_t), intent(in) :: by_place
+      !> Of a crossing
+      type(own_t), intent(in) :: own
+      type(contact_point_t), intent(inout) :: point
+      real(dp) :: part, parts, of_crossing, of_cylinders, of_ends, length, sine, left, over_sine, of_own
       integer :: i, j
 
-      radius = minval(point%radius)
+      if (.not. allocated(point%legs)) then
+         call divide_share(1 - own%line_share, share_beside_places(elements, contact%places, [point%element_bar, &
+            point%element], 1 - own%line_share, own%length), point)
+         return
+      end if
       parts = 0
       of_cylinders = 0
+      left = 0
+      over_sine = 0
+      of_own = 0
       of_ends = 1
       do i = 1, size(point%legs)
          do j = 1, size(point%legs)
             associate (bar => point%legs(i), leg => point%legs(j))
-               if (.not. is_contact_of(bar, leg)) cycle
-               of_crossing = 1 - line_share_on(wires, elements, contact, by_place, bar, leg)
-               ! equal parts where no cylinder has any
-               part = max(bar%part*leg%part, tiny(part))
+               if (.not. (bar%side == 1 .and. leg%side == 2)) cycle
+               if (any(point%held) .and. .not. is_contact_of(bar, leg)) cycle
+               of_crossing = 1 - own%line_share
+               length = own%length
+               sine = own%sine
+               if (any(point%held) .or. .not. is_contact_of(bar, leg)) then
+                  of_crossing = 1 - line_share_on(wires, elements, contact, by_place, bar, leg)
+                  length = min(half_length_on(point, bar, leg, deepest*minval(point%radius)), &
+                     lap_on(wires, elements, point, bar, leg))
+                  sine = sine_on(law, point, bar, leg)
+               end if
+               ! equal parts where no cylinder has any, or places carry all
+               part = max(bar%part*leg%part, tiny_part)
                parts = parts + part
                of_cylinders = of_cylinders + part*of_crossing
+               part = part*max(of_crossing, tiny_part)
+               left = left + part
+               over_sine = over_sine + part/sine
+               if (is_contact_of(bar, leg)) of_own = of_own + part
                of_ends = min(of_ends, share_beside_places(elements, contact%places, [bar%element, leg%element], &
-                  of_crossing, min(half_length_on(point, bar, leg, deepest*radius), lap_on(wires, elements, point, &
-                  bar, leg))))
+                  of_crossing, length))
             end associate
          end do
       end do
       call divide_share(of_cylinders/parts, of_ends, point)
-      if (count(point%held) == 1) call leave_to_twin(wires, contact%points, point)
-      point%lens_sine = sine_at_end(point, radius)
-      point%lens_share = share_of_lens(law, point)
-   end subroutine share_end
+      if (.not. point%lens%is_near_joint) return
+      point%lens_sine = left/over_sine
+      point%lens_share = 1
+      point%section_share = point%section_share*of_own/left
+   end subroutine share_on_legs
+
+   !> Sine that the law sees of two legs that meet at a joint.
+   pure real(dp) function sine_on(law, point, bar, leg) result(sine)
+      type(normal_law_t), intent(in) :: law
+      type(contact_point_t), intent(in) :: point
+      !> Of the barred and of the unbarred wire
+      type(leg_t), intent(in) :: bar, leg
+      real(dp) :: bend, of_axes, radius, share
+      logical :: begins(2)
+
+      radius = minval(point%radius)
+      of_axes = norm2(cross(bar%direction, leg%direction))
+      begins = point%held .or. .not. [bar%at_contact, leg%at_contact]
+      bend = merge(bar%bend_of_law, leg%bend_of_law, begins(1))
+      if (all(begins)) bend = of_axes**2/point%kinematics%distance
+      share = share_of_lens(law, point, asin(min(1.0_dp, of_axes)))
+      sine = (1 - share)*of_axes + share*sqrt(point%kinematics%distance*max(0.0_dp, bend))
+      sine = min(1.0_dp, max(sine, sqrt(point%kinematics%distance*least_bend(0.0_dp, max(least_overlap &
+         *point%kinematics%distance, min(-point%gap, deepest*radius)), longest*radius))))
+   end function sine_on
 
    !> Share of the contact at an end or joint that is carried along the line of two of its legs.
    pure real(dp) function line_share_on(wires, elements, contact, by_place, bar, leg) result(share)
@@ -221,12 +292,14 @@ contains
    end subroutine divide_share
 
    !> How much the lens counts beside the angle of the axes.
-   pure real(dp) function share_of_lens(law, point) result(share)
+   pure real(dp) function share_of_lens(law, point, angle) result(share)
       type(normal_law_t), intent(in) :: law
       type(contact_point_t), intent(in) :: point
+      !> [rad]
+      real(dp), intent(in) :: angle
 
       share = max(point%section_share, &
-         1 - smooth_step((sin(angle_of_axes(point)) - small_sine)/(moderate_sine - small_sine)))
+         1 - smooth_step((sin(angle) - small_sine)/(moderate_sine - small_sine)))
       if (law%is_per_length_only()) share = 1
    end function share_of_lens
 
