@@ -12,7 +12,7 @@ module litz_contact_term
    use litz_contact_tangents, only: follow_centre_line
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
-   use litz_fields, only: field_potential, group_transport, potential_slots, temperature_slots
+   use litz_fields, only: field_potential, group_transport, potential_slots
    use litz_friction_iteration, only: friction_iteration_t
    use litz_line_points, only: locate_line_points
    use litz_line_shares, only: share_crossings, renew_shares
@@ -344,8 +344,7 @@ contains
       associate (contact => self%contact)
          call add_contact_energies(contact, contact%converged, contact%points, energies)
          call add_contact_energies(contact, contact%converged_line_points, contact%line_points, energies)
-         associate (before => domain%state%value(temperature_slots(1), :), &
-            now => domain%iterate%value(temperature_slots(1), :))
+         associate (before => domain%state%mechanical_temperature, now => domain%mechanical_temperature())
             energies%thermal = energies%thermal + work_of_swelling(domain%model, domain%elements, before, now, &
                contact%converged, contact%points) + work_of_swelling(domain%model, domain%elements, before, now, &
                contact%converged_line_points, contact%line_points) + work_of_softening(domain%model, domain%elements, &

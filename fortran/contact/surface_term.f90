@@ -10,7 +10,7 @@ module litz_surface_term
    use litz_errors, only: error_t
    use litz_contact_energies, only: work_on_surfaces, softening_on_surfaces
    use litz_element_library, only: material_at, material_place_t
-   use litz_fields, only: motion_slots, temperature_slots
+   use litz_fields, only: motion_slots
    use litz_contact_kinematics, only: n_motions
    use litz_friction_iteration, only: friction_iteration_t, predict_friction, forget_friction
    use litz_friction_law, only: friction_law_t, friction_start_t
@@ -403,10 +403,10 @@ contains
                + heat_of_opening(domain, cells(i))
          end do
          energies%thermal = energies%thermal + work_on_surfaces(domain%model, domain%elements, &
-            domain%state%value(temperature_slots(1), :), domain%iterate%value(temperature_slots(1), :), cells%element, &
+            domain%state%mechanical_temperature, domain%mechanical_temperature(), cells%element, &
             (cells%force + merge(cells%memory%start%force, 0.0_dp, cells%memory%closed))/2)
          energies%thermal = energies%thermal + softening_on_surfaces(domain%model, domain%elements, &
-            domain%state%value(temperature_slots(1), :), pack(cells%element, is_elastic), &
+            domain%state%mechanical_temperature, pack(cells%element, is_elastic), &
             pack(cells%overlap%nearest, is_elastic), pack(cells%memory%energy, is_elastic), &
             pack(cells%energy, is_elastic))
       end associate

@@ -109,6 +109,8 @@ module litz_state
       !> What the elements take up of the heat (n_elements) [W], and the temperatures when the last increment began
       !> (n_nodes) [K]
       real(dp), allocatable :: heat_stored(:), temperature_before(:)
+      !> Temperatures that the mechanics sees: those of the last increment that solved for motions (n_nodes) [K]
+      real(dp), allocatable :: mechanical_temperature(:)
       !> Current per area of the cross-section (n_elements) [A/m^2]
       real(dp), allocatable :: current_density(:)
       !> Forces on the nodes from what is neither in the model nor a support or load: damping (n_slots, n_nodes)

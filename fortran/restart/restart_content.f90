@@ -35,8 +35,10 @@ contains
          call exchange_wires(arrays, state, error)
          call arrays%array('rotation_matrix', state%rotation, error)
          call exchange_slots(arrays, 'damping', state%damping, slots, error)
-         if (state%has_field(field_temperature)) call arrays%array('temperature_before', state%temperature_before, &
-            error)
+         if (state%has_field(field_temperature)) then
+            call arrays%array('temperature_before', state%temperature_before, error)
+            call arrays%array('mechanical_temperature', state%mechanical_temperature, error)
+         end if
          call exchange_marks(arrays, 'loading_fixed', loading%fixed, slots, error)
          call exchange_slots(arrays, 'loading_start_value', loading%start_value, slots, error)
          call exchange_slots(arrays, 'loading_start_load', loading%start_load, slots, error)

@@ -20,7 +20,8 @@ contains
       type(error_t), allocatable, intent(out) :: error
       integer :: i
 
-      call heat_elements(problem%model, problem%iterate%value(temperature_slots(1), :), problem%elements)
+      call heat_elements(problem%model, problem%iterate%value(temperature_slots(1), :), &
+         problem%mechanical_temperature(), problem%elements)
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%locate(problem%domain_t, error)
          if (allocated(error)) return

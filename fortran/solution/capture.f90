@@ -27,6 +27,7 @@ contains
       associate (state => problem%state, iterate => problem%iterate, loading => problem%loading, &
          internal => problem%forces%internal, first => first_slot(field_rotation), last => last_slot(field_rotation))
          state%energies = energies
+         state%mechanical_temperature = problem%mechanical_temperature()
          state%value = iterate%value
          state%rotation = iterate%rotation
          do node = 1, problem%model%n_nodes

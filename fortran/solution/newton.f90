@@ -229,7 +229,8 @@ contains
          end where
       end associate
       problem%is_far = .true.
-      call heat_elements(problem%model, problem%iterate%value(temperature_slots(1), :), problem%elements)
+      call heat_elements(problem%model, problem%iterate%value(temperature_slots(1), :), &
+         problem%mechanical_temperature(), problem%elements)
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%start(problem%domain_t)
       end do

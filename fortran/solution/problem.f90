@@ -76,6 +76,7 @@ contains
          allocate (state%contacts(0), state%surface_contacts(0))
          state%has_field = problem%model%has_field
          state%value = initial_values(problem%model)
+         state%mechanical_temperature = state%value(temperature_slots(1), :)
          state%rotation = spread(identity3, 3, n)
       end associate
    end subroutine start_state

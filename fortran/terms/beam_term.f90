@@ -7,7 +7,7 @@ module litz_beam_term
    use litz_domain, only: domain_t
    use litz_element_library, only: heated_beam_t, beam_at_temperature, evaluate_beam
    use litz_errors, only: error_t
-   use litz_fields, only: first_slot, last_slot, field_rotation, motion_slots, temperature_slots
+   use litz_fields, only: first_slot, last_slot, field_rotation, motion_slots
    use litz_model, only: step_t
    use litz_parallel, only: worth_threads
    use litz_scatter, only: chunk
@@ -201,7 +201,7 @@ contains
       integer :: i
 
       work = 0
-      associate (elements => domain%elements, temperature => domain%state%value(temperature_slots(1), :))
+      associate (elements => domain%elements, temperature => domain%state%mechanical_temperature)
          do i = 1, size(elements%heated)
             associate (e => elements%heated(i), length => elements%length(elements%heated(i)))
                before = beam_at_temperature(domain%model, elements, i, &

@@ -4,7 +4,7 @@ module litz_domain
    use litz_dependent_cells, only: scatter_dependent
    use litz_element_library, only: elements_t
    use litz_equations, only: equations_t, system_t
-   use litz_fields, only: n_groups, depends_on, fields, field_of_slot, temperature_slots
+   use litz_fields, only: n_groups, depends_on, fields, field_displacement, field_of_slot, temperature_slots
    use litz_iterate, only: iterate_t
    use litz_loading, only: loading_t
    use litz_model, only: model_t
@@ -37,6 +37,7 @@ module litz_domain
       procedure :: mark_nodes
       procedure :: conduction_length
       procedure :: mean_temperature
+      procedure :: mechanical_temperature
       procedure :: resistivity
    end type domain_t
 
@@ -77,6 +78,16 @@ contains
 
       mean_temperature = sum(self%iterate%value(temperature_slots(1), self%model%connectivity(:, element)))/2
    end function mean_temperature
+
+   !> Temperatures that strains, radii, gaps and elasticities see: the present ones, or where motions are held those of
+   !> the last increment that solved for motions (n_nodes) [K].
+   pure function mechanical_temperature(self) result(temperature)
+      class(domain_t), intent(in) :: self
+      real(dp) :: temperature(self%model%n_nodes)
+
+      temperature = merge(self%iterate%value(temperature_slots(1), :), self%state%mechanical_temperature, &
+         self%loading%solves(field_displacement))
+   end function mechanical_temperature
 
    !> Of a conducting element at its mean temperature.
    pure subroutine resistivity(self, element, rho, drho)

@@ -35,8 +35,9 @@ module litz_element_library
       real(dp), allocatable :: resistivity(:)
       !> Elements whose resistivity depends on the temperature (n)
       integer, allocatable :: thermal_resistors(:)
-      !> Present temperatures of the nodes of each element, where some element depends on them (2, n_elements) [K]
-      real(dp), allocatable :: temperature(:, :)
+      !> Present temperatures of the nodes of each element, where some element depends on them, and those that its
+      !> mechanics sees (2, n_elements) [K]
+      real(dp), allocatable :: temperature(:, :), mechanical_temperature(:, :)
       !> Area, and contact radius at mid length (n_elements) [m^2, m]
       real(dp), allocatable :: area(:), radius(:)
       !> How much larger the contact radius is at the second node than at mid length, linear in between (n_elements) [m]
@@ -154,22 +155,22 @@ contains
       allocate (elements%initial_temperature(2, size(elements%heated)))
       elements%thermal_resistors = pack([(e, e=1, n)], [(has_thermal_resistivity(model%materials(model%sections( &
          model%element_section(e))%material)), e=1, n)])
-      allocate (elements%temperature(2, n), source=0.0_dp)
+      allocate (elements%temperature(2, n), elements%mechanical_temperature(2, n), source=0.0_dp)
    end subroutine prepare_elements
 
-   !> Properties at the present temperatures.
-   subroutine heat_elements(model, temperature, elements)
+   !> Properties at the present temperatures; the mechanics is that of the last motions where these are held.
+   subroutine heat_elements(model, temperature, mechanical_temperature, elements)
       type(model_t), intent(in) :: model
-      !> (n_nodes) [K]
-      real(dp), intent(in) :: temperature(:)
+      !> Present ones, and those that the mechanics sees (n_nodes) [K]
+      real(dp), intent(in) :: temperature(:), mechanical_temperature(:)
       type(elements_t), intent(inout) :: elements
       type(heated_beam_t) :: beam
       real(dp) :: mean, swelling(2), slope
       integer :: i
 
       if (size(elements%heated) + size(elements%thermal_resistors) == 0) return
-      elements%temperature = reshape(temperature(reshape(model%connectivity, [size(model%connectivity)])), &
-         shape(elements%temperature))
+      elements%temperature = by_element(temperature)
+      elements%mechanical_temperature = by_element(mechanical_temperature)
       do i = 1, size(elements%thermal_resistors)
          associate (e => elements%thermal_resistors(i))
             call property_at(model%materials(model%sections(model%element_section(e))%material)%resistivity, &
@@ -178,21 +179,33 @@ contains
       end do
       do i = 1, size(elements%heated)
          associate (e => elements%heated(i))
-            mean = sum(temperature(model%connectivity(:, e)))/2
+            mean = sum(elements%mechanical_temperature(:, e))/2
             beam = beam_at_temperature(model, elements, i, mean)
             elements%stiffness(:, e) = beam%stiffness
             elements%rigidity(:, e) = beam%rigidity
             elements%thermal_strain(e) = beam%thermal_strain
             associate (section => model%sections(model%element_section(e)))
-               swelling = end_swelling(model, elements, i, temperature)
+               swelling = end_swelling(model, elements, i, mechanical_temperature)
                elements%radius(e) = section%contact_radius + sum(swelling)/2
                elements%taper(e) = (swelling(2) - swelling(1))/2
             end associate
          end associate
       end do
+
+   contains
+
+      pure function by_element(nodal) result(values)
+         !> (n_nodes)
+         real(dp), intent(in) :: nodal(:)
+         real(dp) :: values(2, model%n_elements)
+
+         values = reshape(nodal(reshape(model%connectivity, [size(model%connectivity)])), shape(values))
+      end function by_element
+
    end subroutine heat_elements
 
-   !> The material of a wire at a place of it, at the temperature there.
+   !> The material of a wire at a place of it: its resistivity at the present temperature there, its elasticity at the
+   !> one that the mechanics sees.
    pure type(material_place_t) function material_at(model, elements, e, xi, temperature) result(there)
       type(model_t), intent(in) :: model
       type(elements_t), intent(in) :: elements
@@ -200,22 +213,35 @@ contains
       integer, intent(in) :: e
       !> Place in [-1, 1]
       real(dp), intent(in) :: xi
-      !> Of the nodes, instead of the present ones (n_nodes) [K]
+      !> Of the nodes, instead of both (n_nodes) [K]
       real(dp), intent(in), optional :: temperature(:)
-      real(dp) :: elasticity(2), t(2), t_there
+      real(dp) :: elasticity(2), t(2), t_mechanical(2)
 
       t = elements%temperature(:, e)
-      if (present(temperature)) t = temperature(model%connectivity(:, e))
+      t_mechanical = elements%mechanical_temperature(:, e)
+      if (present(temperature)) then
+         t = temperature(model%connectivity(:, e))
+         t_mechanical = t
+      end if
       associate (material => model%materials(model%sections(model%element_section(e))%material))
-         t_there = ((1 - xi)*t(1) + (1 + xi)*t(2))/2
-         elasticity = elasticity_at(material, t_there)
+         elasticity = elasticity_at(material, at_place(t_mechanical))
          there%young = elasticity(1)
          there%poisson = elasticity(2)
          there%dtemperature = (t(2) - t(1))/2
          there%resistivity = elements%resistivity(e)
-         if (has_thermal_resistivity(material)) call property_at(material%resistivity, t_there, there%resistivity, &
+         if (has_thermal_resistivity(material)) call property_at(material%resistivity, at_place(t), there%resistivity, &
             there%dresistivity)
       end associate
+
+   contains
+
+      pure real(dp) function at_place(ends)
+         !> Temperatures of both nodes (2) [K]
+         real(dp), intent(in) :: ends(2)
+
+         at_place = ((1 - xi)*ends(1) + (1 + xi)*ends(2))/2
+      end function at_place
+
    end function material_at
 
    !> What temperature adds to the contact radius at both nodes [m].

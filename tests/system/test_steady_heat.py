@@ -359,6 +359,40 @@ def test_motions_stay_as_a_step_before_has_made_them(run):
     assert results.field("temperature").max() - ROOM == pytest.approx(0.05**2 / (8 * LAMBDA * RHO), rel=1e-9)
 
 
+class TestHeldMotions:
+    """A wire between two walls, 40 K warmer, in which a current then flows: its forces stay those of the first step."""
+
+    ALPHA = 17e-6
+    WARM = "*STEP\n*STATIC\n*BOUNDARY\n1, 9\n9, ENCASTRE\n*TEMPERATURE\nALL, 340\n{}*END STEP\n"
+
+    def text(self, first="", **changes):
+        text = deck(model=self.WARM.format(first + "*ENERGY PRINT\n"), sigma=SIGMA, **changes)
+        # given temperatures end where they are solved for
+        text = text.replace("*NODE PRINT", "*TEMPERATURE, OP=NEW\n*NODE PRINT")
+        text = text.replace("*BEAM SECTION", f"*EXPANSION\n{self.ALPHA}\n*BEAM SECTION")
+        return text.replace("*ELASTIC\n1.2e11, 0.34", "*ELASTIC\n1.2e11, 0.34, 300\n1.0e11, 0.34, 400")
+
+    def test_forces_and_energies_are_those_of_the_temperatures_at_which_the_wire_moved_last(self, litz, tmp_path):
+        (tmp_path / "wire.inp").write_text(self.text())
+        done = litz("run", tmp_path / "wire.inp", "-o", tmp_path / "wire", "--quiet")
+        assert done.returncode == 0, done.stderr
+        results = Results(tmp_path / "wire")
+        temperature, force = results.field("temperature", None), results.field("axial_force", None)
+        np.testing.assert_array_equal(temperature[1], 340)
+        assert temperature[2][0] == ROOM
+        # E falls by a sixth over 100 K
+        np.testing.assert_allclose(force[1], -1.12e11 * AREA * self.ALPHA * 40, rtol=1e-12)
+        np.testing.assert_array_equal(force[2], force[1])
+        support = results.field("reaction_force", None)
+        np.testing.assert_array_equal(support[2], support[1])
+        for energy in ("ALLSE", "ALLTW", "ALLWK"):
+            np.testing.assert_array_equal(results.history[energy][1:], results.history[energy][1])
+
+    def test_a_run_goes_on_bit_for_bit(self, litz, tmp_path):
+        text = self.text(first=KEEP_ALL, procedure="0.25, 1\n", loads=KEEP_ALL)
+        assert_goes_on_from_everywhere(litz, tmp_path, text)
+
+
 def test_a_run_goes_on_bit_for_bit(litz, tmp_path):
     """Sources, films and radiation over two steps, of which the first is interrupted anywhere."""
     loads = KEEP_ALL + TestSides.FIN + TestSides.ROD + "*DFLUX\nWIRE, BF, 1e6\n*CFLUX\n3, 11, 0.5\n"
