@@ -11,20 +11,20 @@ module litz_contact_step
    private
    public :: bearable_fraction
 
-   !> A step may take a crossing this far into contact or off it, over the smaller radius
-   real(dp), parameter :: reach = 0.5_dp
+   !> A step may take a crossing this far into contact, and off it, over the smaller radius
+   real(dp), parameter :: reach_into = 2.0_dp, reach_off = 0.5_dp
 
 contains
 
-   !> The part of a step, at most 1, by which no crossing gets deeper than the reach, and none that is closed opens by
-   !> more than that. A crossing that is deep already, or open already, is not held back.
+   !> The part of a step, at most 1, by which no crossing gets deeper than its reach, and none that is closed opens by
+   !> more than its own. A crossing that is deep already, or open already, is not held back.
    pure real(dp) function bearable_fraction(model, elements, points, step) result(eta)
       type(model_t), intent(in) :: model
       type(elements_t), intent(in) :: elements
       type(contact_point_t), intent(in) :: points(:)
       !> Linear step of the unknowns (n_slots, n_nodes)
       real(dp), intent(in) :: step(:, :)
-      real(dp) :: dgap, limit
+      real(dp) :: dgap, radius
       integer :: i
 
       eta = 1
@@ -32,11 +32,15 @@ contains
          associate (point => points(i))
             if (model%interactions(model%contact_pairs(point%pair)%interaction)%unlimited_penetration) cycle
             dgap = change_of_gap(point)
-            limit = reach*minval(elements%radius([point%element_bar, point%element]))
+            radius = minval(elements%radius([point%element_bar, point%element]))
             if (dgap < 0) then
-               if (point%gap > -limit/2 .and. point%gap + dgap < -limit) eta = min(eta, (point%gap + limit)/(-dgap))
-            else if (point%gap <= 0 .and. point%gap + dgap > limit .and. point%kinematics%distance > 0) then
-               eta = min(eta, max(limit, -point%gap)/dgap)
+               associate (limit => reach_into*radius)
+                  if (point%gap > -limit/2 .and. point%gap + dgap < -limit) eta = min(eta, (point%gap + limit)/(-dgap))
+               end associate
+            else if (point%gap <= 0 .and. point%kinematics%distance > 0) then
+               associate (limit => reach_off*radius)
+                  if (point%gap + dgap > limit) eta = min(eta, max(limit, -point%gap)/dgap)
+               end associate
             end if
          end associate
       end do

@@ -6,7 +6,6 @@ import litz
 from litz.build.starters import STARTERS
 from test_cli import command
 
-
 #: Those with wires that touch
 TOUCHING = [task for task in STARTERS if task != "fuse"]
 

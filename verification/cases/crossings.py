@@ -9,8 +9,6 @@ variables.
 Where the grids are lowered at their supports, the crossings near these carry all and the middle rises; under a load on
 every node of the upper layer nearly all of the crossings close. The hardest grid: thin wires clamped at both ends (length
 400 radii) that a load bends by three radii, so that they stretch while 100 crossings close.
-
-Missed: threads bent by ten diameters need 11 (linear penalty) and 18 iterations (Hertz).
 """
 
 import math

@@ -8,7 +8,6 @@ from typing import Any
 from ..deck.keyword_table import check_card, check_name
 from ..deck.lines import CardSpec
 
-
 #: A number, or a table over the temperature: lines of the value and the temperature [K], which ascends
 OverTemperature = float | Sequence[tuple[float, float]]
 
