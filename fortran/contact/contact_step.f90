@@ -12,7 +12,7 @@ module litz_contact_step
    public :: bearable_fraction
 
    !> A step may take a crossing this far into contact, and off it, over the smaller radius
-   real(dp), parameter :: reach_into = 2.0_dp, reach_off = 0.5_dp
+   real(dp), parameter :: reach_into = 1.5_dp, reach_off = 0.5_dp
 
 contains
 
