@@ -134,14 +134,16 @@ contains
 
       call begin(k, 'DFLUX', place_step, 'Heat sources in wires, which ramp over the step. Lines for the same'// &
          ' element add up.')
-      call add_heat_op(k)
+      call add_heat_op(k, 'of the heat over time; without it the heat ramps over the step, or is there at once in a'// &
+         ' step over time')
       call k%add_data([element_field(), choice_field('label', 'BF', 'BF: in the volume'), &
          real_field('value', 'W/m^3', 'heat per volume')], last=0, optional_with=new_alone)
       call finish(table, k)
 
       call begin(k, 'FILM', place_step, 'Heat that passes from the sides of wires to their surroundings, h (T - Ts)'// &
          ' per area; the side has the perimeter 2 pi r. It does not ramp.')
-      call add_heat_op(k)
+      call add_heat_op(k, 'of the temperature of the surroundings over time; without it that is there at once')
+      call k%add(name('FILM AMPLITUDE', 'factor of the heat transfer coefficient over time'))
       call k%add_data([element_field(), choice_field('label', 'F', 'F: the side'), &
          real_field('Ts', 'K', 'temperature of the surroundings'), &
          real_field('h', 'W/(m^2 K)', 'heat transfer coefficient', limit_positive)], last=0, optional_with=new_alone)
@@ -149,7 +151,7 @@ contains
 
       call begin(k, 'RADIATE', place_step, 'Heat that wires radiate from their sides, eps sigma (T^4 - Ts^4) per'// &
          ' area, from absolute zero; the side has the perimeter 2 pi r. It does not ramp.')
-      call add_heat_op(k)
+      call add_heat_op(k, 'of the temperature of the surroundings over time; without it that is there at once')
       call k%add_data([element_field(), choice_field('label', 'R', 'R: the side'), &
          real_field('Ts', 'K', 'temperature of the surroundings'), &
          real_field('eps', '-', 'emissivity, up to 1', limit_positive)], last=0, optional_with=new_alone)
@@ -163,11 +165,14 @@ contains
 
    end subroutine add_element_heat
 
-   pure subroutine add_heat_op(k)
+   pure subroutine add_heat_op(k, of_what)
       type(keyword_t), intent(inout) :: k
+      !> What AMPLITUDE is the factor of
+      character(len=*), intent(in) :: of_what
 
       call k%add(choice('OP', 'MOD|NEW', 'MOD changes or adds to what earlier steps gave, NEW removes it all, with'// &
          ' or without data lines', default='MOD'))
+      call k%add(name('AMPLITUDE', 'factor '//of_what))
    end subroutine add_heat_op
 
    pure subroutine add_given_values(table)

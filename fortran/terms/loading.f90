@@ -8,12 +8,12 @@ module litz_loading
    use litz_kinds, only: dp
    use litz_fields, only: fields, n_fields, n_slots, first_slot, last_slot, field_rotation, field_of_dof, &
       field_of_slot, group_mechanical, slot_of_dof
-   use litz_model, only: model_t, step_t, nodal_value_t, amplitude_factor, ramp_at
+   use litz_model, only: model_t, step_t, nodal_value_t, element_heat_t, factor_at, ramp_at
    use litz_rotations, only: rotation_exp, nearest_rotation_vector
    use litz_state, only: state_t
    implicit none
    private
-   public :: loading_t, start_loading, load_targets, prescribed_increment, next_break_point, initial_values
+   public :: loading_t, start_loading, load_targets, prescribed_increment, next_break_point, initial_values, heat_at
 
    type :: loading_t
       !> Fields that the step solves for (n_fields)
@@ -127,9 +127,7 @@ contains
          if (item%amplitude == 0) then
             value = start + ramp*(item%value - start)
          else
-            associate (amplitude => model%amplitudes(item%amplitude))
-               value = item%value*amplitude_factor(amplitude, merge(total_time, step_time, amplitude%total_time))
-            end associate
+            value = item%value*factor_at(model, item%amplitude, step_time, total_time)
          end if
       end function value_at
 
@@ -141,6 +139,32 @@ contains
       end subroutine set_load
 
    end subroutine load_targets
+
+   !> What enters and leaves the elements on their length at a step time (n_elements).
+   pure function heat_at(model, step, step_time, start_time) result(heat)
+      type(model_t), intent(in) :: model
+      type(step_t), intent(in) :: step
+      !> Time since the step began, and total time at which it began [s]
+      real(dp), intent(in) :: step_time, start_time
+      type(element_heat_t) :: heat(size(step%heat))
+      integer :: i
+
+      heat = step%heat
+      do i = 1, size(heat)
+         associate (given => step%heat(i), total_time => start_time + step_time)
+            if (given%source_amplitude > 0) then
+               heat(i)%source = given%source*factor_at(model, given%source_amplitude, step_time, total_time)
+            else
+               heat(i)%source_before = given%source_before*factor_at(model, given%before_amplitude, 0.0_dp, start_time)
+               heat(i)%source = heat(i)%source_before + ramp_at(step, step_time)*(given%source - heat(i)%source_before)
+            end if
+            heat(i)%film = given%film*factor_at(model, given%film_amplitude, step_time, total_time)
+            heat(i)%sink = given%sink*factor_at(model, given%sink_amplitude, step_time, total_time)
+            heat(i)%surroundings = given%surroundings*factor_at(model, given%surroundings_amplitude, step_time, &
+               total_time)
+         end associate
+      end do
+   end function heat_at
 
    !> Values before the first step (n_slots, n_nodes).
    pure function initial_values(model) result(value)
@@ -203,6 +227,10 @@ contains
       call mark(step%boundary)
       call mark(step%load)
       call mark(step%predefined)
+      associate (heat => step%heat)
+         call mark_amplitudes([heat%source_amplitude, heat%film_amplitude, heat%sink_amplitude, &
+            heat%surroundings_amplitude])
+      end associate
       next = step%total
       margin = 1.0e-9_dp*step%total
       do i = 1, size(used)
@@ -219,12 +247,19 @@ contains
 
       subroutine mark(items)
          type(nodal_value_t), intent(in) :: items(:)
+
+         call mark_amplitudes(items%amplitude)
+      end subroutine mark
+
+      subroutine mark_amplitudes(amplitude)
+         !> Indices of amplitudes; 0: none (n)
+         integer, intent(in) :: amplitude(:)
          integer :: j
 
-         do j = 1, size(items)
-            if (items(j)%amplitude > 0) used(items(j)%amplitude) = .true.
+         do j = 1, size(amplitude)
+            if (amplitude(j) > 0) used(amplitude(j)) = .true.
          end do
-      end subroutine mark
+      end subroutine mark_amplitudes
 
    end function next_break_point
 

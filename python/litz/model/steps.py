@@ -202,20 +202,54 @@ class Step:
             Load(self._model.target(nodes), degree_of_freedom("temperature"), value, self._amplitude(amplitude)),
         )
 
-    def body_heat(self, elements: str | WireGroup, value: float) -> None:
+    def body_heat(self, elements: str | WireGroup, value: float, amplitude: Amplitude | str | None = None) -> None:
         """Heat per volume [W/m^3] in all of these elements."""
-        self.card("DFLUX", {}, [[self._model.element_set_of(elements), "BF", value]])
+        self._element_heat("DFLUX", elements, ["BF", value], AMPLITUDE=amplitude)
 
-    def film(self, elements: str | WireGroup, surroundings: float, coefficient: float) -> None:
-        """Heat that passes from the sides of wires to surroundings of this temperature [K], per area and kelvin [W/(m^2 K)]."""
-        self.card("FILM", {}, [[self._model.element_set_of(elements), "F", surroundings, coefficient]])
+    def film(
+        self,
+        elements: str | WireGroup,
+        surroundings: float,
+        coefficient: float,
+        amplitude: Amplitude | str | None = None,
+        film_amplitude: Amplitude | str | None = None,
+    ) -> None:
+        """Heat that passes from the sides of wires to their surroundings.
 
-    def radiate(self, elements: str | WireGroup, surroundings: float, emissivity: float) -> None:
+        Parameters
+        ----------
+        elements : str or WireGroup
+            Where.
+        surroundings : float
+            Temperature of the surroundings [K].
+        coefficient : float
+            Heat transfer coefficient [W/(m^2 K)].
+        amplitude, film_amplitude : Amplitude or str, optional
+            Factors over time: of the temperature of the surroundings, and of the coefficient.
+        """
+        given = {"AMPLITUDE": amplitude, "FILM AMPLITUDE": film_amplitude}
+        self._element_heat("FILM", elements, ["F", surroundings, coefficient], **given)
+
+    def radiate(
+        self,
+        elements: str | WireGroup,
+        surroundings: float,
+        emissivity: float,
+        amplitude: Amplitude | str | None = None,
+    ) -> None:
         """Heat that the sides of wires radiate to surroundings of this temperature [K].
 
-        Needs the Stefan-Boltzmann constant of `Model.physical_constants`.
+        Needs the Stefan-Boltzmann constant of `Model.physical_constants`. The amplitude is a factor of the temperature.
         """
-        self.card("RADIATE", {}, [[self._model.element_set_of(elements), "R", surroundings, emissivity]])
+        self._element_heat("RADIATE", elements, ["R", surroundings, emissivity], AMPLITUDE=amplitude)
+
+    def _element_heat(
+        self, name: str, elements: str | WireGroup, values: list[Any], **amplitudes: Amplitude | str | None
+    ) -> None:
+        """Heat on the length of elements, whose values may follow amplitudes."""
+        names = {parameter: self._amplitude(amplitude) for parameter, amplitude in amplitudes.items()}
+        given = {parameter: found for parameter, found in names.items() if found is not None}
+        self.card(name, given, [[self._model.element_set_of(elements), *values]])
 
     def cload(self, nodes: AnyNodes, dof: Direction, value: float, amplitude: Amplitude | str | None = None) -> None:
         """A force [N] or moment [N m] of fixed direction at each of the nodes; `dof` as the direction of `move`."""
