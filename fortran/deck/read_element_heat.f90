@@ -166,7 +166,7 @@ contains
                what = 'has another *'//trim(keywords(kind))//' in '//self%deck%place(cards%line(e, kind))
             else if (cards%line(e, kind) > 0 .and. heat(e)%source_amplitude /= amplitude(1)) then
                what = 'has sources of different amplitudes; the other is in '//self%deck%place(cards%line(e, kind))
-            else
+            else if (.not. self%broken_keywords) then
                what = reason_against(model, e, kind)
             end if
             if (len(what) > 0) then

@@ -340,19 +340,15 @@ contains
       integer :: i
 
       associate (token => self%deck%cards(card)%name, procedure => '*'//keyword_of(self, card))
-         if (step > 1) then
-            if (model%steps(step)%solves(field_displacement) .and. .not. model%steps(step - 1)%solves( &
-               field_displacement)) call fail_at(self, token, 'no '//procedure//' can follow a'// &
-               ' *COUPLED THERMAL-ELECTRICAL')
-         end if
          if (.not. model%steps(step)%solves(field_temperature)) return
-         if (model%steps(step)%transient) call require_storage(self, model, card)
+         if (model%steps(step)%transient .and. .not. self%broken_keywords) call require_storage(self, model, card)
          if (n_cards_of(self, 'CONTACT PAIR') > 0) call fail_at(self, token, 'contacts conduct no heat: '// &
             procedure//' is not possible in a deck with *CONTACT PAIR')
          if (model%steps(step)%solves(field_displacement)) call require_electrical(self, model, card)
          do i = 1, size(model%materials)
             associate (material => model%materials(i))
-               if (allocated(material%heat_conductivity) .or. .not. material%conductivity > 0) cycle
+               if (allocated(material%heat_conductivity) .or. .not. material%conductivity > 0 .or. &
+                  self%broken_keywords) cycle
                call fail_at(self, token, 'the material '//material%name//' conducts currents, but not their heat;'// &
                   ' give it *CONDUCTIVITY')
             end associate

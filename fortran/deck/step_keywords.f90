@@ -43,7 +43,8 @@ contains
 
       call begin(k, 'COUPLED THERMAL-ELECTRICAL', place_step, 'Currents and temperatures together: currents'// &
          ' make heat, temperatures change conductivities. Motions are held.'//over_time// &
-         ' After it, no step that moves wires may follow. Contacts are not possible.')
+         ' A step that moves wires takes up the temperatures that the one before it has left, over its time.'// &
+         ' Contacts are not possible.')
       call add_transient(k)
       call add_increments(k)
       call finish(table, k)

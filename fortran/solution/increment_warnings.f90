@@ -109,8 +109,9 @@ contains
       type(run_warnings_t), intent(inout) :: warnings
 
       if (n > 0) call warnings%add('negative_pivots', &
-         'the tangent has negative pivots: the equilibrium lies beyond a critical load and may not be stable', &
-         value=real(n, dp), unit='negative pivots')
+         'the tangent has '//to_text(n)//' negative pivot'//trim(merge(' ', 's', n == 1))//': the equilibrium lies'// &
+         ' beyond a critical load and may not be stable. A small bow or side load shows where wires give way, and'// &
+         ' *CONTROLS, PARAMETERS=STABILIZE follows a snap', value=real(n, dp), unit='negative pivots')
    end subroutine add_negative_pivots
 
    !> Residuals above the tolerance of their field that were accepted because round-off leaves no less. A field that has

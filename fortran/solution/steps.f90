@@ -11,9 +11,10 @@ module litz_steps
    use litz_kinds, only: dp
    use litz_loading, only: loading_t, start_loading, load_targets, next_break_point
    use litz_line_contact, only: serves_lines
-   use litz_model, only: model_t, step_t, nodal_value_t, coupling_swept
-   use litz_newton, only: outcome_t, solve_increment, count_negative_pivots, cause_not_finite, cause_large_change, &
-      cause_lost_contact, cause_turned_ends, cause_fed_part
+   use litz_model, only: model_t, step_t, nodal_value_t, coupling_swept, ramp_at
+   use litz_negative_pivots, only: count_negative_pivots
+   use litz_newton, only: outcome_t, solve_increment, cause_not_finite, cause_large_change, cause_lost_contact, &
+      cause_turned_ends, cause_fed_part
    use litz_observer, only: observer_t
    use litz_parallel_wires, only: shallow_angle
    use litz_problem, only: problem_t
@@ -47,6 +48,8 @@ contains
          if (allocated(error)) return
          if (continued) then
             restored%given = problem%loading%given
+            restored%prescribed = problem%loading%prescribed
+            restored%converged_ramp = ramp_at(step, state%step_time)
             restored%solves = problem%loading%solves
             restored%stays = problem%loading%stays
             problem%loading = restored
@@ -226,8 +229,9 @@ contains
                return
             end if
          end do
-         ! the tangent of any other increment is the first that the next one factors
-         if (ends_step(step, target)) call count_negative_pivots(problem, outcome)
+         ! the tangent of any other increment is the first that the next one factors, unless that begins elsewhere
+         if (ends_step(step, target) .or. problem%scheme%is_swept) call count_negative_pivots(problem, outcome, error)
+         if (allocated(error)) return
          call advance(problem, outcome, increment, target, start_time)
          audit = audit_increment(problem%model, problem%state, problem%loading, nodal_residual(problem), &
             measure_scales(problem))

@@ -18,6 +18,8 @@ module litz_loading
    type :: loading_t
       !> Fields that the step solves for (n_fields)
       logical :: solves(n_fields) = .true.
+      !> .true. where the step prescribes the value (n_slots, n_nodes)
+      logical, allocatable :: prescribed(:, :)
       !> .true. where the value is prescribed, or held because the step does not solve for motions (n_slots, n_nodes)
       logical, allocatable :: fixed(:, :)
       !> .true. where the value is given and no unknown (n_slots, n_nodes)
@@ -30,6 +32,11 @@ module litz_loading
       real(dp), allocatable :: value(:, :), load(:, :)
       !> Values at the last converged increment (n_slots, n_nodes)
       real(dp), allocatable :: converged_value(:, :)
+      !> The part of what ramps over the step that is reached, at the time last asked for and at the last converged
+      !> increment
+      real(dp) :: ramp = 0, converged_ramp = 0
+   contains
+      procedure :: lag_left
    end type loading_t
 
 contains
@@ -48,29 +55,31 @@ contains
       n = size(state%value, 2)
       if (.not. allocated(loading%load)) then
          allocate (loading%load(n_slots, n), source=0.0_dp)
-         allocate (loading%fixed(n_slots, n), loading%value(n_slots, n), loading%start_value(n_slots, n), &
+         allocate (loading%value(n_slots, n), loading%start_value(n_slots, n), &
             loading%converged_value(n_slots, n), loading%start_load(n_slots, n))
-         loading%fixed = .false.
       end if
+      if (.not. allocated(loading%prescribed)) allocate (loading%prescribed(n_slots, n), source=.false.)
       if (.not. allocated(loading%given)) allocate (loading%given(n_slots, n), source=.false.)
       if (.not. allocated(loading%stays)) allocate (loading%stays(n_slots, n), source=.false.)
       loading%start_load = loading%load
       loading%start_value = state%value
-      call move_alloc(loading%fixed, kept)
-      allocate (loading%fixed(n_slots, n), source=.false.)
+      loading%converged_ramp = 0
+      call move_alloc(loading%prescribed, kept)
+      allocate (loading%prescribed(n_slots, n), source=.false.)
       do i = 1, size(step%boundary)
-         loading%fixed(slot_of_dof(step%boundary(i)%dof), step%boundary(i)%node) = .true.
+         loading%prescribed(slot_of_dof(step%boundary(i)%dof), step%boundary(i)%node) = .true.
       end do
+      loading%fixed = loading%prescribed
       loading%solves = step%solves
       where (spread(.not. step%solves(field_of_slot) .and. fields(field_of_slot)%group == group_mechanical, 2, n)) &
          loading%fixed = .true.
       associate (first => first_slot(field_rotation), last => last_slot(field_rotation))
          do i = 1, n
             ! a rotation vector and single angles are different things
-            if (all(kept(first:last, i)) .neqv. all(loading%fixed(first:last, i))) kept(first:last, i) = .false.
+            if (all(kept(first:last, i)) .neqv. all(loading%prescribed(first:last, i))) kept(first:last, i) = .false.
          end do
       end associate
-      kept = kept .and. loading%fixed
+      kept = kept .and. loading%prescribed
       where (kept) loading%start_value = loading%converged_value
       loading%value = loading%start_value
       loading%converged_value = loading%start_value
@@ -87,6 +96,7 @@ contains
       integer :: i, slot
 
       ramp = ramp_at(step, step_time)
+      loading%ramp = ramp
       call set_given_values()
       do i = 1, size(step%boundary)
          associate (item => step%boundary(i))
@@ -139,6 +149,15 @@ contains
       end subroutine set_load
 
    end subroutine load_targets
+
+   !> How much of what strains lag behind the temperatures at the start of the increment is left at its end: where
+   !> temperatures have changed while motions were held, wires take them up over the next step that moves them.
+   pure real(dp) function lag_left(self)
+      class(loading_t), intent(in) :: self
+
+      lag_left = 0
+      if (self%ramp < 1) lag_left = (1 - self%ramp)/(1 - self%converged_ramp)
+   end function lag_left
 
    !> What enters and leaves the elements on their length at a step time (n_elements).
    pure function heat_at(model, step, step_time, start_time) result(heat)
