@@ -233,8 +233,10 @@ module litz_model
       logical :: has_solved(n_fields) = solved_by_static
       !> Wires store heat: the step is one over time
       logical :: transient = .false.
-      !> Of a temperature in an increment [K]; 0: no limit
-      real(dp) :: largest_change = 0
+      !> Of a temperature in an increment: its change and its error [K]; 0: no limit
+      real(dp) :: largest_change = 0, largest_error = 0
+      !> The step ends as soon as no temperature changes faster [K/s]; 0: at its time
+      real(dp) :: steady_rate = 0
       logical :: nlgeom = .true.
       integer :: max_increments = 100
       !> First, total, smallest and largest increment of time

@@ -13,7 +13,8 @@ module litz_loading
    use litz_state, only: state_t
    implicit none
    private
-   public :: loading_t, start_loading, load_targets, prescribed_increment, next_break_point, initial_values, heat_at
+   public :: loading_t, start_loading, load_targets, prescribed_increment, next_break_point, initial_values, heat_at, &
+      amplitudes_are_over
 
    type :: loading_t
       !> Fields that the step solves for (n_fields)
@@ -242,14 +243,7 @@ contains
       real(dp) :: shift, margin
       integer :: i, k
 
-      used = .false.
-      call mark(step%boundary)
-      call mark(step%load)
-      call mark(step%predefined)
-      associate (heat => step%heat)
-         call mark_amplitudes([heat%source_amplitude, heat%film_amplitude, heat%sink_amplitude, &
-            heat%surroundings_amplitude])
-      end associate
+      used = used_amplitudes(model, step)
       next = step%total
       margin = 1.0e-9_dp*step%total
       do i = 1, size(used)
@@ -261,16 +255,51 @@ contains
             end do
          end associate
       end do
+   end function next_break_point
+
+   !> No amplitude of the step changes anything any more.
+   pure logical function amplitudes_are_over(model, step, step_time, total_time) result(are_over)
+      type(model_t), intent(in) :: model
+      type(step_t), intent(in) :: step
+      !> Time since the step began, and since the analysis began [s]
+      real(dp), intent(in) :: step_time, total_time
+      logical :: used(size(model%amplitudes))
+      integer :: i
+
+      used = used_amplitudes(model, step)
+      are_over = .true.
+      do i = 1, size(used)
+         associate (amplitude => model%amplitudes(i))
+            if (used(i)) are_over = are_over .and. amplitude%time(size(amplitude%time)) &
+               <= merge(total_time, step_time, amplitude%total_time) + 1.0e-9_dp*step%total
+         end associate
+      end do
+   end function amplitudes_are_over
+
+   !> What values, loads and heat of the step follow (amplitudes).
+   pure function used_amplitudes(model, step) result(used)
+      type(model_t), intent(in) :: model
+      type(step_t), intent(in) :: step
+      logical :: used(size(model%amplitudes))
+
+      used = .false.
+      call mark(step%boundary)
+      call mark(step%load)
+      call mark(step%predefined)
+      associate (heat => step%heat)
+         call mark_amplitudes([heat%source_amplitude, heat%film_amplitude, heat%sink_amplitude, &
+            heat%surroundings_amplitude])
+      end associate
 
    contains
 
-      subroutine mark(items)
+      pure subroutine mark(items)
          type(nodal_value_t), intent(in) :: items(:)
 
          call mark_amplitudes(items%amplitude)
       end subroutine mark
 
-      subroutine mark_amplitudes(amplitude)
+      pure subroutine mark_amplitudes(amplitude)
          !> Indices of amplitudes; 0: none (n)
          integer, intent(in) :: amplitude(:)
          integer :: j
@@ -280,6 +309,6 @@ contains
          end do
       end subroutine mark_amplitudes
 
-   end function next_break_point
+   end function used_amplitudes
 
 end module litz_loading

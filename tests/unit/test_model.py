@@ -225,6 +225,11 @@ def test_the_increments_of_a_step_over_time_are_those_of_the_keyword():
     model.step(procedure="COUPLED THERMAL-ELECTRICAL", first=0.1, total=2.0)
     model.step(procedure="COUPLED THERMAL-ELECTRICAL", first=0.1, total=2.0, largest=0.5, deltmx=10.0)
     one, other = deck_of(model).find("COUPLED THERMAL-ELECTRICAL")
+    model.step(procedure="COUPLED THERMAL-ELECTRICAL", first=0.1, total=2.0, error=0.5, steady_rate=1e-3)
+    model.step(procedure="COUPLED THERMAL-ELECTRICAL", first=0.1, total=2.0, steady_rate=1e-3)
+    *_, third, fourth = deck_of(model).find("COUPLED THERMAL-ELECTRICAL")
+    assert (third["ERROR"], third["END"], third.data) == (0.5, "SS", [[0.1, 2, 2e-5, 2, 1e-3]])
+    assert (fourth["END"], fourth.data[0][-1]) == ("SS", 1e-3)
     assert one.data == [[0.1, 2]]
     assert other.data == [[0.1, 2, 2e-5, 0.5]]
     assert other["DELTMX"] == 10.0

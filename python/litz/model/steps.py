@@ -65,6 +65,8 @@ class Step:
         steady_state: bool = False,
         electrical: bool = True,
         deltmx: float | None = None,
+        error: float | None = None,
+        steady_rate: float | None = None,
         boundary_op: str = "MOD",
         cload_op: str = "MOD",
         cecurrent_op: str = "MOD",
@@ -77,17 +79,17 @@ class Step:
         self.cards: list[CardSpec] = []
         first = (total if increment is None else increment) if first is None else first
         largest = (total if increment is None else increment) if largest is None else largest
-        times = [first, total, smallest, largest]
+        times: list[float | None] = [first, total, smallest, largest]
         self._static: CardSpec = (
             procedure.upper(),
-            _procedure(procedure, direct, steady_state, electrical, deltmx),
+            _procedure(procedure, direct, steady_state, electrical, {"DELTMX": deltmx, "ERROR": error}),
             [times],
         )
         check_card(*self._static)
         if direct:
             largest = first
             times[2:] = []
-        elif _is_over_time(self._static) and deltmx is None:
+        elif _is_over_time(self._static) and deltmx is None and error is None:
             # increments of a step over time are all as large as the first
             largest = first
             times[2:] = [smallest] if smallest is not None else []
@@ -98,6 +100,10 @@ class Step:
                 raise ValueError(
                     f"increments must satisfy smallest <= first <= largest, not {smallest:g}, {first:g}, {largest:g}"
                 )
+        if steady_rate is not None:
+            self._static[1]["END"] = "SS"
+            times += [None] * (4 - len(times)) + [steady_rate]
+            check_card(*self._static)
         if first > total:
             raise ValueError(f"the first increment, {first:g} s, is larger than the step, {total:g} s")
         needed = math.ceil(total / largest * (1 - 1e-9))
@@ -398,16 +404,16 @@ class Step:
         yield "END STEP", {}, []
 
 
-def _procedure(name: str, direct: bool, steady_state: bool, electrical: bool, deltmx: float | None) -> dict[str, Any]:
+def _procedure(
+    name: str, direct: bool, steady_state: bool, electrical: bool, limits: dict[str, float | None]
+) -> dict[str, Any]:
     """Parameters of the card with the procedure."""
     parameters: dict[str, Any] = {"DIRECT": True} if direct else {}
     if squeezed(name) == squeezed("COUPLED TEMPERATURE-DISPLACEMENT") and electrical:
         parameters["ELECTRICAL"] = True
     if steady_state:
         parameters["STEADY STATE"] = True
-    if deltmx is not None:
-        parameters["DELTMX"] = deltmx
-    return parameters
+    return parameters | {limit: value for limit, value in limits.items() if value is not None}
 
 
 def _is_over_time(procedure: CardSpec) -> bool:
