@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from litz import Results, report
+from run_of_deck import refusal_of_deck, run_of_deck
 from same_results import KEEP_ALL
 from test_restart import assert_goes_on_from_everywhere
 
@@ -62,24 +63,12 @@ def current(amperes, elements=8):
 
 @pytest.fixture
 def run(litz, tmp_path):
-    def run_deck(**changes):
-        (tmp_path / "wire.inp").write_text(deck(**changes))
-        done = litz("run", tmp_path / "wire.inp", "-o", tmp_path / "wire", "--quiet")
-        assert done.returncode == 0, done.stderr
-        return Results(tmp_path / "wire")
-
-    return run_deck
+    return run_of_deck(litz, tmp_path, deck)
 
 
 @pytest.fixture
 def refused(litz, tmp_path):
-    def run_deck(code, **changes):
-        (tmp_path / "wire.inp").write_text(deck(**changes))
-        done = litz("run", tmp_path / "wire.inp", "-o", tmp_path / "wire", "--quiet")
-        assert done.returncode == code, done.stderr
-        return done.stderr
-
-    return run_deck
+    return refusal_of_deck(litz, tmp_path, deck)
 
 
 class TestClosedForms:
