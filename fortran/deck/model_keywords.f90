@@ -8,6 +8,7 @@ module litz_model_keywords
       flag, choice, name, item, number, count_of, file
    use litz_law_words, only: law_words_t
    use litz_normal_laws, only: all_normal_laws
+   use litz_heat_law, only: all_heat_laws
    use litz_spot_laws, only: all_spot_laws
    use litz_stick_laws, only: stick_laws
    implicit none
@@ -295,6 +296,20 @@ contains
          'LENGTH: the resistance of CONSTANT and TABLE is per length [ohm m], the force of TABLE per length [N/m],'// &
          ' of wires that touch along lines (litz extension)', default='SPOT'))
       call add_law_data(k, 'LAW', all_spot_laws())
+      call finish(table, k)
+
+      call begin(k, 'GAP CONDUCTANCE', place_model, 'Heat through the contact, in steps that solve for temperatures,'// &
+         ' between wires with *CONDUCTIVITY. The heat of the current in a spot enters both wires, half and half in a'// &
+         ' symmetric contact.'//meanings_of(all_heat_laws())// &
+         ' Without this keyword heat passes by CONDUCTIVITY where a current can, and nowhere else.', &
+         after='SURFACE INTERACTION')
+      call k%add(choice('LAW', names_of(all_heat_laws()), 'the law (litz extension)', required=.true.))
+      call k%add(choice('PER', 'SPOT|LENGTH', &
+         'LENGTH: the heat conductance of CONSTANT and TABLE is per length [W/(m K)], the force of TABLE per length'// &
+         ' [N/m], of wires that touch along lines (litz extension)', default='SPOT'))
+      call k%add(number('LORENZ', 'Lorenz number L of METAL [V^2/K^2]; without it that of each wire, lambda rho/T at the'// &
+         ' contact', limit_positive))
+      call add_law_data(k, 'LAW', all_heat_laws())
       call finish(table, k)
 
       call add_surface(table)

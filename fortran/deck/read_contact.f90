@@ -4,6 +4,7 @@ module litz_read_contact
    use litz_text, only: to_text
    use litz_deck, only: token_t
    use litz_axis_choices, only: axis_linear
+   use litz_heat_law, only: heat_law, heat_metal_law
    use litz_law_words, only: law_words_t
    use litz_model, only: model_t, interaction_t, contact_pair_t
    use litz_normal_laws, only: normal_law, default_normal_law
@@ -61,6 +62,11 @@ contains
             if (model%interactions(index)%spot%exists()) call fail_at(self, self%deck%cards(card)%name, &
                'this surface interaction has two *GAP ELECTRICAL CONDUCTANCE')
             call read_spot_law(self, card, model%interactions(index))
+         case ('GAP CONDUCTANCE')
+            if (index == 0) cycle
+            if (model%interactions(index)%heat%exists()) call fail_at(self, self%deck%cards(card)%name, &
+               'this surface interaction has two *GAP CONDUCTANCE')
+            call read_heat_law(self, card, model%interactions(index))
          end select
       end do
       model%interactions = model%interactions(:self%interactions%names%n)
@@ -126,6 +132,45 @@ contains
       end if
       call read_law_data(self, card, interaction%spot)
    end subroutine read_spot_law
+
+   subroutine read_heat_law(self, card, interaction)
+      type(reader_t), intent(inout) :: self
+      !> Index of the card
+      integer, intent(in) :: card
+      type(interaction_t), intent(inout) :: interaction
+
+      interaction%heat = heat_law(choice_of(self, card, 'LAW'))
+      interaction%heat%is_per_length = choice_of(self, card, 'PER') == 'LENGTH'
+      if (interaction%heat%is_per_length .and. .not. interaction%heat%is_given()) then
+         call fail_at(self, parameter_of(self, card, 'PER'), 'PER=LENGTH is for LAW=CONSTANT and LAW=TABLE;'// &
+            ' the other laws serve contact along lines as they are')
+         interaction%heat%is_per_length = .false.
+      end if
+      interaction%heat%lorenz = real_parameter(self, card, 'LORENZ', 0.0_dp)
+      if (interaction%heat%lorenz > 0 .and. interaction%heat%number /= heat_metal_law) call fail_at(self, &
+         parameter_of(self, card, 'LORENZ'), 'LORENZ= is for LAW=METAL')
+      if (interaction%heat%number == heat_metal_law .and. .not. has_parameter('PHYSICAL CONSTANTS', 'ABSOLUTE ZERO')) &
+         call fail_at(self, self%deck%cards(card)%name, 'LAW=METAL needs temperatures from absolute zero: give it by'// &
+         ' *PHYSICAL CONSTANTS, ABSOLUTE ZERO=0 (kelvin) or -273.15 (Celsius)')
+      call read_law_data(self, card, interaction%heat)
+
+   contains
+
+      logical function has_parameter(keyword, parameter)
+         !> In capitals
+         character(len=*), intent(in) :: keyword, parameter
+         type(token_t) :: token
+         integer :: i
+
+         has_parameter = .false.
+         do i = 1, self%deck%n_cards
+            if (keyword_of(self, i) /= keyword) cycle
+            token = parameter_of(self, i, parameter)
+            has_parameter = has_parameter .or. token%last >= token%first
+         end do
+      end function has_parameter
+
+   end subroutine read_heat_law
 
    !> The data line of a law, or its table.
    subroutine read_law_data(self, card, law)

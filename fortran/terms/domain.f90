@@ -28,6 +28,8 @@ module litz_domain
       type(equations_t) :: equations
       type(system_t) :: matrix
       type(forces_t) :: forces
+      !> Heat that enters each element evenly at this iterate, of currents and sources (n_elements) [W]
+      real(dp), allocatable :: element_heat(:)
       !> The pattern must be built and analysed before the next solve
       logical :: pattern_changed = .true.
       type(timing_t) :: timing
