@@ -81,13 +81,13 @@ contains
       mean_temperature = sum(self%iterate%value(temperature_slots(1), self%model%connectivity(:, element)))/2
    end function mean_temperature
 
-   !> Temperatures that strains, radii, gaps and elasticities see: the present ones, or where motions are held those of
-   !> the last increment that solved for motions (n_nodes) [K].
+   !> Temperatures that strains, radii, gaps and elasticities see: those of the iterate when motions began to take their
+   !> turn, or where motions are held those of the last increment that solved for motions (n_nodes) [K].
    pure function mechanical_temperature(self) result(temperature)
       class(domain_t), intent(in) :: self
       real(dp) :: temperature(self%model%n_nodes)
 
-      temperature = merge(self%iterate%value(temperature_slots(1), :), self%state%mechanical_temperature, &
+      temperature = merge(self%iterate%mechanical_temperature, self%state%mechanical_temperature, &
          self%loading%solves(field_displacement))
    end function mechanical_temperature
 
