@@ -146,7 +146,10 @@ contains
          call property_at(material%heat_conductivity, domain%mean_temperature(e), value, slope)
          element%dconductivity = slope/value
          call domain%resistivity(e, value, slope)
-         if (value > 0) element%dresistivity = slope/value
+         if (value > 0) then
+            element%resistance = value*domain%conduction_length(e)/domain%elements%area(e)
+            element%dresistivity = slope/value
+         end if
       end associate
    end function heated_element
 

@@ -36,9 +36,12 @@ module litz_heat_of_contacts
    !> An element on which contacts are.
    type :: heated_element_t
       integer :: nodes(2) = 0
-      !> rho L0/(4 A) [ohm], L0/(4 lambda A) [K/W], and the derivatives of ln(rho) and ln(lambda) by the mean temperature
-      !> [1/K]
-      real(dp) :: series = 0, heat_series = 0, dresistivity = 0, dconductivity = 0
+      !> Resistance from node to node [ohm]; 0: no current
+      real(dp) :: resistance = 0
+      !> rho L0/(4 A) [ohm] and L0/(4 lambda A) [K/W]; 0: what enters within it does so as at its nodes
+      real(dp) :: series = 0, heat_series = 0
+      !> Derivatives of ln(rho) and ln(lambda) by the mean temperature [1/K]
+      real(dp) :: dresistivity = 0, dconductivity = 0
       !> Part of the electric power that becomes heat, and all heat that enters it evenly [W]
       real(dp) :: heat_fraction = 1, even_heat = 0
    end type heated_element_t
@@ -149,7 +152,7 @@ contains
       real(dp) :: even
 
       associate (element => self%elements(k))
-         even = self%drop(k)/(4*element%series)
+         even = self%drop(k)/element%resistance
          call currents_along(self%ends, k, even, self%current, length, along)
          made = element%heat_fraction*2*element%series*length*(along**2 - even**2)
       end associate
@@ -564,15 +567,15 @@ contains
 
       even_heat = 0
       associate (element => self%elements(k))
-         if (.not. element%series > 0) return
-         even = self%drop(k)/(4*element%series)
+         if (.not. element%resistance > 0) return
+         even = self%drop(k)/element%resistance
          dresistance = element%dresistivity*sum(temperature(element%nodes))/2
-         deven = (potential(element%nodes(1)) - potential(element%nodes(2)))/(4*element%series) - even*dresistance
+         deven = (potential(element%nodes(1)) - potential(element%nodes(2)))/element%resistance - even*dresistance
          call currents_along(self%ends, k, even, self%current, length, along)
          call currents_along(self%ends, k, deven, change%current, length, dalong)
          dmade = element%heat_fraction*2*element%series*length*(2*(along*dalong - even*deven) &
             + (along**2 - even**2)*dresistance)
-         even_heat = element%heat_fraction*4*element%series*(2*even*deven + even**2*dresistance)
+         even_heat = element%heat_fraction*element%resistance*(2*even*deven + even**2*dresistance)
       end associate
       call place_heat(self%ends, k, dmade, change%between, change%at_nodes(:, k))
    end subroutine change_element
