@@ -11,9 +11,11 @@ module litz_contact_heat_term
    use litz_fields, only: field_temperature, group_transport, potential_slots, temperature_slots
    use litz_heat_of_contacts, only: contact_heat_t, heated_element_t, collect_heat
    use litz_heated_contacts, only: heated_contact_t, heated_contact, can_pass_heat
+   use litz_model, only: step_t
    use litz_property_table, only: property_at
    use litz_shared_conductors, only: shared_conductors_t
    use litz_term, only: term_t
+   use litz_text, only: to_text
    implicit none
    private
    public :: contact_heat_term_t, new_contact_heat_term
@@ -31,9 +33,13 @@ module litz_contact_heat_term
       !> Tangents of the contacts by themselves: heat over potentials and temperatures of the nodes, currents over
       !> temperatures (4, 8, contacts) and (4, 4, contacts) [A, W/K, A/K]
       real(dp), allocatable, private :: k(:, :, :), k_et(:, :, :)
+      !> By which the work of an increment is a power [1/s]; 0: time is a scale of loads
+      real(dp), private :: rate = 0
    contains
+      procedure :: apply_load
       procedure :: evaluate
       procedure :: refusal
+      procedure :: rejection
       procedure :: link
       procedure :: has_mutual_tangent
       procedure :: add_mutual_tangent
@@ -47,6 +53,17 @@ contains
 
       term%contact => contact
    end function new_contact_heat_term
+
+   subroutine apply_load(self, domain, step, step_time, increment)
+      class(contact_heat_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      type(step_t), intent(in) :: step
+      !> Time of the step at the end of the increment, and the increment [s]
+      real(dp), intent(in) :: step_time, increment
+
+      self%rate = 0
+      if (step%transient) self%rate = 1/increment
+   end subroutine apply_load
 
    subroutine evaluate(self, domain, error)
       class(contact_heat_term_t), intent(inout) :: self
@@ -92,10 +109,10 @@ contains
       associate (set => self%contact, a => self%points, b => self%line_points, n_a => self%n_points, &
          n_b => self%n_line_points)
          call conductors_of(domain%model, domain%wires, domain%elements, set, a(:n_a), b(:n_b), conductors)
-         allocate (contacts, source=[(heated_contact(domain, set%points(a(i))), i=1, n_a), &
-            (heated_contact(domain, set%line_points(b(i))), i=1, n_b), &
-            (heated_contact(domain, set%points(a(i))), i=n_a + 1, size(a)), &
-            (heated_contact(domain, set%line_points(b(i))), i=n_b + 1, size(b))])
+         allocate (contacts, source=[(heated_contact(domain, set%points(a(i)), self%rate), i=1, n_a), &
+            (heated_contact(domain, set%line_points(b(i)), self%rate), i=1, n_b), &
+            (heated_contact(domain, set%points(a(i)), self%rate), i=n_a + 1, size(a)), &
+            (heated_contact(domain, set%line_points(b(i)), self%rate), i=n_b + 1, size(b))])
       end associate
       allocate (self%heat)
       call collect_heat(contacts, conductors, domain%model%absolute_zero, self%heat)
@@ -233,6 +250,44 @@ contains
          ' below absolute zero, or heat far more than it can pass'
    end function refusal
 
+   !> Metal in a spot has melted: what then happens is not modelled.
+   function rejection(self, domain) result(reason)
+      class(contact_heat_term_t), intent(in) :: self
+      type(domain_t), intent(in) :: domain
+      character(len=:), allocatable :: reason
+
+      reason = ''
+      if (.not. allocated(self%heat)) return
+      reason = melted(self%contact%points(self%points))
+      if (len(reason) == 0) reason = melted(self%contact%line_points(self%line_points))
+
+   contains
+
+      !> The hottest of these above the melting point of its metal.
+      function melted(points) result(words)
+         type(contact_point_t), intent(in) :: points(:)
+         character(len=:), allocatable :: words
+         real(dp) :: above, most
+         integer :: i
+
+         words = ''
+         most = 0
+         do i = 1, size(points)
+            associate (law => domain%model%interactions(domain%model%contact_pairs(points(i)%pair)%interaction)%heat)
+               if (.not. law%has_melting .or. law%may_melt) cycle
+               above = points(i)%temperature_max - law%melting
+               if (.not. above > most) cycle
+               most = above
+               words = 'the spot of elements '//to_text(domain%model%element_id(points(i)%element_bar))//' and '// &
+                  to_text(domain%model%element_id(points(i)%element))//' would be at '// &
+                  to_text(points(i)%temperature_max)//' '//domain%model%units%label('K')//' and melt (TMELT='// &
+                  to_text(law%melting)//' of *GAP CONDUCTANCE; MELTING=WARN lets it)'
+            end associate
+         end do
+      end function melted
+
+   end function rejection
+
    subroutine link(self, domain, field, pairs)
       class(contact_heat_term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain
@@ -244,8 +299,9 @@ contains
 
       allocate (pairs(2, 0))
       if (field /= field_temperature .or. .not. allocated(self%heat)) return
-      pairs = reshape([(self%heat%contacts(i)%nodes([1, 3]), i=1, size(self%heat%contacts))], &
-         [2, size(self%heat%contacts)])
+      associate (passing => pack([(i, i=1, size(self%heat%contacts))], self%heat%contacts%is_passed))
+         pairs = reshape([(self%heat%contacts(passing(i))%nodes([1, 3]), i=1, size(passing))], [2, size(passing)])
+      end associate
    end subroutine link
 
    !> Heats depend on each other within elements, and on all that the currents make there.

@@ -270,17 +270,23 @@ contains
 
    end subroutine find_bulks
 
-   !> Heats through the spots at the temperatures of the bulks; what strips make beside them is half in either wire.
+   !> Heats through the spots at the temperatures of the bulks; what strips make beside them, and friction, enters both
+   !> wires half and half.
    subroutine find_heats(self)
       class(contact_heat_t), intent(inout) :: self
       integer :: i, info
 
       do i = 1, size(self%contacts)
          associate (contact => self%contacts(i), current => self%current(i))
+            if (.not. contact%is_passed) then
+               self%spots(i) = spot_heat_t(hottest=maxval(self%bulk(:, i)) - self%zero)
+               self%heat(:, i) = contact%friction_heat/2
+               cycle
+            end if
             call spot_heat(contact%path, self%bulk(:, i) - self%zero, current**2*[contact%resistance(1), &
                contact%film_resistance, contact%resistance(2)], self%spots(i), info)
             if (info /= heat_ok) self%is_solved = .false.
-            self%heat(:, i) = self%spots(i)%heat + current*self%of_strips(i)/2
+            self%heat(:, i) = self%spots(i)%heat + (current*self%of_strips(i) + contact%friction_heat)/2
          end associate
       end do
    end subroutine find_heats

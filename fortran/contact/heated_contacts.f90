@@ -39,6 +39,9 @@ module litz_heated_contacts
       !> How the former, and all in series, change with the temperatures of both places (2, 2), (2) [ohm/K]
       real(dp) :: dresistance(2, 2) = 0, dseries(2) = 0
       type(spot_path_t) :: path
+      !> Heat can pass between the wires, and not only that of their friction enters them [W]
+      logical :: is_passed = .false.
+      real(dp) :: friction_heat = 0
       !> How ln(h) of both constrictions changes with the temperatures of both places (2, 2) [1/K]
       real(dp) :: dpath(2, 2) = 0
    end type heated_contact_t
@@ -51,14 +54,15 @@ module litz_heated_contacts
 
 contains
 
-   !> Both wires conduct heat, and the interaction lets it pass.
+   !> Both wires conduct heat, and there is some for them: the interaction lets it pass, or they rub.
    logical function can_pass_heat(domain, point)
       type(domain_t), intent(in) :: domain
       type(contact_point_t), intent(in) :: point
       integer :: side
 
-      can_pass_heat = domain%model%interactions(domain%model%contact_pairs(point%pair)%interaction)%heat%exists() &
-         .or. point%conductance > 0
+      associate (law => domain%model%interactions(domain%model%contact_pairs(point%pair)%interaction))
+         can_pass_heat = law%heat%exists() .or. point%conductance > 0 .or. law%friction > 0
+      end associate
       do side = 1, 2
          associate (e => merge(point%element_bar, point%element, side == 1), model => domain%model)
             can_pass_heat = can_pass_heat .and. allocated(model%materials(model%sections( &
@@ -68,9 +72,11 @@ contains
    end function can_pass_heat
 
    !> What heat needs to know of a contact that it can pass, at the temperatures of an iterate.
-   type(heated_contact_t) function heated_contact(domain, point) result(heated)
+   type(heated_contact_t) function heated_contact(domain, point, rate) result(heated)
       type(domain_t), intent(in) :: domain
       type(contact_point_t), intent(in) :: point
+      !> By which the work of an increment is a power [1/s]; 0: time is a scale of loads
+      real(dp), intent(in) :: rate
       type(interaction_t) :: law
       type(wire_pair_t) :: pair
       type(constrictions_t) :: constrictions
@@ -92,6 +98,9 @@ contains
          call conductivity_of(domain, heated%element(side), place(side), lambda(side), dlambda(side))
          if (law%voltage_correction) heated%heat_series(side) = heat_series_of(domain, heated%element(side))
       end do
+      heated%friction_heat = law%heat%friction_fraction*point%friction%dissipation*rate
+      heated%is_passed = law%heat%exists() .or. heated%conductance > 0
+      if (.not. heated%is_passed) return
       constrictions = constrictions_of(point, pair)
       call find_resistances(constrictions, pair, heated)
       if (law%heat%is_given()) then

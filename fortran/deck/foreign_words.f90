@@ -70,8 +70,6 @@ module litz_foreign_words
       foreign_word_t('CONTACT CONTROLS|CONTACT STABILIZATION|CONTACT DAMPING', '', '', &
       'leave it out; *CONTROLS, PARAMETERS=STABILIZE damps what only contacts can hold'), &
       foreign_word_t('CLEARANCE', '', '', 'leave it out: gaps follow from the nodes and radii'), &
-      foreign_word_t('GAP HEAT GENERATION', '', '', &
-      'the heat of a current in a spot enters half and half; that of friction is not counted'), &
       foreign_word_t('GAP RADIATION', '', '', 'wires radiate into their surroundings only: *RADIATE'), &
       foreign_word_t('DLOAD|DSLOAD', '', '', 'distribute the load over the nodes: *CLOAD'), &
       foreign_word_t('DECURRENT|DSECURRENT', '', '', 'distribute the current over the nodes: *CECURRENT'), &

@@ -309,7 +309,19 @@ contains
          ' [N/m], of wires that touch along lines (litz extension)', default='SPOT'))
       call k%add(number('LORENZ', 'Lorenz number L of METAL [V^2/K^2]; without it that of each wire, lambda rho/T at the'// &
          ' contact', limit_positive))
+      call k%add(number('TSOFT', 'temperature at which the metal softens: a warning (hot_spot) where the hottest place of'// &
+         ' a spot is above it', limit_none))
+      call k%add(number('TMELT', 'temperature at which it melts: no spot is hotter', limit_none))
+      call k%add(choice('MELTING', 'END|WARN', 'WARN: spots hotter than TMELT are a warning, too (litz extension)', &
+         default='END'))
       call add_law_data(k, 'LAW', all_heat_laws())
+      call finish(table, k)
+
+      call begin(k, 'GAP HEAT GENERATION', place_model, 'Heat of friction, in steps that solve for motions and'// &
+         ' temperatures over time. It enters both wires half and half; without this keyword all of the work of friction'// &
+         ' does, where wires with *CONDUCTIVITY touch each other.', after='SURFACE INTERACTION')
+      call k%add_data([real_field('eta', '-', 'part of the work of friction that becomes heat', limit_not_negative), &
+         real_field('f', '-', 'part of the heat that enters the first wire: 0.5', limit_not_negative, required=.false.)])
       call finish(table, k)
 
       call add_surface(table)

@@ -28,6 +28,11 @@ module litz_heat_law
       logical :: is_per_length = .false.
       !> Lorenz number of METAL [V^2/K^2]; 0: that of each wire from its lambda and rho
       real(dp) :: lorenz = 0
+      !> Temperatures at which the metal of a spot softens and melts [K], where they are given; and it may melt
+      logical :: has_softening = .false., has_melting = .false., may_melt = .false.
+      real(dp) :: softening = 0, melting = 0
+      !> Part of the work of friction that becomes heat
+      real(dp) :: friction_fraction = 1
    contains
       procedure :: is_given
       procedure :: as_spot_law
@@ -49,9 +54,11 @@ contains
       case (heat_conductivity_law)
          law%name = 'CONDUCTIVITY'
          law%meaning = 'constrictions in both wires by *CONDUCTIVITY, in the spot of the current or of elastic wires'
+         law%uses_ellipse = .true.
       case (heat_metal_law)
          law%name = 'METAL'
          law%meaning = 'the same of Wiedemann-Franz metals, lambda rho = L T, whose spot is heated by its current'
+         law%uses_ellipse = .true.
       case (heat_constant_law)
          law%name = 'CONSTANT'
          law%meaning = 'a given heat conductance'
