@@ -139,7 +139,7 @@ contains
       logical, intent(out) :: taken
       type(error_t), allocatable, intent(inout) :: error
 
-      taken = wants_restart(problem%model%steps(problem%state%step), problem%state%increment, problem%state%step_time)
+      taken = wants_restart(problem%model%steps(problem%state%step), problem%state%increment, problem%state%ends_step)
       if (taken) call self%restart%write(problem, course, error)
    end subroutine output_restart
 

@@ -29,6 +29,7 @@ contains
             if (self%spec(card) == 0) call unknown_keyword(self, card)
          end do
          call check_steps(self)
+         self%broken_keywords = any(self%spec == 0 .and. self%step == 0)
          parent = ''
          do card = 1, n
             if (self%spec(card) == 0) cycle

@@ -366,7 +366,8 @@ contains
             return
          end if
          ok = any(list%kind == [kind_temperature, kind_initial]) .or. &
-            list%has_unknown(nodes(i), field_of_dof(first)) .or. self%broken_nodes .or. self%broken_elements
+            list%has_unknown(nodes(i), field_of_dof(first)) .or. self%broken_nodes .or. self%broken_elements .or. &
+            self%broken_keywords
          if (.not. ok) then
             call fail_at(self, self%values%token(1), describe_node(self, model, nodes(i), nodes)// &
                reason_for_lack_of(field_of_dof(first)))

@@ -2,8 +2,9 @@
 module litz_read_element_heat
    use litz_kinds, only: dp
    use litz_data_lines, only: read_line
+   use litz_definitions, only: find_definition
    use litz_deck, only: token_t
-   use litz_model, only: model_t, element_heat_t
+   use litz_model, only: model_t, element_heat_t, amplitude_factor
    use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, keyword_of
    use litz_sets, only: find_item
    use litz_text, only: to_text
@@ -23,18 +24,45 @@ module litz_read_element_heat
 
 contains
 
-   !> A step keeps what earlier ones have given.
+   !> A step keeps what earlier ones have given; what has followed an amplitude in step time, the value of their end.
    pure subroutine begin_heat(model, step, cards)
       type(model_t), intent(inout) :: model
       !> Number of the step
       integer, intent(in) :: step
       type(heat_cards_t), intent(out) :: cards
+      integer :: i
 
       allocate (cards%line(model%n_elements, 3), source=0)
       allocate (model%steps(step)%heat(model%n_elements))
       if (step == 1) return
-      model%steps(step)%heat = model%steps(step - 1)%heat
-      model%steps(step)%heat%source_before = model%steps(step - 1)%heat%source
+      associate (heat => model%steps(step)%heat)
+         heat = model%steps(step - 1)%heat
+         do i = 1, size(heat)
+            call settle(heat(i)%source, heat(i)%source_amplitude)
+            call settle(heat(i)%film, heat(i)%film_amplitude)
+            call settle(heat(i)%sink, heat(i)%sink_amplitude)
+            call settle(heat(i)%surroundings, heat(i)%surroundings_amplitude)
+         end do
+         heat%source_before = heat%source
+         heat%before_amplitude = heat%source_amplitude
+      end associate
+
+   contains
+
+      pure subroutine settle(value, amplitude)
+         !> In the unit of the deck
+         real(dp), intent(inout) :: value
+         !> Index of what it has followed; 0: none, from now on
+         integer, intent(inout) :: amplitude
+
+         if (amplitude == 0) return
+         associate (this => model%amplitudes(amplitude))
+            if (this%total_time .or. size(this%time) == 0) return
+            value = value*amplitude_factor(this, model%steps(step - 1)%total)
+         end associate
+         amplitude = 0
+      end subroutine settle
+
    end subroutine begin_heat
 
    subroutine read_element_heat(self, model, card, heat, cards)
@@ -45,7 +73,7 @@ contains
       !> Of the step (n_elements)
       type(element_heat_t), intent(inout) :: heat(:)
       type(heat_cards_t), intent(inout) :: cards
-      integer :: kind, line, element, set
+      integer :: kind, line, element, set, amplitude(2)
       logical :: ok
 
       kind = findloc(keywords == keyword_of(self, card), .true., 1)
@@ -53,14 +81,39 @@ contains
          '*RADIATE needs the Stefan-Boltzmann constant in the units of the deck: *PHYSICAL CONSTANTS,'// &
          ' STEFAN BOLTZMANN=5.670374e-8')
       call apply_op(self, card, kind, heat, cards)
+      call find_amplitudes(self, model, card, amplitude)
       do line = self%deck%cards(card)%first_data, self%deck%cards(card)%last_data
          call read_line(self, card, line, ok)
          if (.not. ok) cycle
          call find_item(self, 'element', self%element_sets, self%elements, 1, element, set)
-         if (element > 0) call set_heat(self, model, [element], kind, line, heat, cards)
-         if (set > 0) call set_heat(self, model, model%element_sets(set)%members, kind, line, heat, cards)
+         if (element > 0) call set_heat(self, model, [element], kind, line, amplitude, heat, cards)
+         if (set > 0) call set_heat(self, model, model%element_sets(set)%members, kind, line, &
+            amplitude, heat, cards)
       end do
    end subroutine read_element_heat
+
+   !> What the values of a card follow: the first one, and the coefficient of a film.
+   subroutine find_amplitudes(self, model, card, amplitude)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      !> Index of the card
+      integer, intent(in) :: card
+      !> Indices of amplitudes; 0: none
+      integer, intent(out) :: amplitude(2)
+      character(len=14), parameter :: parameters(2) = [character(len=14) :: 'AMPLITUDE', 'FILM AMPLITUDE']
+      type(token_t) :: token
+      integer :: i
+
+      amplitude = 0
+      do i = 1, merge(2, 1, keyword_of(self, card) == 'FILM')
+         token = parameter_of(self, card, trim(parameters(i)))
+         if (token%line > 0) call find_definition(self, self%amplitudes, 'amplitude', token, amplitude(i))
+      end do
+      if (amplitude(2) == 0) return
+      if (any(model%amplitudes(amplitude(2))%factor < 0)) call fail_at(self, token, &
+         'a heat transfer coefficient is not negative; the amplitude '//model%amplitudes(amplitude(2))%name// &
+         ' has a factor of '//to_text(minval(model%amplitudes(amplitude(2))%factor)))
+   end subroutine find_amplitudes
 
    !> OP=NEW removes what earlier steps left; within a step all cards must agree.
    subroutine apply_op(self, card, kind, heat, cards)
@@ -82,6 +135,7 @@ contains
          select case (kind)
          case (1)
             heat%source = 0
+            heat%source_amplitude = 0
          case (2)
             heat%film = 0
          case (3)
@@ -92,11 +146,13 @@ contains
    end subroutine apply_op
 
    !> What the line read last says of some elements.
-   subroutine set_heat(self, model, elements, kind, line, heat, cards)
+   subroutine set_heat(self, model, elements, kind, line, amplitude, heat, cards)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(in) :: model
       !> Indices of elements (n), place in `keywords`, and line of the deck
       integer, intent(in) :: elements(:), kind, line
+      !> What its values follow (2); 0: nothing
+      integer, intent(in) :: amplitude(2)
       !> (n_elements)
       type(element_heat_t), intent(inout) :: heat(:)
       type(heat_cards_t), intent(inout) :: cards
@@ -108,7 +164,9 @@ contains
          associate (e => elements(i), values => self%values)
             if (cards%line(e, kind) > 0 .and. kind > 1) then
                what = 'has another *'//trim(keywords(kind))//' in '//self%deck%place(cards%line(e, kind))
-            else
+            else if (cards%line(e, kind) > 0 .and. heat(e)%source_amplitude /= amplitude(1)) then
+               what = 'has sources of different amplitudes; the other is in '//self%deck%place(cards%line(e, kind))
+            else if (.not. self%broken_keywords) then
                what = reason_against(model, e, kind)
             end if
             if (len(what) > 0) then
@@ -119,19 +177,36 @@ contains
             case (1)
                ! lines of a step add up
                heat(e)%source = merge(heat(e)%source, 0.0_dp, cards%line(e, kind) > 0) + values%real(3)
+               heat(e)%source_amplitude = amplitude(1)
             case (2)
                heat(e)%sink = values%real(3)
                heat(e)%film = values%real(4)
+               heat(e)%sink_amplitude = amplitude(1)
+               heat(e)%film_amplitude = amplitude(2)
             case (3)
                heat(e)%surroundings = values%real(3)
+               heat(e)%surroundings_amplitude = amplitude(1)
                heat(e)%emissivity = values%real(4)
                if (values%real(4) > 1) call fail_at(self, values%token(4), &
                   'an emissivity is not larger than 1; found '//to_text(values%real(4)))
+               if (lowest_surroundings(model, heat(e)) < model%absolute_zero) call fail_at(self, values%token(3), &
+                  'surroundings are not below absolute zero, '//to_text(model%absolute_zero)// &
+                  ' (*PHYSICAL CONSTANTS, ABSOLUTE ZERO=); found '//to_text(lowest_surroundings(model, heat(e))))
             end select
             cards%line(e, kind) = line
          end associate
       end do
    end subroutine set_heat
+
+   !> What an element radiates to has this temperature at least [K].
+   pure real(dp) function lowest_surroundings(model, heat) result(lowest)
+      type(model_t), intent(in) :: model
+      type(element_heat_t), intent(in) :: heat
+
+      lowest = heat%surroundings
+      if (heat%surroundings_amplitude > 0) lowest = minval(heat%surroundings &
+         *model%amplitudes(heat%surroundings_amplitude)%factor)
+   end function lowest_surroundings
 
    !> Why an element cannot have such heat; empty: it can. Sections and materials in error are passed over.
    function reason_against(model, e, kind) result(words)

@@ -211,7 +211,8 @@ contains
          integer :: k
 
          do k = 1, size(members)
-            if (has_potential(members(k)) .or. self%broken_nodes .or. self%broken_elements) cycle
+            if (has_potential(members(k)) .or. self%broken_nodes .or. self%broken_elements .or. &
+               self%broken_keywords) cycle
             call fail_at(self, token, 'node '//to_text(model%node_id(members(k)))//' of '//self%deck%text(token)// &
                ' has no electric potential')
             return

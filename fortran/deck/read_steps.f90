@@ -23,6 +23,12 @@ module litz_read_steps
    !> Smallest increment where the deck gives none, as a part of the step
    real(dp), parameter :: smallest_part = 1.0e-5_dp
 
+   !> What limits the increments of a step over time
+   character(len=6), parameter :: limits(2) = [character(len=6) :: 'DELTMX', 'ERROR']
+
+   character(len=*), parameter :: rate_is_missing = &
+      'END=SS needs the rate below which temperatures are steady, the fifth value of the data line'
+
    !> What holds at the place that the reading has reached.
    type :: so_far_t
       type(value_list_t) :: boundary, load(n_fields), temperature, initial
@@ -293,7 +299,8 @@ contains
       logical :: ok
 
       ! as in Abaqus, what limits the change of temperatures lets increments grow and shrink
-      step%direct = has_flag(self, card, 'DIRECT') .or. (step%transient .and. .not. step%largest_change > 0)
+      step%direct = has_flag(self, card, 'DIRECT') .or. (step%transient .and. &
+         .not. max(step%largest_change, step%largest_error) > 0)
       associate (this => self%deck%cards(card), values => self%values)
          if (this%last_data < this%first_data) then
             call set_default_increments()
@@ -304,6 +311,7 @@ contains
             call set_default_increments()
             return
          end if
+         if (step%solves(field_temperature)) call read_rate(self, card, step)
          step%total = merge(values%real(2), 1.0_dp, values%given(2))
          step%first = merge(values%real(1), step%total, values%given(1))
          step%smallest = merge(values%real(3), min(smallest_part*step%total, step%first), values%given(3))
@@ -340,17 +348,13 @@ contains
       integer :: i
 
       associate (token => self%deck%cards(card)%name, procedure => '*'//keyword_of(self, card))
-         if (step > 1) then
-            if (model%steps(step)%solves(field_displacement) .and. .not. model%steps(step - 1)%solves( &
-               field_displacement)) call fail_at(self, token, 'no '//procedure//' can follow a'// &
-               ' *COUPLED THERMAL-ELECTRICAL')
-         end if
          if (.not. model%steps(step)%solves(field_temperature)) return
-         if (model%steps(step)%transient) call require_storage(self, model, card)
+         if (model%steps(step)%transient .and. .not. self%broken_keywords) call require_storage(self, model, card)
          if (model%steps(step)%solves(field_displacement)) call require_electrical(self, model, card)
          do i = 1, size(model%materials)
             associate (material => model%materials(i))
-               if (allocated(material%heat_conductivity) .or. .not. material%conductivity > 0) cycle
+               if (allocated(material%heat_conductivity) .or. .not. material%conductivity > 0 .or. &
+                  self%broken_keywords) cycle
                call fail_at(self, token, 'the material '//material%name//' conducts currents, but not their heat;'// &
                   ' give it *CONDUCTIVITY')
             end associate
@@ -364,15 +368,42 @@ contains
       !> Index of the card
       integer, intent(in) :: card
       type(step_t), intent(inout) :: step
+      integer :: i
       type(token_t) :: token
 
       if (.not. step%solves(field_temperature)) return
       step%transient = .not. has_flag(self, card, 'STEADY STATE')
       step%largest_change = real_parameter(self, card, 'DELTMX', 0.0_dp)
-      token = parameter_of(self, card, 'DELTMX')
-      if (token%line > 0 .and. (.not. step%transient .or. has_flag(self, card, 'DIRECT'))) call fail_at(self, token, &
-         'DELTMX chooses the increments of steps over time: it is not possible with STEADY STATE or DIRECT')
+      step%largest_error = real_parameter(self, card, 'ERROR', 0.0_dp)
+      do i = 1, size(limits)
+         token = parameter_of(self, card, trim(limits(i)))
+         if (token%line == 0 .or. (step%transient .and. .not. has_flag(self, card, 'DIRECT'))) cycle
+         call fail_at(self, token, trim(limits(i))//' chooses the increments of steps over time: it is not possible'// &
+            ' with STEADY STATE or DIRECT')
+      end do
+      if (choice_of(self, card, 'END') == 'PERIOD') return
+      token = parameter_of(self, card, 'END')
+      if (.not. step%transient) then
+         call fail_at(self, token, 'END=SS ends a step over time; one with STEADY STATE is steady from its start')
+      else if (self%deck%cards(card)%last_data < self%deck%cards(card)%first_data) then
+         call fail_at(self, token, rate_is_missing)
+      end if
    end subroutine read_transient
+
+   !> The fifth value of the data line, which END=SS needs.
+   subroutine read_rate(self, card, step)
+      type(reader_t), intent(inout) :: self
+      !> Index of the card, whose data line is the one read last
+      integer, intent(in) :: card
+      type(step_t), intent(inout) :: step
+
+      if (choice_of(self, card, 'END') == 'SS') then
+         step%steady_rate = self%values%real(5)
+         if (.not. self%values%given(5)) call fail_at(self, parameter_of(self, card, 'END'), rate_is_missing)
+      else if (self%values%given(5)) then
+         call fail_at(self, self%values%token(5), 'a rate below which temperatures are steady needs END=SS')
+      end if
+   end subroutine read_rate
 
    !> What conducts heat stores it.
    subroutine require_storage(self, model, card)

@@ -66,6 +66,8 @@ module litz_reader
       logical :: missed_mesh = .false.
       !> Some line of a node or element could not be read: what is missing in the mesh is a follow-up error
       logical :: broken_nodes = .false., broken_elements = .false.
+      !> Some keyword of the model part is none: what a material lacks may be a follow-up error
+      logical :: broken_keywords = .false.
       !> Some rigid body could not be read: a node without elements may be its reference node
       logical :: broken_bodies = .false.
       type(set_builder_t) :: node_sets, element_sets

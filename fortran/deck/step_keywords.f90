@@ -43,9 +43,10 @@ contains
 
       call begin(k, 'COUPLED THERMAL-ELECTRICAL', place_step, 'Currents and temperatures together: currents'// &
          ' make heat, temperatures change conductivities. Motions are held.'//over_time// &
-         ' After it, no step that moves wires may follow. Contacts are not possible.')
+         ' A step that moves wires takes up the temperatures that the one before it has left, over its time.'// &
+         ' Contacts are not possible.')
       call add_transient(k)
-      call add_increments(k)
+      call add_increments(k, [rate_field()])
       call finish(table, k)
 
       call begin(k, 'COUPLED TEMPERATURE-DISPLACEMENT', place_step, 'Equilibrium of forces and moments,'// &
@@ -53,7 +54,7 @@ contains
          ' A *STATIC after it keeps the temperatures. Contacts are not possible.')
       call add_transient(k)
       call k%add(flag('ELECTRICAL', 'with currents and their heat; needed where a material conducts them'))
-      call add_increments(k)
+      call add_increments(k, [rate_field()])
       call finish(table, k)
 
       call begin(k, 'END STEP', place_step, 'Ends a step.')
@@ -66,22 +67,36 @@ contains
 
       call k%add(flag('STEADY STATE', 'no heat is stored; without it, materials that conduct heat need *DENSITY and'// &
          ' *SPECIFIC HEAT'))
-      call k%add(number('DELTMX', 'largest change of a free temperature in an increment [K]; without it the'// &
-         ' increments of a step over time are all as large as the first', limit_positive))
+      call k%add(number('DELTMX', 'largest change of a free temperature in an increment [K]; without it and ERROR'// &
+         ' the increments of a step over time are all as large as the first', limit_positive))
+      call k%add(number('ERROR', 'largest error of a free temperature that an increment of a step over time may add'// &
+         ' [K], which chooses the increments (litz extension); DELTMX may limit them as well', limit_positive))
+      call k%add(choice('END', 'PERIOD|SS', 'SS: a step over time ends as soon as no free temperature changes'// &
+         ' faster than the rate, and amplitudes have come to their ends', default='PERIOD'))
    end subroutine add_transient
 
    !> Time of the step, and how it is divided.
-   pure subroutine add_increments(k)
+   pure subroutine add_increments(k, more)
       type(keyword_t), intent(inout) :: k
+      !> Values behind them
+      type(field_spec_t), intent(in), optional :: more(:)
+      type(field_spec_t), allocatable :: values(:)
 
       call k%add(flag('DIRECT', 'increments of fixed size'))
-      call k%add_data([real_field('first', 's', 'first increment, the whole step when left out', limit_positive, &
+      values = [real_field('first', 's', 'first increment, the whole step when left out', limit_positive, &
          .false.), &
          real_field('total', 's', 'time of the step, 1 when left out', limit_positive, .false.), &
          real_field('smallest', 's', 'smallest increment, 1e-5 of the step when left out', limit_positive, .false.), &
-         real_field('largest', 's', 'largest increment, the whole step when left out', limit_positive, .false.)], &
-         required=.false.)
+         real_field('largest', 's', 'largest increment, the whole step when left out', limit_positive, .false.)]
+      if (present(more)) values = [values, more]
+      call k%add_data(values, required=.false.)
    end subroutine add_increments
+
+   !> What END=SS waits for.
+   pure type(field_spec_t) function rate_field() result(spec)
+      spec = real_field('rate', 'K/s', 'with END=SS: change of temperatures below which they are steady', &
+         limit_positive, .false.)
+   end function rate_field
 
    pure subroutine add_loads(table)
       type(keyword_table_t), intent(inout) :: table
@@ -134,14 +149,16 @@ contains
 
       call begin(k, 'DFLUX', place_step, 'Heat sources in wires, which ramp over the step. Lines for the same'// &
          ' element add up.')
-      call add_heat_op(k)
+      call add_heat_op(k, 'of the heat over time; without it the heat ramps over the step, or is there at once in a'// &
+         ' step over time')
       call k%add_data([element_field(), choice_field('label', 'BF', 'BF: in the volume'), &
          real_field('value', 'W/m^3', 'heat per volume')], last=0, optional_with=new_alone)
       call finish(table, k)
 
       call begin(k, 'FILM', place_step, 'Heat that passes from the sides of wires to their surroundings, h (T - Ts)'// &
          ' per area; the side has the perimeter 2 pi r. It does not ramp.')
-      call add_heat_op(k)
+      call add_heat_op(k, 'of the temperature of the surroundings over time; without it that is there at once')
+      call k%add(name('FILM AMPLITUDE', 'factor of the heat transfer coefficient over time'))
       call k%add_data([element_field(), choice_field('label', 'F', 'F: the side'), &
          real_field('Ts', 'K', 'temperature of the surroundings'), &
          real_field('h', 'W/(m^2 K)', 'heat transfer coefficient', limit_positive)], last=0, optional_with=new_alone)
@@ -149,7 +166,7 @@ contains
 
       call begin(k, 'RADIATE', place_step, 'Heat that wires radiate from their sides, eps sigma (T^4 - Ts^4) per'// &
          ' area, from absolute zero; the side has the perimeter 2 pi r. It does not ramp.')
-      call add_heat_op(k)
+      call add_heat_op(k, 'of the temperature of the surroundings over time; without it that is there at once')
       call k%add_data([element_field(), choice_field('label', 'R', 'R: the side'), &
          real_field('Ts', 'K', 'temperature of the surroundings'), &
          real_field('eps', '-', 'emissivity, up to 1', limit_positive)], last=0, optional_with=new_alone)
@@ -163,11 +180,14 @@ contains
 
    end subroutine add_element_heat
 
-   pure subroutine add_heat_op(k)
+   pure subroutine add_heat_op(k, of_what)
       type(keyword_t), intent(inout) :: k
+      !> What AMPLITUDE is the factor of
+      character(len=*), intent(in) :: of_what
 
       call k%add(choice('OP', 'MOD|NEW', 'MOD changes or adds to what earlier steps gave, NEW removes it all, with'// &
          ' or without data lines', default='MOD'))
+      call k%add(name('AMPLITUDE', 'factor '//of_what))
    end subroutine add_heat_op
 
    pure subroutine add_given_values(table)

@@ -11,13 +11,22 @@
 !>     R = C/2 (a (H(T) - H(T_before)) - b (H(T_before) - H(T_before_that)))/dt,                                     (2)
 !>     a = (1 + 2w)/(1 + w),  b = w^2/(1 + w)
 !>
+!> The error that an increment adds follows from what the temperatures before it predict: with the extrapolation T_p
+!> from three of them and the increments h, h1, h2,
+!>
+!>     T - T(t) = (T - T_p) (h/a)/(h/a + h + h1 + h2)                                                                (3)
+!>
+!> and for backward Euler, with the line T_p through two of them,
+!>
+!>     T - T(t) = (T - T_p) h/(2h + h1)                                                                              (4)
+!>
 !> Source: theory section 13.
 module litz_heat_capacity
    use litz_kinds, only: dp
    use litz_property_table, only: property_at, property_integral
    implicit none
    private
-   public :: latent_heat_t, heat_capacity, enthalpy_difference, bdf2_weights
+   public :: latent_heat_t, heat_capacity, enthalpy_difference, bdf2_weights, bdf2_error, euler_error
 
    !> Heat of a change of phase.
    type :: latent_heat_t
@@ -59,6 +68,31 @@ contains
 
       weights = [1 + 2*ratio, ratio**2]/(1 + ratio)
    end function bdf2_weights
+
+   !> What an increment of BDF2 adds to the error of a temperature [K]. Source: (3), to which the third derivative over
+   !> time contributes alone.
+   elemental real(dp) function bdf2_error(now, before, earlier, earliest, h, h1, h2) result(error)
+      !> Temperature, and what it was one, two and three increments ago [K]
+      real(dp), intent(in) :: now, before, earlier, earliest
+      !> The increment, and the two before it [s]
+      real(dp), intent(in) :: h, h1, h2
+      real(dp) :: slope, curvature, weights(2)
+
+      slope = (before - earlier)/h1
+      curvature = (slope - (earlier - earliest)/h2)/(h1 + h2)
+      weights = bdf2_weights(h/h1)
+      error = (now - before - h*slope - h*(h + h1)*curvature)*(h/weights(1))/(h/weights(1) + h + h1 + h2)
+   end function bdf2_error
+
+   !> The same of backward Euler. Source: (4).
+   elemental real(dp) function euler_error(now, before, earlier, h, h1) result(error)
+      !> Temperature, and what it was one and two increments ago [K]
+      real(dp), intent(in) :: now, before, earlier
+      !> The increment, and the one before it [s]
+      real(dp), intent(in) :: h, h1
+
+      error = (now - before - h*(before - earlier)/h1)*h/(2*h + h1)
+   end function euler_error
 
    !> `H(T) - H(T_before)` and its slope over T.
    pure subroutine enthalpy_difference(temperature, before, specific_heat, latent, difference, slope)

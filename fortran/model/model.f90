@@ -23,7 +23,7 @@ module litz_model
    public :: coupling_default, coupling_monolithic, coupling_updated, coupling_swept
    public :: request_node, request_element, request_contact, request_electrode, request_energy
    public :: shear_given, shear_round, shear_unreduced
-   public :: dof_potential, dof_temperature, amplitude_factor, ramp_at
+   public :: dof_potential, dof_temperature, amplitude_factor, factor_at, ramp_at
    public :: solved_by_static, solved_by_heat, solved_by_all
 
    !> Longest name of a set, material, ... (longer ones are refused)
@@ -187,6 +187,9 @@ module litz_model
       real(dp) :: film = 0, sink = 0
       !> *RADIATE: emissivity, 0: none; temperature of the surroundings [K]
       real(dp) :: emissivity = 0, surroundings = 0
+      !> What they follow, indices into `amplitudes`; 0: a source ramps over the step, the others are there at once
+      integer :: source_amplitude = 0, before_amplitude = 0, film_amplitude = 0, sink_amplitude = 0, &
+         surroundings_amplitude = 0
    end type element_heat_t
 
    !> A line of *NODE PRINT, *EL PRINT, *CONTACT PRINT or *ELECTRODE PRINT.
@@ -232,8 +235,10 @@ module litz_model
       logical :: has_solved(n_fields) = solved_by_static
       !> Wires store heat: the step is one over time
       logical :: transient = .false.
-      !> Of a temperature in an increment [K]; 0: no limit
-      real(dp) :: largest_change = 0
+      !> Of a temperature in an increment: its change and its error [K]; 0: no limit
+      real(dp) :: largest_change = 0, largest_error = 0
+      !> The step ends as soon as no temperature changes faster [K/s]; 0: at its time
+      real(dp) :: steady_rate = 0
       logical :: nlgeom = .true.
       integer :: max_increments = 100
       !> First, total, smallest and largest increment of time
@@ -305,6 +310,21 @@ contains
 
       ramp = merge(1.0_dp, step_time/step%total, step%transient)
    end function ramp_at
+
+   !> The factor of a value that may follow an amplitude.
+   pure real(dp) function factor_at(model, amplitude, step_time, total_time) result(factor)
+      type(model_t), intent(in) :: model
+      !> Index of the amplitude; 0: none
+      integer, intent(in) :: amplitude
+      !> Time since the step began, and since the analysis began [s]
+      real(dp), intent(in) :: step_time, total_time
+
+      factor = 1
+      if (amplitude == 0) return
+      associate (this => model%amplitudes(amplitude))
+         factor = amplitude_factor(this, merge(total_time, step_time, this%total_time))
+      end associate
+   end function factor_at
 
    !> Piecewise linear value of an amplitude, constant beyond its ends.
    pure real(dp) function amplitude_factor(amplitude, time) result(factor)

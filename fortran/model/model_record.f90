@@ -308,6 +308,9 @@ contains
          call record%list('*DFLUX', reshape([step%heat%source, step%heat%source_before], [model%n_elements, 2]))
          call record%list('*FILM', reshape([step%heat%film, step%heat%sink], [model%n_elements, 2]))
          call record%list('*RADIATE', reshape([step%heat%emissivity, step%heat%surroundings], [model%n_elements, 2]))
+         call record_amplitudes('*DFLUX', [step%heat%source_amplitude, step%heat%before_amplitude])
+         call record_amplitudes('*FILM', [step%heat%sink_amplitude, step%heat%film_amplitude])
+         call record_amplitudes('*RADIATE', step%heat%surroundings_amplitude)
       end if
       do i = 1, n_fields
          call record_values('*'//trim(fields(i)%load_keyword), pack(step%load, field_of_dof(step%load%dof) == i))
@@ -347,6 +350,20 @@ contains
             call record%add(keyword//' of degree of freedom '//to_text(dof), kind_sum, sum_text(checksum(at_node)))
          end do
       end subroutine record_values
+
+      !> What values on the length of elements follow.
+      subroutine record_amplitudes(keyword, amplitude)
+         !> The keyword that gives such values
+         character(len=*), intent(in) :: keyword
+         !> Indices of amplitudes, element by element for one value, then for the next; 0: none (n)
+         integer, intent(in) :: amplitude(:)
+         integer :: j
+
+         if (all(amplitude == 0)) return
+         used(pack(amplitude, amplitude > 0)) = .true.
+         call record%add('amplitudes of '//keyword, kind_sum, &
+            sum_text(checksum(reshape([(amplitude_sum(amplitude(j)), j=1, size(amplitude))], [1, size(amplitude)]))))
+      end subroutine record_amplitudes
 
       !> Of the amplitude's name; its points have lines of their own.
       pure integer(int64) function amplitude_sum(amplitude) result(total)

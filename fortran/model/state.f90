@@ -93,6 +93,10 @@ module litz_state
       integer :: step = 0, increment = 0, iterations = 0
       !> Total time, time in the step, last increment of time
       real(dp) :: time = 0, step_time = 0, time_increment = 0
+      !> The increment before the last one [s]
+      real(dp) :: time_increment_before = 0
+      !> The last increment is that of its step
+      logical :: ends_step = .false.
       !> Values of all fields (n_slots, n_nodes) [m, rad, V, K], those of rotations as rotation vectors; 0 where there
       !> is no such value
       real(dp), allocatable :: value(:, :)
@@ -110,9 +114,9 @@ module litz_state
       !> Heat flow along the wire per area of the cross-section, from the first to the second node (n_elements) [W/m^2],
       !> heat of currents and sources in the element, and heat that leaves its side (n_elements) [W]
       real(dp), allocatable :: heat_flux(:), heat_made(:), surface_heat(:)
-      !> What the elements take up of the heat (n_elements) [W], and the temperatures when the last increment began
-      !> (n_nodes) [K]
-      real(dp), allocatable :: heat_stored(:), temperature_before(:)
+      !> What the elements take up of the heat (n_elements) [W], and the temperatures when the last increment and the
+      !> one before it began (n_nodes) [K]
+      real(dp), allocatable :: heat_stored(:), temperature_before(:), temperature_earlier(:)
       !> Temperatures that the mechanics sees: those of the last increment that solved for motions (n_nodes) [K]
       real(dp), allocatable :: mechanical_temperature(:)
       !> Current per area of the cross-section (n_elements) [A/m^2]

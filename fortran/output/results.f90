@@ -265,13 +265,11 @@ contains
    pure logical function wants_fields(model, state)
       type(model_t), intent(in) :: model
       type(state_t), intent(in) :: state
-      real(dp), parameter :: round_off = 1.0e-9_dp
 
       wants_fields = .true.
       if (state%step == 0) return
       associate (step => model%steps(state%step))
-         wants_fields = mod(state%increment, step%output_frequency) == 0 .or. &
-            state%step_time >= step%total*(1 - round_off)
+         wants_fields = mod(state%increment, step%output_frequency) == 0 .or. state%ends_step
       end associate
    end function wants_fields
 

@@ -37,6 +37,7 @@ contains
          call exchange_slots(arrays, 'damping', state%damping, slots, error)
          if (state%has_field(field_temperature)) then
             call arrays%array('temperature_before', state%temperature_before, error)
+            call arrays%array('temperature_earlier', state%temperature_earlier, error)
             call arrays%array('mechanical_temperature', state%mechanical_temperature, error)
          end if
          call exchange_marks(arrays, 'loading_fixed', loading%fixed, slots, error)
@@ -136,7 +137,8 @@ contains
          end if
          numbers = reshape([state%iterations, control%quick, contact%last_id], [3, 1])
          call arrays%array('counts', numbers, 3, error)
-         reals = [state%time, state%step_time, state%time_increment, course%start_time, control%wanted, state%audit]
+         reals = [state%time, state%step_time, state%time_increment, state%time_increment_before, course%start_time, &
+            control%wanted, state%audit]
          call arrays%array('times', reals, error)
          energies = [state%energies%work, state%energies%strain, state%energies%contact, state%energies%friction, &
             state%energies%stabilization]
@@ -150,9 +152,10 @@ contains
          state%time = reals(1)
          state%step_time = reals(2)
          state%time_increment = reals(3)
-         course%start_time = reals(4)
-         control%wanted = reals(5)
-         state%audit = reals(6:)
+         state%time_increment_before = reals(4)
+         course%start_time = reals(5)
+         control%wanted = reals(6)
+         state%audit = reals(7:)
          state%energies = energies_t(energies(1), energies(2), energies(3), energies(4), energies(5))
          if (state%has_field(field_temperature)) state%energies%thermal = energies(6)
          contact%converged_clearance = contact%clearance

@@ -24,7 +24,7 @@ module litz_restart_file
    private
    public :: restart_file_t, read_restart, wants_restart
 
-   integer, parameter :: format_version = 12
+   integer, parameter :: format_version = 13
 
    type, extends(restart_arrays_t) :: restart_file_t
       private
@@ -42,17 +42,16 @@ module litz_restart_file
 contains
 
    !> At every n-th increment of a step and at its last, where the deck asks for it.
-   pure logical function wants_restart(step, increment, step_time)
+   pure logical function wants_restart(step, increment, ends_step)
       type(step_t), intent(in) :: step
       !> Number of the increment in its step
       integer, intent(in) :: increment
-      !> At the end of the increment [s]
-      real(dp), intent(in) :: step_time
-      real(dp), parameter :: round_off = 1.0e-9_dp
+      !> It is the last one
+      logical, intent(in) :: ends_step
 
       wants_restart = .false.
       if (step%restart_frequency == 0) return
-      wants_restart = mod(increment, step%restart_frequency) == 0 .or. step_time >= step%total*(1 - round_off)
+      wants_restart = mod(increment, step%restart_frequency) == 0 .or. ends_step
    end function wants_restart
 
    !> Begins the file.

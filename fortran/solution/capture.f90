@@ -38,6 +38,7 @@ contains
          state%reaction = merge(internal - loading%load, 0.0_dp, loading%fixed)
          state%outer_force = 0
          loading%converged_value = loading%value
+         loading%converged_ramp = loading%ramp
       end associate
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%accept(problem%domain_t)

@@ -169,7 +169,7 @@ contains
       if (outcome%cause == cause_fed_part .and. outcome%fed_at_start) then
          text = 'Smaller increments would not help.'
       else if (step%direct .and. step%transient) then
-         text = 'Increments over time are not cut back without DELTMX=.'
+         text = 'Increments over time are not cut back without DELTMX= or ERROR=.'
       else if (step%direct) then
          text = 'Increments of *STATIC, DIRECT are not cut back: remove DIRECT.'
       else if (outcome%cause == cause_lost_contact .or. outcome%cause == cause_turned_ends) then

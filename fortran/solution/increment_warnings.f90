@@ -12,6 +12,7 @@ module litz_increment_warnings
    use litz_parallel_wires, only: shallow_angle, parallel_warning
    use litz_run_warnings, only: run_warnings_t
    use litz_state, only: contact_t
+   use litz_step_end, only: reaches_end, fastest_change
    use litz_problem, only: problem_t
    use litz_text, only: to_text
    use litz_tight_bends, only: describe_tight_bends
@@ -93,6 +94,7 @@ contains
          if (.not. outcome%only_start_factored) call add_negative_pivots(outcome%negative_pivots, warnings)
          call add_round_off(problem, outcome)
          call add_third_electrodes(problem)
+         call add_not_steady(problem)
          do i = 1, size(state%contacts)
             call add_contact(problem%model, state%contacts(i), warnings)
          end do
@@ -109,9 +111,27 @@ contains
       type(run_warnings_t), intent(inout) :: warnings
 
       if (n > 0) call warnings%add('negative_pivots', &
-         'the tangent has negative pivots: the equilibrium lies beyond a critical load and may not be stable', &
-         value=real(n, dp), unit='negative pivots')
+         'the tangent has '//to_text(n)//' negative pivot'//trim(merge(' ', 's', n == 1))//': the equilibrium lies'// &
+         ' beyond a critical load and may not be stable. A small bow or side load shows where wires give way, and'// &
+         ' *CONTROLS, PARAMETERS=STABILIZE follows a snap', value=real(n, dp), unit='negative pivots')
    end subroutine add_negative_pivots
+
+   !> A step that was to end in a steady state, and has come to its time before.
+   subroutine add_not_steady(problem)
+      type(problem_t), intent(inout) :: problem
+      character(len=:), allocatable :: label
+      real(dp) :: rate
+
+      label = problem%model%units%label('K/s')
+      associate (step => problem%model%steps(problem%state%step))
+         if (.not. step%steady_rate > 0 .or. .not. reaches_end(step, problem%state%step_time)) return
+         rate = fastest_change(problem)
+         if (rate < step%steady_rate) return
+         call problem%warnings%add('not_steady', 'the step has ended at its time, and a temperature still changes'// &
+            ' by '//to_text(rate)//' '//label//', where END=SS asks for less than '//to_text(step%steady_rate)//' '// &
+            label, value=rate, unit=label)
+      end associate
+   end subroutine add_not_steady
 
    !> Residuals above the tolerance of their field that were accepted because round-off leaves no less. A field that has
    !> nothing but round-off has no residual to speak of.

@@ -27,7 +27,7 @@ module litz_newton
    use litz_turned_ends, only: turned_ends_t, most_turned_ends
    implicit none
    private
-   public :: outcome_t, solve_increment, count_negative_pivots, start_iterate
+   public :: outcome_t, solve_increment, factor_tangent, start_iterate
    public :: cause_iterations, cause_not_finite, cause_singular, cause_lost_contact, cause_turned_ends, &
       cause_fed_part, cause_no_solution, cause_failed_law, cause_large_change
 
@@ -426,21 +426,6 @@ contains
       call problem%scheme%factor(problem%matrix, error)
       problem%has_factor = all(problem%matrix%symmetric) .and. .not. allocated(error)
    end subroutine factor_tangent
-
-   !> Factor the tangent of a converged iterate, which no iteration has done, for its negative pivots. A singular one
-   !> tells nothing: nothing is solved with it.
-   subroutine count_negative_pivots(problem, outcome)
-      type(problem_t), intent(inout) :: problem
-      type(outcome_t), intent(inout) :: outcome
-      type(error_t), allocatable :: singular
-
-      call factor_tangent(problem, singular)
-      if (.not. allocated(singular)) then
-         outcome%negative_pivots = problem%scheme%negative_pivots
-         outcome%only_start_factored = .false.
-      end if
-      call problem%timing%lap(phase_factor)
-   end subroutine count_negative_pivots
 
    !> `q <- q + eta dq`; terms take their own unknowns along. Prescribed motion is taken whole.
    !> Source: theory section 9.

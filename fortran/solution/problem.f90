@@ -72,7 +72,8 @@ contains
             state%outer_force(n_slots, n), state%damping(n_slots, n), source=0.0_dp)
          allocate (state%section_forces(6, m), source=0.0_dp)
          allocate (state%element_current(m), state%current_density(m), state%joule_heat(m), state%heat_flux(m), &
-            state%heat_made(m), state%surface_heat(m), state%heat_stored(m), state%temperature_before(n), source=0.0_dp)
+            state%heat_made(m), state%surface_heat(m), state%heat_stored(m), state%temperature_before(n), &
+            state%temperature_earlier(n), source=0.0_dp)
          allocate (state%contacts(0), state%surface_contacts(0))
          state%has_field = problem%model%has_field
          state%value = initial_values(problem%model)

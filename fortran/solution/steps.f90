@@ -6,19 +6,22 @@ module litz_steps
    use litz_diagnosis, only: not_converged
    use litz_equations, only: number_equations
    use litz_errors, only: error_t, fail, exit_input, exit_not_converged
-   use litz_fields, only: fields, n_slots, field_temperature, field_of_dof, field_of_slot, slot_of_dof
+   use litz_fields, only: fields, n_slots, field_temperature, field_of_dof, field_of_slot, slot_of_dof, &
+      temperature_slots
    use litz_increment_warnings, only: add_increment_warnings
    use litz_kinds, only: dp
    use litz_loading, only: loading_t, start_loading, load_targets, next_break_point
    use litz_line_contact, only: serves_lines
-   use litz_model, only: model_t, step_t, nodal_value_t, coupling_swept
-   use litz_newton, only: outcome_t, solve_increment, count_negative_pivots, cause_not_finite, cause_large_change, &
-      cause_lost_contact, cause_turned_ends, cause_fed_part
+   use litz_model, only: model_t, step_t, nodal_value_t, coupling_swept, ramp_at
+   use litz_negative_pivots, only: count_negative_pivots
+   use litz_newton, only: outcome_t, solve_increment, cause_not_finite, cause_large_change, cause_lost_contact, &
+      cause_turned_ends, cause_fed_part
    use litz_observer, only: observer_t
    use litz_parallel_wires, only: shallow_angle
    use litz_problem, only: problem_t
    use litz_reports, only: iteration_report_t, increment_report_t
    use litz_step_control, only: course_t
+   use litz_step_end, only: reaches_end, step_is_over
    use litz_text, only: to_text
    use litz_timing, only: phase_update, phase_output
    implicit none
@@ -47,17 +50,21 @@ contains
          if (allocated(error)) return
          if (continued) then
             restored%given = problem%loading%given
+            restored%prescribed = problem%loading%prescribed
+            restored%converged_ramp = ramp_at(step, state%step_time)
             restored%solves = problem%loading%solves
             restored%stays = problem%loading%stays
             problem%loading = restored
+            state%ends_step = step_is_over(problem, step)
          else
             call course%control%start(step)
             state%step = number
             state%increment = 0
             state%step_time = 0
+            state%ends_step = .false.
             course%start_time = state%time
          end if
-         do while (.not. ends_step(step, state%step_time))
+         do while (.not. state%ends_step)
             if (state%increment >= step%max_increments) then
                write (text, '(a, i0, a, i0, a, es10.3, a, es10.3)') 'step ', number, ': the ', step%max_increments, &
                   ' increments of INC= are used up at step time', state%step_time, ' of', step%total
@@ -73,15 +80,6 @@ contains
          end do
       end associate
    end subroutine run_step
-
-   !> No increment is left after this step time.
-   pure logical function ends_step(step, step_time)
-      type(step_t), intent(in) :: step
-      !> [s]
-      real(dp), intent(in) :: step_time
-
-      ends_step = step_time >= step%total*(1 - 1.0e-9_dp)
-   end function ends_step
 
    !> Supports, solver and equations of the step.
    subroutine begin_step(problem, step, solver, error)
@@ -206,7 +204,7 @@ contains
             if (allocated(error)) return
             problem%n_iterations = problem%n_iterations + outcome%iterations
             ratio = bearable_ratio(problem, step)
-            if (outcome%converged .and. ratio < 1) call refuse_change(outcome, step)
+            if (outcome%converged .and. ratio < 1) call refuse_change(problem, outcome, step)
             if (outcome%converged) exit
             problem%has_factor = .false.
             call observer%attempt_done(problem, report_of(problem, outcome, audit, increment, target, start_time), &
@@ -226,9 +224,11 @@ contains
                return
             end if
          end do
-         ! the tangent of any other increment is the first that the next one factors
-         if (ends_step(step, target)) call count_negative_pivots(problem, outcome)
+         ! the tangent of any other increment is the first that the next one factors, unless that begins elsewhere
+         if (reaches_end(step, target) .or. problem%scheme%is_swept) call count_negative_pivots(problem, outcome, error)
+         if (allocated(error)) return
          call advance(problem, outcome, increment, target, start_time)
+         problem%state%ends_step = step_is_over(problem, step)
          audit = audit_increment(problem%model, problem%state, problem%loading, nodal_residual(problem), &
             measure_scales(problem))
          problem%state%audit = [audit%force, audit%moment, audit%current, audit%power, audit%penetration]
@@ -253,14 +253,25 @@ contains
       end do
    end function bearable_ratio
 
-   subroutine refuse_change(outcome, step)
+   subroutine refuse_change(problem, outcome, step)
+      type(problem_t), intent(in) :: problem
       type(outcome_t), intent(inout) :: outcome
       type(step_t), intent(in) :: step
 
       outcome%converged = .false.
       outcome%cause = cause_large_change
-      outcome%reason = 'a temperature changes by more than DELTMX='//to_text(step%largest_change)
+      outcome%reason = 'a temperature has an error of more than ERROR='//to_text(step%largest_error)
+      if (largest_change(problem) > step%largest_change .and. step%largest_change > 0) outcome%reason = &
+         'a temperature changes by more than DELTMX='//to_text(step%largest_change)
    end subroutine refuse_change
+
+   !> Of a free temperature in the increment [K].
+   pure real(dp) function largest_change(problem)
+      type(problem_t), intent(in) :: problem
+      integer, parameter :: slot = temperature_slots(1)
+
+      largest_change = maxval(abs(problem%iterate%change(slot, :)), problem%equations%number(slot, :) > 0)
+   end function largest_change
 
    !> The iterate becomes the converged state.
    subroutine advance(problem, outcome, increment, step_time, start_time)
@@ -274,6 +285,7 @@ contains
       problem%state%iterations = outcome%iterations
       problem%state%step_time = step_time
       problem%state%time = start_time + step_time
+      problem%state%time_increment_before = problem%state%time_increment
       problem%state%time_increment = increment
       call capture_state(problem)
    end subroutine advance

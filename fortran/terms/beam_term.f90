@@ -34,6 +34,7 @@ module litz_beam_term
       procedure :: evaluate
       procedure :: bearable_fraction
       procedure :: predict
+      procedure :: agree
       procedure :: add_energies
       procedure :: accept
    end type beam_term_t
@@ -181,6 +182,12 @@ contains
       !$omp end parallel do
       self%sigma_from_strain = any(abs(domain%iterate%prescribed(motion_slots(1):motion_slots(2), :)) > 0)
    end subroutine predict
+
+   subroutine agree(self)
+      class(beam_term_t), intent(inout) :: self
+
+      self%sigma_from_strain = .true.
+   end subroutine agree
 
    subroutine add_energies(self, domain, energies)
       class(beam_term_t), intent(in) :: self

@@ -7,7 +7,7 @@ module litz_capacity_term
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
    use litz_fields, only: field_temperature, temperature_slots
-   use litz_heat_capacity, only: latent_heat_t, enthalpy_difference, bdf2_weights
+   use litz_heat_capacity, only: latent_heat_t, enthalpy_difference, bdf2_weights, bdf2_error, euler_error
    use litz_model, only: model_t, step_t
    use litz_term, only: term_t
    implicit none
@@ -197,7 +197,7 @@ contains
       end do
    end subroutine shorten
 
-   !> Free temperatures do not change by more than DELTMX.
+   !> Free temperatures do not change by more than DELTMX, and have no more than ERROR in an increment.
    real(dp) function bearable_increment(self, domain, step) result(ratio)
       class(capacity_term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain
@@ -205,16 +205,47 @@ contains
       real(dp) :: change
 
       ratio = huge(ratio)
-      if (.not. self%is_at_work .or. .not. step%largest_change > 0) return
-      change = maxval(abs(domain%iterate%change(slot, :)), domain%equations%number(slot, :) > 0)
-      if (change > step%largest_change/huge(ratio)) ratio = step%largest_change/change
+      if (.not. self%is_at_work) return
+      associate (is_free => domain%equations%number(slot, :) > 0)
+         change = maxval(abs(domain%iterate%change(slot, :)), is_free)
+         if (step%largest_change > 0 .and. change > step%largest_change/huge(ratio)) ratio = step%largest_change/change
+         if (step%largest_error > 0) ratio = min(ratio, ratio_of_errors(self, domain, step%largest_error, is_free))
+      end associate
    end function bearable_increment
+
+   !> The increment that would have the allowed error, over that which has converged. Nothing is known of the error of
+   !> the first one of a step; that of the second is taken as what backward Euler would have had.
+   pure real(dp) function ratio_of_errors(self, domain, allowed, is_free) result(ratio)
+      class(capacity_term_t), intent(in) :: self
+      type(domain_t), intent(in) :: domain
+      !> [K]
+      real(dp), intent(in) :: allowed
+      !> Temperatures that are unknowns (n_nodes)
+      logical, intent(in) :: is_free(:)
+      real(dp) :: error(size(is_free)), order
+
+      ratio = huge(ratio)
+      if (domain%state%increment == 0) return
+      associate (now => domain%iterate%value(slot, :), state => domain%state)
+         if (domain%state%increment == 1 .or. .not. self%weights(2) > 0) then
+            order = 2
+            error = euler_error(now, state%value(slot, :), state%temperature_before, self%increment, &
+               state%time_increment)
+         else
+            order = 3
+            error = bdf2_error(now, state%value(slot, :), state%temperature_before, state%temperature_earlier, &
+               self%increment, state%time_increment, state%time_increment_before)
+         end if
+      end associate
+      ratio = (allowed/max(maxval(abs(error), is_free), tiny(ratio)))**(1/order)
+   end function ratio_of_errors
 
    subroutine accept(self, domain)
       class(capacity_term_t), intent(inout) :: self
       type(domain_t), intent(inout) :: domain
 
       domain%state%heat_stored = self%stored
+      domain%state%temperature_earlier = domain%state%temperature_before
       domain%state%temperature_before = self%at_start
    end subroutine accept
 

@@ -82,13 +82,17 @@ contains
    end function mean_temperature
 
    !> Temperatures that strains, radii, gaps and elasticities see: those of the iterate when motions began to take their
-   !> turn, or where motions are held those of the last increment that solved for motions (n_nodes) [K].
+   !> turn, or where motions are held those of the last increment that solved for motions (n_nodes) [K]. Their lag then
+   !> goes to zero over the next step.
    pure function mechanical_temperature(self) result(temperature)
       class(domain_t), intent(in) :: self
       real(dp) :: temperature(self%model%n_nodes)
 
-      temperature = merge(self%iterate%mechanical_temperature, self%state%mechanical_temperature, &
-         self%loading%solves(field_displacement))
+      associate (before => self%state%mechanical_temperature, lag => self%state%value(temperature_slots(1), :) &
+         - self%state%mechanical_temperature)
+         temperature = merge(self%iterate%mechanical_temperature - self%loading%lag_left()*lag, before, &
+            self%loading%solves(field_displacement))
+      end associate
    end function mechanical_temperature
 
    !> Of a conducting element at its mean temperature.

@@ -8,7 +8,8 @@ module litz_heat_term
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
    use litz_fields, only: field_temperature, group_transport, potential_slots, temperature_slots
-   use litz_model, only: model_t, step_t, element_heat_t, ramp_at
+   use litz_loading, only: heat_at
+   use litz_model, only: model_t, step_t, element_heat_t
    use litz_parallel, only: worth_threads
    use litz_property_table, only: property_at
    use litz_scatter, only: chunk
@@ -26,9 +27,10 @@ module litz_heat_term
       integer, allocatable :: conducting(:)
       !> Mean flow from the first to the second node, and heat of currents and sources (n_elements) [W]
       real(dp), allocatable :: flow(:), made(:)
-      !> Heat per volume (n_elements) [W/m^3], films and what passes through them (n_elements) [W]
-      real(dp), allocatable :: source(:), through_film(:)
-      type(element_heat_t), allocatable :: surface(:)
+      !> What passes through films (n_elements) [W]
+      real(dp), allocatable :: through_film(:)
+      !> Sources and films at the end of the increment (n_elements)
+      type(element_heat_t), allocatable :: given(:)
    contains
       procedure :: apply_load
       procedure :: hold
@@ -52,9 +54,9 @@ contains
             if (allocated(material%heat_conductivity)) heat%conducting = [heat%conducting, e]
          end associate
       end do
-      allocate (heat%flow(model%n_elements), heat%made(model%n_elements), heat%source(model%n_elements), &
-         heat%through_film(model%n_elements), source=0.0_dp)
-      allocate (heat%surface(model%n_elements))
+      allocate (heat%flow(model%n_elements), heat%made(model%n_elements), heat%through_film(model%n_elements), &
+         source=0.0_dp)
+      allocate (heat%given(model%n_elements))
    end function new_heat_term
 
    subroutine request_slots(self, domain, exists)
@@ -68,7 +70,6 @@ contains
       end if
    end subroutine request_slots
 
-   !> Sources ramp over the step, films do not.
    subroutine apply_load(self, domain, step, step_time, increment)
       class(heat_term_t), intent(inout) :: self
       type(domain_t), intent(inout) :: domain
@@ -76,8 +77,7 @@ contains
       !> Time of the step at the end of the increment, and the increment [s]
       real(dp), intent(in) :: step_time, increment
 
-      self%surface = step%heat
-      self%source = step%heat%source_before + ramp_at(step, step_time)*(step%heat%source - step%heat%source_before)
+      self%given = heat_at(domain%model, step, step_time, domain%state%time - domain%state%step_time)
    end subroutine apply_load
 
    !> What a film cools has a temperature.
@@ -90,7 +90,7 @@ contains
       logical, intent(inout) :: held(:)
 
       if (field == field_temperature) call domain%mark_nodes(pack(self%conducting, &
-         self%surface(self%conducting)%film > 0), held)
+         self%given(self%conducting)%film > 0), held)
    end subroutine hold
 
    subroutine evaluate(self, domain, error)
@@ -143,9 +143,9 @@ contains
                call property_at(material%heat_conductivity, domain%mean_temperature(e), wire%conductivity, &
                   wire%dconductivity)
                wire%heat_fraction = material%joule_fraction
-               wire%source = self%source(e)*section%area*wire%length
-               wire%film = self%surface(e)%film*2*pi*section%contact_radius
-               wire%sink = self%surface(e)%sink
+               wire%source = self%given(e)%source*section%area*wire%length
+               wire%film = self%given(e)%film*2*pi*section%contact_radius
+               wire%sink = self%given(e)%sink
             end associate
          end associate
          call conductor_heat(wire, value(potential_slots(1), node), value(temperature_slots(1), node), k, r, flows)

@@ -8,16 +8,19 @@ module litz_loading
    use litz_kinds, only: dp
    use litz_fields, only: fields, n_fields, n_slots, first_slot, last_slot, field_rotation, field_of_dof, &
       field_of_slot, group_mechanical, slot_of_dof
-   use litz_model, only: model_t, step_t, nodal_value_t, amplitude_factor, ramp_at
+   use litz_model, only: model_t, step_t, nodal_value_t, element_heat_t, factor_at, ramp_at
    use litz_rotations, only: rotation_exp, nearest_rotation_vector
    use litz_state, only: state_t
    implicit none
    private
-   public :: loading_t, start_loading, load_targets, prescribed_increment, next_break_point, initial_values
+   public :: loading_t, start_loading, load_targets, prescribed_increment, next_break_point, initial_values, heat_at, &
+      amplitudes_are_over
 
    type :: loading_t
       !> Fields that the step solves for (n_fields)
       logical :: solves(n_fields) = .true.
+      !> .true. where the step prescribes the value (n_slots, n_nodes)
+      logical, allocatable :: prescribed(:, :)
       !> .true. where the value is prescribed, or held because the step does not solve for motions (n_slots, n_nodes)
       logical, allocatable :: fixed(:, :)
       !> .true. where the value is given and no unknown (n_slots, n_nodes)
@@ -30,6 +33,11 @@ module litz_loading
       real(dp), allocatable :: value(:, :), load(:, :)
       !> Values at the last converged increment (n_slots, n_nodes)
       real(dp), allocatable :: converged_value(:, :)
+      !> The part of what ramps over the step that is reached, at the time last asked for and at the last converged
+      !> increment
+      real(dp) :: ramp = 0, converged_ramp = 0
+   contains
+      procedure :: lag_left
    end type loading_t
 
 contains
@@ -48,29 +56,31 @@ contains
       n = size(state%value, 2)
       if (.not. allocated(loading%load)) then
          allocate (loading%load(n_slots, n), source=0.0_dp)
-         allocate (loading%fixed(n_slots, n), loading%value(n_slots, n), loading%start_value(n_slots, n), &
+         allocate (loading%value(n_slots, n), loading%start_value(n_slots, n), &
             loading%converged_value(n_slots, n), loading%start_load(n_slots, n))
-         loading%fixed = .false.
       end if
+      if (.not. allocated(loading%prescribed)) allocate (loading%prescribed(n_slots, n), source=.false.)
       if (.not. allocated(loading%given)) allocate (loading%given(n_slots, n), source=.false.)
       if (.not. allocated(loading%stays)) allocate (loading%stays(n_slots, n), source=.false.)
       loading%start_load = loading%load
       loading%start_value = state%value
-      call move_alloc(loading%fixed, kept)
-      allocate (loading%fixed(n_slots, n), source=.false.)
+      loading%converged_ramp = 0
+      call move_alloc(loading%prescribed, kept)
+      allocate (loading%prescribed(n_slots, n), source=.false.)
       do i = 1, size(step%boundary)
-         loading%fixed(slot_of_dof(step%boundary(i)%dof), step%boundary(i)%node) = .true.
+         loading%prescribed(slot_of_dof(step%boundary(i)%dof), step%boundary(i)%node) = .true.
       end do
+      loading%fixed = loading%prescribed
       loading%solves = step%solves
       where (spread(.not. step%solves(field_of_slot) .and. fields(field_of_slot)%group == group_mechanical, 2, n)) &
          loading%fixed = .true.
       associate (first => first_slot(field_rotation), last => last_slot(field_rotation))
          do i = 1, n
             ! a rotation vector and single angles are different things
-            if (all(kept(first:last, i)) .neqv. all(loading%fixed(first:last, i))) kept(first:last, i) = .false.
+            if (all(kept(first:last, i)) .neqv. all(loading%prescribed(first:last, i))) kept(first:last, i) = .false.
          end do
       end associate
-      kept = kept .and. loading%fixed
+      kept = kept .and. loading%prescribed
       where (kept) loading%start_value = loading%converged_value
       loading%value = loading%start_value
       loading%converged_value = loading%start_value
@@ -87,6 +97,7 @@ contains
       integer :: i, slot
 
       ramp = ramp_at(step, step_time)
+      loading%ramp = ramp
       call set_given_values()
       do i = 1, size(step%boundary)
          associate (item => step%boundary(i))
@@ -127,9 +138,7 @@ contains
          if (item%amplitude == 0) then
             value = start + ramp*(item%value - start)
          else
-            associate (amplitude => model%amplitudes(item%amplitude))
-               value = item%value*amplitude_factor(amplitude, merge(total_time, step_time, amplitude%total_time))
-            end associate
+            value = item%value*factor_at(model, item%amplitude, step_time, total_time)
          end if
       end function value_at
 
@@ -141,6 +150,41 @@ contains
       end subroutine set_load
 
    end subroutine load_targets
+
+   !> How much of what strains lag behind the temperatures at the start of the increment is left at its end: where
+   !> temperatures have changed while motions were held, wires take them up over the next step that moves them.
+   pure real(dp) function lag_left(self)
+      class(loading_t), intent(in) :: self
+
+      lag_left = 0
+      if (self%ramp < 1) lag_left = (1 - self%ramp)/(1 - self%converged_ramp)
+   end function lag_left
+
+   !> What enters and leaves the elements on their length at a step time (n_elements).
+   pure function heat_at(model, step, step_time, start_time) result(heat)
+      type(model_t), intent(in) :: model
+      type(step_t), intent(in) :: step
+      !> Time since the step began, and total time at which it began [s]
+      real(dp), intent(in) :: step_time, start_time
+      type(element_heat_t) :: heat(size(step%heat))
+      integer :: i
+
+      heat = step%heat
+      do i = 1, size(heat)
+         associate (given => step%heat(i), total_time => start_time + step_time)
+            if (given%source_amplitude > 0) then
+               heat(i)%source = given%source*factor_at(model, given%source_amplitude, step_time, total_time)
+            else
+               heat(i)%source_before = given%source_before*factor_at(model, given%before_amplitude, 0.0_dp, start_time)
+               heat(i)%source = heat(i)%source_before + ramp_at(step, step_time)*(given%source - heat(i)%source_before)
+            end if
+            heat(i)%film = given%film*factor_at(model, given%film_amplitude, step_time, total_time)
+            heat(i)%sink = given%sink*factor_at(model, given%sink_amplitude, step_time, total_time)
+            heat(i)%surroundings = given%surroundings*factor_at(model, given%surroundings_amplitude, step_time, &
+               total_time)
+         end associate
+      end do
+   end function heat_at
 
    !> Values before the first step (n_slots, n_nodes).
    pure function initial_values(model) result(value)
@@ -199,10 +243,7 @@ contains
       real(dp) :: shift, margin
       integer :: i, k
 
-      used = .false.
-      call mark(step%boundary)
-      call mark(step%load)
-      call mark(step%predefined)
+      used = used_amplitudes(model, step)
       next = step%total
       margin = 1.0e-9_dp*step%total
       do i = 1, size(used)
@@ -214,18 +255,60 @@ contains
             end do
          end associate
       end do
+   end function next_break_point
+
+   !> No amplitude of the step changes anything any more.
+   pure logical function amplitudes_are_over(model, step, step_time, total_time) result(are_over)
+      type(model_t), intent(in) :: model
+      type(step_t), intent(in) :: step
+      !> Time since the step began, and since the analysis began [s]
+      real(dp), intent(in) :: step_time, total_time
+      logical :: used(size(model%amplitudes))
+      integer :: i
+
+      used = used_amplitudes(model, step)
+      are_over = .true.
+      do i = 1, size(used)
+         associate (amplitude => model%amplitudes(i))
+            if (used(i)) are_over = are_over .and. amplitude%time(size(amplitude%time)) &
+               <= merge(total_time, step_time, amplitude%total_time) + 1.0e-9_dp*step%total
+         end associate
+      end do
+   end function amplitudes_are_over
+
+   !> What values, loads and heat of the step follow (amplitudes).
+   pure function used_amplitudes(model, step) result(used)
+      type(model_t), intent(in) :: model
+      type(step_t), intent(in) :: step
+      logical :: used(size(model%amplitudes))
+
+      used = .false.
+      call mark(step%boundary)
+      call mark(step%load)
+      call mark(step%predefined)
+      associate (heat => step%heat)
+         call mark_amplitudes([heat%source_amplitude, heat%film_amplitude, heat%sink_amplitude, &
+            heat%surroundings_amplitude])
+      end associate
 
    contains
 
-      subroutine mark(items)
+      pure subroutine mark(items)
          type(nodal_value_t), intent(in) :: items(:)
-         integer :: j
 
-         do j = 1, size(items)
-            if (items(j)%amplitude > 0) used(items(j)%amplitude) = .true.
-         end do
+         call mark_amplitudes(items%amplitude)
       end subroutine mark
 
-   end function next_break_point
+      pure subroutine mark_amplitudes(amplitude)
+         !> Indices of amplitudes; 0: none (n)
+         integer, intent(in) :: amplitude(:)
+         integer :: j
+
+         do j = 1, size(amplitude)
+            if (amplitude(j) > 0) used(amplitude(j)) = .true.
+         end do
+      end subroutine mark_amplitudes
+
+   end function used_amplitudes
 
 end module litz_loading

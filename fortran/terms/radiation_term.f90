@@ -4,7 +4,8 @@ module litz_radiation_term
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
    use litz_fields, only: field_temperature, temperature_slots
-   use litz_model, only: step_t
+   use litz_loading, only: heat_at
+   use litz_model, only: step_t, element_heat_t
    use litz_term, only: term_t
    use litz_wire_surface, only: wire_radiation
    implicit none
@@ -30,14 +31,16 @@ contains
       type(step_t), intent(in) :: step
       !> Time of the step at the end of the increment, and the increment [s]
       real(dp), intent(in) :: step_time, increment
+      type(element_heat_t) :: given(size(step%heat))
       integer :: e
 
+      given = heat_at(domain%model, step, step_time, domain%state%time - domain%state%step_time)
       self%elements = pack([(e, e=1, size(step%heat))], step%heat%emissivity > 0)
       if (.not. step%solves(field_temperature)) self%elements = self%elements(:0)
       associate (model => domain%model, elements => self%elements)
-         self%coefficient = step%heat(elements)%emissivity*model%stefan_boltzmann &
+         self%coefficient = given(elements)%emissivity*model%stefan_boltzmann &
             *2*pi*model%sections(model%element_section(elements))%contact_radius
-         self%surroundings = step%heat(elements)%surroundings
+         self%surroundings = given(elements)%surroundings
          self%heat = 0*self%surroundings
       end associate
    end subroutine apply_load

@@ -45,6 +45,7 @@ module litz_term
       procedure :: settle
       procedure :: bearable_increment
       !> An increment has converged
+      procedure :: agree
       procedure :: add_energies
       procedure :: accept
    end type term_t
@@ -202,6 +203,11 @@ contains
 
       ratio = huge(ratio)
    end function bearable_increment
+
+   !> The next evaluation takes what the term iterates itself from the unknowns instead.
+   subroutine agree(self)
+      class(term_t), intent(inout) :: self
+   end subroutine agree
 
    !> Take what the term iterates itself along with the step `eta dq` of the unknowns.
    subroutine predict(self, domain, eta, correction)

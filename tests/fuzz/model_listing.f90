@@ -125,7 +125,10 @@ contains
             if (.not. max(abs(this%source_before), abs(this%source), this%film, this%emissivity) > 0) cycle
             write (unit, '(a)') 'heat'//show([model%element_id(i)])//show([this%source_before, this%source, &
                merge([this%sink, this%film], [0.0_dp, 0.0_dp], this%film > 0), &
-               merge([this%surroundings, this%emissivity], [0.0_dp, 0.0_dp], this%emissivity > 0)])
+               merge([this%surroundings, this%emissivity], [0.0_dp, 0.0_dp], this%emissivity > 0)])// &
+               show([this%source_amplitude, this%before_amplitude, &
+               merge([this%sink_amplitude, this%film_amplitude], 0, this%film > 0), &
+               merge(this%surroundings_amplitude, 0, this%emissivity > 0)])
          end associate
       end do
       do i = 1, size(step%requests)

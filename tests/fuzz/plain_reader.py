@@ -21,6 +21,8 @@ DOFS = {"CECURRENT": 9, "CFLUX": 11, "TEMPERATURE": 11, "INITIALCONDITIONS": 11}
 PROCEDURES = ("STATIC", "COUPLEDTHERMAL-ELECTRICAL", "COUPLEDTEMPERATURE-DISPLACEMENT")
 #: Where the numbers of a keyword are: source before the step, source, sink and film, surroundings and emissivity
 HEAT = {"DFLUX": (1, 2), "FILM": (2, 4), "RADIATE": (4, 6)}
+#: Of the values on the length of an element, those that may follow an amplitude
+FOLLOWS = {"DFLUX": {1: "AMPLITUDE"}, "FILM": {2: "AMPLITUDE", 3: "FILMAMPLITUDE"}, "RADIATE": {4: "AMPLITUDE"}}
 CONTROLS = {
     "i_c": 16,
     "i_l": 10,
@@ -289,7 +291,7 @@ class PlainReader:
         step, fresh, heat = None, {}, {}
         for keyword, parameters, data in self.cards:
             if keyword == "STEP":
-                heat = {element: [given[1], *given[1:]] for element, given in heat.items()}
+                heat = self.keep_heat(heat, earlier["total"])
                 step = {**earlier, "controls": dict(earlier["controls"]), "inc": int(parameters.get("INC", 100))}
                 fresh, asked = {kind: set() for kind in LOADS}, set()
                 for kind in LOADS:
@@ -322,8 +324,7 @@ class PlainReader:
                 for kind, word in LOADS.items():
                     lines += [f"{word}{show([*key, *value])}" for key, value in in_force[kind].items()
                               if not (waits and word != "given" and key[1] == 11)]  # fmt: skip
-                warm = [element for element in self.elements if any(heat.get(element, []))]
-                lines += [f"heat {element}{show(heat[element])}" for element in warm]
+                lines += self.show_heat(heat)
                 lines += [
                     "".join([f"request{show(request[:4])}", *(f" {name:8}" for name in request[4])])
                     for request in requests
@@ -335,17 +336,44 @@ class PlainReader:
         first, last = HEAT[keyword]
         if squeezed(parameters.get("OP") or "") == "NEW" and not fresh:
             for given in heat.values():
-                given[first:last] = [0.0] * (last - first)
+                given[first:last] = [(0, 0.0)] * (last - first)
         fresh.add(None)
+        follows = {place: self.amplitude(parameters.get(name)) for place, name in FOLLOWS[keyword].items()}
         for line in data:
             item, _, *numbers = values(line)
             for element in self.items("ELSET", item):
-                given = heat.setdefault(element, [0.0] * 6)
-                old = given[1] if element in fresh else 0.0
-                given[first:last] = map(number, numbers)
+                given = heat.setdefault(element, [(0, 0.0)] * 6)
+                old = given[1][1] if element in fresh else 0.0
+                for place, text in enumerate(numbers, first):
+                    given[place] = (follows.get(place, 0), number(text))
                 if keyword == "DFLUX":
-                    given[1] += old
+                    given[1] = (given[1][0], given[1][1] + old)
                     fresh.add(element)
+
+    def keep_heat(self, heat, time):
+        """What the next step has; sources also as what they were before it."""
+        kept = {}
+        for element, given in heat.items():
+            values = dict(enumerate(given))
+            self.freeze(values, time)
+            kept[element] = [values[1], *list(values.values())[1:]]
+        return kept
+
+    def show_heat(self, heat):
+        lines = []
+        for element in self.elements:
+            given = heat.get(element, [(0, 0.0)] * 6)
+            # without a coefficient there are no surroundings
+            for i in (2, 4):
+                if not given[i + 1][1]:
+                    given = [*given[:i], (0, 0.0), (0, 0.0), *given[i + 2 :]]
+            if any(value for _, value in given):
+                follow = [given[i][0] for i in (1, 0, 2, 3, 4)]
+                lines.append(f"heat {element}{show([value for _, value in given])}{show(follow)}")
+        return lines
+
+    def amplitude(self, name):
+        return self.names["AMPLITUDE"].index(capitals(name)) + 1 if name else 0
 
     def read_times(self, parameters, data, step):
         given = [number(value) if value else None for value in values(data[0])] if data else []
@@ -376,9 +404,7 @@ class PlainReader:
         if squeezed(parameters.get("OP") or "") == "NEW" and not fresh:
             in_force.clear()
         fresh.add(None)
-        amplitude = 0
-        if "AMPLITUDE" in parameters:
-            amplitude = self.names["AMPLITUDE"].index(capitals(parameters["AMPLITUDE"])) + 1
+        amplitude = self.amplitude(parameters.get("AMPLITUDE"))
         order = {node: i for i, node in enumerate(self.nodes)}
         for line in data:
             item, *rest = values(line)

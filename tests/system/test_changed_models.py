@@ -113,11 +113,11 @@ HEAT_STEP = """\
  906, 9, 1.0
 *CFLUX, AMPLITUDE=WAVE
  906, 11, 0.01
-*DFLUX
+*DFLUX, AMPLITUDE=WAVE
  903, BF, 1e5
-*FILM
+*FILM, AMPLITUDE=WAVE, FILM AMPLITUDE=WAVE
  904, F, 290, 40
-*RADIATE
+*RADIATE, AMPLITUDE=WAVE
  905, R, 280, 0.5
 *RESTART, WRITE
 *END STEP
@@ -193,12 +193,18 @@ FREE_VALUES = {
     ("EXPANSION", "TYPE"): "one choice", ("CONDUCTIVITY", "TYPE"): "one choice",
     ("COUPLED THERMAL-ELECTRICAL", "STEADY STATE"): "a flag: tested by itself",
     ("COUPLED THERMAL-ELECTRICAL", "DELTMX"): "size of the increments",
+    ("COUPLED THERMAL-ELECTRICAL", "ERROR"): "size of the increments",
+    ("COUPLED THERMAL-ELECTRICAL", "END"): "when it ends",
+    ("COUPLED THERMAL-ELECTRICAL", "rate"): "when it ends",
     ("COUPLED THERMAL-ELECTRICAL", "DIRECT"): "size of the increments",
     ("COUPLED THERMAL-ELECTRICAL", "first"): "size of the increments",
     ("COUPLED THERMAL-ELECTRICAL", "smallest"): "size of the increments",
     ("COUPLED THERMAL-ELECTRICAL", "largest"): "size of the increments",
     ("COUPLED TEMPERATURE-DISPLACEMENT", "STEADY STATE"): "as that of *COUPLED THERMAL-ELECTRICAL",
     ("COUPLED TEMPERATURE-DISPLACEMENT", "DELTMX"): "size of the increments",
+    ("COUPLED TEMPERATURE-DISPLACEMENT", "ERROR"): "size of the increments",
+    ("COUPLED TEMPERATURE-DISPLACEMENT", "END"): "when it ends",
+    ("COUPLED TEMPERATURE-DISPLACEMENT", "rate"): "when it ends",
     ("COUPLED TEMPERATURE-DISPLACEMENT", "ELECTRICAL"): "needed where a material conducts currents",
     ("COUPLED TEMPERATURE-DISPLACEMENT", "total"): "as that of *STATIC",
     ("COUPLED TEMPERATURE-DISPLACEMENT", "DIRECT"): "size of the increments",
@@ -353,7 +359,7 @@ FREE_FIELDS = {
     "step_t": {
         # text, size of the increments, output, how it is solved
         "title", "nlgeom", "max_increments", "first", "smallest", "largest", "direct", "requests", "output_frequency",
-        "restart_frequency", "largest_change", "controls", "solver", "coupling", "reform_kernel",
+        "restart_frequency", "largest_change", "largest_error", "steady_rate", "controls", "solver", "coupling", "reform_kernel",
         # follows from what the steps solve for
         "has_solved",
     },
@@ -468,7 +474,7 @@ def test_files_of_an_earlier_format_are_refused_in_words(litz, kept, tmp_path):
         file.attrs["format_version"] = file.attrs["format_version"] - 1
     done = litz("run", kept / "deck.inp", "-o", tmp_path / "out", "--restart", tmp_path / "old.h5")
     assert done.returncode == 4
-    assert "another version of litz wrote it, in format 11 (this one reads format 12)" in done.stderr
+    assert "another version of litz wrote it, in format 12 (this one reads format 13)" in done.stderr
     assert not (tmp_path / "out").exists() or not list((tmp_path / "out").iterdir())
 
 

@@ -187,11 +187,6 @@ class TestWhatIsRefused:
         message = refused(1, 0.01, later="*STEP\n*STATIC\n*FILM\nWIRE, F, 290, 10\n*END STEP\n")
         assert "a step that does not solve for temperatures has no *FILM" in message
 
-    def test_it_does_not_follow_a_step_that_holds_the_wires(self, refused):
-        held = "*STEP\n*COUPLED THERMAL-ELECTRICAL, STEADY STATE\n*END STEP\n"
-        message = refused(1, 0.01, later=held + f"*STEP\n{PROCEDURE}*END STEP\n")
-        assert "no *COUPLED TEMPERATURE-DISPLACEMENT can follow a *COUPLED THERMAL-ELECTRICAL" in message
-
     def test_no_steady_temperature(self, refused):
         """Above the burn-out current the run ends with the largest one that was steady."""
         sigma = "\n".join(f"{1 / (RHO * (1 + 4e-3 * (t - ROOM))):.17g}, {t:.17g}" for t in (100.0, 1e7))

@@ -153,7 +153,7 @@ def network(law, other, volts=0.05, temperatures=(293, 320, 300, 310, 320), cond
             flow[[a, b]] += [i, -i]
         return np.array([v[k] - fixed_v[k] if k in fixed_v else flow[k] for k in range(n)])
 
-    v = fsolve(kirchhoff, np.zeros(n), xtol=1e-14)
+    v = fsolve(kirchhoff, np.zeros(n), xtol=1e-12)
 
     def balance(t):
         flow = np.zeros(n)

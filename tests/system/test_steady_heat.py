@@ -319,11 +319,14 @@ class TestRefusals:
         assert done.returncode == 1
         assert "in a step without STEADY STATE it needs *DENSITY and *SPECIFIC HEAT" in done.stderr
 
-    def test_motion_after_heat(self, refused, litz, tmp_path):
-        (tmp_path / "wire.inp").write_text(deck() + "*STEP\n*STATIC\n*END STEP\n")
+    @pytest.mark.parametrize("keyword", ["CONDUCTIVITY", "ELECTRICAL CONDUCTIVITY"])
+    def test_a_misspelt_property_is_one_error(self, litz, tmp_path, keyword):
+        text = deck(loads="*FILM\nWIRE, F, 290, 40\n").replace(f"*{keyword}", f"*{keyword[:-2]}Y")
+        (tmp_path / "wire.inp").write_text(text)
         done = litz("run", tmp_path / "wire.inp", "-o", tmp_path / "wire")
         assert done.returncode == 1
-        assert "no *STATIC can follow a *COUPLED THERMAL-ELECTRICAL" in done.stderr
+        assert done.stderr.count("error:") == 1
+        assert f"did you mean *{keyword}" in done.stderr
 
     def test_a_conductor_that_keeps_its_heat(self, litz, tmp_path):
         (tmp_path / "wire.inp").write_text(deck().replace("*CONDUCTIVITY\n390.0\n", ""))

@@ -205,15 +205,19 @@ def test_the_program_accepts_all_that_can_be_said_of_heat(litz_program, tmp_path
     steady.temperature(wire.ends, 20.0)
     steady.current(wire.start, 1.0)
     heat = model.step("HEAT", procedure="coupled thermal-electrical", first=0.1, total=2.0, deltmx=50.0)
-    heat.film("W", 20.0, 10.0)
-    heat.radiate(wire, 20.0, 0.5)
-    heat.body_heat(wire, 1e3)
+    wave = model.amplitude("WAVE", [0.0, 1.0], [1.0, 0.5])
+    heat.film("W", 20.0, 10.0, amplitude=wave, film_amplitude="WAVE")
+    heat.radiate(wire, 20.0, 0.5, amplitude=wave)
+    heat.body_heat(wire, 1e3, amplitude=wave)
     heat.heat(wire.middle, 0.1)
     heat.node_print(wire, "NT", "RFL")
     deck = model.write(tmp_path / "warm.inp")
     done = subprocess.run([litz_program, "check", deck], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
-    assert {card.name for card in litz.Deck.read(deck)} >= OF_HEAT
+    read = litz.Deck.read(deck)
+    assert {card.name for card in read} >= OF_HEAT
+    assert [read.find(name)[0]["AMPLITUDE"] for name in ("DFLUX", "FILM", "RADIATE")] == ["WAVE"] * 3
+    assert read.find("FILM")[0]["FILM AMPLITUDE"] == "WAVE"
 
 
 def test_the_increments_of_a_step_over_time_are_those_of_the_keyword():
@@ -221,6 +225,11 @@ def test_the_increments_of_a_step_over_time_are_those_of_the_keyword():
     model.step(procedure="COUPLED THERMAL-ELECTRICAL", first=0.1, total=2.0)
     model.step(procedure="COUPLED THERMAL-ELECTRICAL", first=0.1, total=2.0, largest=0.5, deltmx=10.0)
     one, other = deck_of(model).find("COUPLED THERMAL-ELECTRICAL")
+    model.step(procedure="COUPLED THERMAL-ELECTRICAL", first=0.1, total=2.0, error=0.5, steady_rate=1e-3)
+    model.step(procedure="COUPLED THERMAL-ELECTRICAL", first=0.1, total=2.0, steady_rate=1e-3)
+    *_, third, fourth = deck_of(model).find("COUPLED THERMAL-ELECTRICAL")
+    assert (third["ERROR"], third["END"], third.data) == (0.5, "SS", [[0.1, 2, 2e-5, 2, 1e-3]])
+    assert (fourth["END"], fourth.data[0][-1]) == ("SS", 1e-3)
     assert one.data == [[0.1, 2]]
     assert other.data == [[0.1, 2, 2e-5, 0.5]]
     assert other["DELTMX"] == 10.0

@@ -239,7 +239,11 @@ class LoadedModel(SurfaceModel):
             A coupled temperature-displacement step solves for potentials, too.
         deltmx : float
             Largest change of a temperature in an increment of a step over time [K], which then chooses the increments;
-            without it all of them are as large as the first.
+            without it and `error` all of them are as large as the first.
+        error : float
+            Largest error that an increment of a step over time may add to a temperature [K], which then chooses the increments.
+        steady_rate : float
+            A step over time ends as soon as no temperature changes faster [K/s].
         boundary_op, cload_op, cecurrent_op : {"MOD", "NEW"}
             NEW removes what earlier steps have prescribed or loaded.
         """

@@ -65,6 +65,8 @@ class Step:
         steady_state: bool = False,
         electrical: bool = True,
         deltmx: float | None = None,
+        error: float | None = None,
+        steady_rate: float | None = None,
         boundary_op: str = "MOD",
         cload_op: str = "MOD",
         cecurrent_op: str = "MOD",
@@ -77,17 +79,17 @@ class Step:
         self.cards: list[CardSpec] = []
         first = (total if increment is None else increment) if first is None else first
         largest = (total if increment is None else increment) if largest is None else largest
-        times = [first, total, smallest, largest]
+        times: list[float | None] = [first, total, smallest, largest]
         self._static: CardSpec = (
             procedure.upper(),
-            _procedure(procedure, direct, steady_state, electrical, deltmx),
+            _procedure(procedure, direct, steady_state, electrical, {"DELTMX": deltmx, "ERROR": error}),
             [times],
         )
         check_card(*self._static)
         if direct:
             largest = first
             times[2:] = []
-        elif _is_over_time(self._static) and deltmx is None:
+        elif _is_over_time(self._static) and deltmx is None and error is None:
             # increments of a step over time are all as large as the first
             largest = first
             times[2:] = [smallest] if smallest is not None else []
@@ -98,6 +100,10 @@ class Step:
                 raise ValueError(
                     f"increments must satisfy smallest <= first <= largest, not {smallest:g}, {first:g}, {largest:g}"
                 )
+        if steady_rate is not None:
+            self._static[1]["END"] = "SS"
+            times += [None] * (4 - len(times)) + [steady_rate]
+            check_card(*self._static)
         if first > total:
             raise ValueError(f"the first increment, {first:g} s, is larger than the step, {total:g} s")
         needed = math.ceil(total / largest * (1 - 1e-9))
@@ -202,20 +208,54 @@ class Step:
             Load(self._model.target(nodes), degree_of_freedom("temperature"), value, self._amplitude(amplitude)),
         )
 
-    def body_heat(self, elements: str | WireGroup, value: float) -> None:
+    def body_heat(self, elements: str | WireGroup, value: float, amplitude: Amplitude | str | None = None) -> None:
         """Heat per volume [W/m^3] in all of these elements."""
-        self.card("DFLUX", {}, [[self._model.element_set_of(elements), "BF", value]])
+        self._element_heat("DFLUX", elements, ["BF", value], AMPLITUDE=amplitude)
 
-    def film(self, elements: str | WireGroup, surroundings: float, coefficient: float) -> None:
-        """Heat that passes from the sides of wires to surroundings of this temperature [K], per area and kelvin [W/(m^2 K)]."""
-        self.card("FILM", {}, [[self._model.element_set_of(elements), "F", surroundings, coefficient]])
+    def film(
+        self,
+        elements: str | WireGroup,
+        surroundings: float,
+        coefficient: float,
+        amplitude: Amplitude | str | None = None,
+        film_amplitude: Amplitude | str | None = None,
+    ) -> None:
+        """Heat that passes from the sides of wires to their surroundings.
 
-    def radiate(self, elements: str | WireGroup, surroundings: float, emissivity: float) -> None:
+        Parameters
+        ----------
+        elements : str or WireGroup
+            Where.
+        surroundings : float
+            Temperature of the surroundings [K].
+        coefficient : float
+            Heat transfer coefficient [W/(m^2 K)].
+        amplitude, film_amplitude : Amplitude or str, optional
+            Factors over time: of the temperature of the surroundings, and of the coefficient.
+        """
+        given = {"AMPLITUDE": amplitude, "FILM AMPLITUDE": film_amplitude}
+        self._element_heat("FILM", elements, ["F", surroundings, coefficient], **given)
+
+    def radiate(
+        self,
+        elements: str | WireGroup,
+        surroundings: float,
+        emissivity: float,
+        amplitude: Amplitude | str | None = None,
+    ) -> None:
         """Heat that the sides of wires radiate to surroundings of this temperature [K].
 
-        Needs the Stefan-Boltzmann constant of `Model.physical_constants`.
+        Needs the Stefan-Boltzmann constant of `Model.physical_constants`. The amplitude is a factor of the temperature.
         """
-        self.card("RADIATE", {}, [[self._model.element_set_of(elements), "R", surroundings, emissivity]])
+        self._element_heat("RADIATE", elements, ["R", surroundings, emissivity], AMPLITUDE=amplitude)
+
+    def _element_heat(
+        self, name: str, elements: str | WireGroup, values: list[Any], **amplitudes: Amplitude | str | None
+    ) -> None:
+        """Heat on the length of elements, whose values may follow amplitudes."""
+        names = {parameter: self._amplitude(amplitude) for parameter, amplitude in amplitudes.items()}
+        given = {parameter: found for parameter, found in names.items() if found is not None}
+        self.card(name, given, [[self._model.element_set_of(elements), *values]])
 
     def cload(self, nodes: AnyNodes, dof: Direction, value: float, amplitude: Amplitude | str | None = None) -> None:
         """A force [N] or moment [N m] of fixed direction at each of the nodes; `dof` as the direction of `move`."""
@@ -364,16 +404,16 @@ class Step:
         yield "END STEP", {}, []
 
 
-def _procedure(name: str, direct: bool, steady_state: bool, electrical: bool, deltmx: float | None) -> dict[str, Any]:
+def _procedure(
+    name: str, direct: bool, steady_state: bool, electrical: bool, limits: dict[str, float | None]
+) -> dict[str, Any]:
     """Parameters of the card with the procedure."""
     parameters: dict[str, Any] = {"DIRECT": True} if direct else {}
     if squeezed(name) == squeezed("COUPLED TEMPERATURE-DISPLACEMENT") and electrical:
         parameters["ELECTRICAL"] = True
     if steady_state:
         parameters["STEADY STATE"] = True
-    if deltmx is not None:
-        parameters["DELTMX"] = deltmx
-    return parameters
+    return parameters | {limit: value for limit, value in limits.items() if value is not None}
 
 
 def _is_over_time(procedure: CardSpec) -> bool:

@@ -1,0 +1,49 @@
+!> When a step is over: at its end, or with END=SS as soon as nothing changes any more.
+module litz_step_end
+   use litz_fields, only: temperature_slots
+   use litz_kinds, only: dp
+   use litz_loading, only: amplitudes_are_over
+   use litz_model, only: step_t
+   use litz_problem, only: problem_t
+   implicit none
+   private
+   public :: reaches_end, step_is_over, fastest_change
+
+   integer, parameter :: slot = temperature_slots(1)
+
+contains
+
+   !> No increment is left after this step time.
+   pure logical function reaches_end(step, step_time)
+      type(step_t), intent(in) :: step
+      !> [s]
+      real(dp), intent(in) :: step_time
+
+      reaches_end = step_time >= step%total*(1 - 1.0e-9_dp)
+   end function reaches_end
+
+   !> The increment that has converged is the last one of the step. What amplitudes still have to bring keeps it going.
+   pure logical function step_is_over(problem, step)
+      type(problem_t), intent(in) :: problem
+      type(step_t), intent(in) :: step
+
+      associate (state => problem%state)
+         step_is_over = reaches_end(step, state%step_time)
+         if (step_is_over .or. .not. step%steady_rate > 0 .or. state%increment == 0) return
+         if (amplitudes_are_over(problem%model, step, state%step_time, state%time)) then
+           step_is_over = fastest_change(problem) < step%steady_rate
+         end if
+      end associate
+   end function step_is_over
+
+   !> Of a free temperature, the mean over the last increment [K/s].
+   pure real(dp) function fastest_change(problem)
+      type(problem_t), intent(in) :: problem
+
+      associate (state => problem%state)
+         fastest_change = max(0.0_dp, maxval(abs(state%value(slot, :) - state%temperature_before), &
+            problem%equations%number(slot, :) > 0))/state%time_increment
+      end associate
+   end function fastest_change
+
+end module litz_step_end
