@@ -300,7 +300,7 @@ contains
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(contact_set_t), intent(in) :: contact
-      !> Which of the crossings and of the points of lines
+      !> Which of the crossings (n) and of the points of lines (m)
       integer, intent(in) :: points(:), line_points(:)
       type(shared_conductors_t), intent(out) :: shared
       integer, allocatable :: pairs(:, :), nodes(:, :)

@@ -9,8 +9,10 @@ module litz_contact_heat_term
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
    use litz_fields, only: field_temperature, group_transport, potential_slots, temperature_slots
-   use litz_heat_of_contacts, only: contact_heat_t, heated_element_t, collect_heat
+   use litz_contact_heat_tangent, only: own_tangent, multiply_heat
+   use litz_heat_of_contacts, only: contact_heat_t, collect_heat
    use litz_heated_contacts, only: heated_contact_t, heated_contact, can_pass_heat
+   use litz_heated_elements, only: heated_element_t
    use litz_model, only: step_t
    use litz_property_table, only: property_at
    use litz_shared_conductors, only: shared_conductors_t
@@ -132,8 +134,9 @@ contains
 
       subroutine choose(points, chosen, n_conducting)
          type(contact_point_t), intent(in) :: points(:)
-         !> Places in these, those with a current first; how many have one
+         !> Places in these, those with a current first (n)
          integer, allocatable, intent(out) :: chosen(:)
+         !> How many have one
          integer, intent(out) :: n_conducting
          logical :: passes(size(points))
          integer :: j
@@ -179,7 +182,7 @@ contains
       if (allocated(self%k)) deallocate (self%k, self%k_et)
       allocate (self%k(4, 8, n), self%k_et(4, 4, n))
       do i = 1, n
-         call self%heat%own_tangent(i, k_te, k_tt, self%k_et(:, :, i))
+         call own_tangent(self%heat, i, k_te, k_tt, self%k_et(:, :, i))
          self%k(:, 1::2, i) = k_te
          self%k(:, 2::2, i) = k_tt
       end do
@@ -329,7 +332,7 @@ contains
       if (.not. self%has_mutual_tangent(group)) return
       heat = 0
       current = 0
-      call self%heat%multiply(value(potential_slots(1), :), value(temperature_slots(1), :), heat, current)
+      call multiply_heat(self%heat, value(potential_slots(1), :), value(temperature_slots(1), :), heat, current)
       do i = 1, size(self%heat%contacts)
          associate (nodes => self%heat%contacts(i)%nodes)
             heat(nodes(:2)) = heat(nodes(:2)) - own_heat(i, nodes, 1)

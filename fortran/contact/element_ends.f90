@@ -8,7 +8,8 @@ module litz_element_ends
    type :: element_ends_t
       !> Elements that have any (n_elements)
       integer, allocatable :: element(:)
-      !> First end on each of these (n_elements + 1); contact and side (1: barred) of each end, in order along its element
+      !> First end on each of these (n_elements + 1); contact and side (1: barred) of each end, in order along its
+      !> element
       integer, allocatable :: first(:), contact(:), side(:)
       !> Place of each end, in [-1, 1]
       real(dp), allocatable :: xi(:)
@@ -19,8 +20,9 @@ module litz_element_ends
 contains
 
    pure subroutine collect_ends(elements, xi, ends)
-      !> Elements of each contact (2, contacts), barred first, and the places in them (2, contacts)
+      !> Elements of each contact (2, contacts), barred first
       integer, intent(in) :: elements(:, :)
+      !> Places in them (2, contacts)
       real(dp), intent(in) :: xi(:, :)
       type(element_ends_t), intent(out) :: ends
       integer, allocatable :: number_of(:), free(:)

@@ -115,13 +115,14 @@ contains
          law%heat%lorenz, place - domain%model%absolute_zero, heated)
    end function heated_contact
 
-   !> lambda of an element at a temperature [W/(m K)], and its derivative.
+   !> lambda of an element at a temperature, and its derivative.
    pure subroutine conductivity_of(domain, e, temperature, lambda, dlambda)
       type(domain_t), intent(in) :: domain
       !> Element
       integer, intent(in) :: e
       !> [K]
       real(dp), intent(in) :: temperature
+      !> [W/(m K)], [W/(m K^2)]
       real(dp), intent(out) :: lambda, dlambda
 
       associate (model => domain%model)

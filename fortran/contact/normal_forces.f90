@@ -98,12 +98,14 @@ contains
          if (point%line_place > 0) then
             call press_line(law%normal%line_penalty(), point)
          else if (is_lens(law%normal, point)) then
-            if ((law%spot%uses_ellipse .or. law%heat%uses_ellipse) .and. share_of_ellipse(law%normal, point) > 0) &
+            if ((law%spot%uses_ellipse .or. law%heat%uses_ellipse) .and. share_of_ellipse(law%normal, point) > 0) then
                call find_ellipse(pair, point)
+            end if
             call press_lens(law%normal, pair, point)
          else
-            if (law%normal%uses_ellipse .or. law%spot%uses_ellipse .or. law%heat%uses_ellipse) call find_ellipse(pair, &
-               point)
+            if (law%normal%uses_ellipse .or. law%spot%uses_ellipse .or. law%heat%uses_ellipse) then
+               call find_ellipse(pair, point)
+            end if
             if (point%law_status /= law_ok) return
             call press_point(law%normal, pair, point)
          end if

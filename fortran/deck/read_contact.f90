@@ -161,11 +161,13 @@ contains
       interaction%heat%melting = real_parameter(self, card, 'TMELT', 0.0_dp)
       interaction%heat%may_melt = choice_of(self, card, 'MELTING') == 'WARN'
       interaction%heat%lorenz = real_parameter(self, card, 'LORENZ', 0.0_dp)
-      if (interaction%heat%lorenz > 0 .and. interaction%heat%number /= heat_metal_law) call fail_at(self, &
-         parameter_of(self, card, 'LORENZ'), 'LORENZ= is for LAW=METAL')
-      if (interaction%heat%number == heat_metal_law .and. .not. has_parameter('PHYSICAL CONSTANTS', 'ABSOLUTE ZERO')) &
-         call fail_at(self, self%deck%cards(card)%name, 'LAW=METAL needs temperatures from absolute zero: give it by'// &
-         ' *PHYSICAL CONSTANTS, ABSOLUTE ZERO=0 (kelvin) or -273.15 (Celsius)')
+      if (interaction%heat%number /= heat_metal_law) then
+         if (interaction%heat%lorenz > 0) call fail_at(self, parameter_of(self, card, 'LORENZ'), &
+            'LORENZ= is for LAW=METAL')
+      else if (.not. has_parameter('PHYSICAL CONSTANTS', 'ABSOLUTE ZERO')) then
+         call fail_at(self, self%deck%cards(card)%name, 'LAW=METAL needs temperatures from absolute zero: give it'// &
+            ' by *PHYSICAL CONSTANTS, ABSOLUTE ZERO=0 (kelvin) or -273.15 (Celsius)')
+      end if
       call read_law_data(self, card, interaction%heat)
 
    contains

@@ -118,6 +118,7 @@ contains
       class(group_map_t), intent(inout) :: self
       !> (equations of the group)
       real(dp), intent(in) :: x(:)
+      !> (equations of the group)
       real(dp), intent(out) :: y(:)
 
       call multiply(self%problem, self%group, x, y)
@@ -128,6 +129,7 @@ contains
       class(group_map_t), intent(inout) :: self
       !> (equations of the group)
       real(dp), intent(in) :: x(:)
+      !> (equations of the group)
       real(dp), intent(out) :: y(:)
       type(error_t), allocatable :: error
 

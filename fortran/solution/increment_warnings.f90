@@ -195,8 +195,8 @@ contains
          if (law%has_melting .and. contact%temperature_max > law%melting) change = 'melts above '//to_text(law%melting)
       end associate
       if (len(change) > 0) call warnings%add('hot_spot', describe_contact(model, contact)//' is at '// &
-         to_text(contact%temperature_max)//' '//model%units%label('K')//' in its spot, whose metal '//change, elements, &
-         contact%temperature_max, 'K')
+         to_text(contact%temperature_max)//' '//model%units%label('K')//' in its spot, whose metal '//change, &
+         elements, contact%temperature_max, 'K')
    end subroutine add_hot_spot
 
    !> Elements too long for the pressure along a line to be smooth, where their nodes do not lie opposite those of the

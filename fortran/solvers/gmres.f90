@@ -33,7 +33,8 @@ module litz_gmres
 
 contains
 
-   !> Solve `K x = b` from `x = 0`, to a residual of `tolerance` times that of the start, or as near as `max_steps` come.
+   !> Solve `K x = b` from `x = 0`, to a residual of `tolerance` times that of the start, or as near as `max_steps`
+   !> come.
    subroutine gmres(map, b, tolerance, max_steps, x)
       class(linear_map_t), intent(inout) :: map
       !> (n)
@@ -110,6 +111,7 @@ contains
 
    !> A plane rotation.
    pure function turned(cosine, sine, pair)
+      !> Of its angle
       real(dp), intent(in) :: cosine, sine
       !> (2)
       real(dp), intent(in) :: pair(2)

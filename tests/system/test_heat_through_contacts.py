@@ -1,5 +1,6 @@
 """Heat through the contacts of wires: against networks solved in other ways, its laws, and what ends a run."""
 
+import itertools
 from pathlib import Path
 
 import numpy as np
@@ -37,13 +38,19 @@ def net(*, fine=False, current="*GAP ELECTRICAL CONDUCTANCE, LAW=CONSTANT\n1e-3"
             nodes.append(len(lines))
         wires.append(nodes)
         elements.append([])
-        for first, second in zip(nodes, nodes[1:], strict=False):
+        for first, second in itertools.pairwise(nodes):
             number = sum(map(len, elements)) + 1
             elements[-1].append(f"{number}, {first}, {second}")
-    members = "\n".join("*ELEMENT, TYPE=B33, ELSET=" + ("A" if i == 0 else "B") + "\n" + "\n".join(some) for i, some in enumerate(elements))
+    names = ("A", "B", "B", "B")
+    members = "\n".join(
+        f"*ELEMENT, TYPE=B33, ELSET={name}\n" + "\n".join(some) for name, some in zip(names, elements, strict=True)
+    )
     newline = "\n"
     feet = [wire[0] for wire in wires]
-    hot = "\n".join(f"{node}, 11, 11, {t}" for node, t in zip([feet[0], wires[0][-1], *feet[1:]], temperatures, strict=True) if t is not None)
+    held = [feet[0], wires[0][-1], *feet[1:]]
+    hot = "\n".join(
+        f"{node}, 11, 11, {value}" for node, value in zip(held, temperatures, strict=True) if value is not None
+    )
     supply = "\n".join(f"{node}, 9, 9, {v:.17g}" for node, v in zip(feet, (volts, 0.0, 0.002, 0.004), strict=True))
     return f"""\
 *NODE, NSET=ALL
@@ -153,7 +160,8 @@ def network(law, other, volts=0.05, temperatures=(293, 320, 300, 310, 320), cond
             flow[[a, b]] += [i, -i]
         return np.array([v[k] - fixed_v[k] if k in fixed_v else flow[k] for k in range(n)])
 
-    v = fsolve(kirchhoff, np.zeros(n), xtol=1e-12)
+    matrix = np.array([kirchhoff(unit) - kirchhoff(np.zeros(n)) for unit in np.eye(n)]).T
+    v = np.linalg.solve(matrix, -kirchhoff(np.zeros(n)))
 
     def balance(t):
         flow = np.zeros(n)
@@ -169,7 +177,8 @@ def network(law, other, volts=0.05, temperatures=(293, 320, 300, 310, 320), cond
     table = []
     for a, b in at.values():
         heat = conductance * (v[a] - v[b]) ** 2
-        table.append([conductance * (v[a] - v[b]), heat, t[a], t[b], np.nan, *spot_heats(law, heat, t[a], t[b], conductance, other)])
+        first, second = spot_heats(law, heat, t[a], t[b], conductance, other)
+        table.append([conductance * (v[a] - v[b]), heat, t[a], t[b], np.nan, first, second])
     return np.array(table).T
 
 
@@ -184,7 +193,9 @@ class TestAgainstNetworks:
     """Wires and spots as resistances to currents and heat, solved by other means."""
 
     @pytest.mark.parametrize("fine", [True, False], ids=["at nodes", "within elements"])
-    @pytest.mark.parametrize(("law", "other"), [("CONDUCTIVITY", LAMBDA), ("CONDUCTIVITY", 150.0), ("METAL", LAMBDA), ("CONSTANT", LAMBDA)])
+    @pytest.mark.parametrize(
+        ("law", "other"), [("CONDUCTIVITY", LAMBDA), ("CONDUCTIVITY", 150.0), ("METAL", LAMBDA), ("CONSTANT", LAMBDA)]
+    )
     def test_crossed_wires_are_the_network_of_their_spots(self, run, law, other, fine):
         """Exact also where several contacts lie within one element."""
         found = contacts_of(run(fine=fine, heat=LAWS[law], other=other))
@@ -232,7 +243,7 @@ class TestSpots:
         assert (hottest > np.maximum(bulk_1, bulk_2)).all()
         assert (joule > 0).all()
 
-    @pytest.mark.parametrize("heat", ["*GAP CONDUCTANCE, LAW=CONSTANT\n0.05", "*GAP CONDUCTANCE, LAW=TABLE\n0.001, 0.01\n0.1, 0.25"])
+    @pytest.mark.parametrize("heat", [LAWS["CONSTANT"], "*GAP CONDUCTANCE, LAW=TABLE\n0.001, 0.01\n0.1, 0.25"])
     def test_insulated_wires_pass_heat(self, run, heat):
         """The table is a power law of exponent 0.7; 5 mN."""
         results = run(current="", heat=heat, volts=0.0)
@@ -266,7 +277,7 @@ class TestSpots:
         np.testing.assert_allclose([first, second], 0, atol=1e-9)
 
     def test_friction_heats_both_wires(self, litz, tmp_path):
-        """A wire is pushed along another in 1 s: the heat that enters is the work of friction, half of it in either."""
+        """A wire is drawn over another one: what enters is the work of friction, half of it in either."""
         for fraction in ("", "*GAP HEAT GENERATION\n0.25\n"):
             (tmp_path / "rub.inp").write_text(RUB.format(generation=fraction))
             done = litz("run", tmp_path / "rub.inp", "-o", tmp_path / "rub", "--quiet")
@@ -329,7 +340,10 @@ class TestRefusals:
         assert "and melt (TMELT=330 of *GAP CONDUCTANCE; MELTING=WARN lets it)" in message
 
     def test_hot_spots_are_warnings(self, run):
-        for heat, change in (("TSOFT=325", "softens above 325"), ("TSOFT=325, TMELT=330, MELTING=WARN", "melts above 330")):
+        for heat, change in (
+            ("TSOFT=325", "softens above 325"),
+            ("TSOFT=325, TMELT=330, MELTING=WARN", "melts above 330"),
+        ):
             warnings = run(heat=f"*GAP CONDUCTANCE, LAW=METAL, {heat}").warnings
             assert any(change in warning.message for warning in warnings if warning.kind == "hot_spot")
 
