@@ -149,7 +149,7 @@ contains
       real(c_double), intent(out) :: r(2)
       integer :: i
 
-      call core_heat_capacity(temperature, before, mass_per_time, specific_heat, &
+      call core_heat_capacity(temperature, before, before, [1.0_c_double, 0.0_c_double], mass_per_time, specific_heat, &
          [(latent_heat_t(latent(1, i), latent(2, i), latent(3, i)), i=1, n_latent)], k, r)
    end subroutine heat_capacity
 

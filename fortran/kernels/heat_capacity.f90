@@ -26,7 +26,7 @@ module litz_heat_capacity
    use litz_property_table, only: property_at, property_integral
    implicit none
    private
-   public :: latent_heat_t, heat_capacity, enthalpy_difference, bdf2_weights, bdf2_error, euler_error
+   public :: latent_heat_t, heat_capacity, bdf2_weights, bdf2_error, euler_error
 
    !> Heat of a change of phase.
    type :: latent_heat_t
@@ -36,10 +36,12 @@ module litz_heat_capacity
 
 contains
 
-   !> Residual of the two nodes, and the diagonal of its tangent. Backward Euler.
-   pure subroutine heat_capacity(temperature, before, mass_per_time, specific_heat, latent, k, r)
-      !> Of the nodes, now and at the start of the increment (2) [K]
-      real(dp), intent(in) :: temperature(2), before(2)
+   !> Residual of the two nodes, and the diagonal of its tangent. Backward Euler, or BDF2 with its weights.
+   pure subroutine heat_capacity(temperature, before, earlier, weights, mass_per_time, specific_heat, latent, k, r)
+      !> Of the nodes, now, at the start of the increment and at that of the one before it (2) [K]
+      real(dp), intent(in) :: temperature(2), before(2), earlier(2)
+      !> `a` and `b`; 1 and 0: backward Euler, for which `earlier` is nothing
+      real(dp), intent(in) :: weights(2)
       !> Mass of the element over the time increment [kg/s]
       real(dp), intent(in) :: mass_per_time
       !> Temperatures [K] and specific heats [J/(kg K)] (2, n)
@@ -50,13 +52,16 @@ contains
       real(dp), intent(out) :: k(2)
       !> Heat that the nodes take up (2) [W]
       real(dp), intent(out) :: r(2)
-      real(dp) :: difference, slope
+      real(dp) :: difference, slope, unused
       integer :: i
 
       do i = 1, 2
          call enthalpy_difference(temperature(i), before(i), specific_heat, latent, difference, slope)
-         r(i) = mass_per_time/2*difference                                                                   ! (1)
-         k(i) = mass_per_time/2*slope
+         r(i) = weights(1)*(mass_per_time/2)*difference                                                   ! (1), (2)
+         k(i) = weights(1)*(mass_per_time/2)*slope
+         if (.not. weights(2) > 0) cycle
+         call enthalpy_difference(before(i), earlier(i), specific_heat, latent, difference, unused)
+         r(i) = r(i) - weights(2)*(mass_per_time/2)*difference
       end do
    end subroutine heat_capacity
 

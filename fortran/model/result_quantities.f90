@@ -62,6 +62,9 @@ contains
       call add(list, on_cells, 'surface_heat', 'W', &
          'heat that leaves the side of the element, by films and radiation', &
          state%surface_heat, 'QSIDE', is_sum=.true.)
+      call add(list, on_cells, 'stored_heat', 'W', &
+         'heat that the element takes up in a step over time, also by melting', state%heat_stored, 'QSTORE', &
+         is_sum=.true.)
    end subroutine list_wire_quantities
 
    !> Values, reactions and loads of the fields of the model, group by group.

@@ -109,12 +109,13 @@ contains
       character(len=:), allocatable :: text
       integer :: e
 
-      text = 'There may be no steady temperature above this load.'
+      text = 'There may be no steady temperature above this load. '
       e = maxloc(abs(problem%state%element_current), 1)
-      if (e > 0) text = text//' The largest current that was steady is '// &
-         to_text(abs(problem%state%element_current(e)))//' '// &
-         problem%model%units%label('A')//', in element '//to_text(problem%model%element_id(e))//'.'
-      text = text//' '
+      if (e == 0) return
+      if (.not. abs(problem%state%element_current(e)) > 0) return
+      text = 'There may be no steady temperature above I = '//to_text(abs(problem%state%element_current(e)))//' '// &
+         problem%model%units%label('A')//', the largest current that was steady, in element '// &
+         to_text(problem%model%element_id(e))//'. '
    end function describe_heat
 
    !> The worst residual of the last iteration is less than half of what it was before.

@@ -8,13 +8,21 @@ module litz_negative_pivots
    use litz_timing, only: phase_factor
    implicit none
    private
-   public :: count_negative_pivots
+   public :: count_negative_pivots, begins_elsewhere
 
 contains
 
+   !> The first tangent of the next increment is not that of the state in which this one has ended, or there is none:
+   !> temperatures change before motions, of which a straight wire between clamps has none.
+   pure logical function begins_elsewhere(problem)
+      type(problem_t), intent(in) :: problem
+
+      begins_elsewhere = problem%scheme%is_swept .or. size(problem%elements%heated) > 0
+   end function begins_elsewhere
+
    !> Factor the tangent of a converged iterate, which no iteration has done, for its negative pivots. A singular one
-   !> tells nothing: nothing is solved with it. Where motions and temperatures take turns, the section forces of the
-   !> tangent are those before the last turn of the temperatures, and so are those that the next increment begins with.
+   !> tells nothing: nothing is solved with it. Where temperatures change before motions, the section forces of the
+   !> tangent are those before that, and so are those that the next increment begins with.
    subroutine count_negative_pivots(problem, outcome, error)
       type(problem_t), intent(inout) :: problem
       type(outcome_t), intent(inout) :: outcome
@@ -22,7 +30,7 @@ contains
       type(error_t), allocatable :: singular
       integer :: i
 
-      if (problem%scheme%is_swept) then
+      if (begins_elsewhere(problem)) then
          if (problem%equations%count(group_mechanical) == 0) return
          do i = 1, size(problem%terms)
             call problem%terms(i)%term%agree()

@@ -13,7 +13,7 @@ module litz_steps
    use litz_loading, only: loading_t, start_loading, load_targets, next_break_point
    use litz_line_contact, only: serves_lines
    use litz_model, only: model_t, step_t, nodal_value_t, coupling_swept, ramp_at
-   use litz_negative_pivots, only: count_negative_pivots
+   use litz_negative_pivots, only: count_negative_pivots, begins_elsewhere
    use litz_newton, only: outcome_t, solve_increment, cause_not_finite, cause_large_change, cause_lost_contact, &
       cause_turned_ends, cause_fed_part
    use litz_observer, only: observer_t
@@ -225,8 +225,10 @@ contains
             end if
          end do
          ! the tangent of any other increment is the first that the next one factors, unless that begins elsewhere
-         if (reaches_end(step, target) .or. problem%scheme%is_swept) call count_negative_pivots(problem, outcome, error)
-         if (allocated(error)) return
+         if (reaches_end(step, target) .or. begins_elsewhere(problem)) then
+            call count_negative_pivots(problem, outcome, error)
+            if (allocated(error)) return
+         end if
          call advance(problem, outcome, increment, target, start_time)
          problem%state%ends_step = step_is_over(problem, step)
          audit = audit_increment(problem%model, problem%state, problem%loading, nodal_residual(problem), &

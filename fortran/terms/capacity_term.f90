@@ -7,7 +7,7 @@ module litz_capacity_term
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
    use litz_fields, only: field_temperature, temperature_slots
-   use litz_heat_capacity, only: latent_heat_t, enthalpy_difference, bdf2_weights, bdf2_error, euler_error
+   use litz_heat_capacity, only: latent_heat_t, heat_capacity, bdf2_weights, bdf2_error, euler_error
    use litz_model, only: model_t, step_t
    use litz_term, only: term_t
    implicit none
@@ -110,46 +110,40 @@ contains
       !> Never
       type(error_t), allocatable, intent(out) :: error
       real(dp), allocatable :: k(:, :, :), r(:, :)
-      integer :: i, side
+      real(dp) :: slope(2)
+      integer :: i
 
       self%stored = 0
       if (.not. self%is_at_work .or. size(self%elements) == 0) return
       allocate (k(2, 2, size(self%elements)), r(2, size(self%elements)), source=0.0_dp)
       do i = 1, size(self%elements)
-         do side = 1, 2
-            call evaluate_side(self, domain, self%elements(i), side, k(side, side, i), r(side, i))
-         end do
+         call evaluate_element(self, domain, self%elements(i), slope, r(:, i))
+         k(1, 1, i) = slope(1)
+         k(2, 2, i) = slope(2)
          self%stored(self%elements(i)) = sum(r(:, i))
       end do
       call domain%add_cells(domain%model%connectivity(:, self%elements), temperature_slots, temperature_slots, k, r)
    end subroutine evaluate
 
-   !> What the half of an element next to one of its nodes takes up.
-   pure subroutine evaluate_side(self, domain, e, side, k, r)
+   !> What an element takes up at its nodes.
+   pure subroutine evaluate_element(self, domain, e, k, r)
       class(capacity_term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain
-      !> Element, and place of the node in it
-      integer, intent(in) :: e, side
-      !> [W/K], [W]
-      real(dp), intent(out) :: k, r
-      real(dp) :: change, slope, change_before, slope_before, mass_per_time
+      !> Element
+      integer, intent(in) :: e
+      !> (2) [W/K], (2) [W]
+      real(dp), intent(out) :: k(2), r(2)
 
       associate (section => domain%model%sections(domain%model%element_section(e)), &
-         node => domain%model%connectivity(side, e))
-         associate (material => domain%model%materials(section%material), &
-            latent => self%phases(section%material)%latent)
-            mass_per_time = material%density*section%area*domain%elements%length(e)/(2*self%increment)
-            call enthalpy_difference(domain%iterate%value(slot, node), domain%state%value(slot, node), &
-               material%specific_heat, latent, change, slope)
-            r = self%weights(1)*mass_per_time*change
-            k = self%weights(1)*mass_per_time*slope
-            if (.not. self%weights(2) > 0) return
-            call enthalpy_difference(domain%state%value(slot, node), domain%state%temperature_before(node), &
-               material%specific_heat, latent, change_before, slope_before)
-            r = r - self%weights(2)*mass_per_time*change_before
+         node => domain%model%connectivity(:, e), state => domain%state)
+         associate (material => domain%model%materials(section%material))
+            call heat_capacity(domain%iterate%value(slot, node), state%value(slot, node), &
+               state%temperature_before(node), self%weights, &
+               material%density*section%area*domain%elements%length(e)/self%increment, material%specific_heat, &
+               self%phases(section%material)%latent, k, r)
          end associate
       end associate
-   end subroutine evaluate_side
+   end subroutine evaluate_element
 
    pure function latent_heats(model, material) result(latent)
       type(model_t), intent(in) :: model

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from litz import report
 from run_of_deck import refusal_of_deck, run_of_deck
 from same_results import KEEP_ALL
 from test_restart import assert_goes_on_from_everywhere
@@ -128,6 +129,25 @@ class TestClosedForms:
         steady = run("1., 1.", heat=heat, amperes=30.0, sigma=SIGMA,
                      procedure="*COUPLED THERMAL-ELECTRICAL, STEADY STATE").field("temperature")  # fmt: skip
         np.testing.assert_allclose(long, steady, atol=1e-9 * (steady.max() - ROOM))
+
+    def test_what_is_made_leaves_or_is_stored(self, run, tmp_path):
+        """At every increment; and all that has been stored is the enthalpy, but for what BDF2 takes for the last rates."""
+        end = 0.05
+        results = run(f"{end / 50:.17g}, {end:.17g}", heat="*BOUNDARY\nENDS, 11, 11, 300\n", amperes=200.0,
+                      loads="*FILM\nWIRE, F, 290, 40\n*EL PRINT, ELSET=WIRE, TOTALS=ONLY\nQSTORE\n")  # fmt: skip
+        made, sides, stored = (
+            results.field(name, increment=None)[1:].sum(1) for name in ("joule_heat", "surface_heat", "stored_heat")
+        )
+        ends = -results.field("reaction_heat", increment=None)[1:].sum(1)
+        np.testing.assert_allclose(stored, made - sides - ends, rtol=1e-7)
+        np.testing.assert_allclose(results.history["QSTORE sum WIRE"][1:], stored, rtol=1e-9)
+        temperature = results.field("temperature")
+        mean = (temperature[1:] + temperature[:-1]).mean() / 2
+        enthalpy = DENSITY * HEAT * AREA * LENGTH * (mean - ROOM)
+        assert np.trapezoid(np.r_[made[0], stored], results.times) == pytest.approx(enthalpy, rel=2e-3)
+        assert f"heat stored            {stored[-1]:12.5g} W" in results.summary()
+        page = report(results, tmp_path / "report.html").read_text(encoding="utf-8")
+        assert "heat stored in the wires" in page
 
     def test_motions_follow(self, run):
         """A wire that is free to lengthen, over time."""

@@ -94,3 +94,13 @@ def test_a_straight_wire_has_the_negative_pivots_of_its_increment(run):
     assert (warning.increment, warning.count) == (np.flatnonzero(expected)[0] + 1, np.count_nonzero(expected))
     assert "has 2 negative pivots" in warning.message
     assert warning.worst == 6
+
+
+def test_a_straight_wire_whose_given_temperature_rises_has_them_too(run):
+    """Nothing moves, so that no increment has an iteration."""
+    results = run(0.0, elements=20, procedure="*STATIC\n", increments="0.1, 1, , 0.1\n", heat="1, 9",
+                  loads=f"*TEMPERATURE\nALL, {300 + 1.95 * CRITICAL}\n")  # fmt: skip
+    beyond = 1.95 * results.times[1:] > 1
+    np.testing.assert_array_equal(results.status["negative_pivots"], 2 * beyond)
+    (warning,) = results.warnings
+    assert (warning.increment, warning.count) == (np.flatnonzero(beyond)[0] + 1, np.count_nonzero(beyond))

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from litz import Results, report
+from run_of_deck import refusal_of_deck, run_of_deck
 from same_results import KEEP_ALL
 from test_restart import assert_goes_on_from_everywhere
 
@@ -17,7 +18,7 @@ BURN_OUT = np.pi * AREA / LENGTH * np.sqrt(LAMBDA / (RHO * SLOPE))
 
 
 def deck(elements=8, sigma=f"{1 / RHO:.17g}", conductivity=LAMBDA, supply="1, 9, 9, 0.05", heat="ENDS, 11, 11, 300",
-         model="", procedure="", loads="", material="", section=""):  # fmt: skip
+         model="", procedure="", loads="", material="", section="", flags=""):  # fmt: skip
     """A straight wire along x, led at its ends."""
     nodes = "\n".join(f"{i + 1}, {x:.17g}, 0, 0" for i, x in enumerate(np.linspace(0, LENGTH, elements + 1)))
     members = "\n".join(f"{i}, {i}, {i + 1}" for i in range(1, elements + 1))
@@ -42,7 +43,7 @@ def deck(elements=8, sigma=f"{1 / RHO:.17g}", conductivity=LAMBDA, supply="1, 9,
 *INITIAL CONDITIONS, TYPE=TEMPERATURE
 ALL, {ROOM}
 {model}*STEP
-*COUPLED THERMAL-ELECTRICAL, STEADY STATE
+*COUPLED THERMAL-ELECTRICAL, STEADY STATE{flags}
 {procedure}*BOUNDARY
 {heat}
 {elements + 1}, 9
@@ -62,24 +63,12 @@ def current(amperes, elements=8):
 
 @pytest.fixture
 def run(litz, tmp_path):
-    def run_deck(**changes):
-        (tmp_path / "wire.inp").write_text(deck(**changes))
-        done = litz("run", tmp_path / "wire.inp", "-o", tmp_path / "wire", "--quiet")
-        assert done.returncode == 0, done.stderr
-        return Results(tmp_path / "wire")
-
-    return run_deck
+    return run_of_deck(litz, tmp_path, deck)
 
 
 @pytest.fixture
 def refused(litz, tmp_path):
-    def run_deck(code, **changes):
-        (tmp_path / "wire.inp").write_text(deck(**changes))
-        done = litz("run", tmp_path / "wire.inp", "-o", tmp_path / "wire", "--quiet")
-        assert done.returncode == code, done.stderr
-        return done.stderr
-
-    return run_deck
+    return refusal_of_deck(litz, tmp_path, deck)
 
 
 class TestClosedForms:
@@ -274,10 +263,13 @@ class TestIteration:
 
     def test_above_the_burn_out_current_no_temperature_is_steady(self, refused):
         words = refused(2, sigma=SIGMA, **current(1.1 * BURN_OUT, 40))
-        assert "no steady temperature above this load" in words
-        largest = float(words.split("steady is ")[1].split()[0])
+        largest = float(words.split("no steady temperature above I = ")[1].split()[0])
         # of 40 elements: 2n tan(pi/2n)/pi
         assert largest == pytest.approx(BURN_OUT * 80 / np.pi * np.tan(np.pi / 80), rel=1e-4)
+
+    def test_no_current_is_named_where_none_was_steady(self, refused):
+        words = refused(2, sigma=SIGMA, flags=", DIRECT", **current(1.1 * BURN_OUT, 40))
+        assert "There may be no steady temperature above this load" in words
 
     def test_a_table_that_ends_below_the_temperature(self, refused):
         sigma = "5e7, 200\n4e7, 310"

@@ -2,8 +2,11 @@
 
 Source: H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, 2nd ed. (1959): section 1.6 for Kirchhoff's
 variable, 4.9 to 4.11 for wires heated by a current (the parabola, the fin with its heat, and a resistivity that is
-linear in the temperature, whose steady state ends at I = (pi A/L) sqrt(lambda/(rho0 alpha))). A wire that only
-radiates: the law of Stefan and Boltzmann.
+linear in the temperature, whose steady state ends at I = (pi A/L) sqrt(lambda/(rho0 alpha))). On a mesh of n elements with
+the resistivity of their mean temperatures the difference equation has the solution cos(2 p i)/cos(n p) with
+tan p = m L/(2 n), counted from the middle. A resistivity that rises as exp(b (T - T0)): D. A. Frank-Kamenetskii, Acta Physicochim.
+URSS 10 (1939) 365, has the same equation for a slab; no state is steady above I^2 rho0 b L^2/(4 lambda A^2) = 0.87846. A wire
+that only radiates: the law of Stefan and Boltzmann.
 """
 
 import contextlib
@@ -19,9 +22,19 @@ AREA = np.pi * RADIUS**2
 FILM, AROUND, EMISSIVITY, SIGMA = 40.0, 290.0, 0.8, 5.670374419e-8
 #: Shares of the burn-out current
 SHARES = (0.3, 0.6, 0.9)
+#: The same on coarse meshes, and these
+COARSE_SHARES, MESHES = (0.3, 0.6, 0.9, 0.99), (10, 40)
+#: Exponent of the resistivity that rises exponentially [1/K], and the current of its fold
+EXPONENT = 0.01
+FOLD = 2 * AREA / LENGTH * np.sqrt(0.878457679781290 * CONDUCTIVITY / (RESISTIVITY * EXPONENT))
 BURN_OUT = np.pi * AREA / LENGTH * np.sqrt(CONDUCTIVITY / (RESISTIVITY * SLOPE))
 #: Resistivity linear from 100 K on, as conductivities at two temperatures
 LINEAR = "".join(f" {1 / (RESISTIVITY * (1 + SLOPE * (t - ROOM))):.17g}, {t:.17g}\n" for t in (100.0, 1e7))
+
+#: Resistivity exp(b (T - T0)), 1/200 of its exponent from point to point, far beyond the fold
+EXPONENTIAL = "".join(
+    f" {np.exp(-b) / RESISTIVITY:.17g}, {ROOM + b / EXPONENT:.17g}\n" for b in np.arange(-0.5, 3.0, 0.005)
+)
 
 
 def deck(elements, *, ends, supply, sigma=f" {1 / RESISTIVITY:.17g}\n", conductivity=f" {CONDUCTIVITY}\n", loads=""):
@@ -55,14 +68,14 @@ def warm_profile(share, x):
     return (np.cos(m * x) / np.cos(m * LENGTH / 2) - 1) / SLOPE
 
 
-def largest_steady_current(workspace):
+def largest_steady_current(workspace, name, amperes, sigma):
     """What a run has reached when it ends because no temperature is steady any more."""
     with contextlib.suppress(litz.NotConvergedError):
-        workspace.run("burn_out", deck(200, **current(1.2 * BURN_OUT), sigma=LINEAR))
+        workspace.run(name, deck(200, **current(amperes), sigma=sigma))
     with warnings.catch_warnings():
         # that the run has not finished is what is expected
         warnings.simplefilter("ignore")
-        return np.abs(litz.Results(workspace.directory / "burn_out").field("element_current")).max()
+        return np.abs(litz.Results(workspace.directory / name).field("element_current")).max()
 
 
 def measure(workspace):
@@ -82,7 +95,13 @@ def measure(workspace):
     }  # fmt: skip
     profiles = [temperature(f"current_{share:g}", 200, **current(share * BURN_OUT), sigma=LINEAR) for share in SHARES]
     values["warm_wires.rising_resistivity"] = [profile.max() - ROOM for profile in profiles]
-    values["warm_wires.burn_out"] = largest_steady_current(workspace)
+    values["warm_wires.meshes"] = [
+        temperature(f"mesh_{n}_{share:g}", n, **current(share * BURN_OUT), sigma=LINEAR).max() - ROOM
+        for n in MESHES for share in COARSE_SHARES
+    ]  # fmt: skip
+    values["warm_wires.burn_out"] = largest_steady_current(workspace, "burn_out", 1.2 * BURN_OUT, LINEAR)
+    largest = largest_steady_current(workspace, "fold", 1.2 * FOLD, EXPONENTIAL)
+    values["warm_wires.fold"] = largest**2 * RESISTIVITY * EXPONENT * LENGTH**2 / (4 * CONDUCTIVITY * AREA**2)
     values["figure"] = profiles
     return values
 

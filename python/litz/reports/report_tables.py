@@ -135,6 +135,8 @@ def _heat(results: Results) -> str:
         ("heat out where temperatures are prescribed", amount(-supports.sum(), watt)),
         ("heat out by films and radiation", amount(sides.sum(), watt)),
     ]
+    if "stored_heat" in results.fields and results.field("stored_heat").any():
+        rows.append(("heat stored in the wires", amount(results.field("stored_heat").sum(), watt)))
     return table(("temperatures and heat at the last increment", ""), rows)
 
 

@@ -100,7 +100,15 @@ def _heat(results: ResultFile) -> list[str]:
             f"  heat out               {supports + sides:12.5g} {watt:4} "
             f"(prescribed temperatures {supports:.5g} {watt}, films and radiation {sides:.5g} {watt})"
         )
+    stored = _stored(results)
+    if stored:
+        lines.append(f"  heat stored            {stored:12.5g} {watt:4}")
     return lines
+
+
+def _stored(results: ResultFile) -> float:
+    """What the wires take up of the heat at the last increment; 0 where steps are steady."""
+    return float(results.field("stored_heat").sum()) if "stored_heat" in results.fields else 0.0
 
 
 def _contacts(places: ContactPlaces, zones: Table, unit: dict[str, str]) -> list[str]:
