@@ -22,6 +22,7 @@ module litz_newton
    use litz_observer, only: observer_t
    use litz_problem, only: problem_t
    use litz_reports, only: iteration_report_t
+   use litz_sweep, only: hand_over
    use litz_term, only: status_t
    use litz_timing, only: phase_check, phase_factor, phase_solve, phase_update, phase_output
    use litz_turned_ends, only: turned_ends_t, most_turned_ends
@@ -359,7 +360,12 @@ contains
          end if
          if (outcome%in_turn /= group) then
             if (.not. has_converged(outcome%last, group - 1)) return
-            if (group_converged(outcome%last, group)) cycle
+            if (group_converged(outcome%last, group)) then
+               if (problem%scheme%is_swept .and. problem%iterate%mechanics_lags()) call hand_over(problem, step, &
+                  outcome%last, outcome%at_round_off, error)
+               if (allocated(error)) return
+               cycle
+            end if
             if (problem%scheme%is_swept) call outcome%end_turn(group)
          end if
          call update_group(problem, group, outcome%last, solver_error, error)
@@ -367,24 +373,12 @@ contains
          call measure_residual(problem, step, outcome%last, outcome%at_round_off)
          if (outcome%in_turn /= group) cycle
          call note_update(problem, outcome)
-         if (group_converged(outcome%last, group)) call return_to_motions(problem, step, outcome, error)
+         if (.not. group_converged(outcome%last, group)) cycle
+         call outcome%end_turn(1)
+         call hand_over(problem, step, outcome%last, outcome%at_round_off, error)
          if (allocated(error)) return
       end do
    end subroutine update_groups
-
-   !> The turn of the first group, which now sees the temperatures that there are.
-   subroutine return_to_motions(problem, step, outcome, error)
-      type(problem_t), intent(inout) :: problem
-      type(step_t), intent(in) :: step
-      type(outcome_t), intent(inout) :: outcome
-      type(error_t), allocatable, intent(out) :: error
-
-      call outcome%end_turn(1)
-      call problem%iterate%warm_mechanics()
-      call evaluate(problem, error)
-      if (allocated(error)) return
-      call measure_residual(problem, step, outcome%last, outcome%at_round_off)
-   end subroutine return_to_motions
 
    !> An iteration of a group that takes its turn.
    pure subroutine note_update(problem, outcome)

@@ -9,6 +9,9 @@ module litz_iterate
    private
    public :: iterate_t
 
+   !> Of the lag of the temperatures that the mechanics sees an extrapolation takes up no less and no more
+   real(dp), parameter :: least = 0.1_dp, most = 10
+
    type :: iterate_t
       !> Values (n_slots, n_nodes); those of rotations are the rotation vector when the increment began and the turns
       !> since, which distinguishes full turns
@@ -21,6 +24,9 @@ module litz_iterate
       real(dp), allocatable :: x(:, :), rotation(:, :, :)
       !> Temperatures that the mechanics sees (n_nodes) [K]: those when motions began to take their turn
       real(dp), allocatable :: mechanical_temperature(:)
+      !> By how much they lagged when their turn ended the last time (n_nodes) [K], and what of it they then took up
+      real(dp), allocatable, private :: lag(:)
+      real(dp), private :: taken_up = 1
       !> Positions when the increment began (3, n_nodes) [m]
       real(dp), allocatable :: x_start(:, :)
       !> Nodes that move with others
@@ -29,6 +35,8 @@ module litz_iterate
       procedure :: start
       procedure :: move
       procedure :: warm_mechanics
+      procedure :: extrapolate
+      procedure :: mechanics_lags
    end type iterate_t
 
 contains
@@ -46,7 +54,33 @@ contains
       self%rotation = state%rotation
       self%x = x_reference + state%value(first_slot(field_displacement):last_slot(field_displacement), :)
       self%x_start = self%x
+      if (allocated(self%lag)) deallocate (self%lag)
+      self%taken_up = 1
    end subroutine start
+
+   !> The mechanics does not see the present temperatures.
+   pure logical function mechanics_lags(self)
+      class(iterate_t), intent(in) :: self
+
+      mechanics_lags = any(abs(self%value(temperature_slots(1), :) - self%mechanical_temperature) > 0)
+   end function mechanics_lags
+
+   !> Temperatures for the next turn of the mechanics, from those of its last two.
+   pure subroutine extrapolate(self, temperature)
+      class(iterate_t), intent(inout) :: self
+      !> (n_nodes) [K]
+      real(dp), allocatable, intent(out) :: temperature(:)
+      real(dp), allocatable :: lag(:), change(:)
+
+      lag = self%value(temperature_slots(1), :) - self%mechanical_temperature
+      if (allocated(self%lag)) then
+         change = lag - self%lag
+         if (dot_product(change, change) > 0) self%taken_up = min(most, max(least, &
+            -self%taken_up*dot_product(self%lag, change)/dot_product(change, change)))
+      end if
+      self%lag = lag
+      temperature = self%mechanical_temperature + self%taken_up*lag
+   end subroutine extrapolate
 
    !> The mechanics sees the present temperatures.
    pure subroutine warm_mechanics(self)

@@ -376,7 +376,9 @@ def test_of_overlaps_at_crossings_and_along_lines_the_deepest_is_named(litz, tmp
     heights = [0, (2 - beside / 100) * radius, -(2 - crossing / 100) * radius]
     ends = [((-0.01, 0), (0.01, 0)), ((-0.01, 0), (0.01, 0)), ((0, -0.01), (0, 0.01))]
     nodes = "".join(
-        f"{2 * wire + end + 1}, {x}, {y}, {heights[wire]}\n" for wire in range(3) for end, (x, y) in enumerate(ends[wire])
+        f"{2 * wire + end + 1}, {x}, {y}, {heights[wire]}\n"
+        for wire in range(3)
+        for end, (x, y) in enumerate(ends[wire])
     )
     deck = tmp_path / "deck.inp"
     deck.write_text(
