@@ -48,12 +48,12 @@ contains
       end do
    end subroutine set_pressures
 
-   !> Contacts that carry a force or a current: a place of a line may have only the latter, where a part of the wire
-   !> touches for which it stands.
+   !> Contacts that carry a force, a current or heat: a place of a line may have only the latter, where a part of the
+   !> wire touches for which it stands.
    elemental logical function is_shown(point)
       type(contact_point_t), intent(in) :: point
 
-      is_shown = point%closed .or. point%conductance > 0
+      is_shown = point%closed .or. point%conductance > 0 .or. abs(point%heat_bar) + abs(point%heat) > 0
    end function is_shown
 
    !> These contacts, each with an identity that it keeps while it lives.

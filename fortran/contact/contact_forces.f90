@@ -21,7 +21,7 @@ module litz_contact_forces
    use litz_normal_law, only: normal_law_t
    use litz_parallel, only: worth_threads
    use litz_scatter, only: forces_t, chunk
-   use litz_shared_conductors, only: collect_shared
+   use litz_shared_conductors, only: shared_conductors_t, collect_shared
    use litz_sliding_forces, only: find_sliding
    use litz_strips_of_wires, only: strips_t, collect_strips
    use litz_text, only: to_text
@@ -30,7 +30,7 @@ module litz_contact_forces
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: assemble_contacts, share_currents, predict_contacts, refused_contact
+   public :: assemble_contacts, share_currents, conductors_of, conducts_apart, predict_contacts, refused_contact
 
 contains
 
@@ -272,28 +272,15 @@ contains
       real(dp), intent(in) :: potential(:)
       type(contact_set_t), intent(inout) :: contact
       type(forces_t), intent(inout) :: forces
-      integer, allocatable :: points(:), line_points(:), pairs(:, :), nodes(:, :)
-      real(dp), allocatable, dimension(:) :: current, voltage, conductance, of_strips
-      real(dp), allocatable, dimension(:, :) :: rise, xi, normal
-      type(strips_t) :: strips
+      integer, allocatable :: points(:), line_points(:)
+      real(dp), allocatable, dimension(:) :: current, voltage, of_strips
+      real(dp), allocatable :: rise(:, :)
       integer :: k, n
 
       allocate (points, source=in_series(contact%points))
       allocate (line_points, source=pack([(k, k=1, size(contact%line_points))], contact%line_points%conductance > 0))
       n = size(points)
-      associate (a => contact%points, b => contact%line_points)
-         pairs = reshape([elements_by_point(a, points), elements_by_point(b, line_points)], [2, n + size(line_points)])
-         nodes = reshape([(model%connectivity(:, pairs(1, k)), model%connectivity(:, pairs(2, k)), &
-            k=1, size(pairs, 2))], [4, size(pairs, 2)])
-         conductance = [a(points)%conductance, b(line_points)%conductance]
-         xi = reshape([places_by_point(a, points), places_by_point(b, line_points)], shape(pairs))
-         normal = reshape([(a(points(k))%kinematics%normal, k=1, n), (b(line_points(k))%kinematics%normal, k=1, &
-            size(line_points))], [3, size(pairs, 2)])
-         call collect_strips(model, wires, elements, contact%places, pairs, xi, normal, &
-            [(k > n, k=1, size(pairs, 2))], strips)
-         call collect_shared(pairs, nodes, xi, reshape([resistances_by_point(a, points), &
-            resistances_by_point(b, line_points)], shape(pairs)), 1/conductance, strips, contact%shared)
-      end associate
+      call conductors_of(model, wires, elements, contact, points, line_points, contact%shared)
       if (.not. contact%shared%present) return
       voltage = contact%shared%voltages(potential)
       allocate (current(size(voltage)), rise(2, size(voltage)), of_strips(size(voltage)))
@@ -306,6 +293,36 @@ contains
          call set_current(current(n + k), rise(:, n + k), of_strips(n + k), contact%line_points(line_points(k)))
       end do
    end subroutine share_currents
+
+   !> Contacts that carry currents, and what these do to each other.
+   subroutine conductors_of(model, wires, elements, contact, points, line_points, shared)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(contact_set_t), intent(in) :: contact
+      !> Which of the crossings (n) and of the points of lines (m)
+      integer, intent(in) :: points(:), line_points(:)
+      type(shared_conductors_t), intent(out) :: shared
+      integer, allocatable :: pairs(:, :), nodes(:, :)
+      real(dp), allocatable :: conductance(:), xi(:, :), normal(:, :)
+      type(strips_t) :: strips
+      integer :: k, n
+
+      n = size(points)
+      associate (a => contact%points, b => contact%line_points)
+         pairs = reshape([elements_by_point(a, points), elements_by_point(b, line_points)], [2, n + size(line_points)])
+         nodes = reshape([(model%connectivity(:, pairs(1, k)), model%connectivity(:, pairs(2, k)), &
+            k=1, size(pairs, 2))], [4, size(pairs, 2)])
+         conductance = [a(points)%conductance, b(line_points)%conductance]
+         xi = reshape([places_by_point(a, points), places_by_point(b, line_points)], shape(pairs))
+         normal = reshape([(a(points(k))%kinematics%normal, k=1, n), (b(line_points(k))%kinematics%normal, k=1, &
+            size(line_points))], [3, size(pairs, 2)])
+         call collect_strips(model, wires, elements, contact%places, pairs, xi, normal, &
+            [(k > n, k=1, size(pairs, 2))], strips)
+         call collect_shared(pairs, nodes, xi, reshape([resistances_by_point(a, points), &
+            resistances_by_point(b, line_points)], shape(pairs)), 1/conductance, strips, shared)
+      end associate
+   end subroutine conductors_of
 
    !> Points whose current meets a resistance within an element.
    pure function in_series(points) result(members)
@@ -368,11 +385,17 @@ contains
       point%new_spot = .false.
       point%traction = 0
       point%conductance = 0
+      point%constriction = 0
       point%current = 0
       point%voltage_gap = 0
       point%series_resistance = 0
       point%heat_inside = 0
       point%heat_of_strips = 0
+      point%temperature_bar = 0
+      point%temperature = 0
+      point%temperature_max = 0
+      point%heat_bar = 0
+      point%heat = 0
       point%semi_major = 0
       point%semi_minor = 0
    end subroutine clear_results

@@ -182,6 +182,8 @@ module litz_contact_points
       !> rho L0/(4 A) of both elements, 0 where the voltage is not corrected [ohm], and heat in them that the linear
       !> voltage misses [W] (theory section 7)
       real(dp) :: series_resistance(2) = 0, heat_inside(2) = 0
+      !> Resistance of the constriction in one wire over its resistivity [1/m]; 0: the law of the spot knows none
+      real(dp) :: constriction = 0
       !> What it has more heat than it would have if its strip were the only one on its wires [W]
       real(dp) :: heat_of_strips = 0
    end type contact_point_t

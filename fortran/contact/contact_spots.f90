@@ -247,6 +247,8 @@ contains
       point%semi_major = circuit%spot%semi_major
       point%semi_minor = circuit%spot%semi_minor
       point%conductance = circuit%spot%conductance
+      if (point%conductance > 0) point%constriction = -sum(circuit%spot%dconductance_dresistivity) &
+         /(2*point%conductance**2)
       point%current = electricity%current
       point%voltage_gap = electricity%voltage_gap
       point%series_resistance = circuit%series_resistance

@@ -90,7 +90,7 @@ contains
       if (.not. point%active) point%mixed_force = 0
       associate (law => model%interactions(model%contact_pairs(point%pair)%interaction))
          needs_line = point%weight > 0 .and. (point%line_place > 0 .or. is_lens(law%normal, point) .or. &
-            law%spot%is_per_length .or. law%spot_memory)
+            law%spot%is_per_length .or. law%heat%is_per_length .or. law%spot_memory)
          if (.not. (point%active .or. point%closed .or. needs_line)) return
          pair = wires_of(model, elements, point)
          if (needs_line) point%line = line_of_point(pair, point)
@@ -98,10 +98,14 @@ contains
          if (point%line_place > 0) then
             call press_line(law%normal%line_penalty(), point)
          else if (is_lens(law%normal, point)) then
-            if (law%spot%uses_ellipse .and. share_of_ellipse(law%normal, point) > 0) call find_ellipse(pair, point)
+            if ((law%spot%uses_ellipse .or. law%heat%uses_ellipse) .and. share_of_ellipse(law%normal, point) > 0) then
+               call find_ellipse(pair, point)
+            end if
             call press_lens(law%normal, pair, point)
          else
-            if (law%normal%uses_ellipse .or. law%spot%uses_ellipse) call find_ellipse(pair, point)
+            if (law%normal%uses_ellipse .or. law%spot%uses_ellipse .or. law%heat%uses_ellipse) then
+               call find_ellipse(pair, point)
+            end if
             if (point%law_status /= law_ok) return
             call press_point(law%normal, pair, point)
          end if

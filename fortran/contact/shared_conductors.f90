@@ -6,6 +6,7 @@
 !> part of the contact element (contact_electricity); here is what is beyond it: `(R + A)^-1 - D^-1`.
 !> Source: theory section 7.
 module litz_shared_conductors
+   use litz_element_ends, only: element_ends_t, collect_ends
    use litz_kinds, only: dp
    use litz_parallel, only: worth_threads
    use litz_potential_rise, only: potential_rise
@@ -27,10 +28,9 @@ module litz_shared_conductors
       !> Of the spot, and diagonal of R + A (n) [ohm]
       real(dp), allocatable :: resistance(:), diagonal(:)
       type(strips_t) :: strips
-      !> First end on each element (elements + 1); contact and side (1: barred) of each end, in order along its element
-      integer, allocatable, private :: first(:), contact(:), side(:)
-      !> Place of each end, and rho L0/(4 A) [ohm] of each element
-      real(dp), allocatable, private :: xi(:), scale(:)
+      type(element_ends_t) :: ends
+      !> rho L0/(4 A) [ohm] of each element that has any
+      real(dp), allocatable :: scale(:)
    contains
       procedure :: voltages
       procedure :: currents
@@ -48,68 +48,23 @@ contains
       real(dp), intent(in) :: xi(:, :), scale(:, :), resistance(:)
       type(strips_t), intent(in) :: strips
       type(shared_conductors_t), intent(out) :: shared
-      integer, allocatable :: number_of(:), place(:)
-      integer :: i, n, k, side, n_elements
+      integer :: i
 
-      n = size(resistance)
-      allocate (number_of(maxval([0, elements])), source=0)
-      n_elements = 0
-      do i = 1, n
-         do side = 1, 2
-            if (number_of(elements(side, i)) == 0) then
-               n_elements = n_elements + 1
-               number_of(elements(side, i)) = n_elements
-            end if
-         end do
-      end do
-      shared%present = size(strips%resistance) > 0 .or. (2*n > n_elements .and. any(scale > 0))
-      if (.not. shared%present) return
+      call collect_ends(elements, xi, shared%ends)
+      associate (n_elements => size(shared%ends%element))
+         shared%present = size(strips%resistance) > 0 .or. (2*size(resistance) > n_elements .and. any(scale > 0))
+         allocate (shared%scale(n_elements))
+      end associate
       shared%nodes = nodes
       shared%resistance = resistance
       shared%strips = strips
       shared%diagonal = resistance + sum(scale*(1 - xi**2), 1)
-      allocate (shared%n_v(4, n), shared%contact(2*n), shared%side(2*n), shared%xi(2*n), shared%scale(n_elements))
-      allocate (shared%first(n_elements + 1), source=0)
-      do i = 1, n
+      allocate (shared%n_v(4, size(resistance)))
+      do i = 1, size(resistance)
          shared%n_v(:, i) = [1 - xi(1, i), 1 + xi(1, i), -(1 - xi(2, i)), -(1 + xi(2, i))]/2
-         shared%first(number_of(elements(:, i)) + 1) = shared%first(number_of(elements(:, i)) + 1) + 1
-         shared%scale(number_of(elements(:, i))) = scale(:, i)
-      end do
-      shared%first(1) = 1
-      do k = 1, n_elements
-         shared%first(k + 1) = shared%first(k) + shared%first(k + 1)
-      end do
-      place = shared%first(:n_elements)
-      do i = 1, n
-         do side = 1, 2
-            k = number_of(elements(side, i))
-            call insert(shared, shared%first(k), place(k), i, side, xi(side, i))
-            place(k) = place(k) + 1
-         end do
+         shared%scale(shared%ends%place_of(:, i)) = scale(:, i)
       end do
    end subroutine collect_shared
-
-   !> Put an end behind those of its element that lie before it.
-   pure subroutine insert(shared, first, free, contact, side, xi)
-      type(shared_conductors_t), intent(inout) :: shared
-      !> First end of the element, the first free place, and the contact and side of the end (1: barred)
-      integer, intent(in) :: first, free, contact, side
-      !> Place of the end in its element, in [-1, 1]
-      real(dp), intent(in) :: xi
-      integer :: k
-
-      k = free
-      do while (k > first)
-         if (shared%xi(k - 1) <= xi) exit
-         shared%xi(k) = shared%xi(k - 1)
-         shared%contact(k) = shared%contact(k - 1)
-         shared%side(k) = shared%side(k - 1)
-         k = k - 1
-      end do
-      shared%xi(k) = xi
-      shared%contact(k) = contact
-      shared%side(k) = side
-   end subroutine insert
 
    !> `N_V V` of each contact (n) [V].
    pure function voltages(self, potential)
@@ -190,15 +145,15 @@ contains
       real(dp), intent(in) :: current(:)
       !> (2, n) [V]; set at the contacts of this element, on its side
       real(dp), intent(inout) :: rise(:, :)
-      real(dp), dimension(self%first(k + 1) - self%first(k)) :: entering, above
+      real(dp), dimension(self%ends%first(k + 1) - self%ends%first(k)) :: entering, above
       integer :: i
 
-      associate (first => self%first(k), last => self%first(k + 1) - 1)
+      associate (ends => self%ends, first => self%ends%first(k), last => self%ends%first(k + 1) - 1)
          ! the current leaves the barred wire
-         entering = merge(-1, 1, self%side(first:last) == 1)*current(self%contact(first:last))
-         call potential_rise(self%scale(k), self%xi(first:last), entering, above)
+         entering = merge(-1, 1, ends%side(first:last) == 1)*current(ends%contact(first:last))
+         call potential_rise(self%scale(k), ends%xi(first:last), entering, above)
          do i = first, last
-            rise(self%side(i), self%contact(i)) = above(i - first + 1)
+            rise(ends%side(i), ends%contact(i)) = above(i - first + 1)
          end do
       end associate
    end subroutine set_rise

@@ -70,8 +70,7 @@ module litz_foreign_words
       foreign_word_t('CONTACT CONTROLS|CONTACT STABILIZATION|CONTACT DAMPING', '', '', &
       'leave it out; *CONTROLS, PARAMETERS=STABILIZE damps what only contacts can hold'), &
       foreign_word_t('CLEARANCE', '', '', 'leave it out: gaps follow from the nodes and radii'), &
-      foreign_word_t('GAP CONDUCTANCE|GAP HEAT GENERATION|GAP RADIATION', '', '', &
-      'contacts conduct no heat; the current needs *GAP ELECTRICAL CONDUCTANCE'), &
+      foreign_word_t('GAP RADIATION', '', '', 'wires radiate into their surroundings only: *RADIATE'), &
       foreign_word_t('DLOAD|DSLOAD', '', '', 'distribute the load over the nodes: *CLOAD'), &
       foreign_word_t('DECURRENT|DSECURRENT', '', '', 'distribute the current over the nodes: *CECURRENT'), &
       foreign_word_t('OUTPUT|FILE OUTPUT', '', '', 'leave it out: fields are always written (*NODE FILE says how'// &

@@ -8,6 +8,7 @@ module litz_model_keywords
       flag, choice, name, item, number, count_of, file
    use litz_law_words, only: law_words_t
    use litz_normal_laws, only: all_normal_laws
+   use litz_heat_law, only: all_heat_laws
    use litz_spot_laws, only: all_spot_laws
    use litz_stick_laws, only: stick_laws
    implicit none
@@ -297,6 +298,7 @@ contains
       call add_law_data(k, 'LAW', all_spot_laws())
       call finish(table, k)
 
+      call add_heat_of_contacts(table)
       call add_surface(table)
 
       call begin(k, 'CONTACT PAIR', place_model, &
@@ -311,6 +313,38 @@ contains
          ' rigid surface', required=.false.)])
       call finish(table, k)
    end subroutine add_contact
+
+   pure subroutine add_heat_of_contacts(table)
+      type(keyword_table_t), intent(inout) :: table
+      type(keyword_t) :: k
+
+      call begin(k, 'GAP CONDUCTANCE', place_model, 'Heat through the contact, in steps that solve for temperatures'// &
+         ', between wires with *CONDUCTIVITY. The heat of the current in a spot enters both wires, half and half in'// &
+         ' a symmetric contact.'//meanings_of(all_heat_laws())// &
+         ' Without this keyword heat passes by CONDUCTIVITY where a current can, and nowhere else.', &
+         after='SURFACE INTERACTION')
+      call k%add(choice('LAW', names_of(all_heat_laws()), 'the law (litz extension)', required=.true.))
+      call k%add(choice('PER', 'SPOT|LENGTH', &
+         'LENGTH: the heat conductance of CONSTANT and TABLE is per length [W/(m K)], the force of TABLE per length'// &
+         ' [N/m], of wires that touch along lines (litz extension)', default='SPOT'))
+      call k%add(number('LORENZ', 'Lorenz number L of METAL [V^2/K^2]; without it that of each wire, lambda rho/T'// &
+         ' at the contact', limit_positive))
+      call k%add(number('TSOFT', 'temperature at which the metal softens: a warning (hot_spot) where the hottest'// &
+         ' place of a spot is above it', limit_none))
+      call k%add(number('TMELT', 'temperature at which it melts: no spot is hotter', limit_none))
+      call k%add(choice('MELTING', 'END|WARN', 'WARN: spots hotter than TMELT are a warning, too (litz extension)', &
+         default='END'))
+      call add_law_data(k, 'LAW', all_heat_laws())
+      call finish(table, k)
+
+      call begin(k, 'GAP HEAT GENERATION', place_model, 'Heat of friction, in steps that solve for motions and'// &
+         ' temperatures over time. It enters both wires half and half; without this keyword all of the work of'// &
+         ' friction does, where wires with *CONDUCTIVITY touch each other.', after='SURFACE INTERACTION')
+      call k%add_data([real_field('eta', '-', 'part of the work of friction that becomes heat', limit_not_negative), &
+         real_field('f', '-', 'part of the heat that enters the first wire: 0.5', limit_not_negative, &
+         required=.false.)])
+      call finish(table, k)
+   end subroutine add_heat_of_contacts
 
    pure subroutine add_surface(table)
       type(keyword_table_t), intent(inout) :: table

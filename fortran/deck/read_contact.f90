@@ -4,6 +4,7 @@ module litz_read_contact
    use litz_text, only: to_text
    use litz_deck, only: token_t
    use litz_axis_choices, only: axis_linear
+   use litz_heat_law, only: heat_law, heat_metal_law
    use litz_law_words, only: law_words_t
    use litz_model, only: model_t, interaction_t, contact_pair_t
    use litz_normal_laws, only: normal_law, default_normal_law
@@ -61,6 +62,13 @@ contains
             if (model%interactions(index)%spot%exists()) call fail_at(self, self%deck%cards(card)%name, &
                'this surface interaction has two *GAP ELECTRICAL CONDUCTANCE')
             call read_spot_law(self, card, model%interactions(index))
+         case ('GAP CONDUCTANCE')
+            if (index == 0) cycle
+            if (model%interactions(index)%heat%exists()) call fail_at(self, self%deck%cards(card)%name, &
+               'this surface interaction has two *GAP CONDUCTANCE')
+            call read_heat_law(self, card, model%interactions(index))
+         case ('GAP HEAT GENERATION')
+            if (index > 0 .and. has_data(self, card)) call read_friction_heat(self, card, model%interactions(index))
          end select
       end do
       model%interactions = model%interactions(:self%interactions%names%n)
@@ -126,6 +134,76 @@ contains
       end if
       call read_law_data(self, card, interaction%spot)
    end subroutine read_spot_law
+
+   subroutine read_heat_law(self, card, interaction)
+      type(reader_t), intent(inout) :: self
+      !> Index of the card
+      integer, intent(in) :: card
+      type(interaction_t), intent(inout) :: interaction
+
+      type(token_t) :: softening, melting
+      real(dp) :: friction_fraction
+
+      friction_fraction = interaction%heat%friction_fraction
+      interaction%heat = heat_law(choice_of(self, card, 'LAW'))
+      interaction%heat%friction_fraction = friction_fraction
+      interaction%heat%is_per_length = choice_of(self, card, 'PER') == 'LENGTH'
+      if (interaction%heat%is_per_length .and. .not. interaction%heat%is_given()) then
+         call fail_at(self, parameter_of(self, card, 'PER'), 'PER=LENGTH is for LAW=CONSTANT and LAW=TABLE;'// &
+            ' the other laws serve contact along lines as they are')
+         interaction%heat%is_per_length = .false.
+      end if
+      softening = parameter_of(self, card, 'TSOFT')
+      melting = parameter_of(self, card, 'TMELT')
+      interaction%heat%has_softening = softening%last >= softening%first
+      interaction%heat%has_melting = melting%last >= melting%first
+      interaction%heat%softening = real_parameter(self, card, 'TSOFT', 0.0_dp)
+      interaction%heat%melting = real_parameter(self, card, 'TMELT', 0.0_dp)
+      interaction%heat%may_melt = choice_of(self, card, 'MELTING') == 'WARN'
+      interaction%heat%lorenz = real_parameter(self, card, 'LORENZ', 0.0_dp)
+      if (interaction%heat%number /= heat_metal_law) then
+         if (interaction%heat%lorenz > 0) call fail_at(self, parameter_of(self, card, 'LORENZ'), &
+            'LORENZ= is for LAW=METAL')
+      else if (.not. has_parameter('PHYSICAL CONSTANTS', 'ABSOLUTE ZERO')) then
+         call fail_at(self, self%deck%cards(card)%name, 'LAW=METAL needs temperatures from absolute zero: give it'// &
+            ' by *PHYSICAL CONSTANTS, ABSOLUTE ZERO=0 (kelvin) or -273.15 (Celsius)')
+      end if
+      call read_law_data(self, card, interaction%heat)
+
+   contains
+
+      logical function has_parameter(keyword, parameter)
+         !> In capitals
+         character(len=*), intent(in) :: keyword, parameter
+         type(token_t) :: token
+         integer :: i
+
+         has_parameter = .false.
+         do i = 1, self%deck%n_cards
+            if (keyword_of(self, i) /= keyword) cycle
+            token = parameter_of(self, i, parameter)
+            has_parameter = has_parameter .or. token%last >= token%first
+         end do
+      end function has_parameter
+
+   end subroutine read_heat_law
+
+   subroutine read_friction_heat(self, card, interaction)
+      type(reader_t), intent(inout) :: self
+      !> Index of the card
+      integer, intent(in) :: card
+      type(interaction_t), intent(inout) :: interaction
+      logical :: ok
+
+      call read_line(self, card, self%deck%cards(card)%first_data, ok)
+      if (.not. ok) return
+      interaction%heat%friction_fraction = self%values%real(1)
+      if (self%values%real(1) > 1) call fail_at(self, self%values%token(1), &
+         'friction turns a part of its work to heat, from 0 to 1, not '//to_text(self%values%real(1)))
+      if (.not. self%values%given(2)) return
+      if (abs(self%values%real(2) - 0.5_dp) > epsilon(1.0_dp)) call fail_at(self, self%values%token(2), &
+         'the heat of friction enters both wires half and half: f is 0.5, not '//to_text(self%values%real(2)))
+   end subroutine read_friction_heat
 
    !> The data line of a law, or its table.
    subroutine read_law_data(self, card, law)

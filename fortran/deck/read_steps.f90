@@ -350,8 +350,6 @@ contains
       associate (token => self%deck%cards(card)%name, procedure => '*'//keyword_of(self, card))
          if (.not. model%steps(step)%solves(field_temperature)) return
          if (model%steps(step)%transient .and. .not. self%broken_keywords) call require_storage(self, model, card)
-         if (n_cards_of(self, 'CONTACT PAIR') > 0) call fail_at(self, token, 'contacts conduct no heat: '// &
-            procedure//' is not possible in a deck with *CONTACT PAIR')
          if (model%steps(step)%solves(field_displacement)) call require_electrical(self, model, card)
          do i = 1, size(model%materials)
             associate (material => model%materials(i))

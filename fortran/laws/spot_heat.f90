@@ -26,7 +26,7 @@ module litz_spot_heat
    public :: by_voltage, by_conductance, by_bulk
 
    integer, parameter :: heat_ok = 0
-   !> A temperature of a bulk or a conductance that is not positive, or a negative resistance or heat
+   !> A temperature of a metal or a conductance that is not positive, or a negative resistance or heat
    integer, parameter :: heat_bad_data = -1
 
    !> Columns of the derivatives of `spot_heat`: Q_1, Q_f, Q_2; T_1, T_2; ln h_1, ln h_2; r
@@ -90,7 +90,7 @@ contains
       integer :: iteration
 
       info = heat_bad_data
-      if (.not. (all(temperature > 0) .and. all(path%conductance > 0))) return
+      if (.not. (all(temperature > 0 .or. .not. path%is_metal) .and. all(path%conductance > 0))) return
       if (.not. (all(heat >= 0) .and. path%film >= 0)) return
       info = heat_ok
       associate (t => temperature, h => path%conductance)
@@ -98,10 +98,9 @@ contains
          at_rest = (heat([1, 3]) + heat(2))/2
          kappa = merge(sum(t)/2, 1.0_dp, path%is_metal)
          m = (t(2) - t(1) + at_rest(2)/(h(2)*kappa(2)) - at_rest(1)/(h(1)*kappa(1)))/(sum(1/(h*kappa)) + path%film)
-         ! a face is not below absolute zero
-         entering = h*merge(t**2/2, t, path%is_metal)
-         low = -entering(1) - at_rest(1)
-         high = entering(2) + at_rest(2)
+         ! the face of a metal is not below absolute zero
+         low = -at_rest(1) - merge(h(1)*t(1)**2/2, huge(low)/4, path%is_metal(1))
+         high = at_rest(2) + merge(h(2)*t(2)**2/2, huge(high)/4, path%is_metal(2))
          do iteration = 1, max_iterations
             m = min(max(m, low), high)
             entering = at_rest + [m, -m]

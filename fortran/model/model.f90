@@ -4,6 +4,7 @@
 module litz_model
    use litz_kinds, only: dp
    use litz_fields, only: fields, n_fields, field_potential, field_temperature, group_transport
+   use litz_heat_law, only: heat_law_t
    use litz_unit_labels, only: unit_labels_t
    use litz_axis_choices, only: axis_linear, axis_hermite
    use litz_normal_law, only: normal_law_t
@@ -118,6 +119,7 @@ module litz_model
       real(dp) :: stick_value = 0
       !> Number 0: no current crosses
       type(spot_law_t) :: spot
+      type(heat_law_t) :: heat
       !> Interpolation of the axis that touches
       integer :: axis = axis_hermite
       !> Add the resistance that the linear voltage inside an element misses, theory section 7

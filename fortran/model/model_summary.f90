@@ -6,7 +6,7 @@ module litz_model_summary
    use litz_kinds, only: dp
    use litz_axis_choices, only: axis_hermite
    use litz_normal_law, only: normal_law_t
-   use litz_spot_law, only: spot_law_t
+   use litz_law_words, only: law_words_t
    use litz_stick_laws, only: stick_laws
    use litz_model, only: model_t, step_t, interaction_t, output_request_t, named_set_t, nodal_value_t, &
       element_heat_t, &
@@ -216,14 +216,17 @@ contains
       words = words//trim(interaction%normal%summary)//describe_normal_data(interaction%normal, units)
       if (interaction%friction > 0) words = words//describe_friction(interaction, units)
       if (interaction%unlimited_penetration) words = words//', unlimited penetration'
-      if (.not. interaction%spot%exists()) then
+      if (interaction%spot%exists()) then
+         words = words//', spot '//trim(interaction%spot%name)//describe_spot_data(interaction%spot, units)
+         if (interaction%spot%is_per_length) words = words//' per length'
+         if (interaction%spot_memory) words = words//' of the largest force'
+         words = words//', '//trim(merge('corrected', 'linear   ', interaction%voltage_correction))//' voltage'
+      else
          words = words//', no current'
-         return
       end if
-      words = words//', spot '//trim(interaction%spot%name)//describe_spot_data(interaction%spot, units)
-      if (interaction%spot%is_per_length) words = words//' per length'
-      if (interaction%spot_memory) words = words//' of the largest force'
-      words = words//', '//trim(merge('corrected', 'linear   ', interaction%voltage_correction))//' voltage'
+      if (interaction%heat%exists()) words = words//', heat '//trim(interaction%heat%name)// &
+         describe_spot_data(interaction%heat, units)
+      if (interaction%heat%is_per_length) words = words//' per length'
    end function describe_interaction
 
    !> `name value unit` of each number of a normal law.
@@ -245,7 +248,7 @@ contains
 
    !> ` with name = value unit` for each number of a spot law, or how many points its table has.
    pure function describe_spot_data(law, units) result(words)
-      type(spot_law_t), intent(in) :: law
+      class(law_words_t), intent(in) :: law
       type(unit_labels_t), intent(in) :: units
       character(len=:), allocatable :: words
       integer :: i

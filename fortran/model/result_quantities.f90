@@ -131,6 +131,12 @@ contains
       call table%field('current', c%current, 'A', 'current from the barred to the unbarred wire')
       call table%field('voltage_gap', c%voltage_gap, 'V', 'potential of the barred minus the unbarred wire')
       call table%field('joule_heat', c%joule_heat, 'W', 'heat in the spot')
+      call table%field('temperature_1', c%temperature_bar, 'K', 'temperature of the first wire at the contact;'// &
+         ' 0 in steps that do not solve for temperatures')
+      call table%field('temperature_2', c%temperature, 'K', 'temperature of the second wire at the contact')
+      call table%field('temperature_max', c%temperature_max, 'K', 'highest temperature in the spot')
+      call table%field('heat_1', c%heat_bar, 'W', 'heat that the contact gives to the first wire')
+      call table%field('heat_2', c%heat, 'W', 'heat that the contact gives to the second wire')
       call table%field('traction', c%traction, 'N', 'friction force on the barred wire')
       call table%field('slip_path', c%slip_path, 'm', 'path of the slip since the contact closed')
       call table%field('dissipation', c%dissipation, 'J', 'frictional heat since the contact closed')

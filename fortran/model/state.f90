@@ -41,6 +41,10 @@ module litz_state
       real(dp) :: conductance = 0
       !> Heat in the spot [W]
       real(dp) :: joule_heat = 0
+      !> Temperatures of the wires at the contact, and the highest one in the spot [K]
+      real(dp) :: temperature_bar = 0, temperature = 0, temperature_max = 0
+      !> Heat that the contact gives to either wire [W]
+      real(dp) :: heat_bar = 0, heat = 0
       !> Length of the wires for which a point of a line contact stands [m]; 0: the wires cross
       real(dp) :: length = 0
       !> Distance of neighbouring places there, along the unbarred wire [m]; 0: the wires cross

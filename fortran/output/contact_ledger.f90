@@ -110,7 +110,7 @@ contains
       !> Of the table
       integer, intent(in) :: row
       character(len=:), allocatable :: text
-      character(len=1024) :: line
+      character(len=2048) :: line
       integer :: i
 
       line = ''

@@ -98,7 +98,7 @@ contains
       not_shown = 0
       call weigh('the heat that leaves the wires or is stored is not that which is made in them', &
          abs(heat_imbalance(state)), sum(abs(state%heat_made) + abs(state%surface_heat) + abs(state%heat_stored)) &
-         + sum(abs(state%reaction(heat_slot, :))), &
+         + sum(abs(state%contacts%heat_bar) + abs(state%contacts%heat)) + sum(abs(state%reaction(heat_slot, :))), &
          total_round_off(field_temperature), &
          not_shown)
       do field = 1, n_fields
@@ -398,7 +398,7 @@ contains
       type(state_t), intent(in) :: state
 
       left = sum(state%reaction(heat_slot, :) + state%load(heat_slot, :)) + sum(state%heat_made) &
-         - sum(state%surface_heat) - sum(state%heat_stored)
+         + sum(state%contacts%heat_bar + state%contacts%heat) - sum(state%surface_heat) - sum(state%heat_stored)
    end function heat_imbalance
 
    !> What the currents that are left over, and the round-off of those fed in, make of the power at most [W].

@@ -42,7 +42,8 @@ contains
       if (problem%fed_field == field_temperature) then
          text = 'the temperature of the wires at node '//to_text(problem%model%node_id(problem%fed_node))// &
             ' is not determined: they have no prescribed temperature (*BOUNDARY, degree of freedom '// &
-            dof_range(field_temperature)//'), and nothing leaves their sides (*FILM, *RADIATE)'
+            dof_range(field_temperature)//'), nothing leaves their sides (*FILM, *RADIATE), and no contact'// &
+            ' passes heat (*GAP CONDUCTANCE)'
          return
       end if
       associate (field => fields(problem%fed_field))

@@ -3,6 +3,7 @@ module litz_group_solution
    use litz_kinds, only: dp
    use litz_errors, only: error_t
    use litz_fields, only: n_slots, field_of_slot, first_slot_of_group, last_slot_of_group
+   use litz_gmres, only: linear_map_t, gmres
    use litz_problem, only: problem_t
    use litz_sparse_pattern, only: csr_multiply
    implicit none
@@ -12,6 +13,22 @@ module litz_group_solution
    !> The squared error of the conjugate gradients over that of the start; and their steps at most
    real(dp), parameter :: accurate = (1.0e-14_dp)**2
    integer, parameter :: max_steps = 100
+   !> The residual of the generalized minimal residuals over that of the start; and their steps at most
+   real(dp), parameter :: accurate_residual = 1.0e-12_dp
+   integer, parameter :: max_products = 200
+
+   !> The whole tangent of a group, with its own block of the matrix as preconditioner.
+   type, extends(linear_map_t) :: group_map_t
+      type(problem_t), pointer :: problem => null()
+      integer :: group = 0
+      !> Equations that are `x = 0` (equations of the group)
+      logical, allocatable :: is_held(:)
+      !> Of a solution with the block
+      type(error_t), allocatable :: error
+   contains
+      procedure :: apply => apply_tangent
+      procedure :: precondition => solve_with_block
+   end type group_map_t
 
 contains
 
@@ -36,15 +53,9 @@ contains
       !> Forces (equations of the group)
       real(dp), intent(inout) :: b(:)
       logical :: is_held(size(b))
-      integer :: row, position, slot
+      integer :: row, position
 
-      is_held = .false.
-      do slot = first_slot_of_group(group), last_slot_of_group(group)
-         if (field_of_slot(slot) == free) cycle
-         associate (number => problem%equations%number(slot, :))
-            is_held(pack(number, number > 0)) = .true.
-         end associate
-      end do
+      is_held = held_equations(problem, group, free)
       associate (block => problem%matrix%block(group, group))
          do row = 1, block%n_rows
             do position = block%row_start(row), block%row_start(row + 1) - 1
@@ -57,11 +68,77 @@ contains
       where (is_held) b = 0
    end subroutine hold_fields
 
+   !> Equations of a group of all its fields but one.
+   pure function held_equations(problem, group, free) result(is_held)
+      type(problem_t), intent(in) :: problem
+      !> One of the groups of litz_fields, and the field in it that moves; 0: all do
+      integer, intent(in) :: group, free
+      logical :: is_held(problem%equations%count(group))
+      integer :: slot
+
+      is_held = .false.
+      if (free == 0) return
+      do slot = first_slot_of_group(group), last_slot_of_group(group)
+         if (field_of_slot(slot) == free) cycle
+         associate (number => problem%equations%number(slot, :))
+            is_held(pack(number, number > 0)) = .true.
+         end associate
+      end do
+   end function held_equations
+
    !> `K x = b` with the tangent `K` of the group; its own block of the matrix has been factored.
    !>
-   !> Where cells of a term act on each other, `K` has more than that block: conjugate gradients with the block as
-   !> preconditioner.
-   subroutine solve_for_group(problem, group, b, x, error)
+   !> Where cells of a term act on each other, `K` has more than that block, which then is the preconditioner: of
+   !> conjugate gradients, or where `K` is not symmetric of generalized minimal residuals.
+   subroutine solve_for_group(problem, group, free, b, x, error)
+      type(problem_t), target, intent(inout) :: problem
+      !> One of the groups of litz_fields, and the field in it that moves; 0: all do
+      integer, intent(in) :: group, free
+      !> Forces (equations of the group)
+      real(dp), intent(in) :: b(:)
+      !> Values (equations of the group)
+      real(dp), intent(out) :: x(:)
+      type(error_t), allocatable, intent(out) :: error
+      type(group_map_t) :: map
+
+      if (.not. has_mutual_tangent(problem, group)) then
+         call problem%scheme%solve_group(group, problem%matrix, b, x, error)
+      else if (problem%matrix%symmetric(group)) then
+         call solve_symmetric(problem, group, b, x, error)
+      else
+         map%problem => problem
+         map%group = group
+         map%is_held = held_equations(problem, group, free)
+         call gmres(map, b, accurate_residual, max_products, x)
+         if (allocated(map%error)) call move_alloc(map%error, error)
+      end if
+   end subroutine solve_for_group
+
+   subroutine apply_tangent(self, x, y)
+      class(group_map_t), intent(inout) :: self
+      !> (equations of the group)
+      real(dp), intent(in) :: x(:)
+      !> (equations of the group)
+      real(dp), intent(out) :: y(:)
+
+      call multiply(self%problem, self%group, x, y)
+      where (self%is_held) y = x
+   end subroutine apply_tangent
+
+   subroutine solve_with_block(self, x, y)
+      class(group_map_t), intent(inout) :: self
+      !> (equations of the group)
+      real(dp), intent(in) :: x(:)
+      !> (equations of the group)
+      real(dp), intent(out) :: y(:)
+      type(error_t), allocatable :: error
+
+      call self%problem%scheme%solve_group(self%group, self%problem%matrix, x, y, error)
+      if (allocated(error)) call move_alloc(error, self%error)
+   end subroutine solve_with_block
+
+   !> Conjugate gradients.
+   subroutine solve_symmetric(problem, group, b, x, error)
       type(problem_t), intent(inout) :: problem
       !> One of the groups of litz_fields
       integer, intent(in) :: group
@@ -75,7 +152,7 @@ contains
       integer :: k
 
       call problem%scheme%solve_group(group, problem%matrix, b, x, error)
-      if (allocated(error) .or. .not. has_mutual_tangent(problem, group)) return
+      if (allocated(error)) return
       left = b
       direction = x
       x = 0
@@ -93,7 +170,7 @@ contains
          defect = dot_product(left, correction)
          direction = correction + defect/defect_before*direction
       end do
-   end subroutine solve_for_group
+   end subroutine solve_symmetric
 
    !> The whole tangent of a group times values.
    subroutine multiply(problem, group, v, y)

@@ -171,12 +171,33 @@ contains
             smaller_is_worse=.true.)
       end if
       call add_table_end(model, contact, elements, warnings)
+      call add_hot_spot(model, contact, elements, warnings)
       if (penetration(model, contact) <= allowed_penetration) return
       call warnings%add('unlimited_penetration', describe_contact(model, contact)//' overlaps by '// &
          to_text(100*penetration(model, contact))//' % of the smaller radius, which PENETRATION=UNLIMITED'// &
          ' allows; the laws of contact are for less than '//to_text(100*allowed_penetration)//' %', elements, &
          100*penetration(model, contact), '% of the radius')
    end subroutine add_contact
+
+   !> A spot whose metal softens or melts.
+   subroutine add_hot_spot(model, contact, elements, warnings)
+      type(model_t), intent(in) :: model
+      type(contact_t), intent(in) :: contact
+      !> The user's numbers of its elements
+      integer, intent(in) :: elements(2)
+      type(run_warnings_t), intent(inout) :: warnings
+      character(len=:), allocatable :: change
+
+      associate (law => model%interactions(model%contact_pairs(contact%pair)%interaction)%heat)
+         change = ''
+         if (law%has_softening .and. contact%temperature_max > law%softening) change = 'softens above '// &
+            to_text(law%softening)
+         if (law%has_melting .and. contact%temperature_max > law%melting) change = 'melts above '//to_text(law%melting)
+      end associate
+      if (len(change) > 0) call warnings%add('hot_spot', describe_contact(model, contact)//' is at '// &
+         to_text(contact%temperature_max)//' '//model%units%label('K')//' in its spot, whose metal '//change, &
+         elements, contact%temperature_max, 'K')
+   end subroutine add_hot_spot
 
    !> Elements too long for the pressure along a line to be smooth, where their nodes do not lie opposite those of the
    !> other wire: the longest.

@@ -228,6 +228,7 @@ contains
             iterate%change = loading%value - problem%state%value
          end where
       end associate
+      call problem%iterate%warm_mechanics()
       problem%is_far = .true.
       call heat_elements(problem%model, problem%iterate%value(temperature_slots(1), :), &
          problem%mechanical_temperature(), problem%elements)
@@ -249,6 +250,7 @@ contains
          call problem%iterate%move(problem%state, problem%model%x, prescribed(first_updated:, :), first_updated)
          prescribed(first_updated:, :) = 0
       end associate
+      call problem%iterate%warm_mechanics()
    end subroutine prescribe
 
    !> The next correction has prescribed values in it.
@@ -365,9 +367,24 @@ contains
          call measure_residual(problem, step, outcome%last, outcome%at_round_off)
          if (outcome%in_turn /= group) cycle
          call note_update(problem, outcome)
-         if (group_converged(outcome%last, group)) call outcome%end_turn(1)
+         if (group_converged(outcome%last, group)) call return_to_motions(problem, step, outcome, error)
+         if (allocated(error)) return
       end do
    end subroutine update_groups
+
+   !> The turn of the first group, which now sees the temperatures that there are.
+   subroutine return_to_motions(problem, step, outcome, error)
+      type(problem_t), intent(inout) :: problem
+      type(step_t), intent(in) :: step
+      type(outcome_t), intent(inout) :: outcome
+      type(error_t), allocatable, intent(out) :: error
+
+      call outcome%end_turn(1)
+      call problem%iterate%warm_mechanics()
+      call evaluate(problem, error)
+      if (allocated(error)) return
+      call measure_residual(problem, step, outcome%last, outcome%at_round_off)
+   end subroutine return_to_motions
 
    !> An iteration of a group that takes its turn.
    pure subroutine note_update(problem, outcome)

@@ -3,6 +3,7 @@ module litz_term_list
    use litz_beam_term, only: new_beam_term
    use litz_capacity_term, only: new_capacity_term
    use litz_conductor_term, only: new_conductor_term
+   use litz_contact_heat_term, only: new_contact_heat_term
    use litz_contact_points, only: contact_set_t
    use litz_contact_term, only: contact_term_t
    use litz_domain, only: domain_t
@@ -32,7 +33,10 @@ contains
       call add(radiation_term_t())
       call add(new_capacity_term(domain%model))
       call add(new_conductor_term(domain%elements%resistivity))
-      if (contact%present) call add(contact_term_t(contact))
+      if (contact%present) then
+         call add(contact_term_t(contact))
+         call add(new_contact_heat_term(contact))
+      end if
       ! after all that has unknowns of dependent nodes and makes forces on them
       call add(rigid_body_term_t())
       ! after all that makes moments

@@ -28,6 +28,8 @@ module litz_domain
       type(equations_t) :: equations
       type(system_t) :: matrix
       type(forces_t) :: forces
+      !> Heat that enters each element evenly at this iterate, of currents and sources (n_elements) [W]
+      real(dp), allocatable :: element_heat(:)
       !> The pattern must be built and analysed before the next solve
       logical :: pattern_changed = .true.
       type(timing_t) :: timing
@@ -79,15 +81,16 @@ contains
       mean_temperature = sum(self%iterate%value(temperature_slots(1), self%model%connectivity(:, element)))/2
    end function mean_temperature
 
-   !> Temperatures that strains, radii, gaps and elasticities see: the present ones, or where motions are held those of
-   !> the last increment that solved for motions (n_nodes) [K]. Their lag then goes to zero over the next step.
+   !> Temperatures that strains, radii, gaps and elasticities see: those of the iterate when motions began to take their
+   !> turn, or where motions are held those of the last increment that solved for motions (n_nodes) [K]. Their lag then
+   !> goes to zero over the next step.
    pure function mechanical_temperature(self) result(temperature)
       class(domain_t), intent(in) :: self
       real(dp) :: temperature(self%model%n_nodes)
 
       associate (before => self%state%mechanical_temperature, lag => self%state%value(temperature_slots(1), :) &
          - self%state%mechanical_temperature)
-         temperature = merge(self%iterate%value(temperature_slots(1), :) - self%loading%lag_left()*lag, before, &
+         temperature = merge(self%iterate%mechanical_temperature - self%loading%lag_left()*lag, before, &
             self%loading%solves(field_displacement))
       end associate
    end function mechanical_temperature

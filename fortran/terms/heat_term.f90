@@ -103,6 +103,7 @@ contains
 
       if (.not. domain%loading%solves(field_temperature)) return
       domain%matrix%symmetric(group_transport) = .false.
+      if (.not. allocated(domain%element_heat)) allocate (domain%element_heat(domain%model%n_elements), source=0.0_dp)
       n = min(chunk, size(self%conducting))
       allocate (k(4, 4, n), r(4, n))
       do first = 1, size(self%conducting), chunk
@@ -119,6 +120,7 @@ contains
                k(1:2, [2, 4], :n))
          end associate
       end do
+      domain%element_heat = self%made
    end subroutine evaluate
 
    !> Of an element, unknowns node by node: potential, temperature; equations: both currents, both heat flows.

@@ -1,7 +1,7 @@
 !> The unknowns as they stand in the iteration, and how they move.
 module litz_iterate
    use litz_kinds, only: dp
-   use litz_fields, only: fields, n_fields, first_slot, last_slot, field_displacement, motion_slots
+   use litz_fields, only: fields, n_fields, first_slot, last_slot, field_displacement, motion_slots, temperature_slots
    use litz_rigid_bodies, only: rigid_bodies_t
    use litz_rotations, only: rotation_exp
    use litz_state, only: state_t
@@ -19,6 +19,8 @@ module litz_iterate
       real(dp), allocatable :: prescribed(:, :)
       !> Positions (3, n_nodes) [m] and rotations from the reference (3, 3, n_nodes) that belong to the values
       real(dp), allocatable :: x(:, :), rotation(:, :, :)
+      !> Temperatures that the mechanics sees (n_nodes) [K]: those when motions began to take their turn
+      real(dp), allocatable :: mechanical_temperature(:)
       !> Positions when the increment began (3, n_nodes) [m]
       real(dp), allocatable :: x_start(:, :)
       !> Nodes that move with others
@@ -26,6 +28,7 @@ module litz_iterate
    contains
       procedure :: start
       procedure :: move
+      procedure :: warm_mechanics
    end type iterate_t
 
 contains
@@ -44,6 +47,13 @@ contains
       self%x = x_reference + state%value(first_slot(field_displacement):last_slot(field_displacement), :)
       self%x_start = self%x
    end subroutine start
+
+   !> The mechanics sees the present temperatures.
+   pure subroutine warm_mechanics(self)
+      class(iterate_t), intent(inout) :: self
+
+      self%mechanical_temperature = self%value(temperature_slots(1), :)
+   end subroutine warm_mechanics
 
    !> `q <- q + dq`: positions and potentials add up, rotations follow one another; what moves with other nodes is
    !> placed by these.

@@ -17,10 +17,18 @@ FORTRAN = Path(__file__).parents[2] / "fortran"
 #: A lower wire and upper ones above it, apart from it; each with a spot law and a normal law of its own
 LAWS = {
     "PAPER": ("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR, PENETRATION=LIMITED\n 1e5, 1e9", "LAW=PAPER, VOLTAGE=CORRECTED"),
-    "PLASTIC": ("*FRICTION, ELASTIC SLIP=1e-6\n 0.3", "LAW=PLASTIC, SPOT=PRESENT FORCE\n 1e9"),
-    "FILM": ("*FRICTION, STICK STIFFNESS=1e5\n 0.2", "LAW=FILM\n 1e-12"),
-    "CONSTANT": ("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ", "LAW=CONSTANT, PER=SPOT\n 1e-3"),
-    "TABLE": ("*FRICTION\n 0.1", "LAW=TABLE\n 0.1, 2e-3\n 1.0, 1e-3"),
+    "PLASTIC": (
+        "*FRICTION, ELASTIC SLIP=1e-6\n 0.3",
+        "LAW=PLASTIC, SPOT=PRESENT FORCE\n 1e9\n*GAP CONDUCTANCE, LAW=METAL, LORENZ=2.4e-8"),
+    "FILM": (
+        "*FRICTION, STICK STIFFNESS=1e5\n 0.2",
+        "LAW=FILM\n 1e-12\n*GAP CONDUCTANCE, LAW=CONDUCTIVITY, TSOFT=400, TMELT=1300, MELTING=END\n*GAP HEAT GENERATION\n 0.9"),
+    "CONSTANT": (
+        "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ",
+        "LAW=CONSTANT, PER=SPOT\n 1e-3\n*GAP CONDUCTANCE, LAW=CONSTANT, PER=SPOT\n 0.1"),
+    "TABLE": (
+        "*FRICTION\n 0.1",
+        "LAW=TABLE\n 0.1, 2e-3\n 1.0, 1e-3\n*GAP CONDUCTANCE, LAW=TABLE\n 0.1, 0.1\n 1.0, 0.2"),
 }  # fmt: skip
 
 COPPER = "*MATERIAL, NAME=COPPER\n*ELASTIC, TYPE=ISOTROPIC\n 120e9, 0.34\n*ELECTRICAL CONDUCTIVITY\n 5.88e7\n"
@@ -71,6 +79,7 @@ def model():
     )
     return (
         "*HEADING\nwires that do not touch\n*UNITS, LENGTH=m, FORCE=N, TIME=s, CURRENT=A, VOLTAGE=V, TEMPERATURE=K\n"
+        "*PHYSICAL CONSTANTS, ABSOLUTE ZERO=0\n"
         + wire("LOW", straight((-0.01, 0, 0), (0.06, 0, 0), 5), 901, element="B33")
         + upper
         + "*NSET, NSET=HELD\n 901\n*NSET, NSET=HELD, GENERATE\n 101, 501, 100\n*NSET, NSET=SPARE\n 902\n"
@@ -187,6 +196,7 @@ FREE = {
 }  # fmt: skip
 #: Values that a user may change, and why
 FREE_VALUES = {
+    ("GAP HEAT GENERATION", "f"): "always one half",
     ("STATIC", "DIRECT"): "size of the increments", ("STATIC", "first"): "size of the increments",
     ("STATIC", "smallest"): "size of the increments", ("STATIC", "largest"): "size of the increments",
     ("ELASTIC", "TYPE"): "one choice", ("INITIAL CONDITIONS", "TYPE"): "one choice",
@@ -474,7 +484,7 @@ def test_files_of_an_earlier_format_are_refused_in_words(litz, kept, tmp_path):
         file.attrs["format_version"] = file.attrs["format_version"] - 1
     done = litz("run", kept / "deck.inp", "-o", tmp_path / "out", "--restart", tmp_path / "old.h5")
     assert done.returncode == 4
-    assert "another version of litz wrote it, in format 12 (this one reads format 13)" in done.stderr
+    assert "another version of litz wrote it, in format 13 (this one reads format 14)" in done.stderr
     assert not (tmp_path / "out").exists() or not list((tmp_path / "out").iterdir())
 
 

@@ -40,6 +40,7 @@ DECKS = [
     "17_knot",
     "18_rod_over_drum",
     "19_fuse",
+    "20_hot_spot",
 ]
 THIN_COPPER = {"radius": 0.1e-3, "young": 120e9, "poisson": 0.34, "resistivity": 1 / 58.8e6}
 
@@ -626,3 +627,24 @@ def test_fabric_carries_the_forces_of_its_unit_cell(results_of, inputs):
     assert f"resistance between the plates {1e3 * resistance:.5f} mohm" in text
     # each wire element has two contacts, of which its linear potential knows each alone
     assert results.history["resistance PLUS to MINUS"][-1] == pytest.approx(resistance, rel=0.02)
+
+
+def test_a_current_heats_the_spot_between_crossed_wires(results_of, header):
+    """Wires and spot as resistances to current and heat; the hottest place by Kohlrausch's relation."""
+    results = results_of("20_hot_spot")
+    room, conductivity, sigma, lorenz, radius, arm = 293.15, 390.0, 58.8e6, 2.44e-8, 5e-4, 0.01
+    area, spot = math.pi * radius**2, 1 / (2 * math.sqrt(radius * 4e-7) * sigma)
+    rows = header("20_hot_spot")
+    assert len(rows) == 3
+    for time, *expected in rows:
+        voltage = 0.15 * (time - 1)
+        current = voltage / (2 * arm / (area * sigma) + spot)
+        # half of the heat of the arm that carries the current enters at the crossing, and leaves through both arms
+        entering = current**2 * (spot + arm / (area * sigma)) / 2
+        wires = room + entering * arm / (2 * conductivity * area)
+        hottest = math.sqrt(wires**2 + (current * spot) ** 2 / (4 * lorenz))
+        assert expected == pytest.approx([current, wires, hottest], abs=0.006)
+        contact = results.contacts_at(at(results, time))
+        assert contact["current"] == pytest.approx(current, rel=1e-6)
+        np.testing.assert_allclose([contact["temperature_1"], contact["temperature_2"]], wires, atol=0.01)
+        assert contact["temperature_max"] == pytest.approx(hottest, abs=0.01)

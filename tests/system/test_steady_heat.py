@@ -299,10 +299,6 @@ class TestRefusals:
             (dict(loads="*CLOAD\n9, 1, 1.0\n"), "motions are held in *COUPLED THERMAL-ELECTRICAL; put this *CLOAD"),
             (dict(heat="9, 1, 1, 1e-3"), "motions are held in *COUPLED THERMAL-ELECTRICAL; prescribe them"),
             (dict(procedure="*STATIC\n"), "this step has two *STATIC"),
-            (
-                dict(model="*CONTACT PAIR, INTERACTION=T\nWIRE\n*SURFACE INTERACTION, NAME=T\n"),
-                "contacts conduct no heat",
-            ),
             (dict(heat="ENDS, 11, 12, 300"), "degree of freedom 12 does not exist"),
         ],
     )

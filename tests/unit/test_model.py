@@ -145,7 +145,14 @@ def test_the_program_accepts_all_that_can_be_said(litz_program, tmp_path):
         upper, behaviour=litz.NamedBehaviour("linear", [[2e5]]), conductance=litz.NamedSpot("constant", [[1e-3]])
     )
     model.contact(side, conductance=litz.ConstantSpot(1e-3))
-    model.contact(more, conductance=litz.TableSpot([1, 2], [3e-3, 1e-3]))
+    model.contact(
+        more,
+        conductance=litz.TableSpot([1, 2], [3e-3, 1e-3]),
+        heat=litz.GapConductance(
+            "TABLE", [[1, 0.1], [2, 0.2]], softening=460, melting=1300, may_melt=True, per_length=True
+        ),
+        friction=litz.Friction(0.3, heat_fraction=0.5),
+    )
     model.rigid_body((0.35, 1, 0), tie=more.middle, pin=more.end)
     model.contact(more, model.plane("TABLE", (0, 0, -0.1), (0, 0, 1)))
     ramp = model.amplitude("RAMP", np.linspace(0, 1, 7), np.linspace(0, 1, 7) ** 2)
@@ -405,6 +412,9 @@ def built():
         ("litz.TableSpot([1, 2], [2])", "as many resistances"),
         ("litz.Friction(0.1, elastic_slip=1e-6, stick_stiffness=1e6)", "not both"),
         ("litz.Friction(0.1, elastic_slip=0)", "greater than 0"),
+        ("litz.Friction(0.1, heat_fraction=2)", "from 0 to 1"),
+        ("litz.GapConductance('HERTZ')", "LAW of .* must be CONDUCTIVITY"),
+        ("litz.Interaction(heat=0.1)", "heat must be None or GapConductance"),
         ("litz.Material('', young=1, poisson=0)", "may not be empty"),
     ],
 )

@@ -47,7 +47,8 @@ def wire(bow=0.0, elements=N):
 def critical_share(workspace):
     """Rise in the middle of the increment in which the stiffness loses its sign, over the critical one."""
     steps = "".join(
-        f"*STEP\n*STATIC, DIRECT\n {increment}, 1.\n*TEMPERATURE\n ALL, {ROOM + share * CRITICAL:.17g}\n*BOUNDARY\n 1, 9\n*END STEP\n"
+        f"*STEP\n*STATIC, DIRECT\n {increment}, 1.\n*TEMPERATURE\n ALL, {ROOM + share * CRITICAL:.17g}\n"
+        "*BOUNDARY\n 1, 9\n*END STEP\n"
         for increment, share in ((1.0, 0.98), (0.0125, 1.02))
     )
     status = workspace.run("critical", wire() + steps).status

@@ -4,9 +4,9 @@ Source: H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, 2nd ed. (1959
 variable, 4.9 to 4.11 for wires heated by a current (the parabola, the fin with its heat, and a resistivity that is
 linear in the temperature, whose steady state ends at I = (pi A/L) sqrt(lambda/(rho0 alpha))). On a mesh of n elements with
 the resistivity of their mean temperatures the difference equation has the solution cos(2 p i)/cos(n p) with
-tan p = m L/(2 n), counted from the middle. A resistivity that rises as exp(b (T - T0)): D. A. Frank-Kamenetskii, Acta Physicochim.
-URSS 10 (1939) 365, has the same equation for a slab; no state is steady above I^2 rho0 b L^2/(4 lambda A^2) = 0.87846. A wire
-that only radiates: the law of Stefan and Boltzmann.
+tan p = m L/(2 n), counted from the middle. A resistivity that rises as exp(b (T - T0)): D. A. Frank-Kamenetskii, Acta
+Physicochim. URSS 10 (1939) 365, has the same equation for a slab; no state is steady above
+I^2 rho0 b L^2/(4 lambda A^2) = 0.87846. A wire that only radiates: the law of Stefan and Boltzmann.
 """
 
 import contextlib

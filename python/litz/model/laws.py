@@ -243,6 +243,54 @@ class NamedSpot(_Spot):
         return self.law.upper(), [list(row) for row in self.data]
 
 
+# Heat
+
+
+@dataclass(frozen=True)
+class GapConductance(_Law):
+    """Heat through a contact.
+
+    Attributes
+    ----------
+    law : {"CONDUCTIVITY", "METAL", "CONSTANT", "TABLE"}
+        `LAW` of `*GAP CONDUCTANCE`: by the heat conductivities of the wires, the same of Wiedemann-Franz metals, a given
+        heat conductance, or one over the contact force.
+    data : sequence of sequences of float
+        The heat conductance of CONSTANT ``[[h]]`` [W/K], or the lines ``[F, h]`` of TABLE [N, W/K].
+    lorenz : float, optional
+        Lorenz number of METAL [V^2/K^2]; without it that of each wire from its properties.
+    softening, melting : float, optional
+        Temperatures of the spot above which its metal softens, a warning, and melts, the end of the run [K].
+    may_melt : bool
+        A spot that melts is a warning, too.
+    per_length : bool
+        The heat conductance, and the force of TABLE, are per length of wires that touch along lines.
+    """
+
+    law: str = "CONDUCTIVITY"
+    data: Sequence[Sequence[float]] = ()
+    lorenz: float | None = None
+    softening: float | None = None
+    melting: float | None = None
+    may_melt: bool = False
+    per_length: bool = False
+
+    def __post_init__(self) -> None:
+        """Checks the values."""
+        object.__setattr__(self, "data", tuple(tuple(float(value) for value in row) for row in self.data))
+        super().__post_init__()
+
+    def card(self) -> CardSpec:
+        """The card of the law."""
+        given = {"LORENZ": self.lorenz, "TSOFT": self.softening, "TMELT": self.melting}
+        parameters = {"LAW": self.law.upper(), **{name: value for name, value in given.items() if value is not None}}
+        if self.may_melt:
+            parameters["MELTING"] = "WARN"
+        if self.per_length:
+            parameters["PER"] = "LENGTH"
+        return "GAP CONDUCTANCE", parameters, [list(row) for row in self.data]
+
+
 # Friction
 
 
@@ -258,16 +306,21 @@ class Friction(_Law):
         Slip at which friction reaches its limit [m]; without it and `stick_stiffness`, Mindlin's stiffness.
     stick_stiffness : float, optional
         Tangential stiffness of a contact [N/m].
+    heat_fraction : float
+        Part of the work of friction that becomes heat [-].
     """
 
     mu: float
     elastic_slip: float | None = None
     stick_stiffness: float | None = None
+    heat_fraction: float = 1.0
 
     def __post_init__(self) -> None:
         """Checks the values."""
         if self.elastic_slip is not None and self.stick_stiffness is not None:
             raise ValueError("friction takes elastic_slip or stick_stiffness, not both")
+        if not 0 <= self.heat_fraction <= 1:
+            raise ValueError(f"heat_fraction must be from 0 to 1, not {self.heat_fraction:g}")
         super().__post_init__()
 
     def card(self) -> CardSpec:
@@ -292,6 +345,8 @@ class Interaction:
         Friction, or its coefficient alone; None: the wires slide freely.
     axis : {"HERMITE", "LINEAR"}
         Interpolation of the axes that touch.
+    heat : GapConductance, optional
+        Heat through the contact; None: it passes where a current can.
     """
 
     name: str = "TOUCH"
@@ -299,6 +354,7 @@ class Interaction:
     conductance: _Spot | None = None
     friction: Friction | float | None = None
     axis: str = "HERMITE"
+    heat: GapConductance | None = None
 
     def __post_init__(self) -> None:
         """Checks the values."""
@@ -312,6 +368,8 @@ class Interaction:
                 "conductance must be None, HertzSpot(), PaperSpot(), PlasticSpot(hardness), FilmSpot(film_resistivity), "
                 f"ConstantSpot(resistance), TableSpot(force, resistance) or NamedSpot(law, data), not {self.conductance!r}"
             )
+        if not (self.heat is None or isinstance(self.heat, GapConductance)):
+            raise ValueError(f"heat must be None or GapConductance(law, data), not {self.heat!r}")
         if not (self.friction is None or isinstance(self.friction, Friction)):
             object.__setattr__(self, "friction", Friction(self.friction))
         for card in self.cards():
@@ -320,9 +378,11 @@ class Interaction:
     def cards(self) -> Iterator[CardSpec]:
         """The cards of the interaction."""
         yield "SURFACE INTERACTION", {"NAME": self.name, **_unless(self, axis="HERMITE")}, []
-        for law in (self.behaviour, self.friction, self.conductance):
+        for law in (self.behaviour, self.friction, self.conductance, self.heat):
             if isinstance(law, _Law):
                 yield law.card()
+        if isinstance(self.friction, Friction) and self.friction.heat_fraction != 1:
+            yield "GAP HEAT GENERATION", {}, [[self.friction.heat_fraction]]
 
 
 #: Elastic wires of clean metal: the forces of Hertz, the spots of Hertz and Holm
@@ -333,6 +393,7 @@ HERTZ_AND_HOLM: Interaction = predefined(
     conductance=predefined(HertzSpot, voltage="CORRECTED", spot="PRESENT FORCE"),
     friction=None,
     axis="HERMITE",
+    heat=None,
 )
 
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 from ..base.names import nearest_name
 from ..deck.keyword_table import check_card, keyword, squeezed
 from ..deck.lines import CardSpec
-from .laws import ContactPair, Friction, Hertz, Interaction, Linear, NamedBehaviour, _Spot
+from .laws import ContactPair, Friction, GapConductance, Hertz, Interaction, Linear, NamedBehaviour, _Spot
 from .loading import Amplitude, Direction, Prescribed, Target, ranges_of
 from .names import AnyNodes
 from .steps import Step
@@ -56,6 +57,7 @@ class LoadedModel(SurfaceModel):
         conductance: _Spot | None = None,
         friction: Friction | float | None = None,
         axis: str = "HERMITE",
+        heat: GapConductance | None = None,
         name: str | None = None,
         interaction: Interaction | None = None,
         interference_fit: bool = False,
@@ -75,6 +77,8 @@ class LoadedModel(SurfaceModel):
             Friction, or its coefficient [-]; without it the wires slide freely.
         axis : {"HERMITE", "LINEAR"}
             Interpolation of the axes that touch.
+        heat : GapConductance, optional
+            Heat through the contacts; without it heat passes where a current can.
         name : str, optional
             Name of the interaction.
         interaction : Interaction, optional
@@ -82,13 +86,13 @@ class LoadedModel(SurfaceModel):
         interference_fit : bool
             Initial overlaps of the wires are intended.
         """
-        laws = {"behaviour": behaviour, "conductance": conductance, "friction": friction}
+        laws = {"behaviour": behaviour, "conductance": conductance, "friction": friction, "heat": heat}
         given = [law for law, value in laws.items() if value is not None]
         if interaction is not None and (given or name is not None):
             raise ValueError(f"contact takes interaction, or {' and '.join(given or ['name'])}, not both")
         if interaction is None:
             behaviour = Hertz() if behaviour is None else behaviour
-            interaction = self._named(Interaction("TOUCH", behaviour, conductance, friction, axis), name)
+            interaction = self._named(Interaction("TOUCH", behaviour, conductance, friction, axis, heat), name)
         elif any(known.name == interaction.name and known != interaction for known in self.interactions):
             raise ValueError(f"there is another interaction of the name {interaction.name}")
         if self._surface_of(first) is not None:
@@ -108,7 +112,7 @@ class LoadedModel(SurfaceModel):
         known = {one.name: one for one in self.interactions}
 
         def of_name(name: str) -> Interaction:
-            return Interaction(name, laws.behaviour, laws.conductance, laws.friction, laws.axis)
+            return replace(laws, name=name)
 
         if name is not None:
             if known.get(name, of_name(name)) != of_name(name):

@@ -1,0 +1,378 @@
+!> Heat through the contacts of wires, and that of the currents in them, in steps that solve for temperatures.
+!>
+!> Which contacts there are and what their spots conduct is the matter of the contact term.
+!> Source: theory section 13.
+module litz_contact_heat_term
+   use litz_kinds, only: dp
+   use litz_contact_forces, only: conductors_of, conducts_apart
+   use litz_contact_points, only: contact_set_t, contact_point_t
+   use litz_domain, only: domain_t
+   use litz_errors, only: error_t
+   use litz_fields, only: field_temperature, group_transport, potential_slots, temperature_slots
+   use litz_contact_heat_tangent, only: own_tangent, multiply_heat
+   use litz_heat_of_contacts, only: contact_heat_t, collect_heat
+   use litz_heated_contacts, only: heated_contact_t, heated_contact, can_pass_heat
+   use litz_heated_elements, only: heated_element_t
+   use litz_model, only: step_t
+   use litz_property_table, only: property_at
+   use litz_shared_conductors, only: shared_conductors_t
+   use litz_term, only: term_t
+   use litz_text, only: to_text
+   implicit none
+   private
+   public :: contact_heat_term_t, new_contact_heat_term
+
+   !> Of each node: potential and temperature
+   integer, parameter :: both_slots(2) = [potential_slots(1), temperature_slots(2)]
+
+   type, extends(term_t) :: contact_heat_term_t
+      type(contact_set_t), pointer :: contact => null()
+      !> Crossings and points of lines that pass heat, those that carry a current before the others: places in the set
+      integer, allocatable, private :: points(:), line_points(:)
+      !> How many of these carry a current
+      integer, private :: n_points = 0, n_line_points = 0
+      type(contact_heat_t), allocatable, private :: heat
+      !> Tangents of the contacts by themselves: heat over potentials and temperatures of the nodes, currents over
+      !> temperatures (4, 8, contacts) and (4, 4, contacts) [A, W/K, A/K]
+      real(dp), allocatable, private :: k(:, :, :), k_et(:, :, :)
+      !> By which the work of an increment is a power [1/s]; 0: time is a scale of loads
+      real(dp), private :: rate = 0
+   contains
+      procedure :: apply_load
+      procedure :: evaluate
+      procedure :: refusal
+      procedure :: rejection
+      procedure :: link
+      procedure :: has_mutual_tangent
+      procedure :: add_mutual_tangent
+      procedure :: accept
+   end type contact_heat_term_t
+
+contains
+
+   type(contact_heat_term_t) function new_contact_heat_term(contact) result(term)
+      type(contact_set_t), pointer, intent(in) :: contact
+
+      term%contact => contact
+   end function new_contact_heat_term
+
+   subroutine apply_load(self, domain, step, step_time, increment)
+      class(contact_heat_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      type(step_t), intent(in) :: step
+      !> Time of the step at the end of the increment, and the increment [s]
+      real(dp), intent(in) :: step_time, increment
+
+      self%rate = 0
+      if (step%transient) self%rate = 1/increment
+   end subroutine apply_load
+
+   subroutine evaluate(self, domain, error)
+      class(contact_heat_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      !> Never
+      type(error_t), allocatable, intent(out) :: error
+      integer :: i
+      real(dp), allocatable :: r(:, :)
+      integer, allocatable :: nodes(:, :)
+
+      if (allocated(self%heat)) deallocate (self%heat)
+      if (.not. domain%loading%solves(field_temperature)) return
+      call find_contacts(self, domain)
+      associate (value => domain%iterate%value)
+         call self%heat%solve(value(potential_slots(1), :), value(temperature_slots(1), :))
+      end associate
+      if (size(self%heat%contacts) == 0) return
+      domain%matrix%symmetric(group_transport) = .false.
+      associate (contacts => self%heat%contacts)
+         allocate (nodes, source=reshape([(contacts(i)%nodes, i=1, size(contacts))], [4, size(contacts)]))
+         call find_own_tangents(self)
+         allocate (r(4, size(contacts)))
+         do i = 1, size(contacts)
+            r(:, i) = -contacts(i)%part*(self%heat%heat([1, 1, 2, 2], i) + self%heat%between([1, 1, 2, 2], i))
+         end do
+      end associate
+      call domain%add_cells(nodes, temperature_slots, both_slots, self%k, r)
+      call domain%add_cells(nodes, potential_slots, temperature_slots, self%k_et)
+      call add_at_nodes(self, domain%forces%internal(temperature_slots(1), :))
+      call keep_heat(self)
+   end subroutine evaluate
+
+   !> Those of the set that pass heat, and the elements that they are on.
+   subroutine find_contacts(self, domain)
+      class(contact_heat_term_t), intent(inout) :: self
+      type(domain_t), intent(in) :: domain
+      type(heated_contact_t), allocatable :: contacts(:)
+      type(shared_conductors_t) :: conductors
+      integer :: i, k, side
+
+      call choose(self%contact%points, self%points, self%n_points)
+      call choose(self%contact%line_points, self%line_points, self%n_line_points)
+      associate (set => self%contact, a => self%points, b => self%line_points, n_a => self%n_points, &
+         n_b => self%n_line_points)
+         call conductors_of(domain%model, domain%wires, domain%elements, set, a(:n_a), b(:n_b), conductors)
+         allocate (contacts, source=[(heated_contact(domain, set%points(a(i)), self%rate), i=1, n_a), &
+            (heated_contact(domain, set%line_points(b(i)), self%rate), i=1, n_b), &
+            (heated_contact(domain, set%points(a(i)), self%rate), i=n_a + 1, size(a)), &
+            (heated_contact(domain, set%line_points(b(i)), self%rate), i=n_b + 1, size(b))])
+      end associate
+      allocate (self%heat)
+      call collect_heat(contacts, conductors, domain%model%absolute_zero, self%heat)
+      do k = 1, size(self%heat%elements)
+         self%heat%elements(k) = heated_element(domain, self%heat%ends%element(k))
+      end do
+      do i = 1, size(contacts)
+         do side = 1, 2
+            associate (element => self%heat%elements(self%heat%ends%place_of(side, i)))
+               element%series = max(element%series, contacts(i)%series(side))
+               element%heat_series = max(element%heat_series, contacts(i)%heat_series(side))
+            end associate
+         end do
+      end do
+
+   contains
+
+      subroutine choose(points, chosen, n_conducting)
+         type(contact_point_t), intent(in) :: points(:)
+         !> Places in these, those with a current first (n)
+         integer, allocatable, intent(out) :: chosen(:)
+         !> How many have one
+         integer, intent(out) :: n_conducting
+         logical :: passes(size(points))
+         integer :: j
+
+         passes = [(points(j)%closed .or. conducts_apart(points(j)), j=1, size(points))]
+         do j = 1, size(points)
+            if (passes(j)) passes(j) = can_pass_heat(domain, points(j))
+         end do
+         n_conducting = count(passes .and. points%conductance > 0)
+         chosen = [pack([(j, j=1, size(points))], passes .and. points%conductance > 0), &
+            pack([(j, j=1, size(points))], passes .and. .not. points%conductance > 0)]
+      end subroutine choose
+
+   end subroutine find_contacts
+
+   !> An element on which contacts are; what enters it within is a matter of their laws.
+   type(heated_element_t) function heated_element(domain, e) result(element)
+      type(domain_t), intent(in) :: domain
+      !> Element
+      integer, intent(in) :: e
+      real(dp) :: value, slope
+
+      element%nodes = domain%model%connectivity(:, e)
+      element%even_heat = domain%element_heat(e)
+      associate (material => domain%model%materials(domain%model%sections(domain%model%element_section(e))%material))
+         element%heat_fraction = material%joule_fraction
+         call property_at(material%heat_conductivity, domain%mean_temperature(e), value, slope)
+         element%dconductivity = slope/value
+         call domain%resistivity(e, value, slope)
+         if (value > 0) then
+            element%resistance = value*domain%conduction_length(e)/domain%elements%area(e)
+            element%dresistivity = slope/value
+         end if
+      end associate
+   end function heated_element
+
+   subroutine find_own_tangents(self)
+      class(contact_heat_term_t), intent(inout) :: self
+      real(dp) :: k_te(4, 4), k_tt(4, 4)
+      integer :: i, n
+
+      n = size(self%heat%contacts)
+      if (allocated(self%k)) deallocate (self%k, self%k_et)
+      allocate (self%k(4, 8, n), self%k_et(4, 4, n))
+      do i = 1, n
+         call own_tangent(self%heat, i, k_te, k_tt, self%k_et(:, :, i))
+         self%k(:, 1::2, i) = k_te
+         self%k(:, 2::2, i) = k_tt
+      end do
+   end subroutine find_own_tangents
+
+   !> Heat that the parts of elements next to the nodes make beyond that of the elements without contacts.
+   pure subroutine add_at_nodes(self, leaving)
+      class(contact_heat_term_t), intent(in) :: self
+      !> (n_nodes) [W]
+      real(dp), intent(inout) :: leaving(:)
+      integer :: k
+
+      do k = 1, size(self%heat%elements)
+         associate (nodes => self%heat%elements(k)%nodes)
+            leaving(nodes) = leaving(nodes) - self%heat%at_nodes(:, k)
+         end associate
+      end do
+   end subroutine add_at_nodes
+
+   !> What results show.
+   subroutine keep_heat(self)
+      class(contact_heat_term_t), intent(inout) :: self
+      integer :: i, n
+
+      n = 0
+      associate (a => self%points, b => self%line_points)
+         do i = 1, self%n_points
+            call keep(self%contact%points(a(i)), n)
+         end do
+         do i = 1, self%n_line_points
+            call keep(self%contact%line_points(b(i)), n)
+         end do
+         do i = self%n_points + 1, size(a)
+            call keep(self%contact%points(a(i)), n)
+         end do
+         do i = self%n_line_points + 1, size(b)
+            call keep(self%contact%line_points(b(i)), n)
+         end do
+      end associate
+
+   contains
+
+      subroutine keep(point, before)
+         type(contact_point_t), intent(inout) :: point
+         !> Contacts before this one; one more then
+         integer, intent(inout) :: before
+
+         before = before + 1
+         associate (heat => self%heat)
+            point%temperature_bar = heat%bulk(1, before)
+            point%temperature = heat%bulk(2, before)
+            point%temperature_max = heat%spots(before)%hottest + heat%zero
+            point%heat_bar = heat%heat(1, before)
+            point%heat = heat%heat(2, before)
+         end associate
+      end subroutine keep
+
+   end subroutine keep_heat
+
+   function refusal(self, domain) result(reason)
+      class(contact_heat_term_t), intent(in) :: self
+      type(domain_t), intent(in) :: domain
+      character(len=:), allocatable :: reason
+
+      reason = ''
+      if (.not. allocated(self%heat)) return
+      if (.not. self%heat%is_solved) reason = 'the temperatures of contact spots have no solution: a wire would be'// &
+         ' below absolute zero, or heat far more than it can pass'
+   end function refusal
+
+   !> Metal in a spot has melted: what then happens is not modelled.
+   function rejection(self, domain) result(reason)
+      class(contact_heat_term_t), intent(in) :: self
+      type(domain_t), intent(in) :: domain
+      character(len=:), allocatable :: reason
+
+      reason = ''
+      if (.not. allocated(self%heat)) return
+      reason = melted(self%contact%points(self%points))
+      if (len(reason) == 0) reason = melted(self%contact%line_points(self%line_points))
+
+   contains
+
+      !> The hottest of these above the melting point of its metal.
+      function melted(points) result(words)
+         type(contact_point_t), intent(in) :: points(:)
+         character(len=:), allocatable :: words
+         real(dp) :: above, most
+         integer :: i
+
+         words = ''
+         most = 0
+         do i = 1, size(points)
+            associate (law => domain%model%interactions(domain%model%contact_pairs(points(i)%pair)%interaction)%heat)
+               if (.not. law%has_melting .or. law%may_melt) cycle
+               above = points(i)%temperature_max - law%melting
+               if (.not. above > most) cycle
+               most = above
+               words = 'the spot of elements '//to_text(domain%model%element_id(points(i)%element_bar))//' and '// &
+                  to_text(domain%model%element_id(points(i)%element))//' would be at '// &
+                  to_text(points(i)%temperature_max)//' '//domain%model%units%label('K')//' and melt (TMELT='// &
+                  to_text(law%melting)//' of *GAP CONDUCTANCE; MELTING=WARN lets it)'
+            end associate
+         end do
+      end function melted
+
+   end function rejection
+
+   subroutine link(self, domain, field, pairs)
+      class(contact_heat_term_t), intent(in) :: self
+      type(domain_t), intent(in) :: domain
+      !> One of the fields of litz_fields
+      integer, intent(in) :: field
+      !> A node of either wire (2, pairs)
+      integer, allocatable, intent(out) :: pairs(:, :)
+      integer :: i
+
+      allocate (pairs(2, 0))
+      if (field /= field_temperature .or. .not. allocated(self%heat)) return
+      associate (passing => pack([(i, i=1, size(self%heat%contacts))], self%heat%contacts%is_passed))
+         pairs = reshape([(self%heat%contacts(passing(i))%nodes([1, 3]), i=1, size(passing))], [2, size(passing)])
+      end associate
+   end subroutine link
+
+   !> Heats depend on each other within elements, and on all that the currents make there.
+   logical function has_mutual_tangent(self, group)
+      class(contact_heat_term_t), intent(in) :: self
+      !> One of the groups of litz_fields
+      integer, intent(in) :: group
+
+      has_mutual_tangent = .false.
+      if (group == group_transport .and. allocated(self%heat)) has_mutual_tangent = size(self%heat%contacts) > 0
+   end function has_mutual_tangent
+
+   !> The whole tangent less what the matrix has of it.
+   subroutine add_mutual_tangent(self, group, value, force)
+      class(contact_heat_term_t), intent(in) :: self
+      !> One of the groups of litz_fields
+      integer, intent(in) :: group
+      !> (n_slots, n_nodes)
+      real(dp), intent(in) :: value(:, :)
+      !> (n_slots, n_nodes)
+      real(dp), intent(inout) :: force(:, :)
+      real(dp), dimension(size(value, 2)) :: heat, current
+      integer :: i
+
+      if (.not. self%has_mutual_tangent(group)) return
+      heat = 0
+      current = 0
+      call multiply_heat(self%heat, value(potential_slots(1), :), value(temperature_slots(1), :), heat, current)
+      do i = 1, size(self%heat%contacts)
+         associate (nodes => self%heat%contacts(i)%nodes)
+            heat(nodes(:2)) = heat(nodes(:2)) - own_heat(i, nodes, 1)
+            heat(nodes(3:)) = heat(nodes(3:)) - own_heat(i, nodes, 3)
+            current(nodes) = current(nodes) - matmul(self%k_et(:, :, i), value(temperature_slots(1), nodes))
+         end associate
+      end do
+      force(temperature_slots(1), :) = force(temperature_slots(1), :) + heat
+      force(potential_slots(1), :) = force(potential_slots(1), :) + current
+
+   contains
+
+      !> At two nodes of a contact by itself (2) [W].
+      pure function own_heat(contact, nodes, first)
+         !> Contact, its nodes (4), and the first of the two
+         integer, intent(in) :: contact, nodes(4), first
+         real(dp) :: own_heat(2)
+
+         associate (k => self%k(first:first + 1, :, contact))
+            own_heat = matmul(k(:, 1::2), value(potential_slots(1), nodes)) &
+               + matmul(k(:, 2::2), value(temperature_slots(1), nodes))
+         end associate
+      end function own_heat
+
+   end subroutine add_mutual_tangent
+
+   !> What results show of temperatures and heats.
+   subroutine accept(self, domain)
+      class(contact_heat_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      integer :: k
+
+      if (.not. allocated(self%heat)) return
+      associate (state => domain%state, heat => self%heat)
+         do k = 1, size(heat%elements)
+            associate (made => state%heat_made(heat%ends%element(k)))
+               made = made + heat%between_contacts(k)
+            end associate
+         end do
+      end associate
+   end subroutine accept
+
+end module litz_contact_heat_term

@@ -1,0 +1,300 @@
+!> Heat and temperatures of all contacts together, where several of them may share elements.
+!>
+!> The heats `q` that enter a wire at its contacts raise its temperature there above the linear one as currents raise
+!> its potential, by the matrix `A` of heat; what a current makes in the wire between its contacts does so, too. The
+!> spots give the heats from the temperatures of the bulks,
+!>
+!>     tau = N T + a + A (q(tau) + v)                                                                               (1)
+!>
+!> with the heat `v` that the parts of an element between contacts make beyond that of the element without them, half
+!> of it at either end of a part, and the rise `a` by what the element makes evenly. Exact at the contacts for constant
+!> properties. Source: theory sections 7 and 13.
+module litz_heat_of_contacts
+   use litz_element_ends, only: element_ends_t, collect_ends
+   use litz_gmres, only: linear_map_t, gmres
+   use litz_heated_contacts, only: heated_contact_t
+   use litz_heated_elements, only: heated_element_t, n_parts, currents_along, place_heat, rise_by
+   use litz_kinds, only: dp
+   use litz_shared_conductors, only: shared_conductors_t
+   use litz_spot_heat, only: spot_heat_t, spot_heat, heat_ok, by_temperature
+   implicit none
+   private
+   public :: contact_heat_t, bulk_map_t, collect_heat, followed, solve_bulks, inverse_of_own
+
+   !> Newton's method for (1) stops at this change over the largest temperature, from absolute zero; steps at most
+   real(dp), parameter :: accurate = 1.0e-13_dp
+   integer, parameter :: max_iterations = 50
+   !> Residual of its linear equations, and products with their matrix at most
+   real(dp), parameter :: linear_accuracy = 1.0e-14_dp
+   integer, parameter :: max_products = 400
+   !> A temperature of a bulk that would fall below absolute zero keeps this part of itself
+   real(dp), parameter :: least_part = 0.1_dp
+
+   real(dp), parameter :: unit(2, 2) = reshape([1.0_dp, 0.0_dp, 0.0_dp, 1.0_dp], [2, 2])
+
+   type :: contact_heat_t
+      !> Those that carry a current come first
+      type(heated_contact_t), allocatable :: contacts(:)
+      type(heated_element_t), allocatable :: elements(:)
+      type(element_ends_t) :: ends
+      !> The first of the contacts
+      type(shared_conductors_t) :: conductors
+      !> Absolute zero on the scale of the temperatures [K]
+      real(dp) :: zero = 0
+      !> Currents [A], what strips add to their voltages [V] (contacts), and rises of the potential (2, contacts) [V]
+      real(dp), allocatable :: current(:), of_strips(:), potential_rise(:, :)
+      !> Temperatures of the bulks, and what of them is above the linear ones (2, contacts) [K]
+      real(dp), allocatable :: bulk(:, :), rise(:, :)
+      !> Heats that enter the wires at the contacts: through the spots, and v (2, contacts) [W]
+      real(dp), allocatable :: heat(:, :), between(:, :)
+      !> v at both nodes of each element (2, elements), and all v of an element (elements) [W]
+      real(dp), allocatable :: at_nodes(:, :), between_contacts(:)
+      type(spot_heat_t), allocatable :: spots(:)
+      !> Voltages of the nodes of each element: first minus second (elements) [V]
+      real(dp), allocatable :: drop(:)
+      !> (1) has a solution
+      logical :: is_solved = .true.
+   contains
+      procedure :: solve
+   end type contact_heat_t
+
+   !> `1 - A dq/dtau` of (1).
+   type, extends(linear_map_t) :: bulk_map_t
+      type(contact_heat_t), pointer :: heat => null()
+   contains
+      procedure :: apply => apply_bulk_map
+      procedure :: precondition => precondition_bulk_map
+   end type bulk_map_t
+
+contains
+
+   subroutine collect_heat(contacts, conductors, zero, heat)
+      !> Those that carry a current first
+      type(heated_contact_t), intent(in) :: contacts(:)
+      !> Of these
+      type(shared_conductors_t), intent(in) :: conductors
+      !> Absolute zero on the scale of the temperatures [K]
+      real(dp), intent(in) :: zero
+      !> The caller fills in `elements`, in the order of `ends`
+      type(contact_heat_t), intent(out) :: heat
+      integer :: i
+
+      heat%contacts = contacts
+      heat%conductors = conductors
+      heat%zero = zero
+      call collect_ends(reshape([(contacts(i)%element, i=1, size(contacts))], [2, size(contacts)]), &
+         reshape([(contacts(i)%xi, i=1, size(contacts))], [2, size(contacts)]), heat%ends)
+      allocate (heat%elements(size(heat%ends%element)))
+   end subroutine collect_heat
+
+   !> Currents, heats and temperatures at the values of an iterate.
+   subroutine solve(self, potential, temperature)
+      class(contact_heat_t), target, intent(inout) :: self
+      !> Of the nodes (n_nodes) [V], [K]
+      real(dp), intent(in) :: potential(:), temperature(:)
+      integer :: n, n_conducting, i
+
+      n = size(self%contacts)
+      n_conducting = size(self%conductors%resistance)
+      allocate (self%current(n), self%of_strips(n), self%potential_rise(2, n), source=0.0_dp)
+      if (n_conducting > 0) call self%conductors%currents(self%conductors%voltages(potential), &
+         self%current(:n_conducting), self%potential_rise(:, :n_conducting), self%of_strips(:n_conducting))
+      allocate (self%drop, source=[(potential(self%elements(i)%nodes(1)) - potential(self%elements(i)%nodes(2)), &
+         i=1, size(self%elements))])
+      call find_heat_between(self)
+      call find_bulks(self, temperature)
+   end subroutine solve
+
+   !> What the currents make in the elements beyond what they would make without contacts.
+   subroutine find_heat_between(self)
+      class(contact_heat_t), intent(inout) :: self
+      integer :: k
+
+      allocate (self%between(2, size(self%contacts)), self%at_nodes(2, size(self%elements)), &
+         self%between_contacts(size(self%elements)), source=0.0_dp)
+      do k = 1, size(self%elements)
+         if (self%elements(k)%series > 0) call find_heat_in_element(self, k)
+      end do
+   end subroutine find_heat_between
+
+   subroutine find_heat_in_element(self, k)
+      class(contact_heat_t), intent(inout) :: self
+      !> Number among the elements with contacts
+      integer, intent(in) :: k
+      real(dp), dimension(n_parts(self%ends, k)) :: length, along, made
+      real(dp) :: even
+
+      associate (element => self%elements(k))
+         even = self%drop(k)/element%resistance
+         call currents_along(self%ends, k, even, self%current, length, along)
+         made = element%heat_fraction*2*element%series*length*(along**2 - even**2)
+      end associate
+      call place_heat(self%ends, k, made, self%between, self%at_nodes(:, k))
+      self%between_contacts(k) = sum(made)
+   end subroutine find_heat_in_element
+
+   !> Solve (1) by Newton's method.
+   subroutine find_bulks(self, temperature)
+      class(contact_heat_t), target, intent(inout) :: self
+      !> Of the nodes (n_nodes) [K]
+      real(dp), intent(in) :: temperature(:)
+      real(dp), dimension(2, size(self%contacts)) :: linear, base, left, step
+      type(bulk_map_t) :: map
+      integer :: i, side, iteration
+
+      map%heat => self
+      do i = 1, size(self%contacts)
+         associate (contact => self%contacts(i))
+            do side = 1, 2
+               linear(side, i) = dot_product(contact%part(2*side - 1:2*side), &
+                  temperature(contact%nodes(2*side - 1:2*side)))
+               associate (element => self%elements(self%ends%place_of(side, i)))
+                  base(side, i) = linear(side, i) + element%heat_series*(1 - contact%xi(side)**2)/2*element%even_heat
+               end associate
+            end do
+         end associate
+      end do
+      base = base + rise_by(self%elements, self%ends, self%between)
+      allocate (self%spots(size(self%contacts)), self%heat(2, size(self%contacts)))
+      self%bulk = base
+      self%is_solved = .true.
+      do iteration = 1, max_iterations
+         call find_heats(self)
+         if (.not. self%is_solved) return
+         left = base + rise_by(self%elements, self%ends, self%heat) - self%bulk
+         call solve_bulks(map, left, step)
+         call add_step(step)
+         if (.not. maxval(abs(step)) > accurate*maxval(abs(self%bulk - self%zero))) exit
+      end do
+      self%is_solved = iteration <= max_iterations .and. maxval(abs(step)) <= huge(1.0_dp)
+      call find_heats(self)
+      self%rise = self%bulk - linear
+
+   contains
+
+      !> In metals no temperature falls below absolute zero.
+      subroutine add_step(step)
+         !> (2, contacts) [K]
+         real(dp), intent(in) :: step(:, :)
+         integer :: i
+
+         do i = 1, size(self%contacts)
+            associate (bulk => self%bulk(:, i))
+               where (self%contacts(i)%path%is_metal)
+                  bulk = max(bulk + step(:, i), self%zero + least_part*(bulk - self%zero))
+               else where
+                  bulk = bulk + step(:, i)
+               end where
+            end associate
+         end do
+      end subroutine add_step
+
+   end subroutine find_bulks
+
+   !> Heats through the spots at the temperatures of the bulks; what strips make beside them, and friction, enters both
+   !> wires half and half.
+   subroutine find_heats(self)
+      class(contact_heat_t), intent(inout) :: self
+      integer :: i, info
+
+      do i = 1, size(self%contacts)
+         associate (contact => self%contacts(i), current => self%current(i))
+            if (.not. contact%is_passed) then
+               self%spots(i) = spot_heat_t(hottest=maxval(self%bulk(:, i)) - self%zero)
+               self%heat(:, i) = contact%friction_heat/2
+               cycle
+            end if
+            call spot_heat(contact%path, self%bulk(:, i) - self%zero, current**2*[contact%resistance(1), &
+               contact%film_resistance, contact%resistance(2)], self%spots(i), info)
+            if (info /= heat_ok) self%is_solved = .false.
+            self%heat(:, i) = self%spots(i)%heat + (current*self%of_strips(i) + contact%friction_heat)/2
+         end associate
+      end do
+   end subroutine find_heats
+
+   !> `(1 - A dq/dtau) x = b`
+   subroutine solve_bulks(map, b, x)
+      type(bulk_map_t), intent(inout) :: map
+      !> (2, contacts) [K]
+      real(dp), intent(in) :: b(:, :)
+      !> (2, contacts) [K]
+      real(dp), intent(out) :: x(:, :)
+      real(dp) :: solution(size(b))
+
+      call gmres(map, reshape(b, [size(b)]), linear_accuracy, max_products, solution)
+      x = reshape(solution, shape(x))
+   end subroutine solve_bulks
+
+   subroutine apply_bulk_map(self, x, y)
+      class(bulk_map_t), intent(inout) :: self
+      !> (2*contacts) [K]
+      real(dp), intent(in) :: x(:)
+      !> (2*contacts) [K]
+      real(dp), intent(out) :: y(:)
+
+      associate (shaped => reshape(x, [2, size(x)/2]))
+         y = x - reshape(rise_by(self%heat%elements, self%heat%ends, followed(self%heat, shaped)), [size(x)])
+      end associate
+   end subroutine apply_bulk_map
+
+   !> Each contact by itself: `1 - D dq/dtau` with the diagonal `D` of `A`.
+   subroutine precondition_bulk_map(self, x, y)
+      class(bulk_map_t), intent(inout) :: self
+      !> (2*contacts) [K]
+      real(dp), intent(in) :: x(:)
+      !> (2*contacts) [K]
+      real(dp), intent(out) :: y(:)
+      integer :: i
+
+      do i = 1, size(self%heat%contacts)
+         associate (dheat => self%heat%spots(i)%dheat(:, by_temperature))
+            y(2*i - 1:2*i) = solved(unit - spread(own_rise(self%heat, i), 2, 2)*dheat, x(2*i - 1:2*i))
+         end associate
+      end do
+   end subroutine precondition_bulk_map
+
+   !> dq = dq/dtau dtau (2, contacts) [W].
+   pure function followed(self, dbulk) result(dheat)
+      type(contact_heat_t), intent(in) :: self
+      !> (2, contacts) [K]
+      real(dp), intent(in) :: dbulk(:, :)
+      real(dp) :: dheat(2, size(dbulk, 2))
+      integer :: i
+
+      do i = 1, size(dbulk, 2)
+         dheat(:, i) = matmul(self%spots(i)%dheat(:, by_temperature), dbulk(:, i))
+      end do
+   end function followed
+
+   !> What heat that enters at a contact does to the temperature there by itself: diagonal of A (2) [K/W].
+   pure function own_rise(self, i) result(rise)
+      type(contact_heat_t), intent(in) :: self
+      !> Contact
+      integer, intent(in) :: i
+      real(dp) :: rise(2)
+
+      rise = self%elements(self%ends%place_of(:, i))%heat_series*(1 - self%contacts(i)%xi**2)
+   end function own_rise
+
+   !> Solution of two equations (2).
+   pure function solved(k, b) result(x)
+      !> Matrix and right-hand side
+      real(dp), intent(in) :: k(2, 2), b(2)
+      real(dp) :: x(2)
+
+      x = [k(2, 2)*b(1) - k(1, 2)*b(2), k(1, 1)*b(2) - k(2, 1)*b(1)]/(k(1, 1)*k(2, 2) - k(1, 2)*k(2, 1))
+   end function solved
+
+   !> `(1 - dq/dtau D)^-1` times heats of a contact: what they become as its own bulks follow (2) [W].
+   pure function inverse_of_own(self, i, heat) result(found)
+      type(contact_heat_t), intent(in) :: self
+      !> Contact
+      integer, intent(in) :: i
+      !> To the barred and to the unbarred wire [W]
+      real(dp), intent(in) :: heat(2)
+      real(dp) :: found(2)
+
+      found = solved(unit - spread(own_rise(self, i), 1, 2)*self%spots(i)%dheat(:, by_temperature), heat)
+   end function inverse_of_own
+
+end module litz_heat_of_contacts

@@ -1,0 +1,242 @@
+!> The way of the heat through each contact of two wires that conduct heat.
+!>
+!> A constriction has the shape `c` [1/m]: in a metal of resistivity rho its resistance is `c rho`, in one of heat
+!> conductivity lambda it conducts the heat `lambda/c`, or `L/(c rho)` as a Wiedemann-Franz metal. It is that of the
+!> spot of the current, `c = -(dG/drho)/G^2`, or where there is none that of elastic wires.
+!> Source: theory sections 6 and 13.
+module litz_heated_contacts
+   use litz_kinds, only: dp
+   use litz_contact_blocks, only: spot_in_circuit_t
+   use litz_contact_points, only: contact_point_t, pair_geometry
+   use litz_contact_spots, only: find_spot
+   use litz_domain, only: domain_t
+   use litz_fields, only: temperature_slots
+   use litz_heat_law, only: heat_law_t, heat_metal_law
+   use litz_law_input, only: wire_pair_t
+   use litz_model, only: interaction_t, material_t
+   use litz_normal_forces, only: wires_of
+   use litz_property_table, only: property_at
+   use litz_spot_heat, only: spot_path_t
+   use litz_spot_laws, only: spot_law
+   implicit none
+   private
+   public :: heated_contact_t, heated_contact, can_pass_heat
+
+   type :: heated_contact_t
+      !> Nodes of both elements, barred first, and their parts of the values at its places
+      integer :: nodes(4) = 0
+      real(dp) :: part(4) = 0
+      !> Both elements, and the places in them, barred first
+      integer :: element(2) = 0
+      real(dp) :: xi(2) = 0
+      !> Of the spot [S]; 0: no current passes
+      real(dp) :: conductance = 0
+      !> rho L0/(4 A) [ohm] and L0/(4 lambda A) [K/W] of both elements; 0: what enters within them does so as at their
+      !> nodes
+      real(dp) :: series(2) = 0, heat_series(2) = 0
+      !> Resistances of both constrictions and of what is between them [ohm]
+      real(dp) :: resistance(2) = 0, film_resistance = 0
+      !> How the former, and all in series, change with the temperatures of both places (2, 2), (2) [ohm/K]
+      real(dp) :: dresistance(2, 2) = 0, dseries(2) = 0
+      type(spot_path_t) :: path
+      !> Heat can pass between the wires, and not only that of their friction enters them [W]
+      logical :: is_passed = .false.
+      real(dp) :: friction_heat = 0
+      !> How ln(h) of both constrictions changes with the temperatures of both places (2, 2) [1/K]
+      real(dp) :: dpath(2, 2) = 0
+   end type heated_contact_t
+
+   !> The constrictions of both wires.
+   type :: constrictions_t
+      !> c [1/m], and the derivative of its logarithm by both resistivities [1/(ohm m)]
+      real(dp) :: shape = 0, dshape(2) = 0
+   end type constrictions_t
+
+contains
+
+   !> Both wires conduct heat, and there is some for them: the interaction lets it pass, or they rub.
+   logical function can_pass_heat(domain, point)
+      type(domain_t), intent(in) :: domain
+      type(contact_point_t), intent(in) :: point
+      integer :: side
+
+      associate (law => domain%model%interactions(domain%model%contact_pairs(point%pair)%interaction))
+         can_pass_heat = law%heat%exists() .or. point%conductance > 0 .or. law%friction > 0
+      end associate
+      do side = 1, 2
+         associate (e => merge(point%element_bar, point%element, side == 1), model => domain%model)
+            can_pass_heat = can_pass_heat .and. allocated(model%materials(model%sections( &
+               model%element_section(e))%material)%heat_conductivity)
+         end associate
+      end do
+   end function can_pass_heat
+
+   !> What heat needs to know of a contact that it can pass, at the temperatures of an iterate.
+   type(heated_contact_t) function heated_contact(domain, point, rate) result(heated)
+      type(domain_t), intent(in) :: domain
+      type(contact_point_t), intent(in) :: point
+      !> By which the work of an increment is a power [1/s]; 0: time is a scale of loads
+      real(dp), intent(in) :: rate
+      type(interaction_t) :: law
+      type(wire_pair_t) :: pair
+      type(constrictions_t) :: constrictions
+      real(dp) :: lambda(2), dlambda(2), place(2)
+      integer :: side
+
+      law = domain%model%interactions(domain%model%contact_pairs(point%pair)%interaction)
+      heated%element = [point%element_bar, point%element]
+      heated%xi = [point%xi_bar, point%xi]
+      heated%nodes = reshape(domain%model%connectivity(:, heated%element), [4])
+      heated%part = [1 - heated%xi(1), 1 + heated%xi(1), 1 - heated%xi(2), 1 + heated%xi(2)]/2
+      heated%conductance = point%conductance
+      heated%series = point%series_resistance
+      pair = wires_of(domain%model, domain%elements, point)
+      do side = 1, 2
+         associate (part => heated%part(2*side - 1:2*side), node => heated%nodes(2*side - 1:2*side))
+            place(side) = dot_product(part, domain%iterate%value(temperature_slots(1), node))
+         end associate
+         call conductivity_of(domain, heated%element(side), place(side), lambda(side), dlambda(side))
+         if (law%voltage_correction) heated%heat_series(side) = heat_series_of(domain, heated%element(side))
+      end do
+      heated%friction_heat = law%heat%friction_fraction*point%friction%dissipation*rate
+      heated%is_passed = law%heat%exists() .or. heated%conductance > 0
+      if (.not. heated%is_passed) return
+      constrictions = constrictions_of(point, pair)
+      call find_resistances(constrictions, pair, heated)
+      if (law%heat%is_given()) then
+         heated%path = spot_path_t(is_metal=.false., conductance=2*given_conductance(domain, law, point, pair))
+         return
+      end if
+      if (.not. heated%conductance > 0) constrictions%shape = elastic_shape(domain, law, point, pair)
+      heated%path = spot_path_t(is_metal=.false., conductance=lambda/constrictions%shape)
+      heated%dpath = reshape([dlambda(1)/lambda(1), 0.0_dp, 0.0_dp, dlambda(2)/lambda(2)], [2, 2]) &
+         - spread(constrictions%dshape*pair%dresistivity, 1, 2)
+      if (law%heat%number == heat_metal_law .and. heated%conductance > 0) call follow_wiedemann_franz( &
+         law%heat%lorenz, place - domain%model%absolute_zero, heated)
+   end function heated_contact
+
+   !> lambda of an element at a temperature, and its derivative.
+   pure subroutine conductivity_of(domain, e, temperature, lambda, dlambda)
+      type(domain_t), intent(in) :: domain
+      !> Element
+      integer, intent(in) :: e
+      !> [K]
+      real(dp), intent(in) :: temperature
+      !> [W/(m K)], [W/(m K^2)]
+      real(dp), intent(out) :: lambda, dlambda
+
+      associate (model => domain%model)
+         call property_at(model%materials(model%sections(model%element_section(e))%material)%heat_conductivity, &
+            temperature, lambda, dlambda)
+      end associate
+   end subroutine conductivity_of
+
+   !> L0/(4 lambda A) of an element [K/W].
+   pure real(dp) function heat_series_of(domain, e) result(series)
+      type(domain_t), intent(in) :: domain
+      !> Element
+      integer, intent(in) :: e
+      real(dp) :: lambda, dlambda
+
+      call conductivity_of(domain, e, domain%mean_temperature(e), lambda, dlambda)
+      series = domain%elements%length(e)/(4*lambda*domain%elements%area(e))
+   end function heat_series_of
+
+   !> Of the spot of the current; a resistance that is given is all constriction.
+   pure type(constrictions_t) function constrictions_of(point, pair) result(found)
+      type(contact_point_t), intent(in) :: point
+      type(wire_pair_t), intent(in) :: pair
+
+      if (.not. point%conductance > 0) return
+      found%shape = point%constriction
+      if (found%shape > 0) return
+      found%shape = 1/(point%conductance*sum(pair%resistivity))
+      found%dshape = -1/sum(pair%resistivity)
+   end function constrictions_of
+
+   !> Where the voltage of the spot drops.
+   pure subroutine find_resistances(constrictions, pair, heated)
+      type(constrictions_t), intent(in) :: constrictions
+      type(wire_pair_t), intent(in) :: pair
+      type(heated_contact_t), intent(inout) :: heated
+      integer :: i
+
+      if (.not. heated%conductance > 0) return
+      heated%resistance = constrictions%shape*pair%resistivity
+      heated%film_resistance = max(0.0_dp, 1/heated%conductance - sum(heated%resistance))
+      do i = 1, 2
+         heated%dresistance(i, :) = heated%resistance(i)*constrictions%dshape*pair%dresistivity
+         heated%dresistance(i, i) = heated%dresistance(i, i) + constrictions%shape*pair%dresistivity(i)
+      end do
+      heated%dseries = sum(heated%dresistance, 1)
+   end subroutine find_resistances
+
+   !> `h = L/R` of the constrictions, with `L = lambda rho/T` where none is given.
+   pure subroutine follow_wiedemann_franz(lorenz, temperature, heated)
+      !> [V^2/K^2]; 0: none is given
+      real(dp), intent(in) :: lorenz
+      !> Of both places, from absolute zero [K]
+      real(dp), intent(in) :: temperature(2)
+      type(heated_contact_t), intent(inout) :: heated
+      integer :: i
+
+      heated%path%is_metal = .true.
+      if (lorenz > 0) then
+         heated%path%conductance = lorenz/heated%resistance
+         heated%dpath = -heated%dresistance/spread(heated%resistance, 2, 2)
+         return
+      end if
+      heated%path%conductance = heated%path%conductance/temperature
+      do i = 1, 2
+         heated%dpath(i, i) = heated%dpath(i, i) - 1/temperature(i)
+      end do
+   end subroutine follow_wiedemann_franz
+
+   !> c of the spot of elastic wires without a current: that of unit resistivities has 2 c [1/m].
+   real(dp) function elastic_shape(domain, law, point, pair) result(shape)
+      type(domain_t), intent(in) :: domain
+      type(interaction_t), intent(in) :: law
+      type(contact_point_t), intent(in) :: point
+      type(wire_pair_t), intent(in) :: pair
+      type(interaction_t) :: elastic
+      type(wire_pair_t) :: unit_pair
+
+      elastic = law
+      elastic%spot = spot_law('HERTZ')
+      elastic%spot_memory = .false.
+      unit_pair = pair
+      unit_pair%resistivity = 1
+      shape = 1/(2*spot_conductance(domain, elastic, point, unit_pair))
+   end function elastic_shape
+
+   !> Heat conductance that is given [W/K].
+   real(dp) function given_conductance(domain, law, point, pair) result(conductance)
+      type(domain_t), intent(in) :: domain
+      type(interaction_t), intent(in) :: law
+      type(contact_point_t), intent(in) :: point
+      type(wire_pair_t), intent(in) :: pair
+      type(interaction_t) :: thermal
+
+      thermal = law
+      thermal%spot = law%heat%as_spot_law()
+      thermal%spot_memory = .false.
+      conductance = spot_conductance(domain, thermal, point, pair)
+   end function given_conductance
+
+   real(dp) function spot_conductance(domain, law, point, pair) result(conductance)
+      type(domain_t), intent(in) :: domain
+      type(interaction_t), intent(in) :: law
+      type(contact_point_t), intent(in) :: point
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t) :: looked_at
+      type(spot_in_circuit_t) :: circuit
+      real(dp) :: x(3, 4), t(3, 4), length(2)
+
+      looked_at = point
+      call pair_geometry(domain%model, domain%wires, domain%elements, point%element_bar, point%element, &
+         domain%iterate%x, domain%iterate%rotation, x, t, length)
+      call find_spot(law, domain%wires, pair, x, t, length, looked_at, circuit)
+      conductance = circuit%spot%conductance
+   end function spot_conductance
+
+end module litz_heated_contacts

@@ -1,0 +1,122 @@
+!> What heat and currents that enter an element between its nodes do in it.
+!>
+!> A current is the same between two contacts; half of the heat that it makes there enters at either of them, which is
+!> exact for the temperatures at the contacts. Source: theory sections 7 and 13.
+module litz_heated_elements
+   use litz_element_ends, only: element_ends_t
+   use litz_kinds, only: dp
+   use litz_parallel, only: worth_threads
+   use litz_potential_rise, only: potential_rise
+   implicit none
+   private
+   public :: heated_element_t, n_parts, currents_along, place_heat, rise_by
+
+   !> An element on which contacts are.
+   type :: heated_element_t
+      integer :: nodes(2) = 0
+      !> Resistance from node to node [ohm]; 0: no current
+      real(dp) :: resistance = 0
+      !> rho L0/(4 A) [ohm] and L0/(4 lambda A) [K/W]; 0: what enters within it does so as at its nodes
+      real(dp) :: series = 0, heat_series = 0
+      !> Derivatives of ln(rho) and ln(lambda) by the mean temperature [1/K]
+      real(dp) :: dresistivity = 0, dconductivity = 0
+      !> Part of the electric power that becomes heat, and all heat that enters it evenly [W]
+      real(dp) :: heat_fraction = 1, even_heat = 0
+   end type heated_element_t
+
+contains
+
+   !> Parts of an element between its contacts.
+   pure integer function n_parts(ends, k)
+      type(element_ends_t), intent(in) :: ends
+      !> Number among the elements with contacts
+      integer, intent(in) :: k
+
+      n_parts = ends%first(k + 1) - ends%first(k) + 1
+   end function n_parts
+
+   !> Currents towards the second node in the parts of an element between its contacts; linear in its arguments.
+   pure subroutine currents_along(ends, k, even, current, length, along)
+      type(element_ends_t), intent(in) :: ends
+      !> Number among the elements with contacts
+      integer, intent(in) :: k
+      !> Current in the element without contacts, and those of the contacts, from the barred to the unbarred wire
+      !> (contacts) [A]
+      real(dp), intent(in) :: even, current(:)
+      !> Of the parts: length in xi, and current (parts) [A]
+      real(dp), intent(out) :: length(:), along(:)
+      real(dp), dimension(size(along) - 1) :: xi, entering
+      integer :: part
+
+      associate (first => ends%first(k), last => ends%first(k + 1) - 1)
+         xi = ends%xi(first:last)
+         entering = merge(-1, 1, ends%side(first:last) == 1)*current(ends%contact(first:last))
+      end associate
+      length = [xi, 1.0_dp] - [-1.0_dp, xi]
+      along(1) = even - sum((1 - xi)*entering)/2
+      do part = 2, size(along)
+         along(part) = along(part - 1) + entering(part - 1)
+      end do
+   end subroutine currents_along
+
+   !> Half of what a part of an element makes enters at either end of it.
+   pure subroutine place_heat(ends, k, made, at_contacts, at_nodes)
+      type(element_ends_t), intent(in) :: ends
+      !> Number among the elements with contacts
+      integer, intent(in) :: k
+      !> In the parts between the contacts (parts) [W]
+      real(dp), intent(in) :: made(:)
+      !> (2, contacts), set at the contacts of this element, on its side; and at its nodes (2) [W]
+      real(dp), intent(inout) :: at_contacts(:, :), at_nodes(2)
+      integer :: i, part
+
+      part = 1
+      do i = ends%first(k), ends%first(k + 1) - 1
+         at_contacts(ends%side(i), ends%contact(i)) = (made(part) + made(part + 1))/2
+         part = part + 1
+      end do
+      at_nodes = [made(1), made(size(made))]/2
+   end subroutine place_heat
+
+   !> `A q`: how heat that enters at the contacts raises the temperatures there (2, contacts) [K].
+   function rise_by(elements, ends, heat) result(rise)
+      !> Those on which contacts are (elements)
+      type(heated_element_t), intent(in) :: elements(:)
+      type(element_ends_t), intent(in) :: ends
+      !> (2, contacts) [W]
+      real(dp), intent(in) :: heat(:, :)
+      real(dp) :: rise(2, size(heat, 2))
+      integer :: k
+
+      rise = 0
+      !$omp parallel do schedule(static) if (size(elements) >= worth_threads)
+      do k = 1, size(elements)
+         call set_rise(elements(k)%heat_series, ends, k, heat, rise)
+      end do
+      !$omp end parallel do
+   end function rise_by
+
+   !> The same in one element.
+   pure subroutine set_rise(scale, ends, k, heat, rise)
+      !> L0/(4 lambda A) of the element [K/W]
+      real(dp), intent(in) :: scale
+      type(element_ends_t), intent(in) :: ends
+      !> Number among the elements with contacts
+      integer, intent(in) :: k
+      !> (2, contacts) [W]
+      real(dp), intent(in) :: heat(:, :)
+      !> (2, contacts) [K]; set at the contacts of this element, on its side
+      real(dp), intent(inout) :: rise(:, :)
+      real(dp), dimension(ends%first(k + 1) - ends%first(k)) :: entering, above
+      integer :: i
+
+      associate (first => ends%first(k), last => ends%first(k + 1) - 1)
+         entering = [(heat(ends%side(i), ends%contact(i)), i=first, last)]
+         call potential_rise(scale, ends%xi(first:last), entering, above)
+         do i = first, last
+            rise(ends%side(i), ends%contact(i)) = above(i - first + 1)
+         end do
+      end associate
+   end subroutine set_rise
+
+end module litz_heated_elements
