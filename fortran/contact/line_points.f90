@@ -160,10 +160,12 @@ contains
       call slide_along_lap(wires, elements, point)
       if (.not. point%regular) return
       if (is_new) call share_line_point(wires, elements, contact, sorted, xe, t, length, point)
-      if (model%interactions(model%contact_pairs(point%pair)%interaction)%spot%exists() .and. &
-         all(elements%resistivity([point%element_bar, point%element]) > 0)) then
-         call set_cell(line_course(xe, t, length, axis_hermite, point%foot_at_end, point%kinematics), point)
-      end if
+      associate (law => model%interactions(model%contact_pairs(point%pair)%interaction))
+         ! what carries nothing conducts nothing, but may have a spot to remember
+         if (.not. (law%spot%exists() .and. (point%weight > 0 .or. law%spot_memory))) return
+         if (all(elements%resistivity([point%element_bar, point%element]) > 0)) call set_cell(line_course(xe, t, &
+            length, axis_hermite, point%foot_at_end, point%kinematics), point)
+      end associate
    end subroutine set_geometry
 
    !> The overlap along the part of the wire for which a point stands.

@@ -52,7 +52,7 @@ contains
          contact%clearance = contact%overlap
          contact%converged_clearance = contact%overlap
          call refuse_unmodelled(problem, error)
-         if (.not. allocated(error)) call refuse_overlap(problem, [contact%points, contact%line_points], error)
+         if (.not. allocated(error)) call refuse_overlap(problem, error)
       end associate
    end subroutine find_initial_overlap
 
@@ -75,47 +75,75 @@ contains
    end subroutine find_fits
 
    !> Wires that overlap at the start by more than is allowed, and are not meant to.
-   subroutine refuse_overlap(problem, points, error)
+   subroutine refuse_overlap(problem, error)
       type(problem_t), intent(in) :: problem
-      !> All points
-      type(contact_point_t), intent(in) :: points(:)
       type(error_t), allocatable, intent(inout) :: error
-      character(len=400) :: text
-      integer :: i, n_refused, worst
+      integer :: n_refused, worst, worst_of_lines
 
       n_refused = 0
+      associate (points => problem%contact%points, line_points => problem%contact%line_points)
+         call find_refused(problem, points, n_refused, worst)
+         call find_refused(problem, line_points, n_refused, worst_of_lines)
+         if (n_refused == 0) return
+         if (worst > 0 .and. worst_of_lines > 0) then
+            if (line_points(worst_of_lines)%gap < points(worst)%gap) worst = 0
+         end if
+         if (worst > 0) then
+            error = overlap_error(problem, n_refused, points(worst))
+         else
+            error = overlap_error(problem, n_refused, line_points(worst_of_lines))
+         end if
+      end associate
+   end subroutine refuse_overlap
+
+   !> Points of pairs without an interference fit that overlap by more than is allowed.
+   pure subroutine find_refused(problem, points, n_refused, worst)
+      type(problem_t), intent(in) :: problem
+      type(contact_point_t), intent(in) :: points(:)
+      !> Number so far
+      integer, intent(inout) :: n_refused
+      !> The one of these points that overlaps most; 0: none
+      integer, intent(out) :: worst
+      integer :: i
+
       worst = 0
       do i = 1, size(points)
          if (problem%model%contact_pairs(points(i)%pair)%interference_fit) cycle
-         if (.not. -points(i)%gap > allowed_overlap*minval(radii(points(i)))) cycle
+         if (.not. -points(i)%gap > allowed_overlap*smaller_radius(problem, points(i))) cycle
          n_refused = n_refused + 1
          if (worst == 0) worst = i
          if (points(i)%gap < points(worst)%gap) worst = i
       end do
-      if (n_refused == 0) return
-      associate (model => problem%model, point => points(worst), &
-         pair => problem%model%contact_pairs(points(worst)%pair))
+   end subroutine find_refused
+
+   type(error_t) function overlap_error(problem, n_refused, point) result(error)
+      type(problem_t), intent(in) :: problem
+      !> Points that overlap too much
+      integer, intent(in) :: n_refused
+      !> The worst one
+      type(contact_point_t), intent(in) :: point
+      character(len=400) :: text
+
+      associate (model => problem%model, pair => problem%model%contact_pairs(point%pair))
          write (text, '(a, i0, a, i0, a, es9.2, a, f0.1, a, i0, a)') 'the wires of elements ', &
             model%element_id(point%element_bar), ' and ', model%element_id(point%element), &
             ' overlap at the start by', -point%gap, ' '//trim(model%units%length)//', that is ', &
-            -100*point%gap/minval(radii(point)), &
+            -100*point%gap/smaller_radius(problem, point), &
             ' % of the smaller radius (allowed: 1 %; ', n_refused, &
             ' places overlap in all); move the wires apart, or add INTERFERENCE FIT to *CONTACT PAIR'
          error = fail(exit_input, trim(text))
          error%file = pair%file
          error%line = pair%line
       end associate
+   end function overlap_error
 
-   contains
+   !> Of the two wires of a point [m].
+   pure real(dp) function smaller_radius(problem, point)
+      type(problem_t), intent(in) :: problem
+      type(contact_point_t), intent(in) :: point
 
-      pure function radii(point)
-         type(contact_point_t), intent(in) :: point
-         real(dp) :: radii(2)
-
-         radii = problem%elements%radius([point%element_bar, point%element])
-      end function radii
-
-   end subroutine refuse_overlap
+      smaller_radius = minval(problem%elements%radius([point%element_bar, point%element]))
+   end function smaller_radius
 
    !> Wires that begin within a rigid surface.
    subroutine refuse_surface_overlap(problem, error)

@@ -94,9 +94,12 @@ contains
       real(dp), intent(in), optional :: r(:, :)
       real(dp) :: largest(n_fields), dq(size(k, 2))
       integer :: n_rows, cell, a, i, node
+      logical :: is_prescribed
 
       n_rows = rows(2) - rows(1) + 1
       largest = forces%reference
+      ! only the first iteration of an increment has any
+      is_prescribed = any(abs(increment(columns(1):columns(2), :)) > 0)
       !$omp parallel private(cell, a, i, node, dq) reduction(max: largest) if (size(nodes, 2) >= worth_threads)
       do cell = 1, size(nodes, 2)
          do a = 1, size(nodes, 1)
@@ -111,9 +114,11 @@ contains
                      end associate
                   end do
                end if
-               dq = reshape(increment(columns(1):columns(2), nodes(:, cell)), [size(dq)])
-               if (any(abs(dq) > 0)) forces%prescribed(rows(1):rows(2), node) = &
-                  forces%prescribed(rows(1):rows(2), node) + matmul(k_a, dq)
+               if (is_prescribed) then
+                  dq = reshape(increment(columns(1):columns(2), nodes(:, cell)), [size(dq)])
+                  if (any(abs(dq) > 0)) forces%prescribed(rows(1):rows(2), node) = &
+                     forces%prescribed(rows(1):rows(2), node) + matmul(k_a, dq)
+               end if
                call add_sensitivity(nodes(:, cell), k_a, forces%magnitude(columns(1):columns(2), :), &
                   forces%sensitivity(rows(1):rows(2), node))
             end associate

@@ -369,6 +369,32 @@ def test_wires_that_overlap_at_the_start_are_refused(litz, tmp_path):
     assert not (tmp_path / "deck.vtkhdf").exists()
 
 
+@pytest.mark.parametrize(("beside", "crossing"), [(3, 2), (2, 3)])
+def test_of_overlaps_at_crossings_and_along_lines_the_deepest_is_named(litz, tmp_path, beside, crossing):
+    """A wire with one beside it and one across it below, which overlap it by so many percent of the radius."""
+    radius = 1e-3
+    heights = [0, (2 - beside / 100) * radius, -(2 - crossing / 100) * radius]
+    ends = [((-0.01, 0), (0.01, 0)), ((-0.01, 0), (0.01, 0)), ((0, -0.01), (0, 0.01))]
+    nodes = "".join(
+        f"{2 * wire + end + 1}, {x}, {y}, {heights[wire]}\n" for wire in range(3) for end, (x, y) in enumerate(ends[wire])
+    )
+    deck = tmp_path / "deck.inp"
+    deck.write_text(
+        f"*NODE\n{nodes}*ELEMENT, TYPE=B33, ELSET=WIRES\n1, 1, 2\n2, 3, 4\n3, 5, 6\n*MATERIAL, NAME=M\n*ELASTIC\n1e11, 0.3\n"
+        f"*BEAM SECTION, ELSET=WIRES, MATERIAL=M, SECTION=CIRC\n{radius}\n*SURFACE INTERACTION, NAME=T\n"
+        "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ\n*CONTACT PAIR, INTERACTION=T\nWIRES\n*BOUNDARY\n"
+        + "".join(f"{node}, 1, 6\n" for node in range(1, 7))
+        + "*STEP\n*STATIC\n1, 1\n*END STEP\n"
+    )
+    process = litz("check", deck)
+    assert process.returncode == 1
+    assert "overlap at the start by 3.00E-05 m, that is 3.0 % of the smaller radius" in process.stderr
+    named = process.stderr.partition("the wires of elements ")[2].partition(" overlap")[0]
+    assert set(named.split(" and ")) == ({"1", "2"} if beside > crossing else {"1", "3"})
+    places = int(process.stderr.split("allowed: 1 %; ")[1].split()[0])
+    assert places > 2  # one where they cross, the others along the line
+
+
 def test_an_interference_fit_is_resolved_over_the_first_step(run):
     process, results = run(crossed(height="1.9e-3", pair=", INTERFERENCE FIT", push="0", static="0.25, 1, 1e-3, 0.25"))
     assert process.returncode == 0, process.stderr
