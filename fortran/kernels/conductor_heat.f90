@@ -15,7 +15,7 @@ module litz_conductor_heat
    use litz_kinds, only: dp
    implicit none
    private
-   public :: heated_wire_t, conductor_heat, heat_flows_t
+   public :: heated_wire_t, conductor_heat, heat_flows_t, nodal_share
 
    !> An element, its material at the mean temperature, and its film.
    type :: heated_wire_t
@@ -56,7 +56,7 @@ contains
       !> Currents and heat that leave the nodes (4) [A, W]
       real(dp), intent(out) :: r(4)
       type(heat_flows_t), intent(out) :: flows
-      real(dp) :: g, dg, dv, t, dt, w2, along, dalong, across, dacross, dw2, made, source, dsource(4), excess, drop
+      real(dp) :: g, dg, dv, t, dt, along, dalong, across, dacross, made, source, dsource(4), excess, drop
 
       dv = v(1) - v(2)
       drop = temperature(1) - temperature(2)
@@ -70,10 +70,7 @@ contains
       flows%current = g*dv                                                                                 ! (1)
       flows%joule_heat = wire%heat_fraction*flows%current*dv
 
-      w2 = wire%film*wire%length/(4*wire%conductivity)*(wire%length/wire%area)
-      dw2 = -w2*wire%dconductivity/(2*wire%conductivity)
-      call film_share(w2, t, dt)
-      dt = dt*dw2
+      call nodal_share(wire, t, dt)
       along = wire%conductivity*wire%area/(wire%length*t)
       dalong = along*(wire%dconductivity/(2*wire%conductivity) - dt/t)
       across = wire%film*wire%length/4*t
@@ -91,6 +88,18 @@ contains
       k(3:4, :) = k(3:4, :) - spread(dsource, 1, 2)
       flows%to_surroundings = 2*across*excess + made*(1 - t)
    end subroutine conductor_heat
+
+   !> `t`: the part of what is evenly made or stored in an element that comes to its nodes; the film takes the rest.
+   pure subroutine nodal_share(wire, t, dt)
+      type(heated_wire_t), intent(in) :: wire
+      !> t, and its derivative by either nodal temperature [1/K]
+      real(dp), intent(out) :: t, dt
+      real(dp) :: w2
+
+      w2 = wire%film*wire%length/(4*wire%conductivity)*(wire%length/wire%area)
+      call film_share(w2, t, dt)
+      dt = -dt*w2*wire%dconductivity/(2*wire%conductivity)
+   end subroutine nodal_share
 
    !> `t = tanh(w)/w` over `w^2`, and its derivative.
    pure subroutine film_share(w2, t, dt)

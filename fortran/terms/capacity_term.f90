@@ -1,14 +1,18 @@
-!> Heat that wires store, in steps over time: half of that of an element at either node.
+!> Heat that wires store, in steps over time: half of that of an element at either node, but for what a film exchanges
+!> between them.
 !>
 !> Backward Euler in the first increment of a step, before which loads and surroundings may have jumped, and BDF2 with
 !> increments of any size after it. Source: theory section 13.
 module litz_capacity_term
-   use litz_kinds, only: dp
+   use litz_kinds, only: dp, pi
+   use litz_conductor_heat, only: heated_wire_t, nodal_share
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
    use litz_fields, only: field_temperature, temperature_slots
    use litz_heat_capacity, only: latent_heat_t, heat_capacity, bdf2_weights, bdf2_error, euler_error
-   use litz_model, only: model_t, step_t
+   use litz_loading, only: heat_at
+   use litz_model, only: model_t, step_t, element_heat_t
+   use litz_property_table, only: property_at
    use litz_term, only: term_t
    implicit none
    private
@@ -36,8 +40,10 @@ module litz_capacity_term
       real(dp) :: increment = 1, weights(2) = [1.0_dp, 0.0_dp]
       !> Temperatures when the increment began (n_nodes) [K]
       real(dp), allocatable :: at_start(:)
-      !> What the elements take up (n_elements) [W]
-      real(dp), allocatable :: stored(:)
+      !> What the elements take up, and what of it their films take between the nodes (n_elements) [W]
+      real(dp), allocatable :: stored(:), between(:)
+      !> Heat that passes through the film per length and kelvin (n_elements) [W/(m K)]
+      real(dp), allocatable :: film(:)
    contains
       procedure :: apply_load
       procedure :: start
@@ -61,7 +67,7 @@ contains
                wire%density > 0) capacity%elements = [capacity%elements, e]
          end associate
       end do
-      allocate (capacity%stored(model%n_elements), source=0.0_dp)
+      allocate (capacity%stored(model%n_elements), capacity%between(model%n_elements), source=0.0_dp)
       allocate (capacity%phases(size(model%materials)))
       do material = 1, size(model%materials)
          capacity%phases(material)%latent = latent_heats(model, material)
@@ -74,8 +80,11 @@ contains
       type(step_t), intent(in) :: step
       !> Time of the step at the end of the increment, and the increment [s]
       real(dp), intent(in) :: step_time, increment
+      type(element_heat_t) :: given(size(step%heat))
 
       self%is_at_work = step%transient
+      given = heat_at(domain%model, step, step_time, domain%state%time - domain%state%step_time)
+      self%film = given%film*2*pi*domain%model%sections(domain%model%element_section)%contact_radius
       self%increment = increment
       self%weights = [1, 0]
       associate (before => domain%state%time_increment)
@@ -110,29 +119,28 @@ contains
       !> Never
       type(error_t), allocatable, intent(out) :: error
       real(dp), allocatable :: k(:, :, :), r(:, :)
-      real(dp) :: slope(2)
       integer :: i
 
       self%stored = 0
+      self%between = 0
       if (.not. self%is_at_work .or. size(self%elements) == 0) return
       allocate (k(2, 2, size(self%elements)), r(2, size(self%elements)), source=0.0_dp)
       do i = 1, size(self%elements)
-         call evaluate_element(self, domain, self%elements(i), slope, r(:, i))
-         k(1, 1, i) = slope(1)
-         k(2, 2, i) = slope(2)
-         self%stored(self%elements(i)) = sum(r(:, i))
+         call evaluate_element(self, domain, self%elements(i), k(:, :, i), r(:, i))
       end do
       call domain%add_cells(domain%model%connectivity(:, self%elements), temperature_slots, temperature_slots, k, r)
    end subroutine evaluate
 
-   !> What an element takes up at its nodes.
+   !> What an element takes up at its nodes: all of it without a film, else as of a source in it.
    pure subroutine evaluate_element(self, domain, e, k, r)
-      class(capacity_term_t), intent(in) :: self
+      class(capacity_term_t), intent(inout) :: self
       type(domain_t), intent(in) :: domain
       !> Element
       integer, intent(in) :: e
-      !> (2) [W/K], (2) [W]
-      real(dp), intent(out) :: k(2), r(2)
+      !> (2, 2) [W/K], (2) [W]
+      real(dp), intent(out) :: k(2, 2), r(2)
+      type(heated_wire_t) :: wire
+      real(dp) :: slope(2), share, dshare
 
       associate (section => domain%model%sections(domain%model%element_section(e)), &
          node => domain%model%connectivity(:, e), state => domain%state)
@@ -140,9 +148,21 @@ contains
             call heat_capacity(domain%iterate%value(slot, node), state%value(slot, node), &
                state%temperature_before(node), self%weights, &
                material%density*section%area*domain%elements%length(e)/self%increment, material%specific_heat, &
-               self%phases(section%material)%latent, k, r)
+               self%phases(section%material)%latent, slope, r)
+            wire%length = domain%conduction_length(e)
+            wire%area = section%area
+            wire%film = self%film(e)
+            call property_at(material%heat_conductivity, domain%mean_temperature(e), wire%conductivity, &
+               wire%dconductivity)
          end associate
       end associate
+      call nodal_share(wire, share, dshare)
+      self%stored(e) = sum(r)
+      self%between(e) = -(1 - share)*sum(r)
+      k = dshare*spread(r, 2, 2)
+      k(1, 1) = k(1, 1) + share*slope(1)
+      k(2, 2) = k(2, 2) + share*slope(2)
+      r = share*r
    end subroutine evaluate_element
 
    pure function latent_heats(model, material) result(latent)
@@ -239,6 +259,7 @@ contains
       type(domain_t), intent(inout) :: domain
 
       domain%state%heat_stored = self%stored
+      domain%state%surface_heat = domain%state%surface_heat + self%between
       domain%state%temperature_earlier = domain%state%temperature_before
       domain%state%temperature_before = self%at_start
    end subroutine accept

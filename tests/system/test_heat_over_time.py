@@ -108,6 +108,20 @@ class TestClosedForms:
         assert errors[1] / errors[2] == pytest.approx(4, rel=0.1)
         assert errors[2] < 1e-4 * (ROOM - around)
 
+    @pytest.mark.parametrize("elements", [1, 2, 50])
+    def test_a_film_cools_on_any_mesh(self, run, elements):
+        """Also where its heat would have to flow far along an element: all of the wire has the same temperature."""
+        film, around, steps = 5000.0, 250.0, 40
+        decay = film * 2 / (RADIUS * DENSITY * HEAT)
+        power = 60.0**2 * RHO / AREA / (film * 2 * np.pi * RADIUS)
+        results = run(f"{1 / (decay * steps):.17g}, {1 / decay:.17g}", elements=elements, amperes=60.0,
+                      loads=f"*FILM\nWIRE, F, {around}, {film}\n")  # fmt: skip
+        temperature = results.field("temperature")
+        exact = around + power + (ROOM - around - power) * np.exp(-1)
+        # of the increments alone: less than 1/2 (1/40)^2
+        np.testing.assert_allclose(temperature, exact, atol=(ROOM - around) / 2 / steps**2)
+        np.testing.assert_allclose(temperature, temperature[0], rtol=1e-9)
+
     @pytest.mark.parametrize("share", [0.3, 0.9, 1.4])
     @pytest.mark.parametrize("n", [3, 20])
     def test_a_wire_that_melts_under_an_even_power(self, run, share, n):

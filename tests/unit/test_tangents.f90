@@ -459,7 +459,7 @@ contains
          '400, 900'//nl//'*LATENT HEAT'//nl//'1e6, -1e5, 1e5'//nl
       character(len=*), parameter :: step = &
          '*BOUNDARY'//nl//'1, 11, 11, 300'//nl//'4, 11, 11, 350'//nl//'1, 9'//nl//'4, 9, 9, 0.3'//nl// &
-         '*CFLUX'//nl//'5, 11, 0.02'//nl//'*DFLUX'//nl//'A, BF, 1e5'//nl//'*FILM'//nl//'A, F, 290, 50'//nl// &
+         '*CFLUX'//nl//'5, 11, 0.02'//nl//'*DFLUX'//nl//'A, BF, 1e5'//nl//'*FILM'//nl//'A, F, 290, 2e4'//nl// &
          '*RADIATE'//nl//'B, R, 280, 0.9'//nl//'2, R, 280, 0.5'//nl//'*END STEP'//nl
       type(problem_t) :: problem
       character(len=:), allocatable :: whole_step
