@@ -132,7 +132,7 @@ contains
       real(dp), intent(in) :: depth
       !> Two elements
       integer, intent(in) :: pair(2)
-      real(dp) :: xe(3, 4), t(3, 4), length(2), chord(3, 2), p(3, 0:3, 2), bow(2), sine, overlap
+      real(dp) :: xe(3, 4), t(3, 4), length(2), chord(3, 2), p(3, 0:3, 2), bow(2), sine
 
       call pair_geometry(model, wires, elements, pair(1), pair(2), x_start, rotation_start, xe, t, length)
       p = axes_of(xe, t, length)
@@ -145,8 +145,10 @@ contains
       may_be = sine < small_sine
       if (may_be) return
       associate (radius => elements%radius(pair))
-         overlap = min(depth, max(0.0_dp, -surface_distance(radius, xe, p)))
-         may_be = 2*sum(radius)*overlap > (sine*longest_point*minval(radius))**2                ! aW = sqrt(2 d delta)/s
+         ! the deepest place of the overlap may be on elements next to these; beyond its lens it is open by as much as
+         ! there is overlap at sqrt(2) aW
+         if (surface_distance(radius, xe, p) < depth) &
+            may_be = 2*sum(radius)*depth > (sine*longest_point*minval(radius))**2               ! aW = sqrt(2 d delta)/s
       end associate
    end function may_be_long
 
