@@ -262,3 +262,70 @@ def test_a_joint_is_a_ball_of_its_thickest_leg_and_the_thin_one_comes_out_of_it(
     }
     approach = crossed_wires(1.0, math.pi / 2, **data).approach
     assert force == pytest.approx((0.02 * R / approach) ** 1.5, rel=1e-5)
+
+
+def forces_along(run, points, yaw, places, law):
+    """Forces of rods that lie across copies of a wire at these places [radii along x]: independent of each other, in one
+    deck. They are pressed on in several increments, so that all of their shares are settled."""
+    yaw = math.radians(yaw)
+    along = np.linspace(-11.93 * R, 12.07 * R, 25)[:, None] * np.array([math.cos(yaw), math.sin(yaw), 0])
+    lower = upper = ""
+    for i, place in enumerate(places):
+        aside = np.array([0, 100 * R * i, 0])
+        lower += wire("LOWER", points + aside, 1 + 100 * i, element="B33")
+        rod = along + aside + np.array([place * R, 0, 2 * R])
+        upper += wire("UPPER", rod, 100001 + 100 * i, element="B33")
+    push = f" UPPER, 1, 2\n UPPER, 3, 3, {-0.02 * R:.17g}\n"
+    deck = two_wires(lower, upper, HELD, step(static="0.2, 1., 1e-3, 0.2", boundary=push), law=law)
+    process, results = run(deck, name="dragged")
+    assert process.returncode == 0, process.stderr
+    contacts = results.contacts_at(-1)
+    forces = np.zeros(len(places))
+    np.add.at(forces, (np.minimum(contacts["element_1"], contacts["element_2"]) - 1) // 100, contacts["force"])
+    return forces
+
+
+def stands_out(forces):
+    """By how much of the force each change between neighbours exceeds those beside it."""
+    change = np.diff(forces)
+    beside = np.stack([change[:-2], change[2:]])
+    beyond = np.maximum(change[1:-1] - beside.max(0), beside.min(0) - change[1:-1])
+    return np.maximum(beyond, 0) / np.maximum(forces[1:-2], forces[2:-1]).clip(1e-3 * forces.max())
+
+
+def largest_step(run, points, yaw, law, first, last):
+    """Largest step of the force of a rod that is dragged over a wire [of the force]: where a change stands out, whether it
+    still does over a hundredth of the way."""
+    places = np.arange(first, last, 0.05) + 1e-4
+    found = stands_out(forces_along(run, points, yaw, places, law))
+    suspects = [k for k in np.argsort(found)[-3:] if found[k] > 0.01]
+    steps = [0.0]
+    for k in suspects:
+        fine = np.linspace(places[k + 1] - 0.005, places[k + 2] + 0.005, 121)
+        steps.append(stands_out(forces_along(run, points, yaw, fine, law)).max())
+    return max(steps)
+
+
+@pytest.mark.parametrize("law", LAWS, ids=["hertz", "linear"])
+@pytest.mark.parametrize(
+    ("degrees", "yaw"),
+    [
+        (5, 20),
+        (20.1, 30),
+        (60, 15),
+        (60, 60),
+    ],
+)
+def test_a_rod_is_dragged_over_a_flat_kink_without_a_step(run, law, degrees, yaw):
+    """A smooth bend up to 20 degrees, of elements of two radii; crossed at other angles on either side of it."""
+    turn = degrees / 2
+    points = np.concatenate([leg(180 + turn, 0)[::-1], leg(-turn, 0)[1:]])
+    assert largest_step(run, points, yaw, law, -2.5, 2.5) < 0.02
+
+
+@pytest.mark.parametrize("law", LAWS, ids=["hertz", "linear"])
+@pytest.mark.parametrize(("degrees", "yaw"), [(60, 20), (60, 45)])
+def test_a_rod_is_dragged_on_to_a_kink_and_beyond_without_a_step(run, law, degrees, yaw):
+    """Along a leg, while the feet of its places pass the joint one after the other; the other leg falls away."""
+    points = np.concatenate([leg(180, 0)[::-1], leg(0, degrees)[1:]])
+    assert largest_step(run, points, yaw, law, -3.0, 0.5) < 0.02
