@@ -147,8 +147,8 @@ contains
       associate (radius => elements%radius(pair))
          ! the deepest place of the overlap may be on elements next to these; beyond its lens it is open by as much as
          ! there is overlap at sqrt(2) aW
-         if (surface_distance(radius, xe, p) < depth) &
-            may_be = 2*sum(radius)*depth > (sine*longest_point*minval(radius))**2               ! aW = sqrt(2 d delta)/s
+         may_be = 2*sum(radius)*depth > (sine*longest_point*minval(radius))**2                  ! aW = sqrt(2 d delta)/s
+         if (may_be) may_be = surface_distance(radius, xe, p) < depth
       end associate
    end function may_be_long
 
