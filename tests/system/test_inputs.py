@@ -15,6 +15,7 @@ from verification.references.parallel_wires import ParallelWires, PressedWire
 
 from litz import Results
 from litz import closed_forms as cf
+from litz.results.summary import summary
 from litz.wires.chains import find_wires
 
 COPPER = {"radius": 1e-3, "young": 120e9, "poisson": 0.34, "resistivity": 1.7e-8}
@@ -648,3 +649,4 @@ def test_a_current_heats_the_spot_between_crossed_wires(results_of, header):
         assert contact["current"] == pytest.approx(current, rel=1e-6)
         np.testing.assert_allclose([contact["temperature_1"], contact["temperature_2"]], wires, atol=0.01)
         assert contact["temperature_max"] == pytest.approx(hottest, abs=0.01)
+    assert re.search(r"hottest spot +515\.6 K +in contact 1", summary(results))

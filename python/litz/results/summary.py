@@ -95,6 +95,13 @@ def _heat(results: ResultFile) -> list[str]:
     supports, sides = -results.field("reaction_heat").sum(), results.field("surface_heat").sum()
     hottest = results.node_ids[temperature.argmax()]
     lines = [f"  temperature            {_range(temperature, results.units['temperature'])} at node {hottest}"]
+    contacts = results.contacts_at(-1)
+    spots = contacts.get("temperature_max", np.zeros(0))
+    if spots.any():
+        lines.append(
+            f"  hottest spot           {spots.max():12.5g} {results.units['temperature']:4} "
+            f"in contact {contacts['id'][spots.argmax()]}"
+        )
     if supports or sides:
         lines.append(
             f"  heat out               {supports + sides:12.5g} {watt:4} "
