@@ -340,8 +340,9 @@ contains
       call begin(k, 'GAP HEAT GENERATION', place_model, 'Heat of friction, in steps that solve for motions and'// &
          ' temperatures over time. It enters both wires half and half; without this keyword all of the work of'// &
          ' friction does, where wires with *CONDUCTIVITY touch each other.', after='SURFACE INTERACTION')
-      call k%add_data([real_field('eta', '-', 'part of the work of friction that becomes heat', limit_not_negative), &
-         real_field('f', '-', 'part of the heat that enters the first wire: 0.5', limit_not_negative, &
+      call k%add_data([real_field('eta', '-', 'part of the work of friction that becomes heat, from 0 to 1', &
+         limit_not_negative), &
+         real_field('f', '-', 'part of the heat that enters the first wire: only 0.5', limit_not_negative, &
          required=.false.)])
       call finish(table, k)
    end subroutine add_heat_of_contacts

@@ -44,14 +44,14 @@ contains
       call begin(k, 'COUPLED THERMAL-ELECTRICAL', place_step, 'Currents and temperatures together: currents'// &
          ' make heat, temperatures change conductivities. Motions are held.'//over_time// &
          ' A step that moves wires takes up the temperatures that the one before it has left, over its time.'// &
-         ' Contacts are not possible.')
+         '')
       call add_transient(k)
       call add_increments(k, [rate_field()])
       call finish(table, k)
 
       call begin(k, 'COUPLED TEMPERATURE-DISPLACEMENT', place_step, 'Equilibrium of forces and moments,'// &
          ' temperatures and currents together: wires expand with the temperatures that are solved for.'//over_time// &
-         ' A *STATIC after it keeps the temperatures. Contacts are not possible.')
+         ' A *STATIC after it keeps the temperatures.')
       call add_transient(k)
       call k%add(flag('ELECTRICAL', 'with currents and their heat; needed where a material conducts them'))
       call add_increments(k, [rate_field()])

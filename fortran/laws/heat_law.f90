@@ -68,8 +68,8 @@ contains
          law%meaning = 'heat conductance over force'
          law%has_table = .true.
          law%fields(1) = law_field_t('F', 'N', 'contact force; ascending')
-         law%fields(2) = law_field_t('h', 'W/K', 'heat conductance of a contact at that force; beyond the table the'// &
-            ' power law of its first, or last, two pairs goes on')
+         law%fields(2) = law_field_t('h', 'W/K', 'heat conductance of a contact at that force; outside the table'// &
+            ' the power law of its first, or last, two pairs goes on, with a warning (outside_table)')
       end select
    end function heat_law_of_number
 

@@ -170,7 +170,7 @@ contains
             ' degrees, below 10, where spots are long and point contact is less accurate', elements, angle, 'degrees', &
             smaller_is_worse=.true.)
       end if
-      call add_table_end(model, contact, elements, warnings)
+      call add_table_ends(model, contact, elements, warnings)
       call add_hot_spot(model, contact, elements, warnings)
       if (penetration(model, contact) <= allowed_penetration) return
       call warnings%add('unlimited_penetration', describe_contact(model, contact)//' overlaps by '// &
@@ -226,39 +226,56 @@ contains
          value=longest, unit='radii')
    end subroutine add_long_elements
 
-   !> A contact that conducts with a force for which the table of its law has no resistance.
-   subroutine add_table_end(model, contact, elements, warnings)
+   !> A contact with a force for which a table of its laws has no value.
+   subroutine add_table_ends(model, contact, elements, warnings)
       type(model_t), intent(in) :: model
       type(contact_t), intent(in) :: contact
+      !> The user's numbers of its elements
+      integer, intent(in) :: elements(2)
+      type(run_warnings_t), intent(inout) :: warnings
+
+      ! no force: the end of a line beside it
+      if (.not. contact%force > 0) return
+      associate (law => model%interactions(model%contact_pairs(contact%pair)%interaction))
+         if (law%spot%has_table .and. contact%resistance <= huge(1.0_dp)) call add_table_end(model, contact, &
+            law%spot%table(1, :), 'resistance', law%spot%is_per_length, law%spot_memory, elements, warnings)
+         if (law%heat%has_table .and. abs(contact%heat_bar) + abs(contact%heat) > 0) call add_table_end(model, &
+            contact, law%heat%table(1, :), 'heat conductance', law%heat%is_per_length, .false., elements, warnings)
+      end associate
+   end subroutine add_table_ends
+
+   subroutine add_table_end(model, contact, forces, what, is_per_length, is_remembered, elements, warnings)
+      type(model_t), intent(in) :: model
+      type(contact_t), intent(in) :: contact
+      !> Of the table (n) [N, N/m]
+      real(dp), intent(in) :: forces(:)
+      !> What it gives
+      character(len=*), intent(in) :: what
+      !> Forces are per length; a value stays under a falling force
+      logical, intent(in) :: is_per_length, is_remembered
       !> The user's numbers of its elements
       integer, intent(in) :: elements(2)
       type(run_warnings_t), intent(inout) :: warnings
       character(len=:), allocatable :: unit
       real(dp) :: first, last, factor, force
 
-      associate (law => model%interactions(model%contact_pairs(contact%pair)%interaction))
-         if (.not. law%spot%has_table .or. contact%resistance > huge(1.0_dp)) return
-         ! no force: the end of a line beside it
-         if (.not. contact%force > 0) return
-         force = contact%force
-         unit = 'N'
-         if (law%spot%is_per_length) then
-            if (.not. contact%length > 0) return
-            force = force/contact%length
-            unit = 'N/m'
-         end if
-         if (size(law%spot%table, 2) < 2) return
-         first = law%spot%table(1, 1)
-         last = law%spot%table(1, size(law%spot%table, 2))
-         factor = force/last
-         ! a remembered spot does not follow a falling force
-         if (.not. law%spot_memory) factor = max(factor, first/force)
-         if (factor <= 1) return
-         call warnings%add('outside_table', describe_contact(model, contact)//' has a force of '//to_text(force)// &
-            ' '//model%units%label(unit)//', outside the table of its resistance (from '//to_text(first)//' to '// &
-            to_text(last)//' '//model%units%label(unit)//'), which is continued there as a power law', elements, &
-            factor, 'times beyond the table')
-      end associate
+      force = contact%force
+      unit = 'N'
+      if (is_per_length) then
+         if (.not. contact%length > 0) return
+         force = force/contact%length
+         unit = 'N/m'
+      end if
+      if (size(forces) < 2) return
+      first = forces(1)
+      last = forces(size(forces))
+      factor = force/last
+      if (.not. is_remembered) factor = max(factor, first/force)
+      if (factor <= 1) return
+      call warnings%add('outside_table', describe_contact(model, contact)//' has a force of '//to_text(force)// &
+         ' '//model%units%label(unit)//', outside the table of its '//what//' (from '//to_text(first)//' to '// &
+         to_text(last)//' '//model%units%label(unit)//'), which is continued there as a power law', elements, &
+         factor, 'times beyond the table')
    end subroutine add_table_end
 
    !> Pairs of electrodes between which a resistance is asked for, although part of the current goes elsewhere.

@@ -254,6 +254,13 @@ class TestSpots:
         np.testing.assert_array_equal(hottest, np.maximum(bulk_1, bulk_2))
         assert (joule == 0).all()
 
+    def test_a_force_outside_the_table_is_a_warning(self, run):
+        """5 mN in each contact; a table from 10 mN on."""
+        warnings = run(current="", heat="*GAP CONDUCTANCE, LAW=TABLE\n0.01, 0.01\n0.1, 0.25", volts=0.0).warnings
+        found = [warning.message for warning in warnings if warning.kind == "outside_table"]
+        assert len(found) == 3
+        assert "outside the table of its heat conductance (from 0.01 to 0.1 N)" in found[0]
+
     def test_insulated_wires_pass_heat_in_the_spots_of_elastic_wires(self, run):
         """Round spots of crossed equal wires: 2 a lambda, a^3 = 3 F r/(4 E*)."""
         results = run(current="", heat="*GAP CONDUCTANCE, LAW=CONDUCTIVITY")
