@@ -999,7 +999,7 @@ def keyword_table(litz):
         yield name, place, after, [(parameter, form.replace("\\|", "|")) for parameter, form in parameters]
 
 
-MAY_BE_NEGATIVE = {"ABSOLUTE ZERO", "ZERO"}
+MAY_BE_NEGATIVE = {"ABSOLUTE ZERO", "ZERO", "TSOFT", "TMELT"}
 
 
 def wrong_parameters(parameters):

@@ -145,6 +145,7 @@ contains
       state%time_increment = 0.25_dp
       state%time = increment*0.25_dp
       state%step_time = state%time
+      state%ends_step = increment == 3
       state%has_field = model%has_field
       allocate (state%value(n_slots, n), state%reaction(n_slots, n), state%load(n_slots, n))
       state%value(1:3, :) = increment*1.0e-3_dp*reshape([((i + 10*j, i=1, 3), j=1, n)], [3, n])
