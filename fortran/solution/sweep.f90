@@ -25,7 +25,7 @@ contains
       !> As of `measure_residual`
       logical, intent(inout) :: at_round_off
       type(error_t), allocatable, intent(out) :: error
-      real(dp), allocatable :: extrapolated(:)
+      real(dp) :: extrapolated(problem%model%n_nodes)
 
       call problem%iterate%extrapolate(extrapolated)
       call problem%iterate%warm_mechanics()

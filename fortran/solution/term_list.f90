@@ -33,10 +33,8 @@ contains
       call add(radiation_term_t())
       call add(new_capacity_term(domain%model))
       call add(new_conductor_term(domain%elements%resistivity))
-      if (contact%present) then
-         call add(contact_term_t(contact))
-         call add(new_contact_heat_term(contact))
-      end if
+      if (contact%present) call add(contact_term_t(contact))
+      if (contact%present) call add(new_contact_heat_term(contact))
       ! after all that has unknowns of dependent nodes and makes forces on them
       call add(rigid_body_term_t())
       ! after all that makes moments

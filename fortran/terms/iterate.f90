@@ -69,8 +69,8 @@ contains
    pure subroutine extrapolate(self, temperature)
       class(iterate_t), intent(inout) :: self
       !> (n_nodes) [K]
-      real(dp), allocatable, intent(out) :: temperature(:)
-      real(dp), allocatable :: lag(:), change(:)
+      real(dp), intent(out) :: temperature(:)
+      real(dp), dimension(size(temperature)) :: lag, change
 
       lag = self%value(temperature_slots(1), :) - self%mechanical_temperature
       if (allocated(self%lag)) then
