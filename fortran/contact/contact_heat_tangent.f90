@@ -4,7 +4,7 @@
 !> properties that follow the temperatures. Source: theory sections 7 and 13.
 module litz_contact_heat_tangent
    use litz_heat_of_contacts, only: contact_heat_t, bulk_map_t, followed, solve_bulks, inverse_of_own
-   use litz_heated_elements, only: n_parts, currents_along, place_heat, rise_by
+   use litz_heated_elements, only: n_parts, currents_along, place_heat, add_at_nodes, rise_by
    use litz_kinds, only: dp
    use litz_spot_heat, only: by_heat, by_temperature, by_path
    implicit none
@@ -65,20 +65,14 @@ contains
       type(change_t) :: change
       type(bulk_map_t) :: map
       real(dp), dimension(2, size(self%contacts)) :: dbulk
-      integer :: i, a
 
       map%heat => self
       call change_currents(self, potential, temperature, change)
       call change_heats(self, potential, temperature, change)
       call solve_bulks(map, change%base + rise_by(self%elements, self%ends, change%heat + change%between), dbulk)
       call add_entering(self, change%heat + followed(self, dbulk) + change%between, change%at_nodes, heat)
-      do i = 1, size(self%conductors%resistance)
-         do a = 1, 4
-            associate (node => self%conductors%nodes(a, i))
-               current(node) = current(node) + self%conductors%n_v(a, i)*change%by_temperature(i)
-            end associate
-         end do
-      end do
+      ! at fixed potentials
+      call self%conductors%add_beyond(0*change%by_temperature, change%by_temperature, current)
    end subroutine multiply_heat
 
    !> `(R + A) dI = N_V dV - dR I - dA I`
@@ -198,7 +192,7 @@ contains
       real(dp), intent(in) :: heat(:, :), at_nodes(:, :)
       !> (n_nodes) [W]
       real(dp), intent(inout) :: leaving(:)
-      integer :: i, k
+      integer :: i
 
       do i = 1, size(self%contacts)
          associate (nodes => self%contacts(i)%nodes, n => self%contacts(i)%part)
@@ -206,11 +200,7 @@ contains
             leaving(nodes(3:)) = leaving(nodes(3:)) - n(3:)*heat(2, i)
          end associate
       end do
-      do k = 1, size(self%elements)
-         associate (nodes => self%elements(k)%nodes)
-            leaving(nodes) = leaving(nodes) - at_nodes(:, k)
-         end associate
-      end do
+      call add_at_nodes(self%elements, at_nodes, leaving)
    end subroutine add_entering
 
 end module litz_contact_heat_tangent

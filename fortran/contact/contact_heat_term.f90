@@ -12,7 +12,7 @@ module litz_contact_heat_term
    use litz_contact_heat_tangent, only: own_tangent, multiply_heat
    use litz_heat_of_contacts, only: contact_heat_t, collect_heat
    use litz_heated_contacts, only: heated_contact_t, heated_contact, can_pass_heat
-   use litz_heated_elements, only: heated_element_t
+   use litz_heated_elements, only: heated_element_t, add_at_nodes
    use litz_model, only: step_t
    use litz_property_table, only: property_at
    use litz_shared_conductors, only: shared_conductors_t
@@ -94,7 +94,8 @@ contains
       end associate
       call domain%add_cells(nodes, temperature_slots, both_slots, self%k, r)
       call domain%add_cells(nodes, potential_slots, temperature_slots, self%k_et)
-      call add_at_nodes(self, domain%forces%internal(temperature_slots(1), :))
+      ! what the parts of elements next to the nodes make beyond that of the elements without contacts
+      call add_at_nodes(self%heat%elements, self%heat%at_nodes, domain%forces%internal(temperature_slots(1), :))
       call keep_heat(self)
    end subroutine evaluate
 
@@ -187,20 +188,6 @@ contains
          self%k(:, 2::2, i) = k_tt
       end do
    end subroutine find_own_tangents
-
-   !> Heat that the parts of elements next to the nodes make beyond that of the elements without contacts.
-   pure subroutine add_at_nodes(self, leaving)
-      class(contact_heat_term_t), intent(in) :: self
-      !> (n_nodes) [W]
-      real(dp), intent(inout) :: leaving(:)
-      integer :: k
-
-      do k = 1, size(self%heat%elements)
-         associate (nodes => self%heat%elements(k)%nodes)
-            leaving(nodes) = leaving(nodes) - self%heat%at_nodes(:, k)
-         end associate
-      end do
-   end subroutine add_at_nodes
 
    !> What results show.
    subroutine keep_heat(self)

@@ -77,42 +77,42 @@ contains
       type(contact_point_t), intent(in) :: point
       !> By which the work of an increment is a power [1/s]; 0: time is a scale of loads
       real(dp), intent(in) :: rate
-      type(interaction_t) :: law
       type(wire_pair_t) :: pair
       type(constrictions_t) :: constrictions
       real(dp) :: lambda(2), dlambda(2), place(2)
       integer :: side
 
-      law = domain%model%interactions(domain%model%contact_pairs(point%pair)%interaction)
-      heated%element = [point%element_bar, point%element]
-      heated%xi = [point%xi_bar, point%xi]
-      heated%nodes = reshape(domain%model%connectivity(:, heated%element), [4])
-      heated%part = [1 - heated%xi(1), 1 + heated%xi(1), 1 - heated%xi(2), 1 + heated%xi(2)]/2
-      heated%conductance = point%conductance
-      heated%series = point%series_resistance
-      pair = wires_of(domain%model, domain%elements, point)
-      do side = 1, 2
-         associate (part => heated%part(2*side - 1:2*side), node => heated%nodes(2*side - 1:2*side))
-            place(side) = dot_product(part, domain%iterate%value(temperature_slots(1), node))
-         end associate
-         call conductivity_of(domain, heated%element(side), place(side), lambda(side), dlambda(side))
-         if (law%voltage_correction) heated%heat_series(side) = heat_series_of(domain, heated%element(side))
-      end do
-      heated%friction_heat = law%heat%friction_fraction*point%friction%dissipation*rate
-      heated%is_passed = law%heat%exists() .or. heated%conductance > 0
-      if (.not. heated%is_passed) return
-      constrictions = constrictions_of(point, pair)
-      call find_resistances(constrictions, pair, heated)
-      if (law%heat%is_given()) then
-         heated%path = spot_path_t(is_metal=.false., conductance=2*given_conductance(domain, law, point, pair))
-         return
-      end if
-      if (.not. heated%conductance > 0) constrictions%shape = elastic_shape(domain, law, point, pair)
-      heated%path = spot_path_t(is_metal=.false., conductance=lambda/constrictions%shape)
-      heated%dpath = reshape([dlambda(1)/lambda(1), 0.0_dp, 0.0_dp, dlambda(2)/lambda(2)], [2, 2]) &
-         - spread(constrictions%dshape*pair%dresistivity, 1, 2)
-      if (law%heat%number == heat_metal_law .and. heated%conductance > 0) call follow_wiedemann_franz( &
-         law%heat%lorenz, place - domain%model%absolute_zero, heated)
+      associate (law => domain%model%interactions(domain%model%contact_pairs(point%pair)%interaction))
+         heated%element = [point%element_bar, point%element]
+         heated%xi = [point%xi_bar, point%xi]
+         heated%nodes = reshape(domain%model%connectivity(:, heated%element), [4])
+         heated%part = [1 - heated%xi(1), 1 + heated%xi(1), 1 - heated%xi(2), 1 + heated%xi(2)]/2
+         heated%conductance = point%conductance
+         heated%series = point%series_resistance
+         pair = wires_of(domain%model, domain%elements, point)
+         do side = 1, 2
+            associate (part => heated%part(2*side - 1:2*side), node => heated%nodes(2*side - 1:2*side))
+               place(side) = dot_product(part, domain%iterate%value(temperature_slots(1), node))
+            end associate
+            call conductivity_of(domain, heated%element(side), place(side), lambda(side), dlambda(side))
+            if (law%voltage_correction) heated%heat_series(side) = heat_series_of(domain, heated%element(side))
+         end do
+         heated%friction_heat = law%heat%friction_fraction*point%friction%dissipation*rate
+         heated%is_passed = law%heat%exists() .or. heated%conductance > 0
+         if (.not. heated%is_passed) return
+         constrictions = constrictions_of(point, pair)
+         call find_resistances(constrictions, pair, heated)
+         if (law%heat%is_given()) then
+            heated%path = spot_path_t(is_metal=.false., conductance=2*given_conductance(domain, law, point, pair))
+            return
+         end if
+         if (.not. heated%conductance > 0) constrictions%shape = elastic_shape(domain, law, point, pair)
+         heated%path = spot_path_t(is_metal=.false., conductance=lambda/constrictions%shape)
+         heated%dpath = reshape([dlambda(1)/lambda(1), 0.0_dp, 0.0_dp, dlambda(2)/lambda(2)], [2, 2]) &
+            - spread(constrictions%dshape*pair%dresistivity, 1, 2)
+         if (law%heat%number == heat_metal_law .and. heated%conductance > 0) call follow_wiedemann_franz( &
+            law%heat%lorenz, place - domain%model%absolute_zero, heated)
+      end associate
    end function heated_contact
 
    !> lambda of an element at a temperature, and its derivative.

@@ -9,7 +9,7 @@ module litz_heated_elements
    use litz_potential_rise, only: potential_rise
    implicit none
    private
-   public :: heated_element_t, n_parts, currents_along, place_heat, rise_by
+   public :: heated_element_t, n_parts, currents_along, place_heat, add_at_nodes, rise_by
 
    !> An element on which contacts are.
    type :: heated_element_t
@@ -118,5 +118,22 @@ contains
          end do
       end associate
    end subroutine set_rise
+
+   !> Heat that enters elements at their nodes, as heat that leaves these is positive.
+   pure subroutine add_at_nodes(elements, at_nodes, leaving)
+      !> (elements)
+      type(heated_element_t), intent(in) :: elements(:)
+      !> At both nodes of each (2, elements) [W]
+      real(dp), intent(in) :: at_nodes(:, :)
+      !> (n_nodes) [W]
+      real(dp), intent(inout) :: leaving(:)
+      integer :: k
+
+      do k = 1, size(elements)
+         associate (nodes => elements(k)%nodes)
+            leaving(nodes) = leaving(nodes) - at_nodes(:, k)
+         end associate
+      end do
+   end subroutine add_at_nodes
 
 end module litz_heated_elements

@@ -15,8 +15,7 @@ module litz_heat_law
    use litz_spot_laws, only: spot_law
    implicit none
    private
-   public :: heat_law_t, heat_law, all_heat_laws
-   public :: heat_conductivity_law, heat_metal_law, heat_constant_law, heat_table_law
+   public :: heat_law_t, heat_law, all_heat_laws, heat_metal_law
 
    !> Places in the table of the laws
    integer, parameter :: heat_conductivity_law = 1, heat_metal_law = 2, heat_constant_law = 3, heat_table_law = 4
