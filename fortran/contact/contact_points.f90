@@ -19,16 +19,18 @@ module litz_contact_points
    use litz_state, only: contact_t
    use litz_wire_turning, only: wire_turning_t
    use litz_wires, only: wires_t
+   use litz_yielding_spot, only: yielding_state_t
    implicit none
    private
    public :: contact_point_t, contact_set_t, points_by_wire_t, points_by_place_t, leg_t, joint_parts_t
-   public :: law_ok, law_parallel, law_bad_data, law_too_curved
+   public :: law_ok, law_parallel, law_bad_data, law_too_curved, law_yields_at_end
    public :: pair_geometry, away_from, axis_of_pair, arc_at, crossing_at, clearance_of, add_taper, &
       chain_by_wire, chain_by_place, inherit, is_contact_of
 
    !> What has become of the laws of a contact: nothing; the axes are parallel, so that there is no Hertz ellipse; the
-   !> data of the law are none for it; a wire is curved about the other so much that the foot of a line is hardly known
-   integer, parameter :: law_ok = 0, law_parallel = 1, law_bad_data = 2, law_too_curved = 3
+   !> data of the law are none for it; a wire is curved about the other so much that the foot of a line is hardly known;
+   !> wires that yield touch at an end or a kink
+   integer, parameter :: law_ok = 0, law_parallel = 1, law_bad_data = 2, law_too_curved = 3, law_yields_at_end = 4
 
    !> A stretch of a wire of a contact, up to its next round end or joint: one on which the contact is, or one that
    !> leads away from a joint near by.
@@ -153,6 +155,11 @@ module litz_contact_points
       !> Overlap of the reference configuration that an interference fit resolves here [m], in the gap as far as it is
       !> left; 0: this crossing has none
       real(dp) :: fit = 0
+      !> Overlap beyond which wires that have yielded touch in their dent [m]; what their contact is at the present gap,
+      !> of which all is 0 where there is no force; and what this increment has dissipated by yielding [J]
+      real(dp) :: dent_depth = 0
+      type(yielding_state_t) :: yielding
+      real(dp) :: yielded = 0
       !> In contact as the iteration takes it (prediction) and as it is
       logical :: active = .false., closed = .false.
       !> Law at the present gap, and the force that this iteration linearises about [N]

@@ -1,4 +1,4 @@
-!> The largest pressure between wires that are elastic, to be compared with that at which their metal yields.
+!> The largest pressure between wires: of those that are elastic to be compared with that at which their metal yields.
 !>
 !> Source: H. Hertz; theory sections 6 and 10: `3 F/(2 pi a b)` of an ellipse, `2 f/(pi b)` of a strip.
 module litz_contact_pressure
@@ -24,6 +24,10 @@ contains
 
       pressure = 0
       if (.not. (point%force > 0 .and. point%weight > 0)) return
+      if (law%yields()) then
+         pressure = point%yielding%pressure
+         return
+      end if
       if (point%line_place > 0) then
          pressure = of_strip(point, point%force/point%weight)
       else if (is_lens(law, point)) then

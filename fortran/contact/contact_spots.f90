@@ -17,6 +17,7 @@ module litz_contact_spots
    use litz_spot_memory, only: leaves_spot, lens_of_spot, as_it_was
    use litz_spots_of_places, only: spot_of_cell, spot_per_length, is_round, number_of
    use litz_wires, only: wires_t
+   use litz_yielded_spots, only: find_yielded_spot, has_yielded_spot
    implicit none
    private
    public :: find_spot, keep_current
@@ -35,11 +36,33 @@ contains
       real(dp), intent(in) :: x(3, 4), t(3, 4), length(2)
       type(contact_point_t), intent(inout) :: point
       type(spot_in_circuit_t), intent(out) :: circuit
+
+      circuit%series_resistance = pair%series_resistance
+      if (has_yielded_spot(law)) then
+         call find_yielded_spot(law, pair, point, circuit)
+      else
+         call find_spot_of_force(law, wires, pair, x, t, length, point, circuit)
+      end if
+      ! the resistivities are those at the temperatures of the places
+      associate (by_place => circuit%spot%dconductance_dresistivity*pair%dresistivity*pair%dtemperature)
+         circuit%dconductance = circuit%dconductance + by_place(1)*point%kinematics%dxi_bar &
+            + by_place(2)*point%kinematics%dxi
+      end associate
+   end subroutine find_spot
+
+   !> The spot that a force makes, or has made.
+   subroutine find_spot_of_force(law, wires, pair, x, t, length, point, circuit)
+      type(interaction_t), intent(in) :: law
+      type(wires_t), intent(in) :: wires
+      type(wire_pair_t), intent(in) :: pair
+      !> Nodal positions [m] and unit tangents (3, 4), reference lengths (2) [m]: barred before unbarred
+      real(dp), intent(in) :: x(3, 4), t(3, 4), length(2)
+      type(contact_point_t), intent(inout) :: point
+      type(spot_in_circuit_t), intent(inout) :: circuit
       real(dp) :: spot_force
       type(contact_point_t) :: earlier
       type(line_wires_t) :: present
 
-      circuit%series_resistance = pair%series_resistance
       if (law%spot_memory) point%new_spot = leaves_spot(law, wires, pair, point)
       call force_of_spot(law%spot_memory, point%history, point%force/point%weight, point%new_spot, spot_force, &
          circuit%follows)
@@ -57,12 +80,7 @@ contains
       end if
       ! that of the forces
       point%line = present
-      ! the resistivities are those at the temperatures of the places
-      associate (by_place => circuit%spot%dconductance_dresistivity*pair%dresistivity*pair%dtemperature)
-         circuit%dconductance = circuit%dconductance + by_place(1)*point%kinematics%dxi_bar &
-            + by_place(2)*point%kinematics%dxi
-      end associate
-   end subroutine find_spot
+   end subroutine find_spot_of_force
 
    !> The spot that a force makes of a crossing.
    pure subroutine find_whole_spot(law, pair, spot_force, point, spot)

@@ -18,6 +18,7 @@ module litz_contact_term
    use litz_line_shares, only: share_crossings, renew_shares
    use litz_model, only: step_t
    use litz_normal_forces, only: apply_normal_law
+   use litz_dents, only: follow_dents
    use litz_spot_memory, only: follow_spots
    use litz_state, only: energies_t
    use litz_term, only: term_t, status_t
@@ -187,7 +188,7 @@ contains
             if (point%closed) status%active = status%active + 1
             ! which points of a line are closed follows from their gaps alone
             if (point%line_place == 0 .and. point%weight > 0 .and. point%predicted .and. &
-               (point%closed .neqv. point%predicted_gap < 0)) then
+               (point%closed .neqv. point%predicted_gap < -point%dent_depth)) then
                if (point%closed) status%new = status%new + 1
                if (.not. point%closed) status%lost = status%lost + 1
             end if
@@ -362,6 +363,7 @@ contains
       associate (contact => self%contact)
          call follow_spots(domain%model, domain%wires, domain%elements, contact%points)
          call follow_spots(domain%model, domain%wires, domain%elements, contact%line_points)
+         call follow_dents(domain%model, domain%wires, domain%elements, contact%points)
          call capture_contacts(domain%model, domain%elements, contact, domain%state)
          if (contact%shares_wait) then
             call renew_shares(domain%model, domain%wires, domain%elements, domain%iterate%x, domain%iterate%rotation, &

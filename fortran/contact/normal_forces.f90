@@ -5,7 +5,7 @@
 !> independent force. The converged force is that of the law at the true gap.
 module litz_normal_forces
    use litz_kinds, only: dp
-   use litz_contact_points, only: contact_point_t, law_ok, law_parallel, law_too_curved
+   use litz_contact_points, only: contact_point_t, law_ok, law_parallel, law_too_curved, law_yields_at_end
    use litz_cut_forces, only: cut_force, ellipse_of_parts, kept_part, scaled
    use litz_cut_lens, only: is_cut
    use litz_element_library, only: elements_t, material_at, material_place_t
@@ -14,10 +14,12 @@ module litz_normal_forces
    use litz_lens_law, only: lens_t, lens_force, lens_energy
    use litz_line_point, only: force_of_line
    use litz_line_law, only: line_wires_t, line_wires, line_force_t, line_force, line_overlap_t, line_overlap
-   use litz_model, only: model_t
+   use litz_model, only: model_t, interaction_t
    use litz_normal_law, only: normal_law_t, force_of_gap_t, overlap_of_force_t, force_at_gap, overlap_at_force, &
       linearise
+   use litz_normal_yielding, only: depth_of_dent, state_of_wires
    use litz_parallel, only: worth_threads
+   use litz_yielding_spot, only: yielding_state_t
    implicit none
    private
    public :: apply_normal_law, wires_of, line_of_point, is_lens, law_of_spot, share_of_ellipse, weight_of_lens
@@ -76,8 +78,10 @@ contains
       logical :: needs_line
 
       info = hertz_ok
-      point%closed = point%gap < 0 .and. point%weight > 0
-      point%active = merge(point%predicted_gap < 0, point%closed, point%predicted) .and. point%weight > 0
+      call find_dent(model, elements, point)
+      point%closed = point%gap < -point%dent_depth .and. point%weight > 0
+      point%active = merge(point%predicted_gap < -point%dent_depth, point%closed, point%predicted) &
+         .and. point%weight > 0
       point%at_gap = force_of_gap_t()
       point%at_mixed = force_of_gap_t()
       point%slide_force = 0
@@ -108,6 +112,7 @@ contains
             end if
             if (point%law_status /= law_ok) return
             call press_point(law%normal, pair, point)
+            if (law%normal%yields()) call follow_yielding(law, pair, point)
          end if
          if (point%line_place == 0 .and. point%closed .and. is_shaped(law%normal, point)) then
             call ellipse_of_parts(pair, point, info)
@@ -115,6 +120,38 @@ contains
       end associate
       point%force = point%at_gap%force
    end subroutine evaluate
+
+   !> The dent that wires which yield have from before, at the present angle.
+   pure subroutine find_dent(model, elements, point)
+      type(model_t), intent(in) :: model
+      type(elements_t), intent(in) :: elements
+      type(contact_point_t), intent(inout) :: point
+      type(wire_pair_t) :: pair
+
+      point%dent_depth = 0
+      point%yielding = yielding_state_t()
+      point%yielded = 0
+      if (.not. (point%history%dent%felt_force() > 0 .and. point%weight > 0)) return
+      pair = wires_of(model, elements, point)
+      call find_ellipse(pair, point)
+      if (.not. point%ellipse%semi_major > 0) return
+      point%dent_depth = depth_of_dent(model%interactions(model%contact_pairs(point%pair)%interaction)%normal, pair, &
+         point%ellipse, point%history%dent%felt_force())
+   end subroutine find_dent
+
+   !> What the contact of wires that yield is at the present gap.
+   pure subroutine follow_yielding(law, pair, point)
+      type(interaction_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(inout) :: point
+      real(dp) :: dissipated
+
+      if (any(point%held) .or. is_cut(point%lens)) point%law_status = law_yields_at_end
+      if (.not. point%closed) return
+      call state_of_wires(law%normal, pair, point%ellipse, point%history%dent%felt_force(), point%gap, &
+         law%spot_memory, point%yielding, dissipated)
+      point%yielded = point%weight*dissipated
+   end subroutine follow_yielding
 
    !> A crossing whose force is the integral of the law per length over its lens.
    pure logical function is_lens(law, point)
@@ -176,13 +213,13 @@ contains
       type(force_of_gap_t) :: base
       real(dp) :: weight
 
-      base = force_at_gap(law, point%gap, pair, point%ellipse)
+      base = force_at_gap(law, point%gap, pair, point%ellipse, point%history%dent%felt_force())
       call press(law, pair, base, point)
       if (.not. point%active) return
       weight = point%weight*point%cut
       point%mixed_force = point%mixed_force/weight
       call linearise(law, point%gap, first_overlap*minval(pair%radius), pair, point%ellipse, point%mixed_force, &
-         point%stiffness, point%iteration_force, point%at_mixed)
+         point%stiffness, point%iteration_force, point%at_mixed, point%history%dent%felt_force(), point%dent_depth)
       point%at_mixed = scaled(point%at_mixed, weight)
       call follow_cut(weight, point)
    end subroutine press_point
@@ -331,9 +368,10 @@ contains
          found%stiffness = share*found%stiffness
          return
       else
-         found = overlap_at_force(law, force/weight, pair, point%ellipse)
+         found = overlap_at_force(law, force/weight, pair, point%ellipse, point%history%dent%felt_force())
       end if
       found%stiffness = weight*found%stiffness
+      found%elastic_stiffness = weight*found%elastic_stiffness
    end function overlap_of_point
 
    !> The force of a lens goes with a power of the overlap, which hardly changes: with the exponent `k delta/F` the

@@ -7,7 +7,9 @@ module litz_read_contact
    use litz_heat_law, only: heat_law, heat_metal_law
    use litz_law_words, only: law_words_t
    use litz_model, only: model_t, interaction_t, contact_pair_t
+   use litz_normal_law, only: normal_law_t
    use litz_normal_laws, only: normal_law, default_normal_law
+   use litz_normal_yielding, only: normal_yielding
    use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, real_parameter, has_flag, keyword_of, &
       n_cards_of
    use litz_spot_laws, only: spot_law
@@ -17,9 +19,13 @@ module litz_read_contact
    use litz_line_contact, only: line_obstacle
    use litz_read_surfaces, only: names_surface, read_surface_pair
    use litz_sets, only: find_set
+   use litz_yielding_spot, only: onset_factor
    implicit none
    private
    public :: read_interactions, read_contact_pairs
+
+   !> Of an elastic material
+   real(dp), parameter :: largest_poisson = 0.5_dp
 
 contains
 
@@ -28,9 +34,11 @@ contains
       type(model_t), intent(inout) :: model
       type(token_t) :: token
       integer :: card, index
+      integer, allocatable :: spot_card(:)
       logical :: has_behavior, has_friction
 
       allocate (model%interactions(n_cards_of(self, 'SURFACE INTERACTION')))
+      allocate (spot_card(size(model%interactions)), source=0)
       index = 0
       has_behavior = .false.
       has_friction = .false.
@@ -62,6 +70,7 @@ contains
             if (model%interactions(index)%spot%exists()) call fail_at(self, self%deck%cards(card)%name, &
                'this surface interaction has two *GAP ELECTRICAL CONDUCTANCE')
             call read_spot_law(self, card, model%interactions(index))
+            spot_card(index) = card
          case ('GAP CONDUCTANCE')
             if (index == 0) cycle
             if (model%interactions(index)%heat%exists()) call fail_at(self, self%deck%cards(card)%name, &
@@ -72,7 +81,24 @@ contains
          end select
       end do
       model%interactions = model%interactions(:self%interactions%names%n)
+      do index = 1, size(model%interactions)
+         if (spot_card(index) > 0) call check_spot(self, spot_card(index), model%interactions(index))
+      end do
    end subroutine read_interactions
+
+   !> The spot of wires that yield is that of their force.
+   subroutine check_spot(self, card, interaction)
+      type(reader_t), intent(inout) :: self
+      !> Of the law of the spot
+      integer, intent(in) :: card
+      type(interaction_t), intent(in) :: interaction
+
+      if (.not. interaction%normal%yields()) return
+      if (interaction%spot%hardness_number > 0 .or. .not. (interaction%spot%serves_lines .or. &
+         interaction%spot%can_be_per_length)) call fail_at(self, parameter_of(self, card, 'LAW'), 'LAW='//trim(interaction%spot%name)// &
+         ' makes a spot of its own; with YIELD'// &
+         ' spots follow the force of wires that yield: LAW=HERTZ or LAW=FILM (CONSTANT and TABLE give the resistance)')
+   end subroutine check_spot
 
    subroutine read_behavior(self, card, interaction)
       type(reader_t), intent(inout) :: self
@@ -83,9 +109,38 @@ contains
       interaction%normal = normal_law(choice_of(self, card, 'PRESSURE-OVERCLOSURE'))
       ! without a word that the table has, which has been reported
       if (.not. interaction%normal%exists()) interaction%normal = normal_law(default_normal_law)
+      call read_yielding(self, card, interaction%normal)
       interaction%unlimited_penetration = choice_of(self, card, 'PENETRATION') == 'UNLIMITED'
       call read_law_data(self, card, interaction%normal)
    end subroutine read_behavior
+
+   !> YIELD and HARDNESS of wires whose spots yield.
+   subroutine read_yielding(self, card, law)
+      type(reader_t), intent(inout) :: self
+      !> Index of the card
+      integer, intent(in) :: card
+      type(normal_law_t), intent(inout) :: law
+      real(dp) :: yield_stress, hardness, onset
+
+      yield_stress = real_parameter(self, card, 'YIELD', 0.0_dp)
+      hardness = real_parameter(self, card, 'HARDNESS', 0.0_dp)
+      if (.not. yield_stress > 0) then
+         if (hardness > 0) call fail_at(self, parameter_of(self, card, 'HARDNESS'), &
+            'HARDNESS is for wires that yield: give YIELD, too')
+         return
+      end if
+      if (.not. law%is_elastic_line) then
+         call fail_at(self, parameter_of(self, card, 'YIELD'), 'YIELD is for PRESSURE-OVERCLOSURE=HERTZ')
+         return
+      end if
+      onset = onset_factor(largest_poisson, 0.0_dp)*yield_stress
+      if (hardness > 0 .and. hardness <= onset) then
+         call fail_at(self, parameter_of(self, card, 'HARDNESS'), 'a hardness of '//to_text(hardness)// &
+            ' is not above the pressure at which the metal of crossed wires begins to yield, up to '//to_text(onset))
+         return
+      end if
+      law = normal_yielding(yield_stress, hardness)
+   end subroutine read_yielding
 
    subroutine read_friction(self, card, interaction)
       type(reader_t), intent(inout) :: self

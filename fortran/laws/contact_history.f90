@@ -7,7 +7,19 @@ module litz_contact_history
    use litz_friction_law, only: friction_law_t
    implicit none
    private
-   public :: contact_history_t, advanced_history, spot_of_history, force_of_spot
+   public :: contact_history_t, dent_memory_t, advanced_history, spot_of_history, force_of_spot
+
+   !> The dent of wires that yield, which a contact that opens keeps.
+   type :: dent_memory_t
+      !> Largest force, whatever the share of the contact [N]; 0: none. The arc lengths where it acted (2) [m]
+      real(dp) :: force = 0, arc(2) = 0
+      !> What the contact still feels of this force, which has slid off a part of the dent [-]
+      real(dp) :: left = 1
+      !> What yielding has dissipated [J]
+      real(dp) :: dissipation = 0
+   contains
+      procedure :: felt_force
+   end type dent_memory_t
 
    type :: contact_history_t
       !> The contact was closed; all else is zero where it was not
@@ -28,9 +40,17 @@ module litz_contact_history
       !> [N], of a place of a line per length [N/m]; and the arc lengths where it had it (2) [m]
       real(dp) :: largest_force = 0
       real(dp) :: spot_arc(2) = 0
+      type(dent_memory_t) :: dent
    end type contact_history_t
 
 contains
+
+   !> Largest force of the dent as an increment feels it [N].
+   elemental real(dp) function felt_force(self)
+      class(dent_memory_t), intent(in) :: self
+
+      felt_force = self%left*self%force
+   end function felt_force
 
    !> The memory of a contact that is closed when an increment has converged.
    pure function advanced_history(start, arc, force, weight, friction, new_spot) result(history)

@@ -28,6 +28,8 @@ module litz_law_input
       type(wire_pair_t) :: wires
       !> At the present angle, where the law uses it
       type(hertz_ellipse_t) :: ellipse
+      !> Of metal that yields: yield stress and hardness [Pa], and the largest force of the dent [N]
+      real(dp) :: yield_stress = 0, hardness = 0, dent_force = 0
    end type law_input_t
 
 contains

@@ -8,7 +8,7 @@ module litz_normal_hertz
    use litz_normal_law, only: normal_law_t, force_of_gap_t, overlap_of_force_t
    implicit none
    private
-   public :: normal_hertz
+   public :: normal_hertz, elastic_force, elastic_overlap
 
 contains
 
@@ -21,11 +21,11 @@ contains
       law%is_elastic_line = .true.
       law%summary = 'Hertz force'
       law%title = 'law of Hertz'
-      law%force_of_gap => force_of_gap
-      law%overlap_of_force => overlap_of_force
+      law%force_of_gap => elastic_force
+      law%overlap_of_force => elastic_overlap
    end function normal_hertz
 
-   pure function force_of_gap(given) result(found)
+   pure function elastic_force(given) result(found)
       type(law_input_t), intent(in) :: given
       type(force_of_gap_t) :: found
       real(dp) :: scaled, slope
@@ -40,9 +40,9 @@ contains
          found%denergy_dangle = -1.5_dp*found%energy*slope                       ! it goes with cd^(-3/2)
          found%d2energy_dangle2 = 1.5_dp*found%energy*(2.5_dp*slope**2 - ellipse%d2approach_dangle2/ellipse%approach)
       end associate
-   end function force_of_gap
+   end function elastic_force
 
-   pure function overlap_of_force(given) result(found)
+   pure function elastic_overlap(given) result(found)
       type(law_input_t), intent(in) :: given
       type(overlap_of_force_t) :: found
       real(dp) :: cube_root
@@ -54,6 +54,6 @@ contains
          found%stiffness = 1/(2*cd/(3*cube_root))
          found%dstiffness_dforce = found%stiffness/(3*given%force)               ! it goes with F^(1/3)
       end associate
-   end function overlap_of_force
+   end function elastic_overlap
 
 end module litz_normal_hertz

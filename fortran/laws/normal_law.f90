@@ -23,6 +23,8 @@ module litz_normal_law
    type :: overlap_of_force_t
       !> delta = -g [m], dF/ddelta [N/m] and its derivative with respect to the force [1/m]
       real(dp) :: overlap = 0, stiffness = 0, dstiffness_dforce = 0
+      !> The same of the metal around the spot, which stays elastic where that yields; 0: `stiffness` is that
+      real(dp) :: elastic_stiffness = 0, delastic_dforce = 0
    end type overlap_of_force_t
 
    type, extends(law_words_t) :: normal_law_t
@@ -39,12 +41,15 @@ module litz_normal_law
       character(len=40) :: summary = ''
       !> What a law without a penalty is called where wires overlap too much, as `law of Hertz`
       character(len=40) :: title = ''
+      !> Yield stress [Pa], 0: the wires are elastic; and hardness [Pa], 0: 2.8 times the yield stress
+      real(dp) :: yield_stress = 0, hardness = 0
       procedure(force_of_gap), pointer, nopass :: force_of_gap => null()
       procedure(overlap_of_force), pointer, nopass :: overlap_of_force => null()
    contains
       procedure :: line_penalty
       procedure :: serves_lines
       procedure :: is_per_length_only
+      procedure :: yields
    end type normal_law_t
 
    abstract interface
@@ -68,41 +73,59 @@ module litz_normal_law
 contains
 
    !> Force, its derivatives and the energy at a gap; all 0 when that is open.
-   pure function force_at_gap(law, gap, wires, ellipse) result(found)
+   pure function force_at_gap(law, gap, wires, ellipse, dent_force) result(found)
       type(normal_law_t), intent(in) :: law
       !> Gap between the surfaces [m], negative in contact
       real(dp), intent(in) :: gap
       type(wire_pair_t), intent(in) :: wires
       !> At the present angle; looked at by laws that use it
       type(hertz_ellipse_t), intent(in) :: ellipse
+      !> Largest force of the dent of wires that yield [N]; absent: none
+      real(dp), intent(in), optional :: dent_force
       type(force_of_gap_t) :: found
       type(law_input_t) :: given
 
       if (gap >= 0) return
       call tell(law, wires, ellipse, given, gap=gap)
+      call tell_of_yielding(law, given, dent_force)
       found = law%force_of_gap(given)
    end function force_at_gap
 
    !> Overlap and stiffness at a force.
-   pure function overlap_at_force(law, force, wires, ellipse) result(found)
+   pure function overlap_at_force(law, force, wires, ellipse, dent_force) result(found)
       type(normal_law_t), intent(in) :: law
       !> Contact force [N]; what is negative counts as 0
       real(dp), intent(in) :: force
       type(wire_pair_t), intent(in) :: wires
       !> At the present angle; looked at by laws that use it
       type(hertz_ellipse_t), intent(in) :: ellipse
+      !> Largest force of the dent of wires that yield [N]; absent: none
+      real(dp), intent(in), optional :: dent_force
       type(overlap_of_force_t) :: found
       type(law_input_t) :: given
 
       call tell(law, wires, ellipse, given, force=max(force, 0.0_dp))
+      call tell_of_yielding(law, given, dent_force)
       found = law%overlap_of_force(given)
    end function overlap_at_force
+
+   pure subroutine tell_of_yielding(law, given, dent_force)
+      type(normal_law_t), intent(in) :: law
+      type(law_input_t), intent(inout) :: given
+      !> [N]; absent: there is no dent
+      real(dp), intent(in), optional :: dent_force
+
+      given%yield_stress = law%yield_stress
+      given%hardness = law%hardness
+      if (present(dent_force)) given%dent_force = dent_force
+   end subroutine tell_of_yielding
 
    !> The straight line that an iteration follows: `F = iteration_force - stiffness dg` (theory section 9).
    !>
    !> `delta(F)` is close to a straight line where `F(delta)` is steep, so that a law which is not straight is
    !> linearised about the force that the last iteration predicted.
-   pure subroutine linearise(law, gap, first_overlap, wires, ellipse, mixed_force, stiffness, iteration_force, at_mixed)
+   pure subroutine linearise(law, gap, first_overlap, wires, ellipse, mixed_force, stiffness, iteration_force, at_mixed, &
+      dent_force, dent_depth)
       type(normal_law_t), intent(in) :: law
       !> Gap [m], and largest overlap about which a contact is linearised that has had no force [m]
       real(dp), intent(in) :: gap, first_overlap
@@ -114,8 +137,11 @@ contains
       real(dp), intent(out) :: stiffness, iteration_force
       !> The law at the overlap with this force; of a straight line, which does not depend on the angle, nothing
       type(force_of_gap_t), intent(out) :: at_mixed
+      !> Of the dent of wires that yield: largest force [N], and overlap beyond which they touch in it [m]; 0: none
+      real(dp), intent(in) :: dent_force, dent_depth
       type(overlap_of_force_t) :: found
       type(force_of_gap_t) :: at_first
+      real(dp) :: first
 
       if (law%is_straight) then
          found = overlap_at_force(law, 0.0_dp, wires, ellipse)
@@ -124,13 +150,14 @@ contains
          return
       end if
       if (mixed_force <= 0) then
-         at_first = force_at_gap(law, merge(max(gap, -first_overlap), -first_overlap, gap < 0), wires, ellipse)
+         first = -dent_depth - first_overlap
+         at_first = force_at_gap(law, merge(max(gap, first), first, gap < -dent_depth), wires, ellipse, dent_force)
          mixed_force = at_first%force
       end if
-      found = overlap_at_force(law, mixed_force, wires, ellipse)
+      found = overlap_at_force(law, mixed_force, wires, ellipse, dent_force)
       stiffness = found%stiffness
       iteration_force = mixed_force + stiffness*(-gap - found%overlap)
-      at_mixed = force_at_gap(law, -found%overlap, wires, ellipse)
+      at_mixed = force_at_gap(law, -found%overlap, wires, ellipse, dent_force)
    end subroutine linearise
 
    !> eps_l of `f = eps_l |g|` along a line [N/m^2]; 0: it has none.
@@ -147,6 +174,13 @@ contains
 
       serves_lines = self%is_elastic_line .or. self%line_penalty() > 0
    end function serves_lines
+
+   !> The metal of the wires yields in the spot, which keeps a dent.
+   pure logical function yields(self)
+      class(normal_law_t), intent(in) :: self
+
+      yields = self%yield_stress > 0
+   end function yields
 
    !> Of wires that cross, it gives the force by the integral over their overlap.
    pure logical function is_per_length_only(self)

@@ -10,7 +10,7 @@ module litz_spot_resistance
    use litz_yielding_spot, only: yielding_t, dent_t, yielding_state_t, state_at_force
    implicit none
    private
-   public :: spot_metal_t, elastic_spot, yielded_spot
+   public :: spot_metal_t, elastic_spot, yielded_spot, set_conductance
 
    !> `gamma(k) = (1 + above k)/(1 + below k)`: within 0.2 % of the solution of the Boltzmann equation
    real(dp), parameter :: above = 0.9_dp, below = 1.25_dp
@@ -64,7 +64,8 @@ contains
    !> Conductance of a spot and its derivatives (15.9, 15.10).
    pure subroutine set_conductance(metal, disc, ddisc, area, darea, spot)
       type(spot_metal_t), intent(in) :: metal
-      !> a_e [m], and its derivatives by the force at fixed angle [m/N] and by the angle at fixed force [m/rad]
+      !> a_e [m], and its derivatives by the force at fixed angle [m/N], or by whatever else changes it, and by the
+      !> angle at fixed force [m/rad]
       real(dp), intent(in) :: disc, ddisc(2)
       !> S [m^2], and its derivatives by the same [m^2/N, m^2/rad]
       real(dp), intent(in) :: area, darea(2)
@@ -80,6 +81,10 @@ contains
       dresistance = dconstriction_ddisc*ddisc - across/area**2*darea
       spot%dconductance_dforce = -spot%conductance**2*dresistance(1)
       spot%dconductance_dangle = -spot%conductance**2*dresistance(2)
+      associate (l => metal%mean_free_path)
+         spot%dconductance_dresistivity = -spot%conductance**2*((disc + above*l)/(disc + below*l)/(4*disc) &
+            + 2*l/(3*area))
+      end associate
    end subroutine set_conductance
 
 end module litz_spot_resistance

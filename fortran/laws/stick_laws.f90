@@ -49,6 +49,11 @@ contains
       case default
          stiffness = mindlin_ratio(wires%young, wires%poisson)*normal%stiffness
          dstiffness_dforce = mindlin_ratio(wires%young, wires%poisson)*normal%dstiffness_dforce
+         ! what yields around the spot of wires that stick is elastic for a shear
+         if (normal%elastic_stiffness > 0) then
+            stiffness = mindlin_ratio(wires%young, wires%poisson)*normal%elastic_stiffness
+            dstiffness_dforce = mindlin_ratio(wires%young, wires%poisson)*normal%delastic_dforce
+         end if
       end select
    end subroutine stick_stiffness_at
 

@@ -69,8 +69,11 @@ module litz_yielding_spot
       real(dp) :: area = 0, disc = 0
       !> Their derivatives by the overlap, the angle and the largest force (3)
       real(dp) :: darea(3) = 0, ddisc(3) = 0
-      !> What comes back on unloading, and what yielding has dissipated [J]
-      real(dp) :: energy = 0, dissipation = 0
+      !> What comes back on unloading, and what yielding has dissipated [J]; and how the former changes with the angle at
+      !> fixed overlap and largest force [J/rad]
+      real(dp) :: energy = 0, dissipation = 0, torque = 0
+      !> Pressure in the middle of the spot [Pa]
+      real(dp) :: pressure = 0
    end type yielding_state_t
 
 contains
@@ -288,6 +291,8 @@ contains
       state%darea(:2) = new%darea(2)*[new%stiffness, state%dforce(1)] + [0.0_dp, new%darea(1)]
       state%ddisc(:2) = new%ddisc(2)*[new%stiffness, state%dforce(1)] + [0.0_dp, new%ddisc(1)]
       state%energy = new%energy
+      state%pressure = (1.5_dp - new%evenness/2)*new%force/new%area
+      state%torque = torque_of(law, new, 1.0_dp, 0.0_dp, new%force*new%doverlap(1))
       if (new%force > law%force) state%dissipation = new%work - new%energy
    end function loading_state
 
@@ -319,6 +324,8 @@ contains
       state%disc = dent%disc*lambda
       state%ddisc = dent%disc*dsquare/(2*lambda) + lambda*[0.0_dp, dent%ddisc]
       state%energy = returned_energy(law, dent, lambda, s)
+      state%pressure = (1.5_dp*(1 - phi)*lambda + 2*phi/pi*atan2(lambda, s))*dent%force/dent%area
+      state%torque = torque_of(law, dent, lambda, s, dent%force*relative_unloading(phi, lambda, s)*length*ddrop(1))
    end function unloading_state
 
    !> f(omega) of the loading (15.2).
@@ -479,15 +486,43 @@ contains
       type(dent_t), intent(in) :: dent
       !> lambda and sqrt(1 - lambda^2) [-]
       real(dp), intent(in) :: lambda, s
-      real(dp) :: area
+      real(dp) :: parts(3)
+
+      parts = returned_parts(lambda, s)
+      associate (phi => dent%evenness)
+         energy = dent%force**2/(2*law%modulus*dent%disc) &
+            *((1 - phi)**2*parts(1) + phi*(1 - phi)*parts(2) + phi**2*parts(3))
+      end associate
+   end function returned_energy
+
+   !> What comes back of Hertz's pressure, of it with an even one, and of the even one alone (15.8).
+   pure function returned_parts(lambda, s) result(parts)
+      !> lambda and sqrt(1 - lambda^2) [-]
+      real(dp), intent(in) :: lambda, s
+      real(dp) :: parts(3), area
 
       area = segment(lambda, s)
+      parts = [0.6_dp*lambda**5, (3*area*(lambda**2 - 0.25_dp) + lambda**3*s/2)/pi, &
+         8*(2*lambda**3/3 - area*s)/pi**2]
+   end function returned_parts
+
+   !> How what comes back changes with the angle at fixed overlap and largest force [J/rad]: through the disc, through
+   !> phi, and as lambda follows the overlap of the dent, where its change is the force times that of the overlap.
+   pure real(dp) function torque_of(law, dent, lambda, s, work) result(torque)
+      type(yielding_t), intent(in) :: law
+      type(dent_t), intent(in) :: dent
+      !> lambda and sqrt(1 - lambda^2) [-]
+      real(dp), intent(in) :: lambda, s
+      !> Force times change of the overlap at fixed lambda [J/rad]
+      real(dp), intent(in) :: work
+      real(dp) :: parts(3)
+
+      parts = returned_parts(lambda, s)
       associate (phi => dent%evenness)
-         energy = 0.6_dp*(1 - phi)**2*lambda**5 &
-            + phi*(1 - phi)/pi*(3*area*(lambda**2 - 0.25_dp) + lambda**3*s/2) &
-            + 8*(phi/pi)**2*(2*lambda**3/3 - area*s)
+         torque = -returned_energy(law, dent, lambda, s)*dent%ddisc(1)/dent%disc - work &
+            + dent%force**2/(2*law%modulus*dent%disc)*dent%devenness(1) &
+            *(-2*(1 - phi)*parts(1) + (1 - 2*phi)*parts(2) + 2*phi*parts(3))
       end associate
-      energy = energy*dent%force**2/(2*law%modulus*dent%disc)
-   end function returned_energy
+   end function torque_of
 
 end module litz_yielding_spot

@@ -47,6 +47,7 @@ contains
       select case (obstacle(law))
       case (obstacle_normal_law)
          words = trim(law%normal%name)//' without a stiffness per length'
+         if (law%normal%yields()) words = trim(law%normal%name)//' with YIELD'
       case (obstacle_axis)
          words = 'AXIS=LINEAR'
       case (obstacle_stick)

@@ -240,6 +240,10 @@ contains
       call record%value('interaction', this%name)
       call record%begin('interaction '//this%name//' of '//pair)
       call record_law('normal law (*SURFACE BEHAVIOR)', this%normal)
+      if (this%normal%yields()) then
+         call record%value('YIELD', this%normal%yield_stress)
+         call record%value('HARDNESS', this%normal%hardness)
+      end if
       call record%value('PENETRATION', trim(merge('UNLIMITED', 'LIMITED  ', this%unlimited_penetration)))
       call record%value('coefficient of friction', this%friction)
       call record%value('stiffness of sticking (*FRICTION)', this%stick_law)

@@ -214,6 +214,10 @@ contains
 
       words = interaction%name//', '//trim(merge('Hermite', 'linear ', interaction%axis == axis_hermite))//' axis, '
       words = words//trim(interaction%normal%summary)//describe_normal_data(interaction%normal, units)
+      if (interaction%normal%yields()) words = words//', yield stress '// &
+         describe_value(interaction%normal%yield_stress, 'Pa', units)
+      if (interaction%normal%hardness > 0) words = words//', hardness '// &
+         describe_value(interaction%normal%hardness, 'Pa', units)
       if (interaction%friction > 0) words = words//describe_friction(interaction, units)
       if (interaction%unlimited_penetration) words = words//', unlimited penetration'
       if (interaction%spot%exists()) then

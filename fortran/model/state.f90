@@ -32,8 +32,11 @@ module litz_state
       real(dp) :: slip_path = 0, dissipation = 0
       !> Semi-axes of the spot [m]
       real(dp) :: semi_major = 0, semi_minor = 0
-      !> Largest pressure between elastic wires [Pa]
+      !> Largest pressure [Pa], of wires that do not yield between elastic ones
       real(dp) :: pressure = 0
+      !> Of wires that yield: largest force that the contact feels [N], overlap beyond which it touches in the dent of that
+      !> force [m], longer semi-axis of the spot then [m], and what yielding has dissipated [J]
+      real(dp) :: largest_force = 0, dent = 0, largest_semi_major = 0, yield_dissipation = 0
       !> Contact resistance [ohm], infinite where no current can pass; current from barred to unbarred [A],
       !> its voltage [V]
       real(dp) :: resistance = 0, current = 0, voltage_gap = 0
@@ -81,6 +84,8 @@ module litz_state
       real(dp) :: strain = 0, contact = 0
       !> Made heat by friction
       real(dp) :: friction = 0
+      !> Dissipated by spots that yield
+      real(dp) :: yielding = 0
       !> Taken by the damping of *CONTROLS, PARAMETERS=STABILIZE
       real(dp) :: stabilization = 0
       !> Done by changes of temperature: the change of elastic energy where nothing moves

@@ -21,8 +21,8 @@ module litz_history
 
    !> Abaqus's names of the energies: external work, in the beams, in the contacts, heat of friction, damping, and what
    !> of these does not balance; and the work of temperatures, in models that have some
-   character(len=*), parameter :: energy_names(7) = [character(len=6) :: 'ALLWK', 'ALLSE', 'ALLCCE', 'ALLFD', 'ALLSD', &
-      'ETOTAL', 'ALLTW']
+   character(len=*), parameter :: energy_names(8) = [character(len=6) :: 'ALLWK', 'ALLSE', 'ALLCCE', 'ALLFD', 'ALLSD', &
+      'ETOTAL', 'ALLTW', 'ALLPD']
 
    type :: column_t
       character(len=:), allocatable :: name
@@ -103,7 +103,9 @@ contains
       case (request_electrode)
          call add_electrodes(self, model, request)
       case (request_energy)
-         do i = 1, size(energy_names) - merge(0, 1, model%has_field(field_temperature))
+         do i = 1, size(energy_names)
+            if (energy_names(i) == 'ALLTW' .and. .not. model%has_field(field_temperature)) cycle
+            if (energy_names(i) == 'ALLPD' .and. .not. any(model%interactions%normal%yield_stress > 0)) cycle
             call add_column(self, trim(energy_names(i))//' [J]', energy, i, .false., [integer ::])
          end do
       case (request_node, request_element)
@@ -320,11 +322,11 @@ contains
       type(energies_t), intent(in) :: energies
       !> Index into `energy_names`
       integer, intent(in) :: component
-      real(dp) :: values(7)
+      real(dp) :: values(8)
 
       values(:5) = [energies%work, energies%strain, energies%contact, energies%friction, energies%stabilization]
-      values(6) = sum(values(2:5)) - values(1) - energies%thermal
-      values(7) = energies%thermal
+      values(7:8) = [energies%thermal, energies%yielding]
+      values(6) = sum(values(2:5)) + values(8) - values(1) - values(7)
       value = values(component)
    end function energy_value
 

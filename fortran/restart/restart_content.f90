@@ -141,7 +141,7 @@ contains
             control%wanted, state%audit]
          call arrays%array('times', reals, error)
          energies = [state%energies%work, state%energies%strain, state%energies%contact, state%energies%friction, &
-            state%energies%stabilization]
+            state%energies%yielding, state%energies%stabilization]
          if (state%has_field(field_temperature)) energies = [energies, state%energies%thermal]
          call arrays%array('energies', energies, error)
          call arrays%array('clearance', contact%clearance, error)
@@ -156,8 +156,8 @@ contains
          course%start_time = reals(5)
          control%wanted = reals(6)
          state%audit = reals(7:)
-         state%energies = energies_t(energies(1), energies(2), energies(3), energies(4), energies(5))
-         if (state%has_field(field_temperature)) state%energies%thermal = energies(6)
+         state%energies = energies_t(energies(1), energies(2), energies(3), energies(4), energies(5), energies(6))
+         if (state%has_field(field_temperature)) state%energies%thermal = energies(7)
          contact%converged_clearance = contact%clearance
       end associate
    end subroutine exchange_course

@@ -151,6 +151,11 @@ contains
       call table%field('largest_force', history%largest_force)
       call table%field('spot_arc_bar', history%spot_arc(1))
       call table%field('spot_arc', history%spot_arc(2))
+      call table%field('dent_force', history%dent%force)
+      call table%field('dent_arc_bar', history%dent%arc(1))
+      call table%field('dent_arc', history%dent%arc(2))
+      call table%field('dent_left', history%dent%left)
+      call table%field('dent_dissipation', history%dent%dissipation)
    end subroutine list_history
 
 end module litz_restart_points

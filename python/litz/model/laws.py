@@ -25,19 +25,31 @@ class _Law:
 
 @dataclass(frozen=True)
 class Hertz(_Law):
-    """Elastic approach of two wires by Hertz; it has no data.
+    """Approach of two wires by Hertz, elastic or with metal that yields in the spot.
 
     Attributes
     ----------
     penetration : {"LIMITED", "UNLIMITED"}
         UNLIMITED: deep penetration is no error.
+    yield_stress : float, optional
+        Yield stress of the softer metal [Pa]; without it the wires are elastic.
+    hardness : float, optional
+        Mean pressure of a spot that has wholly yielded [Pa]; without it 2.8 times the yield stress.
     """
 
     penetration: str = "LIMITED"
+    yield_stress: float | None = None
+    hardness: float | None = None
 
     def card(self) -> CardSpec:
         """The card of the law."""
-        return "SURFACE BEHAVIOR", {"PRESSURE-OVERCLOSURE": "HERTZ", **_unless(self, penetration="LIMITED")}, []
+        given = {"YIELD": self.yield_stress, "HARDNESS": self.hardness}
+        parameters = {
+            "PRESSURE-OVERCLOSURE": "HERTZ",
+            **_unless(self, penetration="LIMITED"),
+            **{name: value for name, value in given.items() if value is not None},
+        }
+        return "SURFACE BEHAVIOR", parameters, []
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,131 @@
+!> The dents of wires that yield, and when contacts slide off them.
+!>
+!> Source: theory section 15. A dent has the size of the spot of its largest force. What a contact that has slid by the
+!> vector `u` feels of this force is the overlap of the two spots, before and after, as part of one:
+!> `eta = (2/pi) (acos(t) - t sqrt(1 - t^2))`, `t = |(u_a/(2 a), u_b/(2 b))|`.
+module litz_dents
+   use litz_kinds, only: dp, pi
+   use litz_contact_history, only: dent_memory_t
+   use litz_contact_points, only: contact_point_t
+   use litz_element_library, only: elements_t
+   use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
+   use litz_law_input, only: wire_pair_t
+   use litz_model, only: model_t
+   use litz_normal_forces, only: wires_of
+   use litz_normal_law, only: normal_law_t
+   use litz_normal_yielding, only: area_of_dent, depth_of_dent
+   use litz_wires, only: wires_t, arc_from_to
+   implicit none
+   private
+   public :: follow_dents, common_part
+
+contains
+
+   !> What dents have seen of an increment that has converged.
+   subroutine follow_dents(model, wires, elements, points)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(contact_point_t), intent(inout) :: points(:)
+      type(wire_pair_t) :: pair
+      integer :: i
+
+      do i = 1, size(points)
+         associate (point => points(i), &
+            law => model%interactions(model%contact_pairs(points(i)%pair)%interaction)%normal)
+            if (.not. law%yields()) cycle
+            pair = wires_of(model, elements, point)
+            call follow_dent(law, wires, pair, point, point%history%dent)
+            call show_dent(law, pair, point%history%dent, point)
+         end associate
+      end do
+   end subroutine follow_dents
+
+   !> A force that the contact has not felt before makes a dent of its own.
+   pure subroutine follow_dent(law, wires, pair, point, dent)
+      type(normal_law_t), intent(in) :: law
+      type(wires_t), intent(in) :: wires
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(in) :: point
+      type(dent_memory_t), intent(inout) :: dent
+      real(dp) :: force
+
+      force = 0
+      if (point%closed) force = point%force/point%weight
+      dent%dissipation = dent%dissipation + point%yielded
+      if (dent%force > 0) dent%left = part_left(law, wires, pair, point, dent)
+      if (force > 0 .and. force >= dent%felt_force()) then
+         dent%force = force
+         dent%arc = [point%arc_bar, point%arc]
+         dent%left = 1
+      end if
+   end subroutine follow_dent
+
+   !> What results show of a dent.
+   pure subroutine show_dent(law, pair, dent, point)
+      type(normal_law_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      type(dent_memory_t), intent(in) :: dent
+      type(contact_point_t), intent(inout) :: point
+      type(hertz_ellipse_t) :: ellipse
+      integer :: info
+
+      point%largest_force = dent%felt_force()
+      point%yield_dissipation = dent%dissipation
+      point%dent = 0
+      point%largest_semi_major = 0
+      if (.not. point%largest_force > 0) return
+      call hertz_ellipse(pair%radius, pair%young, pair%poisson, point%law_angle, ellipse, info)
+      if (info /= hertz_ok) return
+      point%dent = depth_of_dent(law, pair, ellipse, point%largest_force)
+      point%largest_semi_major = sqrt(area_of_dent(law, pair, ellipse, point%largest_force)/(pi*ellipse%ratio))
+   end subroutine show_dent
+
+   !> Common area of the dent and a spot of its size where the contact is now, over its area [-].
+   pure real(dp) function part_left(law, wires, pair, point, dent) result(part)
+      type(normal_law_t), intent(in) :: law
+      type(wires_t), intent(in) :: wires
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(in) :: point
+      type(dent_memory_t), intent(in) :: dent
+      type(hertz_ellipse_t) :: ellipse
+      real(dp) :: moved(2), slip(2), along(2), semi_major
+      integer :: info
+
+      part = dent%left
+      call hertz_ellipse(pair%radius, pair%young, pair%poisson, point%law_angle, ellipse, info)
+      if (info /= hertz_ok) return
+      moved = arc_from_to(dent%arc, [point%arc_bar, point%arc], &
+         wires%circumference(wires%wire([point%element_bar, point%element])))
+      moved = moved*wires%direction([point%element_bar, point%element])
+      ! in a frame along the barred axis, which the other one crosses at the angle
+      associate (angle => point%kinematics%angle)
+         slip = moved(1)*[1.0_dp, 0.0_dp] - moved(2)*[cos(angle), sin(angle)]
+         along = major_axis(pair%radius, angle)
+      end associate
+      semi_major = sqrt(area_of_dent(law, pair, ellipse, dent%force)/(pi*ellipse%ratio))
+      part = common_part(hypot(dot_product(slip, along)/(2*semi_major), &
+         (along(1)*slip(2) - along(2)*slip(1))/(2*ellipse%ratio*semi_major)))
+   end function part_left
+
+   !> Direction of the longer axis of the spot in the plane of contact, where the curvatures together are least.
+   pure function major_axis(radius, angle) result(along)
+      !> Barred, unbarred (2) [m], and angle between the axes [rad]
+      real(dp), intent(in) :: radius(2), angle
+      real(dp) :: along(2), turned
+
+      ! of the sum of t t^T/r over both wires, with their directions t, the larger principal axis
+      turned = atan2(sin(2*angle)/radius(2), 1/radius(1) + cos(2*angle)/radius(2))/2
+      along = [cos(turned), sin(turned)]
+   end function major_axis
+
+   !> Area that two equal circles have in common, over that of one.
+   elemental real(dp) function common_part(t) result(part)
+      !> Distance of their centres over their diameter [-]
+      real(dp), intent(in) :: t
+
+      part = 0
+      if (t < 1) part = 2/pi*(acos(t) - t*sqrt((1 - t)*(1 + t)))
+   end function common_part
+
+end module litz_dents

@@ -1,0 +1,167 @@
+!> HERTZ with YIELD: two crossed wires whose metal yields in the spot, and keeps the dent of the largest force.
+!>
+!> Source: theory section 15; the law is that of litz_yielding_spot. While no metal has yielded it is that of Hertz.
+!> The energy is the elastic one: it does not grow with what yielding dissipates.
+module litz_normal_yielding
+   use litz_kinds, only: dp
+   use litz_hertz, only: hertz_ellipse_t
+   use litz_law_input, only: law_input_t, wire_pair_t
+   use litz_normal_hertz, only: normal_hertz, elastic_force, elastic_overlap
+   use litz_normal_law, only: normal_law_t, force_of_gap_t, overlap_of_force_t
+   use litz_yielding_spot, only: yielding_t, yielding_crossing, dent_t, dent_of_force, yielding_state_t, &
+      state_at_overlap, state_at_force
+   implicit none
+   private
+   public :: normal_yielding, depth_of_dent, area_of_dent, state_of_wires
+
+contains
+
+   pure function normal_yielding(yield_stress, hardness) result(law)
+      !> Of the softer metal [Pa]; a hardness of 0 is 2.8 times the yield stress
+      real(dp), intent(in) :: yield_stress, hardness
+      type(normal_law_t) :: law
+
+      law = normal_hertz()
+      law%yield_stress = yield_stress
+      law%hardness = hardness
+      law%is_elastic_line = .false.
+      law%title = 'law of wires that yield'
+      law%force_of_gap => force_of_gap
+      law%overlap_of_force => overlap_of_force
+   end function normal_yielding
+
+   pure function force_of_gap(given) result(found)
+      type(law_input_t), intent(in) :: given
+      type(force_of_gap_t) :: found
+      type(yielding_t) :: law
+      type(dent_t) :: dent
+      type(yielding_state_t) :: state
+
+      call yielding_of(given, law, dent)
+      state = state_at_overlap(law, dent, -given%gap)
+      if (is_elastic(law, dent, state%force)) then
+         found = elastic_force(given)
+      else
+         found%force = state%force
+         found%dforce_dgap = -state%stiffness
+         found%dforce_dangle = state%dforce(1)
+         found%energy = state%energy
+         found%denergy_dangle = state%torque
+      end if
+   end function force_of_gap
+
+   pure function overlap_of_force(given) result(found)
+      type(law_input_t), intent(in) :: given
+      type(overlap_of_force_t) :: found
+      type(yielding_t) :: law
+      type(dent_t) :: dent
+      type(yielding_state_t) :: state
+
+      call yielding_of(given, law, dent)
+      if (is_elastic(law, dent, given%force)) then
+         found = elastic_overlap(given)
+      else
+         state = state_at_force(law, dent, given%force)
+         found%overlap = state%overlap
+         found%stiffness = state%stiffness
+         found%dstiffness_dforce = state%dstiffness_dforce
+         found%elastic_stiffness = 2*law%modulus*state%disc                                ! F' = 2 E* a_e lambda
+         found%delastic_dforce = 2*law%modulus*state%ddisc(1)/state%stiffness
+      end if
+   end function overlap_of_force
+
+   !> Overlap beyond which wires touch in the dent of an earlier force [m].
+   pure real(dp) function depth_of_dent(law, wires, ellipse, dent_force) result(depth)
+      type(normal_law_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: wires
+      !> At the present angle
+      type(hertz_ellipse_t), intent(in) :: ellipse
+      !> Largest force [N]
+      real(dp), intent(in) :: dent_force
+      type(yielding_t) :: wires_that_yield
+      type(dent_t) :: dent
+
+      call yielding_of(input_of(law, wires, ellipse, dent_force), wires_that_yield, dent)
+      depth = dent%depth
+   end function depth_of_dent
+
+   !> Area of the spot that an earlier force has made [m^2].
+   pure real(dp) function area_of_dent(law, wires, ellipse, dent_force) result(area)
+      type(normal_law_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: wires
+      !> At the present angle
+      type(hertz_ellipse_t), intent(in) :: ellipse
+      !> Largest force [N]
+      real(dp), intent(in) :: dent_force
+      type(yielding_t) :: wires_that_yield
+      type(dent_t) :: dent
+
+      call yielding_of(input_of(law, wires, ellipse, dent_force), wires_that_yield, dent)
+      area = dent%area
+   end function area_of_dent
+
+   !> The contact at a gap.
+   pure subroutine state_of_wires(law, wires, ellipse, dent_force, gap, keeps_spot, state, dissipated)
+      type(normal_law_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: wires
+      !> At the present angle
+      type(hertz_ellipse_t), intent(in) :: ellipse
+      !> Largest force before [N], and gap between the surfaces, negative in contact [m]
+      real(dp), intent(in) :: dent_force, gap
+      !> A spot that opens is conducting metal as wide as the largest force has made it
+      logical, intent(in) :: keeps_spot
+      type(yielding_state_t), intent(out) :: state
+      !> What making the dent larger has dissipated, at the present angle [J]
+      real(dp), intent(out) :: dissipated
+      type(yielding_t) :: wires_that_yield
+      type(dent_t) :: dent
+
+      call yielding_of(input_of(law, wires, ellipse, dent_force), wires_that_yield, dent)
+      state = state_at_overlap(wires_that_yield, dent, -gap)
+      if (keeps_spot .and. state%force > 0 .and. state%opening < 1) then
+         state%area = dent%area
+         state%darea = [0.0_dp, dent%darea]
+         state%disc = dent%disc
+         state%ddisc = [0.0_dp, dent%ddisc]
+      end if
+      dissipated = state%dissipation
+      if (dent%evenness > 0) dissipated = dissipated - (dent%work - dent%energy)
+   end subroutine state_of_wires
+
+   pure type(law_input_t) function input_of(law, wires, ellipse, dent_force) result(given)
+      type(normal_law_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: wires
+      type(hertz_ellipse_t), intent(in) :: ellipse
+      !> [N]
+      real(dp), intent(in) :: dent_force
+
+      given%wires = wires
+      given%ellipse = ellipse
+      given%yield_stress = law%yield_stress
+      given%hardness = law%hardness
+      given%dent_force = dent_force
+   end function input_of
+
+   !> Nothing has yielded, and nothing yields at this force.
+   pure logical function is_elastic(law, dent, force)
+      type(yielding_t), intent(in) :: law
+      type(dent_t), intent(in) :: dent
+      !> [N]
+      real(dp), intent(in) :: force
+
+      is_elastic = .not. dent%evenness > 0 .and. force <= law%force
+   end function is_elastic
+
+   !> The law at the present angle, and the dent of the largest force.
+   pure subroutine yielding_of(given, law, dent)
+      type(law_input_t), intent(in) :: given
+      type(yielding_t), intent(out) :: law
+      type(dent_t), intent(out) :: dent
+      integer :: unused_info
+
+      call yielding_crossing(given%ellipse, given%wires%poisson, [given%yield_stress, given%yield_stress], &
+         given%hardness, law, unused_info)
+      dent = dent_of_force(law, given%dent_force)
+   end subroutine yielding_of
+
+end module litz_normal_yielding

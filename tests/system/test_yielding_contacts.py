@@ -1,0 +1,259 @@
+"""Crossed wires whose spots yield: the force, the spot, the dent that stays, and the energy that does not come back."""
+
+from itertools import pairwise
+
+import litz
+import numpy as np
+import pytest
+
+from decks import CONDUCTOR, crossed, straight, wire
+
+RADIUS, YOUNG, POISSON, YIELD, HARDNESS = 1e-3, 120e9, 0.34, 200e6, 800e6
+#: rho1 + rho2 [ohm m]
+RESISTIVITY = 2 / 50e6
+BEHAVIOR = f"*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ, YIELD={YIELD}, HARDNESS={HARDNESS}"
+
+
+def held(*steps, degrees=90.0, behavior=BEHAVIOR, spot="*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ", friction="", density=10):
+    """A fixed wire along x, and one across it that `steps` move, all of it alike: overlaps are given."""
+    a = np.radians(degrees)
+    along = 0.02 * np.array([np.cos(a), np.sin(a), 0.0])
+    up = np.array([0, 0, 2 * RADIUS])
+    lower = wire("LOWER", straight((-0.02, 0, 0), (0.02, 0, 0), density), 1, element="B33")
+    upper = wire("UPPER", straight(up - along, up + along, density), 101, element="B33", backwards=(4, 7))
+    return f"""*HEADING
+held
+{lower}{upper}{CONDUCTOR}*BEAM SECTION, ELSET=LOWER, MATERIAL=COPPER, SECTION=CIRC
+ {RADIUS}
+*BEAM SECTION, ELSET=UPPER, MATERIAL=COPPER, SECTION=CIRC
+ {RADIUS}
+*SURFACE INTERACTION, NAME=TOUCH
+{behavior}
+{friction}
+{spot}
+*CONTACT PAIR, INTERACTION=TOUCH
+ LOWER, UPPER
+*BOUNDARY
+ LOWER, ENCASTRE
+ UPPER, 1, 6
+ 1, 9
+ 101, 9
+{"".join(steps)}"""
+
+
+def to(z, x=0.0, y=0.0, *, increments=10):
+    """A step that moves the upper wire to `x`, `y`, and down by `z`."""
+    return f"""*STEP, INC=1000
+*STATIC, DIRECT
+ {1 / increments!r}, 1
+*BOUNDARY
+ UPPER, 1, 1, {x:.17g}
+ UPPER, 2, 2, {y:.17g}
+ UPPER, 3, 3, {-z:.17g}
+*NODE PRINT, NSET=UPPER, TOTALS=ONLY
+ RF
+*ENERGY PRINT
+*END STEP
+"""
+
+
+def law(overlap, largest_force=0.0, degrees=90.0):
+    return litz.kernels.normal_law(
+        overlap, radius=RADIUS, young=YOUNG, poisson=POISSON, angle=np.radians(degrees), yield_stress=YIELD,
+        hardness=HARDNESS, largest_force=largest_force,
+    )  # fmt: skip
+
+
+def contacts(results):
+    """The only contact of each increment, or none."""
+    found = [results.contacts_at(i) for i in range(len(results.times))]
+    return [{name: values[0] for name, values in each.items()} if each.n_rows else None for each in found]
+
+
+OVERLAPS = [2e-6 * part for part in (0.001, 0.1, 0.5, 1.0, 0.95, 0.8, 0.62, 0.3, 0.7, 1.0, 1.4, 1.1)]
+
+
+@pytest.mark.parametrize("degrees", [90, 45, 20])
+def test_force_and_spot_follow_the_law_with_its_memory(run, degrees):
+    """Loaded, unloaded until the dent is open, loaded again and beyond: the force, the spot and the resistance of each
+    overlap are those of the law with the largest force before it."""
+    process, results = run(held(*(to(z, increments=1) for z in OVERLAPS), degrees=degrees))
+    assert process.returncode == 0, process.stderr
+    largest = 0.0
+    for z, contact in zip(OVERLAPS, contacts(results)[1:], strict=True):
+        expected = law(z, largest, degrees)
+        if not expected.force > 0:
+            assert contact is None
+            continue
+        assert contact["force"] == pytest.approx(expected.force, rel=1e-9)
+        assert contact["semi_major"] == pytest.approx(expected.semi_major, rel=1e-9)
+        assert contact["semi_minor"] == pytest.approx(expected.semi_minor, rel=1e-9)
+        assert contact["resistance"] == pytest.approx(RESISTIVITY / (4 * expected.disc_radius), rel=1e-9)
+        largest = max(largest, expected.force)
+        assert contact["largest_force"] == pytest.approx(largest, rel=1e-12)
+        assert contact["dent"] == pytest.approx(law(z, largest, degrees).dent, rel=1e-9)
+        assert contact["yield_dissipation"] == pytest.approx(law(z, largest, degrees).dissipation, rel=1e-9, abs=1e-18)
+
+
+def test_what_yielding_dissipates_closes_the_balance_of_energy(run):
+    """Work of the supports = elastic energy + ALLPD; the path is followed by trapezoids, so that the error falls with
+    the square of the increments."""
+    errors = []
+    for increments in (20, 40):
+        _, results = run(held(to(2e-6, increments=increments), to(0, increments=increments), to(2e-6, increments=increments)))
+        history = results.history
+        assert history["ALLPD"][-1] == pytest.approx(law(2e-6).dissipation, rel=1e-9)
+        errors.append(np.abs(history["ETOTAL"]).max() / history["ALLPD"][-1])
+    assert errors[0] < 0.02
+    assert errors[0] / errors[1] > 2.5
+
+
+def test_below_the_onset_wires_are_those_of_hertz(run):
+    """The largest pressure is below that of the onset: nothing is dissipated, no dent stays."""
+    elastic, yielding = (
+        run(held(to(2e-8), to(1e-8), behavior=behavior), name=name)[1]
+        for name, behavior in (("elastic", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ"), ("yielding", BEHAVIOR))
+    )
+    for one, other in zip(contacts(elastic)[1:], contacts(yielding)[1:], strict=True):
+        for name in ("force", "resistance", "semi_major", "pressure"):
+            assert other[name] == pytest.approx(one[name], rel=1e-9)
+        assert other["dent"] == 0
+    assert yielding.history["ALLPD"][-1] == 0
+    np.testing.assert_allclose(yielding.history["ALLCCE"], elastic.history["ALLCCE"], rtol=1e-9)
+
+
+def test_the_pressure_rises_to_the_hardness(run):
+    """In the middle of the spot: Hertz's at the onset, the even one of the hardness in the end."""
+    _, results = run(held(to(4e-5, increments=1)))
+    assert contacts(results)[-1]["pressure"] == pytest.approx(HARDNESS, rel=0.05)
+
+
+def test_a_kept_spot_has_the_resistance_of_the_largest_force(run):
+    """SPOT=LARGEST FORCE: metal that has welded as it was pressed, while the contact is closed."""
+    spot = "*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ, SPOT=LARGEST FORCE"
+    _, results = run(held(to(2e-6, increments=1), to(1.5e-6, increments=1), spot=spot))
+    pressed, back = contacts(results)[1:]
+    assert back["force"] < 0.7 * pressed["force"]
+    assert back["resistance"] == pytest.approx(pressed["resistance"], rel=1e-12)
+
+
+def test_a_film_lies_in_series_on_the_area_of_the_spot(run):
+    film = 1e-12
+    spot = f"*GAP ELECTRICAL CONDUCTANCE, LAW=FILM\n {film}"
+    _, results = run(held(to(2e-6, increments=1), to(1.5e-6, increments=1), spot=spot))
+    largest = law(2e-6).force
+    for z, contact in zip((2e-6, 1.5e-6), contacts(results)[1:], strict=True):
+        found = law(z, largest)
+        area = np.pi * found.semi_major * found.semi_minor
+        assert contact["resistance"] == pytest.approx(RESISTIVITY / (4 * found.disc_radius) + film / area, rel=1e-9)
+
+
+def test_a_contact_that_opens_keeps_its_dent(run):
+    """Lifted by more than the dent and lowered again, it touches where it left off."""
+    _, results = run(held(to(2e-6, increments=1), to(-5e-5, increments=1), to(1.5e-6, increments=1)))
+    pressed, lifted, back = contacts(results)[1:]
+    assert lifted is None
+    assert back["force"] == pytest.approx(law(1.5e-6, pressed["force"]).force, rel=1e-9)
+
+
+def test_a_wire_that_slides_leaves_its_dent(run):
+    """By half the width of the spot it feels the overlap of two circles, by more than the spot nothing: there it makes
+    a dent of its own."""
+    along = law(2e-6).semi_major
+    overlap = 2 / np.pi * (np.arccos(0.25) - 0.25 * np.sqrt(1 - 0.25**2))
+    _, results = run(held(to(2e-6, increments=1), to(1.2e-6, 0.5 * along, increments=1), to(1.2e-6, 3 * along, increments=1),
+                          to(1.2e-6, 3.001 * along, increments=1)))  # fmt: skip
+    pressed, half, _, off = contacts(results)[1:]
+    assert half["largest_force"] == pytest.approx(overlap * pressed["force"], rel=1e-6)
+    assert off["force"] == pytest.approx(law(1.2e-6).force, rel=1e-9)
+
+
+def two_steps(back, **changes):
+    """The ends of the upper wire are pushed, then taken back to `back`."""
+    deck = crossed(behavior=BEHAVIOR, static="0.1, 1, 1e-3, 0.1", extra="*ENERGY PRINT", **changes)
+    return f"{deck}*STEP\n*STATIC\n 0.05, 1, 1e-5, 0.05\n*BOUNDARY\n UPPER_ENDS, 3, 3, {back}\n*ENERGY PRINT\n*END STEP\n"
+
+
+def test_wires_that_bend_show_a_loop_of_resistance_over_force(run):
+    """Pressed through their ends and let go: at the same force the spot is larger on the way back, and opens at no
+    force, with the resistances of the law."""
+    process, results = run(two_steps(0.0))
+    assert process.returncode == 0, process.stderr
+    rows = [each for each in contacts(results) if each is not None]
+    steps = results.history["step"]
+    assert steps[-1] == 2
+    force = np.array([each["force"] for each in rows])
+    resistance = np.array([each["resistance"] for each in rows])
+    top = force.argmax()
+    for before, each in pairwise(rows):
+        # as the wires bend they slide, and leave up to some 1e-5 of the dent behind in an increment
+        expected = law(-each["gap"], before["largest_force"], np.degrees(each["angle"]))
+        assert each["force"] == pytest.approx(expected.force, rel=1e-9)
+        assert each["resistance"] == pytest.approx(2 / 58.823529411764706e6 / (4 * expected.disc_radius), rel=1e-9)
+    half = force[top] / 2
+    going = np.interp(half, force[: top + 1], resistance[: top + 1])
+    back = np.interp(-half, -force[top:], resistance[top:])
+    assert back < 0.9 * going
+
+
+def test_friction_sticks_with_the_stiffness_of_the_elastic_metal_around_the_spot(run):
+    """Mindlin's ratio times `2 E* a_e`, not times the plastic slope of the loading."""
+    pressed, moved = 2e-6, 1e-9
+    process, results = run(held(to(pressed, increments=4), to(pressed, moved, increments=1), friction="*FRICTION\n 0.5"))
+    assert process.returncode == 0, process.stderr
+    modulus = YOUNG / (2 * (1 - POISSON**2))
+    expected = 2 * (1 - POISSON) / (2 - POISSON) * 2 * modulus * law(pressed).disc_radius
+    change = results.history["RF1 sum UPPER"][-1] - results.history["RF1 sum UPPER"][-2]
+    assert change / moved == pytest.approx(expected, rel=1e-3)
+
+
+def test_a_restart_goes_on_with_the_dent(run, tmp_path):
+    """The second half of a run that is stopped and goes on is that of the whole run, bit for bit."""
+    steps = [to(2e-6, increments=4), to(1.5e-6, increments=4)]
+    deck = held(*(step.replace("*NODE PRINT", "*RESTART, WRITE\n*NODE PRINT") for step in steps))
+    process, whole = run(deck, name="whole")
+    assert process.returncode == 0, process.stderr
+    process, going_on = run(deck, "--restart", f"{tmp_path / 'whole' / 'whole.restart.h5'}:1:4", name="second")
+    assert process.returncode == 0, process.stderr
+    for name in ("force", "resistance", "largest_force", "dent", "yield_dissipation"):
+        assert going_on.contacts_at(-1)[name].tolist() == whole.contacts_at(-1)[name].tolist()
+    assert going_on.history["ALLPD"][-1] == whole.history["ALLPD"][-1]
+
+
+@pytest.mark.parametrize(
+    ("behavior", "message"),
+    [
+        (BEHAVIOR.replace("HERTZ", "LINEAR") + "\n 1e6", "YIELD is for PRESSURE-OVERCLOSURE=HERTZ"),
+        (BEHAVIOR.replace(f"YIELD={YIELD}, ", ""), "HARDNESS is for wires that yield: give YIELD, too"),
+        (BEHAVIOR.replace(f"HARDNESS={HARDNESS}", "HARDNESS=3e8"), "is not above the pressure at which the metal"),
+    ],
+)
+def test_data_that_do_not_belong_together_are_refused(run, behavior, message):
+    process, results = run(held(to(1e-6), behavior=behavior))
+    assert process.returncode == 1
+    assert message in process.stderr
+    assert results is None
+
+
+@pytest.mark.parametrize("spot", ["LAW=PLASTIC\n 1e9", "LAW=PAPER"])
+def test_a_spot_of_other_mechanics_is_refused(run, spot):
+    process, _ = run(held(to(1e-6), spot=f"*GAP ELECTRICAL CONDUCTANCE, {spot}"))
+    assert process.returncode == 1
+    assert "follow the force of wires that yield" in process.stderr
+
+
+def test_wires_that_come_to_lie_along_each_other_end_the_run_in_words(run):
+    """The law of yielding metal is one of crossings."""
+    process, _ = run(held(to(1e-6, increments=1), degrees=0.5))
+    assert process.returncode != 0
+    assert "HERTZ with YIELD" in process.stderr
+
+
+def test_few_iterations_are_taken_on_loading_and_unloading(run):
+    """Newton's method: the loading of wires that yield takes about as many iterations as that of elastic ones."""
+    counts = []
+    for behavior in ("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ", BEHAVIOR):
+        process, results = run(two_steps(-5e-5).replace(BEHAVIOR, behavior))
+        assert process.returncode == 0, process.stderr
+        counts.append(sum(results.status["iterations"]))
+    assert counts[1] <= counts[0] + 10
