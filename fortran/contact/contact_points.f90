@@ -103,8 +103,9 @@ module litz_contact_points
       !> At an end or a joint, or near a joint: the stretches of both wires there
       type(leg_t), allocatable :: legs(:)
       !> Of a point of a line contact next to the end of the other wire: how the length that it stands for changes with
-      !> its place there, and what it was when the shares were found, which friction sees [m]
-      real(dp) :: dweight_dlap = 0, settled_weight = 0
+      !> its place there [-] and how that does [1/m], and what it was when the shares were found, which friction
+      !> sees [m]
+      real(dp) :: dweight_dlap = 0, d2weight_dlap2 = 0, settled_weight = 0
       !> Where it is at an end or a joint: slope of the distance along the leg from there along which it grows least,
       !> not negative, and mean curvature (2) [-, 1/m]
       real(dp) :: tilt(2) = 0, bend(2) = 0
@@ -397,6 +398,7 @@ contains
       point%cut_stiffness = earlier%cut_stiffness
       point%place = earlier%place
       point%dweight_dlap = earlier%dweight_dlap
+      point%d2weight_dlap2 = earlier%d2weight_dlap2
       point%settled_weight = earlier%settled_weight
       if (earlier%law_status == law_too_curved) point%law_status = law_too_curved
    end subroutine take_shares

@@ -187,6 +187,8 @@ contains
             largest_change = max(largest_change, change_of_cut(earlier%lens, point%lens))
             associate (law => model%interactions(model%contact_pairs(point%pair)%interaction)%normal)
                if (point%is_shared) call share_crossing(law, wires, elements, contact, by_place, point)
+               ! the iteration goes on from the overlap that it has come to
+               if (earlier%weight > 0) point%mixed_force = point%mixed_force*(point%weight/earlier%weight)
                if (is_cut(point%lens)) then
                   call set_angle_of_axes(point)
                   if (serves_lines(model, point%pair)) call blend_angle_of_lens(point)
@@ -237,7 +239,7 @@ contains
       real(dp), intent(in) :: xe(3, 4), tangents(3, 4), length(2)
       type(contact_point_t), intent(inout) :: point
       type(line_profile_t) :: profile
-      real(dp) :: tilt, reach, distance, of_length, part
+      real(dp) :: tilt, reach, distance, rate, of_length, of_lap(2), part
       integer :: i, legs(2)
 
       profile = line_profile(xe, tangents, length, axis_hermite, point%xi_bar, point%xi, point%kinematics%normal, &
@@ -275,11 +277,13 @@ contains
                if (-point%gap + tilt**2/(2*bend) <= 0) point%line_share = 0
             end if
          end if
-         call find_lap(wires, elements, contact%places, point%kinematics%cos_angle, point, of_length)
+         rate = point%kinematics%cos_angle/max(least_quality, quality(1))
+         call find_lap(wires, elements, contact%places, rate, point, of_length, of_lap)
          part = point%line_share*share_of_pass(quality)*flatness(tilt)
-         point%dweight_dlap = merge(part, 0.0_dp, point%lens%near(1))
+         point%dweight_dlap = part*of_lap(1)
+         point%d2weight_dlap2 = part*of_lap(2)
          point%weight = part*contact%places%length(point%line_place)*of_length
-         point%cell%reach = cell_at_lap(wires, elements, contact%places, point)
+         point%cell%reach = cell_at_lap(wires, elements, contact%places, rate, point)
          point%settled_weight = point%weight
          if (.not. any(quality > least_quality)) point%law_status = law_too_curved
       end associate

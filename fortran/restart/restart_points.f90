@@ -131,6 +131,7 @@ contains
       call table%field('cut_stiffness', point%cut_stiffness)
       call table%field('place_bar', point%place(1))
       call table%field('dweight_dlap', point%dweight_dlap)
+      call table%field('d2weight_dlap2', point%d2weight_dlap2)
       call table%field('settled_weight', point%settled_weight)
    end subroutine list_lens
 

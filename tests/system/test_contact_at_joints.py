@@ -312,8 +312,12 @@ def largest_step(run, points, yaw, law, first, last):
     [
         (5, 20),
         (20.1, 30),
+        (30, 10),
+        (30, 30),
+        (45, 10),
         (60, 15),
         (60, 60),
+        (90, 30),
     ],
 )
 def test_a_rod_is_dragged_over_a_flat_kink_without_a_step(run, law, degrees, yaw):
@@ -324,7 +328,7 @@ def test_a_rod_is_dragged_over_a_flat_kink_without_a_step(run, law, degrees, yaw
 
 
 @pytest.mark.parametrize("law", LAWS, ids=["hertz", "linear"])
-@pytest.mark.parametrize(("degrees", "yaw"), [(60, 20), (60, 45)])
+@pytest.mark.parametrize(("degrees", "yaw"), [(20.1, 10), (30, 10), (30, 15), (60, 20), (60, 45)])
 def test_a_rod_is_dragged_on_to_a_kink_and_beyond_without_a_step(run, law, degrees, yaw):
     """Along a leg, while the feet of its places pass the joint one after the other; the other leg falls away."""
     points = np.concatenate([leg(180, 0)[::-1], leg(0, degrees)[1:]])
