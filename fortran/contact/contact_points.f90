@@ -1,7 +1,7 @@
 !> The crossings of wires as the iteration sees them, and the set of all.
 module litz_contact_points
    use litz_kinds, only: dp
-   use litz_contact_history, only: contact_history_t
+   use litz_contact_history, only: contact_history_t, left_dents_t
    use litz_contact_kinematics, only: contact_kinematics_t
    use litz_contact_turning, only: turning_t
    use litz_contact_side, only: crossing_t, crossing_of
@@ -161,6 +161,8 @@ module litz_contact_points
       real(dp) :: dent_depth = 0
       type(yielding_state_t) :: yielding
       real(dp) :: yielded = 0
+      !> Which of the dents of earlier contacts it has found again; 0: none
+      integer :: found_dent = 0
       !> In contact as the iteration takes it (prediction) and as it is
       logical :: active = .false., closed = .false.
       !> Law at the present gap, and the force that this iteration linearises about [N]
@@ -226,6 +228,7 @@ module litz_contact_points
       type(line_places_t) :: places
       type(contact_point_t), allocatable :: line_points(:), converged_line_points(:)
       integer :: last_id = 0
+      type(left_dents_t) :: left_dents
       !> How often the shares of line contacts have been renewed in this increment
       integer :: n_settled = 0
       !> They have changed by little, which counts from the next increment on

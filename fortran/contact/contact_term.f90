@@ -18,7 +18,7 @@ module litz_contact_term
    use litz_line_shares, only: share_crossings, renew_shares
    use litz_model, only: step_t
    use litz_normal_forces, only: apply_normal_law
-   use litz_dents, only: follow_dents
+   use litz_dents, only: follow_dents, find_left_dents, keep_left_dents
    use litz_spot_memory, only: follow_spots
    use litz_state, only: energies_t
    use litz_term, only: term_t, status_t
@@ -140,6 +140,7 @@ contains
          call locate_line_points(model, wires, elements, iterate%x_start, rotation_start, iterate%x, iterate%rotation, &
             contact)
          call share_crossings(model, wires, elements, contact)
+         call find_left_dents(model, wires, elements, contact%left_dents, contact%points)
          call apply_normal_law(model, elements, contact%points)
          call apply_normal_law(model, elements, contact%line_points)
          call domain%timing%lap(phase_contact)
@@ -370,6 +371,7 @@ contains
                contact, unused_change)
             contact%shares_wait = .false.
          end if
+         call keep_left_dents(domain%wires, contact%converged, contact%points, contact%left_dents)
          contact%converged = contact%points
          contact%converged_line_points = contact%line_points
       end associate

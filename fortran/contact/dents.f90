@@ -5,7 +5,7 @@
 !> `eta = (2/pi) (acos(t) - t sqrt(1 - t^2))`, `t = |(u_a/(2 a), u_b/(2 b))|`.
 module litz_dents
    use litz_kinds, only: dp, pi
-   use litz_contact_history, only: dent_memory_t
+   use litz_contact_history, only: dent_memory_t, left_dents_t
    use litz_contact_points, only: contact_point_t
    use litz_element_library, only: elements_t
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
@@ -17,7 +17,7 @@ module litz_dents
    use litz_wires, only: wires_t, arc_from_to
    implicit none
    private
-   public :: follow_dents, common_part
+   public :: follow_dents, find_left_dents, keep_left_dents, common_part
 
 contains
 
@@ -40,6 +40,68 @@ contains
          end associate
       end do
    end subroutine follow_dents
+
+   !> Wires that have parted and come back feel the dent of then where they meet in it.
+   subroutine find_left_dents(model, wires, elements, left, points)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(left_dents_t), intent(in) :: left
+      type(contact_point_t), intent(inout) :: points(:)
+      type(dent_memory_t) :: dent
+      integer :: i, k
+
+      if (size(left%dents) == 0) return
+      do i = 1, size(points)
+         associate (point => points(i), &
+            law => model%interactions(model%contact_pairs(points(i)%pair)%interaction)%normal)
+            point%found_dent = 0
+            if (point%predecessor > 0 .or. .not. law%yields()) cycle
+            do k = 1, size(left%dents)
+               if (any(left%wires(:, k) /= wires_of_dent(wires, point))) cycle
+               dent = left%dents(k)
+               dent%left = part_left(law, wires, wires_of(model, elements, point), point, dent)
+               if (.not. dent%left > point%history%dent%left .and. point%found_dent > 0 &
+                  .or. .not. dent%left > 0) cycle
+               point%found_dent = k
+               point%history%dent = dent
+            end do
+         end associate
+      end do
+   end subroutine find_left_dents
+
+   !> The dents that no contact has any more when an increment has converged.
+   subroutine keep_left_dents(wires, converged, points, left)
+      type(wires_t), intent(in) :: wires
+      !> Crossings at the start and at the end of the increment
+      type(contact_point_t), intent(in) :: converged(:), points(:)
+      type(left_dents_t), intent(inout) :: left
+      logical :: is_kept(size(left%dents)), is_left(size(converged))
+      integer :: i
+
+      if (size(left%dents) == 0 .and. .not. any(converged%history%dent%force > 0)) return
+      is_kept = .true.
+      is_left = converged%history%dent%force > 0
+      do i = 1, size(points)
+         if (points(i)%found_dent > 0) is_kept(points(i)%found_dent) = .false.
+         if (points(i)%predecessor > 0) is_left(points(i)%predecessor) = .false.
+      end do
+      if (all(is_kept) .and. .not. any(is_left)) return
+      associate (old => pack([(i, i=1, size(is_kept))], is_kept), new => pack([(i, i=1, size(is_left))], is_left))
+         left%wires = reshape([left%wires(:, old), (wires_of_dent(wires, converged(new(i))), i=1, size(new))], &
+            [3, size(old) + size(new)])
+         left%dents = [left%dents(old), converged(new)%history%dent]
+      end associate
+   end subroutine keep_left_dents
+
+   !> Contact pair and wires of a contact (3).
+   pure function wires_of_dent(wires, point) result(numbers)
+      type(wires_t), intent(in) :: wires
+      type(contact_point_t), intent(in) :: point
+      integer :: numbers(3)
+
+      numbers = [point%pair, wires%wire(point%element_bar), wires%wire(point%element)]
+   end function wires_of_dent
 
    !> A force that the contact has not felt before makes a dent of its own.
    pure subroutine follow_dent(law, wires, pair, point, dent)

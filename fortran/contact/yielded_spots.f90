@@ -1,4 +1,4 @@
-!> The spot of two crossed wires whose metal yields: that of the law of their force, which knows how far the dent is open.
+!> The spot of two crossed wires whose metal yields: that of the law of their force, which knows how far it is open.
 !>
 !> Source: theory (15.9).
 module litz_yielded_spots

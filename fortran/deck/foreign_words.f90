@@ -60,7 +60,7 @@ module litz_foreign_words
    type(foreign_word_t), parameter :: of_laws(*) = [ &
       foreign_word_t('DAMPING', '', '', 'leave it out: there is no inertia'), &
       foreign_word_t('PLASTIC|HYPERELASTIC|DEFORMATION PLASTICITY|CYCLIC HARDENING|USER MATERIAL|DEPVAR', '', '', &
-      'beams are elastic: use *ELASTIC; contact spots may yield (*GAP ELECTRICAL CONDUCTANCE, LAW=PLASTIC)'), &
+      'beams are elastic: use *ELASTIC; contact spots may yield (*SURFACE BEHAVIOR, YIELD)'), &
       foreign_word_t('SURFACE|NODE SURFACE|SURFACE DEFINITION', '', '', &
       'leave it out: *CONTACT PAIR names element sets'), &
       foreign_word_t('CONTACT|CONTACT INCLUSIONS|CONTACT EXCLUSIONS|CONTACT PROPERTY ASSIGNMENT|'// &

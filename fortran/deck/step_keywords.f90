@@ -247,9 +247,10 @@ contains
          'Requests energies since the start of the run in the history file. ALLWK: work of supports, loads and'// &
          ' interference fits.'// &
          ' ALLSE: in the beams. ALLCCE: in the contacts. ALLFD: dissipated by friction.'// &
+         ' ALLPD: dissipated by spots that yield, in models with YIELD.'// &
          ' ALLSD: dissipated by stabilization.'// &
          ' ALLTW: done by changes of temperature, in models with temperatures.'// &
-         ' ETOTAL: ALLSE + ALLCCE + ALLFD + ALLSD - ALLWK - ALLTW,'// &
+         ' ETOTAL: ALLSE + ALLCCE + ALLFD + ALLPD + ALLSD - ALLWK - ALLTW,'// &
          ' which goes to zero with the increment size, except for the error of B31 elements at contacts,'// &
          ' which goes to zero with the element size, and of contacts that turn or slide next to ends and kinks of'// &
          ' wires, or turn from a crossing into a line: at most what they hold.')

@@ -7,7 +7,7 @@ module litz_contact_history
    use litz_friction_law, only: friction_law_t
    implicit none
    private
-   public :: contact_history_t, dent_memory_t, advanced_history, spot_of_history, force_of_spot
+   public :: contact_history_t, dent_memory_t, left_dents_t, advanced_history, spot_of_history, force_of_spot
 
    !> The dent of wires that yield, which a contact that opens keeps.
    type :: dent_memory_t
@@ -20,6 +20,13 @@ module litz_contact_history
    contains
       procedure :: felt_force
    end type dent_memory_t
+
+   !> Dents of contacts that have opened so far that their wires are no longer near each other.
+   type :: left_dents_t
+      !> Contact pair, barred and unbarred wire (3, n)
+      integer, allocatable :: wires(:, :)
+      type(dent_memory_t), allocatable :: dents(:)
+   end type left_dents_t
 
    type :: contact_history_t
       !> The contact was closed; all else is zero where it was not

@@ -124,8 +124,8 @@ contains
    !>
    !> `delta(F)` is close to a straight line where `F(delta)` is steep, so that a law which is not straight is
    !> linearised about the force that the last iteration predicted.
-   pure subroutine linearise(law, gap, first_overlap, wires, ellipse, mixed_force, stiffness, iteration_force, at_mixed, &
-      dent_force, dent_depth)
+   pure subroutine linearise(law, gap, first_overlap, wires, ellipse, mixed_force, stiffness, iteration_force, &
+      at_mixed, dent_force, dent_depth)
       type(normal_law_t), intent(in) :: law
       !> Gap [m], and largest overlap about which a contact is linearised that has had no force [m]
       real(dp), intent(in) :: gap, first_overlap

@@ -126,11 +126,11 @@ contains
       call table%field('semi_minor', c%semi_minor, 'm', 'shorter semi-axis of the spot')
       call table%field('pressure', c%pressure, 'Pa', &
          'largest pressure under this force: of elastic wires (Hertz), or of wires that yield (YIELD)')
-      call table%field('largest_force', c%largest_force, 'N', 'of wires that yield: force that has made the dent, less'// &
-         ' as the contact has slid off it')
+      call table%field('largest_force', c%largest_force, 'N', 'of wires that yield: force that has made the'// &
+         ' dent, less as the contact has slid off it')
       call table%field('dent', c%dent, 'm', 'of wires that yield: overlap that remains when the contact opens')
-      call table%field('largest_semi_major', c%largest_semi_major, 'm', 'of wires that yield: longer semi-axis of the'// &
-         ' spot under the largest force')
+      call table%field('largest_semi_major', c%largest_semi_major, 'm', 'of wires that yield: longer semi-axis of'// &
+         ' the spot under the largest force')
       call table%field('yield_dissipation', c%yield_dissipation, 'J', 'work that yielding has dissipated')
       call table%field('resistance', c%resistance, 'ohm', 'contact resistance, infinite where no current can pass', &
          may_be_infinite=.true.)

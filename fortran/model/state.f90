@@ -34,8 +34,8 @@ module litz_state
       real(dp) :: semi_major = 0, semi_minor = 0
       !> Largest pressure [Pa], of wires that do not yield between elastic ones
       real(dp) :: pressure = 0
-      !> Of wires that yield: largest force that the contact feels [N], overlap beyond which it touches in the dent of that
-      !> force [m], longer semi-axis of the spot then [m], and what yielding has dissipated [J]
+      !> Of wires that yield: largest force that the contact feels [N], overlap beyond which it touches in the dent of
+      !> that force [m], longer semi-axis of the spot then [m], and what yielding has dissipated [J]
       real(dp) :: largest_force = 0, dent = 0, largest_semi_major = 0, yield_dissipation = 0
       !> Contact resistance [ohm], infinite where no current can pass; current from barred to unbarred [A],
       !> its voltage [V]

@@ -11,6 +11,7 @@ module litz_restart_content
    use litz_result_quantities, only: wire_quantity_t, list_wire_quantities, contact_table, contacts_of_table, &
       surface_contact_table, surface_contacts_of_table
    use litz_run_warnings, only: run_warnings_t
+   use litz_contact_history, only: left_dents_t, dent_memory_t
    use litz_state, only: state_t, contact_t, energies_t
    use litz_surface_term, only: n_remembered
    use litz_step_control, only: course_t
@@ -48,6 +49,7 @@ contains
          call exchange_slots(arrays, 'loading_converged_value', loading%converged_value, slots, error)
          call arrays%array('candidates', contact%candidates, 3, error)
          call arrays%array('positions_at_search', contact%x_collected, error, 3)
+         call exchange_left_dents(arrays, contact%left_dents, error)
          if (arrays%mode == reading .and. .not. allocated(error)) then
             if (.not. contact%present) deallocate (contact%x_collected)
          end if
@@ -190,6 +192,28 @@ contains
       call exchange_table(arrays, name, rows, error)
       if (.not. allocated(error) .and. arrays%mode == reading) call points_of_table(rows, points)
    end subroutine exchange_points
+
+   !> The dents of contacts that have parted.
+   subroutine exchange_left_dents(arrays, left, error)
+      type(restart_arrays_t), intent(inout) :: arrays
+      type(left_dents_t), intent(inout) :: left
+      type(error_t), allocatable, intent(inout) :: error
+      type(dent_memory_t) :: dent
+      real(dp), allocatable :: numbers(:, :)
+      integer :: i
+
+      if (.not. allocated(left%dents)) allocate (left%wires(3, 0), left%dents(0))
+      allocate (numbers(5, size(left%dents)))
+      do i = 1, size(left%dents)
+         dent = left%dents(i)
+         numbers(:, i) = [dent%force, dent%arc, dent%left, dent%dissipation]
+      end do
+      call arrays%array('left_dent_wires', left%wires, 3, error)
+      call arrays%array('left_dents', numbers, error, 5)
+      if (allocated(error) .or. arrays%mode /= reading) return
+      left%dents = [(dent_memory_t(numbers(1, i), numbers(2:3, i), numbers(4, i), numbers(5, i)), &
+         i=1, size(numbers, 2))]
+   end subroutine exchange_left_dents
 
    !> What results show of the contacts.
    subroutine exchange_contacts(arrays, contacts, error)

@@ -47,6 +47,7 @@ contains
          call find_fits(model, contact%points, contact%overlap)
          call find_fits(model, contact%line_points, contact%overlap)
          contact%converged = contact%points
+         allocate (contact%left_dents%wires(3, 0), contact%left_dents%dents(0))
          contact%converged_line_points = contact%line_points
          ! an interference fit begins without stress: what resolves it does work from the first increment on
          contact%clearance = contact%overlap

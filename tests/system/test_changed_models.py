@@ -21,7 +21,7 @@ LAWS = {
         "*FRICTION, ELASTIC SLIP=1e-6\n 0.3",
         "LAW=PLASTIC, SPOT=PRESENT FORCE\n 1e9\n*GAP CONDUCTANCE, LAW=METAL, LORENZ=2.4e-8"),
     "FILM": (
-        "*FRICTION, STICK STIFFNESS=1e5\n 0.2",
+        "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ, YIELD=2e8, HARDNESS=8e8\n*FRICTION, STICK STIFFNESS=1e5\n 0.2",
         "LAW=FILM\n 1e-12\n*GAP CONDUCTANCE, LAW=CONDUCTIVITY, TSOFT=400, TMELT=1300, MELTING=END\n*GAP HEAT GENERATION\n 0.9"),
     "CONSTANT": (
         "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ",
@@ -484,7 +484,7 @@ def test_files_of_an_earlier_format_are_refused_in_words(litz, kept, tmp_path):
         file.attrs["format_version"] = file.attrs["format_version"] - 1
     done = litz("run", kept / "deck.inp", "-o", tmp_path / "out", "--restart", tmp_path / "old.h5")
     assert done.returncode == 4
-    assert "another version of litz wrote it, in format 14 (this one reads format 15)" in done.stderr
+    assert "another version of litz wrote it, in format 15 (this one reads format 16)" in done.stderr
     assert not (tmp_path / "out").exists() or not list((tmp_path / "out").iterdir())
 
 

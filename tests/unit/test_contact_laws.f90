@@ -12,6 +12,7 @@ program test_contact_laws
    use litz_normal_forces, only: apply_normal_law
    use litz_normal_law, only: normal_law_t, force_of_gap_t, force_at_gap, linearise, penalty_that_holds
    use litz_normal_laws, only: normal_law
+   use litz_normal_yielding, only: normal_yielding
    use litz_spot_law, only: contact_spot_t, contact_spot, spot_law_t, spot_ok, spot_bad_data, spot_unknown_law
    use litz_spot_laws, only: spot_law
    implicit none
@@ -29,6 +30,7 @@ program test_contact_laws
    call test_a_first_touch_is_linearised_about_a_small_overlap()
    call test_the_penalty_that_holds()
    call test_a_kept_spot_has_the_largest_force()
+   call test_the_torque_of_wires_that_yield_is_that_of_their_energy()
    call test_a_spot_law_says_what_it_cannot_do()
    call test_parallel_wires_refuse_the_increment()
    if (failures > 0) error stop 1
@@ -57,7 +59,7 @@ contains
       mixed_force = 5
       gap = 3.0e-6_dp
       call linearise(normal_law('LINEAR', [penalty]), gap, first_overlap, pair, ellipse, mixed_force, stiffness, &
-         force, at_mixed)
+         force, at_mixed, 0.0_dp, 0.0_dp)
       call expect(near(stiffness, penalty) .and. near(force, -penalty*gap), 'the line goes on beyond the touch')
       call expect(near(mixed_force, 5.0_dp), 'the predicted force stays')
    end subroutine test_a_penalty_is_its_own_straight_line
@@ -70,7 +72,8 @@ contains
 
       touch = force_at_gap(normal_law('HERTZ'), -overlap, pair, ellipse)
       mixed_force = touch%force
-      call linearise(normal_law('HERTZ'), gap, first_overlap, pair, ellipse, mixed_force, stiffness, force, at_mixed)
+      call linearise(normal_law('HERTZ'), gap, first_overlap, pair, ellipse, mixed_force, stiffness, force, &
+            at_mixed, 0.0_dp, 0.0_dp)
       call expect(near(stiffness, -touch%dforce_dgap), 'slope of the law')
       call expect(near(force, touch%force + touch%dforce_dgap*(gap + overlap)), 'tangent of the law')
       call expect(near(at_mixed%denergy_dangle, touch%denergy_dangle), 'torque of the predicted force')
@@ -87,7 +90,8 @@ contains
       law = normal_law('HERTZ')
       do i = 1, size(gaps)
          mixed_force = 0
-         call linearise(law, gaps(i), first_overlap, pair, ellipse, mixed_force, stiffness, force, at_mixed)
+         call linearise(law, gaps(i), first_overlap, pair, ellipse, mixed_force, stiffness, force, &
+            at_mixed, 0.0_dp, 0.0_dp)
          expected = force_at_gap(law, taken(i), pair, ellipse)
          call expect(near(mixed_force, expected%force), 'force of the first overlap, or of a smaller one')
          call expect(near(stiffness, -expected%dforce_dgap), 'its slope')
@@ -113,6 +117,40 @@ contains
       call force_of_spot(.false., history, 2.0_dp, .false., force, slope)
       call expect(near(force, 2.0_dp) .and. near(slope, 1.0_dp), 'it is not kept unless that is asked for')
    end subroutine test_a_kept_spot_has_the_largest_force
+
+   !> At fixed overlap and largest force, on loading, at the top and on the way back.
+   subroutine test_the_torque_of_wires_that_yield_is_that_of_their_energy()
+      real(dp), parameter :: angle = 0.9_dp, turn = 1.0e-5_dp, overlap = 2.0e-6_dp
+      real(dp), parameter :: part(3) = [0.8_dp, 0.9_dp, 0.99_dp]
+      type(normal_law_t) :: law
+      type(force_of_gap_t) :: found, sides(2)
+      type(hertz_ellipse_t) :: turned
+      real(dp) :: largest
+      integer :: i, k, info
+
+      law = normal_yielding(1.0e8_dp, 4.0e8_dp)
+      call hertz_ellipse(pair%radius, pair%young, pair%poisson, angle, turned, info)
+      found = force_at_gap(law, -overlap, pair, turned)
+      largest = found%force
+      do i = 1, size(part)
+         do k = 1, 2
+            call hertz_ellipse(pair%radius, pair%young, pair%poisson, angle + (2*k - 3)*turn, turned, info)
+            sides(k) = force_at_gap(law, -part(i)*overlap, pair, turned, largest)
+         end do
+         call hertz_ellipse(pair%radius, pair%young, pair%poisson, angle, turned, info)
+         found = force_at_gap(law, -part(i)*overlap, pair, turned, largest)
+         call expect(abs((sides(2)%energy - sides(1)%energy)/(2*turn) - found%denergy_dangle) < &
+            1.0e-7_dp*found%energy, 'torque on the way back')
+      end do
+      ! loading: nothing is dissipated by turning, so that the torque is that of the dent as it is
+      found = force_at_gap(law, -overlap, pair, turned)
+      do k = 1, 2
+         call hertz_ellipse(pair%radius, pair%young, pair%poisson, angle + (2*k - 3)*turn, turned, info)
+         sides(k) = force_at_gap(law, -0.9999_dp*overlap, pair, turned, largest)
+      end do
+      call expect(abs((sides(2)%energy - sides(1)%energy)/(2*turn) - found%denergy_dangle) < &
+         2.0e-3_dp*abs(found%denergy_dangle), 'torque of the loading')
+   end subroutine test_the_torque_of_wires_that_yield_is_that_of_their_energy
 
    subroutine test_a_spot_law_says_what_it_cannot_do()
       type(contact_spot_t) :: spot

@@ -71,6 +71,13 @@ program test_tangents
       '0.01, 1e-2'//nl//'1000, 1e-4'//nl, '', '', exact)
    call check_terms('linear axes', 'B33', 'B33', penalty//spot, ', AXIS=LINEAR', '', exact)
    call check_terms('Hertz', 'B33', 'B31', hertz//spot, '', '', exact)
+   ! how the torque about the normal changes with the angle, and with a dent that grows, is left out of the tangent
+   call check_yielding('wires that yield', spot, 0.01_dp, 1.0e-4_dp)
+   call check_yielding('wires in their dent', spot, 1.1_dp, 2.0e-6_dp)
+   call check_yielding('film between wires that yield', '*GAP ELECTRICAL CONDUCTANCE, LAW=FILM'//nl//'1e-12'//nl, &
+      0.01_dp, 1.0e-4_dp)
+   call check_yielding('kept spots in a dent', '*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ, SPOT=LARGEST FORCE'//nl, &
+      1.1_dp, 2.0e-6_dp)
    ! it would slip if it were moved as far as the others; what the motion since the increment began changes in the rows
    ! of the slip is left out: of the order of that motion over the radius
    call check_terms('friction that sticks', 'B33', 'B33', penalty//'*FRICTION'//nl//'0.8'//nl, '', '', 1.0e-4_dp, &
@@ -358,6 +365,28 @@ contains
       end do
       call note_terms(problem)
    end subroutine check_terms
+
+   !> Crossed wires whose dents are those of forces larger or smaller than the present ones.
+   subroutine check_yielding(name, law_of_spot, larger, tolerance)
+      character(len=*), intent(in) :: name, law_of_spot
+      !> Times the present force is that of the dent
+      real(dp), intent(in) :: larger
+      !> Of the largest force that changes
+      real(dp), intent(in) :: tolerance
+      type(problem_t) :: problem
+      integer :: trial
+
+      call solve_first_step(deck_of('B33', 'B33', '*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ, YIELD=1e8'//nl// &
+         law_of_spot, '', '', ''), problem)
+      problem%contact%converged%history%dent%force = larger*problem%contact%converged%history%dent%force
+      do trial = 1, 3
+         call compare(name, problem, tolerance, 0.01_dp)
+         call check(any(problem%contact%points%closed .and. (problem%contact%points%yielding%dissipation > 0)), &
+            name//': metal that has yielded', 0.0_dp)
+         call check(any(problem%contact%points%closed .and. (problem%contact%points%yielding%opening < 1 .eqv. &
+            larger > 1)), name//': on the way back or not', problem%contact%points(1)%yielding%opening)
+      end do
+   end subroutine check_yielding
 
    !> Contacts whose resistivities are those of the temperatures of their places, which move with them; and whose
    !> elasticity is.

@@ -144,7 +144,8 @@ def _energies(results: Results) -> str:
     """Energies, where the deck asks for them (*ENERGY PRINT)."""
     meanings = {
         "ALLWK": "work of loads and supports", "ALLSE": "elastic energy of the wires", "ALLCCE": "energy of the contacts",
-        "ALLFD": "heat of friction", "ALLPD": "dissipated by yielding", "ALLSD": "taken by stabilization", "ETOTAL": "what is left: should vanish",
+        "ALLFD": "heat of friction", "ALLPD": "dissipated by yielding", "ALLSD": "taken by stabilization",
+        "ETOTAL": "what is left: should vanish",
     }  # fmt: skip
     history = results.history
     rows = [
