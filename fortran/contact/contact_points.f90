@@ -124,8 +124,9 @@ module litz_contact_points
       !> Sine of straight wires whose lens of overlap is as long as that of this crossing, how much it counts beside the
       !> angle of the axes, and how much the section of the wires counts, both between 0 and 1
       real(dp) :: lens_sine = 0, lens_share = 0, section_share = 0
-      !> The wires overlap on beyond its lens: what looks like a short overlap is a ripple of a long one
-      logical :: is_long = .false.
+      !> How far the wires overlap on beyond its lens, between 0 and 1: what looks like a short overlap is a ripple of a
+      !> long one
+      real(dp) :: long_share = 0
       !> How much the section counts in what it conducts, that of its largest lens if spots are remembered; and the
       !> deepest overlap of that lens [m], of a point of a line contact that of the crossing in whose lens it lies
       real(dp) :: spot_section = 0, kept_overlap = 0
@@ -383,7 +384,7 @@ contains
       type(contact_point_t), intent(inout) :: point
 
       point%is_shared = earlier%is_shared
-      point%is_long = earlier%is_long
+      point%long_share = earlier%long_share
       point%weight = earlier%weight
       point%line_share = earlier%line_share
       point%cell%reach = earlier%cell%reach
