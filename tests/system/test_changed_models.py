@@ -416,7 +416,7 @@ def differences(done):
         (" 104, PINNED", " 104, 1, 2", "step 1: *BOUNDARY of degree of freedom 3 changed"),
         (" 906, 3, 1e-3", " 906, 3, 2e-3", "step 1: *CLOAD of degree of freedom 3 changed"),
         (" 906, 3, 1e-3", " 906, 2, 1e-3", "step 1: *CLOAD of degree of freedom 3 in the restart file, but not in the deck"),
-        ("OVERCLOSURE=HERTZ", "OVERCLOSURE=LINEAR\n 1e5", "interaction CONSTANT of *CONTACT PAIR 4: normal law"),
+        ("OVERCLOSURE=HERTZ\n", "OVERCLOSURE=LINEAR\n 1e5\n", "interaction CONSTANT of *CONTACT PAIR 4: normal law"),
         ("BRASS", "BRONZE", "material BRASS in the restart file, but not in the deck"),
         ("3e-6, 8e-13, 0, 7e-13, 1.5e-12", "3.1e-6, 8.1e-13, 0, 7.1e-13, 1.6e-12", "and 1 more"),
     ],
