@@ -101,8 +101,9 @@ module litz_contact_points
       !> At an end or a joint, or near a joint: the stretches of both wires there
       type(leg_t), allocatable :: legs(:)
       !> Of a point of a line contact next to the end of the other wire: how the length that it stands for changes with
-      !> its place there, and what it was when the shares were found, which friction sees [m]
-      real(dp) :: dweight_dlap = 0, settled_weight = 0
+      !> its place there [-] and how that does [1/m], and what it was when the shares were found, which friction
+      !> sees [m]
+      real(dp) :: dweight_dlap = 0, d2weight_dlap2 = 0, settled_weight = 0
       !> Where it is at an end or a joint: slope of the distance along the leg from there along which it grows least,
       !> not negative, and mean curvature (2) [-, 1/m]
       real(dp) :: tilt(2) = 0, bend(2) = 0
@@ -121,8 +122,9 @@ module litz_contact_points
       !> Sine of straight wires whose lens of overlap is as long as that of this crossing, how much it counts beside the
       !> angle of the axes, and how much the section of the wires counts, both between 0 and 1
       real(dp) :: lens_sine = 0, lens_share = 0, section_share = 0
-      !> The wires overlap on beyond its lens: what looks like a short overlap is a ripple of a long one
-      logical :: is_long = .false.
+      !> How far the wires overlap on beyond its lens, between 0 and 1: what looks like a short overlap is a ripple of a
+      !> long one
+      real(dp) :: long_share = 0
       !> How much the section counts in what it conducts, that of its largest lens if spots are remembered; and the
       !> deepest overlap of that lens [m], of a point of a line contact that of the crossing in whose lens it lies
       real(dp) :: spot_section = 0, kept_overlap = 0
@@ -372,7 +374,7 @@ contains
       type(contact_point_t), intent(inout) :: point
 
       point%is_shared = earlier%is_shared
-      point%is_long = earlier%is_long
+      point%long_share = earlier%long_share
       point%weight = earlier%weight
       point%line_share = earlier%line_share
       point%cell%reach = earlier%cell%reach
@@ -390,6 +392,7 @@ contains
       point%cut_stiffness = earlier%cut_stiffness
       point%place = earlier%place
       point%dweight_dlap = earlier%dweight_dlap
+      point%d2weight_dlap2 = earlier%d2weight_dlap2
       point%settled_weight = earlier%settled_weight
       if (earlier%law_status == law_too_curved) point%law_status = law_too_curved
    end subroutine take_shares

@@ -3,12 +3,20 @@
 !> Each crossing is there twice, along either of its wires; one at or near a joint along each of the wires that meet
 !> there.
 module litz_crossings_of_wires
-   use litz_kinds, only: dp
+   use litz_kinds, only: dp, pi
    use litz_contact_points, only: contact_point_t, leg_t, is_contact_of
+   use litz_lens_law, only: smooth_step
    use litz_wires, only: wires_t
    implicit none
    private
    public :: crossings_of_wires_t, sort_crossings
+
+   !> Distance of two lenses, in the sum of their half lengths, at which they begin to be one overlap, and at which they
+   !> are: where distance goes in waves, with the lenses of their curvature at the deepest places, pi/2 as waves close
+   !> altogether. At pi they overlap over a third of their length, and the force of a lens is within 3 % of theirs
+   real(dp), parameter :: begin_to_touch = pi, one_overlap = pi/2
+   !> Part of the overlap of a crossing that makes it one with another one in full: of a third of its force
+   real(dp), parameter :: as_deep = 0.5_dp
 
    type :: crossing_on_wire_t
       !> Wire, the other one, and the arc length along the first [m], by which they are in order; that along the other
@@ -230,14 +238,14 @@ contains
       end do
    end subroutine find_nearest
 
-   !> Crossings of the same two wires whose lenses reach into each other are one overlap with ripples.
+   !> Crossings of the same two wires whose lenses reach into each other become one overlap with ripples.
    pure subroutine mark_common_lenses(self, wires, half_length, crossings)
       class(crossings_of_wires_t), intent(in) :: self
       type(wires_t), intent(in) :: wires
       !> aW [m]; 0: no lens (n_crossings)
       real(dp), intent(in) :: half_length(:)
       type(contact_point_t), intent(inout) :: crossings(:)
-      real(dp) :: together, longest
+      real(dp) :: together, apart, touch, longest
       integer :: i, k
 
       longest = maxval([0.0_dp, half_length])
@@ -247,19 +255,29 @@ contains
             do k = i + 1, size(self%list)
                associate (b => self%list(k))
                   if (b%own /= a%own .or. b%other /= a%other) exit
-                  if (wires%circumference(a%own) <= 0 .and. b%arc - a%arc > 1.001_dp*(half_length(a%crossing) &
-                     + longest)) exit
+                  if (wires%circumference(a%own) <= 0 .and. b%arc - a%arc > begin_to_touch*1.001_dp &
+                     *(half_length(a%crossing) + longest)) exit
                   if (b%is_beyond) cycle
                   if (b%is_turned .or. b%crossing == a%crossing .or. .not. half_length(b%crossing) > 0) cycle
                   together = half_length(a%crossing) + half_length(b%crossing)
-                  if (wires%arc_between(a%own, a%arc, b%arc) < together .and. wires%arc_between(a%other, &
-                     a%arc_other, b%arc_other) < together) then
-                     crossings([a%crossing, b%crossing])%is_long = .true.
-                  end if
+                  apart = max(wires%arc_between(a%own, a%arc, b%arc), wires%arc_between(a%other, a%arc_other, &
+                     b%arc_other))
+                  touch = smooth_step((begin_to_touch - apart/together)/(begin_to_touch - one_overlap))
+                  call add_ripple(crossings(b%crossing)%gap, touch, crossings(a%crossing))
+                  call add_ripple(crossings(a%crossing)%gap, touch, crossings(b%crossing))
                end associate
             end do
          end associate
       end do
    end subroutine mark_common_lenses
+
+   !> The lens of a crossing is the longer an overlap the more the next one touches it, as far as that is as deep.
+   elemental subroutine add_ripple(gap_of_other, touch, crossing)
+      !> Of the other crossing [m], and how much the two lenses touch, between 0 and 1
+      real(dp), intent(in) :: gap_of_other, touch
+      type(contact_point_t), intent(inout) :: crossing
+
+      crossing%long_share = max(crossing%long_share, touch*smooth_step(gap_of_other/(as_deep*crossing%gap)))
+   end subroutine add_ripple
 
 end module litz_crossings_of_wires

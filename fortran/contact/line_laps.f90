@@ -1,7 +1,7 @@
 !> What a place stands for next to the end of the wire that it lies along.
 !>
-!> There the overlap ends between two places, wherever the end comes to lie: the last place that has its foot on the
-!> wire stands for all that lies between it and the end, the next one, which is beyond, for nothing.
+!> There the overlap ends between two places, wherever the end comes to lie: the last two places that have their feet on
+!> the wire stand for all that lies between them and the end, the next one, which is beyond, for nothing.
 module litz_line_laps
    use litz_kinds, only: dp
    use litz_contact_points, only: contact_point_t, leg_t
@@ -18,33 +18,46 @@ module litz_line_laps
 
 contains
 
-   !> Part of its length for which a place stands; more than 1 where the next one is beyond the end. As its foot
-   !> slides the last one gains or loses length.
-   pure subroutine find_lap(wires, elements, places, cosine, point, share)
+   !> Part of its length for which a place stands. What lies between the last place of a lap and its end has the linear
+   !> course that the last two places tell, so that nothing jumps where the end passes a place: with the distance `h` of
+   !> places, of which the end is `r` behind the last one, that one has `r + r^2/(2 h)` more than up to itself, and the
+   !> one before it `r^2/(2 h)` less. As their feet slide they gain or lose length.
+   pure subroutine find_lap(wires, elements, places, rate, point, share, of_lap)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(line_places_t), intent(in) :: places
-      !> Of the angle between the elements, the sign of which says whether they run the same way
-      real(dp), intent(in) :: cosine
+      !> By how much the foot moves along the element of the other wire as the place does [-]
+      real(dp), intent(in) :: rate
       !> Out: with the end that it is next to
       type(contact_point_t), intent(inout) :: point
-      !> [-]
-      real(dp), intent(out) :: share
-      real(dp) :: reach
+      !> [-], and how the length changes with the distance of the foot from the end [-], and how that does [1/m] (2)
+      real(dp), intent(out) :: share, of_lap(2)
+      real(dp) :: behind, spacing, beyond
       integer :: ahead
 
       point%lens%near = .false.
       share = 1
-      call find_end_of_lap(wires, elements, places, cosine, point, ahead, reach)
+      of_lap = 0
+      call find_end_of_lap(wires, elements, places, rate, point, ahead, behind)
       if (ahead == 0) return
       share = 0
       if (point%foot_at_end) return
+      spacing = 2*half_part(elements, places, point%element)
       associate (length => places%length(point%line_place))
-         share = (length - half_part(elements, places, point%element) + reach)/length
+         if (behind < spacing - tie*spacing) then
+            share = (length - spacing/2 + behind + behind**2/(2*spacing))/length
+            of_lap = [1 + behind/spacing, 1/(spacing*abs(rate))]/abs(rate)
+         else
+            beyond = behind - spacing
+            share = (length - beyond**2/(2*spacing))/length
+            of_lap = -[beyond, 1/abs(rate)]/(spacing*abs(rate))
+         end if
       end associate
       point%lens%near(1) = .true.
-      point%lens%side(1) = minloc(distances_to_ends(wires, elements, point%element_bar, point%arc_bar), 1)
-      point%place(1) = reach
+      associate (to_ends => distances_to_ends(wires, elements, point%element_bar, point%arc_bar))
+         point%lens%side(1) = minloc(to_ends, 1)
+         point%place(1) = minval(to_ends)
+      end associate
    end subroutine find_lap
 
    !> The length for which a place stands, as its foot has slid.
@@ -53,60 +66,68 @@ contains
       type(elements_t), intent(in) :: elements
       !> With the weight and the place that it had
       type(contact_point_t), intent(inout) :: point
-      real(dp) :: to_end(2)
+      real(dp) :: to_end(2), slid
 
       if (.not. point%lens%near(1)) return
       to_end = distances_to_ends(wires, elements, point%element_bar, point%arc_bar)
       associate (now => to_end(point%lens%side(1)))
-         point%weight = max(0.0_dp, point%weight + point%dweight_dlap*(now - point%place(1)))
+         slid = now - point%place(1)
+         point%weight = max(0.0_dp, point%weight + (point%dweight_dlap + point%d2weight_dlap2*slid/2)*slid)
+         point%dweight_dlap = point%dweight_dlap + point%d2weight_dlap2*slid
          point%place(1) = now
       end associate
    end subroutine slide_along_lap
 
    !> From a place to the ends of the part of its wire for which it stands, against and along its element (2) [m].
-   pure function cell_at_lap(wires, elements, places, point) result(reach)
+   pure function cell_at_lap(wires, elements, places, rate, point) result(reach)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(line_places_t), intent(in) :: places
+      !> By how much the foot moves along the element of the other wire as the place does [-]
+      real(dp), intent(in) :: rate
       type(contact_point_t), intent(in) :: point
-      real(dp) :: reach(2), to_end
+      real(dp) :: reach(2), behind, half
       integer :: ahead
 
-      reach = half_part(elements, places, point%element)
+      half = half_part(elements, places, point%element)
+      reach = half
       ! at a node, the other side lies in the next element, if there is one
       if (point%xi <= -1) reach(1) = places%length(point%line_place) - reach(2)
       if (point%xi >= 1) reach(2) = places%length(point%line_place) - reach(1)
-      call find_end_of_lap(wires, elements, places, point%kinematics%cos_angle, point, ahead, to_end)
-      if (ahead == 0) return
+      call find_end_of_lap(wires, elements, places, rate, point, ahead, behind)
+      if (ahead == 0 .or. behind >= 2*half*(1 - tie)) return
       if (wires%direction(point%element) < 0) ahead = 3 - ahead
-      reach(ahead) = max(0.0_dp, reach(ahead) - half_part(elements, places, point%element) + to_end)
+      reach(ahead) = max(0.0_dp, reach(ahead) - half + behind)
    end function cell_at_lap
 
-   !> The end of the other wire, where it comes before the next place and before the end of the wire of this one.
-   pure subroutine find_end_of_lap(wires, elements, places, cosine, point, ahead, to_end)
+   !> The end of the other wire, where it comes before the next place but one and the end of the wire of this one.
+   pure subroutine find_end_of_lap(wires, elements, places, rate, point, ahead, behind)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(line_places_t), intent(in) :: places
-      !> Of the angle between the elements
-      real(dp), intent(in) :: cosine
+      !> By how much the foot moves along the element of the other wire as the place does [-]
+      real(dp), intent(in) :: rate
       type(contact_point_t), intent(in) :: point
       !> It lies towards the first (1) or the second end (2) of the wire of the place; 0: there is none
       integer, intent(out) :: ahead
-      !> Distance of the foot from it [m]
-      real(dp), intent(out) :: to_end
+      !> How far the wire of the place leads from it to the end [m]
+      real(dp), intent(out) :: behind
       real(dp) :: from_ends(2), own(2), spacing
       integer :: side
 
       ahead = 0
       from_ends = distances_to_ends(wires, elements, point%element_bar, point%arc_bar)
       side = minloc(from_ends, 1)
-      to_end = from_ends(side)
       spacing = 2*half_part(elements, places, point%element)
-      if (to_end >= spacing - tie*spacing) return
-      ahead = merge(side, 3 - side, cosine*wires%direction(point%element_bar)*wires%direction(point%element) > 0)
+      behind = 0
+      if (.not. point%foot_at_end) then
+         if (.not. from_ends(side) < 2*spacing*(1 - tie)*abs(rate)) return
+         behind = from_ends(side)/abs(rate)
+      end if
+      ahead = merge(side, 3 - side, rate*wires%direction(point%element_bar)*wires%direction(point%element) > 0)
       own = distances_to_ends(wires, elements, point%element, point%arc)
       ! the wire of the place ends first
-      if (own(ahead) <= to_end + tie*spacing .and. .not. point%foot_at_end) ahead = 0
+      if (own(ahead) <= behind + tie*spacing .and. .not. point%foot_at_end) ahead = 0
    end subroutine find_end_of_lap
 
    !> Half of the distance of places in an element [m].

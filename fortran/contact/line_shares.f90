@@ -37,8 +37,15 @@ module litz_line_shares
    !> So does one of the parts of legs and joint, which all of the contact goes with
    real(dp), parameter :: joints_matter = 10
 
-   !> Half lengths of a lens from its crossing where it has certainly ended
-   real(dp), parameter :: lens_ends = 1.2_dp
+   !> Half lengths of a lens from its crossing where it ends, and where what overlaps is none of it: the crest of a wave
+   !> that closes altogether (see litz_crossings_of_wires)
+   real(dp), parameter :: lens_ends = 1, goes_on = pi/2
+   !> Part of the curvature of a lens from which on a place is in it: half of what is left of it at the end of the
+   !> overlap of a wave, as that begins to be one with the next
+   real(dp), parameter :: bends_as_lens = 0.25_dp
+   !> Part of the overlap of a crossing that makes the lens part of a longer overlap where it is left beyond the lens: a
+   !> tenth of its force is
+   real(dp), parameter :: counts_beyond = 0.25_dp
 
 contains
 
@@ -125,7 +132,10 @@ contains
       point%lens_sine = lens_sine(point%kinematics)
       point%lens_share = share_of_lens(law, point, point%kinematics%angle)
       own%line_share = line_share_at(wires, elements, contact, by_place, point)
-      own%length = merge(min(half_length, lap_at_crossing(wires, elements, point)), huge(radius), all(point%lens%near))
+      ! as far as a lens is part of a longer overlap, only ends bound that
+      own%length = huge(radius)
+      if (all(point%lens%near)) own%length = min(half_length/max(1 - point%long_share, epsilon(radius)), &
+         lap_at_crossing(wires, elements, point))
       own%sine = (1 - point%lens_share)*sin(point%kinematics%angle) + point%lens_share*point%lens_sine
       call share_on_legs(law, wires, elements, contact, by_place, own, point)
    end subroutine share_crossing
@@ -187,6 +197,8 @@ contains
             largest_change = max(largest_change, change_of_cut(earlier%lens, point%lens))
             associate (law => model%interactions(model%contact_pairs(point%pair)%interaction)%normal)
                if (point%is_shared) call share_crossing(law, wires, elements, contact, by_place, point)
+               ! the iteration goes on from the overlap that it has come to
+               if (earlier%weight > 0) point%mixed_force = point%mixed_force*(point%weight/earlier%weight)
                if (is_cut(point%lens)) then
                   call set_angle_of_axes(point)
                   if (serves_lines(model, point%pair)) call blend_angle_of_lens(point)
@@ -237,7 +249,7 @@ contains
       real(dp), intent(in) :: xe(3, 4), tangents(3, 4), length(2)
       type(contact_point_t), intent(inout) :: point
       type(line_profile_t) :: profile
-      real(dp) :: tilt, reach, distance, of_length, part
+      real(dp) :: tilt, reach, distance, rate, of_length, of_lap(2), part
       integer :: i, legs(2)
 
       profile = line_profile(xe, tangents, length, axis_hermite, point%xi_bar, point%xi, point%kinematics%normal, &
@@ -264,28 +276,29 @@ contains
                reach = 1.5_dp*deepest*minval(elements%radius(pair))/max(tilt, least_tilt) &
                   + 2*spacing_of_places(contact%places, pair, length)
             end if
-            call sorted%find_nearest(wires, reach, reach + 2*sum(elements%radius(pair)), point, i, distance, legs)
-            ! a wedge is cut by an end or joint, and not by a crossing
-            if (i > 0) then
-               if (bend > 0 .or. any(legs > 0)) call share_with(contact%points(i), legs, &
-                  contact%places, elements, point)
-            end if
+            ! what is up to twice as far becomes another overlap
+            call sorted%find_nearest(wires, 2*reach, 2*reach + 2*sum(elements%radius(pair)), point, i, distance, legs)
+            if (i > 0) call share_with(contact%points(i), legs, 2 - distance/reach, bend, contact%places, elements, &
+               point)
             ! the lens is still open
             if (i == 0 .and. bend > 0) then
                if (-point%gap + tilt**2/(2*bend) <= 0) point%line_share = 0
             end if
          end if
-         call find_lap(wires, elements, contact%places, point%kinematics%cos_angle, point, of_length)
+         rate = point%kinematics%cos_angle/max(least_quality, quality(1))
+         call find_lap(wires, elements, contact%places, rate, point, of_length, of_lap)
          part = point%line_share*share_of_pass(quality)*flatness(tilt)
-         point%dweight_dlap = merge(part, 0.0_dp, point%lens%near(1))
+         point%dweight_dlap = part*of_lap(1)
+         point%d2weight_dlap2 = part*of_lap(2)
          point%weight = part*contact%places%length(point%line_place)*of_length
-         point%cell%reach = cell_at_lap(wires, elements, contact%places, point)
+         point%cell%reach = cell_at_lap(wires, elements, contact%places, rate, point)
          point%settled_weight = point%weight
          if (.not. any(quality > least_quality)) point%law_status = law_too_curved
       end associate
    end subroutine share_line_point
 
-   !> Crossings beyond whose lens the places next to it still overlap, or whose lens reaches into that of another one.
+   !> Crossings beyond whose lens the places next to it still overlap, or whose lens reaches into that of another one:
+   !> gradually, as the lens and the overlaps beyond it change.
    subroutine find_long_overlaps(wires, elements, sorted, contact)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
@@ -303,7 +316,7 @@ contains
             if (crossing%gap < 0 .and. has_lens(crossing)) half_length(i) = half_length_of(crossing, huge(distance))
          end associate
       end do
-      contact%points%is_long = .false.
+      contact%points%long_share = 0
       call sorted%mark_common_lenses(wires, half_length, contact%points)
       do i = 1, size(contact%line_points)
          associate (point => contact%line_points(i), pair => [contact%line_points(i)%element_bar, &
@@ -319,27 +332,38 @@ contains
                if (any(legs > 0) .and. .not. any(crossing%held)) cycle
                if (any(crossing%held)) length = half_length_on(crossing, crossing%legs(legs(1)), &
                   crossing%legs(legs(2)), huge(length))
+               ! no overlap is shorter than that of round ends
+               length = max(length, sqrt(-2*crossing%kinematics%distance*crossing%gap))
+               crossing%long_share = max(crossing%long_share, smooth_step((distance/length - lens_ends) &
+                  /(goes_on - lens_ends))*smooth_step(point%gap/(counts_beyond*crossing%gap)))
             end associate
-            contact%points(nearest)%is_long = contact%points(nearest)%is_long .or. distance > &
-               lens_ends*length + spacing_of_places(contact%places, pair, elements%length(pair))
          end associate
       end do
    end subroutine find_long_overlaps
 
    !> What the line carries of a crossing, and how much the section of the wires counts in its law: both by the length
    !> of the lens.
-   pure subroutine share_with(crossing, legs, places, elements, point)
+   pure subroutine share_with(crossing, legs, nearness, bend, places, elements, point)
       type(contact_point_t), intent(in) :: crossing
       !> At an end or joint, or beyond one: its legs on the wires of the point, barred first (2)
       integer, intent(in) :: legs(2)
+      !> From 1 on where its lens should lie as seen from the place, 0 where that is a different overlap
+      real(dp), intent(in) :: nearness
+      !> Curvature of the distance at the place [1/m]
+      real(dp), intent(in) :: bend
       type(line_places_t), intent(in) :: places
       type(elements_t), intent(in) :: elements
       !> Out: with `line_share` and `section_share`
       type(contact_point_t), intent(inout) :: point
-      real(dp) :: half_length, of_crossing, slope, radius
+      real(dp) :: half_length, of_crossing, short, slope, radius
       integer :: pair(2)
 
-      if (crossing%is_long .or. .not. has_lens(crossing)) return
+      if (.not. has_lens(crossing)) return
+      short = (1 - crossing%long_share)*smooth_step(nearness)
+      ! a wedge is cut by an end or joint, and not by a crossing; what bends less than its lens goes on beyond it
+      if (.not. any(legs > 0)) short = short*smooth_step(bend*crossing%kinematics%distance &
+         /(bends_as_lens*lens_sine(crossing%kinematics)**2))
+      if (.not. short > 0) return
       radius = minval(crossing%radius)
       if (any(legs > 0)) then
          associate (bar => crossing%legs(legs(1)), leg => crossing%legs(legs(2)))
@@ -352,8 +376,8 @@ contains
       end if
       call share_of_point(half_length, resolution*spacing_of_places(places, pair, elements%length(pair)), of_crossing, &
          slope)
-      point%line_share = 1 - of_crossing
-      point%section_share = share_of_line(half_length/radius)
+      point%line_share = 1 - short*of_crossing
+      point%section_share = 1 - short*(1 - share_of_line(half_length/radius))
       point%spot_section = point%section_share
       ! next to an end the overlap is a wedge
       point%in_lens = .not. any(legs > 0)

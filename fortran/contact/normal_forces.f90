@@ -302,6 +302,8 @@ contains
       if (point%lens%near(1) .and. point%closed) then
          point%slide_force = [point%dweight_dlap*law%energy, 0.0_dp]
          point%slide_by_overlap = [point%dweight_dlap*law%force, 0.0_dp]
+         point%slide_stiffness = 0
+         point%slide_stiffness(1, 1) = point%d2weight_dlap2*law%energy
       end if
       if (.not. point%active) return
       if (.not. point%predicted) point%predicted_gap = point%gap

@@ -79,7 +79,7 @@ contains
       call table%field('reach_back', point%cell%reach(1))
       call table%field('reach_on', point%cell%reach(2))
       call table%field('is_shared', point%is_shared)
-      call table%field('is_long', point%is_long)
+      call table%field('long_share', point%long_share)
       call table%field('section_share', point%section_share)
       call table%field('in_lens', point%in_lens)
       call table%field('spot_section', point%spot_section)
@@ -131,6 +131,7 @@ contains
       call table%field('cut_stiffness', point%cut_stiffness)
       call table%field('place_bar', point%place(1))
       call table%field('dweight_dlap', point%dweight_dlap)
+      call table%field('d2weight_dlap2', point%d2weight_dlap2)
       call table%field('settled_weight', point%settled_weight)
    end subroutine list_lens
 

@@ -311,9 +311,17 @@ def largest_step(run, points, yaw, law, first, last):
     ("degrees", "yaw"),
     [
         (5, 20),
+        (10, 10),
+        (15, 5),
+        (15, 10),
+        (15, 15),
         (20.1, 30),
+        (30, 10),
+        (30, 30),
+        (45, 10),
         (60, 15),
         (60, 60),
+        (90, 30),
     ],
 )
 def test_a_rod_is_dragged_over_a_flat_kink_without_a_step(run, law, degrees, yaw):
@@ -324,8 +332,14 @@ def test_a_rod_is_dragged_over_a_flat_kink_without_a_step(run, law, degrees, yaw
 
 
 @pytest.mark.parametrize("law", LAWS, ids=["hertz", "linear"])
-@pytest.mark.parametrize(("degrees", "yaw"), [(60, 20), (60, 45)])
+@pytest.mark.parametrize(("degrees", "yaw"), [(20.1, 10), (30, 10), (30, 15), (60, 20), (60, 45)])
 def test_a_rod_is_dragged_on_to_a_kink_and_beyond_without_a_step(run, law, degrees, yaw):
     """Along a leg, while the feet of its places pass the joint one after the other; the other leg falls away."""
     points = np.concatenate([leg(180, 0)[::-1], leg(0, degrees)[1:]])
     assert largest_step(run, points, yaw, law, -3.0, 0.5) < 0.02
+
+
+@pytest.mark.parametrize(("law", "yaw"), [(HERTZ, 15), (HERTZ, 30), (LAWS[1], 5)], ids=["hertz-15", "hertz-30", "linear-5"])
+def test_a_rod_is_dragged_past_the_end_of_a_wire_without_a_step(run, law, yaw):
+    """The limits of the README say at which angles there is one."""
+    assert largest_step(run, leg(180, 0)[::-1], yaw, law, -3.0, 1.2) < 0.02

@@ -359,11 +359,16 @@ def test_a_strand_is_pulled_and_twisted_as_one_of_exact_helices(results_of, head
         found = results.history["RF3 node 149"][at(results, time)]
         # clamps hold the tilt of the wires at the ends of two thirds of a lay
         assert found == pytest.approx(force, rel=1e-3)
+        if turn:
+            # the clamps, which hold the tilt of the wires, press them on the core in the middle of so short a strand, too:
+            # test_pulled_cables has one of two lays
+            continue
         contacts = results.contacts_at(at(results, time))
-        middle = np.abs(contacts["point_1_z"] - 15e-3) < 5e-3
-        # the line force away from the clamps, per mean length of core and wire, whose places have half of it each
+        # the line force away from the clamps, over whole elements, per mean length of core and wire, whose places have half
+        # of it each
+        middle = np.abs(contacts["point_1_z"] - 15e-3) < 4.5e-3
         pressed = contacts["force"][middle].sum() / contacts["length"][middle].sum()
-        assert pressed == pytest.approx(exact.line_force / share, rel=0.01)
+        assert pressed == pytest.approx(exact.line_force / share, rel=2e-3)
     conductance = 58.8e6 * np.pi * (0.52e-3**2 + 6 * 0.5e-3**2 * strand.free.height) / 30e-3
     assert results.history["resistance PLUS to MINUS"][at(results, 2)] == pytest.approx(1 / conductance, rel=1e-3)
 

@@ -2,7 +2,10 @@
 
 import math
 
+import numpy as np
 import pytest
+from verification.cases.twisted_pair import approach_of
+from verification.references.helical_rods import Rod, Strand
 
 from litz import Results, build
 
@@ -47,3 +50,35 @@ def test_shares_of_places_and_crossings_that_change_with_the_load_take_no_iterat
     iterations = Results(tmp_path / "strand.vtkhdf").status["iterations"]
     assert len(iterations) == 10
     assert max(iterations[3:]) <= 4
+
+
+def test_wires_of_a_strand_press_on_its_core_as_exact_helices(litz, tmp_path):
+    """Pulled, then twisted, by clamps that are two lays apart: in the middle, where they are no longer felt."""
+    length, radii = 90e-3, (0.52e-3, 0.5e-3)
+    model = build.strand([1, 6], radius=radii, lay_length=45e-3, length=length)
+    model.supports = []
+    model.fix(model.rigid_body((0, 0, 0), tie="MINUS"), "encastre")
+    model.node_set("CLAMP", model.rigid_body((0, 0, length), tie="PLUS"))
+    model.fix("MINUS", "potential")
+    pull = model.step("PULL", increment=0.25)
+    pull.hold("CLAMP", "x", "y", "rotations")
+    pull.move("CLAMP", "z", 5e-4 * length)
+    twist = 5 / 3 * length
+    model.step("TWIST", increment=0.25).move("CLAMP", "rz", twist)
+    process = litz("run", model.write(tmp_path / "strand.inp"), "-o", tmp_path)
+    assert process.returncode == 0, process.stderr
+    results = Results(tmp_path / "strand.vtkhdf")
+    core, wire = (Rod(radius, 120e9, 0.34) for radius in radii)
+    strand = Strand(core, wire, 6, 45e-3)
+    approach = approach_of(core, wire)
+    # the law is per length of either wire
+    share = (1 + strand.free.height) / 2
+    times = np.array(results.times)
+    for time, turn, tolerance in ((1, 0.0, 2e-3), (2, twist / length, 4e-3)):
+        exact = strand.state(5e-4, turn, lambda f: approach(f / share))
+        contacts = results.contacts_at(int(np.argmin(np.abs(times - time))))
+        # over whole elements, along which the force has ripples
+        middle = np.abs(contacts["point_1_z"] - length / 2) < 9e-3
+        pressed = contacts["force"][middle].sum() / contacts["length"][middle].sum()
+        # twisted, the clamps raise it by 2.5 % over two thirds of a lay, 0.7 % over 4/3 and 0.3 % over two lays
+        assert pressed == pytest.approx(exact.line_force / share, rel=tolerance)

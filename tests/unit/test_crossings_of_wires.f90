@@ -2,7 +2,7 @@
 program test_crossings_of_wires
    use litz_contact_points, only: contact_point_t
    use litz_crossings_of_wires, only: crossings_of_wires_t, sort_crossings
-   use litz_kinds, only: dp
+   use litz_kinds, only: dp, pi
    use litz_wires, only: wires_t
    implicit none
 
@@ -21,6 +21,7 @@ program test_crossings_of_wires
    sorted = sort_crossings(wires, crossings)
    call the_nearest_crossing_of_the_same_wires_is_found()
    call lenses_that_reach_into_each_other_are_found()
+   call waves_are_one_overlap_as_they_close()
    if (failures > 0) error stop 1
 
 contains
@@ -83,28 +84,67 @@ contains
       end associate
    end function distance_of
 
+   !> By how much each other crossing of the same wires makes an overlap of it: the nearer and the deeper it is.
    subroutine lenses_that_reach_into_each_other_are_found()
-      real(dp) :: half_length(n_crossings)
-      logical :: expected(n_crossings)
+      real(dp) :: half_length(n_crossings), expected(n_crossings), apart
       integer :: a, b
 
       call random_number(half_length)
       half_length = max(0.0_dp, 0.04_dp*(half_length - 0.3_dp))
-      expected = .false.
+      call random_number(crossings%gap)
+      crossings%gap = -crossings%gap
+      expected = 0
       do a = 1, n_crossings
          do b = 1, n_crossings
             if (a == b .or. .not. min(half_length(a), half_length(b)) > 0) cycle
             if (crossings(a)%element_bar /= crossings(b)%element_bar .or. crossings(a)%element /= &
                crossings(b)%element) cycle
-            expected(a) = expected(a) .or. max(wires%arc_between(crossings(a)%element_bar, crossings(a)%arc_bar, &
-               crossings(b)%arc_bar), wires%arc_between(crossings(a)%element, crossings(a)%arc, crossings(b)%arc)) < &
-               half_length(a) + half_length(b)
+            apart = max(wires%arc_between(crossings(a)%element_bar, crossings(a)%arc_bar, crossings(b)%arc_bar), &
+               wires%arc_between(crossings(a)%element, crossings(a)%arc, crossings(b)%arc))
+            expected(a) = max(expected(a), rising((pi - apart/(half_length(a) + half_length(b)))/(pi/2)) &
+               *rising(2*crossings(b)%gap/crossings(a)%gap))
          end do
       end do
       call sorted%mark_common_lenses(wires, half_length, crossings)
-      call check(any(expected), 'some reach into each other')
-      call check(all(crossings%is_long .eqv. expected), 'lenses that reach into each other')
+      call check(any(expected >= 1) .and. any(expected > 0 .and. expected < 1), 'some reach into each other')
+      call check(all(abs(crossings%long_share - expected) < 1.0e-9_dp), 'lenses that reach into each other')
    end subroutine lenses_that_reach_into_each_other_are_found
+
+   !> From 0 to 1 between 0 and 1.
+   pure real(dp) function rising(u)
+      !> [-]
+      real(dp), intent(in) :: u
+
+      rising = 3*max(0.0_dp, min(1.0_dp, u))**2 - 2*max(0.0_dp, min(1.0_dp, u))**3
+   end function rising
+
+   !> Two wires the distance of which goes in waves, `-overlap + A (1 - cos(2 pi s/L))`: one overlap as it closes on the
+   !> crests, where they overlap by 2 A; two lenses where each reaches over less than a third of the wave.
+   subroutine waves_are_one_overlap_as_they_close()
+      real(dp), parameter :: amplitude = 1.0e-3_dp, wave = 0.1_dp
+      type(contact_point_t) :: two(2)
+      real(dp) :: before, share
+      integer :: k
+
+      two%element_bar = 1
+      two%element = 2
+      two%arc_bar = [0.4_dp, 0.4_dp + wave]
+      two%arc = two%arc_bar
+      before = 0
+      do k = 0, 10
+         two%gap = -amplitude*(0.5_dp + 1.5_dp*k/10)
+         two%long_share = 0
+         associate (of_two => sort_crossings(wires, two))
+            call of_two%mark_common_lenses(wires, wave/(2*pi)*sqrt(-2*two%gap/amplitude), two)
+         end associate
+         share = two(1)%long_share
+         call check(abs(two(2)%long_share - share) <= 0, 'equal waves')
+         if (k == 0) call check(share < 1.0e-12_dp, 'waves that overlap over a third')
+         if (k > 0) call check(share > before, 'more as they overlap more')
+         before = share
+      end do
+      call check(abs(share - 1) < 1.0e-12_dp, 'waves that close')
+   end subroutine waves_are_one_overlap_as_they_close
 
    subroutine check(ok, what)
       logical, intent(in) :: ok
