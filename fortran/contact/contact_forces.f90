@@ -122,6 +122,10 @@ contains
             end do
             call domain%timing%lap(phase_contact)
             call domain%add_cells(nodes(:, :n), motion_slots, motion_slots, k(:, :, :n), r(:, :n))
+            do i = 1, n
+               call domain%add_slip_coupling(nodes(:, i), points(members(i))%friction_iteration%along, &
+                  points(members(i))%friction_iteration%dlimit)
+            end do
             if (any(points(members)%conductance > 0)) then
                call domain%add_cells(nodes(:, :n), potential_slots, potential_slots, k_ee(:, :, :n), r_e(:, :n))
                call domain%add_cells(nodes(:, :n), potential_slots, motion_slots, k_me(:, :, :n))

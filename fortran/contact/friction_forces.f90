@@ -99,6 +99,7 @@ contains
          iteration%difference = -r
          iteration%limit = 0
          iteration%dtrial = 0
+         iteration%along = 0
          if (.not. point%active) return
          force = max(0.0_dp, point%iteration_force)
          dforce = dforce_sliding - point%stiffness*point%kinematics%dgap
@@ -113,6 +114,7 @@ contains
          iteration%dtrial = stiffness*slip%dslip
          iteration%limit = law%friction*force
          iteration%dlimit = law%friction*dforce
+         iteration%along = slip%residual(point%kinematics, supposed%dtraction_dforce)/law%friction
       end associate
    end subroutine find_friction
 

@@ -25,6 +25,8 @@ module litz_friction_iteration
       real(dp) :: trial(2) = 0, dtrial(n_motions, 2) = 0
       !> Limit of friction that this iteration supposes [N], and how it changes (24)
       real(dp) :: limit = 0, dlimit(n_motions) = 0
+      !> How the residual changes with the limit (24); it does so where the contact slips
+      real(dp) :: along(n_motions) = 0
       !> What the supposed status and the law of the present place differ by (24) [N, N m]
       real(dp) :: difference(n_motions) = 0
       !> The contact was open when the increment began and has been closed since

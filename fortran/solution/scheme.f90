@@ -12,7 +12,7 @@ module litz_scheme
    use litz_equations, only: equations_t, system_t
    use litz_equilibration, only: equilibrate, scaled_maximum, power_of_two_below
    use litz_errors, only: error_t
-   use litz_fields, only: n_groups, depends_on
+   use litz_fields, only: n_groups, group_mechanical, depends_on
    use litz_linear_solver, only: linear_solver_t, csr_matrix_t
    use litz_model, only: coupling_default, coupling_updated, coupling_swept
    use litz_solver_factory, only: create_solver, resolved_solver
@@ -157,7 +157,12 @@ contains
       type(system_t), intent(in) :: matrix
       type(error_t), allocatable, intent(out) :: error
 
-      call self%group(group)%solver%factor(matrix%block(group, group), matrix%symmetric(group), error)
+      if (group == group_mechanical) then
+         call self%group(group)%solver%factor(matrix%block(group, group), matrix%symmetric(group), error, &
+            coupling=matrix%slip_coupling%value)
+      else
+         call self%group(group)%solver%factor(matrix%block(group, group), matrix%symmetric(group), error)
+      end if
       call blame(self, group, self%group(group)%solver%failed_equation)
    end subroutine factor_group
 

@@ -1,13 +1,16 @@
 !> One matrix solved by its Cholesky factor: exactly where it is symmetric and positive definite, as a preconditioner
-!> where only its symmetric part is; by LU where that cannot be, or where the skew part is too large for it.
+!> where only its symmetric part is, or that of the matrix without a coupling that is given beside it; by LU where that
+!> cannot be, or where the rest is too large for it.
 module litz_cholesky_or_lu
    use litz_kinds, only: dp
    use litz_cholmod, only: cholmod_factor_t
    use litz_concus_golub_widlund, only: symmetric_part, solve_by_symmetric_part
    use litz_equilibration, only: equilibrate
    use litz_errors, only: error_t
+   use litz_gmres, only: linear_map_t, gmres
    use litz_linear_solver, only: linear_solver_t, csr_matrix_t, check_right_side
    use litz_scaled_factor, only: scaled_factor_t
+   use litz_sparse_pattern, only: csr_add_product
    use litz_umfpack, only: umfpack_factor_t
    implicit none
    private
@@ -21,12 +24,28 @@ module litz_cholesky_or_lu
       logical :: lu_analysed = .false.
       !> The last factorisation is the LU
       logical :: lu_used = .false.
+      !> The last factorisation is that of the matrix without the coupling
+      logical :: is_near = .false.
    contains
       procedure :: analyse => solver_analyse
       procedure :: factor => solver_factor
       procedure :: solve => solver_solve
       procedure :: release => solver_release
    end type cholesky_or_lu_t
+
+   !> The matrix with its equations and unknowns scaled, and the Cholesky factor of what is near it.
+   type, extends(linear_map_t) :: near_map_t
+      type(csr_matrix_t), pointer :: matrix => null()
+      type(scaled_factor_t), pointer :: factor => null()
+      type(error_t), allocatable :: error
+   contains
+      procedure :: apply => multiply
+      procedure :: precondition => solve_near
+   end type near_map_t
+
+   !> Residual of the iteration over that of its start, and steps beyond which an LU costs no more
+   real(dp), parameter :: accurate_residual = 1.0e-9_dp
+   integer, parameter :: max_steps = 30
 
 contains
 
@@ -43,7 +62,7 @@ contains
    end subroutine solver_analyse
 
    !> Scales by itself: Cholesky wants a unit diagonal.
-   subroutine solver_factor(self, matrix, symmetric, error, row_scale, column_scale)
+   subroutine solver_factor(self, matrix, symmetric, error, row_scale, column_scale, coupling)
       class(cholesky_or_lu_t), intent(inout) :: self
       type(csr_matrix_t), intent(in) :: matrix
       !> Its values are symmetric, at least among the equations whose pivots are counted
@@ -51,30 +70,41 @@ contains
       type(error_t), allocatable, intent(out) :: error
       !> Powers of two (n_rows); without them the diagonal is made about 1
       real(dp), intent(in), optional :: row_scale(:), column_scale(:)
+      !> A part of the matrix that a preconditioner leaves out (entries)
+      real(dp), intent(in), optional :: coupling(:)
 
       self%negative_pivots = -1
       call self%lu%release()
       self%symmetric = symmetric
-      call factor_cholesky(self, matrix, error)
+      call factor_cholesky(self, matrix, error, coupling)
       self%failed_equation = self%cholesky%failed_equation
       self%lu_used = self%failed_equation > 0
       if (self%lu_used) call factor_lu(self, matrix, error, row_scale, column_scale)
       if (allocated(error)) return
-      if (symmetric .or. .not. self%lu_used) call count_negative_pivots(self)
+      if (symmetric .or. .not. (self%lu_used .or. self%is_near)) call count_negative_pivots(self)
    end subroutine solver_factor
 
-   subroutine factor_cholesky(self, matrix, error)
+   subroutine factor_cholesky(self, matrix, error, coupling)
       class(cholesky_or_lu_t), intent(inout) :: self
       type(csr_matrix_t), intent(in) :: matrix
       type(error_t), allocatable, intent(out) :: error
-      type(csr_matrix_t) :: part
+      !> As of `factor` (entries)
+      real(dp), intent(in), optional :: coupling(:)
+      type(csr_matrix_t) :: part, near
       real(dp) :: scale(matrix%n_rows)
 
+      self%is_near = .not. self%symmetric .and. present(coupling)
       if (self%symmetric) then
          call equilibrate(matrix, scale)
          call self%cholesky%factor(matrix, scale, scale, error)
       else
-         call symmetric_part(matrix, part)
+         if (self%is_near) then
+            near = matrix
+            near%value = near%value - coupling
+            call symmetric_part(near, part)
+         else
+            call symmetric_part(matrix, part)
+         end if
          call equilibrate(part, scale)
          call self%cholesky%factor(part, scale, scale, error)
       end if
@@ -129,7 +159,11 @@ contains
       call check_right_side(matrix, b, error)
       if (allocated(error)) return
       if (.not. (self%lu_used .or. self%symmetric)) then
-         call solve_by_symmetric_part(matrix, self%cholesky, b, x, converged, error)
+         if (self%is_near) then
+            call solve_by_near_part(matrix, self%cholesky, b, x, converged, error)
+         else
+            call solve_by_symmetric_part(matrix, self%cholesky, b, x, converged, error)
+         end if
          self%failed_equation = self%cholesky%failed_equation
          if (allocated(error) .or. converged) return
          self%lu_used = .true.
@@ -144,6 +178,64 @@ contains
          self%failed_equation = self%cholesky%failed_equation
       end if
    end subroutine solver_solve
+
+   !> `A x = b` by GMRES, which the factor of a matrix near `A` preconditions. Equations and unknowns are scaled as that
+   !> is: forces and moments of soft and of stiff parts weigh the same.
+   subroutine solve_by_near_part(matrix, factor, b, x, converged, error)
+      type(csr_matrix_t), intent(in), target :: matrix
+      type(scaled_factor_t), intent(inout), target :: factor
+      !> Right-hand side (n)
+      real(dp), intent(in) :: b(:)
+      !> Solution (n)
+      real(dp), intent(out) :: x(:)
+      !> .false.: the matrices are too far from each other, `x` is not a solution
+      logical, intent(out) :: converged
+      type(error_t), allocatable, intent(out) :: error
+      type(near_map_t) :: map
+      real(dp) :: residual(size(b))
+
+      ! tells a singular factor
+      call factor%solve(b, x, error)
+      if (allocated(error)) return
+      map%matrix => matrix
+      map%factor => factor
+      call gmres(map, factor%row_scale*b, accurate_residual, max_steps, x)
+      if (allocated(map%error)) then
+         call move_alloc(map%error, error)
+         return
+      end if
+      x = factor%column_scale*x
+      residual = b
+      call csr_add_product(matrix, -1.0_dp, x, residual)
+      converged = norm2(factor%row_scale*residual) <= 2*accurate_residual*norm2(factor%row_scale*b)
+   end subroutine solve_by_near_part
+
+   subroutine multiply(self, x, y)
+      class(near_map_t), intent(inout) :: self
+      !> (n)
+      real(dp), intent(in) :: x(:)
+      !> (n)
+      real(dp), intent(out) :: y(:)
+
+      y = 0
+      call csr_add_product(self%matrix, 1.0_dp, self%factor%column_scale*x, y)
+      y = self%factor%row_scale*y
+   end subroutine multiply
+
+   subroutine solve_near(self, x, y)
+      class(near_map_t), intent(inout) :: self
+      !> (n)
+      real(dp), intent(in) :: x(:)
+      !> (n)
+      real(dp), intent(out) :: y(:)
+
+      if (allocated(self%error)) then
+         y = 0
+         return
+      end if
+      call self%factor%solve_once(x/self%factor%row_scale, y, self%error)
+      y = y/self%factor%column_scale
+   end subroutine solve_near
 
    subroutine solver_release(self)
       class(cholesky_or_lu_t), intent(inout) :: self

@@ -54,7 +54,7 @@ module litz_linear_solver
       end subroutine analyse_interface
       !> A singular matrix is an error with code `exit_solver` that names the equation where it was found. One that is
       !> so only to working precision may pass here and be found by `solve`.
-      subroutine factor_interface(self, matrix, symmetric, error, row_scale, column_scale)
+      subroutine factor_interface(self, matrix, symmetric, error, row_scale, column_scale, coupling)
          import :: linear_solver_t, csr_matrix_t, error_t, dp
          implicit none
          class(linear_solver_t), intent(inout) :: self
@@ -64,6 +64,9 @@ module litz_linear_solver
          type(error_t), allocatable, intent(out) :: error
          !> Powers of two that make the entries comparable (n_rows); without them the diagonal is made about 1
          real(dp), intent(in), optional :: row_scale(:), column_scale(:)
+         !> A part of the matrix without which it is nearly symmetric (entries): a solver may factor the rest alone, and
+         !> iterate
+         real(dp), intent(in), optional :: coupling(:)
       end subroutine factor_interface
       subroutine solve_interface(self, matrix, b, x, error)
          import :: linear_solver_t, csr_matrix_t, error_t, dp

@@ -41,7 +41,7 @@ contains
       call self%lu%analyse(matrix, self%offset, error)
    end subroutine lu_analyse
 
-   subroutine lu_factor(self, matrix, symmetric, error, row_scale, column_scale)
+   subroutine lu_factor(self, matrix, symmetric, error, row_scale, column_scale, coupling)
       class(lu_solver_t), intent(inout) :: self
       type(csr_matrix_t), intent(in) :: matrix
       !> Its values are symmetric, at least among the equations whose pivots are counted
@@ -49,6 +49,8 @@ contains
       type(error_t), allocatable, intent(out) :: error
       !> Powers of two (n_rows); without them the diagonal is made about 1
       real(dp), intent(in), optional :: row_scale(:), column_scale(:)
+      !> Not needed: the whole matrix is factored (entries)
+      real(dp), intent(in), optional :: coupling(:)
       real(dp) :: scale(matrix%n_rows)
 
       self%negative_pivots = -1

@@ -4,12 +4,13 @@ module litz_domain
    use litz_dependent_cells, only: scatter_dependent
    use litz_element_library, only: elements_t
    use litz_equations, only: equations_t, system_t
-   use litz_fields, only: n_groups, depends_on, fields, field_displacement, field_of_slot, temperature_slots
+   use litz_fields, only: n_groups, depends_on, fields, field_displacement, field_of_slot, &
+      group_mechanical, motion_slots, temperature_slots
    use litz_iterate, only: iterate_t
    use litz_loading, only: loading_t
    use litz_model, only: model_t
    use litz_property_table, only: property_at
-   use litz_scatter, only: forces_t, clear_forces, scatter
+   use litz_scatter, only: forces_t, clear_forces, scatter, scatter_tangent
    use litz_state, only: state_t
    use litz_timing, only: timing_t
    use litz_wires, only: wires_t
@@ -36,6 +37,7 @@ module litz_domain
    contains
       procedure :: clear_system
       procedure :: add_cells
+      procedure :: add_slip_coupling
       procedure :: mark_nodes
       procedure :: conduction_length
       procedure :: mean_temperature
@@ -122,6 +124,7 @@ contains
          end do
       end do
       self%matrix%symmetric = .true.
+      if (allocated(self%matrix%slip_coupling%value)) deallocate (self%matrix%slip_coupling%value)
       call clear_forces(self%iterate%x, self%iterate%value, self%iterate%change, self%forces)
    end subroutine clear_system
 
@@ -145,5 +148,27 @@ contains
             self%iterate%x, nodes, rows, columns, k, self%matrix%block(row_group, column_group))
       end associate
    end subroutine add_cells
+
+   !> Note what a contact that slips adds to the tangent, which its cell has in it.
+   subroutine add_slip_coupling(self, nodes, along, dlimit)
+      class(domain_t), intent(inout) :: self
+      !> Nodes of the contact (n)
+      integer, intent(in) :: nodes(:)
+      !> How its forces change with the limit of friction, and that with its motions (6 n)
+      real(dp), intent(in) :: along(:), dlimit(:)
+      real(dp) :: k(size(along), size(dlimit), 1)
+
+      if (.not. any(abs(along) > 0)) return
+      associate (coupling => self%matrix%slip_coupling, block => self%matrix%block(group_mechanical, group_mechanical))
+         if (.not. allocated(coupling%value)) then
+            self%matrix%slip_coupling%row_start = block%row_start
+            allocate (self%matrix%slip_coupling%value(size(block%value)), source=0.0_dp)
+         end if
+         k(:, :, 1) = spread(along, 2, size(dlimit))*spread(dlimit, 1, size(along))
+         call scatter_tangent(self%equations, nodes, motion_slots, motion_slots, k(:, :, 1), coupling)
+         if (size(self%iterate%bodies%dependents) > 0) call scatter_dependent(self%equations, self%iterate%bodies, &
+            self%iterate%x, reshape(nodes, [size(nodes), 1]), motion_slots, motion_slots, k, coupling)
+      end associate
+   end subroutine add_slip_coupling
 
 end module litz_domain

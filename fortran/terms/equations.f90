@@ -35,6 +35,10 @@ module litz_equations
       type(csr_matrix_t) :: block(n_groups, n_groups)
       !> The values of the block of a group with itself are symmetric
       logical :: symmetric(n_groups) = .true.
+      !> The part of the block of motions that couples the slip of contacts to their normal forces, by the limit of
+      !> friction: of rank one for each contact that slips, and far from symmetric. Rows and values only; no values
+      !> where nothing slips
+      type(csr_matrix_t) :: slip_coupling
    end type system_t
 
 contains

@@ -23,6 +23,7 @@ program test_suitesparse_factors
    call a_factor_that_does_not_fit_is_refused()
    call the_symmetric_part_solves_what_is_nearly_symmetric()
    call the_solver_falls_back_where_the_skew_part_is_large()
+   call a_coupling_is_left_to_the_iteration()
    deallocate (factor)
    allocate (umfpack_factor_t :: factor)
    call pivots_multiply_to_the_determinant(factor, 'UMFPACK')
@@ -117,6 +118,39 @@ contains
          call check(maxval(abs(b)) < 1.0e-13_dp, 'the solution of the fallback')
       end do
    end subroutine the_solver_falls_back_where_the_skew_part_is_large
+
+   !> A slip that follows a stiff force: the symmetric part has a negative eigenvalue, the rest of the chain has none.
+   subroutine a_coupling_is_left_to_the_iteration()
+      type(cholesky_or_lu_t) :: solver
+      type(csr_matrix_t) :: matrix
+      type(error_t), allocatable :: error
+      real(dp) :: b(n), x(n)
+      real(dp), allocatable :: coupling(:)
+      integer :: i, k
+
+      call skew_chain(0.01_dp, matrix)
+      allocate (coupling(size(matrix%value)), source=0.0_dp)
+      do k = matrix%row_start(5), matrix%row_start(6) - 1
+         if (matrix%column(k) == 6) coupling(k) = 20
+      end do
+      matrix%value = matrix%value + coupling
+      call solver%analyse(matrix, error)
+      call solver%factor(matrix, .false., error)
+      call check(.not. allocated(error) .and. solver%lu_used, 'the symmetric part is indefinite')
+      call solver%factor(matrix, .false., error, coupling=coupling)
+      b = [(sin(1.0_dp*i), i=1, n)]
+      call solver%solve(matrix, b, x, error)
+      call check(.not. (allocated(error) .or. solver%lu_used), 'Cholesky of the rest will do')
+      call check(solver%negative_pivots == -1, 'nothing is known of the pivots of the whole')
+      call csr_add_product(matrix, -1.0_dp, x, b)
+      call check(maxval(abs(b)) < 1.0e-7_dp, 'the solution with the coupling')
+      b = [(sin(1.0_dp*i), i=1, n)]
+      call skew_chain(100.0_dp, matrix)
+      call solver%factor(matrix, .false., error, coupling=0*coupling)
+      call solver%solve(matrix, b, x, error)
+      call csr_add_product(matrix, -1.0_dp, x, b)
+      call check(solver%lu_used .and. maxval(abs(b)) < 1.0e-13_dp, 'LU where the rest is not near either')
+   end subroutine a_coupling_is_left_to_the_iteration
 
    subroutine a_negative_diagonal_is_found(factor, name)
       class(sparse_factor_t), intent(inout) :: factor
