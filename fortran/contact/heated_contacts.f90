@@ -14,7 +14,7 @@ module litz_heated_contacts
    use litz_heat_law, only: heat_law_t, heat_metal_law
    use litz_law_input, only: wire_pair_t
    use litz_model, only: interaction_t, material_t
-   use litz_normal_forces, only: wires_of
+   use litz_normal_forces, only: wires_of, line_of_point
    use litz_property_table, only: property_at
    use litz_spot_heat, only: spot_path_t
    use litz_spot_laws, only: spot_law
@@ -233,6 +233,8 @@ contains
       real(dp) :: x(3, 4), t(3, 4), length(2)
 
       looked_at = point
+      ! the strip along a line is that of these resistivities
+      looked_at%line = line_of_point(pair, point)
       call pair_geometry(domain%model, domain%wires, domain%elements, point%element_bar, point%element, &
          domain%iterate%x, domain%iterate%rotation, x, t, length)
       call find_spot(law, domain%wires, pair, x, t, length, looked_at, circuit)

@@ -160,13 +160,27 @@ contains
       call slide_along_lap(wires, elements, point)
       if (.not. point%regular) return
       if (is_new) call share_line_point(wires, elements, contact, sorted, xe, t, length, point)
-      associate (law => model%interactions(model%contact_pairs(point%pair)%interaction))
-         ! what carries nothing conducts nothing, but may have a spot to remember
-         if (.not. (law%spot%exists() .and. (point%weight > 0 .or. law%spot_memory))) return
-         if (all(elements%resistivity([point%element_bar, point%element]) > 0)) call set_cell(line_course(xe, t, &
-            length, axis_hermite, point%foot_at_end, point%kinematics), point)
-      end associate
+      if (has_strip(model, elements, point)) call set_cell(line_course(xe, t, length, axis_hermite, point%foot_at_end, &
+         point%kinematics), point)
    end subroutine set_geometry
+
+   !> A current or heat can pass.
+   pure logical function has_strip(model, elements, point)
+      type(model_t), intent(in) :: model
+      type(elements_t), intent(in) :: elements
+      type(contact_point_t), intent(in) :: point
+      integer :: both(2)
+
+      both = [point%element_bar, point%element]
+      associate (law => model%interactions(model%contact_pairs(point%pair)%interaction), &
+         material => model%sections(model%element_section(both))%material)
+         has_strip = law%spot%exists() .and. all(elements%resistivity(both) > 0)
+         if (law%heat%exists()) has_strip = has_strip .or. allocated(model%materials(material(1))%heat_conductivity) &
+            .and. allocated(model%materials(material(2))%heat_conductivity)
+         ! what carries nothing conducts nothing, but may have a spot to remember
+         has_strip = has_strip .and. (point%weight > 0 .or. law%spot_memory)
+      end associate
+   end function has_strip
 
    !> The overlap along the part of the wire for which a point stands.
    pure subroutine set_cell(course, point)

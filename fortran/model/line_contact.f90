@@ -7,9 +7,9 @@ module litz_line_contact
    public :: serves_lines, line_obstacle
 
    !> Nothing is in the way; a normal law at points only; straight axes; friction that sticks with the stiffness of a
-   !> point; overlap without limit; a law of one spot
+   !> point; overlap without limit; a law of one spot, of current or of heat
    integer, parameter :: obstacle_none = 0, obstacle_normal_law = 1, obstacle_axis = 2, obstacle_stick = 3, &
-      obstacle_penetration = 4, obstacle_spot_law = 5
+      obstacle_penetration = 4, obstacle_spot_law = 5, obstacle_heat_law = 6
 
 contains
 
@@ -36,6 +36,8 @@ contains
          obstacle = obstacle_penetration
       else if (law%spot%exists() .and. .not. (law%spot%serves_lines .or. law%spot%is_per_length)) then
          obstacle = obstacle_spot_law
+      else if (law%heat%is_given() .and. .not. law%heat%is_per_length) then
+         obstacle = obstacle_heat_law
       end if
    end function obstacle
 
@@ -57,6 +59,8 @@ contains
       case (obstacle_spot_law)
          words = 'LAW='//trim(law%spot%name)//' of *GAP ELECTRICAL CONDUCTANCE, which is that of a spot'
          if (law%spot%can_be_per_length) words = words//' without PER=LENGTH'
+      case (obstacle_heat_law)
+         words = 'LAW='//trim(law%heat%name)//' of *GAP CONDUCTANCE, which is that of a spot without PER=LENGTH'
       case default
          words = ''
       end select

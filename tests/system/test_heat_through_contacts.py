@@ -1,6 +1,7 @@
 """Heat through the contacts of wires: against networks solved in other ways, its laws, and what ends a run."""
 
 import itertools
+import re
 from pathlib import Path
 
 import numpy as np
@@ -98,6 +99,13 @@ NT, RFL, RCURR
 HFL, JOULE
 *END STEP
 {later}"""
+
+
+def without_conductors(deck):
+    """The lap joint of wires that conduct no current."""
+    for card in (r"\*ELECTRICAL CONDUCTIVITY\n.*\n", r"\*ELECTRODE PRINT\n.*\n", r" ?(PLUS|MINUS), 9.*\n"):
+        deck = re.sub(card, "", deck)
+    return deck
 
 
 @pytest.fixture
@@ -224,6 +232,37 @@ class TestAgainstNetworks:
         resistance = results.history["resistance PLUS to MINUS"][-2]
         heat = np.abs(results.field("reaction_heat")).max()
         assert 10 / heat == pytest.approx(resistance * 5.88e7 / 400, rel=1e-12)
+
+    @pytest.mark.parametrize("law", ["CONDUCTIVITY", "CONSTANT, PER=LENGTH\n20"])
+    @pytest.mark.parametrize("insulated", ["a film that no current passes", "no conductors"])
+    def test_lines_pass_heat_without_a_current(self, litz, tmp_path, law, insulated):
+        """As much as with one: the strip of clean metal, whatever its resistivity."""
+        deck = LAP_JOINT.read_text().replace("*ELECTRICAL CONDUCTIVITY", "*CONDUCTIVITY\n400\n*ELECTRICAL CONDUCTIVITY")
+        deck = deck.replace("*CONTACT PAIR", f"*GAP CONDUCTANCE, LAW={law}\n*CONTACT PAIR").replace(
+            "LAW=FILM\n 1e-11", "LAW=HERTZ"
+        )
+        heat = f"*STEP\n{HEAT}\n1, 1\n*BOUNDARY\nPLUS, 9, 9, 0\nPLUS, 11, 11, 310\nMINUS, 11, 11, 300\n*END STEP\n"
+        passed = []
+        for name in ("current", "none"):
+            text = deck + heat
+            if name == "none":
+                text = text.replace("*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ\n", "")
+                text = without_conductors(text) if insulated == "no conductors" else text
+            (tmp_path / f"{name}.inp").write_text(text)
+            done = litz("run", tmp_path / f"{name}.inp", "-o", tmp_path / name, "--quiet")
+            assert done.returncode == 0, done.stderr
+            passed.append(np.abs(Results(tmp_path / name).field("reaction_heat")).max())
+        assert passed[0] > 0.05
+        assert passed[1] == pytest.approx(passed[0], rel=1e-6)
+
+    @pytest.mark.parametrize("law", ["CONSTANT\n20", "TABLE\n1, 10\n2, 20"])
+    def test_a_heat_conductance_of_a_spot_is_none_of_a_line(self, litz, tmp_path, law):
+        deck = LAP_JOINT.read_text().replace("*CONTACT PAIR", f"*GAP CONDUCTANCE, LAW={law}\n*CONTACT PAIR")
+        (tmp_path / "lap.inp").write_text(deck)
+        done = litz("run", tmp_path / "lap.inp", "-o", tmp_path / "lap", "--quiet")
+        assert done.returncode == 2
+        assert "LAW=" + law.split("\n")[0] in done.stderr
+        assert "which is that of a spot without PER=LENGTH" in done.stderr
 
 
 class TestSpots:
