@@ -79,6 +79,10 @@ contains
       if (allocated(self%heat)) deallocate (self%heat)
       if (.not. domain%loading%solves(field_temperature)) return
       call find_contacts(self, domain)
+      if (any(self%heat%contacts%is_cold)) then
+         self%heat%is_solved = .false.
+         return
+      end if
       associate (value => domain%iterate%value)
          call self%heat%solve(value(potential_slots(1), :), value(temperature_slots(1), :))
       end associate
@@ -237,7 +241,7 @@ contains
       reason = ''
       if (.not. allocated(self%heat)) return
       if (.not. self%heat%is_solved) reason = 'the temperatures of contact spots have no solution: a wire would be'// &
-         ' below absolute zero, or heat far more than it can pass'
+         ' at absolute zero or below, or heat far more than it can pass'
    end function refusal
 
    !> Metal in a spot has melted: what then happens is not modelled.
@@ -301,7 +305,8 @@ contains
       integer, intent(in) :: group
 
       has_mutual_tangent = .false.
-      if (group == group_transport .and. allocated(self%heat)) has_mutual_tangent = size(self%heat%contacts) > 0
+      if (group == group_transport .and. allocated(self%heat)) has_mutual_tangent = size(self%heat%contacts) > 0 &
+         .and. .not. any(self%heat%contacts%is_cold)
    end function has_mutual_tangent
 
    !> The whole tangent less what the matrix has of it.

@@ -41,6 +41,8 @@ module litz_heated_contacts
       type(spot_path_t) :: path
       !> Heat can pass between the wires, and not only that of their friction enters them [W]
       logical :: is_passed = .false.
+      !> A wire whose conductivity goes with the temperature is at absolute zero or below
+      logical :: is_cold = .false.
       real(dp) :: friction_heat = 0
       !> How ln(h) of both constrictions changes with the temperatures of both places (2, 2) [1/K]
       real(dp) :: dpath(2, 2) = 0
@@ -110,8 +112,10 @@ contains
          heated%path = spot_path_t(is_metal=.false., conductance=lambda/constrictions%shape)
          heated%dpath = reshape([dlambda(1)/lambda(1), 0.0_dp, 0.0_dp, dlambda(2)/lambda(2)], [2, 2]) &
             - spread(constrictions%dshape*pair%dresistivity, 1, 2)
-         if (law%heat%number == heat_metal_law .and. heated%conductance > 0) call follow_wiedemann_franz( &
-            law%heat%lorenz, place - domain%model%absolute_zero, heated)
+         if (.not. (law%heat%number == heat_metal_law .and. heated%conductance > 0)) return
+         heated%is_cold = any(place <= domain%model%absolute_zero)
+         if (.not. heated%is_cold) call follow_wiedemann_franz(law%heat%lorenz, place - domain%model%absolute_zero, &
+            heated)
       end associate
    end function heated_contact
 

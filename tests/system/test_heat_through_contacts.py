@@ -20,6 +20,7 @@ CROSSINGS = (-0.004, 0.001, 0.006)
 #: Places on the crossing wires, from -6 to 14 mm, which the wire along x crosses at y = 0
 ENDS_OF_CROSSING = (-0.006, 0.014)
 #: Wires side by side
+HOT_SPOT = Path(__file__).parents[2] / "inputs" / "20_hot_spot.inp"
 LAP_JOINT = Path(__file__).parents[2] / "inputs" / "15_lap_joint.inp"
 HEAT = "*COUPLED THERMAL-ELECTRICAL, STEADY STATE"
 
@@ -353,6 +354,18 @@ class TestIteration:
         # the last step is from near the solution
         assert residuals[-2] > 10 * results.convergence["heat_allowed"][-2]
         assert residuals[-1] < residuals[-2] ** 2 / residuals.max()
+
+    def test_a_metal_starts_at_absolute_zero(self, litz, tmp_path):
+        """Temperatures begin at 0 where nothing says otherwise, where spots of a metal have no heat conductance: a steady
+        state does not depend on it."""
+        deck = HOT_SPOT.read_text()
+        found = []
+        for name, text in (("warm", deck), ("cold", re.sub(r"\*INITIAL CONDITIONS.*\n.*\n", "", deck))):
+            (tmp_path / f"{name}.inp").write_text(text)
+            done = litz("run", tmp_path / f"{name}.inp", "-o", tmp_path / name, "--quiet")
+            assert done.returncode == 0, done.stderr
+            found.append(Results(tmp_path / name).contacts_at(-1)["temperature_max"])
+        np.testing.assert_allclose(found[1], found[0], rtol=1e-7)
 
     def test_a_restarted_run_goes_on_bit_for_bit(self, litz, tmp_path):
         storage = "*DENSITY\n8900\n*SPECIFIC HEAT\n390\n*EXPANSION, ZERO=293\n1.7e-5\n"
