@@ -13,11 +13,12 @@ module litz_dents
    use litz_model, only: model_t
    use litz_normal_forces, only: wires_of
    use litz_normal_law, only: normal_law_t
-   use litz_normal_yielding, only: area_of_dent, depth_of_dent
+   use litz_normal_yielding, only: dent_of_wires
    use litz_wires, only: wires_t, arc_from_to
+   use litz_yielding_spot, only: dent_t
    implicit none
    private
-   public :: follow_dents, find_left_dents, keep_left_dents, common_part
+   public :: follow_dents, find_left_dents, keep_left_dents
 
 contains
 
@@ -48,7 +49,8 @@ contains
       type(elements_t), intent(in) :: elements
       type(left_dents_t), intent(in) :: left
       type(contact_point_t), intent(inout) :: points(:)
-      type(dent_memory_t) :: dent
+      type(wire_pair_t) :: pair
+      real(dp) :: part
       integer :: i, k
 
       if (size(left%dents) == 0) return
@@ -57,14 +59,16 @@ contains
             law => model%interactions(model%contact_pairs(points(i)%pair)%interaction)%normal)
             point%found_dent = 0
             if (point%predecessor > 0 .or. .not. law%yields()) cycle
+            pair = wires_of(model, elements, point)
+            ! the nearest one, if several do
+            point%history%dent%left = 0
             do k = 1, size(left%dents)
                if (any(left%wires(:, k) /= wires_of_dent(wires, point))) cycle
-               dent = left%dents(k)
-               dent%left = part_left(law, wires, wires_of(model, elements, point), point, dent)
-               if (.not. dent%left > point%history%dent%left .and. point%found_dent > 0 &
-                  .or. .not. dent%left > 0) cycle
+               part = part_left(law, wires, pair, point, left%dents(k))
+               if (.not. part > point%history%dent%left) cycle
                point%found_dent = k
-               point%history%dent = dent
+               point%history%dent = left%dents(k)
+               point%history%dent%left = part
             end do
          end associate
       end do
@@ -129,19 +133,35 @@ contains
       type(wire_pair_t), intent(in) :: pair
       type(dent_memory_t), intent(in) :: dent
       type(contact_point_t), intent(inout) :: point
-      type(hertz_ellipse_t) :: ellipse
-      integer :: info
+      type(dent_t) :: made
+      real(dp) :: half_axes(2)
 
       point%largest_force = dent%felt_force()
       point%yield_dissipation = dent%dissipation
-      point%dent = 0
-      point%largest_semi_major = 0
-      if (.not. point%largest_force > 0) return
+      call dent_here(law, pair, point, point%largest_force, made, half_axes)
+      point%dent = made%depth
+      point%largest_semi_major = half_axes(1)
+   end subroutine show_dent
+
+   !> The dent of a force at the present angle; all 0 where there is no force, or the wires are parallel.
+   pure subroutine dent_here(law, pair, point, force, dent, half_axes)
+      type(normal_law_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(in) :: point
+      !> [N]
+      real(dp), intent(in) :: force
+      type(dent_t), intent(out) :: dent
+      !> Of its spot, the longer one first (2) [m]
+      real(dp), intent(out) :: half_axes(2)
+      type(hertz_ellipse_t) :: ellipse
+      integer :: info
+
+      half_axes = 0
       call hertz_ellipse(pair%radius, pair%young, pair%poisson, point%law_angle, ellipse, info)
       if (info /= hertz_ok) return
-      point%dent = depth_of_dent(law, pair, ellipse, point%largest_force)
-      point%largest_semi_major = sqrt(area_of_dent(law, pair, ellipse, point%largest_force)/(pi*ellipse%ratio))
-   end subroutine show_dent
+      dent = dent_of_wires(law, pair, ellipse, force)
+      half_axes = sqrt(dent%area/(pi*ellipse%ratio))*[1.0_dp, ellipse%ratio]
+   end subroutine dent_here
 
    !> Common area of the dent and a spot of its size where the contact is now, over its area [-].
    pure real(dp) function part_left(law, wires, pair, point, dent) result(part)
@@ -150,13 +170,12 @@ contains
       type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(in) :: point
       type(dent_memory_t), intent(in) :: dent
-      type(hertz_ellipse_t) :: ellipse
-      real(dp) :: moved(2), slip(2), along(2), semi_major
-      integer :: info
+      type(dent_t) :: made
+      real(dp) :: moved(2), slip(2), along(2), half_axes(2)
 
       part = dent%left
-      call hertz_ellipse(pair%radius, pair%young, pair%poisson, point%law_angle, ellipse, info)
-      if (info /= hertz_ok) return
+      call dent_here(law, pair, point, dent%force, made, half_axes)
+      if (.not. made%area > 0) return
       moved = arc_from_to(dent%arc, [point%arc_bar, point%arc], &
          wires%circumference(wires%wire([point%element_bar, point%element])))
       moved = moved*wires%direction([point%element_bar, point%element])
@@ -165,9 +184,7 @@ contains
          slip = moved(1)*[1.0_dp, 0.0_dp] - moved(2)*[cos(angle), sin(angle)]
          along = major_axis(pair%radius, angle)
       end associate
-      semi_major = sqrt(area_of_dent(law, pair, ellipse, dent%force)/(pi*ellipse%ratio))
-      part = common_part(hypot(dot_product(slip, along)/(2*semi_major), &
-         (along(1)*slip(2) - along(2)*slip(1))/(2*ellipse%ratio*semi_major)))
+      part = common_part(norm2([dot_product(slip, along), along(1)*slip(2) - along(2)*slip(1)]/(2*half_axes)))
    end function part_left
 
    !> Direction of the longer axis of the spot in the plane of contact, where the curvatures together are least.

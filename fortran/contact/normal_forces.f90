@@ -17,9 +17,9 @@ module litz_normal_forces
    use litz_model, only: model_t, interaction_t
    use litz_normal_law, only: normal_law_t, force_of_gap_t, overlap_of_force_t, force_at_gap, overlap_at_force, &
       linearise
-   use litz_normal_yielding, only: depth_of_dent, state_of_wires
+   use litz_normal_yielding, only: dent_of_wires, state_of_wires
    use litz_parallel, only: worth_threads
-   use litz_yielding_spot, only: yielding_state_t
+   use litz_yielding_spot, only: dent_t, yielding_state_t
    implicit none
    private
    public :: apply_normal_law, wires_of, line_of_point, is_lens, law_of_spot, share_of_ellipse, weight_of_lens
@@ -127,16 +127,20 @@ contains
       type(elements_t), intent(in) :: elements
       type(contact_point_t), intent(inout) :: point
       type(wire_pair_t) :: pair
+      type(dent_t) :: dent
 
-      point%dent_depth = 0
-      point%yielding = yielding_state_t()
-      point%yielded = 0
-      if (.not. (point%history%dent%felt_force() > 0 .and. point%weight > 0)) return
-      pair = wires_of(model, elements, point)
-      call find_ellipse(pair, point)
-      if (.not. point%ellipse%semi_major > 0) return
-      point%dent_depth = depth_of_dent(model%interactions(model%contact_pairs(point%pair)%interaction)%normal, pair, &
-         point%ellipse, point%history%dent%felt_force())
+      associate (law => model%interactions(model%contact_pairs(point%pair)%interaction)%normal)
+         if (.not. law%yields()) return
+         point%dent_depth = 0
+         point%yielding = yielding_state_t()
+         point%yielded = 0
+         if (.not. (point%history%dent%felt_force() > 0 .and. point%weight > 0)) return
+         pair = wires_of(model, elements, point)
+         call find_ellipse(pair, point)
+         if (.not. point%ellipse%semi_major > 0) return
+         dent = dent_of_wires(law, pair, point%ellipse, point%history%dent%felt_force())
+         point%dent_depth = dent%depth
+      end associate
    end subroutine find_dent
 
    !> What the contact of wires that yield is at the present gap.

@@ -154,8 +154,7 @@ contains
                ' penetration')
          else
             call fail_at(self, self%values%token(2), 'a wire touches a rigid surface along a line; the law '// &
-               trim(this%normal%name)//trim(merge(' with YIELD', '           ', this%normal%yields()))//' of '// &
-               this%name//' is one of crossings')
+               this%normal%called()//' of '//this%name//' is one of crossings')
          end if
       end associate
    end subroutine check_laws

@@ -50,6 +50,7 @@ module litz_normal_law
       procedure :: serves_lines
       procedure :: is_per_length_only
       procedure :: yields
+      procedure :: called
    end type normal_law_t
 
    abstract interface
@@ -174,6 +175,15 @@ contains
 
       serves_lines = self%is_elastic_line .or. self%line_penalty() > 0
    end function serves_lines
+
+   !> What messages call it, as the deck does.
+   pure function called(self) result(words)
+      class(normal_law_t), intent(in) :: self
+      character(len=:), allocatable :: words
+
+      words = trim(self%name)
+      if (self%yields()) words = words//' with YIELD'
+   end function called
 
    !> The metal of the wires yields in the spot, which keeps a dent.
    pure logical function yields(self)

@@ -12,7 +12,7 @@ module litz_normal_yielding
       state_at_overlap, state_at_force
    implicit none
    private
-   public :: normal_yielding, depth_of_dent, area_of_dent, state_of_wires
+   public :: normal_yielding, dent_of_wires, state_of_wires
 
 contains
 
@@ -70,35 +70,19 @@ contains
       end if
    end function overlap_of_force
 
-   !> Overlap beyond which wires touch in the dent of an earlier force [m].
-   pure real(dp) function depth_of_dent(law, wires, ellipse, dent_force) result(depth)
+   !> The dent of an earlier force.
+   pure type(dent_t) function dent_of_wires(law, wires, ellipse, dent_force) result(dent)
       type(normal_law_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: wires
       !> At the present angle
       type(hertz_ellipse_t), intent(in) :: ellipse
       !> Largest force [N]
       real(dp), intent(in) :: dent_force
-      type(yielding_t) :: wires_that_yield
-      type(dent_t) :: dent
+      type(yielding_t) :: unused
 
-      call yielding_of(input_of(law, wires, ellipse, dent_force), wires_that_yield, dent)
-      depth = dent%depth
-   end function depth_of_dent
-
-   !> Area of the spot that an earlier force has made [m^2].
-   pure real(dp) function area_of_dent(law, wires, ellipse, dent_force) result(area)
-      type(normal_law_t), intent(in) :: law
-      type(wire_pair_t), intent(in) :: wires
-      !> At the present angle
-      type(hertz_ellipse_t), intent(in) :: ellipse
-      !> Largest force [N]
-      real(dp), intent(in) :: dent_force
-      type(yielding_t) :: wires_that_yield
-      type(dent_t) :: dent
-
-      call yielding_of(input_of(law, wires, ellipse, dent_force), wires_that_yield, dent)
-      area = dent%area
-   end function area_of_dent
+      call yielding_of(law_input_t(wires=wires, ellipse=ellipse, yield_stress=law%yield_stress, &
+         hardness=law%hardness, dent_force=dent_force), unused, dent)
+   end function dent_of_wires
 
    !> The contact at a gap.
    pure subroutine state_of_wires(law, wires, ellipse, dent_force, gap, keeps_spot, state, dissipated)
@@ -116,7 +100,8 @@ contains
       type(yielding_t) :: wires_that_yield
       type(dent_t) :: dent
 
-      call yielding_of(input_of(law, wires, ellipse, dent_force), wires_that_yield, dent)
+      call yielding_of(law_input_t(wires=wires, ellipse=ellipse, yield_stress=law%yield_stress, &
+         hardness=law%hardness, dent_force=dent_force), wires_that_yield, dent)
       state = state_at_overlap(wires_that_yield, dent, -gap)
       if (keeps_spot .and. state%force > 0 .and. state%opening < 1) then
          state%area = dent%area
@@ -127,20 +112,6 @@ contains
       dissipated = state%dissipation
       if (dent%evenness > 0) dissipated = dissipated - (dent%work - dent%energy)
    end subroutine state_of_wires
-
-   pure type(law_input_t) function input_of(law, wires, ellipse, dent_force) result(given)
-      type(normal_law_t), intent(in) :: law
-      type(wire_pair_t), intent(in) :: wires
-      type(hertz_ellipse_t), intent(in) :: ellipse
-      !> [N]
-      real(dp), intent(in) :: dent_force
-
-      given%wires = wires
-      given%ellipse = ellipse
-      given%yield_stress = law%yield_stress
-      given%hardness = law%hardness
-      given%dent_force = dent_force
-   end function input_of
 
    !> Nothing has yielded, and nothing yields at this force.
    pure logical function is_elastic(law, dent, force)

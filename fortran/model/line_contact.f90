@@ -48,8 +48,8 @@ contains
 
       select case (obstacle(law))
       case (obstacle_normal_law)
-         words = trim(law%normal%name)//' without a stiffness per length'
-         if (law%normal%yields()) words = trim(law%normal%name)//' with YIELD'
+         words = law%normal%called()
+         if (.not. law%normal%yields()) words = words//' without a stiffness per length'
       case (obstacle_axis)
          words = 'AXIS=LINEAR'
       case (obstacle_stick)
