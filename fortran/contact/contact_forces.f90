@@ -436,6 +436,9 @@ contains
                + point%turning%dforce*dot_product(point%kinematics%dangle, dq))
             ! a contact that would have to pull opens, even if the linearised law leaves it an overlap
             if (force <= 0) point%predicted_gap = max(point%predicted_gap, -point%dent_depth)
+            ! one that presses stays closed: the line of a loading that is steeper than the way back ends above the dent
+            if (force > 0 .and. point%dent_depth > 0) point%predicted_gap = min(point%predicted_gap, &
+               -(1 + 2*epsilon(force))*point%dent_depth)
             point%mixed_force = max(force, 0.0_dp)
          end associate
       end do

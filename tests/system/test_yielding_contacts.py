@@ -7,6 +7,7 @@ import pytest
 
 import litz
 from decks import CONDUCTOR, crossed, straight, wire
+from litz.results.contact_pressures import pressure_lines
 
 RADIUS, YOUNG, POISSON, YIELD, HARDNESS = 1e-3, 120e9, 0.34, 200e6, 800e6
 #: rho1 + rho2 [ohm m]
@@ -257,6 +258,23 @@ def test_wires_that_come_to_lie_along_each_other_end_the_run_in_words(run):
     process, _ = run(held(to(1e-6, increments=1), degrees=0.5))
     assert process.returncode != 0
     assert "HERTZ with YIELD" in process.stderr
+
+
+def test_a_contact_closes_again_in_its_dent_without_cut_backs(run, inputs):
+    """Pressed, released, pressed again, little by little: where its force ends in the dent, the line of the loading on which
+    it closes first leaves the dent to no force."""
+    deck = (inputs / "01_crossed_wires.inp").read_text()
+    process, results = run(deck.replace("=HERTZ\n", "=HERTZ, YIELD=50e6, HARDNESS=450e6\n", 1))
+    assert process.returncode == 0, process.stderr
+    assert max(results.status["attempts"]) == 1
+    assert max(results.status["iterations"]) <= 5
+
+
+def test_the_summary_says_whose_pressure_is_the_largest(run):
+    _, elastic = run(held(to(2e-6, increments=1), behavior="*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ"))
+    assert "if the wires stay elastic" in pressure_lines(elastic)[0]
+    _, yielding = run(held(to(2e-6, increments=1)))
+    assert pressure_lines(yielding)[0].endswith("of wires that yield")
 
 
 def test_few_iterations_are_taken_on_loading_and_unloading(run):

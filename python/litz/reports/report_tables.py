@@ -9,7 +9,7 @@ from ..base.quantities import engineering
 from ..base.table import Table
 from ..results import Results
 from ..results.contact_history import crossings_by_themselves
-from ..results.contact_pressures import onsets_in_words
+from ..results.contact_pressures import onsets_in_words, wires_yield
 from ..wires.curves import arc_lengths
 
 _MAX_CONTACTS = 8
@@ -263,7 +263,10 @@ def worst_contacts(results: Results) -> str:
     if density.any():
         measures.append(("largest current density in the spot", density))
     has_pressure = "pressure" in ledger and ledger["pressure"].any()
-    note = f'<p class="note">Pressures are those of elastic wires; {onsets_in_words()}.</p>' if has_pressure else ""
+    note = ""
+    if has_pressure and not wires_yield(ledger).all():
+        but = ", but where they yield" if wires_yield(ledger).any() else ""
+        note = f'<p class="note">Pressures are those of elastic wires{but}; {onsets_in_words()}.</p>'
     return note + "".join(
         _contact_table(name, ledger, _worst_of_each(ledger["id"], values)[:_MAX_CONTACTS]) for name, values in measures
     )

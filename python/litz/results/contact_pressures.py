@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from ..base.table import Table
 from .result_file import ResultFile
 
 #: Poisson's ratio, and yield stresses of annealed and of hard metal [MPa], within some 30 %
@@ -29,6 +30,11 @@ def onsets_in_words() -> str:
     return f"soft to hard metal yields from (MPa): {', '.join(ranges)}"
 
 
+def wires_yield(ledger: Table) -> np.ndarray:
+    """Rows of contacts whose pressure is that of wires that yield (YIELD)."""
+    return ledger.get("largest_force", np.zeros(ledger.n_rows)) > 0
+
+
 def pressure_lines(results: ResultFile) -> list[str]:
     """The largest pressure at the last increment, and what metals bear; empty without contacts."""
     ledger = results.contacts_at(-1)
@@ -37,10 +43,7 @@ def pressure_lines(results: ResultFile) -> list[str]:
         return []
     worst = int(np.argmax(ledger["pressure"]))
     unit = ledger.units["pressure"]
-    return [
-        (
-            f"  largest pressure       {ledger['pressure'][worst]:12.5g} {unit:4} "
-            f"in contact {ledger['id'][worst]}, if the wires stay elastic"
-        ),
-        f"    {onsets_in_words()}",
-    ]
+    largest = f"  largest pressure       {ledger['pressure'][worst]:12.5g} {unit:4} in contact {ledger['id'][worst]}"
+    if wires_yield(ledger)[worst]:
+        return [f"{largest}, of wires that yield"]
+    return [f"{largest}, if the wires stay elastic", f"    {onsets_in_words()}"]
