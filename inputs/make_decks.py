@@ -1,14 +1,19 @@
 """Writes the decks that are too long to write by hand: `python inputs/make_decks.py`."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
 import litz
-from litz import FilmSpot, HertzSpot, Interaction, Model, build
+from litz import FilmSpot, GapConductance, HertzSpot, Interaction, Material, Model, build
 from litz.model import HERTZ_AND_HOLM
 
 INPUTS = Path(__file__).parent
+
+# What the heads of decks expect, from the tests that compute it
+HEATED_MAT = ("1.5      11.5857           302.41", "2        12.1486           328.99")
+WIPER = ("1.5      296.30    301.68", "2        296.64    307.00")
 
 
 def fibre_mat() -> build.Model:
@@ -253,6 +258,96 @@ def overhand(t: float) -> list[float]:
     return [float(np.copysign(1, t) * x[0]), float(x[1]), float(np.copysign(1, t) * x[2])]
 
 
+def heated_mat() -> build.Model:
+    """A mat of nichrome fibres between two electrodes, that its current heats."""
+    nichrome = Material(
+        "NICHROME", young=220e9, poisson=0.3, conductivity=0.9e6, thermal_conductivity=11.3, expansion=14e-6
+    )
+    model = build.fibre_mat(
+        (10e-3, 10e-3),
+        6,
+        radius=0.1e-3,
+        seed=1,
+        n_layers=4,
+        clearance=5e-6,
+        spread=0.5,
+        material=nichrome,
+        interaction=replace(HERTZ_AND_HOLM, heat=GapConductance("CONDUCTIVITY")),
+    )
+    model.title = "A mat of nichrome fibres is pressed, and heated by its current"
+    model.initial_temperature(293.15)
+    model.press(40e-6, voltage=1e-3)
+    heat = model.step("HEAT", procedure="COUPLED TEMPERATURE-DISPLACEMENT", steady_state=True, increment=0.25)
+    for electrode in ("PLATE_BOTTOM", "PLATE_TOP"):
+        heat.temperature(electrode, 293.15)
+    heat.potential("PLUS", 0.06)
+    for electrode in ("PLATE_BOTTOM", "PLATE_TOP"):
+        heat.node_print(electrode, "RFL", totals="ONLY")
+    model.comments = """\
+Model    Four layers of six straight nichrome fibres of 0.1 mm radius between two electrodes of rigid bars, made and held as
+         those of 11_fibre_mat. First pressed, with 1 mV; then the voltage rises to 60 mV. Steady.
+         The electrodes stay at 293.15 K: all heat leaves through the contacts with them.
+Contact  Hertz and Holm; heat passes where the current does, by the conductivity of the metal in the spot.
+Source   litz.build.fibre_mat, called in inputs/make_decks.py. Resistivity and heat conductivity are constant, so that wires
+         and contacts are two networks, one of resistances to the current and one to heat: what the current makes in a
+         contact enters both wires half and half, what it makes between two contacts of a wire half at either.
+Expect   The temperatures of all contacts and the current are those of the networks, to 1e-6 K and nine digits. The fibres,
+         which cannot get longer between the ends that are held, bend aside: the forces fall as the mat gets hot.
+         time s   resistance mohm   hottest contact K
+{}""".format("\n".join(f"         {row}" for row in HEATED_MAT)).splitlines()
+    return model
+
+
+def wiper() -> Model:
+    """A spring of bronze slides along a track with a current: friction and current heat both."""
+    radius, track_length, travel, time = 0.5e-3, 40e-3, 20e-3, 1.0
+    bronze = Material(
+        "BRONZE",
+        young=110e9,
+        poisson=0.34,
+        conductivity=8e6,
+        thermal_conductivity=62.0,
+        density=8800.0,
+        specific_heat=380.0,
+        expansion=18e-6,
+    )
+    model = Model("A wiper slides along a track with a current")
+    track = model.wire("TRACK", (0, 0, 0), (track_length, 0, 0), radius=radius, material=bronze, elements=80)
+    at = 10.3e-3
+    arm = model.wire(
+        "ARM", (at, -20e-3, 2 * radius), (at, 1.3e-3, 2 * radius), radius=radius, material=bronze, elements=21
+    )
+    model.contact(track, arm, conductance=HertzSpot(), heat=GapConductance("CONDUCTIVITY"), friction=0.3)
+    model.fix(track)
+    model.fix(arm.start)
+    model.fix(track.start, "potential")
+    model.initial_temperature(293.15)
+    press = model.step("PRESS", increment=0.1)
+    press.move(arm.start, "z", -1e-3)
+    slide = model.step("SLIDE", procedure="COUPLED TEMPERATURE-DISPLACEMENT", total=time, increment=0.01)
+    motion = model.amplitude("MOTION", (0.0, time), (0.0, 1.0))
+    slide.move(arm.start, "x", travel, amplitude=motion)
+    slide.temperature(track.ends, 293.15)
+    slide.temperature(arm.start, 293.15)
+    slide.current(arm.start, 10.0)
+    slide.energy_print()
+    slide.node_print(arm.start, "RF")
+    slide.electrode_print(arm.start, track.start)
+    model.comments = """\
+Model    A round spring of bronze, 0.5 mm in radius, is pressed with 2 N across a track of the same wire by its clamp, 20 mm
+         away, and drawn along it by 20 mm within a second, while 10 A flow from the clamp through the contact to the
+         near end of the track. The track does not move. Both of its ends and the clamp stay at 293.15 K.
+Contact  Hertz and Holm, friction of 0.3; heat passes by the conductivity of the metal in the spot.
+Source   Series of sines for the temperatures along both wires, with sources that move with the contact: half of the heat
+         of friction, mu F v, and of the spot, I^2 rho/(2 a), in either wire, the current in the wires as far as it
+         flows, and 2 a k between them; a of Hertz, F that of the run.
+Expect   Temperatures at the contact, of the track to 0.2 K, of the spring to 0.15 K. Friction dissipates mu F times
+         the path of the slip.
+         time s   track K   spring K
+{}""".format("\n".join(f"         {row}" for row in WIPER)).splitlines()
+    return model
+
+
 def add_step(model: build.Model, displacement: float) -> None:
     """Press, with 1 mV between the electrodes, and request the forces on both."""
     step = model.press(displacement, voltage=1e-3)
@@ -268,3 +363,5 @@ if __name__ == "__main__":
     bent_strand().write(INPUTS / "16_bent_strand.inp")
     rod_over_drum().write(INPUTS / "18_rod_over_drum.inp")
     knot().write(INPUTS / "17_knot.inp")
+    heated_mat().write(INPUTS / "21_heated_mat.inp")
+    wiper().write(INPUTS / "22_wiper.inp")

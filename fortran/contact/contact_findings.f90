@@ -129,9 +129,11 @@ contains
    end function describe
 
    !> What can be done about it.
-   pure function advice(self, model) result(text)
+   pure function advice(self, model, procedure) result(text)
       class(finding_t), intent(in) :: self
       type(model_t), intent(in) :: model
+      !> The keyword that has the increments
+      character(len=*), intent(in) :: procedure
       character(len=:), allocatable :: text
 
       select case (self%kind)
@@ -139,7 +141,7 @@ contains
          text = 'The force is too large for this wire, or its contact too soft (second number of LINEAR in'// &
             ' *SURFACE BEHAVIOR). '
       case (finding_surface_passed)
-         text = 'Begin with a smaller increment (first value of *STATIC). '
+         text = 'Begin with a smaller increment (first value of '//procedure//'). '
       case (finding_deep)
          text = 'The '//trim(self%law_title)//' is valid for smaller overlaps: the force is too large for these wires. '
          if (self%penalty > 0) text = 'The contact force there requires a penalty of at least '// &
@@ -165,9 +167,9 @@ contains
          if (len_trim(self%obstacle) == 0) text = 'Use shorter elements there, so that the places of the contact'// &
             ' are closer to each other. '
       case (finding_unfollowed)
-         text = 'Begin with a smaller increment (first value of *STATIC). '
+         text = 'Begin with a smaller increment (first value of '//procedure//'). '
       case default
-         text = 'Begin with a smaller increment (first value of *STATIC), or stiffen the contact'// &
+         text = 'Begin with a smaller increment (first value of '//procedure//'), or stiffen the contact'// &
             ' (*SURFACE BEHAVIOR). '
       end select
    end function advice

@@ -11,7 +11,7 @@ module litz_contact_forces
    use litz_domain, only: domain_t
    use litz_element_library, only: elements_t
    use litz_errors, only: error_t, fail, exit_input
-   use litz_fields, only: group_mechanical, motion_slots, potential_slots
+   use litz_fields, only: field_temperature, group_mechanical, motion_slots, potential_slots, temperature_slots
    use litz_friction_forces, only: find_friction, increment_start_t
    use litz_friction_iteration, only: predict_friction, forget_friction
    use litz_friction_law, only: friction_law_t
@@ -178,6 +178,9 @@ contains
             k_p = k_p + k_slide + k_turning
             r_p = r_p + r_slide + r_turning
             if (conducts) call keep_current(electricity, circuit, point)
+            if (model%has_field(field_temperature)) then
+               call keep_temperatures(iterate%value(temperature_slots(1), nodes_p), point)
+            end if
          end associate
       end subroutine evaluate
 
@@ -384,6 +387,28 @@ contains
       point%heat_of_strips = current*of_strips
       point%heat_inside = current*[-rise(1), rise(2)]
    end subroutine set_current
+
+   !> Temperatures linear between the nodes; where temperatures are solved for, those of the heat through the contact
+   !> take their place.
+   pure subroutine keep_temperatures(nodal, point)
+      !> Of the nodes of both elements (4) [K]
+      real(dp), intent(in) :: nodal(4)
+      type(contact_point_t), intent(inout) :: point
+
+      point%temperature_bar = linear(nodal(1:2), point%xi_bar)
+      point%temperature = linear(nodal(3:4), point%xi)
+      point%temperature_max = max(point%temperature_bar, point%temperature)
+
+   contains
+
+      pure real(dp) function linear(ends, xi)
+         !> Temperatures of both nodes (2) [K], and place in [-1, 1]
+         real(dp), intent(in) :: ends(2), xi
+
+         linear = ((1 - xi)*ends(1) + (1 + xi)*ends(2))/2
+      end function linear
+
+   end subroutine keep_temperatures
 
    elemental subroutine clear_results(point)
       type(contact_point_t), intent(inout) :: point

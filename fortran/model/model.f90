@@ -24,7 +24,7 @@ module litz_model
    public :: request_node, request_element, request_contact, request_electrode, request_energy
    public :: shear_given, shear_round, shear_unreduced
    public :: dof_potential, dof_temperature, amplitude_factor, factor_at, ramp_at
-   public :: solved_by_static, solved_by_heat, solved_by_all
+   public :: solved_by_static, solved_by_heat, solved_by_all, procedure_of
 
    !> Longest name of a set, material, ... (longer ones are refused)
    integer, parameter :: name_length = 80
@@ -301,6 +301,20 @@ module litz_model
    end type model_t
 
 contains
+
+   !> The keyword that says what a step solves for, with its star.
+   pure function procedure_of(step) result(keyword)
+      type(step_t), intent(in) :: step
+      character(len=:), allocatable :: keyword
+
+      if (all(step%solves .eqv. solved_by_heat)) then
+         keyword = '*COUPLED THERMAL-ELECTRICAL'
+      else if (all(step%solves .eqv. solved_by_static)) then
+         keyword = '*STATIC'
+      else
+         keyword = '*COUPLED TEMPERATURE-DISPLACEMENT'
+      end if
+   end function procedure_of
 
    !> The part of a change over a step that is reached: it grows evenly, or is there at once in a step over time.
    pure real(dp) function ramp_at(step, step_time) result(ramp)

@@ -138,7 +138,7 @@ contains
       call table%field('voltage_gap', c%voltage_gap, 'V', 'potential of the barred minus the unbarred wire')
       call table%field('joule_heat', c%joule_heat, 'W', 'heat in the spot')
       call table%field('temperature_1', c%temperature_bar, 'K', 'temperature of the first wire at the contact;'// &
-         ' 0 in steps that do not solve for temperatures')
+         ' 0 where the model has no temperatures')
       call table%field('temperature_2', c%temperature, 'K', 'temperature of the second wire at the contact')
       call table%field('temperature_max', c%temperature_max, 'K', 'highest temperature in the spot')
       call table%field('heat_1', c%heat_bar, 'W', 'heat that the contact gives to the first wire')

@@ -22,12 +22,16 @@ module litz_audit
    public :: audit_t, scales_t, audit_increment, audit_error
    public :: force_imbalance, moment_imbalance, current_imbalance, spot_imbalance, power_imbalance, heat_imbalance, &
       not_finite, not_prescribed, crossed_contact, deepest_contact
-   public :: allowed_imbalance
+   public :: allowed_imbalance, vanishing
    public :: penetration, describe_contact
 
    !> A sum that should vanish may be this part of the largest force, moment, current or power in it. The residuals that
    !> *CONTROLS allows by itself are far below: more is a mistake, or a tolerance that lets a wrong answer pass.
    real(dp), parameter :: allowed_imbalance = 1.0e-4_dp
+
+   !> Forces and currents below this are zero: their squares, and those of their round-off, vanish among the numbers.
+   !> A current that is switched off falls by a factor of round-off in each increment
+   real(dp), parameter :: vanishing = sqrt(tiny(1.0_dp))/epsilon(1.0_dp)
 
    !> A value may depart from the prescribed one by this part of the largest of its field: round-off of a value that was
    !> far larger before.
@@ -143,12 +147,11 @@ contains
          real(dp), intent(in) :: imbalance, scale, round_off
          !> The larger of this one and what it was
          real(dp), intent(inout) :: figure
-
          real(dp) :: measure
 
          ! a field of nothing but round-off has no scale of its own
-         measure = scale + round_off/allowed_imbalance
-         if (measure > 0) figure = max(figure, imbalance/measure)
+         measure = max(scale + round_off/allowed_imbalance, vanishing/allowed_imbalance)
+         figure = max(figure, imbalance/measure)
          if (imbalance <= allowed_imbalance*measure .or. len(audit%finding) > 0) return
          audit%finding = words//': '//to_text(imbalance)//' of '//to_text(scale)//', where the allowed fraction is '// &
             to_text(allowed_imbalance)

@@ -3,11 +3,12 @@
 !> Source: theory section 9.
 module litz_convergence
    use litz_kinds, only: dp
-   use litz_audit, only: scales_t
+   use litz_audit, only: scales_t, vanishing
    use litz_fields, only: fields, n_fields, first_slot, last_slot, field_displacement
    use litz_model, only: model_t, step_t
    use litz_problem, only: problem_t
    use litz_reports, only: iteration_report_t
+   use litz_text, only: to_text
    implicit none
    private
    public :: measure_residual, nodal_residual, measure_scales, has_converged, group_converged, &
@@ -40,8 +41,8 @@ contains
       do node = 1, size(residual, 2)
          do field = 1, n_fields
             associate (r => residual(field, node), reference => scales%reference(field))
-               if (r > max(step%controls%r_n, worth_reporting)*reference) at_round_off = .true.
-               allowed = max(step%controls%r_n*reference, scales%round_off(field, node))
+               if (r > max(max(step%controls%r_n, worth_reporting)*reference, vanishing)) at_round_off = .true.
+               allowed = max(step%controls%r_n*reference, scales%round_off(field, node), vanishing)
                part = part_of(r, allowed)
                ! a value that is not a number wins
                if (part <= worst(field) .or. .not. worst(field) <= huge(part)) cycle
@@ -159,18 +160,33 @@ contains
       integer, intent(in) :: n_coupled
       type(iteration_report_t), intent(in) :: report
       character(len=:), allocatable :: text
-      character(len=200) :: buffer
       integer :: field
       logical :: to_blame(n_fields)
 
       to_blame = fields%group <= n_coupled .or. has_converged(report, n_coupled)
       field = maxloc(report%residual/max(report%allowed, tiny(1.0_dp)), 1, to_blame)
-      write (buffer, '(3a, es9.2, 1x, 2a, es9.2, a, i0, a)') 'the largest ', trim(fields(field)%flux_in_words), &
-         ' residual is', report%residual(field), trim(fields(field)%flux_unit), ', allowed are', &
-         report%allowed(field), ', after ', report%iteration, ' iterations'
-      if (report%residual_node(field) > 0) write (buffer(len_trim(buffer) + 1:), '(a, i0)') ', at node ', &
-         model%node_id(report%residual_node(field))
-      text = trim(buffer)
+      text = 'the largest '//trim(fields(field)%flux_in_words)//' residual is'// &
+         in_short(report%residual(field))//' '//trim(fields(field)%flux_unit)// &
+         ', allowed are'//in_short(report%allowed(field))//', after '//to_text(report%iteration)//' iterations'
+      if (report%residual_node(field) > 0) text = text//', at node '// &
+         to_text(model%node_id(report%residual_node(field)))
    end function worst_field
+
+   !> A number of three digits. An exponent of three digits keeps its E.
+   pure function in_short(value) result(text)
+      !> Any number
+      real(dp), intent(in) :: value
+      character(len=:), allocatable :: text
+      character(len=10) :: buffer
+      real(dp), parameter :: of_two_digits(2) = [1.0e-99_dp, 1.0e99_dp]
+
+      if (abs(value) > 0 .and. (abs(value) < of_two_digits(1) .or. abs(value) > of_two_digits(2))) then
+         write (buffer, '(es10.2e3)') value
+         text = buffer
+      else
+         write (buffer, '(es9.2)') value
+         text = trim(buffer)
+      end if
+   end function in_short
 
 end module litz_convergence

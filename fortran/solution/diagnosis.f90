@@ -5,7 +5,7 @@ module litz_diagnosis
    use litz_kinds, only: dp
    use litz_fields, only: fields, field_temperature, group_transport, field_of_slot, first_slot
    use litz_errors, only: error_t, fail, exit_not_converged
-   use litz_model, only: step_t
+   use litz_model, only: step_t, procedure_of
    use litz_newton, only: outcome_t, cause_iterations, cause_not_finite, cause_singular, cause_lost_contact, &
       cause_turned_ends, cause_fed_part, cause_no_solution, cause_failed_law
    use litz_problem, only: problem_t
@@ -76,7 +76,7 @@ contains
       end if
       select case (outcome%cause)
       case (cause_lost_contact)
-         text = outcome%finding%advice(problem%model)
+         text = outcome%finding%advice(problem%model, procedure_of(step))
       case (cause_fed_part)
          text = 'Let the wires touch before it is fed, in a step of its own, or prescribe a value there (*BOUNDARY). '
       case (cause_turned_ends)
@@ -85,7 +85,7 @@ contains
          text = describe_free_unknown(problem)//'Something can move freely, or a voltage is not determined: add'// &
             ' supports (*BOUNDARY), or damp what only contacts hold (*CONTROLS, PARAMETERS=STABILIZE). '
       case (cause_not_finite)
-         text = 'Begin with a smaller increment (first value of *STATIC). '
+         text = 'Begin with a smaller increment (first value of '//procedure_of(step)//'). '
       case (cause_iterations)
          if (outcome%passed_critical) then
             text = 'The stiffness has negative pivots, the model is beyond a critical load: prescribe a'// &
@@ -179,8 +179,8 @@ contains
          text = 'The maximum number of cut-backs is reached (I_A of *CONTROLS, PARAMETERS=TIME INCREMENTATION, now '// &
             to_text(step%controls%i_a)//').'
       else
-         text = 'The next smaller increment is below the smallest allowed (third value of *STATIC, now '// &
-            to_text(step%smallest)//').'
+         text = 'The next smaller increment is below the smallest allowed (third value of '//procedure_of(step)// &
+            ', now '//to_text(step%smallest)//').'
       end if
    end function describe_limit
 

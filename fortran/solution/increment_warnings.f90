@@ -2,7 +2,7 @@
 module litz_increment_warnings
    use litz_fields, only: fields, n_fields, first_slot, last_slot, field_displacement, field_potential
    use litz_kinds, only: dp, pi
-   use litz_audit, only: audit_t, scales_t, penetration, describe_contact, allowed_imbalance
+   use litz_audit, only: audit_t, scales_t, penetration, describe_contact, allowed_imbalance, vanishing
    use litz_contact_net, only: allowed_penetration
    use litz_convergence, only: measure_scales
    use litz_errors, only: error_list_t
@@ -145,7 +145,7 @@ contains
       scales = measure_scales(problem)
       tolerance = max(allowed_imbalance, problem%model%steps(problem%state%step)%controls%r_n)
       do field = 1, n_fields
-         if (scales%reference(field) <= maxval(scales%round_off(field, :))) cycle
+         if (scales%reference(field) <= max(vanishing, maxval(scales%round_off(field, :)))) cycle
          associate (share => outcome%last%residual(field)/scales%reference(field))
             if (share > tolerance) call problem%warnings%add('round_off', 'accepted at the limit of round-off: the '// &
                trim(fields(field)%flux_in_words)//' residual is '//to_text(100*share)//' % of the largest '// &

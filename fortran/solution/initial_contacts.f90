@@ -9,7 +9,7 @@ module litz_initial_contacts
    use litz_kinds, only: dp
    use litz_line_points, only: locate_line_points
    use litz_line_shares, only: share_crossings
-   use litz_model, only: model_t
+   use litz_model, only: model_t, procedure_of
    use litz_problem, only: problem_t
    use litz_surface_findings, only: overlaps_of_surfaces
    use litz_text, only: to_text
@@ -170,7 +170,8 @@ contains
       finding = inspect_contacts(problem%model, problem%wires, problem%elements, problem%contact, problem%model%x, &
          problem%state%rotation)
       if (finding%kind == finding_none .or. finding%kind == finding_deep) return
-      error = fail(exit_input, 'at the start '//finding%describe(problem%model)//'. '//finding%advice(problem%model))
+      error = fail(exit_input, 'at the start '//finding%describe(problem%model)//'. '// &
+         finding%advice(problem%model, procedure_of(problem%model%steps(1))))
    end subroutine refuse_unmodelled
 
 end module litz_initial_contacts

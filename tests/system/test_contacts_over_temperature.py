@@ -56,6 +56,8 @@ def test_a_crossing_has_the_law_of_the_temperatures_of_its_places(run):
     text = swelling_pair("*TEMPERATURE\n 3, 30\n 4, 80\n 13, 20\n 14, 90\n*BOUNDARY\n 1, 9, 9, 1e-3\n 11, 9, 9, 0")
     contact = solved(run(tabulated(text))).contacts
     t = [lower, upper]
+    assert [contact["temperature_1"][-1], contact["temperature_2"][-1]] == pytest.approx(t, rel=1e-12)
+    assert contact["temperature_max"][-1] == pytest.approx(max(t), rel=1e-12)
     overlap = RADIUS * ALPHA * sum(t)
     spots = {
         "radius": [RADIUS] * 2, "young": [young(v) for v in t], "poisson": [poisson(v) for v in t],

@@ -194,3 +194,4 @@ class TestWhatIsRefused:
         message = refused(2, 0.0, supply=f"*CECURRENT\n1, , {2 * burn_out:.17g}\n*BOUNDARY\n21, 9\n", sigma=sigma,
                           ends="1, ENCASTRE", increments="0.1, 1, 1e-3\n")  # fmt: skip
         assert "There may be no steady temperature above I = " in message
+        assert "third value of *COUPLED TEMPERATURE-DISPLACEMENT" in message

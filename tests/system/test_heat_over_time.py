@@ -213,3 +213,15 @@ class TestWhatIsRefused:
         message = refused(1, "0.1, 1.", material=2 * (STORED + "*LATENT HEAT\n1e5, 400, 401\n"))
         for keyword in ("DENSITY", "SPECIFIC HEAT", "LATENT HEAT"):
             assert f"the material COPPER has two *{keyword}" in message
+
+
+def test_a_current_that_is_switched_off_ends_at_zero(run):
+    """Its last digits fall by a factor of round-off in each increment, down to where numbers end."""
+    switched = "*CECURRENT, AMPLITUDE=OFF\n1, , 350.\n"
+    amplitude = "*AMPLITUDE, NAME=OFF\n0, 1, 0.1, 1, 0.100001, 0, 2, 0\n"
+    results = run("0.01, 0.8", loads=switched, model=amplitude)
+    assert not results.warnings
+    assert np.abs(results.field("element_current")).max() < 1e-100
+    hot = results.history["NT node 1"]
+    assert hot[-1] == pytest.approx(hot[results.times > 0.1001][0], rel=1e-12)
+    assert hot[-1] == pytest.approx(ROOM + 0.1 * 350.0**2 * RHO / AREA**2 / (DENSITY * HEAT), rel=2e-3)

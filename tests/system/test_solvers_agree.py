@@ -41,13 +41,15 @@ def nearly_converged(rows, key):
 NOTHING = 1e-15
 #: Decks that magnify round-off, with a force that they must agree on: without friction the wires of the strand turn about the
 #: core almost freely; strands of the knot slide along each other; on the drum parts of the arc open and slip in the middle
-#: of an iteration; the stick and slip of one contact leaves residuals next to what is allowed, where an iteration more decides
+#: of an iteration; the stick and slip of one contact leaves residuals next to what is allowed, where an iteration more decides;
+#: motions and currents that act on each other through temperatures are each solved as far as the other needs
 SENSITIVE = {
     "13_stick_slip": "RF1 node 201",
     "14_strand": "RF3 node 149",
     "16_bent_strand": "RF3 node 149",
     "17_knot": "RF1 node 161",
     "18_rod_over_drum": "RF3 node 161",
+    "22_wiper": "RF1 node 82",
 }
 
 

@@ -17,8 +17,8 @@ INPUTS = Path(__file__).parents[2] / "inputs"
 SOLVERS = ("skyline", "umfpack", "block")
 QUICK = ("06_supported_pair", "08_elastica")
 #: The mat is too large for the skyline and for the full unsymmetric matrix; contacts along lines of wires that turn or slip
-#: almost freely magnify round-off, so that the iterates differ
-LEFT_OUT = ("11_fibre_mat", "14_strand", "16_bent_strand", "18_rod_over_drum")
+#: almost freely magnify round-off, so that the iterates differ; so do motions, currents and heat that are solved in turn
+LEFT_OUT = ("11_fibre_mat", "14_strand", "16_bent_strand", "18_rod_over_drum", "22_wiper")
 #: Round-off of a field that is zero [m, rad, V]
 NOTHING = 1e-15
 FIELDS = ("displacement", "rotation", "potential")
@@ -27,8 +27,8 @@ FIELDS = ("displacement", "rotation", "potential")
 def with_solver(text, solver):
     """The deck with one solver and the monolithic step."""
     cards = [card for card in read_cards(text) if card.keyword != "SOLVER"]
-    first_static = next(i for i, card in enumerate(cards) if card.keyword == "STATIC")
-    cards.insert(first_static + 1, Card("SOLVER", [f"NAME={solver.upper()}", "COUPLING=MONOLITHIC"], []))
+    end = next(i for i, card in enumerate(cards) if card.keyword == "END STEP")
+    cards.insert(end, Card("SOLVER", [f"NAME={solver.upper()}", "COUPLING=MONOLITHIC"], []))
     return write_cards(cards)
 
 
