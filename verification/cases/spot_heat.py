@@ -59,46 +59,52 @@ def constant(side, temperature):
     return OHMS[side] * np.ones_like(temperature)
 
 
-def exact_metals():
-    """Of spots in one Wiedemann-Franz metal: equal and unequal bulks."""
-    return [solve(v, bulks, (PASSES[0],) * 2, metals) for v in VOLTS for bulks in ((BULKS[0],) * 2, BULKS)]
+def cases():
+    """Voltages and temperatures of both wires."""
+    return [(volts, bulks) for volts in VOLTS for bulks in ((BULKS[0],) * 2, BULKS)]
 
 
-def exact_constants():
-    """Of two metals of constant conductivities."""
-    return [solve(v, bulks, PASSES, constant) for v in VOLTS for bulks in ((BULKS[0],) * 2, BULKS)]
+def references():
+    """Heats and hottest temperature in each case: of a Wiedemann-Franz metal, and of two metals of constant conductivities."""
+    of_metals = [solve(*case, (PASSES[0],) * 2, metals) for case in cases()]
+    of_constants = [solve(*case, PASSES, constant) for case in cases()]
+    return [[float(value) for row in rows for value in row[1:]] for rows in (of_metals, of_constants)]
 
 
-def by_kernel(cases, **wires):
-    """Heats and hottest temperature of the kernel, with the current of each case."""
+def current_of_metals(volts, bulks):
+    """The current, by the relation of Kohlrausch: T^2 = T_max^2 - v^2/L at the voltage v from the hottest place."""
+    from_hottest = volts / 2 + np.array([1, -1]) * LORENZ * (bulks[1] ** 2 - bulks[0] ** 2) / (2 * volts)
+    hottest = np.sqrt(bulks[0] ** 2 + from_hottest[0] ** 2 / LORENZ)
+    return PASSES[0] / (2 * np.sqrt(LORENZ)) * np.arcsin(from_hottest / (np.sqrt(LORENZ) * hottest)).sum()
+
+
+def by_kernel(current, **wires):
+    """The same from the kernel, which is told the current."""
     values = []
-    for (current, *_), (volts, bulks) in zip(
-        cases, ((v, b) for v in VOLTS for b in ((BULKS[0],) * 2, BULKS)), strict=True
-    ):
-        spot = kernels.spot_heat(volts, bulks, current=current, **wires)
+    for volts, bulks in cases():
+        spot = kernels.spot_heat(volts, bulks, current=current(volts, bulks), **wires)
         values += [*spot.heat, spot.hottest]
     return [float(value) for value in values]
 
 
 def measure(workspace):
-    of_metals, of_constants = exact_metals(), exact_constants()
     return {
-        "spot_heat.metal": by_kernel(of_metals, lorenz=LORENZ),
-        "spot_heat.two_metals": by_kernel(of_constants, resistivity=OHMS, heat_conductance=PASSES),
-        "figure": of_metals,
+        "spot_heat.metal": by_kernel(current_of_metals, lorenz=LORENZ),
+        "spot_heat.two_metals": by_kernel(
+            lambda volts, bulks: volts / sum(OHMS), resistivity=OHMS, heat_conductance=PASSES
+        ),
     }
 
 
 def draw(values, path):
     """Hottest temperature over the voltage."""
     volts = np.linspace(0.0, 0.35, 141)
+    hottest = values["spot_heat.metal"][2::3]
     with figures.panels(path, columns=1) as axes:
-        for bulks, start in (((BULKS[0],) * 2, 0), (BULKS, 1)):
-            hottest = [kernels.spot_heat(v, bulks, conductance=1.0, lorenz=LORENZ).hottest for v in volts]
-            axes.plot(volts, hottest, label=f"kernel, wires of {bulks[0]:g} and {bulks[1]:g} K")
-            axes.plot(
-                VOLTS, [case[3] for case in values["figure"][start::2]], "o", label="equations of the constriction"
-            )
+        for k, bulks in enumerate(((BULKS[0],) * 2, BULKS)):
+            curve = [kernels.spot_heat(v, bulks, conductance=1.0, lorenz=LORENZ).hottest for v in volts]
+            axes.plot(volts, curve, label=f"wires of {bulks[0]:g} and {bulks[1]:g} K")
+            axes.plot(VOLTS, hottest[k::2], "o")
         axes.set(xlabel="voltage [V]", ylabel="hottest temperature [K]")
         axes.legend()
 
