@@ -18,7 +18,7 @@ contains
    pure logical function has_yielded_spot(law)
       type(interaction_t), intent(in) :: law
 
-      has_yielded_spot = law%normal%yields() .and. law%spot%serves_lines
+      has_yielded_spot = law%normal%yields() .and. (law%spot%serves_lines .or. law%spot%path_number > 0)
    end function has_yielded_spot
 
    !> Spot, conductance, and how this changes with the overlap and the angle.
@@ -34,6 +34,7 @@ contains
       if (.not. point%yielding%area > 0) return
       metal%resistivity = pair%resistivity
       if (law%spot%film_number > 0) metal%film = law%spot%data(law%spot%film_number)
+      if (law%spot%path_number > 0) metal%resistivity_path = law%spot%data(law%spot%path_number)
       associate (spot => circuit%spot, state => point%yielding, ratio => point%ellipse%ratio)
          spot%semi_major = sqrt(state%area/(pi*ratio))
          spot%semi_minor = ratio*spot%semi_major

@@ -12,7 +12,7 @@ module litz_keywords
    public :: keyword_t, parameter_spec_t, data_spec_t, field_spec_t, keyword_table_t
    public :: place_model, place_step, place_both, place_begins_step
    public :: kind_flag, kind_integer, kind_real, kind_choice, kind_name, kind_item, kind_file, kind_text
-   public :: limit_none, limit_positive, limit_not_negative, limit_poisson, limit_zero, limit_unused, describe_limit
+   public :: limit_none, limit_positive, limit_not_negative, limit_poisson, limit_zero, limit_unused, limit_one, describe_limit
    public :: unknown_keyword_message, within_limit, largest_number, smallest_positive
 
    !> Where a keyword may stand
@@ -23,10 +23,10 @@ module litz_keywords
       kind_item = 6, &
       kind_file = 7, kind_text = 8
 
-   !> What a number must satisfy. `limit_unused`: the place must stay empty
+   !> What a number must satisfy. `limit_unused`: the place must stay empty; `limit_one`: one or more
    integer, parameter :: limit_none = 0, limit_positive = 1, limit_not_negative = 2, limit_poisson = 3, &
       limit_zero = 4, &
-      limit_unused = 5
+      limit_unused = 5, limit_one = 6
 
    !> Numbers of a deck beyond these mean nothing in any unit, and what is computed from them would overflow
    real(dp), parameter :: largest_number = 1.0e60_dp, smallest_positive = 1.0e-60_dp
@@ -236,6 +236,8 @@ contains
          within_limit = within_limit .and. value >= 0
       case (limit_poisson)
          within_limit = value > -1 .and. value < 0.5_dp
+      case (limit_one)
+         within_limit = within_limit .and. value >= 1
       case (limit_zero)
          within_limit = .not. abs(value) > 0
       case (limit_unused)
@@ -255,6 +257,8 @@ contains
          words = '0 or greater'
       case (limit_poisson)
          words = 'between -1 and 0.5'
+      case (limit_one)
+         words = '1 or greater'
       case (limit_zero)
          words = '0'
       case (limit_unused)

@@ -3,7 +3,7 @@ module litz_model_keywords
    use litz_element_types, only: element_type_choices, describe_element_types, list_element_types
    use litz_fields, only: field_potential, field_temperature, dof_range
    use litz_keywords, only: keyword_t, keyword_table_t, field_spec_t, place_model, place_both, limit_none, &
-      limit_positive, limit_not_negative, limit_poisson, limit_zero
+      limit_positive, limit_not_negative, limit_poisson, limit_zero, limit_one
    use litz_keyword_builders, only: begin, finish, integer_field, real_field, name_field, item_field, text_field, &
       flag, choice, name, item, number, count_of, file
    use litz_law_words, only: law_words_t
@@ -414,8 +414,8 @@ contains
          allocate (fields(laws(i)%n_fields()))
          do j = 1, size(fields)
             associate (field => laws(i)%fields(j))
-               fields(j) = real_field(trim(field%name), trim(field%unit), trim(field%meaning), limit_positive, &
-                  required=.not. field%is_optional)
+               fields(j) = real_field(trim(field%name), trim(field%unit), trim(field%meaning), &
+                  merge(limit_one, limit_positive, field%is_count), required=.not. field%is_optional)
             end associate
          end do
          call k%add_data(fields, when=parameter//'='//trim(laws(i)%name), last=merge(0, 1, laws(i)%has_table))

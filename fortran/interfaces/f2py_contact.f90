@@ -27,14 +27,17 @@ contains
       type(law_words_t), intent(in) :: laws(:)
       !> Names of the laws (32), empty beyond them
       character(len=16), intent(out) :: names(32)
-      !> Names of the numbers of each (4, 32)
+      !> Names of the numbers of each (4, 32); with a `?` behind it, it may be left out
       character(len=16), intent(out) :: values(4, 32)
-      integer :: i
+      integer :: i, j
       names = ''
       values = ''
       do i = 1, size(laws)
          names(i) = laws(i)%name
-         values(:, i) = laws(i)%fields%name
+         do j = 1, size(values, 1)
+            values(j, i) = laws(i)%fields(j)%name
+            if (laws(i)%fields(j)%is_optional) values(j, i) = trim(values(j, i))//'?'
+         end do
       end do
    end subroutine names_of
 

@@ -1,13 +1,14 @@
-! Contact of wires that yield, for Python; the contracts are in fortran/laws/yielding_spot.f90 and spot_resistance.f90.
+! Contact of wires that yield, for Python; the contracts are in fortran/laws/yielding_spot.f90 and dent_spot.f90.
 ! A yield stress of 0 is metal that stays elastic.
 module f2py_yielding
    use iso_c_binding, only: c_double, c_int
+   use litz_dent_spot, only: yielded_spot
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
    use litz_kinds, only: pi
    use litz_law_input, only: wire_pair_t
    use litz_line_law, only: line_wires, line_spot_t
    use litz_spot_law, only: contact_spot_t
-   use litz_spot_resistance, only: spot_metal_t, elastic_spot, yielded_spot
+   use litz_spot_resistance, only: spot_metal_t, elastic_spot
    use litz_yielding_line, only: yielding_line_t, yielding_line, line_dent_t, line_dent, line_state_t, &
       line_state_at_force, line_state_at_overlap, yielded_strip
    use litz_yielding_spot, only: yielding_t, yielding_crossing, dent_t, dent_of_force, yielding_state_t, &
@@ -52,7 +53,7 @@ contains
       yield_pressure = 0
       call hertz_ellipse(radius, young, poisson, angle, ellipse, info)
       if (info /= hertz_ok) return
-      metal = spot_metal_t(resistivity, mean_free_path, film)
+      metal = spot_metal_t(resistivity, resistivity*mean_free_path, film)
       if (all(yield_stress > 0)) then
          call yielding_crossing(ellipse, poisson, yield_stress, hardness, law, info)
          yield_pressure = law%yield_pressure

@@ -15,6 +15,8 @@ module litz_law_words
       character(len=160) :: meaning = ''
       !> It may be left out: then it is 0
       logical :: is_optional = .false.
+      !> It is 1 or more
+      logical :: is_count = .false.
    end type law_field_t
 
    type :: law_words_t

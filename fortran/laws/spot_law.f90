@@ -12,6 +12,8 @@
 !> | FILM     | as HERTZ                                          | HERTZ `+ sigma_f/(pi a b)`      | Hertz          |
 !> | CONSTANT | none: semi-axes 0                                 | given                           | 0              |
 !> | TABLE    | none: semi-axes 0                                 | `R_c(F)`, see litz_spot_table   | 0              |
+!> | SHARVIN  | as HERTZ                                          | see litz_spot_resistance        | Hertz          |
+!> | CLUSTER  | as HERTZ, n spots in it                           | see litz_spot_cluster           | Hertz          |
 !>
 !> Without a force there is no spot: the conductance is 0, and so are both derivatives, although the slope of
 !> `F^(1/3)` is infinite there. CONSTANT and TABLE, too, conduct only under a positive force.
@@ -48,6 +50,8 @@ module litz_spot_law
       !> times area and the hardness there; 0: it has none
       logical :: serves_lines = .false.
       integer :: film_number = 0, hardness_number = 0
+      !> Which of its numbers is rho l, resistivity times mean free path; 0: it has none
+      integer :: path_number = 0
       !> Its resistance can be meant per length [ohm m], over a force per length, of wires that touch along a line; and
       !> it is
       logical :: can_be_per_length = .false., is_per_length = .false.

@@ -9,6 +9,8 @@ module litz_spot_laws
    use litz_spot_film, only: spot_film
    use litz_spot_constant, only: spot_constant
    use litz_spot_table, only: spot_table
+   use litz_spot_sharvin, only: spot_sharvin
+   use litz_spot_cluster, only: spot_cluster
    implicit none
    private
    public :: spot_law, all_spot_laws
@@ -34,6 +36,8 @@ contains
       case (4); law = spot_film()
       case (5); law = spot_constant()
       case (6); law = spot_table()
+      case (7); law = spot_sharvin()
+      case (8); law = spot_cluster()
       end select
       law%number = number
       if (present(data)) call law%take(data)

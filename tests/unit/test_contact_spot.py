@@ -8,6 +8,7 @@ from derivatives import derivative
 from litz import _core
 from litz.kernels import contact_spot
 from litz.kernels.spot import _LAW_VALUES, _SPOT_LAWS
+from verification.references import greenwood
 
 DEGREE = np.pi / 180
 COPPER = dict(radius=1e-3, young=120e9, poisson=0.34, resistivity=1.7e-8)
@@ -21,6 +22,9 @@ LAWS = [
     FILM,
     dict(law="constant", resistance=1e-3),
     TABLE,
+    dict(law="sharvin", law_value=1e-15),
+    dict(law="sharvin", law_value=[1e-13, 1e-13]),
+    dict(law="cluster", law_value=[1e9, 7]),
 ]
 # laws that are new are tested unasked
 LAWS += [
@@ -279,3 +283,44 @@ def test_the_order_of_the_wires_does_not_matter(law):
 def test_bad_input_is_refused_in_words(change, words):
     with pytest.raises(ValueError, match=words):
         contact_spot(**{"force": 1.0, "angle": 1.0, **COPPER, **change})
+
+
+@pytest.mark.parametrize("film", [[], [1e-13]])
+def test_sharvin_s_law_is_that_of_the_mean_free_path(film):
+    """The data are the product of resistivity and mean free path, which both metals share."""
+    product = 5e-14
+    paths = product / np.broadcast_to(UNEQUAL["resistivity"], 2)
+    found = contact_spot(0.3, angle=0.7, law="sharvin", law_value=[product, *film], **UNEQUAL)
+    series = dict(law="film", film_resistivity=film[0]) if film else {}
+    expected = contact_spot(0.3, angle=0.7, mean_free_path=paths, **series, **UNEQUAL)
+    assert found == pytest.approx(expected, rel=1e-12)
+
+
+def test_a_cluster_is_between_a_single_spot_and_the_whole_ellipse():
+    one = contact_spot(0.5, angle=0.7, law="cluster", law_value=[1e9, 1], **UNEQUAL)
+    single = contact_spot(0.5, angle=0.7, law="plastic", hardness=1e9, **UNEQUAL)
+    assert one.conductance == pytest.approx(single.conductance, rel=1e-12)
+    many = contact_spot(0.5, angle=0.7, law="cluster", law_value=[1e9, 1e16], **UNEQUAL)
+    whole = contact_spot(0.5, angle=0.7, **UNEQUAL)
+    assert many.conductance == pytest.approx(whole.conductance, rel=1e-4)
+    assert (many.semi_major, many.semi_minor) == pytest.approx((whole.semi_major, whole.semi_minor))
+
+
+@pytest.mark.parametrize("n", [7, 37, 127, 500])
+def test_a_cluster_is_that_of_greenwood_s_spots(n):
+    """Equal spots evenly spread over the disc of Hertz: each raises the potential of the others as a point."""
+    hardness, force = 20e9, 1.0
+    cluster = contact_spot(force, angle=np.pi / 2, law="cluster", law_value=[hardness, n], **COPPER)
+    a = np.sqrt(force / (n * np.pi * hardness))
+    k = np.arange(n) + 0.5
+    turn = np.pi * (3 - np.sqrt(5))
+    places = cluster.semi_major * np.sqrt(k / n)[:, None] * np.column_stack([np.cos(turn * k), np.sin(turn * k)])
+    expected = greenwood.together(places, np.full(n, a), COPPER["resistivity"])
+    assert 1 / cluster.conductance == pytest.approx(expected, rel=0.02)
+
+
+def test_a_cluster_has_one_spot_or_more():
+    with pytest.raises(ValueError, match="law_value of"):
+        contact_spot(0.5, angle=0.7, law="cluster", law_value=1e9, **UNEQUAL)
+    with pytest.raises(ValueError, match="sigma_f, optional"):
+        contact_spot(0.5, angle=0.7, law="sharvin", law_value=[1e-15, 1e-13, 1.0], **UNEQUAL)

@@ -72,8 +72,9 @@ def law_data(law: str, wanted: str | None, values: dict[str, Numbers | None], fi
     value = values[wanted]
     if value is None:
         raise ValueError(f"{law} needs {wanted}")
-    if np.size(value) != len(fields):
-        raise ValueError(
-            f"{wanted} of {law} must have {len(fields)} numbers ({', '.join(fields)}), not {np.size(value)}"
-        )
+    needed = [field for field in fields if not field.endswith("?")]
+    if not len(needed) <= np.size(value) <= len(fields):
+        names = ", ".join(field if field in needed else f"{field[:-1]}, optional" for field in fields)
+        number = f"{len(fields)}" if len(needed) == len(fields) else f"{len(needed)} to {len(fields)}"
+        raise ValueError(f"{wanted} of {law} must have {number} numbers ({names}), not {np.size(value)}")
     return np.array([checks.positive(wanted, number) for number in np.ravel(value)])

@@ -3,6 +3,7 @@
 from .curves import along_curve, along_polyline, along_spline, straight
 from .laws import (
     HERTZ_AND_HOLM,
+    ClusterSpot,
     ConstantSpot,
     ContactPair,
     FilmSpot,
@@ -16,6 +17,7 @@ from .laws import (
     NamedSpot,
     PaperSpot,
     PlasticSpot,
+    SharvinSpot,
     TableSpot,
 )
 from .loading import Amplitude, Load, Prescribed
@@ -32,6 +34,7 @@ __all__ = [
     "STEEL",
     "Amplitude",
     "Circular",
+    "ClusterSpot",
     "ConstantSpot",
     "ContactPair",
     "FilmSpot",
@@ -50,6 +53,7 @@ __all__ = [
     "Nodes",
     "PaperSpot",
     "PlasticSpot",
+    "SharvinSpot",
     "Prescribed",
     "RigidSurface",
     "Step",

@@ -186,6 +186,45 @@ class FilmSpot(_Spot):
 
 
 @dataclass(frozen=True)
+class SharvinSpot(_Spot):
+    """Spot of Hertz that may be small against the mean free path of the electrons.
+
+    Attributes
+    ----------
+    resistivity_path : float
+        Resistivity times mean free path [ohm m^2], a constant of the metal: 8.46e-16 of silver, 6.7e-16 of copper.
+    film_resistivity : float, optional
+        Film resistance times area [ohm m^2].
+    """
+
+    resistivity_path: float
+    film_resistivity: float | None = None
+
+    def _law(self) -> tuple[str, list[list[float]]]:
+        film = [] if self.film_resistivity is None else [self.film_resistivity]
+        return "SHARVIN", [[self.resistivity_path, *film]]
+
+
+@dataclass(frozen=True)
+class ClusterSpot(_Spot):
+    """Many plastic spots within the ellipse of Hertz.
+
+    Attributes
+    ----------
+    hardness : float
+        Hardness [Pa]: force over the area of all spots.
+    spots : float
+        Their number, 1 or more.
+    """
+
+    hardness: float
+    spots: float
+
+    def _law(self) -> tuple[str, list[list[float]]]:
+        return "CLUSTER", [[self.hardness, self.spots]]
+
+
+@dataclass(frozen=True)
 class ConstantSpot(_Spot):
     """Given resistance.
 
@@ -351,7 +390,7 @@ class Interaction:
         Name in the deck.
     behaviour : Hertz, Linear or NamedBehaviour
         Contact force over penetration.
-    conductance : HertzSpot, PaperSpot, PlasticSpot, FilmSpot, ConstantSpot or TableSpot, optional
+    conductance : HertzSpot, PaperSpot, PlasticSpot, FilmSpot, SharvinSpot, ClusterSpot, ConstantSpot or TableSpot, optional
         Resistance of the spot; None: no current crosses.
     friction : Friction or float, optional
         Friction, or its coefficient alone; None: the wires slide freely.
@@ -378,6 +417,7 @@ class Interaction:
         if not (self.conductance is None or isinstance(self.conductance, _Spot)):
             raise ValueError(
                 "conductance must be None, HertzSpot(), PaperSpot(), PlasticSpot(hardness), FilmSpot(film_resistivity), "
+                "SharvinSpot(resistivity_path), ClusterSpot(hardness, spots), "
                 f"ConstantSpot(resistance), TableSpot(force, resistance) or NamedSpot(law, data), not {self.conductance!r}"
             )
         if not (self.heat is None or isinstance(self.heat, GapConductance)):

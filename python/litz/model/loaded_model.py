@@ -71,7 +71,7 @@ class LoadedModel(SurfaceModel):
             lie along lines and to which no current passes.
         behaviour : Hertz, Linear or NamedBehaviour, optional
             Contact force over penetration; Hertz when left out.
-        conductance : HertzSpot, PaperSpot, PlasticSpot, FilmSpot, ConstantSpot or TableSpot, optional
+        conductance : HertzSpot, PaperSpot, PlasticSpot, FilmSpot, SharvinSpot, ClusterSpot, ConstantSpot or TableSpot, optional
             Resistance of the spots; without it no current crosses.
         friction : Friction or float, optional
             Friction, or its coefficient [-]; without it the wires slide freely.

@@ -1,0 +1,34 @@
+!> The spot of two wires whose metal yields, from the force and the dent that the largest force has made.
+!>
+!> Source: theory (15.9).
+module litz_dent_spot
+   use litz_kinds, only: dp, pi
+   use litz_spot_law, only: contact_spot_t
+   use litz_spot_resistance, only: spot_metal_t, set_conductance
+   use litz_yielding_spot, only: yielding_t, dent_t, yielding_state_t, state_at_force
+   implicit none
+   private
+   public :: yielded_spot
+
+contains
+
+   !> The spot of metal that yields under a positive force, with the dent that the largest force has made.
+   pure type(contact_spot_t) function yielded_spot(law, dent, ratio, force, metal) result(spot)
+      type(yielding_t), intent(in) :: law
+      type(dent_t), intent(in) :: dent
+      !> b/a of the ellipse, and F [N]
+      real(dp), intent(in) :: ratio, force
+      type(spot_metal_t), intent(in) :: metal
+      type(yielding_state_t) :: state
+      real(dp) :: by_force(2)
+
+      state = state_at_force(law, dent, force)
+      spot%semi_major = sqrt(state%area/(pi*ratio))
+      spot%semi_minor = ratio*spot%semi_major
+      spot%approach = state%overlap
+      by_force = [1.0_dp, -state%dforce(1)]/state%stiffness                               ! ddelta by F and by the angle
+      call set_conductance(metal, state%disc, state%ddisc(1)*by_force + [0.0_dp, state%ddisc(2)], &
+         state%area, state%darea(1)*by_force + [0.0_dp, state%darea(2)], spot)
+   end function yielded_spot
+
+end module litz_dent_spot
