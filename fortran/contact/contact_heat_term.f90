@@ -9,6 +9,7 @@ module litz_contact_heat_term
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
    use litz_fields, only: field_temperature, group_transport, potential_slots, temperature_slots
+   use litz_friction_heat, only: rubbing_t, find_rubbing, is_abrupt, add_difference
    use litz_contact_heat_tangent, only: own_tangent, multiply_heat
    use litz_heat_of_contacts, only: contact_heat_t, collect_heat
    use litz_heated_contacts, only: heated_contact_t, heated_contact, can_pass_heat
@@ -37,9 +38,12 @@ module litz_contact_heat_term
       real(dp), allocatable, private :: k(:, :, :), k_et(:, :, :)
       !> By which the work of an increment is a power [1/s]; 0: time is a scale of loads
       real(dp), private :: rate = 0
+      !> What friction gives to the elements beyond its work per time (n_elements) [W]
+      real(dp), allocatable, private :: of_friction(:)
    contains
       procedure :: apply_load
       procedure :: evaluate
+      procedure :: settle
       procedure :: refusal
       procedure :: rejection
       procedure :: link
@@ -78,6 +82,7 @@ contains
 
       if (allocated(self%heat)) deallocate (self%heat)
       if (.not. domain%loading%solves(field_temperature)) return
+      call add_friction(self, domain)
       call find_contacts(self, domain)
       if (any(self%heat%contacts%is_cold)) then
          self%heat%is_solved = .false.
@@ -102,6 +107,34 @@ contains
       call add_at_nodes(self%heat%elements, self%heat%at_nodes, domain%forces%internal(temperature_slots(1), :))
       call keep_heat(self)
    end subroutine evaluate
+
+   !> What the works of friction of the last two increments give to the nodes beyond the heat of the contacts.
+   subroutine add_friction(self, domain)
+      class(contact_heat_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      type(rubbing_t), allocatable :: rubbing(:)
+
+      self%of_friction = spread(0.0_dp, 1, domain%model%n_elements)
+      if (.not. (self%rate > 0 .and. domain%heat_weights(2) > 0)) return
+      call find_rubbing(domain, self%contact, rubbing)
+      call add_difference(rubbing, domain%model%connectivity, domain%heat_weights, 1/self%rate, &
+         domain%forces%internal(temperature_slots(1), :), self%of_friction)
+   end subroutine add_friction
+
+   !> The forces balance, so that friction is known: an increment in which it sets in or ends takes backward Euler.
+   subroutine settle(self, domain, has_moved)
+      class(contact_heat_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      !> The forces must be evaluated again
+      logical, intent(inout) :: has_moved
+      type(rubbing_t), allocatable :: rubbing(:)
+
+      if (.not. (domain%loading%solves(field_temperature) .and. self%rate > 0 .and. domain%heat_weights(2) > 0)) return
+      call find_rubbing(domain, self%contact, rubbing)
+      if (.not. is_abrupt(rubbing, 1/self%rate, domain%state%time_increment)) return
+      domain%heat_weights = [1, 0]
+      has_moved = .true.
+   end subroutine settle
 
    !> Those of the set that pass heat, and the elements that they are on.
    subroutine find_contacts(self, domain)
@@ -364,6 +397,7 @@ contains
                made = made + heat%between_contacts(k)
             end associate
          end do
+         state%heat_made = state%heat_made + self%of_friction
       end associate
    end subroutine accept
 
