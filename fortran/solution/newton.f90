@@ -359,7 +359,7 @@ contains
             if (.not. has_mutual_tangent(problem, group)) cycle
          end if
          if (outcome%in_turn /= group) then
-            if (.not. has_converged(outcome%last, group - 1)) return
+            if (.not. (has_converged(outcome%last, group - 1) .or. goes_first(problem, outcome))) return
             if (group_converged(outcome%last, group)) then
                if (problem%scheme%is_swept .and. problem%iterate%mechanics_lags()) call hand_over(problem, step, &
                   outcome%last, outcome%at_round_off, error)
@@ -379,6 +379,15 @@ contains
          if (allocated(error)) return
       end do
    end subroutine update_groups
+
+   !> The first turn of an increment is that of the temperatures: they follow a current that changes at once, so that the
+   !> motions, which take more iterations, need not be found twice.
+   pure logical function goes_first(problem, outcome)
+      type(problem_t), intent(in) :: problem
+      type(outcome_t), intent(in) :: outcome
+
+      goes_first = problem%scheme%is_swept .and. outcome%sweeps == 0 .and. problem%fed_node == 0
+   end function goes_first
 
    !> An iteration of a group that takes its turn.
    pure subroutine note_update(problem, outcome)
