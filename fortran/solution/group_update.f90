@@ -63,7 +63,8 @@ contains
       call problem%timing%lap(phase_update)
       call problem%scheme%factor_group(group, problem%matrix, solver_error)
       call problem%timing%lap(phase_factor)
-      if (.not. allocated(solver_error)) call solve_for_group(problem, group, free, b, x, solver_error)
+      if (.not. allocated(solver_error)) call solve_for_group(problem, group, free, report%allowed, b, x, &
+         solver_error)
       call problem%timing%lap(phase_solve)
       if (allocated(solver_error)) return
       correction = 0

@@ -8,7 +8,7 @@ module litz_newton
    use litz_assembly, only: evaluate
    use litz_contact_findings, only: finding_t, finding_none
    use litz_convergence, only: measure_residual, has_converged, group_converged, &
-      corrections_small, worst_field
+      part_of_allowed, corrections_small, worst_field
    use litz_element_library, only: heat_elements
    use litz_errors, only: error_t
    use litz_fields, only: field_displacement, n_fields, n_slots, n_groups, first_slot, last_slot, last_slot_of_group, &
@@ -47,6 +47,8 @@ module litz_newton
       !> The group whose turn it is, iterations since its turn began, most of them in a turn, and how often groups that
       !> act back on the first ones have had theirs
       integer :: in_turn = 1, counted = 0, longest_turn = 0, sweeps = 0
+      !> The largest residual of the turn over the allowed one
+      real(dp) :: largest_part = 0
       !> Why it was given up, for the user
       character(len=:), allocatable :: reason
       !> One of the causes above; 0: it was not
@@ -70,10 +72,16 @@ module litz_newton
    contains
       procedure :: effort
       procedure :: end_turn
+      procedure :: has_come_far
+      procedure :: note_residual
    end type outcome_t
 
    !> Iterations at most, in multiples of I_C, where contacts open and close as predicted all the way
    integer, parameter :: max_iterations = 4
+
+   !> A turn of a sweep ends before it converges when no more than this part of its residual is left: the others change
+   !> it by more
+   real(dp), parameter :: part_left = 0.01_dp
 
    !> Iterations to balance from where terms anticipate
    integer, parameter :: still_to_go = 2
@@ -113,6 +121,7 @@ contains
             if (outcome%iterations == 0) outcome%fed_at_start = problem%fed_node > 0
             call measure_residual(problem, step, outcome%last, outcome%at_round_off)
          end if
+         call outcome%note_residual()
          call count_status(problem, outcome%last)
          if (outcome%in_turn == 1 .and. outcome%last%factor_age == 0 .and. &
             .not. only_contacts_changed(outcome%last, numbers)) outcome%counted = outcome%counted + 1
@@ -184,7 +193,15 @@ contains
       self%counted = 0
       if (next > 1) self%sweeps = self%sweeps + 1
       self%in_turn = next
+      self%largest_part = 0
    end subroutine end_turn
+
+   !> The residuals of the group whose turn it is.
+   pure subroutine note_residual(self)
+      class(outcome_t), intent(inout) :: self
+
+      self%largest_part = max(self%largest_part, part_of_allowed(self%last, self%in_turn))
+   end subroutine note_residual
 
    !> What a solve has shown.
    pure subroutine note_solve(problem, kept, outcome)
@@ -359,7 +376,7 @@ contains
             if (.not. has_mutual_tangent(problem, group)) cycle
          end if
          if (outcome%in_turn /= group) then
-            if (.not. (has_converged(outcome%last, group - 1) .or. goes_first(problem, outcome))) return
+            if (.not. (has_converged(outcome%last, group - 1) .or. takes_over(problem, outcome, group))) return
             if (group_converged(outcome%last, group)) then
                if (problem%scheme%is_swept .and. problem%iterate%mechanics_lags()) call hand_over(problem, step, &
                   outcome%last, outcome%at_round_off, error)
@@ -368,26 +385,46 @@ contains
             end if
             if (problem%scheme%is_swept) call outcome%end_turn(group)
          end if
+         call outcome%note_residual()
          call update_group(problem, group, outcome%last, solver_error, error)
          if (allocated(solver_error) .or. allocated(error)) return
          call measure_residual(problem, step, outcome%last, outcome%at_round_off)
          if (outcome%in_turn /= group) cycle
          call note_update(problem, outcome)
-         if (.not. group_converged(outcome%last, group)) cycle
+         if (.not. (group_converged(outcome%last, group) .or. outcome%has_come_far(group))) cycle
+         if (problem%is_far .and. .not. group_converged(outcome%last, group)) cycle
          call outcome%end_turn(1)
          call hand_over(problem, step, outcome%last, outcome%at_round_off, error)
          if (allocated(error)) return
+         ! nothing is left for the motions to do
+         if (has_converged(outcome%last, group - 1) .and. .not. group_converged(outcome%last, group)) &
+            outcome%in_turn = group
       end do
    end subroutine update_groups
 
-   !> The first turn of an increment is that of the temperatures: they follow a current that changes at once, so that the
-   !> motions, which take more iterations, need not be found twice.
-   pure logical function goes_first(problem, outcome)
+   !> The temperatures take their turn before the motions balance. First of all in an increment, as they follow a
+   !> current that changes at once, and the motions, which take more iterations, need not be found twice; then whenever
+   !> these are nearer to their balance than to what the temperatures have still to do to them.
+   pure logical function takes_over(problem, outcome, group)
       type(problem_t), intent(in) :: problem
       type(outcome_t), intent(in) :: outcome
+      !> One of the groups of litz_fields
+      integer, intent(in) :: group
 
-      goes_first = problem%scheme%is_swept .and. outcome%sweeps == 0 .and. problem%fed_node == 0
-   end function goes_first
+      takes_over = .false.
+      if (.not. problem%scheme%is_swept .or. group_converged(outcome%last, group)) return
+      takes_over = outcome%has_come_far(1)
+      if (outcome%sweeps == 0) takes_over = problem%fed_node == 0
+   end function takes_over
+
+   !> The residuals of a group are a small part of the largest ones of its turn.
+   pure logical function has_come_far(self, group)
+      class(outcome_t), intent(in) :: self
+      !> One of the groups of litz_fields
+      integer, intent(in) :: group
+
+      has_come_far = part_of_allowed(self%last, group) <= part_left*self%largest_part
+   end function has_come_far
 
    !> An iteration of a group that takes its turn.
    pure subroutine note_update(problem, outcome)
