@@ -117,7 +117,8 @@ contains
          map%is_held = held_equations(problem, group, free)
          scale = spread(allowed(field_of_slot), 2, size(scale, 2))
          map%scale = problem%equations%gather(group, scale)
-         call gmres(map, b/map%scale, merge(accurate_in_turn, accurate_residual, problem%scheme%is_swept), max_products, x)
+         call gmres(map, b/map%scale, merge(accurate_in_turn, accurate_residual, problem%scheme%is_swept), &
+            max_products, x)
          if (allocated(map%error)) call move_alloc(map%error, error)
       end if
    end subroutine solve_for_group

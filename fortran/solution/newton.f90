@@ -6,9 +6,9 @@ module litz_newton
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use litz_kinds, only: dp
    use litz_assembly, only: evaluate
-   use litz_contact_findings, only: finding_t, finding_none
+   use litz_contact_findings, only: finding_none
    use litz_convergence, only: measure_residual, has_converged, group_converged, &
-      part_of_allowed, corrections_small, worst_field
+      corrections_small, worst_field
    use litz_element_library, only: heat_elements
    use litz_errors, only: error_t
    use litz_fields, only: field_displacement, n_fields, n_slots, n_groups, first_slot, last_slot, last_slot_of_group, &
@@ -19,6 +19,8 @@ module litz_newton
    use litz_loading, only: prescribed_increment
    use litz_lost_contacts, only: find_lost_contacts
    use litz_model, only: step_t
+   use litz_outcome, only: outcome_t, cause_iterations, cause_not_finite, cause_singular, cause_lost_contact, &
+      cause_turned_ends, cause_fed_part, cause_no_solution, cause_failed_law
    use litz_observer, only: observer_t
    use litz_problem, only: problem_t
    use litz_reports, only: iteration_report_t
@@ -28,60 +30,10 @@ module litz_newton
    use litz_turned_ends, only: turned_ends_t, most_turned_ends
    implicit none
    private
-   public :: outcome_t, solve_increment, factor_tangent, start_iterate
-   public :: cause_iterations, cause_not_finite, cause_singular, cause_lost_contact, cause_turned_ends, &
-      cause_fed_part, cause_no_solution, cause_failed_law, cause_large_change
-
-   !> Why an increment is given up
-   integer, parameter :: cause_iterations = 1, cause_not_finite = 2, cause_singular = 3, cause_lost_contact = 4, &
-      cause_turned_ends = 5, cause_failed_law = 6, cause_fed_part = 7, cause_no_solution = 8, &
-      cause_large_change = 9
-
-   type :: outcome_t
-      logical :: converged = .false.
-      !> All of them, and those that factored the tangent
-      integer :: iterations = 0, factorisations = 0
-      !> Those that factored it until the forces first balanced: what terms then bring up to date says nothing about the
-      !> size of the increment
-      integer :: to_balance = 0
-      !> The group whose turn it is, iterations since its turn began, most of them in a turn, and how often groups that
-      !> act back on the first ones have had theirs
-      integer :: in_turn = 1, counted = 0, longest_turn = 0, sweeps = 0
-      !> The largest residual of the turn over the allowed one
-      real(dp) :: largest_part = 0
-      !> Why it was given up, for the user
-      character(len=:), allocatable :: reason
-      !> One of the causes above; 0: it was not
-      integer :: cause = 0
-      !> What is wrong with its contacts
-      type(finding_t) :: finding
-      !> The last iteration and the one before
-      type(iteration_report_t) :: last, before
-      !> The tolerance that ended the iteration was that of round-off in one of the fields
-      logical :: at_round_off = .false.
-      !> Negative pivots of the last factorisation; -1: not known, or none was made
-      integer :: negative_pivots = -1
-      !> The same of the state in which the increment began; -1 also: its tangent was not factored
-      integer :: negative_pivots_at_start = -1
-      !> The last factorisation was that of the state in which the increment began
-      logical :: only_start_factored = .false.
-      !> Some factorisation of this attempt had negative pivots
-      logical :: passed_critical = .false.
-      !> A flux was fed into a part that floated when the increment began: no smaller one would connect it
-      logical :: fed_at_start = .false.
-   contains
-      procedure :: effort
-      procedure :: end_turn
-      procedure :: has_come_far
-      procedure :: note_residual
-   end type outcome_t
+   public :: solve_increment, factor_tangent, start_iterate
 
    !> Iterations at most, in multiples of I_C, where contacts open and close as predicted all the way
    integer, parameter :: max_iterations = 4
-
-   !> A turn of a sweep ends before it converges when no more than this part of its residual is left: the others change
-   !> it by more
-   real(dp), parameter :: part_left = 0.01_dp
 
    !> Iterations to balance from where terms anticipate
    integer, parameter :: still_to_go = 2
@@ -175,33 +127,6 @@ contains
       call refuse_wrong_state(problem, outcome)
       call problem%timing%lap(phase_check)
    end subroutine solve_increment
-
-   !> How many iterations the size of the increment has cost.
-   pure integer function effort(self)
-      class(outcome_t), intent(in) :: self
-
-      effort = merge(min(self%to_balance, self%factorisations), self%factorisations, self%to_balance > 0)
-      if (self%sweeps > 0) effort = max(self%longest_turn, self%counted, self%sweeps)
-   end function effort
-
-   pure subroutine end_turn(self, next)
-      class(outcome_t), intent(inout) :: self
-      !> The group whose turn it is now
-      integer, intent(in) :: next
-
-      self%longest_turn = max(self%longest_turn, self%counted)
-      self%counted = 0
-      if (next > 1) self%sweeps = self%sweeps + 1
-      self%in_turn = next
-      self%largest_part = 0
-   end subroutine end_turn
-
-   !> The residuals of the group whose turn it is.
-   pure subroutine note_residual(self)
-      class(outcome_t), intent(inout) :: self
-
-      self%largest_part = max(self%largest_part, part_of_allowed(self%last, self%in_turn))
-   end subroutine note_residual
 
    !> What a solve has shown.
    pure subroutine note_solve(problem, kept, outcome)
@@ -397,8 +322,9 @@ contains
          call hand_over(problem, step, outcome%last, outcome%at_round_off, error)
          if (allocated(error)) return
          ! nothing is left for the motions to do
-         if (has_converged(outcome%last, group - 1) .and. .not. group_converged(outcome%last, group)) &
+         if (has_converged(outcome%last, group - 1) .and. .not. group_converged(outcome%last, group)) then
             outcome%in_turn = group
+         end if
       end do
    end subroutine update_groups
 
@@ -416,15 +342,6 @@ contains
       takes_over = outcome%has_come_far(1)
       if (outcome%sweeps == 0) takes_over = problem%fed_node == 0
    end function takes_over
-
-   !> The residuals of a group are a small part of the largest ones of its turn.
-   pure logical function has_come_far(self, group)
-      class(outcome_t), intent(in) :: self
-      !> One of the groups of litz_fields
-      integer, intent(in) :: group
-
-      has_come_far = part_of_allowed(self%last, group) <= part_left*self%largest_part
-   end function has_come_far
 
    !> An iteration of a group that takes its turn.
    pure subroutine note_update(problem, outcome)
