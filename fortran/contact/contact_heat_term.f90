@@ -14,11 +14,11 @@ module litz_contact_heat_term
    use litz_heat_of_contacts, only: contact_heat_t, collect_heat
    use litz_heated_contacts, only: heated_contact_t, heated_contact, can_pass_heat, conducting_metals
    use litz_heated_elements, only: heated_element_t, add_at_nodes
+   use litz_hot_places, only: melted, beyond_table
    use litz_model, only: step_t
    use litz_property_table, only: property_at
    use litz_shared_conductors, only: shared_conductors_t
    use litz_term, only: term_t
-   use litz_text, only: to_text
    implicit none
    private
    public :: contact_heat_term_t, new_contact_heat_term
@@ -298,7 +298,7 @@ contains
          ' at absolute zero or below, or heat far more than it can pass'
    end function refusal
 
-   !> Metal in a spot has melted: what then happens is not modelled.
+   !> Metal in a spot has melted, or is hotter than what is known of it: what then happens is not modelled.
    function rejection(self, domain) result(reason)
       class(contact_heat_term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain
@@ -306,34 +306,10 @@ contains
 
       reason = ''
       if (.not. allocated(self%heat)) return
-      reason = melted(self%contact%points(self%points))
-      if (len(reason) == 0) reason = melted(self%contact%line_points(self%line_points))
-
-   contains
-
-      !> The hottest of these above the melting point of its metal.
-      function melted(points) result(words)
-         type(contact_point_t), intent(in) :: points(:)
-         character(len=:), allocatable :: words
-         real(dp) :: above, most
-         integer :: i
-
-         words = ''
-         most = 0
-         do i = 1, size(points)
-            associate (law => domain%model%interactions(domain%model%contact_pairs(points(i)%pair)%interaction)%heat)
-               if (.not. law%has_melting .or. law%may_melt) cycle
-               above = points(i)%temperature_max - law%melting
-               if (.not. above > most) cycle
-               most = above
-               words = 'the spot of elements '//to_text(domain%model%element_id(points(i)%element_bar))//' and '// &
-                  to_text(domain%model%element_id(points(i)%element))//' would be at '// &
-                  to_text(points(i)%temperature_max)//' '//domain%model%units%label('K')//' and melt (TMELT='// &
-                  to_text(law%melting)//' of *GAP CONDUCTANCE; MELTING=WARN lets it)'
-            end associate
-         end do
-      end function melted
-
+      reason = melted(domain, self%contact%points(self%points))
+      if (len(reason) == 0) reason = melted(domain, self%contact%line_points(self%line_points))
+      if (len(reason) == 0) reason = beyond_table(domain, self%contact%points(self%points))
+      if (len(reason) == 0) reason = beyond_table(domain, self%contact%line_points(self%line_points))
    end function rejection
 
    subroutine link(self, domain, field, pairs)
