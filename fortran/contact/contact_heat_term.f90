@@ -12,7 +12,7 @@ module litz_contact_heat_term
    use litz_friction_heat, only: rubbing_t, find_rubbing, is_abrupt, add_difference
    use litz_contact_heat_tangent, only: own_tangent, multiply_heat
    use litz_heat_of_contacts, only: contact_heat_t, collect_heat
-   use litz_heated_contacts, only: heated_contact_t, heated_contact, can_pass_heat
+   use litz_heated_contacts, only: heated_contact_t, heated_contact, can_pass_heat, conducting_metals
    use litz_heated_elements, only: heated_element_t, add_at_nodes
    use litz_model, only: step_t
    use litz_property_table, only: property_at
@@ -103,6 +103,7 @@ contains
       end associate
       call domain%add_cells(nodes, temperature_slots, both_slots, self%k, r)
       call domain%add_cells(nodes, potential_slots, temperature_slots, self%k_et)
+      call add_currents(self, domain)
       ! what the parts of elements next to the nodes make beyond that of the elements without contacts
       call add_at_nodes(self%heat%elements, self%heat%at_nodes, domain%forces%internal(temperature_slots(1), :))
       call keep_heat(self)
@@ -155,7 +156,7 @@ contains
             (heated_contact(domain, set%line_points(b(i)), self%rate), i=n_b + 1, size(b))])
       end associate
       allocate (self%heat)
-      call collect_heat(contacts, conductors, domain%model%absolute_zero, self%heat)
+      call collect_heat(contacts, conductors, conducting_metals(domain%model), domain%model%absolute_zero, self%heat)
       do k = 1, size(self%heat%elements)
          self%heat%elements(k) = heated_element(domain, self%heat%ends%element(k))
       end do
@@ -211,6 +212,20 @@ contains
       end associate
    end function heated_element
 
+   !> What currents at the temperatures of the places differ from those at temperatures that are linear between nodes.
+   subroutine add_currents(self, domain)
+      class(contact_heat_term_t), intent(in) :: self
+      type(domain_t), intent(inout) :: domain
+      real(dp), dimension(size(self%heat%conductors%resistance)) :: voltage, current, unused
+      real(dp) :: rise(2, size(voltage))
+
+      if (.not. self%heat%resistances_follow) return
+      voltage = self%heat%conductors%voltages(domain%iterate%value(potential_slots(1), :))
+      call self%heat%linear_conductors%currents(voltage, current, rise, unused)
+      call self%heat%conductors%add_beyond(0*voltage, self%heat%current(:size(voltage)) - current, &
+         domain%forces%internal(potential_slots(1), :))
+   end subroutine add_currents
+
    subroutine find_own_tangents(self)
       class(contact_heat_term_t), intent(inout) :: self
       real(dp) :: k_te(4, 4), k_tt(4, 4)
@@ -261,6 +276,12 @@ contains
             point%temperature_max = heat%spots(before)%hottest + heat%zero
             point%heat_bar = heat%heat(1, before)
             point%heat = heat%heat(2, before)
+            if (.not. (heat%resistances_follow .and. before <= size(heat%conductors%resistance))) return
+            point%current = heat%current(before)
+            point%conductance = 1/heat%conductors%resistance(before)
+            point%voltage_gap = point%current/point%conductance
+            point%heat_of_strips = point%current*heat%of_strips(before)
+            point%heat_inside = point%current*[-heat%potential_rise(1, before), heat%potential_rise(2, before)]
          end associate
       end subroutine keep
 
