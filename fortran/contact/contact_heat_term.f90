@@ -13,6 +13,7 @@ module litz_contact_heat_term
    use litz_contact_heat_tangent, only: own_tangent, multiply_heat
    use litz_heat_of_contacts, only: contact_heat_t, collect_heat
    use litz_heated_contacts, only: heated_contact_t, heated_contact, can_pass_heat, conducting_metals
+   use litz_heat_within, only: slow_and_fast
    use litz_heated_elements, only: heated_element_t, add_at_nodes
    use litz_hot_places, only: melted, beyond_table
    use litz_model, only: step_t
@@ -164,7 +165,8 @@ contains
          do side = 1, 2
             associate (element => self%heat%elements(self%heat%ends%place_of(side, i)))
                element%series = max(element%series, contacts(i)%series(side))
-               element%heat_series = max(element%heat_series, contacts(i)%heat_series(side))
+               element%steady_heat_series = max(element%steady_heat_series, contacts(i)%heat_series(side))
+               element%heat_series = element%steady_heat_series*sum(slow_and_fast*contacts(i)%reached(:, side))
             end associate
          end do
       end do
@@ -396,6 +398,27 @@ contains
          end do
          state%heat_made = state%heat_made + self%of_friction
       end associate
+      call remember_heat(self)
    end subroutine accept
+
+   !> What the temperatures within the elements have come to; the contact term has taken over the points before.
+   subroutine remember_heat(self)
+      class(contact_heat_term_t), intent(inout) :: self
+      integer :: i, n_a, n_b
+
+      if (.not. self%heat%is_solved) return
+      n_a = self%n_points
+      n_b = self%n_line_points
+      associate (a => self%points, b => self%line_points, heat => self%heat, set => self%contact)
+         do i = 1, size(a)
+            set%points(a(i))%history%settled_heat = heat%settled_heat(merge(i, i + n_b, i <= n_a))
+         end do
+         do i = 1, size(b)
+            set%line_points(b(i))%history%settled_heat = heat%settled_heat(merge(i + n_a, i + size(a), i <= n_b))
+         end do
+         set%converged(a)%history = set%points(a)%history
+         set%converged_line_points(b)%history = set%line_points(b)%history
+      end associate
+   end subroutine remember_heat
 
 end module litz_contact_heat_term
