@@ -209,7 +209,7 @@ def motion_solves(folder):
 
 def test_a_current_costs_no_more_solutions_for_the_motions_than_its_heat(run, tmp_path):
     """Temperatures take the first turn of an increment: the motions are found once, as with these temperatures given."""
-    shape = {"bow": RADIUS, "elements": 40}
+    shape = {"bow": RADIUS, "elements": 40, "loads": "*CLOAD\n21, 2, 1\n"}
     hot = run(voltage_for(CRITICAL), **shape)
     coupled = motion_solves(tmp_path)
     bent, rise = hot.field("displacement"), hot.field("temperature")
