@@ -8,7 +8,7 @@ module litz_newton
    use litz_assembly, only: evaluate
    use litz_contact_findings, only: finding_none
    use litz_convergence, only: measure_residual, has_converged, group_converged, &
-      corrections_small, worst_field
+      part_of_allowed, corrections_small, worst_field
    use litz_element_library, only: heat_elements
    use litz_errors, only: error_t
    use litz_fields, only: field_displacement, n_fields, n_slots, n_groups, first_slot, last_slot, last_slot_of_group, &
@@ -34,6 +34,9 @@ module litz_newton
 
    !> Iterations at most, in multiples of I_C, where contacts open and close as predicted all the way
    integer, parameter :: max_iterations = 4
+
+   !> Residuals over the allowed ones with which a group of a sweep has no other turn
+   real(dp), parameter :: part_at_end = 0.1_dp
 
    !> Iterations to balance from where terms anticipate
    integer, parameter :: still_to_go = 2
@@ -73,7 +76,7 @@ contains
             if (outcome%iterations == 0) outcome%fed_at_start = problem%fed_node > 0
             call measure_residual(problem, step, outcome%last, outcome%at_round_off)
          end if
-         call outcome%note_residual()
+         if (outcome%in_turn == 1) call outcome%note_residual()
          call count_status(problem, outcome%last)
          if (outcome%in_turn == 1 .and. outcome%last%factor_age == 0 .and. &
             .not. only_contacts_changed(outcome%last, numbers)) outcome%counted = outcome%counted + 1
@@ -302,7 +305,7 @@ contains
          end if
          if (outcome%in_turn /= group) then
             if (.not. (has_converged(outcome%last, group - 1) .or. takes_over(problem, outcome, group))) return
-            if (group_converged(outcome%last, group)) then
+            if (is_done(problem, outcome, group)) then
                if (problem%scheme%is_swept .and. problem%iterate%mechanics_lags()) call hand_over(problem, step, &
                   outcome%last, outcome%at_round_off, error)
                if (allocated(error)) return
@@ -310,21 +313,15 @@ contains
             end if
             if (problem%scheme%is_swept) call outcome%end_turn(group)
          end if
-         call outcome%note_residual()
          call update_group(problem, group, outcome%last, solver_error, error)
          if (allocated(solver_error) .or. allocated(error)) return
          call measure_residual(problem, step, outcome%last, outcome%at_round_off)
          if (outcome%in_turn /= group) cycle
          call note_update(problem, outcome)
-         if (.not. (group_converged(outcome%last, group) .or. outcome%has_come_far(group))) cycle
-         if (problem%is_far .and. .not. group_converged(outcome%last, group)) cycle
+         if (.not. group_converged(outcome%last, group)) cycle
          call outcome%end_turn(1)
          call hand_over(problem, step, outcome%last, outcome%at_round_off, error)
          if (allocated(error)) return
-         ! nothing is left for the motions to do
-         if (has_converged(outcome%last, group - 1) .and. .not. group_converged(outcome%last, group)) then
-            outcome%in_turn = group
-         end if
       end do
    end subroutine update_groups
 
@@ -339,9 +336,24 @@ contains
 
       takes_over = .false.
       if (.not. problem%scheme%is_swept .or. group_converged(outcome%last, group)) return
-      takes_over = outcome%has_come_far(1)
+      takes_over = outcome%motions_have_come_far()
       if (outcome%sweeps == 0) takes_over = problem%fed_node == 0
    end function takes_over
+
+   !> A group has nothing to do after those before it. In a sweep it has one more iteration where its residuals, which the
+   !> last turn of the motions has left, are within their tolerances but not far below them: those of many nodes add up.
+   pure logical function is_done(problem, outcome, group)
+      type(problem_t), intent(in) :: problem
+      type(outcome_t), intent(in) :: outcome
+      !> One of the groups of litz_fields
+      integer, intent(in) :: group
+
+      if (problem%scheme%is_swept) then
+         is_done = part_of_allowed(outcome%last, group) <= part_at_end
+      else
+         is_done = group_converged(outcome%last, group)
+      end if
+   end function is_done
 
    !> An iteration of a group that takes its turn.
    pure subroutine note_update(problem, outcome)

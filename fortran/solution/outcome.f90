@@ -3,6 +3,7 @@ module litz_outcome
    use litz_kinds, only: dp
    use litz_contact_findings, only: finding_t
    use litz_convergence, only: part_of_allowed
+   use litz_fields, only: group_mechanical
    use litz_reports, only: iteration_report_t
    implicit none
    private
@@ -25,7 +26,7 @@ module litz_outcome
       !> The group whose turn it is, iterations since its turn began, most of them in a turn, and how often groups that
       !> act back on the first ones have had theirs
       integer :: in_turn = 1, counted = 0, longest_turn = 0, sweeps = 0
-      !> The largest residual of the turn over the allowed one
+      !> The largest residual of the motions in their turn over the allowed one
       real(dp) :: largest_part = 0
       !> Why it was given up, for the user
       character(len=:), allocatable :: reason
@@ -50,12 +51,12 @@ module litz_outcome
    contains
       procedure :: effort
       procedure :: end_turn
-      procedure :: has_come_far
+      procedure :: motions_have_come_far
       procedure :: note_residual
    end type outcome_t
 
-   !> A turn of a sweep ends before it converges when no more than this part of its residual is left: the others change
-   !> it by more
+   !> The turn of the motions in a sweep ends before they balance when no more than this part of their residual is left:
+   !> the temperatures change it by more
    real(dp), parameter :: part_left = 0.01_dp
 
 contains
@@ -80,20 +81,18 @@ contains
       self%largest_part = 0
    end subroutine end_turn
 
-   !> The residuals of the group whose turn it is.
+   !> The residuals of the motions, whose turn it is.
    pure subroutine note_residual(self)
       class(outcome_t), intent(inout) :: self
 
-      self%largest_part = max(self%largest_part, part_of_allowed(self%last, self%in_turn))
+      self%largest_part = max(self%largest_part, part_of_allowed(self%last, group_mechanical))
    end subroutine note_residual
 
-   !> The residuals of a group are a small part of the largest ones of its turn.
-   pure logical function has_come_far(self, group)
+   !> The residuals of the motions are a small part of the largest ones of their turn.
+   pure logical function motions_have_come_far(self)
       class(outcome_t), intent(in) :: self
-      !> One of the groups of litz_fields
-      integer, intent(in) :: group
 
-      has_come_far = part_of_allowed(self%last, group) <= part_left*self%largest_part
-   end function has_come_far
+      motions_have_come_far = part_of_allowed(self%last, group_mechanical) <= part_left*self%largest_part
+   end function motions_have_come_far
 
 end module litz_outcome
