@@ -13,12 +13,13 @@ module litz_contact_heat_term
    use litz_contact_heat_tangent, only: own_tangent, multiply_heat
    use litz_heat_of_contacts, only: contact_heat_t, collect_heat
    use litz_heated_contacts, only: heated_contact_t, heated_contact, can_pass_heat, conducting_metals
+   use litz_heat_within, only: slow_and_fast
    use litz_heated_elements, only: heated_element_t, add_at_nodes
+   use litz_hot_places, only: melted, beyond_table
    use litz_model, only: step_t
    use litz_property_table, only: property_at
    use litz_shared_conductors, only: shared_conductors_t
    use litz_term, only: term_t
-   use litz_text, only: to_text
    implicit none
    private
    public :: contact_heat_term_t, new_contact_heat_term
@@ -164,7 +165,8 @@ contains
          do side = 1, 2
             associate (element => self%heat%elements(self%heat%ends%place_of(side, i)))
                element%series = max(element%series, contacts(i)%series(side))
-               element%heat_series = max(element%heat_series, contacts(i)%heat_series(side))
+               element%steady_heat_series = max(element%steady_heat_series, contacts(i)%heat_series(side))
+               element%heat_series = element%steady_heat_series*sum(slow_and_fast*contacts(i)%reached(:, side))
             end associate
          end do
       end do
@@ -298,7 +300,7 @@ contains
          ' at absolute zero or below, or heat far more than it can pass'
    end function refusal
 
-   !> Metal in a spot has melted: what then happens is not modelled.
+   !> Metal in a spot has melted, or is hotter than what is known of it: what then happens is not modelled.
    function rejection(self, domain) result(reason)
       class(contact_heat_term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain
@@ -306,34 +308,10 @@ contains
 
       reason = ''
       if (.not. allocated(self%heat)) return
-      reason = melted(self%contact%points(self%points))
-      if (len(reason) == 0) reason = melted(self%contact%line_points(self%line_points))
-
-   contains
-
-      !> The hottest of these above the melting point of its metal.
-      function melted(points) result(words)
-         type(contact_point_t), intent(in) :: points(:)
-         character(len=:), allocatable :: words
-         real(dp) :: above, most
-         integer :: i
-
-         words = ''
-         most = 0
-         do i = 1, size(points)
-            associate (law => domain%model%interactions(domain%model%contact_pairs(points(i)%pair)%interaction)%heat)
-               if (.not. law%has_melting .or. law%may_melt) cycle
-               above = points(i)%temperature_max - law%melting
-               if (.not. above > most) cycle
-               most = above
-               words = 'the spot of elements '//to_text(domain%model%element_id(points(i)%element_bar))//' and '// &
-                  to_text(domain%model%element_id(points(i)%element))//' would be at '// &
-                  to_text(points(i)%temperature_max)//' '//domain%model%units%label('K')//' and melt (TMELT='// &
-                  to_text(law%melting)//' of *GAP CONDUCTANCE; MELTING=WARN lets it)'
-            end associate
-         end do
-      end function melted
-
+      reason = melted(domain, self%contact%points(self%points))
+      if (len(reason) == 0) reason = melted(domain, self%contact%line_points(self%line_points))
+      if (len(reason) == 0) reason = beyond_table(domain, self%contact%points(self%points))
+      if (len(reason) == 0) reason = beyond_table(domain, self%contact%line_points(self%line_points))
    end function rejection
 
    subroutine link(self, domain, field, pairs)
@@ -420,6 +398,27 @@ contains
          end do
          state%heat_made = state%heat_made + self%of_friction
       end associate
+      call remember_heat(self)
    end subroutine accept
+
+   !> What the temperatures within the elements have come to; the contact term has taken over the points before.
+   subroutine remember_heat(self)
+      class(contact_heat_term_t), intent(inout) :: self
+      integer :: i, n_a, n_b
+
+      if (.not. self%heat%is_solved) return
+      n_a = self%n_points
+      n_b = self%n_line_points
+      associate (a => self%points, b => self%line_points, heat => self%heat, set => self%contact)
+         do i = 1, size(a)
+            set%points(a(i))%history%settled_heat = heat%settled_heat(merge(i, i + n_b, i <= n_a))
+         end do
+         do i = 1, size(b)
+            set%line_points(b(i))%history%settled_heat = heat%settled_heat(merge(i + n_a, i + size(a), i <= n_b))
+         end do
+         set%converged(a)%history = set%points(a)%history
+         set%converged_line_points(b)%history = set%line_points(b)%history
+      end associate
+   end subroutine remember_heat
 
 end module litz_contact_heat_term

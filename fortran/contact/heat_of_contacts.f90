@@ -13,6 +13,7 @@ module litz_heat_of_contacts
    use litz_element_ends, only: element_ends_t, collect_ends
    use litz_gmres, only: linear_map_t, gmres
    use litz_heated_contacts, only: heated_contact_t, conducting_metal_t
+   use litz_heat_within, only: slow_and_fast
    use litz_heated_elements, only: heated_element_t, n_parts, currents_along, place_heat, rise_by
    use litz_kinds, only: dp
    use litz_shared_conductors, only: shared_conductors_t
@@ -27,6 +28,8 @@ module litz_heat_of_contacts
    !> Residual of its linear equations, and products with their matrix at most
    real(dp), parameter :: linear_accuracy = 1.0e-14_dp
    integer, parameter :: max_products = 400
+   !> 1 - xi^2 of a contact that is as good as at a node, where nothing settles
+   real(dp), parameter :: least_rise = 1.0e-6_dp
    !> A temperature of a bulk that would fall below absolute zero keeps this part of itself
    real(dp), parameter :: least_part = 0.1_dp
 
@@ -62,6 +65,7 @@ module litz_heat_of_contacts
       real(dp), allocatable :: slope(:, :, :)
    contains
       procedure :: solve
+      procedure :: settled_heat
    end type contact_heat_t
 
    !> What follows a change of the temperatures of the bulks where those of the nodes, and their potentials, stay.
@@ -184,7 +188,8 @@ contains
                linear(side, i) = dot_product(contact%part(2*side - 1:2*side), &
                   temperature(contact%nodes(2*side - 1:2*side)))
                associate (element => self%elements(self%ends%place_of(side, i)))
-                  base(side, i) = linear(side, i) + element%heat_series*(1 - contact%xi(side)**2)/2*element%even_heat
+                  base(side, i) = linear(side, i) + (1 - contact%xi(side)**2)*(element%heat_series*element%even_heat/2 &
+                     + element%steady_heat_series*left_of_settled(contact, side))
                end associate
             end do
          end associate
@@ -224,6 +229,37 @@ contains
       end subroutine add_step
 
    end subroutine find_bulks
+
+   !> Heat by which the temperature at a contact is above the linear one since before the increment [W].
+   pure real(dp) function left_of_settled(contact, side)
+      type(heated_contact_t), intent(in) :: contact
+      !> 1: barred, 2: unbarred
+      integer, intent(in) :: side
+
+      left_of_settled = sum(slow_and_fast*(1 - contact%reached(:, side))*contact%settled_heat(:, side))
+   end function left_of_settled
+
+   !> Heat in whose steady state the temperatures at a contact are when the increment has ended, slow and fast part,
+   !> barred and unbarred (2, 2) [W].
+   pure function settled_heat(self, i) result(heat)
+      class(contact_heat_t), intent(in) :: self
+      !> Contact
+      integer, intent(in) :: i
+      real(dp) :: heat(2, 2), steady
+      integer :: side
+
+      heat = 0
+      do side = 1, 2
+         associate (contact => self%contacts(i), element => self%elements(self%ends%place_of(side, i)))
+            associate (at_place => element%steady_heat_series*(1 - contact%xi(side)**2), &
+               reached => contact%reached(:, side))
+               if (.not. at_place > least_rise*element%steady_heat_series) cycle
+               steady = (self%rise(side, i)/at_place - left_of_settled(contact, side))/sum(slow_and_fast*reached)
+               heat(:, side) = reached*steady + (1 - reached)*contact%settled_heat(:, side)
+            end associate
+         end associate
+      end do
+   end function settled_heat
 
    !> Heats through the spots at the temperatures of the bulks; what strips make beside them, and friction, enters both
    !> wires half and half.

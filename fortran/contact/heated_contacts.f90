@@ -6,13 +6,14 @@
 !> the temperatures of the wires at the contact.
 !> Source: theory sections 6 and 13.
 module litz_heated_contacts
-   use litz_kinds, only: dp
+   use litz_kinds, only: dp, pi
    use litz_contact_blocks, only: spot_in_circuit_t
    use litz_contact_points, only: contact_point_t, pair_geometry
    use litz_contact_spots, only: find_spot
    use litz_domain, only: domain_t
    use litz_fields, only: temperature_slots
    use litz_heat_law, only: heat_law_t, heat_metal_law
+   use litz_heat_within, only: part_reached
    use litz_law_input, only: wire_pair_t
    use litz_model, only: model_t, interaction_t
    use litz_normal_forces, only: wires_of, line_of_point
@@ -52,6 +53,9 @@ module litz_heated_contacts
       !> A Wiedemann-Franz metal, and its Lorenz number [V^2/K^2]; 0: that of lambda and rho
       logical :: is_metal = .false.
       real(dp) :: lorenz = 0
+      !> Parts of a steady state that the temperature within both elements reaches in the increment, slow and fast part
+      !> (2, 2), and the heat of the steady states in which these were (2, 2) [W]
+      real(dp) :: reached(2, 2) = 1, settled_heat(2, 2) = 0
       !> Resistances of both constrictions and of what is between them [ohm]
       real(dp) :: resistance(2) = 0, film_resistance = 0
       !> How the former, and all in series, change with the temperatures of both places (2, 2), (2) [ohm/K]
@@ -121,7 +125,9 @@ contains
          heated%series = point%series_resistance
          do side = 1, 2
             if (law%voltage_correction) heated%heat_series(side) = heat_series_of(domain, heated%element(side))
+            if (rate > 0) heated%reached(:, side) = part_reached(rate*time_constant(domain, heated%element(side)))
          end do
+         if (rate > 0) heated%settled_heat = point%history%settled_heat
          heated%friction_heat = law%heat%friction_fraction*point%friction%dissipation*rate
          heated%is_passed = law%heat%exists() .or. heated%conductance > 0
          if (.not. heated%is_passed) return
@@ -224,6 +230,22 @@ contains
             temperature, lambda, dlambda)
       end associate
    end subroutine conductivity_of
+
+   !> L0^2/(pi^2 kappa), with which temperatures within an element settle between nodes that stay, when the increment
+   !> began [s].
+   pure real(dp) function time_constant(domain, e)
+      type(domain_t), intent(in) :: domain
+      !> Element
+      integer, intent(in) :: e
+      real(dp) :: mean, lambda, heat, slope
+
+      mean = sum(domain%state%value(temperature_slots(1), domain%model%connectivity(:, e)))/2
+      call conductivity_of(domain, e, mean, lambda, slope)
+      associate (material => domain%model%materials(domain%model%sections(domain%model%element_section(e))%material))
+         call property_at(material%specific_heat, mean, heat, slope)
+         time_constant = domain%elements%length(e)**2*material%density*heat/(pi**2*lambda)
+      end associate
+   end function time_constant
 
    !> L0/(4 lambda A) of an element [K/W].
    pure real(dp) function heat_series_of(domain, e) result(series)

@@ -50,6 +50,9 @@ module litz_contact_history
       real(dp) :: largest_force = 0
       real(dp) :: spot_arc(2) = 0
       type(dent_memory_t) :: dent
+      !> Heat in whose steady state the temperature within both elements would be, slow and fast part, barred and
+      !> unbarred (2, 2) [W]
+      real(dp) :: settled_heat(2, 2) = 0
    end type contact_history_t
 
 contains

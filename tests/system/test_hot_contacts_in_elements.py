@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from run_of_deck import run_of_deck
+from run_of_deck import refusal_of_deck, run_of_deck
 
 RADIUS, HALF, LAMBDA, ROOM, AMPERES = 0.5e-3, 0.01, 390.0, 300.0, 90.0
 AREA = np.pi * RADIUS**2
@@ -67,6 +67,11 @@ def run(litz, tmp_path):
     return run_of_deck(litz, tmp_path, deck)
 
 
+@pytest.fixture
+def refused(litz, tmp_path):
+    return refusal_of_deck(litz, tmp_path, deck)
+
+
 def cold_resistance(run):
     return run(1, amperes=1e-3).contacts_at(-1)["resistance"][0]
 
@@ -113,3 +118,24 @@ def test_the_ledger_has_the_resistance_of_its_temperatures(run, law, elements):
 def test_a_resistance_that_is_given_stays(run):
     results = run(1, spot="CONSTANT\n7e-4")
     assert results.contacts_at(-1)["resistance"][0] == pytest.approx(7e-4, rel=1e-12)
+
+
+def up_to(temperature):
+    """A table of the resistivity that ends there."""
+    rho = RHO * (1 + ALPHA * (temperature - ROOM))
+    return f"{1 / RHO:.17g}, {ROOM}\n{1 / rho:.17g}, {temperature}"
+
+
+@pytest.mark.parametrize(
+    ("elements", "words"),
+    [(1, "where it touches element"), (2, "the temperature in element"), (31, "the temperature in")],
+)
+def test_a_contact_beyond_the_table_of_its_resistivity_ends_the_run(refused, elements, words):
+    """The wires would be at 367 K where they touch; means of elements of 10 mm would be below 340 K."""
+    message = refused(2, elements, sigma=up_to(345))
+    assert words in message
+    assert "where the table of *ELECTRICAL CONDUCTIVITY ends at 345" in message
+
+
+def test_a_table_beyond_the_hottest_wire_is_enough(run):
+    assert run(3, sigma=up_to(370)).contacts_at(-1)["temperature_max"][0] > 420
