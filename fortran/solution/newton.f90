@@ -340,8 +340,8 @@ contains
       if (outcome%sweeps == 0) takes_over = problem%fed_node == 0
    end function takes_over
 
-   !> A group has nothing to do after those before it. In a sweep it has one more iteration where its residuals, which the
-   !> last turn of the motions has left, are within their tolerances but not far below them: those of many nodes add up.
+   !> A group has nothing to do after those before it. In a sweep it has one more iteration where its residuals, which
+   !> the last turn of the motions has left, are within their tolerances but not far below: those of many nodes add up.
    pure logical function is_done(problem, outcome, group)
       type(problem_t), intent(in) :: problem
       type(outcome_t), intent(in) :: outcome
