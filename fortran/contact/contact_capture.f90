@@ -1,7 +1,7 @@
 !> Contacts of a converged iterate: what results show of them, and what they remember.
 module litz_contact_capture
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf
-   use litz_kinds, only: pi
+   use litz_kinds, only: dp, pi
    use litz_contact_history, only: contact_history_t, dent_memory_t, advanced_history, spot_of_history
    use litz_contact_points, only: contact_set_t, contact_point_t
    use litz_contact_pressure, only: elastic_pressure
@@ -66,12 +66,14 @@ contains
       integer, intent(inout) :: last_id
       type(state_t), intent(inout) :: state
       type(dent_memory_t) :: dent
+      real(dp) :: settled_heat(2, 2)
       integer :: i, m
 
       m = n_before
       do i = 1, size(points)
          associate (point => points(i))
             dent = point%history%dent
+            settled_heat = point%history%settled_heat
             if (point%closed) then
                point%history = advanced_history(point%history, [point%arc_bar, point%arc], point%force, point%weight, &
                   point%friction, point%new_spot)
@@ -81,6 +83,7 @@ contains
             end if
             point%history%dent = dent
             if (.not. is_shown(point)) cycle
+            point%history%settled_heat = settled_heat
             if (point%id == 0) then
                last_id = last_id + 1
                point%id = last_id

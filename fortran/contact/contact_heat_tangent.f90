@@ -3,18 +3,20 @@
 !> Differences of the equation of litz_heat_of_contacts and of that of the currents (litz_shared_conductors), with all
 !> properties that follow the temperatures. Source: theory sections 7 and 13.
 module litz_contact_heat_tangent
-   use litz_heat_of_contacts, only: contact_heat_t, bulk_map_t, followed, solve_bulks, inverse_of_own
-   use litz_heated_elements, only: n_parts, currents_along, place_heat, add_at_nodes, rise_by
+   use litz_heat_of_contacts, only: contact_heat_t, bulk_map_t, followed_t, follow, change_between, solve_bulks, &
+      inverse_of_own
+   use litz_heated_elements, only: add_at_nodes, rise_by
    use litz_kinds, only: dp
-   use litz_spot_heat, only: by_heat, by_temperature, by_path
+   use litz_spot_heat, only: by_heat
    implicit none
    private
    public :: own_tangent, multiply_heat
 
-   !> What a change of nodal values makes of the contacts, before the temperatures of their bulks follow.
+   !> What a change of nodal values makes of the contacts, before the temperatures of their bulks follow, and their
+   !> resistances with these.
    type :: change_t
-      !> Currents in all, and what temperatures make of them (contacts) [A]
-      real(dp), allocatable :: current(:), by_temperature(:)
+      !> Currents (contacts) [A]
+      real(dp), allocatable :: current(:)
       !> Heats through the spots at fixed bulks, v, and linear temperatures with the rise by even heat and by the heat
       !> conductivity (2, contacts) [W, W, K]
       real(dp), allocatable :: heat(:, :), between(:, :), base(:, :)
@@ -33,23 +35,27 @@ contains
       !> Heat that leaves the nodes by their potentials and by their temperatures, and currents that leave them by their
       !> temperatures (4, 4) [A, W/K, A/K]
       real(dp), intent(out) :: k_te(4, 4), k_tt(4, 4), k_et(4, 4)
-      real(dp) :: by_current(2), by_node(2, 4), row(4)
-      integer :: a
+      real(dp) :: by_current(2), by_node(2, 4), bulk_by_node(2, 4)
+      integer :: a, side
 
-      associate (contact => self%contacts(i), dheat => self%spots(i)%dheat, n => self%contacts(i)%part)
+      associate (contact => self%contacts(i), n => self%contacts(i)%part)
+         bulk_by_node = 0
          do a = 1, 4
-            by_node(:, a) = n(a)*inverse_of_own(self, i, dheat(:, by_temperature(merge(1, 2, a <= 2))))
+            side = merge(1, 2, a <= 2)
+            by_node(:, a) = n(a)*inverse_of_own(self, i, self%slope(:, side, i))
+            bulk_by_node(side, a) = n(a)
+            bulk_by_node(:, a) = bulk_by_node(:, a) + self%elements(self%ends%place_of(:, i))%heat_series &
+               *(1 - contact%xi**2)*by_node(:, a)
          end do
          k_tt = reshape([(-n(:2)*by_node(1, a), -n(3:)*by_node(2, a), a=1, 4)], [4, 4])
          k_te = 0
          k_et = 0
          if (i > size(self%conductors%resistance)) return
-         by_current = 2*self%current(i)*inverse_of_own(self, i, matmul(dheat(:, by_heat), &
+         by_current = 2*self%current(i)*inverse_of_own(self, i, matmul(self%spots(i)%dheat(:, by_heat), &
             [contact%resistance(1), contact%film_resistance, contact%resistance(2)]))
          associate (n_v => self%conductors%n_v(:, i), diagonal => self%conductors%diagonal(i))
             k_te = reshape([(-n(:2)*by_current(1)*n_v(a), -n(3:)*by_current(2)*n_v(a), a=1, 4)], [4, 4])/diagonal
-            row = -self%current(i)*contact%dseries([1, 1, 2, 2])*n/diagonal
-            k_et = spread(n_v, 2, 4)*spread(row, 1, 4)
+            k_et = -self%current(i)/diagonal*spread(n_v, 2, 4)*spread(matmul(contact%dseries, bulk_by_node), 1, 4)
          end associate
       end associate
    end subroutine own_tangent
@@ -60,9 +66,10 @@ contains
       type(contact_heat_t), target, intent(in) :: self
       !> Changes at the nodes (n_nodes) [V], [K]
       real(dp), intent(in) :: potential(:), temperature(:)
-      !> (n_nodes) [W]; by temperatures alone (n_nodes) [A]
+      !> (n_nodes) [W], (n_nodes) [A]
       real(dp), intent(inout) :: heat(:), current(:)
       type(change_t) :: change
+      type(followed_t) :: followed
       type(bulk_map_t) :: map
       real(dp), dimension(2, size(self%contacts)) :: dbulk
 
@@ -70,12 +77,29 @@ contains
       call change_currents(self, potential, temperature, change)
       call change_heats(self, potential, temperature, change)
       call solve_bulks(map, change%base + rise_by(self%elements, self%ends, change%heat + change%between), dbulk)
-      call add_entering(self, change%heat + followed(self, dbulk) + change%between, change%at_nodes, heat)
-      ! at fixed potentials
-      call self%conductors%add_beyond(0*change%by_temperature, change%by_temperature, current)
+      call follow(self, dbulk, followed)
+      call add_entering(self, change%heat + followed%heat + change%between + followed%between, &
+         change%at_nodes + followed%at_nodes, heat)
+      call add_beyond_linear(self, potential, change%current + followed%current, current)
    end subroutine multiply_heat
 
-   !> `(R + A) dI = N_V dV - dR I - dA I`
+   !> Currents that leave the nodes beyond those that the matrix of the currents has, which are at fixed resistances of
+   !> temperatures that are linear between the nodes.
+   subroutine add_beyond_linear(self, potential, dcurrent, leaving)
+      type(contact_heat_t), intent(in) :: self
+      !> Changes at the nodes (n_nodes) [V], and of the currents (contacts) [A]
+      real(dp), intent(in) :: potential(:), dcurrent(:)
+      !> (n_nodes) [A]
+      real(dp), intent(inout) :: leaving(:)
+      real(dp), dimension(size(self%conductors%resistance)) :: there, unused
+      real(dp) :: rise(2, size(there))
+
+      if (size(there) == 0) return
+      call self%linear_conductors%currents(self%conductors%voltages(potential), there, rise, unused)
+      call self%conductors%add_beyond(0*there, dcurrent(:size(there)) - there, leaving)
+   end subroutine add_beyond_linear
+
+   !> `(R + A) dI = N_V dV - dA I`
    subroutine change_currents(self, potential, temperature, change)
       type(contact_heat_t), intent(in) :: self
       !> Changes at the nodes (n_nodes) [V], [K]
@@ -86,16 +110,14 @@ contains
       integer :: i, n
 
       n = size(self%conductors%resistance)
-      allocate (change%current(size(self%contacts)), change%by_temperature(n), source=0.0_dp)
+      allocate (change%current(size(self%contacts)), source=0.0_dp)
       if (n == 0) return
+      voltage = self%conductors%voltages(potential)
       do i = 1, n
          warmer = mean_change(self, i, temperature)*self%elements(self%ends%place_of(:, i))%dresistivity
-         voltage(i) = -self%current(i)*dot_product(self%contacts(i)%dseries, change_at(self, i, temperature)) &
-            + self%potential_rise(1, i)*warmer(1) - self%potential_rise(2, i)*warmer(2)
+         voltage(i) = voltage(i) + self%potential_rise(1, i)*warmer(1) - self%potential_rise(2, i)*warmer(2)
       end do
-      call self%conductors%currents(voltage, change%by_temperature, rise, unused)
-      call self%conductors%currents(self%conductors%voltages(potential), change%current(:n), rise, unused)
-      change%current(:n) = change%current(:n) + change%by_temperature
+      call self%conductors%currents(voltage, change%current(:n), rise, unused)
    end subroutine change_currents
 
    !> Change of the temperature at both places of a contact, linear between the nodes (2) [K].
@@ -147,9 +169,7 @@ contains
          at = change_at(self, i, temperature)
          associate (contact => self%contacts(i), current => self%current(i), place => self%ends%place_of(:, i))
             made = 2*current*change%current(i)*[contact%resistance(1), contact%film_resistance, contact%resistance(2)]
-            made([1, 3]) = made([1, 3]) + current**2*matmul(contact%dresistance, at)
             change%heat(:, i) = matmul(self%spots(i)%dheat(:, by_heat), made) &
-               + matmul(self%spots(i)%dheat(:, by_path), matmul(contact%dpath, at)) &
                + (change%current(i)*self%of_strips(i) + current*of_strips(i))/2
             change%base(:, i) = at - self%elements(place)%dconductivity*mean_change(self, i, temperature) &
                *self%rise(:, i) + self%elements(place)%heat_series*(1 - contact%xi**2)/2*even(place)
@@ -167,7 +187,6 @@ contains
       type(change_t), intent(inout) :: change
       !> [W]
       real(dp), intent(out) :: even_heat
-      real(dp), dimension(n_parts(self%ends, k)) :: length, along, dalong, dmade
       real(dp) :: even, deven, dresistance
 
       even_heat = 0
@@ -176,13 +195,9 @@ contains
          even = self%drop(k)/element%resistance
          dresistance = element%dresistivity*sum(temperature(element%nodes))/2
          deven = (potential(element%nodes(1)) - potential(element%nodes(2)))/element%resistance - even*dresistance
-         call currents_along(self%ends, k, even, self%current, length, along)
-         call currents_along(self%ends, k, deven, change%current, length, dalong)
-         dmade = element%heat_fraction*2*element%series*length*(2*(along*dalong - even*deven) &
-            + (along**2 - even**2)*dresistance)
+         call change_between(self, k, deven, dresistance, change%current, change%between, change%at_nodes(:, k))
          even_heat = element%heat_fraction*element%resistance*(2*even*deven + even**2*dresistance)
       end associate
-      call place_heat(self%ends, k, dmade, change%between, change%at_nodes(:, k))
    end subroutine change_element
 
    !> Heat that enters the nodes, as heat that leaves them is positive.

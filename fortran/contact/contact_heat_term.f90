@@ -9,15 +9,17 @@ module litz_contact_heat_term
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
    use litz_fields, only: field_temperature, group_transport, potential_slots, temperature_slots
+   use litz_friction_heat, only: rubbing_t, find_rubbing, is_abrupt, add_difference
    use litz_contact_heat_tangent, only: own_tangent, multiply_heat
    use litz_heat_of_contacts, only: contact_heat_t, collect_heat
-   use litz_heated_contacts, only: heated_contact_t, heated_contact, can_pass_heat
+   use litz_heated_contacts, only: heated_contact_t, heated_contact, can_pass_heat, conducting_metals
+   use litz_heat_within, only: slow_and_fast
    use litz_heated_elements, only: heated_element_t, add_at_nodes
+   use litz_hot_places, only: melted, beyond_table
    use litz_model, only: step_t
    use litz_property_table, only: property_at
    use litz_shared_conductors, only: shared_conductors_t
    use litz_term, only: term_t
-   use litz_text, only: to_text
    implicit none
    private
    public :: contact_heat_term_t, new_contact_heat_term
@@ -37,9 +39,12 @@ module litz_contact_heat_term
       real(dp), allocatable, private :: k(:, :, :), k_et(:, :, :)
       !> By which the work of an increment is a power [1/s]; 0: time is a scale of loads
       real(dp), private :: rate = 0
+      !> What friction gives to the elements beyond its work per time (n_elements) [W]
+      real(dp), allocatable, private :: of_friction(:)
    contains
       procedure :: apply_load
       procedure :: evaluate
+      procedure :: settle
       procedure :: refusal
       procedure :: rejection
       procedure :: link
@@ -78,6 +83,7 @@ contains
 
       if (allocated(self%heat)) deallocate (self%heat)
       if (.not. domain%loading%solves(field_temperature)) return
+      call add_friction(self, domain)
       call find_contacts(self, domain)
       if (any(self%heat%contacts%is_cold)) then
          self%heat%is_solved = .false.
@@ -98,10 +104,39 @@ contains
       end associate
       call domain%add_cells(nodes, temperature_slots, both_slots, self%k, r)
       call domain%add_cells(nodes, potential_slots, temperature_slots, self%k_et)
+      call add_currents(self, domain)
       ! what the parts of elements next to the nodes make beyond that of the elements without contacts
       call add_at_nodes(self%heat%elements, self%heat%at_nodes, domain%forces%internal(temperature_slots(1), :))
       call keep_heat(self)
    end subroutine evaluate
+
+   !> What the works of friction of the last two increments give to the nodes beyond the heat of the contacts.
+   subroutine add_friction(self, domain)
+      class(contact_heat_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      type(rubbing_t), allocatable :: rubbing(:)
+
+      self%of_friction = spread(0.0_dp, 1, domain%model%n_elements)
+      if (.not. (self%rate > 0 .and. domain%heat_weights(2) > 0)) return
+      call find_rubbing(domain, self%contact, rubbing)
+      call add_difference(rubbing, domain%model%connectivity, domain%heat_weights, 1/self%rate, &
+         domain%forces%internal(temperature_slots(1), :), self%of_friction)
+   end subroutine add_friction
+
+   !> The forces balance, so that friction is known: an increment in which it sets in or ends takes backward Euler.
+   subroutine settle(self, domain, has_moved)
+      class(contact_heat_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      !> The forces must be evaluated again
+      logical, intent(inout) :: has_moved
+      type(rubbing_t), allocatable :: rubbing(:)
+
+      if (.not. (domain%loading%solves(field_temperature) .and. self%rate > 0 .and. domain%heat_weights(2) > 0)) return
+      call find_rubbing(domain, self%contact, rubbing)
+      if (.not. is_abrupt(rubbing, 1/self%rate, domain%state%time_increment)) return
+      domain%heat_weights = [1, 0]
+      has_moved = .true.
+   end subroutine settle
 
    !> Those of the set that pass heat, and the elements that they are on.
    subroutine find_contacts(self, domain)
@@ -122,7 +157,7 @@ contains
             (heated_contact(domain, set%line_points(b(i)), self%rate), i=n_b + 1, size(b))])
       end associate
       allocate (self%heat)
-      call collect_heat(contacts, conductors, domain%model%absolute_zero, self%heat)
+      call collect_heat(contacts, conductors, conducting_metals(domain%model), domain%model%absolute_zero, self%heat)
       do k = 1, size(self%heat%elements)
          self%heat%elements(k) = heated_element(domain, self%heat%ends%element(k))
       end do
@@ -130,7 +165,8 @@ contains
          do side = 1, 2
             associate (element => self%heat%elements(self%heat%ends%place_of(side, i)))
                element%series = max(element%series, contacts(i)%series(side))
-               element%heat_series = max(element%heat_series, contacts(i)%heat_series(side))
+               element%steady_heat_series = max(element%steady_heat_series, contacts(i)%heat_series(side))
+               element%heat_series = element%steady_heat_series*sum(slow_and_fast*contacts(i)%reached(:, side))
             end associate
          end do
       end do
@@ -177,6 +213,20 @@ contains
          end if
       end associate
    end function heated_element
+
+   !> What currents at the temperatures of the places differ from those at temperatures that are linear between nodes.
+   subroutine add_currents(self, domain)
+      class(contact_heat_term_t), intent(in) :: self
+      type(domain_t), intent(inout) :: domain
+      real(dp), dimension(size(self%heat%conductors%resistance)) :: voltage, current, unused
+      real(dp) :: rise(2, size(voltage))
+
+      if (.not. self%heat%resistances_follow) return
+      voltage = self%heat%conductors%voltages(domain%iterate%value(potential_slots(1), :))
+      call self%heat%linear_conductors%currents(voltage, current, rise, unused)
+      call self%heat%conductors%add_beyond(0*voltage, self%heat%current(:size(voltage)) - current, &
+         domain%forces%internal(potential_slots(1), :))
+   end subroutine add_currents
 
    subroutine find_own_tangents(self)
       class(contact_heat_term_t), intent(inout) :: self
@@ -228,6 +278,12 @@ contains
             point%temperature_max = heat%spots(before)%hottest + heat%zero
             point%heat_bar = heat%heat(1, before)
             point%heat = heat%heat(2, before)
+            if (.not. (heat%resistances_follow .and. before <= size(heat%conductors%resistance))) return
+            point%current = heat%current(before)
+            point%conductance = 1/heat%conductors%resistance(before)
+            point%voltage_gap = point%current/point%conductance
+            point%heat_of_strips = point%current*heat%of_strips(before)
+            point%heat_inside = point%current*[-heat%potential_rise(1, before), heat%potential_rise(2, before)]
          end associate
       end subroutine keep
 
@@ -244,7 +300,7 @@ contains
          ' at absolute zero or below, or heat far more than it can pass'
    end function refusal
 
-   !> Metal in a spot has melted: what then happens is not modelled.
+   !> Metal in a spot has melted, or is hotter than what is known of it: what then happens is not modelled.
    function rejection(self, domain) result(reason)
       class(contact_heat_term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain
@@ -252,34 +308,10 @@ contains
 
       reason = ''
       if (.not. allocated(self%heat)) return
-      reason = melted(self%contact%points(self%points))
-      if (len(reason) == 0) reason = melted(self%contact%line_points(self%line_points))
-
-   contains
-
-      !> The hottest of these above the melting point of its metal.
-      function melted(points) result(words)
-         type(contact_point_t), intent(in) :: points(:)
-         character(len=:), allocatable :: words
-         real(dp) :: above, most
-         integer :: i
-
-         words = ''
-         most = 0
-         do i = 1, size(points)
-            associate (law => domain%model%interactions(domain%model%contact_pairs(points(i)%pair)%interaction)%heat)
-               if (.not. law%has_melting .or. law%may_melt) cycle
-               above = points(i)%temperature_max - law%melting
-               if (.not. above > most) cycle
-               most = above
-               words = 'the spot of elements '//to_text(domain%model%element_id(points(i)%element_bar))//' and '// &
-                  to_text(domain%model%element_id(points(i)%element))//' would be at '// &
-                  to_text(points(i)%temperature_max)//' '//domain%model%units%label('K')//' and melt (TMELT='// &
-                  to_text(law%melting)//' of *GAP CONDUCTANCE; MELTING=WARN lets it)'
-            end associate
-         end do
-      end function melted
-
+      reason = melted(domain, self%contact%points(self%points))
+      if (len(reason) == 0) reason = melted(domain, self%contact%line_points(self%line_points))
+      if (len(reason) == 0) reason = beyond_table(domain, self%contact%points(self%points))
+      if (len(reason) == 0) reason = beyond_table(domain, self%contact%line_points(self%line_points))
    end function rejection
 
    subroutine link(self, domain, field, pairs)
@@ -364,7 +396,29 @@ contains
                made = made + heat%between_contacts(k)
             end associate
          end do
+         state%heat_made = state%heat_made + self%of_friction
       end associate
+      call remember_heat(self)
    end subroutine accept
+
+   !> What the temperatures within the elements have come to; the contact term has taken over the points before.
+   subroutine remember_heat(self)
+      class(contact_heat_term_t), intent(inout) :: self
+      integer :: i, n_a, n_b
+
+      if (.not. self%heat%is_solved) return
+      n_a = self%n_points
+      n_b = self%n_line_points
+      associate (a => self%points, b => self%line_points, heat => self%heat, set => self%contact)
+         do i = 1, size(a)
+            set%points(a(i))%history%settled_heat = heat%settled_heat(merge(i, i + n_b, i <= n_a))
+         end do
+         do i = 1, size(b)
+            set%line_points(b(i))%history%settled_heat = heat%settled_heat(merge(i + n_a, i + size(a), i <= n_b))
+         end do
+         set%converged(a)%history = set%points(a)%history
+         set%converged_line_points(b)%history = set%line_points(b)%history
+      end associate
+   end subroutine remember_heat
 
 end module litz_contact_heat_term

@@ -314,7 +314,8 @@ contains
    !> What is carried along lines and what at crossings is settled for the present lengths of contact, a few times at
    !> most: what then is left of a change is a matter of quadrature. Shares and forces belong together: where a change
    !> is too small for another iteration, the shares of the increment stay, too, and the next one begins with the new
-   !> ones.
+   !> ones. So it is where contacts remember a traction: that belongs to the shares with which the increment began, and
+   !> what a crossing takes over from its places would stick or slip anew, with the slip of the whole increment.
    subroutine settle_shares(domain, contact, has_moved)
       type(domain_t), intent(in) :: domain
       type(contact_set_t), intent(inout) :: contact
@@ -324,6 +325,10 @@ contains
       real(dp) :: largest_change
 
       if (contact%n_settled >= max_settlings) return
+      contact%n_settled = contact%n_settled + 1
+      contact%shares_wait = any(remembers_traction(contact%converged)) .or. &
+         any(remembers_traction(contact%converged_line_points))
+      if (contact%shares_wait) return
       points = contact%points
       line_points = contact%line_points
       call renew_shares(domain%model, domain%wires, domain%elements, domain%iterate%x, domain%iterate%rotation, &
@@ -335,8 +340,13 @@ contains
          call move_alloc(line_points, contact%line_points)
          contact%shares_wait = .true.
       end if
-      contact%n_settled = contact%n_settled + 1
    end subroutine settle_shares
+
+   elemental logical function remembers_traction(point)
+      type(contact_point_t), intent(in) :: point
+
+      remembers_traction = point%history%closed .and. any(abs(point%history%traction) > 0)
+   end function remembers_traction
 
    subroutine add_energies(self, domain, energies)
       class(contact_term_t), intent(in) :: self

@@ -8,18 +8,19 @@
 !>
 !> with the heat `v` that the parts of an element between contacts make beyond that of the element without them, half
 !> of it at either end of a part, and the rise `a` by what the element makes evenly. Exact at the contacts for constant
-!> properties. Source: theory sections 7 and 13.
+!> properties. What the spots resist follows tau, and with it the currents, q and v. Source: theory sections 7 and 13.
 module litz_heat_of_contacts
    use litz_element_ends, only: element_ends_t, collect_ends
    use litz_gmres, only: linear_map_t, gmres
-   use litz_heated_contacts, only: heated_contact_t
+   use litz_heated_contacts, only: heated_contact_t, conducting_metal_t
+   use litz_heat_within, only: slow_and_fast
    use litz_heated_elements, only: heated_element_t, n_parts, currents_along, place_heat, rise_by
    use litz_kinds, only: dp
    use litz_shared_conductors, only: shared_conductors_t
-   use litz_spot_heat, only: spot_heat_t, spot_heat, heat_ok, by_temperature
+   use litz_spot_heat, only: spot_heat_t, spot_heat, heat_ok, by_heat, by_temperature, by_path
    implicit none
    private
-   public :: contact_heat_t, bulk_map_t, collect_heat, followed, solve_bulks, inverse_of_own
+   public :: contact_heat_t, bulk_map_t, followed_t, collect_heat, follow, change_between, solve_bulks, inverse_of_own
 
    !> Newton's method for (1) stops at this change over the largest temperature, from absolute zero; steps at most
    real(dp), parameter :: accurate = 1.0e-13_dp
@@ -27,6 +28,8 @@ module litz_heat_of_contacts
    !> Residual of its linear equations, and products with their matrix at most
    real(dp), parameter :: linear_accuracy = 1.0e-14_dp
    integer, parameter :: max_products = 400
+   !> 1 - xi^2 of a contact that is as good as at a node, where nothing settles
+   real(dp), parameter :: least_rise = 1.0e-6_dp
    !> A temperature of a bulk that would fall below absolute zero keeps this part of itself
    real(dp), parameter :: least_part = 0.1_dp
 
@@ -37,8 +40,12 @@ module litz_heat_of_contacts
       type(heated_contact_t), allocatable :: contacts(:)
       type(heated_element_t), allocatable :: elements(:)
       type(element_ends_t) :: ends
-      !> The first of the contacts
-      type(shared_conductors_t) :: conductors
+      !> The first of the contacts: at the temperatures of their places, and at those that are linear between the nodes
+      type(shared_conductors_t) :: conductors, linear_conductors
+      !> Those of the model
+      type(conducting_metal_t), allocatable :: metals(:)
+      !> Resistances of spots change with the temperatures
+      logical :: resistances_follow = .false.
       !> Absolute zero on the scale of the temperatures [K]
       real(dp) :: zero = 0
       !> Currents [A], what strips add to their voltages [V] (contacts), and rises of the potential (2, contacts) [V]
@@ -54,11 +61,22 @@ module litz_heat_of_contacts
       real(dp), allocatable :: drop(:)
       !> (1) has a solution
       logical :: is_solved = .true.
+      !> Of the heats of a contact by its own bulks (2, 2, contacts) [W/K]
+      real(dp), allocatable :: slope(:, :, :)
    contains
       procedure :: solve
+      procedure :: settled_heat
    end type contact_heat_t
 
-   !> `1 - A dq/dtau` of (1).
+   !> What follows a change of the temperatures of the bulks where those of the nodes, and their potentials, stay.
+   type :: followed_t
+      !> Currents (contacts) [A]
+      real(dp), allocatable :: current(:)
+      !> Heats through the spots, and v (2, contacts) [W]; v at both nodes (2, elements) [W]
+      real(dp), allocatable :: heat(:, :), between(:, :), at_nodes(:, :)
+   end type followed_t
+
+   !> `1 - A d(q + v)/dtau` of (1).
    type, extends(linear_map_t) :: bulk_map_t
       type(contact_heat_t), pointer :: heat => null()
    contains
@@ -68,11 +86,13 @@ module litz_heat_of_contacts
 
 contains
 
-   subroutine collect_heat(contacts, conductors, zero, heat)
+   subroutine collect_heat(contacts, conductors, metals, zero, heat)
       !> Those that carry a current first
       type(heated_contact_t), intent(in) :: contacts(:)
       !> Of these
       type(shared_conductors_t), intent(in) :: conductors
+      !> Those of the model
+      type(conducting_metal_t), intent(in) :: metals(:)
       !> Absolute zero on the scale of the temperatures [K]
       real(dp), intent(in) :: zero
       !> The caller fills in `elements`, in the order of `ends`
@@ -81,7 +101,11 @@ contains
 
       heat%contacts = contacts
       heat%conductors = conductors
+      heat%linear_conductors = conductors
+      heat%metals = metals
       heat%zero = zero
+      heat%resistances_follow = any([(any(contacts(i)%follows) .and. contacts(i)%conductance > 0 .and. .not. &
+         contacts(i)%is_given, i=1, size(contacts))])
       call collect_ends(reshape([(contacts(i)%element, i=1, size(contacts))], [2, size(contacts)]), &
          reshape([(contacts(i)%xi, i=1, size(contacts))], [2, size(contacts)]), heat%ends)
       allocate (heat%elements(size(heat%ends%element)))
@@ -92,30 +116,44 @@ contains
       class(contact_heat_t), target, intent(inout) :: self
       !> Of the nodes (n_nodes) [V], [K]
       real(dp), intent(in) :: potential(:), temperature(:)
-      integer :: n, n_conducting, i
+      integer :: n, i
 
       n = size(self%contacts)
-      n_conducting = size(self%conductors%resistance)
       allocate (self%current(n), self%of_strips(n), self%potential_rise(2, n), source=0.0_dp)
-      if (n_conducting > 0) call self%conductors%currents(self%conductors%voltages(potential), &
-         self%current(:n_conducting), self%potential_rise(:, :n_conducting), self%of_strips(:n_conducting))
+      allocate (self%between(2, n), self%at_nodes(2, size(self%elements)), self%between_contacts(size(self%elements)), &
+         self%slope(2, 2, n), source=0.0_dp)
       allocate (self%drop, source=[(potential(self%elements(i)%nodes(1)) - potential(self%elements(i)%nodes(2)), &
          i=1, size(self%elements))])
-      call find_heat_between(self)
-      call find_bulks(self, temperature)
+      call find_bulks(self, self%conductors%voltages(potential), temperature)
    end subroutine solve
 
-   !> What the currents make in the elements beyond what they would make without contacts.
-   subroutine find_heat_between(self)
+   !> All that belongs to the present temperatures of the bulks.
+   subroutine find_state(self, voltage, is_first)
       class(contact_heat_t), intent(inout) :: self
-      integer :: k
+      !> Between the wires at the contacts with a current, linear between the nodes (n) [V]
+      real(dp), intent(in) :: voltage(:)
+      !> The currents are not known yet
+      logical, intent(in) :: is_first
+      integer :: i, n
 
-      allocate (self%between(2, size(self%contacts)), self%at_nodes(2, size(self%elements)), &
-         self%between_contacts(size(self%elements)), source=0.0_dp)
-      do k = 1, size(self%elements)
-         if (self%elements(k)%series > 0) call find_heat_in_element(self, k)
+      n = size(voltage)
+      do i = 1, size(self%contacts)
+         call self%contacts(i)%warm(self%metals, self%bulk(:, i), self%zero)
       end do
-   end subroutine find_heat_between
+      if (is_first .or. self%resistances_follow) then
+         if (self%resistances_follow) then
+            self%conductors%resistance = [(self%contacts(i)%series_resistance(), i=1, n)]
+            self%conductors%diagonal = self%linear_conductors%diagonal &
+               + (self%conductors%resistance - self%linear_conductors%resistance)
+         end if
+         if (n > 0) call self%conductors%currents(voltage, self%current(:n), self%potential_rise(:, :n), &
+            self%of_strips(:n))
+         do i = 1, size(self%elements)
+            if (self%elements(i)%series > 0) call find_heat_in_element(self, i)
+         end do
+      end if
+      call find_heats(self)
+   end subroutine find_state
 
    subroutine find_heat_in_element(self, k)
       class(contact_heat_t), intent(inout) :: self
@@ -134,10 +172,11 @@ contains
    end subroutine find_heat_in_element
 
    !> Solve (1) by Newton's method.
-   subroutine find_bulks(self, temperature)
+   subroutine find_bulks(self, voltage, temperature)
       class(contact_heat_t), target, intent(inout) :: self
-      !> Of the nodes (n_nodes) [K]
-      real(dp), intent(in) :: temperature(:)
+      !> Between the wires at the contacts with a current, linear between the nodes (n) [V], and temperatures of the
+      !> nodes (n_nodes) [K]
+      real(dp), intent(in) :: voltage(:), temperature(:)
       real(dp), dimension(2, size(self%contacts)) :: linear, base, left, step
       type(bulk_map_t) :: map
       integer :: i, side, iteration
@@ -149,25 +188,25 @@ contains
                linear(side, i) = dot_product(contact%part(2*side - 1:2*side), &
                   temperature(contact%nodes(2*side - 1:2*side)))
                associate (element => self%elements(self%ends%place_of(side, i)))
-                  base(side, i) = linear(side, i) + element%heat_series*(1 - contact%xi(side)**2)/2*element%even_heat
+                  base(side, i) = linear(side, i) + (1 - contact%xi(side)**2)*(element%heat_series*element%even_heat/2 &
+                     + element%steady_heat_series*left_of_settled(contact, side))
                end associate
             end do
          end associate
       end do
-      base = base + rise_by(self%elements, self%ends, self%between)
       allocate (self%spots(size(self%contacts)), self%heat(2, size(self%contacts)))
       self%bulk = base
       self%is_solved = .true.
       do iteration = 1, max_iterations
-         call find_heats(self)
+         call find_state(self, voltage, iteration == 1)
          if (.not. self%is_solved) return
-         left = base + rise_by(self%elements, self%ends, self%heat) - self%bulk
+         left = base + rise_by(self%elements, self%ends, self%heat + self%between) - self%bulk
          call solve_bulks(map, left, step)
          call add_step(step)
          if (.not. maxval(abs(step)) > accurate*maxval(abs(self%bulk - self%zero))) exit
       end do
       self%is_solved = iteration <= max_iterations .and. maxval(abs(step)) <= huge(1.0_dp)
-      call find_heats(self)
+      call find_state(self, voltage, .false.)
       self%rise = self%bulk - linear
 
    contains
@@ -191,6 +230,37 @@ contains
 
    end subroutine find_bulks
 
+   !> Heat by which the temperature at a contact is above the linear one since before the increment [W].
+   pure real(dp) function left_of_settled(contact, side)
+      type(heated_contact_t), intent(in) :: contact
+      !> 1: barred, 2: unbarred
+      integer, intent(in) :: side
+
+      left_of_settled = sum(slow_and_fast*(1 - contact%reached(:, side))*contact%settled_heat(:, side))
+   end function left_of_settled
+
+   !> Heat in whose steady state the temperatures at a contact are when the increment has ended, slow and fast part,
+   !> barred and unbarred (2, 2) [W].
+   pure function settled_heat(self, i) result(heat)
+      class(contact_heat_t), intent(in) :: self
+      !> Contact
+      integer, intent(in) :: i
+      real(dp) :: heat(2, 2), steady
+      integer :: side
+
+      heat = 0
+      do side = 1, 2
+         associate (contact => self%contacts(i), element => self%elements(self%ends%place_of(side, i)))
+            associate (at_place => element%steady_heat_series*(1 - contact%xi(side)**2), &
+               reached => contact%reached(:, side))
+               if (.not. at_place > least_rise*element%steady_heat_series) cycle
+               steady = (self%rise(side, i)/at_place - left_of_settled(contact, side))/sum(slow_and_fast*reached)
+               heat(:, side) = reached*steady + (1 - reached)*contact%settled_heat(:, side)
+            end associate
+         end associate
+      end do
+   end function settled_heat
+
    !> Heats through the spots at the temperatures of the bulks; what strips make beside them, and friction, enters both
    !> wires half and half.
    subroutine find_heats(self)
@@ -200,6 +270,7 @@ contains
       do i = 1, size(self%contacts)
          associate (contact => self%contacts(i), current => self%current(i))
             if (.not. contact%is_passed) then
+               self%slope(:, :, i) = 0
                self%spots(i) = spot_heat_t(hottest=maxval(self%bulk(:, i)) - self%zero)
                self%heat(:, i) = contact%friction_heat/2
                cycle
@@ -208,6 +279,7 @@ contains
                contact%film_resistance, contact%resistance(2)], self%spots(i), info)
             if (info /= heat_ok) self%is_solved = .false.
             self%heat(:, i) = self%spots(i)%heat + (current*self%of_strips(i) + contact%friction_heat)/2
+            self%slope(:, :, i) = by_own_bulk(self, i)
          end associate
       end do
    end subroutine find_heats
@@ -232,9 +304,10 @@ contains
       !> (2*contacts) [K]
       real(dp), intent(out) :: y(:)
 
-      associate (shaped => reshape(x, [2, size(x)/2]))
-         y = x - reshape(rise_by(self%heat%elements, self%heat%ends, followed(self%heat, shaped)), [size(x)])
-      end associate
+      type(followed_t) :: followed
+
+      call follow(self%heat, reshape(x, [2, size(x)/2]), followed)
+      y = x - reshape(rise_by(self%heat%elements, self%heat%ends, followed%heat + followed%between), [size(x)])
    end subroutine apply_bulk_map
 
    !> Each contact by itself: `1 - D dq/dtau` with the diagonal `D` of `A`.
@@ -247,24 +320,88 @@ contains
       integer :: i
 
       do i = 1, size(self%heat%contacts)
-         associate (dheat => self%heat%spots(i)%dheat(:, by_temperature))
-            y(2*i - 1:2*i) = solved(unit - spread(own_rise(self%heat, i), 2, 2)*dheat, x(2*i - 1:2*i))
-         end associate
+         y(2*i - 1:2*i) = solved(unit - spread(own_rise(self%heat, i), 2, 2)*self%heat%slope(:, :, i), x(2*i - 1:2*i))
       end do
    end subroutine precondition_bulk_map
 
-   !> dq = dq/dtau dtau (2, contacts) [W].
-   pure function followed(self, dbulk) result(dheat)
+   !> How the heats of a contact change with its own bulks, and by them with its own current (2, 2) [W/K].
+   pure function by_own_bulk(self, i) result(slope)
+      type(contact_heat_t), intent(in) :: self
+      !> Contact
+      integer, intent(in) :: i
+      real(dp) :: slope(2, 2), dmade(3, 2)
+      integer :: side
+
+      associate (contact => self%contacts(i), dheat => self%spots(i)%dheat, current => self%current(i))
+         slope = dheat(:, by_temperature) + matmul(dheat(:, by_path), contact%dpath)
+         if (i > size(self%conductors%resistance)) return
+         do side = 1, 2
+            dmade([1, 3], side) = contact%dresistance(:, side)
+            dmade(2, side) = 0
+            dmade(:, side) = current**2*(dmade(:, side) - 2*[contact%resistance(1), contact%film_resistance, &
+               contact%resistance(2)]*contact%dseries(side)/self%conductors%diagonal(i))
+         end do
+         slope = slope + matmul(dheat(:, by_heat), dmade)
+      end associate
+   end function by_own_bulk
+
+   !> What follows a change of the bulks at given nodal values.
+   subroutine follow(self, dbulk, followed)
       type(contact_heat_t), intent(in) :: self
       !> (2, contacts) [K]
       real(dp), intent(in) :: dbulk(:, :)
-      real(dp) :: dheat(2, size(dbulk, 2))
-      integer :: i
+      type(followed_t), intent(out) :: followed
+      real(dp), dimension(size(self%conductors%resistance)) :: voltage, unused
+      real(dp) :: rise(2, size(voltage)), of_strips(size(self%contacts)), made(3)
+      integer :: i, k, n
 
-      do i = 1, size(dbulk, 2)
-         dheat(:, i) = matmul(self%spots(i)%dheat(:, by_temperature), dbulk(:, i))
+      n = size(voltage)
+      allocate (followed%current(size(self%contacts)), source=0.0_dp)
+      allocate (followed%heat(2, size(self%contacts)), followed%between(2, size(self%contacts)), &
+         followed%at_nodes(2, size(self%elements)), source=0.0_dp)
+      of_strips = 0
+      if (self%resistances_follow) then
+         voltage = [(-self%current(i)*dot_product(self%contacts(i)%dseries, dbulk(:, i)), i=1, n)]
+         call self%conductors%currents(voltage, followed%current(:n), rise, unused)
+         of_strips(:n) = self%conductors%strips%voltages(followed%current(:n))
+         do k = 1, size(self%elements)
+            if (self%elements(k)%resistance > 0) call change_between(self, k, 0.0_dp, 0.0_dp, followed%current, &
+               followed%between, followed%at_nodes(:, k))
+         end do
+      end if
+      do i = 1, size(self%contacts)
+         associate (contact => self%contacts(i), current => self%current(i))
+            made = 2*current*followed%current(i)*[contact%resistance(1), contact%film_resistance, &
+               contact%resistance(2)]
+            made([1, 3]) = made([1, 3]) + current**2*matmul(contact%dresistance, dbulk(:, i))
+            if (contact%is_passed) followed%heat(:, i) = matmul(self%spots(i)%dheat(:, by_heat), made) &
+               + matmul(self%spots(i)%dheat(:, by_temperature) + matmul(self%spots(i)%dheat(:, by_path), &
+               contact%dpath), dbulk(:, i)) + (followed%current(i)*self%of_strips(i) + current*of_strips(i))/2
+         end associate
       end do
-   end function followed
+   end subroutine follow
+
+   !> How what the parts of an element make beyond that of the element without contacts changes with the currents.
+   subroutine change_between(self, k, deven, dresistance, dcurrent, between, at_nodes)
+      type(contact_heat_t), intent(in) :: self
+      !> Number among the elements with contacts
+      integer, intent(in) :: k
+      !> Changes of the current without contacts [A], of ln(rho), and of the currents of the contacts (contacts) [A]
+      real(dp), intent(in) :: deven, dresistance, dcurrent(:)
+      !> Changes of v: (2, contacts), set at those of this element, and (2) [W]
+      real(dp), intent(inout) :: between(:, :), at_nodes(2)
+      real(dp), dimension(n_parts(self%ends, k)) :: length, along, dalong, dmade
+      real(dp) :: even
+
+      associate (element => self%elements(k))
+         even = self%drop(k)/element%resistance
+         call currents_along(self%ends, k, even, self%current, length, along)
+         call currents_along(self%ends, k, deven, dcurrent, length, dalong)
+         dmade = element%heat_fraction*2*element%series*length*(2*(along*dalong - even*deven) &
+            + (along**2 - even**2)*dresistance)
+      end associate
+      call place_heat(self%ends, k, dmade, between, at_nodes)
+   end subroutine change_between
 
    !> What heat that enters at a contact does to the temperature there by itself: diagonal of A (2) [K/W].
    pure function own_rise(self, i) result(rise)
@@ -294,7 +431,7 @@ contains
       real(dp), intent(in) :: heat(2)
       real(dp) :: found(2)
 
-      found = solved(unit - spread(own_rise(self, i), 1, 2)*self%spots(i)%dheat(:, by_temperature), heat)
+      found = solved(unit - spread(own_rise(self, i), 1, 2)*self%slope(:, :, i), heat)
    end function inverse_of_own
 
 end module litz_heat_of_contacts

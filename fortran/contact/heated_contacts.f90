@@ -2,38 +2,60 @@
 !>
 !> A constriction has the shape `c` [1/m]: in a metal of resistivity rho its resistance is `c rho`, in one of heat
 !> conductivity lambda it conducts the heat `lambda/c`, or `L/(c rho)` as a Wiedemann-Franz metal. It is that of the
-!> spot of the current, `c = -(dG/drho)/G^2`, or where there is none that of elastic wires.
+!> spot of the current, `c = -(dG/drho)/G^2`, or where there is none that of elastic wires. rho and lambda are those at
+!> the temperatures of the wires at the contact.
 !> Source: theory sections 6 and 13.
 module litz_heated_contacts
-   use litz_kinds, only: dp
+   use litz_kinds, only: dp, pi
    use litz_contact_blocks, only: spot_in_circuit_t
    use litz_contact_points, only: contact_point_t, pair_geometry
    use litz_contact_spots, only: find_spot
    use litz_domain, only: domain_t
    use litz_fields, only: temperature_slots
    use litz_heat_law, only: heat_law_t, heat_metal_law
+   use litz_heat_within, only: part_reached
    use litz_law_input, only: wire_pair_t
-   use litz_model, only: interaction_t, material_t
+   use litz_model, only: model_t, interaction_t
    use litz_normal_forces, only: wires_of, line_of_point
    use litz_property_table, only: property_at
    use litz_spot_heat, only: spot_path_t
    use litz_spot_laws, only: spot_law
    implicit none
    private
-   public :: heated_contact_t, heated_contact, can_pass_heat
+   public :: heated_contact_t, heated_contact, can_pass_heat, conducting_metal_t, conducting_metals
+
+   !> What a wire is made of.
+   type :: conducting_metal_t
+      !> [K], [ohm m] and [K], [W/(m K)]
+      real(dp), allocatable :: resistivity(:, :), heat_conductivity(:, :)
+   end type conducting_metal_t
 
    type :: heated_contact_t
       !> Nodes of both elements, barred first, and their parts of the values at its places
       integer :: nodes(4) = 0
       real(dp) :: part(4) = 0
-      !> Both elements, and the places in them, barred first
-      integer :: element(2) = 0
+      !> Both elements, their materials, and the places in them, barred first
+      integer :: element(2) = 0, material(2) = 0
       real(dp) :: xi(2) = 0
-      !> Of the spot [S]; 0: no current passes
+      !> Of the spot at temperatures that are linear between the nodes [S]; 0: no current passes
       real(dp) :: conductance = 0
       !> rho L0/(4 A) [ohm] and L0/(4 lambda A) [K/W] of both elements; 0: what enters within them does so as at their
       !> nodes
       real(dp) :: series(2) = 0, heat_series(2) = 0
+      !> Of the constrictions for the current [1/m], of a resistance that is given this follows from the resistivities;
+      !> and for the heat [1/m], 0: its conductance is given
+      real(dp) :: shape = 0, heat_shape = 0
+      logical :: is_given = .false.
+      !> Resistivities [ohm m] and of the constrictions resistances [ohm] at the temperatures that are linear between
+      !> the nodes; and the former change with the temperatures
+      real(dp) :: resistivity(2) = 0, linear_resistance(2) = 0
+      logical :: follows(2) = .false.
+      !> A Wiedemann-Franz metal, and its Lorenz number [V^2/K^2]; 0: that of lambda and rho
+      logical :: is_metal = .false.
+      real(dp) :: lorenz = 0
+      !> Parts of a steady state that the temperature within both elements reaches in the increment, slow and fast part
+      !> (2, 2), and the heat of the steady states in which these were (2, 2) [W]
+      real(dp) :: reached(2, 2) = 1, settled_heat(2, 2) = 0
       !> Resistances of both constrictions and of what is between them [ohm]
       real(dp) :: resistance(2) = 0, film_resistance = 0
       !> How the former, and all in series, change with the temperatures of both places (2, 2), (2) [ohm/K]
@@ -46,13 +68,10 @@ module litz_heated_contacts
       real(dp) :: friction_heat = 0
       !> How ln(h) of both constrictions changes with the temperatures of both places (2, 2) [1/K]
       real(dp) :: dpath(2, 2) = 0
+   contains
+      procedure :: warm
+      procedure :: series_resistance
    end type heated_contact_t
-
-   !> The constrictions of both wires.
-   type :: constrictions_t
-      !> c [1/m], and the derivative of its logarithm by both resistivities [1/(ohm m)]
-      real(dp) :: shape = 0, dshape(2) = 0
-   end type constrictions_t
 
 contains
 
@@ -73,51 +92,128 @@ contains
       end do
    end function can_pass_heat
 
-   !> What heat needs to know of a contact that it can pass, at the temperatures of an iterate.
+   !> Those of a model.
+   pure function conducting_metals(model) result(metals)
+      type(model_t), intent(in) :: model
+      type(conducting_metal_t) :: metals(size(model%materials))
+      integer :: i
+
+      do i = 1, size(metals)
+         associate (material => model%materials(i))
+            if (allocated(material%resistivity)) metals(i)%resistivity = material%resistivity
+            if (allocated(material%heat_conductivity)) metals(i)%heat_conductivity = material%heat_conductivity
+         end associate
+      end do
+   end function conducting_metals
+
+   !> What heat needs to know of a contact that it can pass; `warm` sets what depends on the temperatures of its places.
    type(heated_contact_t) function heated_contact(domain, point, rate) result(heated)
       type(domain_t), intent(in) :: domain
       type(contact_point_t), intent(in) :: point
       !> By which the work of an increment is a power [1/s]; 0: time is a scale of loads
       real(dp), intent(in) :: rate
       type(wire_pair_t) :: pair
-      type(constrictions_t) :: constrictions
-      real(dp) :: lambda(2), dlambda(2), place(2)
       integer :: side
 
       associate (law => domain%model%interactions(domain%model%contact_pairs(point%pair)%interaction))
          heated%element = [point%element_bar, point%element]
+         heated%material = domain%model%sections(domain%model%element_section(heated%element))%material
          heated%xi = [point%xi_bar, point%xi]
          heated%nodes = reshape(domain%model%connectivity(:, heated%element), [4])
          heated%part = [1 - heated%xi(1), 1 + heated%xi(1), 1 - heated%xi(2), 1 + heated%xi(2)]/2
          heated%conductance = point%conductance
          heated%series = point%series_resistance
-         pair = wires_of(domain%model, domain%elements, point)
          do side = 1, 2
-            associate (part => heated%part(2*side - 1:2*side), node => heated%nodes(2*side - 1:2*side))
-               place(side) = dot_product(part, domain%iterate%value(temperature_slots(1), node))
-            end associate
-            call conductivity_of(domain, heated%element(side), place(side), lambda(side), dlambda(side))
             if (law%voltage_correction) heated%heat_series(side) = heat_series_of(domain, heated%element(side))
+            if (rate > 0) heated%reached(:, side) = part_reached(rate*time_constant(domain, heated%element(side)))
          end do
+         if (rate > 0) heated%settled_heat = point%history%settled_heat
          heated%friction_heat = law%heat%friction_fraction*point%friction%dissipation*rate
          heated%is_passed = law%heat%exists() .or. heated%conductance > 0
          if (.not. heated%is_passed) return
-         constrictions = constrictions_of(point, pair)
-         call find_resistances(constrictions, pair, heated)
+         pair = wires_of(domain%model, domain%elements, point)
+         call find_constrictions(point, pair, heated)
          if (law%heat%is_given()) then
             heated%path = spot_path_t(is_metal=.false., conductance=2*given_conductance(domain, law, point, pair))
             return
          end if
-         if (.not. heated%conductance > 0) constrictions%shape = elastic_shape(domain, law, point, pair)
-         heated%path = spot_path_t(is_metal=.false., conductance=lambda/constrictions%shape)
-         heated%dpath = reshape([dlambda(1)/lambda(1), 0.0_dp, 0.0_dp, dlambda(2)/lambda(2)], [2, 2]) &
-            - spread(constrictions%dshape*pair%dresistivity, 1, 2)
-         if (.not. (law%heat%number == heat_metal_law .and. heated%conductance > 0)) return
-         heated%is_cold = any(place <= domain%model%absolute_zero)
-         if (.not. heated%is_cold) call follow_wiedemann_franz(law%heat%lorenz, place - domain%model%absolute_zero, &
-            heated)
+         heated%heat_shape = heated%shape
+         if (.not. heated%conductance > 0) heated%heat_shape = elastic_shape(domain, law, point, pair)
+         heated%is_metal = law%heat%number == heat_metal_law .and. heated%conductance > 0
+         heated%lorenz = law%heat%lorenz
+         do side = 1, 2
+            associate (part => heated%part(2*side - 1:2*side), node => heated%nodes(2*side - 1:2*side))
+               heated%is_cold = heated%is_cold .or. heated%is_metal .and. dot_product(part, &
+                  domain%iterate%value(temperature_slots(1), node)) <= domain%model%absolute_zero
+            end associate
+         end do
       end associate
    end function heated_contact
+
+   !> Those of the spot of the current; a resistance that is given is all constriction.
+   pure subroutine find_constrictions(point, pair, heated)
+      type(contact_point_t), intent(in) :: point
+      type(wire_pair_t), intent(in) :: pair
+      type(heated_contact_t), intent(inout) :: heated
+
+      heated%resistivity = pair%resistivity
+      heated%follows = abs(pair%dresistivity) > 0
+      if (.not. point%conductance > 0) return
+      heated%shape = point%constriction
+      heated%is_given = .not. heated%shape > 0
+      if (heated%is_given) heated%shape = 1/(point%conductance*sum(pair%resistivity))
+      heated%linear_resistance = heated%shape*pair%resistivity
+      heated%film_resistance = max(0.0_dp, 1/point%conductance - sum(heated%linear_resistance))
+   end subroutine find_constrictions
+
+   !> Resistances and the way of the heat at the temperatures of both places.
+   pure subroutine warm(self, metals, temperature, absolute_zero)
+      class(heated_contact_t), intent(inout) :: self
+      !> Of the model
+      type(conducting_metal_t), intent(in) :: metals(:)
+      !> Barred, unbarred (2), and absolute zero on their scale [K]
+      real(dp), intent(in) :: temperature(2), absolute_zero
+      real(dp), dimension(2) :: rho, drho, lambda, dlambda, dshape
+      real(dp) :: shape
+      integer :: i
+
+      if (.not. self%is_passed) return
+      rho = self%resistivity
+      drho = 0
+      do i = 1, 2
+         associate (metal => metals(self%material(i)))
+            call property_at(metal%heat_conductivity, temperature(i), lambda(i), dlambda(i))
+            if (self%follows(i)) call property_at(metal%resistivity, temperature(i), rho(i), drho(i))
+         end associate
+      end do
+      shape = self%shape
+      dshape = 0
+      if (self%is_given) then
+         shape = 1/(self%conductance*sum(rho))
+         dshape = -drho/sum(rho)
+      end if
+      if (self%conductance > 0) then
+         self%resistance = shape*rho
+         do i = 1, 2
+            self%dresistance(i, :) = self%resistance(i)*dshape
+            self%dresistance(i, i) = self%dresistance(i, i) + shape*drho(i)
+         end do
+         self%dseries = merge([0.0_dp, 0.0_dp], sum(self%dresistance, 1), self%is_given)
+      end if
+      if (.not. self%heat_shape > 0) return
+      if (self%is_given) self%heat_shape = shape
+      self%path = spot_path_t(is_metal=.false., conductance=lambda/self%heat_shape)
+      self%dpath = reshape([dlambda(1)/lambda(1), 0.0_dp, 0.0_dp, dlambda(2)/lambda(2)], [2, 2]) - spread(dshape, 1, 2)
+      if (self%is_metal) call follow_wiedemann_franz(self%lorenz, temperature - absolute_zero, self)
+   end subroutine warm
+
+   !> Of the spot at the temperatures of its places [ohm].
+   pure real(dp) function series_resistance(self)
+      class(heated_contact_t), intent(in) :: self
+
+      series_resistance = 1/self%conductance
+      if (.not. self%is_given) series_resistance = series_resistance + sum(self%resistance - self%linear_resistance)
+   end function series_resistance
 
    !> lambda of an element at a temperature, and its derivative.
    pure subroutine conductivity_of(domain, e, temperature, lambda, dlambda)
@@ -135,6 +231,22 @@ contains
       end associate
    end subroutine conductivity_of
 
+   !> L0^2/(pi^2 kappa), with which temperatures within an element settle between nodes that stay, when the increment
+   !> began [s].
+   pure real(dp) function time_constant(domain, e)
+      type(domain_t), intent(in) :: domain
+      !> Element
+      integer, intent(in) :: e
+      real(dp) :: mean, lambda, heat, slope
+
+      mean = sum(domain%state%value(temperature_slots(1), domain%model%connectivity(:, e)))/2
+      call conductivity_of(domain, e, mean, lambda, slope)
+      associate (material => domain%model%materials(domain%model%sections(domain%model%element_section(e))%material))
+         call property_at(material%specific_heat, mean, heat, slope)
+         time_constant = domain%elements%length(e)**2*material%density*heat/(pi**2*lambda)
+      end associate
+   end function time_constant
+
    !> L0/(4 lambda A) of an element [K/W].
    pure real(dp) function heat_series_of(domain, e) result(series)
       type(domain_t), intent(in) :: domain
@@ -145,35 +257,6 @@ contains
       call conductivity_of(domain, e, domain%mean_temperature(e), lambda, dlambda)
       series = domain%elements%length(e)/(4*lambda*domain%elements%area(e))
    end function heat_series_of
-
-   !> Of the spot of the current; a resistance that is given is all constriction.
-   pure type(constrictions_t) function constrictions_of(point, pair) result(found)
-      type(contact_point_t), intent(in) :: point
-      type(wire_pair_t), intent(in) :: pair
-
-      if (.not. point%conductance > 0) return
-      found%shape = point%constriction
-      if (found%shape > 0) return
-      found%shape = 1/(point%conductance*sum(pair%resistivity))
-      found%dshape = -1/sum(pair%resistivity)
-   end function constrictions_of
-
-   !> Where the voltage of the spot drops.
-   pure subroutine find_resistances(constrictions, pair, heated)
-      type(constrictions_t), intent(in) :: constrictions
-      type(wire_pair_t), intent(in) :: pair
-      type(heated_contact_t), intent(inout) :: heated
-      integer :: i
-
-      if (.not. heated%conductance > 0) return
-      heated%resistance = constrictions%shape*pair%resistivity
-      heated%film_resistance = max(0.0_dp, 1/heated%conductance - sum(heated%resistance))
-      do i = 1, 2
-         heated%dresistance(i, :) = heated%resistance(i)*constrictions%dshape*pair%dresistivity
-         heated%dresistance(i, i) = heated%dresistance(i, i) + constrictions%shape*pair%dresistivity(i)
-      end do
-      heated%dseries = sum(heated%dresistance, 1)
-   end subroutine find_resistances
 
    !> `h = L/R` of the constrictions, with `L = lambda rho/T` where none is given.
    pure subroutine follow_wiedemann_franz(lorenz, temperature, heated)

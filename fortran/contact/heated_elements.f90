@@ -16,8 +16,9 @@ module litz_heated_elements
       integer :: nodes(2) = 0
       !> Resistance from node to node [ohm]; 0: no current
       real(dp) :: resistance = 0
-      !> rho L0/(4 A) [ohm] and L0/(4 lambda A) [K/W]; 0: what enters within it does so as at its nodes
-      real(dp) :: series = 0, heat_series = 0
+      !> rho L0/(4 A) [ohm] and L0/(4 lambda A) [K/W]; 0: what enters within it does so as at its nodes. Over time the
+      !> latter is the part that the increment reaches, of that of a steady state
+      real(dp) :: series = 0, heat_series = 0, steady_heat_series = 0
       !> Derivatives of ln(rho) and ln(lambda) by the mean temperature [1/K]
       real(dp) :: dresistivity = 0, dconductivity = 0
       !> Part of the electric power that becomes heat, and all heat that enters it evenly [W]

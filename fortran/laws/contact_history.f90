@@ -41,6 +41,8 @@ module litz_contact_history
       real(dp) :: weight = 0
       !> Path of the slip since the contact closed [m], and the heat that friction made of it [J]
       real(dp) :: slip_path = 0, dissipation = 0
+      !> That of the last increment alone [J]
+      real(dp) :: last_dissipation = 0
       !> Energy of the tangential spring [J]
       real(dp) :: elastic_energy = 0
       !> Largest force of the whole contact, whatever its share, since it closed or last left its spot: of a crossing
@@ -48,6 +50,9 @@ module litz_contact_history
       real(dp) :: largest_force = 0
       real(dp) :: spot_arc(2) = 0
       type(dent_memory_t) :: dent
+      !> Heat in whose steady state the temperature within both elements would be, slow and fast part, barred and
+      !> unbarred (2, 2) [W]
+      real(dp) :: settled_heat(2, 2) = 0
    end type contact_history_t
 
 contains
@@ -76,6 +81,7 @@ contains
       history%traction = friction%traction
       history%slip_path = start%slip_path + norm2(friction%plastic_slip)
       history%dissipation = start%dissipation + friction%dissipation
+      history%last_dissipation = friction%dissipation
       history%elastic_energy = start%elastic_energy + friction%elastic_work
       call remember_spot(start, arc, force/weight, new_spot, history)
    end function advanced_history

@@ -148,6 +148,7 @@ contains
       call table%field('traction_2', history%traction(2))
       call table%field('slip_path', history%slip_path)
       call table%field('dissipation', history%dissipation)
+      call table%field('last_dissipation', history%last_dissipation)
       call table%field('elastic_energy', history%elastic_energy)
       call table%field('largest_force', history%largest_force)
       call table%field('spot_arc_bar', history%spot_arc(1))
@@ -157,6 +158,10 @@ contains
       call table%field('dent_arc', history%dent%arc(2))
       call table%field('dent_left', history%dent%left)
       call table%field('dent_dissipation', history%dent%dissipation)
+      call table%field('slow_heat_bar', history%settled_heat(1, 1))
+      call table%field('fast_heat_bar', history%settled_heat(2, 1))
+      call table%field('slow_heat', history%settled_heat(1, 2))
+      call table%field('fast_heat', history%settled_heat(2, 2))
    end subroutine list_history
 
 end module litz_restart_points

@@ -12,7 +12,7 @@ module litz_convergence
    implicit none
    private
    public :: measure_residual, nodal_residual, measure_scales, has_converged, group_converged, &
-      corrections_small, worst_field
+      part_of_allowed, corrections_small, worst_field
 
    !> Residuals accepted only because of round-off are reported above this fraction of the reference
    real(dp), parameter :: worth_reporting = 1.0e-6_dp
@@ -140,6 +140,19 @@ contains
 
       group_converged = all(report%residual <= report%allowed .or. fields%group /= group)
    end function group_converged
+
+   !> The largest residual of a group over the allowed one.
+   pure real(dp) function part_of_allowed(report, group) result(part)
+      type(iteration_report_t), intent(in) :: report
+      !> One of the groups of litz_fields
+      integer, intent(in) :: group
+      integer :: field
+
+      part = 0
+      do field = 1, n_fields
+         if (fields(field)%group == group) part = max(part, part_of(report%residual(field), report%allowed(field)))
+      end do
+   end function part_of_allowed
 
    !> The second criterion of *CONTROLS, asked for with a non-zero C_n.
    pure logical function corrections_small(step, change, report)

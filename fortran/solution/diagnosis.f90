@@ -6,7 +6,7 @@ module litz_diagnosis
    use litz_fields, only: fields, field_temperature, group_transport, field_of_slot, first_slot
    use litz_errors, only: error_t, fail, exit_not_converged
    use litz_model, only: step_t, procedure_of
-   use litz_newton, only: outcome_t, cause_iterations, cause_not_finite, cause_singular, cause_lost_contact, &
+   use litz_outcome, only: outcome_t, cause_iterations, cause_not_finite, cause_singular, cause_lost_contact, &
       cause_turned_ends, cause_fed_part, cause_no_solution, cause_failed_law
    use litz_problem, only: problem_t
    use litz_text, only: to_text

@@ -13,8 +13,9 @@ module litz_group_solution
    !> The squared error of the conjugate gradients over that of the start; and their steps at most
    real(dp), parameter :: accurate = (1.0e-14_dp)**2
    integer, parameter :: max_steps = 100
-   !> The residual of the generalized minimal residuals over that of the start; and their steps at most
-   real(dp), parameter :: accurate_residual = 1.0e-12_dp
+   !> The residual of the generalized minimal residuals over that of the start, and where groups take turns anyway; and
+   !> their steps at most
+   real(dp), parameter :: accurate_residual = 1.0e-12_dp, accurate_in_turn = 1.0e-4_dp
    integer, parameter :: max_products = 200
 
    !> The whole tangent of a group, with its own block of the matrix as preconditioner.
@@ -23,6 +24,8 @@ module litz_group_solution
       integer :: group = 0
       !> Equations that are `x = 0` (equations of the group)
       logical, allocatable :: is_held(:)
+      !> What residuals are measured by (equations of the group)
+      real(dp), allocatable :: scale(:)
       !> Of a solution with the block
       type(error_t), allocatable :: error
    contains
@@ -90,16 +93,19 @@ contains
    !>
    !> Where cells of a term act on each other, `K` has more than that block, which then is the preconditioner: of
    !> conjugate gradients, or where `K` is not symmetric of generalized minimal residuals.
-   subroutine solve_for_group(problem, group, free, b, x, error)
+   subroutine solve_for_group(problem, group, free, allowed, b, x, error)
       type(problem_t), target, intent(inout) :: problem
       !> One of the groups of litz_fields, and the field in it that moves; 0: all do
       integer, intent(in) :: group, free
+      !> Residuals of the fields that are allowed (n_fields)
+      real(dp), intent(in) :: allowed(:)
       !> Forces (equations of the group)
       real(dp), intent(in) :: b(:)
       !> Values (equations of the group)
       real(dp), intent(out) :: x(:)
       type(error_t), allocatable, intent(out) :: error
       type(group_map_t) :: map
+      real(dp) :: scale(n_slots, problem%model%n_nodes)
 
       if (.not. has_mutual_tangent(problem, group)) then
          call problem%scheme%solve_group(group, problem%matrix, b, x, error)
@@ -109,7 +115,10 @@ contains
          map%problem => problem
          map%group = group
          map%is_held = held_equations(problem, group, free)
-         call gmres(map, b, accurate_residual, max_products, x)
+         scale = spread(allowed(field_of_slot), 2, size(scale, 2))
+         map%scale = problem%equations%gather(group, scale)
+         call gmres(map, b/map%scale, merge(accurate_in_turn, accurate_residual, problem%scheme%is_swept), &
+            max_products, x)
          if (allocated(map%error)) call move_alloc(map%error, error)
       end if
    end subroutine solve_for_group
@@ -123,6 +132,7 @@ contains
 
       call multiply(self%problem, self%group, x, y)
       where (self%is_held) y = x
+      y = y/self%scale
    end subroutine apply_tangent
 
    subroutine solve_with_block(self, x, y)
@@ -133,7 +143,7 @@ contains
       real(dp), intent(out) :: y(:)
       type(error_t), allocatable :: error
 
-      call self%problem%scheme%solve_group(self%group, self%problem%matrix, x, y, error)
+      call self%problem%scheme%solve_group(self%group, self%problem%matrix, self%scale*x, y, error)
       if (allocated(error)) call move_alloc(error, self%error)
    end subroutine solve_with_block
 

@@ -4,7 +4,6 @@
 module litz_group_update
    use litz_kinds, only: dp
    use litz_assembly, only: evaluate
-   use litz_convergence, only: group_converged
    use litz_errors, only: error_t
    use litz_fields, only: fields, n_fields, n_slots, field_temperature, first_slot, last_slot, first_slot_of_group, &
       last_slot_of_group
@@ -32,7 +31,7 @@ contains
       type(error_t), allocatable, intent(out) :: solver_error, error
       integer :: field
 
-      if (problem%equations%count(group) == 0 .or. group_converged(report, group)) return
+      if (problem%equations%count(group) == 0) return
       if (problem%loading%solves(field_temperature) .and. problem%is_far) then
          do field = 1, n_fields
             if (fields(field)%group /= group) cycle
@@ -63,7 +62,8 @@ contains
       call problem%timing%lap(phase_update)
       call problem%scheme%factor_group(group, problem%matrix, solver_error)
       call problem%timing%lap(phase_factor)
-      if (.not. allocated(solver_error)) call solve_for_group(problem, group, free, b, x, solver_error)
+      if (.not. allocated(solver_error)) call solve_for_group(problem, group, free, report%allowed, b, x, &
+         solver_error)
       call problem%timing%lap(phase_solve)
       if (allocated(solver_error)) return
       correction = 0

@@ -7,7 +7,7 @@ module litz_increment_warnings
    use litz_convergence, only: measure_scales
    use litz_errors, only: error_list_t
    use litz_model, only: model_t, request_electrode
-   use litz_newton, only: outcome_t
+   use litz_outcome, only: outcome_t
    use litz_line_contact, only: serves_lines
    use litz_parallel_wires, only: shallow_angle, parallel_warning
    use litz_run_warnings, only: run_warnings_t

@@ -6,9 +6,9 @@ module litz_newton
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use litz_kinds, only: dp
    use litz_assembly, only: evaluate
-   use litz_contact_findings, only: finding_t, finding_none
+   use litz_contact_findings, only: finding_none
    use litz_convergence, only: measure_residual, has_converged, group_converged, &
-      corrections_small, worst_field
+      part_of_allowed, corrections_small, worst_field
    use litz_element_library, only: heat_elements
    use litz_errors, only: error_t
    use litz_fields, only: field_displacement, n_fields, n_slots, n_groups, first_slot, last_slot, last_slot_of_group, &
@@ -19,6 +19,8 @@ module litz_newton
    use litz_loading, only: prescribed_increment
    use litz_lost_contacts, only: find_lost_contacts
    use litz_model, only: step_t
+   use litz_outcome, only: outcome_t, cause_iterations, cause_not_finite, cause_singular, cause_lost_contact, &
+      cause_turned_ends, cause_fed_part, cause_no_solution, cause_failed_law
    use litz_observer, only: observer_t
    use litz_problem, only: problem_t
    use litz_reports, only: iteration_report_t
@@ -28,52 +30,13 @@ module litz_newton
    use litz_turned_ends, only: turned_ends_t, most_turned_ends
    implicit none
    private
-   public :: outcome_t, solve_increment, factor_tangent, start_iterate
-   public :: cause_iterations, cause_not_finite, cause_singular, cause_lost_contact, cause_turned_ends, &
-      cause_fed_part, cause_no_solution, cause_failed_law, cause_large_change
-
-   !> Why an increment is given up
-   integer, parameter :: cause_iterations = 1, cause_not_finite = 2, cause_singular = 3, cause_lost_contact = 4, &
-      cause_turned_ends = 5, cause_failed_law = 6, cause_fed_part = 7, cause_no_solution = 8, &
-      cause_large_change = 9
-
-   type :: outcome_t
-      logical :: converged = .false.
-      !> All of them, and those that factored the tangent
-      integer :: iterations = 0, factorisations = 0
-      !> Those that factored it until the forces first balanced: what terms then bring up to date says nothing about the
-      !> size of the increment
-      integer :: to_balance = 0
-      !> The group whose turn it is, iterations since its turn began, most of them in a turn, and how often groups that
-      !> act back on the first ones have had theirs
-      integer :: in_turn = 1, counted = 0, longest_turn = 0, sweeps = 0
-      !> Why it was given up, for the user
-      character(len=:), allocatable :: reason
-      !> One of the causes above; 0: it was not
-      integer :: cause = 0
-      !> What is wrong with its contacts
-      type(finding_t) :: finding
-      !> The last iteration and the one before
-      type(iteration_report_t) :: last, before
-      !> The tolerance that ended the iteration was that of round-off in one of the fields
-      logical :: at_round_off = .false.
-      !> Negative pivots of the last factorisation; -1: not known, or none was made
-      integer :: negative_pivots = -1
-      !> The same of the state in which the increment began; -1 also: its tangent was not factored
-      integer :: negative_pivots_at_start = -1
-      !> The last factorisation was that of the state in which the increment began
-      logical :: only_start_factored = .false.
-      !> Some factorisation of this attempt had negative pivots
-      logical :: passed_critical = .false.
-      !> A flux was fed into a part that floated when the increment began: no smaller one would connect it
-      logical :: fed_at_start = .false.
-   contains
-      procedure :: effort
-      procedure :: end_turn
-   end type outcome_t
+   public :: solve_increment, factor_tangent, start_iterate
 
    !> Iterations at most, in multiples of I_C, where contacts open and close as predicted all the way
    integer, parameter :: max_iterations = 4
+
+   !> Residuals over the allowed ones with which a group of a sweep has no other turn
+   real(dp), parameter :: part_at_end = 0.1_dp
 
    !> Iterations to balance from where terms anticipate
    integer, parameter :: still_to_go = 2
@@ -113,6 +76,7 @@ contains
             if (outcome%iterations == 0) outcome%fed_at_start = problem%fed_node > 0
             call measure_residual(problem, step, outcome%last, outcome%at_round_off)
          end if
+         if (outcome%in_turn == 1) call outcome%note_residual()
          call count_status(problem, outcome%last)
          if (outcome%in_turn == 1 .and. outcome%last%factor_age == 0 .and. &
             .not. only_contacts_changed(outcome%last, numbers)) outcome%counted = outcome%counted + 1
@@ -166,25 +130,6 @@ contains
       call refuse_wrong_state(problem, outcome)
       call problem%timing%lap(phase_check)
    end subroutine solve_increment
-
-   !> How many iterations the size of the increment has cost.
-   pure integer function effort(self)
-      class(outcome_t), intent(in) :: self
-
-      effort = merge(min(self%to_balance, self%factorisations), self%factorisations, self%to_balance > 0)
-      if (self%sweeps > 0) effort = max(self%longest_turn, self%counted, self%sweeps)
-   end function effort
-
-   pure subroutine end_turn(self, next)
-      class(outcome_t), intent(inout) :: self
-      !> The group whose turn it is now
-      integer, intent(in) :: next
-
-      self%longest_turn = max(self%longest_turn, self%counted)
-      self%counted = 0
-      if (next > 1) self%sweeps = self%sweeps + 1
-      self%in_turn = next
-   end subroutine end_turn
 
    !> What a solve has shown.
    pure subroutine note_solve(problem, kept, outcome)
@@ -359,8 +304,8 @@ contains
             if (.not. has_mutual_tangent(problem, group)) cycle
          end if
          if (outcome%in_turn /= group) then
-            if (.not. has_converged(outcome%last, group - 1)) return
-            if (group_converged(outcome%last, group)) then
+            if (.not. (has_converged(outcome%last, group - 1) .or. takes_over(problem, outcome, group))) return
+            if (is_done(problem, outcome, group)) then
                if (problem%scheme%is_swept .and. problem%iterate%mechanics_lags()) call hand_over(problem, step, &
                   outcome%last, outcome%at_round_off, error)
                if (allocated(error)) return
@@ -379,6 +324,36 @@ contains
          if (allocated(error)) return
       end do
    end subroutine update_groups
+
+   !> The temperatures take their turn before the motions balance. First of all in an increment, as they follow a
+   !> current that changes at once, and the motions, which take more iterations, need not be found twice; then whenever
+   !> these are nearer to their balance than to what the temperatures have still to do to them.
+   pure logical function takes_over(problem, outcome, group)
+      type(problem_t), intent(in) :: problem
+      type(outcome_t), intent(in) :: outcome
+      !> One of the groups of litz_fields
+      integer, intent(in) :: group
+
+      takes_over = .false.
+      if (.not. problem%scheme%is_swept .or. group_converged(outcome%last, group)) return
+      takes_over = outcome%motions_have_come_far()
+      if (outcome%sweeps == 0) takes_over = problem%fed_node == 0
+   end function takes_over
+
+   !> A group has nothing to do after those before it. In a sweep it has one more iteration where its residuals, which
+   !> the last turn of the motions has left, are within their tolerances but not far below: those of many nodes add up.
+   pure logical function is_done(problem, outcome, group)
+      type(problem_t), intent(in) :: problem
+      type(outcome_t), intent(in) :: outcome
+      !> One of the groups of litz_fields
+      integer, intent(in) :: group
+
+      if (problem%scheme%is_swept) then
+         is_done = part_of_allowed(outcome%last, group) <= part_at_end
+      else
+         is_done = group_converged(outcome%last, group)
+      end if
+   end function is_done
 
    !> An iteration of a group that takes its turn.
    pure subroutine note_update(problem, outcome)

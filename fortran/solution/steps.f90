@@ -14,7 +14,8 @@ module litz_steps
    use litz_line_contact, only: serves_lines
    use litz_model, only: model_t, step_t, nodal_value_t, coupling_swept, ramp_at
    use litz_negative_pivots, only: count_negative_pivots, begins_elsewhere
-   use litz_newton, only: outcome_t, solve_increment, cause_not_finite, cause_large_change, cause_lost_contact, &
+   use litz_newton, only: solve_increment
+   use litz_outcome, only: outcome_t, cause_not_finite, cause_large_change, cause_lost_contact, &
       cause_turned_ends, cause_fed_part
    use litz_observer, only: observer_t
    use litz_parallel_wires, only: shallow_angle

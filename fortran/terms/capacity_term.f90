@@ -36,8 +36,8 @@ module litz_capacity_term
       type(phases_t), allocatable :: phases(:)
       !> The step is one over time
       logical :: is_at_work = .false.
-      !> Increment [s], and weights of the last two changes of the enthalpy in its rate
-      real(dp) :: increment = 1, weights(2) = [1.0_dp, 0.0_dp]
+      !> [s]
+      real(dp) :: increment = 1
       !> Temperatures when the increment began (n_nodes) [K]
       real(dp), allocatable :: at_start(:)
       !> What the elements take up, and what of it their films take between the nodes (n_elements) [W]
@@ -86,10 +86,10 @@ contains
       given = heat_at(domain%model, step, step_time, domain%state%time - domain%state%step_time)
       self%film = given%film*2*pi*domain%model%sections(domain%model%element_section)%contact_radius
       self%increment = increment
-      self%weights = [1, 0]
+      domain%heat_weights = [1, 0]
       associate (before => domain%state%time_increment)
          if (domain%state%step_time > 0 .and. increment <= largest_growth*before) then
-            self%weights = bdf2_weights(increment/before)
+            domain%heat_weights = bdf2_weights(increment/before)
          end if
       end associate
    end subroutine apply_load
@@ -146,7 +146,7 @@ contains
          node => domain%model%connectivity(:, e), state => domain%state)
          associate (material => domain%model%materials(section%material))
             call heat_capacity(domain%iterate%value(slot, node), state%value(slot, node), &
-               state%temperature_before(node), self%weights, &
+               state%temperature_before(node), domain%heat_weights, &
                material%density*section%area*domain%elements%length(e)/self%increment, material%specific_heat, &
                self%phases(section%material)%latent, slope, r)
             wire%length = domain%conduction_length(e)
@@ -241,7 +241,7 @@ contains
       ratio = huge(ratio)
       if (domain%state%increment == 0) return
       associate (now => domain%iterate%value(slot, :), state => domain%state)
-         if (domain%state%increment == 1 .or. .not. self%weights(2) > 0) then
+         if (domain%state%increment == 1 .or. .not. domain%heat_weights(2) > 0) then
             order = 2
             error = euler_error(now, state%value(slot, :), state%temperature_before, self%increment, &
                state%time_increment)

@@ -31,6 +31,9 @@ module litz_domain
       type(forces_t) :: forces
       !> Heat that enters each element evenly at this iterate, of currents and sources (n_elements) [W]
       real(dp), allocatable :: element_heat(:)
+      !> Of the last two changes of the enthalpy in its rate over time, and of the works of friction in theirs: backward
+      !> Euler, or BDF2
+      real(dp) :: heat_weights(2) = [1.0_dp, 0.0_dp]
       !> The pattern must be built and analysed before the next solve
       logical :: pattern_changed = .true.
       type(timing_t) :: timing

@@ -192,7 +192,7 @@ contains
                domain%model%element_section(e))%material))
                if (.not. material%conductivity > 0) cycle
                if (size(material%resistivity, 2) == 1) cycle
-               beyond = domain%mean_temperature(e) - material%resistivity(1, size(material%resistivity, 2))
+               beyond = hottest_end(domain, e) - material%resistivity(1, size(material%resistivity, 2))
             end associate
             if (beyond <= most) cycle
             most = beyond
@@ -201,10 +201,18 @@ contains
       end do
       if (.not. most > 0) return
       reason = 'the temperature in element '//to_text(domain%model%element_id(worst))//' would be '// &
-         to_text(domain%mean_temperature(worst))//' '//domain%model%units%label('K')// &
-         ', where the table of *ELECTRICAL CONDUCTIVITY ends at '// &
-         to_text(domain%mean_temperature(worst) - most)
+         to_text(hottest_end(domain, worst))//' '//domain%model%units%label('K')// &
+         ', where the table of *ELECTRICAL CONDUCTIVITY ends at '//to_text(hottest_end(domain, worst) - most)
    end function rejection
+
+   !> Temperature of the hotter node of an element [K].
+   pure real(dp) function hottest_end(domain, e)
+      type(domain_t), intent(in) :: domain
+      !> Element
+      integer, intent(in) :: e
+
+      hottest_end = maxval(domain%iterate%value(temperature_slots(1), domain%model%connectivity(:, e)))
+   end function hottest_end
 
    subroutine link(self, domain, field, pairs)
       class(heat_term_t), intent(in) :: self

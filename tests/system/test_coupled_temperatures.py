@@ -1,5 +1,7 @@
 """Temperatures and motions together: wires that their own currents heat push, buckle and bend; and what ends a run."""
 
+import itertools
+
 import numpy as np
 import pytest
 
@@ -195,3 +197,24 @@ class TestWhatIsRefused:
                           ends="1, ENCASTRE", increments="0.1, 1, 1e-3\n")  # fmt: skip
         assert "There may be no steady temperature above I = " in message
         assert "third value of *COUPLED TEMPERATURE-DISPLACEMENT" in message
+
+
+def motion_solves(folder):
+    """How often a run has solved for motions: rows of the convergence file with another correction of theirs."""
+    lines = next(folder.glob("**/*.cvg")).read_text(encoding="utf-8").splitlines()
+    column = lines[0].split().index("displacement[m]")
+    corrections = [line.split()[column] for line in lines]
+    return sum(a != b for a, b in itertools.pairwise(corrections[1:]))
+
+
+def test_a_current_costs_no_more_solutions_for_the_motions_than_its_heat(run, tmp_path):
+    """Temperatures take the first turn of an increment: the motions are found once, as with these temperatures given."""
+    shape = {"bow": RADIUS, "elements": 40, "loads": "*CLOAD\n21, 2, 1\n"}
+    hot = run(voltage_for(CRITICAL), **shape)
+    coupled = motion_solves(tmp_path)
+    bent, rise = hot.field("displacement"), hot.field("temperature")
+    given = "\n".join(f"{i + 1}, 11, 11, {value:.17g}" for i, value in enumerate(rise))
+    alone = run(0.0, heat=given, **shape)
+    np.testing.assert_allclose(alone.field("displacement"), bent, atol=1e-9 * abs(bent).max())
+    assert motion_solves(tmp_path) >= 4
+    assert coupled <= motion_solves(tmp_path)

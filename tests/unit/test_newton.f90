@@ -43,7 +43,8 @@ program test_newton
    use litz_kinds, only: dp
    use litz_loading, only: load_targets
    use litz_model, only: model_t
-   use litz_newton, only: outcome_t, solve_increment, cause_iterations, cause_singular
+   use litz_newton, only: solve_increment
+   use litz_outcome, only: outcome_t, cause_iterations, cause_singular
    use litz_problem, only: problem_t, prepare_problem
    use litz_reports, only: iteration_report_t
    use litz_steps, only: begin_step

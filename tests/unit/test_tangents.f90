@@ -123,6 +123,7 @@ program test_tangents
    call check_heat_of_contacts('heat through a film', '*GAP ELECTRICAL CONDUCTANCE, LAW=FILM'//nl//'1e-13'//nl)
    call check_heat_of_contacts('heat of given resistances', '*GAP ELECTRICAL CONDUCTANCE, LAW=CONSTANT'//nl//'1e-3'// &
       nl//'*GAP CONDUCTANCE, LAW=CONSTANT'//nl//'0.05'//nl)
+   call check_heat_of_contacts('heat through contacts over time', spot, '')
    call check_heat_of_contacts('heat over force', '*GAP CONDUCTANCE, LAW=TABLE'//nl//'0.01, 0.02'//nl//'1000, 2'//nl)
    call check_lines('line of a penalty', penalty_of_line//clean, 0.0_dp, 3.0e-5_dp, 0.02_dp)
    call check_lines('line of Hertz', hertz//clean, 0.0_dp, 4.0e-6_dp, 0.1_dp)
@@ -510,26 +511,35 @@ contains
    end subroutine check_heat
 
    !> Three wires that cross one element of another wire, insulated where they cross a wire that conducts no current.
-   subroutine check_heat_of_contacts(name, laws)
+   subroutine check_heat_of_contacts(name, laws, parameters)
       !> Of currents and heat
       character(len=*), intent(in) :: name, laws
+      !> Of the procedure; none: a steady state
+      character(len=*), intent(in), optional :: parameters
+      character(len=*), parameter :: storage = '*DENSITY'//nl//'8960'//nl//'*SPECIFIC HEAT'//nl//'300, 100'//nl// &
+         '400, 900'//nl
       character(len=*), parameter :: copper = '*MATERIAL, NAME=M'//nl//'*ELASTIC'//nl//'1e11, 0.3'//nl// &
          '*ELECTRICAL CONDUCTIVITY'//nl//'9e7, 100'//nl//'2e7, 900'//nl//'*CONDUCTIVITY'//nl//'430, 100'//nl// &
          '350, 900'//nl//'*JOULE HEAT FRACTION'//nl//'0.8'//nl
-      character(len=*), parameter :: step = '*STEP'//nl//'*COUPLED THERMAL-ELECTRICAL, STEADY STATE'//nl// &
-         '*BOUNDARY'//nl//'1, 11, 11, 300'//nl//'4, 11, 11, 350'//nl//'11, 11, 11, 310'//nl//'1, 9, 9, 0.1'//nl// &
+      character(len=*), parameter :: loads = '*BOUNDARY'//nl//'1, 11, 11, 300'//nl//'4, 11, 11, 350'//nl// &
+         '11, 11, 11, 310'//nl//'1, 9, 9, 0.1'//nl// &
          '11, 9'//nl//'13, 9, 9, 0.01'//nl//'15, 9, 9, -0.02'//nl//'*DFLUX'//nl//'A, BF, 1e6'//nl//'*END STEP'//nl
+      character(len=:), allocatable :: step
       type(problem_t) :: problem
       integer :: trial
 
+      step = ', STEADY STATE'
+      if (present(parameters)) step = parameters
+      step = '*STEP'//nl//'*COUPLED THERMAL-ELECTRICAL'//step//nl//loads
       call solve_first_step('*NODE, NSET=ALL'//nl//'1, -0.02, 0, 0'//nl//'2, -0.005, 0, 0'//nl//'3, 0.012, 0, 0'//nl// &
          '4, 0.02, 0, 0'//nl//'11, -0.002, -0.004, 1.9998e-3'//nl//'12, -0.002, 0.016, 1.9998e-3'//nl// &
          '13, 0.001, -0.014, 1.9997e-3'//nl//'14, 0.004, 0.006, 1.9997e-3'//nl//'15, 0.009, -0.004, 1.9996e-3'//nl// &
          '16, 0.006, 0.006, 1.9996e-3'//nl//'17, -0.012, -0.004, 1.9996e-3'//nl//'18, -0.012, 0.006, 1.9996e-3'//nl// &
          '*ELEMENT, TYPE=B33, ELSET=A'//nl//'1, 1, 2'//nl//'2, 2, 3'//nl//'3, 3, 4'//nl// &
          '*ELEMENT, TYPE=B33, ELSET=B'//nl//'4, 11, 12'//nl//'5, 13, 14'//nl//'6, 15, 16'//nl// &
-         '*ELEMENT, TYPE=B33, ELSET=C'//nl//'7, 17, 18'//nl//copper//'*MATERIAL, NAME=N'//nl//'*ELASTIC'//nl// &
-         '1e11, 0.3'//nl//'*CONDUCTIVITY'//nl//'20, 100'//nl//'30, 900'//nl// &
+         '*ELEMENT, TYPE=B33, ELSET=C'//nl//'7, 17, 18'//nl//copper//storage//'*MATERIAL, NAME=N'//nl// &
+         '*ELASTIC'//nl// &
+         '1e11, 0.3'//nl//'*CONDUCTIVITY'//nl//'20, 100'//nl//'30, 900'//nl//storage// &
          '*BEAM SECTION, ELSET=A, MATERIAL=M, SECTION=CIRC'//nl//'1e-3'//nl// &
          '*BEAM SECTION, ELSET=B, MATERIAL=M, SECTION=CIRC'//nl//'1e-3'//nl// &
          '*BEAM SECTION, ELSET=C, MATERIAL=N, SECTION=CIRC'//nl//'1e-3'//nl// &
