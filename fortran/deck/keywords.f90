@@ -12,7 +12,8 @@ module litz_keywords
    public :: keyword_t, parameter_spec_t, data_spec_t, field_spec_t, keyword_table_t
    public :: place_model, place_step, place_both, place_begins_step
    public :: kind_flag, kind_integer, kind_real, kind_choice, kind_name, kind_item, kind_file, kind_text
-   public :: limit_none, limit_positive, limit_not_negative, limit_poisson, limit_zero, limit_unused, limit_one, describe_limit
+   public :: limit_none, limit_positive, limit_not_negative, limit_poisson, limit_zero, limit_unused, limit_one
+   public :: describe_limit
    public :: unknown_keyword_message, within_limit, largest_number, smallest_positive
 
    !> Where a keyword may stand

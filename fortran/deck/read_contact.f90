@@ -95,7 +95,8 @@ contains
 
       if (.not. interaction%normal%yields()) return
       if (interaction%spot%hardness_number > 0 .or. .not. (interaction%spot%serves_lines .or. &
-         interaction%spot%can_be_per_length .or. interaction%spot%path_number > 0)) call fail_at(self, parameter_of(self, card, 'LAW'), 'LAW='// &
+         interaction%spot%can_be_per_length .or. interaction%spot%path_number > 0)) call fail_at(self, &
+         parameter_of(self, card, 'LAW'), 'LAW='// &
          trim(interaction%spot%name)//' makes a spot of its own; with YIELD spots follow the force of wires that'// &
          ' yield: LAW=HERTZ, LAW=FILM or LAW=SHARVIN (CONSTANT and TABLE give the resistance)')
    end subroutine check_spot

@@ -1,7 +1,7 @@
 !> CLUSTER: n spots of `F = n pi a^2 H` in the ellipse of HERTZ, through which the current comes together once more.
 !>
-!> Source: theory (6.6); J. A. Greenwood, Br. J. Appl. Phys. 17 (1966) 1621-1632; R. Holm, Electric Contacts. What a spot
-!> raises the potential of the others by is in all the constriction of the ellipse but for that of one part in n of it.
+!> Source: theory (6.6); J. A. Greenwood, Br. J. Appl. Phys. 17 (1966) 1621-1632; R. Holm, Electric Contacts. The spots
+!> raise each other's potential by the constriction of the ellipse, but for that of a part 1/n of it.
 module litz_spot_cluster
    use litz_kinds, only: dp, pi
    use litz_law_input, only: law_input_t

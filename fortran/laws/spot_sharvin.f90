@@ -20,8 +20,8 @@ contains
       law%uses_ellipse = .true.
       law%path_number = 1
       law%film_number = 2
-      law%fields(1) = law_field_t('rho_l', 'ohm m^2', 'resistivity times mean free path of the electrons, a constant of'// &
-         ' the metal (of both wires)')
+      law%fields(1) = law_field_t('rho_l', 'ohm m^2', 'resistivity times mean free path of the electrons, a'// &
+         ' constant of the metal (of both wires)')
       law%fields(2) = law_field_t('sigma_f', 'ohm m^2', 'film resistance times area', is_optional=.true.)
       law%spot_of_force => sharvin_spot
    end function spot_sharvin
@@ -33,7 +33,8 @@ contains
       integer, intent(out) :: info
 
       info = spot_ok
-      spot = elastic_spot(given%ellipse, given%force, spot_metal_t(given%wires%resistivity, given%data(1), given%data(2)))
+      spot = elastic_spot(given%ellipse, given%force, spot_metal_t(given%wires%resistivity, given%data(1), &
+         given%data(2)))
    end subroutine sharvin_spot
 
 end module litz_spot_sharvin

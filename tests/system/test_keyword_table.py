@@ -12,6 +12,7 @@ GOOD = {"integer": "1", "real": "0.1", "name": "A", "number or set": "1"}
 BEYOND = {
     "greater than 0": "-1",
     "0 or greater": "-1",
+    "1 or greater": "0.9",
     "between -1 and 0.5": "0.5",
     "0": "1",
     "left empty, litz does not use it": "1",

@@ -242,7 +242,9 @@ class TestWhatHoldsExactly:
         parts = contact_coupling(pair.x, pair.t, pair.length, pair.v, axis=pair.axis, **pair.properties, **pair.laws)
         size = max(np.abs(part).max() for part in parts)
         assert np.abs(sum(parts) - result.K[ME]).max() <= 1e-14 * size
-        angle_matters = pair.laws["spot_law"] in ("hertz", "film", "sharvin", "cluster") or pair.laws.get("normal_law") == "hertz"
+        angle_matters = (
+            pair.laws["spot_law"] in ("hertz", "film", "sharvin", "cluster") or pair.laws.get("normal_law") == "hertz"
+        )
         if not angle_matters:
             assert not parts.K_me4.any()
         if "series_resistance" not in pair.laws:

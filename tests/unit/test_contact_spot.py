@@ -3,12 +3,12 @@
 import mpmath
 import numpy as np
 import pytest
+from verification.references import greenwood
 
 from derivatives import derivative
 from litz import _core
 from litz.kernels import contact_spot
 from litz.kernels.spot import _LAW_VALUES, _SPOT_LAWS
-from verification.references import greenwood
 
 DEGREE = np.pi / 180
 COPPER = dict(radius=1e-3, young=120e9, poisson=0.34, resistivity=1.7e-8)
@@ -316,7 +316,7 @@ def test_a_cluster_is_that_of_greenwood_s_spots(n):
     turn = np.pi * (3 - np.sqrt(5))
     places = cluster.semi_major * np.sqrt(k / n)[:, None] * np.column_stack([np.cos(turn * k), np.sin(turn * k)])
     expected = greenwood.together(places, np.full(n, a), COPPER["resistivity"])
-    assert 1 / cluster.conductance == pytest.approx(expected, rel=0.02)
+    assert 1 / cluster.conductance == pytest.approx(expected, rel=0.03)
 
 
 def test_a_cluster_has_one_spot_or_more():
