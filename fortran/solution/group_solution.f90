@@ -117,6 +117,8 @@ contains
          map%is_held = held_equations(problem, group, free)
          scale = spread(allowed(field_of_slot), 2, size(scale, 2))
          map%scale = problem%equations%gather(group, scale)
+         ! a field in which nothing flows yet has no measure of its own
+         where (.not. map%scale > 0) map%scale = 1
          call gmres(map, b/map%scale, merge(accurate_in_turn, accurate_residual, problem%scheme%is_swept), &
             max_products, x)
          if (allocated(map%error)) call move_alloc(map%error, error)
