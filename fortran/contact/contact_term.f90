@@ -28,6 +28,8 @@ module litz_contact_term
    private
    public :: contact_term_t
 
+   !> A traction above this part of the contact force is remembered
+   real(dp), parameter :: least_traction = 1.0e-6_dp
    !> How often an increment settles what is carried along lines at most, and the change of a share that is left alone
    integer, parameter :: max_settlings = 1
    real(dp), parameter :: settled_change = 0.02_dp
@@ -342,10 +344,11 @@ contains
       end if
    end subroutine settle_shares
 
+   !> Round-off of a traction is none.
    elemental logical function remembers_traction(point)
       type(contact_point_t), intent(in) :: point
 
-      remembers_traction = point%history%closed .and. any(abs(point%history%traction) > 0)
+      remembers_traction = point%history%closed .and. any(abs(point%history%traction) > least_traction*point%history%force)
    end function remembers_traction
 
    subroutine add_energies(self, domain, energies)
