@@ -348,7 +348,9 @@ contains
    elemental logical function remembers_traction(point)
       type(contact_point_t), intent(in) :: point
 
-      remembers_traction = point%history%closed .and. any(abs(point%history%traction) > least_traction*point%history%force)
+      associate (history => point%history)
+         remembers_traction = history%closed .and. any(abs(history%traction) > least_traction*history%force)
+      end associate
    end function remembers_traction
 
    subroutine add_energies(self, domain, energies)

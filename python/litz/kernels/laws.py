@@ -25,6 +25,7 @@ def law_table(names: NDArray[Any], values: NDArray[Any]) -> tuple[dict[str, int]
 
 #: The tables of `fortran/laws`
 NORMAL_LAWS, NORMAL_FIELDS = law_table(*_core.f2py_contact.normal_law_names())
+NORMAL_FIELDS = {law: [field.removesuffix("?") for field in fields] for law, fields in NORMAL_FIELDS.items()}
 SPOT_LAWS, SPOT_FIELDS = law_table(*_core.f2py_contact.spot_law_names())
 PRESSURE_LAWS, PRESSURE_FIELDS = law_table(*_core.f2py_surface.pressure_law_names()[:2])
 CONDUCTANCE_LAWS, CONDUCTANCE_FIELDS = law_table(*_core.f2py_surface.conductance_law_names()[:2])
