@@ -1,8 +1,8 @@
 !> Contacts of a converged iterate: what results show of them, and what they remember.
 module litz_contact_capture
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf
-   use litz_kinds, only: dp, pi
-   use litz_contact_history, only: contact_history_t, dent_memory_t, advanced_history, spot_of_history
+   use litz_kinds, only: pi
+   use litz_contact_history, only: contact_history_t, advanced_history, spot_of_history
    use litz_contact_points, only: contact_set_t, contact_point_t
    use litz_contact_pressure, only: elastic_pressure
    use litz_element_library, only: elements_t
@@ -65,25 +65,23 @@ contains
       !> The last identity given
       integer, intent(inout) :: last_id
       type(state_t), intent(inout) :: state
-      type(dent_memory_t) :: dent
-      real(dp) :: settled_heat(2, 2)
+      type(contact_history_t) :: history
       integer :: i, m
 
       m = n_before
       do i = 1, size(points)
          associate (point => points(i))
-            dent = point%history%dent
-            settled_heat = point%history%settled_heat
             if (point%closed) then
-               point%history = advanced_history(point%history, [point%arc_bar, point%arc], point%force, point%weight, &
+               history = advanced_history(point%history, [point%arc_bar, point%arc], point%force, point%weight, &
                   point%friction, point%new_spot)
             else
-               point%history = merge(spot_of_history(point%history, [point%arc_bar, point%arc], point%whole_force, &
+               history = merge(spot_of_history(point%history, [point%arc_bar, point%arc], point%whole_force, &
                   point%new_spot), contact_history_t(), point%gap < 0 .or. point%cell_touches)
             end if
-            point%history%dent = dent
+            history%dent = point%history%dent
+            if (is_shown(point)) history%settled_heat = point%history%settled_heat
+            point%history = history
             if (.not. is_shown(point)) cycle
-            point%history%settled_heat = settled_heat
             if (point%id == 0) then
                last_id = last_id + 1
                point%id = last_id

@@ -9,9 +9,9 @@ module litz_contact_forces
    use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry, clearance_of, law_parallel, &
       law_bad_data, law_too_curved, law_yields_at_end
    use litz_domain, only: domain_t
-   use litz_element_library, only: elements_t
+   use litz_element_library, only: elements_t, along_element
    use litz_errors, only: error_t, fail, exit_input
-   use litz_fields, only: field_temperature, group_mechanical, motion_slots, potential_slots, temperature_slots
+   use litz_fields, only: field_temperature, group_mechanical, motion_slots, potential_slots
    use litz_friction_forces, only: find_friction, increment_start_t
    use litz_friction_iteration, only: predict_friction, forget_friction
    use litz_friction_law, only: friction_law_t
@@ -30,7 +30,8 @@ module litz_contact_forces
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: assemble_contacts, share_currents, conductors_of, conducts_apart, predict_contacts, refused_contact
+   public :: assemble_contacts, share_currents, set_current, conductors_of, conducts_apart, predict_contacts
+   public :: refused_contact
 
 contains
 
@@ -178,9 +179,7 @@ contains
             k_p = k_p + k_slide + k_turning
             r_p = r_p + r_slide + r_turning
             if (conducts) call keep_current(electricity, circuit, point)
-            if (model%has_field(field_temperature)) then
-               call keep_temperatures(iterate%value(temperature_slots(1), nodes_p), point)
-            end if
+            if (model%has_field(field_temperature)) call keep_temperatures(elements, point)
          end associate
       end subroutine evaluate
 
@@ -375,6 +374,7 @@ contains
       resistance = [(points(members(i))%series_resistance, i=1, size(members))]
    end function resistances_by_point
 
+   !> The current of a point with a conductance, and what follows from it.
    pure subroutine set_current(current, rise, of_strips, point)
       !> [A], and rise of the potential above the linear one in either element (2) [V], barred first
       real(dp), intent(in) :: current, rise(2)
@@ -390,24 +390,13 @@ contains
 
    !> Temperatures linear between the nodes; where temperatures are solved for, those of the heat through the contact
    !> take their place.
-   pure subroutine keep_temperatures(nodal, point)
-      !> Of the nodes of both elements (4) [K]
-      real(dp), intent(in) :: nodal(4)
+   pure subroutine keep_temperatures(elements, point)
+      type(elements_t), intent(in) :: elements
       type(contact_point_t), intent(inout) :: point
 
-      point%temperature_bar = linear(nodal(1:2), point%xi_bar)
-      point%temperature = linear(nodal(3:4), point%xi)
+      point%temperature_bar = along_element(elements%temperature(:, point%element_bar), point%xi_bar)
+      point%temperature = along_element(elements%temperature(:, point%element), point%xi)
       point%temperature_max = max(point%temperature_bar, point%temperature)
-
-   contains
-
-      pure real(dp) function linear(ends, xi)
-         !> Temperatures of both nodes (2) [K], and place in [-1, 1]
-         real(dp), intent(in) :: ends(2), xi
-
-         linear = ((1 - xi)*ends(1) + (1 + xi)*ends(2))/2
-      end function linear
-
    end subroutine keep_temperatures
 
    elemental subroutine clear_results(point)

@@ -4,7 +4,7 @@
 !> Source: theory section 13.
 module litz_contact_heat_term
    use litz_kinds, only: dp
-   use litz_contact_forces, only: conductors_of, conducts_apart
+   use litz_contact_forces, only: conductors_of, conducts_apart, set_current
    use litz_contact_points, only: contact_set_t, contact_point_t
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
@@ -246,48 +246,53 @@ contains
    !> What results show.
    subroutine keep_heat(self)
       class(contact_heat_term_t), intent(inout) :: self
-      integer :: i, n
+      integer :: i
 
-      n = 0
-      associate (a => self%points, b => self%line_points)
-         do i = 1, self%n_points
-            call keep(self%contact%points(a(i)), n)
-         end do
-         do i = 1, self%n_line_points
-            call keep(self%contact%line_points(b(i)), n)
-         end do
-         do i = self%n_points + 1, size(a)
-            call keep(self%contact%points(a(i)), n)
-         end do
-         do i = self%n_line_points + 1, size(b)
-            call keep(self%contact%line_points(b(i)), n)
-         end do
-      end associate
+      do i = 1, size(self%points)
+         call keep(number_of_point(self, i), self%contact%points(self%points(i)))
+      end do
+      do i = 1, size(self%line_points)
+         call keep(number_of_line_point(self, i), self%contact%line_points(self%line_points(i)))
+      end do
 
    contains
 
-      subroutine keep(point, before)
+      subroutine keep(number, point)
+         !> Of the contact in `heat`
+         integer, intent(in) :: number
          type(contact_point_t), intent(inout) :: point
-         !> Contacts before this one; one more then
-         integer, intent(inout) :: before
 
-         before = before + 1
          associate (heat => self%heat)
-            point%temperature_bar = heat%bulk(1, before)
-            point%temperature = heat%bulk(2, before)
-            point%temperature_max = heat%spots(before)%hottest + heat%zero
-            point%heat_bar = heat%heat(1, before)
-            point%heat = heat%heat(2, before)
-            if (.not. (heat%resistances_follow .and. before <= size(heat%conductors%resistance))) return
-            point%current = heat%current(before)
-            point%conductance = 1/heat%conductors%resistance(before)
-            point%voltage_gap = point%current/point%conductance
-            point%heat_of_strips = point%current*heat%of_strips(before)
-            point%heat_inside = point%current*[-heat%potential_rise(1, before), heat%potential_rise(2, before)]
+            point%temperature_bar = heat%bulk(1, number)
+            point%temperature = heat%bulk(2, number)
+            point%temperature_max = heat%spots(number)%hottest + heat%zero
+            point%heat_bar = heat%heat(1, number)
+            point%heat = heat%heat(2, number)
+            if (.not. (heat%resistances_follow .and. number <= size(heat%conductors%resistance))) return
+            point%conductance = 1/heat%conductors%resistance(number)
+            call set_current(heat%current(number), heat%potential_rise(:, number), heat%of_strips(number), point)
          end associate
       end subroutine keep
 
    end subroutine keep_heat
+
+   !> Number of a crossing that passes heat among all contacts that do: those with a current come first.
+   pure integer function number_of_point(self, i) result(number)
+      class(contact_heat_term_t), intent(in) :: self
+      !> Place in `points`
+      integer, intent(in) :: i
+
+      number = merge(i, i + self%n_line_points, i <= self%n_points)
+   end function number_of_point
+
+   !> The same of a point of a line.
+   pure integer function number_of_line_point(self, i) result(number)
+      class(contact_heat_term_t), intent(in) :: self
+      !> Place in `line_points`
+      integer, intent(in) :: i
+
+      number = i + merge(self%n_points, size(self%points), i <= self%n_line_points)
+   end function number_of_line_point
 
    function refusal(self, domain) result(reason)
       class(contact_heat_term_t), intent(in) :: self
@@ -404,17 +409,15 @@ contains
    !> What the temperatures within the elements have come to; the contact term has taken over the points before.
    subroutine remember_heat(self)
       class(contact_heat_term_t), intent(inout) :: self
-      integer :: i, n_a, n_b
+      integer :: i
 
       if (.not. self%heat%is_solved) return
-      n_a = self%n_points
-      n_b = self%n_line_points
       associate (a => self%points, b => self%line_points, heat => self%heat, set => self%contact)
          do i = 1, size(a)
-            set%points(a(i))%history%settled_heat = heat%settled_heat(merge(i, i + n_b, i <= n_a))
+            set%points(a(i))%history%settled_heat = heat%settled_heat(number_of_point(self, i))
          end do
          do i = 1, size(b)
-            set%line_points(b(i))%history%settled_heat = heat%settled_heat(merge(i + n_a, i + size(a), i <= n_b))
+            set%line_points(b(i))%history%settled_heat = heat%settled_heat(number_of_line_point(self, i))
          end do
          set%converged(a)%history = set%points(a)%history
          set%converged_line_points(b)%history = set%line_points(b)%history

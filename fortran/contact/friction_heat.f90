@@ -40,13 +40,16 @@ contains
       type(contact_set_t), intent(in) :: set
       type(rubbing_t), allocatable, intent(out) :: found(:)
       logical :: goes_on(set%last_id)
+      integer :: n
 
-      allocate (found(0))
+      allocate (found(size(set%points) + size(set%line_points) + size(set%converged) + size(set%converged_line_points)))
+      n = 0
       goes_on = .false.
       call add_present(set%points)
       call add_present(set%line_points)
       call add_ended(set%converged)
       call add_ended(set%converged_line_points)
+      found = found(:n)
 
    contains
 
@@ -59,8 +62,7 @@ contains
                if (.not. point%closed) cycle
                if (.not. point%friction%dissipation + point%history%last_dissipation > 0) cycle
                if (point%id > 0) goes_on(point%id) = .true.
-               if (can_pass_heat(domain, point)) found = [found, rubbing_of(domain, point, &
-                  point%friction%dissipation, point%history%last_dissipation)]
+               call add(point, point%friction%dissipation)
             end associate
          end do
       end subroutine add_present
@@ -74,11 +76,20 @@ contains
             associate (point => points(i))
                if (.not. point%history%last_dissipation > 0) cycle
                if (goes_on(point%id)) cycle
-               if (can_pass_heat(domain, point)) found = [found, rubbing_of(domain, point, 0.0_dp, &
-                  point%history%last_dissipation)]
+               call add(point, 0.0_dp)
             end associate
          end do
       end subroutine add_ended
+
+      subroutine add(point, work)
+         type(contact_point_t), intent(in) :: point
+         !> Of friction in this increment [J]
+         real(dp), intent(in) :: work
+
+         if (.not. can_pass_heat(domain, point)) return
+         n = n + 1
+         found(n) = rubbing_of(domain, point, work, point%history%last_dissipation)
+      end subroutine add
 
    end subroutine find_rubbing
 

@@ -18,7 +18,7 @@ contains
    pure logical function has_yielded_spot(law)
       type(interaction_t), intent(in) :: law
 
-      has_yielded_spot = law%normal%yields() .and. (law%spot%serves_lines .or. law%spot%path_number > 0)
+      has_yielded_spot = law%normal%yields() .and. law%spot%is_of_mechanics
    end function has_yielded_spot
 
    !> Spot, conductance, and how this changes with the overlap and the angle.

@@ -94,11 +94,10 @@ contains
       type(interaction_t), intent(in) :: interaction
 
       if (.not. interaction%normal%yields()) return
-      if (interaction%spot%hardness_number > 0 .or. .not. (interaction%spot%serves_lines .or. &
-         interaction%spot%can_be_per_length .or. interaction%spot%path_number > 0)) call fail_at(self, &
-         parameter_of(self, card, 'LAW'), 'LAW='// &
-         trim(interaction%spot%name)//' makes a spot of its own; with YIELD spots follow the force of wires that'// &
-         ' yield: LAW=HERTZ, LAW=FILM or LAW=SHARVIN (CONSTANT and TABLE give the resistance)')
+      if (interaction%spot%is_of_mechanics .or. interaction%spot%can_be_per_length) return
+      call fail_at(self, parameter_of(self, card, 'LAW'), 'LAW='//trim(interaction%spot%name)// &
+         ' makes a spot of its own; with YIELD spots follow the force of wires that yield: LAW=HERTZ, LAW=FILM or'// &
+         ' LAW=SHARVIN (CONSTANT and TABLE give the resistance)')
    end subroutine check_spot
 
    subroutine read_behavior(self, card, interaction)

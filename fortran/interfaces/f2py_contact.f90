@@ -23,21 +23,22 @@ module f2py_contact
    private :: names_of, ellipse_for
 contains
 
-   pure subroutine names_of(laws, names, values)
+   pure subroutine names_of(laws, names, values, needed)
       type(law_words_t), intent(in) :: laws(:)
       !> Names of the laws (32), empty beyond them
       character(len=16), intent(out) :: names(32)
-      !> Names of the numbers of each (4, 32); with a `?` behind it, it may be left out
+      !> Names of the numbers of each (4, 32)
       character(len=16), intent(out) :: values(4, 32)
-      integer :: i, j
+      !> How many of these must be given (32); the others follow them
+      integer(c_int), intent(out) :: needed(32)
+      integer :: i
       names = ''
       values = ''
+      needed = 0
       do i = 1, size(laws)
          names(i) = laws(i)%name
-         do j = 1, size(values, 1)
-            values(j, i) = laws(i)%fields(j)%name
-            if (laws(i)%fields(j)%is_optional) values(j, i) = trim(values(j, i))//'?'
-         end do
+         values(:, i) = laws(i)%fields%name
+         needed(i) = laws(i)%n_fields() - count(laws(i)%fields%is_optional)
       end do
    end subroutine names_of
 
@@ -56,21 +57,25 @@ contains
    end subroutine ellipse_for
 
    ! Names of the normal laws and of their numbers, at the places of the laws; blank beyond the last one.
-   subroutine normal_law_names(names, values)
+   subroutine normal_law_names(names, values, needed)
       !> Names in capitals, blank beyond the last one
       character(len=16), intent(out) :: names(32)
       !> Names of the numbers that are their data (place, law), blank where there is none
       character(len=16), intent(out) :: values(4, 32)
-      call names_of(all_normal_laws(), names, values)
+      !> How many of these must be given, at the place of each law
+      integer(c_int), intent(out) :: needed(32)
+      call names_of(all_normal_laws(), names, values, needed)
    end subroutine normal_law_names
 
    ! The same of the spot laws.
-   subroutine spot_law_names(names, values)
+   subroutine spot_law_names(names, values, needed)
       !> Names in capitals, blank beyond the last one
       character(len=16), intent(out) :: names(32)
       !> Names of the numbers that are their data (place, law), blank where there is none
       character(len=16), intent(out) :: values(4, 32)
-      call names_of(all_spot_laws(), names, values)
+      !> How many of these must be given, at the place of each law
+      integer(c_int), intent(out) :: needed(32)
+      call names_of(all_spot_laws(), names, values, needed)
    end subroutine spot_law_names
 
    ! K, E, B, D, C, dK/dm, dE/dm at m, or with complementary /= 0 at 1 - m.

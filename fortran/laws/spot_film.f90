@@ -19,6 +19,7 @@ contains
       law%name = 'FILM'
       law%meaning = 'HERTZ with a film in series'
       law%uses_ellipse = .true.
+      law%is_of_mechanics = .true.
       law%serves_lines = .true.
       law%film_number = 1
       law%fields(1) = law_field_t('sigma_f', 'ohm m^2', 'film resistance times area')

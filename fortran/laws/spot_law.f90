@@ -46,6 +46,8 @@ module litz_spot_law
 
    !> Number 0: no current crosses the contact.
    type, extends(law_words_t) :: spot_law_t
+      !> It is the constriction of the metal in the spot that the mechanics has: of wires that yield that of their dent
+      logical :: is_of_mechanics = .false.
       !> It holds along a line, too: see `line_spot` of litz_line_law. Which of its numbers are the film resistance
       !> times area and the hardness there; 0: it has none
       logical :: serves_lines = .false.

@@ -18,6 +18,7 @@ contains
       law%name = 'SHARVIN'
       law%meaning = 'HERTZ with Sharvin''s resistance of small spots, and a film if there is one'
       law%uses_ellipse = .true.
+      law%is_of_mechanics = .true.
       law%path_number = 1
       law%film_number = 2
       law%fields(1) = law_field_t('rho_l', 'ohm m^2', 'resistivity times mean free path of the electrons, a'// &

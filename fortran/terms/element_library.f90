@@ -12,6 +12,7 @@ module litz_element_library
    use litz_wires, only: wires_t
    implicit none
    private
+   public :: along_element
    public :: elements_t, heated_beam_t, prepare_elements, heat_elements, beam_at_temperature, end_swelling, &
       material_at, material_place_t, evaluate_beam
 
@@ -224,25 +225,23 @@ contains
          t_mechanical = t
       end if
       associate (material => model%materials(model%sections(model%element_section(e))%material))
-         elasticity = elasticity_at(material, at_place(t_mechanical))
+         elasticity = elasticity_at(material, along_element(t_mechanical, xi))
          there%young = elasticity(1)
          there%poisson = elasticity(2)
          there%dtemperature = (t(2) - t(1))/2
          there%resistivity = elements%resistivity(e)
-         if (has_thermal_resistivity(material)) call property_at(material%resistivity, at_place(t), there%resistivity, &
-            there%dresistivity)
+         if (has_thermal_resistivity(material)) call property_at(material%resistivity, along_element(t, xi), &
+            there%resistivity, there%dresistivity)
       end associate
-
-   contains
-
-      pure real(dp) function at_place(ends)
-         !> Temperatures of both nodes (2) [K]
-         real(dp), intent(in) :: ends(2)
-
-         at_place = ((1 - xi)*ends(1) + (1 + xi)*ends(2))/2
-      end function at_place
-
    end function material_at
+
+   !> A value at a place of an element, linear between its nodes.
+   pure real(dp) function along_element(ends, xi)
+      !> Values at both nodes (2), and place in [-1, 1]
+      real(dp), intent(in) :: ends(2), xi
+
+      along_element = ((1 - xi)*ends(1) + (1 + xi)*ends(2))/2
+   end function along_element
 
    !> What temperature adds to the contact radius at both nodes [m].
    pure function end_swelling(model, elements, i, temperature) result(swelling)

@@ -2,10 +2,12 @@
 
 import html
 import importlib
+import re
 import subprocess
 import warnings
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import litz as litz_package
@@ -41,6 +43,29 @@ def run_of_input(litz_program, tmp_path_factory):
         return directories[name]
 
     return run
+
+
+@pytest.fixture
+def results_of(run_of_input):
+    """`results_of("01_crossed_wires")` are the results of a deck."""
+    return lambda name: Results(run_of_input(name))
+
+
+@pytest.fixture
+def header(inputs):
+    """`header("01_crossed_wires")` has the rows of numbers under Expect in the head of a deck."""
+
+    def rows(name):
+        comments = re.findall(r"^\*\*(.*)$", (inputs / f"{name}.inp").read_text(encoding="utf-8"), re.MULTILINE)
+        start = next(i for i, line in enumerate(comments) if line.startswith(" Expect"))
+        numbers = []
+        for line in comments[start + 1 :]:
+            words = line.replace(" x ", " ").split()
+            if words and all(re.fullmatch(r"[-+.\deE]+", word) for word in words):
+                numbers.append([float(word) for word in words])
+        return np.array(numbers)
+
+    return rows
 
 
 @pytest.fixture(scope="session")

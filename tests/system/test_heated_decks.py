@@ -1,103 +1,22 @@
 """The decks whose wires are heated by a current and by friction, against networks and series that know nothing of litz."""
 
-import importlib.util
-import itertools
 import math
-import re
 
 import numpy as np
 import pytest
 
-from litz import Results
 from litz import closed_forms as cf
-from litz.wires.chains import find_wires
+from networks import Network, points_of_mat
+from results_at import at
 
 ROOM = 293.15
 
 
-@pytest.fixture
-def results_of(run_of_input):
-    """`results_of("21_heated_mat")` are the results of a deck."""
-    return lambda name: Results(run_of_input(name))
-
-
-@pytest.fixture
-def expected(inputs):
-    """`expected("21_heated_mat")` has the rows of numbers at the end of the head of a deck."""
-
-    def rows(name):
-        text = (inputs / f"{name}.inp").read_text(encoding="utf-8")
-        numbers = re.findall(r"^\*\* +([\d. ]+)$", text, re.MULTILINE)
-        return [[float(word) for word in row.split()] for row in numbers]
-
-    return rows
-
-
-@pytest.fixture
-def make_decks(inputs):
-    """The module that writes the long decks."""
-    specification = importlib.util.spec_from_file_location("make_decks", inputs / "make_decks.py")
-    module = importlib.util.module_from_spec(specification)
-    specification.loader.exec_module(module)
-    return module
-
-
-def at(results, time):
-    """Index of the increment that ends at a time."""
-    (found,) = np.flatnonzero(np.abs(results.times - time) < 1e-9)
-    return int(found)
-
-
-def test_both_decks_are_those_of_their_generators(inputs, make_decks):
-    for name, make in {"21_heated_mat": make_decks.heated_mat, "22_wiper": make_decks.wiper}.items():
-        assert (inputs / f"{name}.inp").read_text(encoding="utf-8") == make().to_deck()
-
-
-class Network:
-    """Points joined by conductances; some are held, into others something flows."""
-
-    def __init__(self, n_points, links, held):
-        self.held = held
-        self.free = [point for point in range(n_points) if point not in held]
-        self.matrix = np.zeros((n_points, n_points))
-        for first, second, value in links:
-            self.matrix[[first, second], [first, second]] += value
-            self.matrix[[first, second], [second, first]] -= value
-
-    def solve(self, flowing_in):
-        values = np.zeros(len(self.matrix))
-        values[list(self.held)] = list(self.held.values())
-        right = flowing_in - self.matrix @ values
-        values[self.free] = np.linalg.solve(self.matrix[np.ix_(self.free, self.free)], right[self.free])
-        return values
-
-
-def points_of_mat(results, increment):
-    """Points of the wires at contacts, the stretches between them, the spots, and the points that electrodes hold."""
-    network = results.contact_network(increment)
-    n_contacts = len(network.id)
-    point = np.arange(2 * n_contacts).reshape(n_contacts, 2)
-    n_points = point.size
-    stretches, plates = [], {}
-    for number, wire in enumerate(find_wires(results.elements)):
-        k, side = np.nonzero(network.wires == number)
-        along = list(zip(network.arc[k, side], point[k, side], strict=True))
-        if number < 12:  # bars of the electrodes
-            arc = np.linalg.norm(results.nodes[wire.nodes] - results.nodes[wire.nodes[0]], axis=1)
-            nodes = range(n_points, n_points + len(arc))
-            plates |= dict.fromkeys(nodes, number >= 6)
-            along += zip(arc, nodes, strict=True)
-            n_points += len(arc)
-        along.sort()
-        stretches += [(p, q, b - a) for (a, p), (b, q) in itertools.pairwise(along)]
-    return network, n_points, stretches, plates
-
-
-def test_a_mat_is_two_networks_of_current_and_heat(results_of, expected):
+def test_a_mat_is_two_networks_of_current_and_heat(results_of, header):
     results = results_of("21_heated_mat")
     radius, resistivity, conductivity = 0.1e-3, 1 / 0.9e6, 11.3
     area = math.pi * radius**2
-    for time, resistance, hottest in expected("21_heated_mat"):
+    for time, resistance, hottest in header("21_heated_mat"):
         increment = at(results, time)
         voltage = 1e-3 + 59e-3 * (time - 1)
         network, n_points, stretches, plates = points_of_mat(results, increment)
@@ -113,9 +32,9 @@ def test_a_mat_is_two_networks_of_current_and_heat(results_of, expected):
             )
             assert network.resistance[k] == pytest.approx(holm.resistance, rel=1e-4)
         links = [(p, q, area / (resistivity * length)) for p, q, length in stretches] + spots
-        potential = Network(n_points, links, {p: voltage * upper for p, upper in plates.items()}).solve(
-            np.zeros(n_points)
-        )
+        circuit = Network(n_points, links, {p: voltage * upper for p, upper in plates.items()})
+        potential = circuit.solve(np.zeros(n_points))
+        current = circuit.flowing_in(potential)[[p for p, upper in plates.items() if upper]].sum()
         heat = np.zeros(n_points)
         for p, q, g in links:
             heat[[p, q]] += g * (potential[p] - potential[q]) ** 2 / 2
@@ -126,11 +45,6 @@ def test_a_mat_is_two_networks_of_current_and_heat(results_of, expected):
         ledger = results.contacts_at(increment)
         in_ledger = np.column_stack([ledger["temperature_1"], ledger["temperature_2"]])
         np.testing.assert_allclose(in_ledger, temperature[: in_ledger.size].reshape(-1, 2), atol=1e-5)
-        current = sum(
-            g * (potential[p] - potential[q]) * (plates.get(p, False) - plates.get(q, False))
-            for p, q, g in links
-            if (p in plates) != (q in plates)
-        )
         assert results.history["resistance PLUS to MINUS"][increment] == pytest.approx(voltage / current, rel=1e-8)
         assert [1e3 * voltage / current, temperature.max()] == pytest.approx([resistance, hottest], abs=0.006)
 
@@ -170,7 +84,7 @@ class Rod:
         return self.response @ self.sine**2
 
 
-def test_a_wiper_is_heated_by_friction_and_current(results_of, expected):
+def test_a_wiper_is_heated_by_friction_and_current(results_of, header):
     results = results_of("22_wiper")
     radius, resistivity, conductivity, capacity, current = 0.5e-3, 1 / 8e6, 62.0, 8800.0 * 380.0, 10.0
     area, modulus = math.pi * radius**2, 110e9 / (2 * (1 - 0.34**2))
@@ -204,7 +118,7 @@ def test_a_wiper_is_heated_by_friction_and_current(results_of, expected):
             arm.add(passing)
         exact.append((track.rise(), arm.rise()))
     exact = ROOM + np.array(exact)
-    for when, *temperatures in expected("22_wiper"):
+    for when, *temperatures in header("22_wiper"):
         k = int(np.argmin(np.abs(time - when)))
         assert temperatures == pytest.approx(list(exact[k - 1]), abs=0.006)
     begun = time[1:] > 1.1

@@ -4,62 +4,19 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
+from crossing_conductors import AMPERES, HALF, LAMBDA, METAL, RADIUS, ROOM, crossing
 from run_of_deck import refusal_of_deck, run_of_deck
 
-RADIUS, HALF, LAMBDA, ROOM, AMPERES = 0.5e-3, 0.01, 390.0, 300.0, 90.0
 AREA = np.pi * RADIUS**2
 RHO, ALPHA = 1.7e-8, 4e-3
 #: rho is linear in the temperature, five times as much at 1300 K
 SIGMA = f"{1 / RHO:.17g}, {ROOM}\n{1 / (5 * RHO):.17g}, 1300"
 
 
-def deck(elements, *, amperes=AMPERES, law="*GAP CONDUCTANCE, LAW=METAL, LORENZ=2.44e-8", spot="HERTZ", sigma=SIGMA):
-    """Two wires that cross in the middle of their middle elements, for a current that passes from an end of one to one of the
-    other."""
-    text = ""
-    for first, name, direction, height in ((1, "A", (1, 0), 0.0), (1001, "B", (0, 1), 2 * RADIUS - 4e-7)):
-        places = np.linspace(-HALF, HALF, elements + 1)
-        nodes = "\n".join(
-            f"{first + i}, {s * direction[0]:.17g}, {s * direction[1]:.17g}, {height:.17g}"
-            for i, s in enumerate(places)
-        )
-        members = "\n".join(f"{first + i}, {first + i}, {first + i + 1}" for i in range(elements))
-        text += f"*NODE, NSET=ALL\n{nodes}\n*ELEMENT, TYPE=B33, ELSET={name}\n{members}\n"
-    return f"""\
-*PHYSICAL CONSTANTS, ABSOLUTE ZERO=0
-{text}*MATERIAL, NAME=COPPER
-*ELASTIC
-1.2e11, 0.3
-*CONDUCTIVITY
-{LAMBDA}
-*ELECTRICAL CONDUCTIVITY
-{sigma}
-*BEAM SECTION, ELSET=A, MATERIAL=COPPER, SECTION=CIRC
-{RADIUS}
-*BEAM SECTION, ELSET=B, MATERIAL=COPPER, SECTION=CIRC
-{RADIUS}
-*SURFACE INTERACTION, NAME=TOUCH
-*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ
-*GAP ELECTRICAL CONDUCTANCE, LAW={spot}
-{law}
-*CONTACT PAIR, INTERACTION=TOUCH
-A, B
-*INITIAL CONDITIONS, TYPE=TEMPERATURE
-ALL, {ROOM}
-*BOUNDARY
-ALL, ENCASTRE
-*NSET, NSET=ENDS
-1, {elements + 1}, 1001, {elements + 1001}
-*STEP, INC=100
-*COUPLED THERMAL-ELECTRICAL, STEADY STATE
-0.2, 1, 0.01
-*BOUNDARY
-ENDS, 11, 11, {ROOM}
-1, 9
-*CECURRENT
-1001, , {amperes}
-*END STEP
-"""
+def deck(elements, *, amperes=AMPERES, law=METAL, spot="HERTZ", sigma=SIGMA):
+    """Both wires cross in the middle of their middle elements; in five steady increments."""
+    load = f"*CECURRENT\n1001, , {amperes}\n"
+    return crossing(elements, sigma, "0.2, 1, 0.01", procedure=", STEADY STATE", law=law, spot=spot, load=load)
 
 
 @pytest.fixture

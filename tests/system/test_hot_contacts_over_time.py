@@ -3,62 +3,23 @@
 import numpy as np
 import pytest
 
+from crossing_conductors import AMPERES, HALF, LAMBDA, RADIUS, ROOM, crossing
 from run_of_deck import run_of_deck
 from same_results import KEEP_ALL
 from test_restart import assert_goes_on_from_everywhere
 
-RADIUS, HALF, LAMBDA, RHO, DENSITY, HEAT, ROOM, AMPERES = 0.5e-3, 0.01, 390.0, 1.7e-8, 8900.0, 385.0, 300.0, 90.0
+RHO, DENSITY, HEAT = 1.7e-8, 8900.0, 385.0
 AREA = np.pi * RADIUS**2
 #: L^2/(pi^2 kappa) of a wire between its ends
 TAU = (2 * HALF) ** 2 * DENSITY * HEAT / (np.pi**2 * LAMBDA)
 
 
 def deck(elements, increments, *, procedure="", place=0.0, load=f"*CECURRENT\n1001, , {AMPERES}\n", step=""):
-    """Two wires that cross, at `place` of the first one, with a current through the spot, all ends held at room temperature."""
-    text = ""
-    for first, name in ((1, "A"), (1001, "B")):
-        places = np.linspace(-HALF, HALF, elements + 1)
-        at = [(s, 0.0, 0.0) if name == "A" else (place, s, 2 * RADIUS - 4e-7) for s in places]
-        nodes = "\n".join(f"{first + i}, {x:.17g}, {y:.17g}, {z:.17g}" for i, (x, y, z) in enumerate(at))
-        members = "\n".join(f"{first + i}, {first + i}, {first + i + 1}" for i in range(elements))
-        text += f"*NODE, NSET=ALL\n{nodes}\n*ELEMENT, TYPE=B33, ELSET={name}\n{members}\n"
-    return f"""\
-*PHYSICAL CONSTANTS, ABSOLUTE ZERO=0
-{text}*MATERIAL, NAME=COPPER
-*ELASTIC
-1.2e11, 0.3
-*CONDUCTIVITY
-{LAMBDA}
-*ELECTRICAL CONDUCTIVITY
-{1 / RHO:.17g}
-*DENSITY
-{DENSITY}
-*SPECIFIC HEAT
-{HEAT}
-*BEAM SECTION, ELSET=A, MATERIAL=COPPER, SECTION=CIRC
-{RADIUS}
-*BEAM SECTION, ELSET=B, MATERIAL=COPPER, SECTION=CIRC
-{RADIUS}
-*SURFACE INTERACTION, NAME=TOUCH
-*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ
-*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ
-*GAP CONDUCTANCE, LAW=METAL, LORENZ=2.44e-8
-*CONTACT PAIR, INTERACTION=TOUCH
-A, B
-*INITIAL CONDITIONS, TYPE=TEMPERATURE
-ALL, {ROOM}
-*BOUNDARY
-ALL, ENCASTRE
-*NSET, NSET=ENDS
-1, {elements + 1}, 1001, {elements + 1001}
-*STEP, INC=10000
-*COUPLED THERMAL-ELECTRICAL{procedure}
-{increments}
-*BOUNDARY
-ENDS, 11, 11, {ROOM}
-1, 9
-{load}{step}*END STEP
-"""
+    """Both wires store heat and cross at `place` of the first one."""
+    stored = f"*DENSITY\n{DENSITY}\n*SPECIFIC HEAT\n{HEAT}\n"
+    return crossing(
+        elements, f"{1 / RHO:.17g}", increments, procedure=procedure, place=place, stored=stored, load=load + step
+    )
 
 
 @pytest.fixture

@@ -13,10 +13,10 @@ from verification.references.helical_rods import Rod, Strand
 from verification.references.line_joints import LineJoint
 from verification.references.parallel_wires import ParallelWires, PressedWire
 
-from litz import Results
 from litz import closed_forms as cf
 from litz.results.summary import summary
-from litz.wires.chains import find_wires
+from networks import Network, points_of_mat
+from results_at import at
 
 COPPER = {"radius": 1e-3, "young": 120e9, "poisson": 0.34, "resistivity": 1.7e-8}
 COPPER_WIRE = cf.Wire(radius=1e-3, length=0.1, young=120e9, poisson=0.34, resistivity=1.7e-8)
@@ -46,35 +46,6 @@ DECKS = [
     "22_wiper",
 ]
 THIN_COPPER = {"radius": 0.1e-3, "young": 120e9, "poisson": 0.34, "resistivity": 1 / 58.8e6}
-
-
-@pytest.fixture
-def results_of(run_of_input):
-    """`results_of("01_crossed_wires")` are the results of a deck."""
-    return lambda name: Results(run_of_input(name))
-
-
-@pytest.fixture
-def header(inputs):
-    """`header("01_crossed_wires")` has the rows of numbers under Expect in the head of a deck."""
-
-    def rows(name):
-        comments = re.findall(r"^\*\*(.*)$", (inputs / f"{name}.inp").read_text(encoding="utf-8"), re.MULTILINE)
-        start = next(i for i, line in enumerate(comments) if line.startswith(" Expect"))
-        numbers = []
-        for line in comments[start + 1 :]:
-            words = line.replace(" x ", " ").split()
-            if words and all(re.fullmatch(r"[-+.\deE]+", word) for word in words):
-                numbers.append([float(word) for word in words])
-        return np.array(numbers)
-
-    return rows
-
-
-def at(results, time):
-    """Index of the increment that ends at a time."""
-    (found,) = np.flatnonzero(np.abs(results.times - time) < 1e-9)
-    return int(found)
 
 
 def only_contact(results, increment):
@@ -472,14 +443,9 @@ def wire_resistance(length):
 
 def kirchhoff(n_points, links, held):
     """Current into the points held at 1 V, with `links` (point, point, conductance) and `held` (point: potential)."""
-    matrix = np.zeros((n_points, n_points))
-    for first, second, value in links:
-        matrix[[first, second], [first, second]] += value
-        matrix[[first, second], [second, first]] -= value
-    potential = np.array([held.get(point, 0.0) for point in range(n_points)])
-    free = [point for point in range(n_points) if point not in held]
-    potential[free] = np.linalg.solve(matrix[np.ix_(free, free)], -(matrix @ potential)[free])
-    return (matrix @ potential)[[point for point, value in held.items() if value == 1.0]].sum()
+    network = Network(n_points, links, held)
+    potential = network.solve(np.zeros(n_points))
+    return network.flowing_in(potential)[[point for point, value in held.items() if value == 1.0]].sum()
 
 
 @pytest.fixture
@@ -500,6 +466,8 @@ def test_generated_decks_are_those_of_the_generator(inputs, make_decks):
         "16_bent_strand": make_decks.bent_strand,
         "18_rod_over_drum": make_decks.rod_over_drum,
         "17_knot": make_decks.knot,
+        "21_heated_mat": make_decks.heated_mat,
+        "22_wiper": make_decks.wiper,
     }
     for name, make in makers.items():
         assert (inputs / f"{name}.inp").read_text(encoding="utf-8") == make().to_deck()
@@ -565,23 +533,10 @@ def test_mat_conducts_better_the_more_it_is_pressed(results_of):
 
 def test_mat_is_the_network_of_its_contacts(results_of):
     results = results_of("11_fibre_mat")
-    network = results.contact_network()
-    n_contacts = len(network.id)
-    point = np.arange(2 * n_contacts).reshape(n_contacts, 2)
-    n_points = point.size
-    links = [(*point[k], 1 / network.resistance[k]) for k in range(n_contacts)]
-    held = {}
-    for number, wire in enumerate(find_wires(results.elements)):
-        k, side = np.nonzero(network.wires == number)
-        along = list(zip(network.arc[k, side], point[k, side], strict=True))
-        if number < 12:  # bars of the electrodes: all their nodes are held
-            arc = np.linalg.norm(results.nodes[wire.nodes] - results.nodes[wire.nodes[0]], axis=1)
-            nodes = range(n_points, n_points + len(arc))
-            held |= dict.fromkeys(nodes, float(number >= 6))
-            along += zip(arc, nodes, strict=True)
-            n_points += len(arc)
-        along.sort()
-        links += [(p, q, 1 / wire_resistance(b - a)) for (a, p), (b, q) in itertools.pairwise(along)]
+    network, n_points, stretches, plates = points_of_mat(results)
+    links = [(2 * k, 2 * k + 1, 1 / resistance) for k, resistance in enumerate(network.resistance)]
+    links += [(p, q, 1 / wire_resistance(length)) for p, q, length in stretches]
+    held = {point: float(upper) for point, upper in plates.items()}
     # whatever the number of contacts on an element
     assert results.conductance("PLUS", "MINUS") == pytest.approx(kirchhoff(n_points, links, held), rel=1e-9)
     assert results.conductance("PLUS", "MINUS") * results.history["resistance PLUS to MINUS"][-1] == pytest.approx(1)

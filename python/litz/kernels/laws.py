@@ -24,9 +24,11 @@ def law_table(names: NDArray[Any], values: NDArray[Any]) -> tuple[dict[str, int]
 
 
 #: The tables of `fortran/laws`
-NORMAL_LAWS, NORMAL_FIELDS = law_table(*_core.f2py_contact.normal_law_names())
-NORMAL_FIELDS = {law: [field.removesuffix("?") for field in fields] for law, fields in NORMAL_FIELDS.items()}
-SPOT_LAWS, SPOT_FIELDS = law_table(*_core.f2py_contact.spot_law_names())
+NORMAL_LAWS, NORMAL_FIELDS = law_table(*_core.f2py_contact.normal_law_names()[:2])
+_SPOT_NAMES, _SPOT_VALUES, _SPOT_NEEDED = _core.f2py_contact.spot_law_names()
+SPOT_LAWS, SPOT_FIELDS = law_table(_SPOT_NAMES, _SPOT_VALUES)
+#: How many of its numbers each spot law needs; the others follow them
+SPOT_NEEDED = {law: int(_SPOT_NEEDED[number - 1]) for law, number in SPOT_LAWS.items()}
 PRESSURE_LAWS, PRESSURE_FIELDS = law_table(*_core.f2py_surface.pressure_law_names()[:2])
 CONDUCTANCE_LAWS, CONDUCTANCE_FIELDS = law_table(*_core.f2py_surface.conductance_law_names()[:2])
 #: The argument that has the numbers of each normal law that has some
@@ -66,16 +68,25 @@ def normal_law_data(law: NormalLaw, **values: Numbers | None) -> tuple[int, NDAr
     return number, law_data(f'normal_law="{law}"', wanted, values, fields)
 
 
-def law_data(law: str, wanted: str | None, values: dict[str, Numbers | None], fields: list[str]) -> NDArray[np.float64]:
-    """The numbers of a law, after checking them; a law without any gets one that it does not look at."""
+def law_data(
+    law: str,
+    wanted: str | None,
+    values: dict[str, Numbers | None],
+    fields: list[str],
+    n_needed: int | None = None,
+) -> NDArray[np.float64]:
+    """The numbers of a law, after checking them; a law without any gets one that it does not look at.
+
+    `n_needed` of `fields` must be given, all of them when it is None.
+    """
     if wanted is None:
         return np.ones(1)
     value = values[wanted]
     if value is None:
         raise ValueError(f"{law} needs {wanted}")
-    needed = [field for field in fields if not field.endswith("?")]
-    if not len(needed) <= np.size(value) <= len(fields):
-        names = ", ".join(field if field in needed else f"{field[:-1]}, optional" for field in fields)
-        number = f"{len(fields)}" if len(needed) == len(fields) else f"{len(needed)} to {len(fields)}"
+    n_needed = len(fields) if n_needed is None else n_needed
+    if not n_needed <= np.size(value) <= len(fields):
+        names = ", ".join(fields[:n_needed] + [f"{field}, optional" for field in fields[n_needed:]])
+        number = f"{len(fields)}" if n_needed == len(fields) else f"{n_needed} to {len(fields)}"
         raise ValueError(f"{wanted} of {law} must have {number} numbers ({names}), not {np.size(value)}")
     return np.array([checks.positive(wanted, number) for number in np.ravel(value)])

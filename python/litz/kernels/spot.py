@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .. import _core
 from . import checks
-from .laws import CONDUCTANCE_LAWS, SPOT_FIELDS, SPOT_LAWS, law_data, law_per_spot
+from .laws import CONDUCTANCE_LAWS, SPOT_FIELDS, SPOT_LAWS, SPOT_NEEDED, law_data, law_per_spot
 from .wire_pair import Numbers, properties
 from .yielding import crossing_angle, refuse, refuse_wide, yield_data
 
@@ -208,7 +208,7 @@ def spot_law_data(
         raise ValueError(f'table belongs to the spot law "table", not to "{law}"')
     if law == "table":
         return number, np.column_stack(_table(table)).ravel()
-    return number, law_data(f'the spot law "{law}"', wanted, values, SPOT_FIELDS.get(law, []))
+    return number, law_data(f'the spot law "{law}"', wanted, values, SPOT_FIELDS.get(law, []), SPOT_NEEDED.get(law))
 
 
 def _table(table: ArrayLike | None) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
