@@ -202,6 +202,25 @@ class TestCharts:
         np.testing.assert_allclose(lines["contact 2"].get_ydata(), [1, 1])
         assert axes.get_ylabel() == "resistance [mΩ]"
 
+    def test_the_way_back_of_a_contact_is_told_from_its_way_up(self, results):
+        """A spot that keeps its size: loaded, let go by half, and loaded beyond."""
+        force, resistance = np.array([1.0, 4.0, 2.0, 3.0, 4.0, 9.0]), np.array([6.0, 3.0, 3.5, 3.2, 3.0, 2.0])
+        ledger = Table(
+            {"id": np.ones(6, dtype=int), "force": force, "resistance": resistance, "angle": np.ones(6)},
+            {"id": "", "force": "N", "resistance": "ohm", "angle": "rad"},
+        )
+        axes = Figure().add_subplot()
+        charts.resistance_over_force(axes, SimpleNamespace(contacts=ledger, unit_labels=results.unit_labels), -1)
+        up, way_back, below = axes.lines[:3]
+        np.testing.assert_allclose(up.get_xydata(), np.stack([force, resistance], axis=1)[[0, 1, 4, 5]])
+        np.testing.assert_allclose(way_back.get_xydata(), np.stack([force, resistance], axis=1)[[2, 3, 1]])
+        np.testing.assert_allclose(below.get_xdata(), [2, 3])
+        assert "below the largest force so far" in axes.get_legend_handles_labels()[1]
+        # the slopes go through the middle of the way up
+        slope = next(line for line in axes.lines if "Hertz" in line.get_label())
+        there = np.interp(np.log([1, 4, 4, 9]).mean(), np.log(slope.get_xdata()), np.log(slope.get_ydata()))
+        np.testing.assert_allclose(there, np.log([6, 3, 3, 2]).mean())
+
     def test_the_number_of_contacts_is_zero_where_there_are_none(self, results):
         axes = Figure().add_subplot()
         charts.contact_number(axes, results)

@@ -12,9 +12,13 @@ from ..base.table import Table
 from ..results import Results
 from ..results.contact_history import contacts_over_time
 
+Colour = str | tuple[float, float, float, float]
+
 _ONE_COLOUR = "#2a6f97"
 # More lines than this have one colour or become a band
 MAX_LINES = 12
+# Forces that differ by less, relatively, are the same force: what an iteration leaves
+_SAME_FORCE = 1e-6
 
 
 def resistance(figure: Figure, results: Results, increment: int) -> None:
@@ -90,7 +94,10 @@ def _history_of_one_quantity(axes: Axes, table: Table, names: list[str], quantit
 
 
 def resistance_over_force(axes: Axes, results: Results, increment: int) -> None:
-    """All contacts at all increments; straight lines show the powers that exact laws have."""
+    """All contacts at all increments; straight lines show the powers that exact laws have.
+
+    Of few contacts the history is seen: where metal yields, or spots remember, the way back is another one than the way up.
+    """
     ledger = results.contacts
     axes.set_title("Contact resistance")
     shown = ledger.where((ledger["resistance"] < np.inf) & (ledger["force"] > 0))
@@ -100,19 +107,12 @@ def resistance_over_force(axes: Axes, results: Results, increment: int) -> None:
     force_factor, force_unit = engineering(shown["force"], results.unit_labels["N"])
     factor, unit = engineering(shown["resistance"], results.unit_labels["ohm"])
     force, ohms = force_factor * shown["force"], factor * shown["resistance"]
-    ids = np.unique(shown["id"])
+    ids, loading = np.unique(shown["id"]), np.ones(shown.n_rows, dtype=bool)
     if len(ids) <= MAX_LINES:
         for i, contact in enumerate(ids):
-            one = shown["id"] == contact
-            order = np.argsort(force[one])
-            axes.plot(
-                force[one][order],
-                ohms[one][order],
-                "o-",
-                markersize=4,
-                color=colour_of(i, len(ids)),
-                label=f"contact {contact}",
-            )
+            one = np.flatnonzero(shown["id"] == contact)
+            way_up = _loading_and_return(axes, force[one], ohms[one], colour_of(i, len(ids)), f"contact {contact}")
+            loading[one[~way_up]] = False
         if len(ids) > 1:
             axes.legend(loc="upper right")
     else:
@@ -127,9 +127,29 @@ def resistance_over_force(axes: Axes, results: Results, increment: int) -> None:
     axes.margins(0.08)
     for axis in (axes.xaxis, axes.yaxis):
         _number_log_axis(axis)
-    _power_lines(axes, force, ohms)
+    _power_lines(axes, force[loading], ohms[loading])
     axes.set_xlabel(label("contact force", force_unit))
     axes.set_ylabel(label("resistance", unit))
+
+
+def _loading_and_return(axes: Axes, force: np.ndarray, ohms: np.ndarray, colour: Colour, name: str) -> np.ndarray:
+    """The history of one contact: dots where the force is the largest so far, which are returned, circles below it."""
+    largest = np.maximum.accumulate(force)
+    way_up = force >= largest * (1 - _SAME_FORCE)
+    axes.plot(force[way_up], ohms[way_up], "o-", markersize=4, color=colour, label=name)
+    # each way back begins at the dot before it, and ends at the dot at which the loading goes on
+    ends = np.flatnonzero(np.diff(np.concatenate([[True], way_up, [True]]).astype(int)))
+    for first, last in zip(ends[::2], ends[1::2], strict=True):
+        rows = np.arange(max(first - 1, 0), last)
+        rows = rows[np.argsort(force[rows])]
+        axes.plot(force[rows], ohms[rows], "--", linewidth=1.0, color=colour)
+        below = rows[~way_up[rows]]
+        axes.plot(force[below], ohms[below], "o", markersize=4, markerfacecolor="white", color=colour)
+    if not way_up.all():
+        text = "below the largest force so far"
+        if text not in axes.get_legend_handles_labels()[1]:
+            axes.plot([], [], "o--", markersize=4, markerfacecolor="white", linewidth=1.0, color=colour, label=text)
+    return way_up
 
 
 def _number_log_axis(axis: Axis) -> None:
@@ -398,7 +418,7 @@ def _per_increment(results: Results, values: np.ndarray) -> tuple[np.ndarray, np
     return times, np.array(sums)
 
 
-def colour_of(i: int, n: int) -> str | tuple[float, float, float, float]:
+def colour_of(i: int, n: int) -> Colour:
     """Colour-blind safe colours for few lines, a gradient for many."""
     few = ["#2a6f97", "#e8502a", "#5b8e3e", "#8e5ba6", "#c99700", "#4d4d4d"]
     return few[i] if n <= len(few) else _gradient()(i / max(1, n - 1))
