@@ -112,7 +112,7 @@ contains
       contact%dissipation = point%history%dissipation
       contact%resistance = ieee_value(contact%resistance, ieee_positive_inf)
       if (point%conductance > 0) contact%resistance = 1/point%conductance
-      contact%joule_heat = point%current*point%voltage_gap + point%heat_of_strips
+      contact%joule_heat = point%current*point%voltage_gap + point%heat_of_others
       if (point%line_place == 0) return
       contact%length = point%weight
       if (.not. point%closed) contact%length = point%weight*touching_length(point%cell)/sum(point%cell%reach)

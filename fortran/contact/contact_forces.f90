@@ -17,13 +17,15 @@ module litz_contact_forces
    use litz_friction_law, only: friction_law_t
    use litz_law_input, only: wire_pair_t
    use litz_model, only: model_t
+   use litz_mutual_resistances, only: mutual_resistances_t, both_of
    use litz_normal_forces, only: wires_of, is_lens, law_of_spot
    use litz_normal_law, only: normal_law_t
    use litz_parallel, only: worth_threads
    use litz_scatter, only: forces_t, chunk
    use litz_shared_conductors, only: shared_conductors_t, collect_shared
    use litz_sliding_forces, only: find_sliding
-   use litz_strips_of_wires, only: strips_t, collect_strips
+   use litz_spots_beside_spots, only: spot_t, collect_spots
+   use litz_strips_of_wires, only: collect_strips
    use litz_text, only: to_text
    use litz_timing, only: phase_contact, phase_assembly
    use litz_turning_forces, only: find_turning
@@ -283,24 +285,24 @@ contains
       type(contact_set_t), intent(inout) :: contact
       type(forces_t), intent(inout) :: forces
       integer, allocatable :: points(:), line_points(:)
-      real(dp), allocatable, dimension(:) :: current, voltage, of_strips
+      real(dp), allocatable, dimension(:) :: current, voltage, of_others
       real(dp), allocatable :: rise(:, :)
       integer :: k, n
 
-      allocate (points, source=in_series(contact%points))
+      allocate (points, source=in_circuit(model, contact%points))
       allocate (line_points, source=pack([(k, k=1, size(contact%line_points))], contact%line_points%conductance > 0))
       n = size(points)
       call conductors_of(model, wires, elements, contact, points, line_points, contact%shared)
       if (.not. contact%shared%present) return
       voltage = contact%shared%voltages(potential)
-      allocate (current(size(voltage)), rise(2, size(voltage)), of_strips(size(voltage)))
-      call contact%shared%currents(voltage, current, rise, of_strips)
+      allocate (current(size(voltage)), rise(2, size(voltage)), of_others(size(voltage)))
+      call contact%shared%currents(voltage, current, rise, of_others)
       call contact%shared%add_beyond(voltage, current, forces%internal(potential_slots(1), :))
       do k = 1, n
-         call set_current(current(k), rise(:, k), of_strips(k), contact%points(points(k)))
+         call set_current(current(k), rise(:, k), of_others(k), contact%points(points(k)))
       end do
       do k = 1, size(line_points)
-         call set_current(current(n + k), rise(:, n + k), of_strips(n + k), contact%line_points(line_points(k)))
+         call set_current(current(n + k), rise(:, n + k), of_others(n + k), contact%line_points(line_points(k)))
       end do
    end subroutine share_currents
 
@@ -315,7 +317,7 @@ contains
       type(shared_conductors_t), intent(out) :: shared
       integer, allocatable :: pairs(:, :), nodes(:, :)
       real(dp), allocatable :: conductance(:), xi(:, :), normal(:, :)
-      type(strips_t) :: strips
+      type(mutual_resistances_t) :: strips, spots
       integer :: k, n
 
       n = size(points)
@@ -329,20 +331,57 @@ contains
             size(line_points))], [3, size(pairs, 2)])
          call collect_strips(model, wires, elements, contact%places, pairs, xi, normal, &
             [(k > n, k=1, size(pairs, 2))], strips)
+         call collect_spots(model, wires, elements, [spots_of(model, a, points, 0), spots_of(model, b, line_points, n)], &
+            spots)
          call collect_shared(pairs, nodes, xi, reshape([resistances_by_point(a, points), &
-            resistances_by_point(b, line_points)], shape(pairs)), 1/conductance, strips, shared)
+            resistances_by_point(b, line_points)], shape(pairs)), 1/conductance, both_of(strips, spots), shared)
       end associate
    end subroutine conductors_of
 
-   !> Points whose current meets a resistance within an element.
-   pure function in_series(points) result(members)
+   !> Points whose current meets a resistance within an element, or feels that of other points.
+   pure function in_circuit(model, points) result(members)
+      type(model_t), intent(in) :: model
       type(contact_point_t), intent(in) :: points(:)
       integer, allocatable :: members(:)
       integer :: i
 
       allocate (members, source=pack([(i, i=1, size(points))], [(points(i)%conductance > 0 .and. &
-         any(points(i)%series_resistance > 0), i=1, size(points))]))
-   end function in_series
+         (any(points(i)%series_resistance > 0) .or. feels_others(model, points(i))), i=1, size(points))]))
+   end function in_circuit
+
+   !> The spot law of a point asks for what spots beside it add.
+   pure logical function feels_others(model, point)
+      type(model_t), intent(in) :: model
+      type(contact_point_t), intent(in) :: point
+
+      feels_others = model%interactions(model%contact_pairs(point%pair)%interaction)%mutual_resistance
+   end function feels_others
+
+   !> The points that feel each other, on each of their wires.
+   pure function spots_of(model, points, members, before) result(spots)
+      type(model_t), intent(in) :: model
+      type(contact_point_t), intent(in) :: points(:)
+      !> Which of them conduct (n), and the number of contacts before these
+      integer, intent(in) :: members(:), before
+      type(spot_t), allocatable :: spots(:)
+      integer :: i, k, n
+
+      allocate (spots(2*size(members)))
+      n = 0
+      do i = 1, size(members)
+         associate (point => points(members(i)))
+            if (.not. feels_others(model, point)) cycle
+            do k = 1, 2
+               n = n + 1
+               spots(n) = spot_t(before + i, k, merge(point%element_bar, point%element, k == 1), &
+                  merge(point%xi_bar, point%xi, k == 1), merge(point%arc_bar, point%arc, k == 1), &
+                  point%kinematics%normal, merge(point%element, point%element_bar, k == 1), point%line_place > 0, &
+                  1/point%conductance)
+            end do
+         end associate
+      end do
+      spots = spots(:n)
+   end function spots_of
 
    !> Elements, places in them, and resistances of the elements, barred before unbarred, point after point.
    pure function elements_by_point(points, members) result(elements)
@@ -375,16 +414,16 @@ contains
    end function resistances_by_point
 
    !> The current of a point with a conductance, and what follows from it.
-   pure subroutine set_current(current, rise, of_strips, point)
+   pure subroutine set_current(current, rise, of_others, point)
       !> [A], and rise of the potential above the linear one in either element (2) [V], barred first
       real(dp), intent(in) :: current, rise(2)
-      !> What other strips on its wires add to its voltage [V]
-      real(dp), intent(in) :: of_strips
+      !> What other contacts on its wires add to its voltage [V]
+      real(dp), intent(in) :: of_others
       type(contact_point_t), intent(inout) :: point
 
       point%current = current
       point%voltage_gap = current/point%conductance
-      point%heat_of_strips = current*of_strips
+      point%heat_of_others = current*of_others
       point%heat_inside = current*[-rise(1), rise(2)]
    end subroutine set_current
 
@@ -412,7 +451,7 @@ contains
       point%voltage_gap = 0
       point%series_resistance = 0
       point%heat_inside = 0
-      point%heat_of_strips = 0
+      point%heat_of_others = 0
       point%temperature_bar = 0
       point%temperature = 0
       point%temperature_max = 0

@@ -196,7 +196,7 @@ module litz_contact_points
       !> Resistance of the constriction in one wire over its resistivity [1/m]; 0: the law of the spot knows none
       real(dp) :: constriction = 0
       !> What it has more heat than it would have if its strip were the only one on its wires [W]
-      real(dp) :: heat_of_strips = 0
+      real(dp) :: heat_of_others = 0
    end type contact_point_t
 
    type :: contact_set_t

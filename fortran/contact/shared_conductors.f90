@@ -8,9 +8,9 @@
 module litz_shared_conductors
    use litz_element_ends, only: element_ends_t, collect_ends
    use litz_kinds, only: dp
+   use litz_mutual_resistances, only: mutual_resistances_t
    use litz_parallel, only: worth_threads
    use litz_potential_rise, only: potential_rise
-   use litz_strips_of_wires, only: strips_t
    implicit none
    private
    public :: shared_conductors_t, collect_shared
@@ -20,14 +20,14 @@ module litz_shared_conductors
    integer, parameter :: max_steps = 200
 
    type :: shared_conductors_t
-      !> Some element has more than one contact, or some wire strips side by side
+      !> Some element has more than one contact, or contacts raise each other's potential in a wire
       logical :: present = .false.
       !> Nodes (4, n) and N_V (4, n) of each contact: barred 1, barred 2, 1, 2
       integer, allocatable :: nodes(:, :)
       real(dp), allocatable :: n_v(:, :)
       !> Of the spot, and diagonal of R + A (n) [ohm]
       real(dp), allocatable :: resistance(:), diagonal(:)
-      type(strips_t) :: strips
+      type(mutual_resistances_t) :: mutual
       type(element_ends_t) :: ends
       !> rho L0/(4 A) [ohm] of each element that has any
       real(dp), allocatable :: scale(:)
@@ -41,23 +41,23 @@ module litz_shared_conductors
 contains
 
    !> The contacts with a current, and which elements they share.
-   subroutine collect_shared(elements, nodes, xi, scale, resistance, strips, shared)
+   subroutine collect_shared(elements, nodes, xi, scale, resistance, mutual, shared)
       !> Elements (2, n), barred first, and nodes (4, n)
       integer, intent(in) :: elements(:, :), nodes(:, :)
       !> Places in the elements (2, n), rho L0/(4 A) [ohm] of the elements (2, n), resistances of the spots (n) [ohm]
       real(dp), intent(in) :: xi(:, :), scale(:, :), resistance(:)
-      type(strips_t), intent(in) :: strips
+      type(mutual_resistances_t), intent(in) :: mutual
       type(shared_conductors_t), intent(out) :: shared
       integer :: i
 
       call collect_ends(elements, xi, shared%ends)
       associate (n_elements => size(shared%ends%element))
-         shared%present = size(strips%resistance) > 0 .or. (2*size(resistance) > n_elements .and. any(scale > 0))
+         shared%present = size(mutual%resistance) > 0 .or. (2*size(resistance) > n_elements .and. any(scale > 0))
          allocate (shared%scale(n_elements))
       end associate
       shared%nodes = nodes
       shared%resistance = resistance
-      shared%strips = strips
+      shared%mutual = mutual
       shared%diagonal = resistance + sum(scale*(1 - xi**2), 1)
       allocate (shared%n_v(4, size(resistance)))
       do i = 1, size(resistance)
@@ -80,7 +80,7 @@ contains
    end function voltages
 
    !> Solve `(R + A) I = voltage` by conjugate gradients with the diagonal as preconditioner.
-   subroutine currents(self, voltage, current, rise, of_strips)
+   subroutine currents(self, voltage, current, rise, of_others)
       class(shared_conductors_t), intent(in) :: self
       !> (n) [V]
       real(dp), intent(in) :: voltage(:)
@@ -88,21 +88,21 @@ contains
       real(dp), intent(out) :: current(:)
       !> Of the potential above the linear one at the contact in either element (2, n) [V], barred first
       real(dp), intent(out) :: rise(:, :)
-      !> What other strips add to the voltage of each contact (n) [V]
-      real(dp), intent(out) :: of_strips(:)
+      !> What other contacts add to the voltage of each contact (n) [V]
+      real(dp), intent(out) :: of_others(:)
       real(dp), dimension(size(voltage)) :: left, direction, product
       real(dp) :: error, error_before, error_allowed, step
       integer :: k
 
       current = voltage/self%diagonal
       error_allowed = accurate*sum(voltage*current)
-      call multiply(self, current, product, rise, of_strips)
+      call multiply(self, current, product, rise, of_others)
       left = voltage - product
       direction = left/self%diagonal
       error = sum(left**2/self%diagonal)
       do k = 1, max_steps
          if (.not. error > error_allowed) exit
-         call multiply(self, direction, product, rise, of_strips)
+         call multiply(self, direction, product, rise, of_others)
          step = error/sum(direction*product)
          current = current + step*direction
          left = left - step*product
@@ -110,18 +110,18 @@ contains
          error = sum(left**2/self%diagonal)
          direction = left/self%diagonal + error/error_before*direction
       end do
-      call multiply(self, current, product, rise, of_strips)
+      call multiply(self, current, product, rise, of_others)
    end subroutine currents
 
    !> `(R + A) I`, with the rise of the potential that belongs to it.
-   subroutine multiply(self, current, product, rise, of_strips)
+   subroutine multiply(self, current, product, rise, of_others)
       type(shared_conductors_t), intent(in) :: self
       !> From the barred to the unbarred wire (n) [A]
       real(dp), intent(in) :: current(:)
       !> `(R + A) I` (n), and rise of the potential above the linear one in either element (2, n) [V], barred first
       real(dp), intent(out) :: product(:), rise(:, :)
-      !> What other strips add to the voltage of each contact (n) [V]
-      real(dp), intent(out) :: of_strips(:)
+      !> What other contacts add to the voltage of each contact (n) [V]
+      real(dp), intent(out) :: of_others(:)
       integer :: k
 
       !$omp parallel do schedule(static) if (size(self%scale) >= worth_threads)
@@ -130,8 +130,8 @@ contains
       end do
       !$omp end parallel do
       product = self%resistance*current - rise(1, :) + rise(2, :)
-      of_strips = self%strips%voltages(current)
-      product = product + of_strips
+      of_others = self%mutual%voltages(current)
+      product = product + of_others
    end subroutine multiply
 
    !> The rise of the potential at the contacts of one element, by their currents.
@@ -182,10 +182,10 @@ contains
       !> (n_nodes) [A]
       real(dp), intent(inout) :: y(:)
       real(dp) :: voltage(size(self%resistance)), current(size(self%resistance)), rise(2, size(self%resistance)), &
-         of_strips(size(self%resistance))
+         of_others(size(self%resistance))
 
       voltage = self%voltages(potential)
-      call self%currents(voltage, current, rise, of_strips)
+      call self%currents(voltage, current, rise, of_others)
       call self%add_beyond(voltage, current, y)
    end subroutine add_product
 

@@ -9,18 +9,11 @@ module litz_strips_of_wires
    use litz_element_library, only: elements_t, material_at, material_place_t
    use litz_line_places, only: line_places_t, place_at
    use litz_model, only: model_t
+   use litz_mutual_resistances, only: mutual_resistances_t
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: strips_t, collect_strips
-
-   type :: strips_t
-      !> Pairs of contacts (2, n), and the voltage of either that a current of the other one adds (n) [ohm]
-      integer, allocatable :: contacts(:, :)
-      real(dp), allocatable :: resistance(:)
-   contains
-      procedure :: voltages
-   end type strips_t
+   public :: collect_strips
 
    !> A contact at a place of one of its wires.
    type :: part_t
@@ -48,7 +41,7 @@ contains
       real(dp), intent(in) :: xi(:, :), normal(:, :)
       !> The contact is a point of a line (n)
       logical, intent(in) :: is_line(:)
-      type(strips_t), intent(out) :: strips
+      type(mutual_resistances_t), intent(out) :: strips
       type(part_t), allocatable :: parts(:)
       integer, allocatable :: last(:)
       integer :: n_parts, i, side, n, place, a, b, pass
@@ -131,22 +124,5 @@ contains
       end subroutine add_pair
 
    end subroutine collect_strips
-
-   !> What the currents of other strips add to the voltage of each contact (n) [V].
-   pure function voltages(self, current)
-      class(strips_t), intent(in) :: self
-      !> From the barred to the unbarred wire (n) [A]
-      real(dp), intent(in) :: current(:)
-      real(dp) :: voltages(size(current))
-      integer :: k
-
-      voltages = 0
-      do k = 1, size(self%resistance)
-         associate (a => self%contacts(1, k), b => self%contacts(2, k))
-            voltages(a) = voltages(a) + self%resistance(k)*current(b)
-            voltages(b) = voltages(b) + self%resistance(k)*current(a)
-         end associate
-      end do
-   end function voltages
 
 end module litz_strips_of_wires

@@ -180,6 +180,7 @@ contains
 
       interaction%voltage_correction = choice_of(self, card, 'VOLTAGE') == 'CORRECTED'
       interaction%spot_memory = choice_of(self, card, 'SPOT') == 'LARGESTFORCE'
+      interaction%mutual_resistance = choice_of(self, card, 'MUTUAL RESISTANCE') == 'YES'
       interaction%spot = spot_law(choice_of(self, card, 'LAW'))
       interaction%spot%is_per_length = choice_of(self, card, 'PER') == 'LENGTH'
       if (interaction%spot%is_per_length .and. .not. interaction%spot%can_be_per_length) then

@@ -126,6 +126,8 @@ module litz_model
       logical :: voltage_correction = .true.
       !> The spot stays as large as it has been since the contact closed or slipped
       logical :: spot_memory = .false.
+      !> Spots near each other on one wire raise each other's potential
+      logical :: mutual_resistance = .false.
    end type interaction_t
 
    type :: contact_pair_t

@@ -258,6 +258,7 @@ contains
       call record%value('PER of *GAP CONDUCTANCE', trim(merge('LENGTH', 'SPOT  ', this%heat%is_per_length)))
       call record%value('AXIS', this%axis)
       call record%value('VOLTAGE', trim(merge('CORRECTED', 'LINEAR   ', this%voltage_correction)))
+      call record%value('MUTUAL RESISTANCE', trim(merge('YES', 'NO ', this%mutual_resistance)))
       call record%value('PER', trim(merge('LENGTH', 'SPOT  ', this%spot%is_per_length)))
       call record%value('SPOT', trim(merge('LARGEST FORCE', 'PRESENT FORCE', this%spot_memory)))
 

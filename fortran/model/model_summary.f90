@@ -225,6 +225,7 @@ contains
          if (interaction%spot%is_per_length) words = words//' per length'
          if (interaction%spot_memory) words = words//' of the largest force'
          words = words//', '//trim(merge('corrected', 'linear   ', interaction%voltage_correction))//' voltage'
+         if (interaction%mutual_resistance) words = words//', mutual resistances'
       else
          words = words//', no current'
       end if

@@ -122,15 +122,18 @@ class _Spot(_Law):
     spot : {"PRESENT FORCE", "LARGEST FORCE"}
         LARGEST FORCE: a spot that has been pressed stays, with the resistance of the largest force since the contact
         closed, slipped, or without friction moved by more than the spot.
+    mutual_resistance : {"NO", "YES"}
+        YES: contacts that are near each other on one wire raise each other's potential.
     """
 
     voltage: str = "CORRECTED"
     spot: str = "PRESENT FORCE"
+    mutual_resistance: str = "NO"
 
     def card(self) -> CardSpec:
         """The card of the law."""
         law, rows = self._law()
-        parameters = {"LAW": law, **_unless(self, voltage="CORRECTED", spot="PRESENT FORCE")}
+        parameters = {"LAW": law, **_unless(self, voltage="CORRECTED", spot="PRESENT FORCE", mutual_resistance="NO")}
         return "GAP ELECTRICAL CONDUCTANCE", parameters, rows
 
     def _law(self) -> tuple[str, list[list[float]]]:
@@ -442,7 +445,7 @@ HERTZ_AND_HOLM: Interaction = predefined(
     Interaction,
     name="TOUCH",
     behaviour=predefined(Hertz, penetration="LIMITED"),
-    conductance=predefined(HertzSpot, voltage="CORRECTED", spot="PRESENT FORCE"),
+    conductance=predefined(HertzSpot, voltage="CORRECTED", spot="PRESENT FORCE", mutual_resistance="NO"),
     friction=None,
     axis="HERMITE",
     heat=None,
@@ -478,4 +481,8 @@ class ContactPair:
 
 def _unless(law: object, **defaults: str) -> dict[str, str]:
     """Parameters that differ from what the deck takes without them; their names are those of the deck in lower case."""
-    return {name.upper(): getattr(law, name) for name, usual in defaults.items() if getattr(law, name) != usual}
+    return {
+        name.upper().replace("_", " "): getattr(law, name)
+        for name, usual in defaults.items()
+        if getattr(law, name) != usual
+    }

@@ -1,0 +1,46 @@
+!> What the current of one contact adds to the voltage of another one through a wire that both touch.
+!>
+!> Source: theory section 10. Strips side by side on a wire (strips_of_wires) and spots near each other
+!> (spots_beside_spots) are such contacts.
+module litz_mutual_resistances
+   use litz_kinds, only: dp
+   implicit none
+   private
+   public :: mutual_resistances_t, both_of
+
+   type :: mutual_resistances_t
+      !> Pairs of contacts (2, n), and the voltage of either that a current of the other one adds (n) [ohm]
+      integer, allocatable :: contacts(:, :)
+      real(dp), allocatable :: resistance(:)
+   contains
+      procedure :: voltages
+   end type mutual_resistances_t
+
+contains
+
+   !> Those of two lists.
+   pure type(mutual_resistances_t) function both_of(a, b) result(both)
+      type(mutual_resistances_t), intent(in) :: a, b
+
+      both%contacts = reshape([a%contacts, b%contacts], [2, size(a%resistance) + size(b%resistance)])
+      both%resistance = [a%resistance, b%resistance]
+   end function both_of
+
+   !> What the currents of other contacts add to the voltage of each (n) [V].
+   pure function voltages(self, current)
+      class(mutual_resistances_t), intent(in) :: self
+      !> From the barred to the unbarred wire (n) [A]
+      real(dp), intent(in) :: current(:)
+      real(dp) :: voltages(size(current))
+      integer :: k
+
+      voltages = 0
+      do k = 1, size(self%resistance)
+         associate (a => self%contacts(1, k), b => self%contacts(2, k))
+            voltages(a) = voltages(a) + self%resistance(k)*current(b)
+            voltages(b) = voltages(b) + self%resistance(k)*current(a)
+         end associate
+      end do
+   end function voltages
+
+end module litz_mutual_resistances
