@@ -331,8 +331,8 @@ contains
             size(line_points))], [3, size(pairs, 2)])
          call collect_strips(model, wires, elements, contact%places, pairs, xi, normal, &
             [(k > n, k=1, size(pairs, 2))], strips)
-         call collect_spots(model, wires, elements, [spots_of(model, a, points, 0), spots_of(model, b, line_points, n)], &
-            spots)
+         call collect_spots(model, wires, elements, [spots_of(model, a, points, 0), &
+            spots_of(model, b, line_points, n)], spots)
          call collect_shared(pairs, nodes, xi, reshape([resistances_by_point(a, points), &
             resistances_by_point(b, line_points)], shape(pairs)), 1/conductance, both_of(strips, spots), shared)
       end associate

@@ -21,9 +21,13 @@ contains
    !> Those of two lists.
    pure type(mutual_resistances_t) function both_of(a, b) result(both)
       type(mutual_resistances_t), intent(in) :: a, b
+      integer :: n
 
-      both%contacts = reshape([a%contacts, b%contacts], [2, size(a%resistance) + size(b%resistance)])
-      both%resistance = [a%resistance, b%resistance]
+      n = size(a%resistance)
+      allocate (both%contacts(2, n + size(b%resistance)))
+      both%contacts(:, :n) = a%contacts
+      both%contacts(:, n + 1:) = b%contacts
+      allocate (both%resistance, source=[a%resistance, b%resistance])
    end function both_of
 
    !> What the currents of other contacts add to the voltage of each (n) [V].

@@ -1,8 +1,8 @@
 !> Spots near each other on one wire: the current of each raises the potential at the others.
 !>
-!> Source: theory section 10, and J. A. Greenwood, Br. J. Appl. Phys. 17 (1966) 1621-1632: `rho I/(2 pi s)` at a distance s
-!> that is small compared with the wire; farther away what the wire leaves of it above the mean of the section, which
-!> conductors have.
+!> Source: theory section 10, and J. A. Greenwood, Br. J. Appl. Phys. 17 (1966) 1621-1632: `rho I/(2 pi s)` at a
+!> distance s that is small compared with the wire; farther away what the wire leaves of it above the mean of the
+!> section, which conductors have.
 module litz_spots_beside_spots
    use litz_kinds, only: dp
    use litz_element_library, only: elements_t, material_at, material_place_t
@@ -47,8 +47,9 @@ contains
          do wire = 1, wires%n_wires
             do i = first(wire), first(wire + 1) - 1
                do j = first(wire), i - 1
-                  if (are_near(wires, elements, spots(members(i)), spots(members(j)))) call add_pair(spots(members(i)), &
-                     spots(members(j)))
+                  associate (a => spots(members(i)), b => spots(members(j)))
+                     if (are_near(wires, elements, a, b)) call add_pair(a, b)
+                  end associate
                end do
             end do
          end do

@@ -1,7 +1,8 @@
 !> Potential that a current raises round the place where it enters a wire, above the mean of the sections.
 !>
-!> Source: theory section 10. A point source on an infinite cylinder: modes `J_m(j' r/R) cos(m theta) exp(-j' |z|/R)`, of
-!> which the four slowest are here; the others, which the spot needs nearby, are one term that falls as `exp(-3 s/R)`.
+!> Source: theory section 10. A point source on an infinite cylinder: modes `J_m(j' r/R) cos(m theta) exp(-j' |z|/R)`,
+!> of which the four slowest are here; the others, which the spot needs nearby, are one term that falls as
+!> `exp(-3 s/R)`.
 !> Numbers fitted to 10^4 modes, within 0.02 `rho I/R` at all distances from 0.06 R on (0.008 in the mean).
 module litz_spot_on_wire
    use litz_kinds, only: dp, pi
