@@ -131,6 +131,8 @@ contains
       resistance = sense*resistivity/radius*potential_beside_spot(sense*dot_product(a%normal, b%normal), &
          wires%arc_between(wires%wire(a%element), a%arc, b%arc)/radius, &
          resistivity/2*(1/a%resistance + 1/b%resistance)/radius)
+      ! a resistance that is given may be below that of any spot on such a wire: (R + A) stays positive definite
+      resistance = resistance*min(1.0_dp, sqrt(a%resistance*b%resistance)*radius/resistivity)
    end function resistance_between
 
 end module litz_spots_beside_spots

@@ -1,6 +1,8 @@
 """Spots near each other on one wire: the current of each raises the potential at the other, by as much as the modes of
 a cylinder say (`MUTUAL RESISTANCE=YES`)."""
 
+import re
+
 import numpy as np
 import pytest
 from scipy.special import jnp_zeros
@@ -89,3 +91,15 @@ def test_contacts_within_elements_feel_each_other_beside_the_voltage_that_the_el
     (_, with_it), (_, without) = contacts(run, text), contacts(run, alone)
     added = VOLTAGE / np.abs(with_it["current"]) - VOLTAGE / np.abs(without["current"])
     np.testing.assert_allclose(added, modes(0, 0.25) * THICK.resistivity / THICK.radius, rtol=0.04)
+
+
+@pytest.mark.parametrize("resistance", [1e-9, 1e-7, 1e-5])
+def test_no_resistance_is_too_small(run, resistance):
+    """Contacts that are given less resistance than a spot can have, at unequal voltages: each current follows its own."""
+    text = re.sub(r"LAW=PLASTIC(.*)\n .*", rf"LAW=CONSTANT\1\n {resistance}", deck(0, 0.1))
+    results, ledger = contacts(run, text.replace("THIN2, 9, 9, 0.", f"THIN2, 9, 9, {VOLTAGE / 2}"))
+    current = np.abs(ledger["current"])
+    assert current[0] > current[1] > 0
+    power = VOLTAGE * current[0] + VOLTAGE / 2 * current[1]
+    assert ledger["joule_heat"].sum() == pytest.approx(power, rel=1e-9)
+    assert results.finished
