@@ -241,12 +241,16 @@ class PlainReader:
             if keyword == "SURFACEINTERACTION":
                 self.names[keyword].append(capitals(parameters["NAME"]))
                 axis = AXES[squeezed(parameters.get("AXIS", "HERMITE"))]
-                found.append([2, 0, axis, 0, 1, 1, 0, 0.0, 0.0, 0.0, 0.0])
+                found.append([2, 0, axis, 0, 1, 1, 0, 0.0, 0.0, 0.0, 0.0, 0.0])
             elif keyword == "SURFACEBEHAVIOR":
                 linear = squeezed(parameters["PRESSURE-OVERCLOSURE"]) == "LINEAR"
                 found[-1][0] = 1 if linear else 2
                 found[-1][3] = int(squeezed(parameters.get("PENETRATION", "")) == "UNLIMITED")
                 found[-1][7] = given[0] if linear else 0.0
+                # wires that yield have a law of their own, which decks name HERTZ
+                found[-1][11] = number(parameters.get("YIELD", "0."))
+                if found[-1][11] > 0:
+                    found[-1][0] = 0
             elif keyword == "FRICTION":
                 found[-1][9] = given[0]
                 for law, parameter in ((2, "ELASTICSLIP"), (3, "STICKSTIFFNESS")):

@@ -49,6 +49,9 @@ DECKS = [
 ]
 THIN_COPPER = {"radius": 0.1e-3, "young": 120e9, "poisson": 0.34, "resistivity": 1 / 58.8e6}
 
+#: Numbers with a point, as generators write them; names and counts stay text
+NUMBER = r"(-?\d+\.\d*(?:[eE][-+]?\d+)?|-?\d+[eE][-+]?\d+)"
+
 
 def only_contact(results, increment):
     """The values of the only contact at an increment."""
@@ -472,7 +475,14 @@ def test_generated_decks_are_those_of_the_generator(inputs, make_decks):
         "22_wiper": make_decks.wiper,
     }
     for name, make in makers.items():
-        assert (inputs / f"{name}.inp").read_text(encoding="utf-8") == make().to_deck()
+        kept, made = (
+            re.split(NUMBER, text) for text in ((inputs / f"{name}.inp").read_text(encoding="utf-8"), make().to_deck())
+        )
+        assert kept[::2] == made[::2], name
+        # processors round sums of products differently, in the last of 16 digits of coordinates that cancel
+        np.testing.assert_allclose(
+            [float(x) for x in kept[1::2]], [float(x) for x in made[1::2]], rtol=1e-12, atol=1e-15
+        )
 
 
 def test_a_knot_short_circuits_its_loop(results_of, make_decks):
