@@ -99,7 +99,8 @@ contains
             interaction%axis, merge(1, 0, interaction%unlimited_penetration), &
             merge(1, 0, interaction%voltage_correction), interaction%stick_law, &
             merge(1, 0, interaction%spot_memory)])// &
-            show([normal%data(1), spot%data(1), interaction%friction, interaction%stick_value, normal%yield_stress])//table
+            show([normal%data(1), spot%data(1), interaction%friction, interaction%stick_value, &
+            normal%yield_stress])//table
       end associate
    end subroutine print_interaction
 
