@@ -24,7 +24,7 @@ module litz_contact_forces
    use litz_scatter, only: forces_t, chunk
    use litz_shared_conductors, only: shared_conductors_t, collect_shared
    use litz_sliding_forces, only: find_sliding
-   use litz_spots_beside_spots, only: spot_t, collect_spots
+   use litz_spots_beside_spots, only: collect_spots
    use litz_strips_of_wires, only: collect_strips
    use litz_text, only: to_text
    use litz_timing, only: phase_contact, phase_assembly
@@ -331,8 +331,8 @@ contains
             size(line_points))], [3, size(pairs, 2)])
          call collect_strips(model, wires, elements, contact%places, pairs, xi, normal, &
             [(k > n, k=1, size(pairs, 2))], strips)
-         call collect_spots(model, wires, elements, [spots_of(model, a, points, 0), &
-            spots_of(model, b, line_points, n)], spots)
+         call collect_spots(model, wires, elements, pairs, xi, normal, 1/conductance, [(k > n, k=1, size(pairs, 2))], &
+            feels_others(model, [a(points)%pair, b(line_points)%pair]), spots)
          call collect_shared(pairs, nodes, xi, reshape([resistances_by_point(a, points), &
             resistances_by_point(b, line_points)], shape(pairs)), 1/conductance, both_of(strips, spots), shared)
       end associate
@@ -346,42 +346,17 @@ contains
       integer :: i
 
       allocate (members, source=pack([(i, i=1, size(points))], [(points(i)%conductance > 0 .and. &
-         (any(points(i)%series_resistance > 0) .or. feels_others(model, points(i))), i=1, size(points))]))
+         (any(points(i)%series_resistance > 0) .or. feels_others(model, points(i)%pair)), i=1, size(points))]))
    end function in_circuit
 
-   !> The spot law of a point asks for what spots beside it add.
-   pure logical function feels_others(model, point)
+   !> The spot law of a contact pair asks for what spots beside a spot add.
+   elemental logical function feels_others(model, pair)
       type(model_t), intent(in) :: model
-      type(contact_point_t), intent(in) :: point
+      !> Number of the pair
+      integer, intent(in) :: pair
 
-      feels_others = model%interactions(model%contact_pairs(point%pair)%interaction)%mutual_resistance
+      feels_others = model%interactions(model%contact_pairs(pair)%interaction)%mutual_resistance
    end function feels_others
-
-   !> The points that feel each other, on each of their wires.
-   pure function spots_of(model, points, members, before) result(spots)
-      type(model_t), intent(in) :: model
-      type(contact_point_t), intent(in) :: points(:)
-      !> Which of them conduct (n), and the number of contacts before these
-      integer, intent(in) :: members(:), before
-      type(spot_t), allocatable :: spots(:)
-      integer :: i, k, n
-
-      allocate (spots(2*size(members)))
-      n = 0
-      do i = 1, size(members)
-         associate (point => points(members(i)))
-            if (.not. feels_others(model, point)) cycle
-            do k = 1, 2
-               n = n + 1
-               spots(n) = spot_t(before + i, k, merge(point%element_bar, point%element, k == 1), &
-                  merge(point%xi_bar, point%xi, k == 1), merge(point%arc_bar, point%arc, k == 1), &
-                  point%kinematics%normal, merge(point%element, point%element_bar, k == 1), point%line_place > 0, &
-                  1/point%conductance)
-            end do
-         end associate
-      end do
-      spots = spots(:n)
-   end function spots_of
 
    !> Elements, places in them, and resistances of the elements, barred before unbarred, point after point.
    pure function elements_by_point(points, members) result(elements)

@@ -295,8 +295,8 @@ contains
          'CORRECTED adds the resistance neglected by the linear voltage within an'// &
          ' element', default='CORRECTED'))
       call k%add(choice('MUTUAL RESISTANCE', 'NO|YES', &
-         'YES: the currents of contacts that are near each other on one wire, within three radii of it along the'// &
-         ' wire, raise each other''s potential (litz extension)', default='NO'))
+         'YES: contacts that are near each other on one wire, within three of its radii along it, raise each'// &
+         ' other''s potential (litz extension)', default='NO'))
       call k%add(choice('SPOT', 'PRESENT FORCE|LARGEST FORCE', &
          'LARGEST FORCE: the spot keeps the size of the largest force since the contact closed or slipped (without'// &
          ' friction: moved by more than the spot) (litz extension)', default='PRESENT FORCE'))

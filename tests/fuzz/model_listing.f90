@@ -98,9 +98,9 @@ contains
          write (unit, '(a)') 'interaction '//interaction%name//show([normal%number, spot%number, &
             interaction%axis, merge(1, 0, interaction%unlimited_penetration), &
             merge(1, 0, interaction%voltage_correction), interaction%stick_law, &
-            merge(1, 0, interaction%spot_memory)])// &
+            merge(1, 0, interaction%spot_memory), merge(1, 0, interaction%mutual_resistance)])// &
             show([normal%data(1), spot%data(1), interaction%friction, interaction%stick_value, &
-            normal%yield_stress])//table
+            normal%yield_stress, normal%hardness])//table
       end associate
    end subroutine print_interaction
 

@@ -241,30 +241,31 @@ class PlainReader:
             if keyword == "SURFACEINTERACTION":
                 self.names[keyword].append(capitals(parameters["NAME"]))
                 axis = AXES[squeezed(parameters.get("AXIS", "HERMITE"))]
-                found.append([2, 0, axis, 0, 1, 1, 0, 0.0, 0.0, 0.0, 0.0, 0.0])
+                found.append([2, 0, axis, 0, 1, 1, 0, 0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0])
             elif keyword == "SURFACEBEHAVIOR":
                 linear = squeezed(parameters["PRESSURE-OVERCLOSURE"]) == "LINEAR"
                 found[-1][0] = 1 if linear else 2
                 found[-1][3] = int(squeezed(parameters.get("PENETRATION", "")) == "UNLIMITED")
-                found[-1][7] = given[0] if linear else 0.0
+                found[-1][8] = given[0] if linear else 0.0
                 # wires that yield have a law of their own, which decks name HERTZ
-                found[-1][11] = number(parameters.get("YIELD", "0."))
-                if found[-1][11] > 0:
+                found[-1][12], found[-1][13] = (number(parameters.get(name, "0.")) for name in ("YIELD", "HARDNESS"))
+                if found[-1][12] > 0:
                     found[-1][0] = 0
             elif keyword == "FRICTION":
-                found[-1][9] = given[0]
+                found[-1][10] = given[0]
                 for law, parameter in ((2, "ELASTICSLIP"), (3, "STICKSTIFFNESS")):
                     if parameter in parameters:
-                        found[-1][5], found[-1][10] = law, number(parameters[parameter])
+                        found[-1][5], found[-1][11] = law, number(parameters[parameter])
             elif keyword == "GAPELECTRICALCONDUCTANCE":
                 law = squeezed(parameters["LAW"])
                 found[-1][1] = SPOT_LAWS[law]
                 found[-1][4] = int(squeezed(parameters.get("VOLTAGE", "")) != "LINEAR")
                 found[-1][6] = int(squeezed(parameters.get("SPOT", "")) == "LARGESTFORCE")
+                found[-1][7] = int(squeezed(parameters.get("MUTUALRESISTANCE", "")) == "YES")
                 if law == "TABLE":
                     found[-1] += given[0::2] + given[1::2]
                 elif given:
-                    found[-1][8] = given[0]
+                    found[-1][9] = given[0]
         return [
             f"interaction {name}{show(data)}"
             for name, data in zip(self.names["SURFACEINTERACTION"], found, strict=True)

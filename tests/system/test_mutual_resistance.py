@@ -6,12 +6,11 @@ import re
 import numpy as np
 import pytest
 from scipy.special import jnp_zeros
-from verification.deck_text import chain, heading, join, step
-from verification.wire_decks import Wire, interaction, section
+from verification.cases import two_spots
+from verification.cases.two_spots import THICK, VOLTAGE
 
-THICK = Wire(radius=1e-3, young=120e9, poisson=0.34, resistivity=1.7e-8)
-THIN = Wire(radius=0.1e-3, young=120e9, poisson=0.34, resistivity=1.7e-8)
-SPOT, APPROACH, PENALTY, VOLTAGE = 2e-5, 1e-6, 1e5, 1e-3
+#: Radius of the spots [m]
+SPOT = 2e-5
 #: rho/(4 a) on either side
 ALONE = THICK.resistivity / (2 * SPOT)
 
@@ -26,33 +25,9 @@ def modes(angle, along):
     return total
 
 
-def deck(angle, along, option="YES", density=3):
-    """A thick wire along x, and two thin ones across it at a distance along it and an angle round it."""
-    blocks = [chain(np.outer(np.linspace(-0.01, 0.01, 5), [1, 0, 0]), "B33", "THICK", 1)]
-    moves, held = [], []
-    for k, (place, turn) in enumerate(((-along / 2, 0.0), (along / 2, angle))):
-        out, across = np.array([0, np.sin(turn), np.cos(turn)]), np.array([0, np.cos(turn), -np.sin(turn)])
-        axis = np.array([place * THICK.radius, 0, 0]) + (THICK.radius + THIN.radius) * out
-        points = axis + np.outer(np.linspace(-5e-3, 5e-3, density), across)
-        name = f"THIN{k + 1}"
-        blocks.append(chain(points, "B33", name, 101 + 100 * k))
-        held.append(f" {name}, 1, 1\n {name}, 4, 6")
-        moves += [f" {name}, {i + 1}, {i + 1}, {-APPROACH * out[i]:.16g}" for i in (1, 2)] + [f" {name}, 9, 9, 0."]
-    return join(
-        heading("Spots near each other", "Model   copper; all nodes led", "Source  modes of a cylinder"),
-        *blocks,
-        section(THICK, "COPPER", "THICK", conducting=True),
-        section(THIN, "THIN_COPPER", "THIN1", "THIN2", conducting=True),
-        interaction(
-            ("THICK", "THIN1"),
-            ("THICK", "THIN2"),
-            penalty=PENALTY,
-            spot=f"PLASTIC, VOLTAGE=LINEAR, MUTUAL RESISTANCE={option}\n {PENALTY * APPROACH / (np.pi * SPOT**2):.16g}",
-        ),
-        "*BOUNDARY\n THICK, ENCASTRE",
-        *held,
-        step(f"*BOUNDARY\n THICK, 9, 9, {VOLTAGE}", *moves),
-    )
+def deck(angle, along, options="VOLTAGE=LINEAR, MUTUAL RESISTANCE=YES"):
+    """Two thin wires across a thick one at a distance along it, in its radii, and an angle round it."""
+    return two_spots.deck(SPOT, along * THICK.radius, angle, options, stations=3)
 
 
 def contacts(run, text):
@@ -79,15 +54,14 @@ def test_what_flows_is_heat(run):
 
 
 def test_far_spots_and_spots_without_the_option_are_alone(run):
-    for text in (deck(0, 3.01), deck(0, 0.1, "NO")):
+    for text in (deck(0, 3.01), deck(0, 0.1, "VOLTAGE=LINEAR")):
         _, ledger = contacts(run, text)
         np.testing.assert_allclose(np.abs(ledger["current"]), VOLTAGE / ALONE, rtol=1e-9)
 
 
 def test_contacts_within_elements_feel_each_other_beside_the_voltage_that_the_element_adds(run):
     """With VOLTAGE=CORRECTED the wires between the spots are resistances besides; the mutual resistance adds to them."""
-    text = deck(0, 0.25).replace("VOLTAGE=LINEAR, ", "")
-    alone = deck(0, 0.25, "NO").replace("VOLTAGE=LINEAR, ", "")
+    text, alone = (deck(0, 0.25, f"MUTUAL RESISTANCE={option}") for option in ("YES", "NO"))
     (_, with_it), (_, without) = contacts(run, text), contacts(run, alone)
     added = VOLTAGE / np.abs(with_it["current"]) - VOLTAGE / np.abs(without["current"])
     np.testing.assert_allclose(added, modes(0, 0.25) * THICK.resistivity / THICK.radius, rtol=0.04)

@@ -1,4 +1,4 @@
-"""A stated limit of the model: contacts do not know of each other.
+"""A stated limit of the model: without `MUTUAL RESISTANCE=YES` contacts do not know of each other.
 
 Source: J. A. Greenwood, Br. J. Appl. Phys. 17 (1966) 1621-1632: two spots of radius a at a distance s between the
 same two bodies have rho/(4 a) + rho/(2 pi s) together; the second term, by which each raises the potential of the
@@ -22,13 +22,16 @@ THIN = Wire(radius=0.1e-3, young=120e9, poisson=0.34, resistivity=1.7e-8)
 RHO = THICK.resistivity
 
 
-def deck(spot_radius):
-    """A thick wire along x and two thin ones over it, which come down by a micrometre."""
+def deck(spot_radius, distance=DISTANCE, angle=0.0, options="VOLTAGE=LINEAR", stations=4):
+    """A thick wire along x and two thin ones across it at a distance along it and an angle round it, which come down by a
+    micrometre; `stations` are the nodes of a thin one."""
     hardness = PENALTY * APPROACH / (np.pi * spot_radius**2)
-    blocks = [chain(np.outer(np.linspace(-0.01, 0.01, 5), [1, 0, 0]), "B33", "THICK", 1)]
-    for k, x in enumerate((-DISTANCE / 2, DISTANCE / 2)):
-        points = np.array([x, 0, THICK.radius + THIN.radius]) + np.outer(np.linspace(-5e-3, 5e-3, 4), [0, 1, 0])
-        blocks.append(chain(points, "B33", f"THIN{k + 1}", 101 + 100 * k))
+    blocks, moves = [chain(np.outer(np.linspace(-0.01, 0.01, 5), [1, 0, 0]), "B33", "THICK", 1)], []
+    for name, first, x, turn in (("THIN1", 101, -distance / 2, 0.0), ("THIN2", 201, distance / 2, angle)):
+        out, across = np.array([0, np.sin(turn), np.cos(turn)]), np.array([0, np.cos(turn), -np.sin(turn)])
+        middle = np.array([x, 0, 0]) + (THICK.radius + THIN.radius) * out
+        blocks.append(chain(middle + np.outer(np.linspace(-5e-3, 5e-3, stations), across), "B33", name, first))
+        moves += [f" {name}, {i + 1}, {i + 1}, {-APPROACH * out[i]:.16g}" for i in (1, 2)] + [f" {name}, 9, 9, 0."]
     return join(
         heading(
             "Two thin wires cross a thick one next to each other",
@@ -42,14 +45,11 @@ def deck(spot_radius):
             ("THICK", "THIN1"),
             ("THICK", "THIN2"),
             penalty=PENALTY,
-            spot=f"PLASTIC, VOLTAGE=LINEAR\n {hardness:.16g}",
+            spot=f"PLASTIC, {options}\n {hardness:.16g}",
         ),
         "*BOUNDARY\n THICK, ENCASTRE",
-        *(f" THIN{k}, 1, 2\n THIN{k}, 4, 6" for k in (1, 2)),
-        step(
-            f"*BOUNDARY\n THICK, 9, 9, {VOLTAGE}",
-            *(f" THIN{k}, 3, 3, {-APPROACH:.16g}\n THIN{k}, 9, 9, 0." for k in (1, 2)),
-        ),
+        *(f" THIN{k}, 1\n THIN{k}, 4, 6" for k in (1, 2)),
+        step(f"*BOUNDARY\n THICK, 9, 9, {VOLTAGE}", *moves),
     )
 
 

@@ -40,31 +40,15 @@ def history(times):
     return np.array(found)
 
 
-def dissipated(largest):
-    """Work of the way up less that of the way back."""
-    force = np.linspace(0, 1, 401) ** 2 * largest
-    up = np.array([SPOT.overlap_of(f) for f in force])
-    back = np.array([SPOT.back(f, largest)[0] for f in force])
-    return np.trapezoid(back - up, force)
-
-
-def is_at(results, time):
-    """Which rows of the ledger belong to the increment that ends there."""
-    increment = int(np.argmin(np.abs(np.array(results.times) - time)))
-    contacts = results.contacts
-    return (contacts["step"] == results.steps[increment]) & (contacts["increment"] == results.increments[increment])
-
-
 def measure(workspace):
     results = workspace.run("dented_wires", DECK.read_text(encoding="utf-8"))
-    contacts = results.contacts
-    rows = [int(row) for when in TIMES for row in np.flatnonzero(is_at(results, when))]
+    ledger = [results.contacts_at(int(np.argmin(np.abs(results.times - when)))) for when in TIMES]
     return {
-        "yielded_wires.force": contacts["force"][rows].tolist(),
-        "yielded_wires.resistance": contacts["resistance"][rows].tolist(),
-        "yielded_wires.dent": [float(contacts["dent"][rows[TIMES.index(when)]]) for when in (1.9, 3.9)],
+        "yielded_wires.force": [float(one["force"][0]) for one in ledger],
+        "yielded_wires.resistance": [float(one["resistance"][0]) for one in ledger],
+        "yielded_wires.dent": [float(ledger[TIMES.index(when)]["dent"][0]) for when in (1.9, 3.9)],
         "yielded_wires.dissipation": float(results.history["ALLPD"][-1]),
-        "figure": {"force": contacts["force"].tolist(), "resistance": contacts["resistance"].tolist()},
+        "figure": {name: results.contacts[name].tolist() for name in ("force", "resistance")},
     }
 
 

@@ -72,12 +72,12 @@ class YieldedSpot:
         return np.sqrt(area / np.pi), force_of_rest
 
     def back(self, force, largest):
-        """Overlap and part of the radius that still touches, on the way back from the largest force."""
+        """Overlap and radius of the spot on the way back from the largest force."""
         radius, force_of_rest = self.punches(largest)
         part = brentq(lambda x: force_of_rest(x) - force / largest, 0, 1, xtol=1e-15)
         # a ring opens with the stiffness of the disc within it, 2 E* a
         way = quad(lambda f: self.opening(f, force_of_rest), force / largest, 1, epsabs=1e-12)[0]
-        return self.overlap_of(largest) - largest / (2 * self.modulus * radius) * way, part
+        return self.overlap_of(largest) - largest / (2 * self.modulus * radius) * way, part * radius
 
     @staticmethod
     def opening(force, force_of_rest):
@@ -89,18 +89,20 @@ class YieldedSpot:
         if force >= largest:
             overlap = self.overlap_of(force)
             return overlap, np.sqrt(self.loading(overlap)[1] / np.pi)
-        overlap, part = self.back(force, largest)
-        return overlap, part * self.punches(largest)[0]
+        return self.back(force, largest)
 
     def dent(self, largest):
         """Overlap at which the wires part."""
         return self.back(0.0, largest)[0]
 
+    def dissipation(self, largest):
+        """Work of the way up to a force less that of the way back."""
+        force = np.linspace(0, 1, 401) ** 2 * largest
+        return np.trapezoid([self.back(f, largest)[0] - self.overlap_of(f) for f in force], force)
+
     def behind_spring(self, stiffness, position, largest):
         """Force and radius of the spot where a spring before the wires has been pushed to a position (0: they touch)."""
-        if largest > 0 and self.dent(largest) >= position:
-            return 0.0, 0.0
-        if stiffness * position <= 0:
+        if position <= (self.dent(largest) if largest > 0 else 0.0):
             return 0.0, 0.0
         force = brentq(lambda f: f / stiffness + self.at(f, largest)[0] - position, 0, stiffness * position, xtol=1e-15)
         return force, self.at(force, largest)[1]
