@@ -41,6 +41,7 @@ contains
       contact%converged_clearance = contact%clearance
       contact%overlap = contact%clearance
       allocate (contact%places%xi(0))
+      call contact%near%forget(0)
       contact%present = size(model%contact_pairs) > 0
       if (.not. contact%present) return
       allocate (contact%in_bar(model%n_elements, size(model%contact_pairs)), source=.false.)
@@ -157,7 +158,9 @@ contains
       end do
       changed = size(contact%candidates, 2) /= n_found
       if (.not. changed) changed = any(contact%candidates /= found(:, :n_found))
-      if (changed) contact%candidates = found(:, :n_found)
+      if (.not. changed) return
+      contact%candidates = found(:, :n_found)
+      call contact%near%forget(n_found)
    end subroutine keep_candidates
 
    !> The candidates are still all that may touch: nothing has moved or bent too far since they were collected, and no

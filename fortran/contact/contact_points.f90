@@ -14,6 +14,7 @@ module litz_contact_points
    use litz_line_law, only: line_wires_t
    use litz_line_places, only: line_places_t
    use litz_model, only: model_t, axis_hermite
+   use litz_near_pairs, only: near_pairs_t
    use litz_normal_law, only: force_of_gap_t
    use litz_shared_conductors, only: shared_conductors_t
    use litz_state, only: contact_t
@@ -225,6 +226,8 @@ module litz_contact_points
       type(contact_point_t), allocatable :: points(:)
       !> The points of the last converged state
       type(contact_point_t), allocatable :: converged(:)
+      !> Which candidates have points of line contacts, and how far apart the others are
+      type(near_pairs_t) :: near
       !> Where lines are touched, and the points of line contacts now and in the last converged state
       type(line_places_t) :: places
       type(contact_point_t), allocatable :: line_points(:), converged_line_points(:)

@@ -12,9 +12,10 @@ module litz_contact_term
    use litz_contact_tangents, only: follow_centre_line
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
-   use litz_fields, only: field_potential, group_transport, potential_slots
+   use litz_fields, only: field_displacement, field_rotation, field_potential, first_slot, last_slot, group_transport, &
+      potential_slots
    use litz_friction_iteration, only: friction_iteration_t
-   use litz_line_points, only: locate_line_points
+   use litz_line_points, only: locate_line_points, add_line_points
    use litz_line_shares, only: share_crossings, renew_shares
    use litz_model, only: step_t
    use litz_normal_forces, only: apply_normal_law
@@ -51,6 +52,7 @@ module litz_contact_term
       procedure :: link
       procedure :: has_mutual_tangent
       procedure :: add_mutual_tangent
+      procedure :: foresee
       procedure :: bearable_fraction
       procedure :: predict
       procedure :: anticipate
@@ -251,6 +253,22 @@ contains
       if (.not. self%has_mutual_tangent(group)) return
       call self%contact%shared%add_product(value(potential_slots(1), :), force(potential_slots(1), :))
    end subroutine add_mutual_tangent
+
+   !> Wires side by side that come together have points before they touch.
+   subroutine foresee(self, domain, correction)
+      class(contact_term_t), intent(inout) :: self
+      type(domain_t), intent(in) :: domain
+      !> Linear step of the unknowns (n_slots, n_nodes)
+      real(dp), intent(in) :: correction(:, :)
+      integer :: n_before
+
+      associate (contact => self%contact, iterate => domain%iterate)
+         call add_line_points(domain%model, domain%wires, domain%elements, iterate%x_start, domain%state%rotation, &
+            iterate%x, iterate%rotation, correction(first_slot(field_displacement):last_slot(field_displacement), :), &
+            correction(first_slot(field_rotation):last_slot(field_rotation), :), contact, n_before)
+         call apply_normal_law(domain%model, domain%elements, contact%line_points(n_before + 1:))
+      end associate
+   end subroutine foresee
 
    real(dp) function bearable_fraction(self, domain, step, correction)
       class(contact_term_t), intent(in) :: self

@@ -14,7 +14,7 @@ module litz_line_points
    use litz_joint_radii, only: add_balls
    use litz_line_cell, only: touching_length
    use litz_line_contact, only: serves_lines
-   use litz_line_feet, only: foot_t, find_feet
+   use litz_line_feet, only: foot_t, find_feet, is_same_foot
    use litz_line_foot, only: foot_at_end
    use litz_line_kinematics, only: line_kinematics, line_course_t, line_course
    use litz_line_shares, only: share_line_point
@@ -24,7 +24,7 @@ module litz_line_points
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: locate_line_points
+   public :: locate_line_points, add_line_points
 
 contains
 
@@ -39,13 +39,119 @@ contains
       type(contact_set_t), intent(inout) :: contact
       type(contact_point_t), allocatable :: old(:), points(:)
       type(foot_t), allocatable :: feet(:)
+
+      if (.not. has_lines(model)) return
+      call contact%near%follow(model, wires, elements, contact%candidates, x, rotation)
+      call find_feet(model, wires, elements, x_start, rotation_start, x, rotation, should_touch(contact), contact, feet)
+      call move_alloc(contact%line_points, old)
+      call make_points(model, wires, elements, contact, x, rotation, feet, old, points)
+      call move_alloc(points, contact%line_points)
+   end subroutine locate_line_points
+
+   !> A linear step may bring pairs of elements into contact that have been too far apart for points: they get them in
+   !> the present configuration, so that what follows the step sees them.
+   subroutine add_line_points(model, wires, elements, x_start, rotation_start, x, rotation, displacement, spin, contact, &
+      n_before)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes) when the increment began, and now
+      real(dp), intent(in) :: x_start(:, :), rotation_start(:, :, :), x(:, :), rotation(:, :, :)
+      !> The step (3, n_nodes) [m], [rad]
+      real(dp), intent(in) :: displacement(:, :), spin(:, :)
+      !> With the line points of this configuration; out: new ones behind them
+      type(contact_set_t), intent(inout) :: contact
+      !> Number of points before
+      integer, intent(out) :: n_before
+      type(contact_point_t), allocatable :: points(:), all_points(:)
+      type(foot_t), allocatable :: feet(:)
+      logical :: comes_near(size(contact%candidates, 2))
+
+      n_before = size(contact%line_points)
+      if (.not. has_lines(model)) return
+      comes_near = contact%near%come_near(model, elements, contact%candidates, displacement, spin)
+      if (.not. any(comes_near)) return
+      call find_feet(model, wires, elements, x_start, rotation_start, x, rotation, &
+         comes_near .or. contact%near%has_points, contact, feet)
+      feet = pack(feet, are_new(wires, elements, contact, feet))
+      call make_points(model, wires, elements, contact, x, rotation, feet, contact%line_points(:0), points)
+      allocate (all_points(n_before + size(points)))
+      all_points(:n_before) = contact%line_points
+      all_points(n_before + 1:) = points
+      call move_alloc(all_points, contact%line_points)
+   end subroutine add_line_points
+
+   !> Some contact pair serves lines.
+   pure logical function has_lines(model)
+      type(model_t), intent(in) :: model
+      integer :: i
+
+      has_lines = any([(serves_lines(model, i), i=1, size(model%contact_pairs))])
+   end function has_lines
+
+   !> Pairs with a point that is closed as the last step has predicted (n_candidates).
+   pure function should_touch(contact) result(should)
+      type(contact_set_t), intent(in) :: contact
+      logical :: should(size(contact%candidates, 2))
+      integer :: i
+
+      should = .false.
+      do i = 1, size(contact%line_points)
+         associate (point => contact%line_points(i))
+            if (.not. (point%predicted .and. point%predicted_gap < 0)) cycle
+            ! candidates may have been collected since
+            if (point%candidate > size(should)) cycle
+            associate (pair => contact%candidates(1:2, point%candidate))
+               if (all([point%element_bar, point%element] == pair) .or. all([point%element, point%element_bar] == pair)) &
+                  should(point%candidate) = .true.
+            end associate
+         end associate
+      end do
+   end function should_touch
+
+   !> Feet that no point of the set has (n_feet).
+   pure function are_new(wires, elements, contact, feet) result(new)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(contact_set_t), intent(in) :: contact
+      type(foot_t), intent(in) :: feet(:)
+      logical :: new(size(feet))
+      type(points_by_place_t) :: by_place
+      integer :: i, k
+
+      by_place = chain_by_place(size(contact%places%xi), contact%line_points)
+      new = .true.
+      do i = 1, size(feet)
+         k = by_place%last(feet(i)%place)
+         do while (k > 0)
+            associate (point => contact%line_points(k), e => feet(i)%element_bar)
+               if (wires%wire(point%element_bar) == wires%wire(e)) then
+                  if (is_same_foot(wires, elements, e, arc_at(wires, elements, e, feet(i)%xi_bar), point%arc_bar)) &
+                     new(i) = .false.
+               end if
+            end associate
+            k = by_place%before(k)
+         end do
+      end do
+   end function are_new
+
+   !> The points of feet; they carry on the memory of earlier ones.
+   subroutine make_points(model, wires, elements, contact, x, rotation, feet, old, points)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> With the crossings of this configuration
+      type(contact_set_t), intent(in) :: contact
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
+      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      type(foot_t), intent(in) :: feet(:)
+      !> Points of the last iterate
+      type(contact_point_t), intent(in) :: old(:)
+      type(contact_point_t), allocatable, intent(out) :: points(:)
       integer, allocatable :: newest(:), converged(:)
       type(crossings_of_wires_t) :: sorted
       integer :: i
 
-      if (.not. any([(serves_lines(model, i), i=1, size(model%contact_pairs))])) return
-      call find_feet(model, wires, elements, x_start, rotation_start, x, rotation, contact, feet)
-      call move_alloc(contact%line_points, old)
       allocate (points(size(feet)))
       do i = 1, size(feet)
          call place_point(wires, elements, contact, feet(i), points(i))
@@ -61,8 +167,7 @@ contains
       end do
       !$omp end parallel do
       if (.not. all(points%regular)) points = pack(points, points%regular)
-      call move_alloc(points, contact%line_points)
-   end subroutine locate_line_points
+   end subroutine make_points
 
    !> Where a new point is.
    pure subroutine place_point(wires, elements, contact, foot, point)

@@ -407,6 +407,9 @@ contains
       real(dp) :: eta
       integer :: i, field
 
+      do i = 1, size(problem%terms)
+         call problem%terms(i)%term%foresee(problem%domain_t, correction)
+      end do
       eta = 1
       if (.not. any(abs(problem%iterate%prescribed(:last_slot_of_group(1), :)) > 0)) then
          do i = 1, size(problem%terms)

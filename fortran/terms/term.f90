@@ -38,6 +38,7 @@ module litz_term
       procedure :: hold
       procedure :: has_mutual_tangent
       procedure :: add_mutual_tangent
+      procedure :: foresee
       procedure :: bearable_fraction
       procedure :: shorten
       procedure :: predict
@@ -175,6 +176,14 @@ contains
       !> (n_slots, n_nodes)
       real(dp), intent(inout) :: force(:, :)
    end subroutine add_mutual_tangent
+
+   !> A linear step has been found: what it may bring into play takes part in what is asked of it.
+   subroutine foresee(self, domain, correction)
+      class(term_t), intent(inout) :: self
+      type(domain_t), intent(in) :: domain
+      !> Linear step of the unknowns (n_slots, n_nodes)
+      real(dp), intent(in) :: correction(:, :)
+   end subroutine foresee
 
    !> The part of a step, at most 1, that the linearisation of the term is good for.
    real(dp) function bearable_fraction(self, domain, step, correction)
