@@ -70,7 +70,7 @@ contains
       do i = 1, size(found)
          allocate (found(i)%feet(0))
          contact%near%has_points(i) = .false.
-         near = near_distance*sum(elements%radius(contact%candidates(1:2, i)))
+         near = near_distance_of(wires, elements, contact%candidates(1:2, i))
          if (contact%near%clear(i) > near .and. .not. is_wanted(i)) cycle
          if (.not. serves_lines(model, contact%candidates(3, i))) cycle
          call find_feet_of_pair(model, wires, elements, x_start, rotation_start, x, rotation, contact, i, found(i))
@@ -89,6 +89,17 @@ contains
       end do
       call drop_doubles(wires, elements, size(contact%places%xi), feet)
    end subroutine find_feet
+
+   !> Distance of the surfaces up to which two elements have points [m]: next to the end of a wire places share a lap,
+   !> and none comes or goes.
+   pure real(dp) function near_distance_of(wires, elements, pair) result(near)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> Elements (2)
+      integer, intent(in) :: pair(2)
+
+      near = merge(skin/2, near_distance, any(wires%next(:, pair) == 0))*sum(elements%radius(pair))
+   end function near_distance_of
 
    !> The feet of the places of two elements on each other: where the contact between them can be long.
    subroutine find_feet_of_pair(model, wires, elements, x_start, rotation_start, x, rotation, contact, candidate, of_pair)
