@@ -6,7 +6,7 @@
 !> (litz_contact_side): an iterate that has pushed the axes through each other has a gap below minus both radii.
 module litz_contact_crossings
    use litz_kinds, only: dp
-   use litz_axis, only: axis_shape, on_axis
+   use litz_axis, only: axis_polynomial, axis_sagitta, axis_shape, on_axis
    use litz_closest_points, only: closest_points, end_tolerance, max_minima, closest_inside, closest_not_unique, &
       closest_parallel
    use litz_contact_candidates, only: skin
@@ -24,6 +24,7 @@ module litz_contact_crossings
    use litz_model, only: model_t, axis_hermite
    use litz_parallel, only: worth_threads
    use litz_start_crossings, only: crossing_at_start, relative_motion
+   use litz_straight_segments, only: segment_distance
    use litz_wires, only: wires_t, arc_from_to
    implicit none
    private
@@ -102,7 +103,7 @@ contains
 
       associate (eb => candidate(1), e => candidate(2))
          call pair_geometry(model, wires, elements, eb, e, x, rotation, xe, t, length)
-         distance = norm2(sum(xe(:, 1:2), 2) - sum(xe(:, 3:4), 2))/2 - sum(length) &
+         distance = least_distance(axis_of_pair(model, candidate(3)), xe, t, length) &
             - (1 + skin/2)*(largest_radius(wires, elements, eb) + largest_radius(wires, elements, e))
          ! wires that have passed each other are apart again
          if (distance > 0) distance = distance - contact%depth - relative_motion(model, x_start, x, eb, e)
@@ -119,6 +120,24 @@ contains
       end associate
       call add_ends(model, wires, elements, contact, candidate, x, rotation, minima%at, minima%n)
    end subroutine find_closest
+
+   !> Lower bound of the distance of two axes [m].
+   pure real(dp) function least_distance(axis, x, t, length) result(distance)
+      !> `axis_linear` or `axis_hermite`
+      integer, intent(in) :: axis
+      !> Nodal positions [m] and unit tangents (3, 4), reference lengths (2) [m]: barred first
+      real(dp), intent(in) :: x(3, 4), t(3, 4), length(2)
+      integer :: side
+
+      ! what a look at the middles of both can tell
+      distance = norm2(sum(x(:, 1:2), 2) - sum(x(:, 3:4), 2))/2 - sum(length)
+      if (distance > 0) return
+      distance = segment_distance(x)
+      do side = 1, 2
+         distance = distance - axis_sagitta(axis_polynomial(axis, length(side), x(:, 2*side - 1:2*side), &
+            t(:, 2*side - 1:2*side)))
+      end do
+   end function least_distance
 
    !> Points without memory for the candidates that touch.
    pure subroutine collect_points(model, wires, elements, candidates, minima, points)

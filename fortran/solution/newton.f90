@@ -45,6 +45,9 @@ module litz_newton
    !> how much the tangent has changed in it, and what the next iteration with the old one will leave.
    real(dp), parameter :: kept_reduction = 0.01_dp
 
+   !> An increment is not cut while each iteration leaves no more than this of the residual
+   real(dp), parameter :: fast_reduction = 0.1_dp
+
 contains
 
    !> Bring the iterate from the last converged state to equilibrium with the loading's present targets.
@@ -111,7 +114,7 @@ contains
          if (.not. carries_prescribed(problem) .and. all(outcome%last%residual <= outcome%last%allowed)) then
             if (corrections_small(step, problem%iterate%change, outcome%last)) exit
          end if
-         if (max(outcome%counted, outcome%sweeps) > step%controls%i_c .or. &
+         if ((max(outcome%counted, outcome%sweeps) > step%controls%i_c .and. .not. is_nearly_there(outcome)) .or. &
             outcome%iterations >= max_iterations*step%controls%i_c) then
             call give_up(outcome, cause_iterations, worst_field(problem%model, problem%scheme%n_coupled, outcome%last))
             return
@@ -277,6 +280,16 @@ contains
             last%residual <= max(last%allowed, kept_reduction*before%residual))
       end associate
    end function keeps_factor
+
+   !> The last iteration has brought the forces so much nearer to balance that a few more will do.
+   pure logical function is_nearly_there(outcome)
+      type(outcome_t), intent(in) :: outcome
+
+      associate (last => outcome%last, before => outcome%before)
+         is_nearly_there = outcome%in_turn == 1 .and. all(last%residual <= max(last%allowed, &
+            fast_reduction*before%residual))
+      end associate
+   end function is_nearly_there
 
    !> More or fewer contacts are closed than before, each one as the linear equations predicted: they hold for the whole
    !> increment, and one of any smaller size (at first touch) would go through the same changes. Not worth a cut. A
