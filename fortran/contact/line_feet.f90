@@ -102,7 +102,8 @@ contains
    end function near_distance_of
 
    !> The feet of the places of two elements on each other: where the contact between them can be long.
-   subroutine find_feet_of_pair(model, wires, elements, x_start, rotation_start, x, rotation, contact, candidate, of_pair)
+   subroutine find_feet_of_pair(model, wires, elements, x_start, rotation_start, x, rotation, contact, candidate, &
+      of_pair)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
@@ -232,8 +233,8 @@ contains
          other = last(feet(i)%place)
          do while (other > 0)
             if (wires%wire(feet(i)%element_bar) == wires%wire(feet(other)%element_bar)) then
-               if (is_same_foot(wires, elements, feet(i)%element_bar, arc_of(feet(i)), arc_of(feet(other)))) &
-                  keep(i) = .false.
+               keep(i) = keep(i) .and. .not. is_same_foot(wires, elements, feet(i)%element_bar, arc_of(feet(i)), &
+                  arc_of(feet(other)))
             end if
             other = before(other)
          end do

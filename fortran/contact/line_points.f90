@@ -50,8 +50,8 @@ contains
 
    !> A linear step may bring pairs of elements into contact that have been too far apart for points: they get them in
    !> the present configuration, so that what follows the step sees them.
-   subroutine add_line_points(model, wires, elements, x_start, rotation_start, x, rotation, displacement, spin, contact, &
-      n_before)
+   subroutine add_line_points(model, wires, elements, x_start, rotation_start, x, rotation, displacement, spin, &
+      contact, n_before)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
@@ -102,8 +102,8 @@ contains
             ! candidates may have been collected since
             if (point%candidate > size(should)) cycle
             associate (pair => contact%candidates(1:2, point%candidate))
-               if (all([point%element_bar, point%element] == pair) .or. all([point%element, point%element_bar] == pair)) &
-                  should(point%candidate) = .true.
+               should(point%candidate) = should(point%candidate) .or. all([point%element_bar, point%element] == pair) &
+                  .or. all([point%element, point%element_bar] == pair)
             end associate
          end associate
       end do

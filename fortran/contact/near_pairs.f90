@@ -57,6 +57,8 @@ contains
       real(dp), allocatable :: tangents(:, :, :), moved(:, :), bow(:)
       integer :: e, side, i
 
+      ! a run that goes on from a restart file has its candidates from there
+      if (size(self%clear) /= size(candidates, 2)) call self%forget(size(candidates, 2))
       allocate (tangents(3, 2, model%n_elements))
       do e = 1, model%n_elements
          do side = 1, 2
@@ -102,8 +104,9 @@ contains
       type(model_t), intent(in) :: model
       !> By how much the tangents of each element can have moved its axis (n_elements) [m]
       real(dp), intent(in) :: bow(:)
-      !> Elements (2), and displacements of the nodes (3, n_nodes) [m]
+      !> Elements (2)
       integer, intent(in) :: pair(2)
+      !> Displacements of the nodes (3, n_nodes) [m]
       real(dp), intent(in) :: moved(:, :)
       real(dp) :: mean(3)
       integer :: side

@@ -39,6 +39,8 @@ module litz_closest_points
    integer, parameter :: max_minima = 16
    !> Places nearer to each other than this, in units of xi, are one minimum
    real(dp), parameter :: same_place = 1.0e-6_dp
+   !> Slope of `f` over the squared tangent with which it falls for longer than `end_tolerance`, whatever the curvature
+   real(dp), parameter :: clearly_beyond = 1.0e-6_dp
 
 contains
 
@@ -249,10 +251,23 @@ contains
       integer, intent(inout) :: n_found
       type(point_t) :: point
 
+      if (surely_leads_beyond(minimum)) return
       point = minimum
       if (any(abs(point%xi) >= 1)) call minimise(p_bar, p, minimum%xi, search_limit, point)
       if (point%converged .and. all(abs(point%xi) <= 1 + end_tolerance)) call add_place(point%xi, found, n_found)
    end subroutine note_minimum
+
+   !> At the end of an element the distance falls on beyond it, so steeply that no minimum is within its tolerance.
+   pure logical function surely_leads_beyond(point) result(beyond)
+      type(point_t), intent(in) :: point
+      integer :: i
+
+      beyond = .false.
+      do i = 1, 2
+         if (abs(point%xi(i)) < 1) cycle
+         beyond = beyond .or. -sign(1.0_dp, point%xi(i))*point%gradient(i) > clearly_beyond*point%square(i)
+      end do
+   end function surely_leads_beyond
 
    !> Squared distances at the places of a grid, with a rim of huge ones.
    pure function grid_distances(p_bar, p) result(f)
