@@ -126,8 +126,8 @@ contains
          do while (k > 0)
             associate (point => contact%line_points(k), e => feet(i)%element_bar)
                if (wires%wire(point%element_bar) == wires%wire(e)) then
-                  if (is_same_foot(wires, elements, e, arc_at(wires, elements, e, feet(i)%xi_bar), point%arc_bar)) &
-                     new(i) = .false.
+                  new(i) = new(i) .and. .not. is_same_foot(wires, elements, e, arc_at(wires, elements, e, &
+                     feet(i)%xi_bar), point%arc_bar)
                end if
             end associate
             k = by_place%before(k)

@@ -311,7 +311,8 @@ contains
          when='PARAMETERS=FIELD')
       call k%add_data([unused('I_0'), unused('I_R'), unused('I_P'), &
          integer_field('I_C', 'maximum number of iterations before the increment is cut; those that only open and'// &
-         ' close contacts as predicted do not count, up to four times as many', limit_positive, .false.), &
+         ' close contacts as predicted do not count, up to four times as many, and one that leaves no more than'// &
+         ' a tenth of all residuals has others after it', limit_positive, .false.), &
          integer_field('I_L', 'more iterations than this shrink the next increment', limit_positive, .false.), &
          integer_field('I_G', 'two successive increments of at most this many enlarge the next', limit_positive, &
          .false.), &
