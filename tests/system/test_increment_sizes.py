@@ -60,7 +60,7 @@ def test_a_failed_increment_is_cut_as_often_as_allowed(run, cuts):
 
 
 def test_an_increment_that_is_nearly_in_balance_is_not_cut(run):
-    """Newton's method has no more than its last, quadratic iterations left after I_C; where it is far off it is cut."""
+    """Newton's method has no more than its last, quadratic iterations left after I_C."""
     # bends the wire into a hook
     strong = LOAD.replace(", 10", ", 60")
     _, free = run(times(50, 49, 1, 8, first=1.0).replace(LOAD, strong), name="free")
@@ -70,8 +70,6 @@ def test_an_increment_that_is_nearly_in_balance_is_not_cut(run):
     assert process.returncode == 0, process.stderr
     assert results.status["attempts"][0] == 1
     assert results.status["iterations"][0] == needed
-    _, cut = run(times(1, 1, 1, 8, first=1.0).replace(LOAD, strong), name="cut")
-    assert cut.status["attempts"][0] > 1
 
 
 def test_an_increment_is_not_cut_below_the_smallest(run):
