@@ -2,7 +2,7 @@
 module litz_contact_forces
    use litz_kinds, only: dp
    use litz_contact_kinematics, only: n_motions
-   use litz_contact_blocks, only: contact_blocks, contact_force_t, spot_in_circuit_t
+   use litz_contact_blocks, only: contact_blocks, electric_blocks, contact_force_t, spot_in_circuit_t
    use litz_contact_electricity, only: contact_electricity_t
    use litz_contact_mechanics, only: form_hessian
    use litz_contact_spots, only: find_spot, keep_current
@@ -106,7 +106,8 @@ contains
       n = min(chunk, size(touching))
       allocate (k(n_motions, n_motions, n), r(n_motions, n), k_ee(4, 4, n), r_e(4, n), k_me(4, n_motions, n))
       allocate (nodes(4, n))
-      call clear_results(points)
+      if (.not. domain%motions_stand) call clear_motions(points)
+      call clear_flows(points)
       do first = 1, size(touching), chunk
          n = min(chunk, size(touching) - first + 1)
          associate (members => touching(first:first + n - 1))
@@ -116,19 +117,9 @@ contains
                   k_me(:, :, i))
             end do
             !$omp end parallel do
-            if (any(points(members)%friction_iteration%limit > 0)) then
-               domain%matrix%symmetric(group_mechanical) = .false.
-            end if
-            do i = 1, n
-               call add_iteration_force(points(members(i)), nodes(:, i), domain%forces)
-               call add_supposed_force(points(members(i)), nodes(:, i), domain%forces)
-            end do
             call domain%timing%lap(phase_contact)
-            call domain%add_cells(nodes(:, :n), motion_slots, motion_slots, k(:, :, :n), r(:, :n))
-            do i = 1, n
-               call domain%add_slip_coupling(nodes(:, i), points(members(i))%friction_iteration%along, &
-                  points(members(i))%friction_iteration%dlimit)
-            end do
+            if (.not. domain%motions_stand) call add_motions(domain, points(members), nodes(:, :n), k(:, :, :n), &
+               r(:, :n))
             if (any(points(members)%conductance > 0)) then
                call domain%add_cells(nodes(:, :n), potential_slots, potential_slots, k_ee(:, :, :n), r_e(:, :n))
                call domain%add_cells(nodes(:, :n), potential_slots, motion_slots, k_me(:, :, :n))
@@ -165,8 +156,8 @@ contains
                x, t, length)
             pair = wires_of(model, elements, point)
             call find_sliding(wires, elements, law%axis, x, t, length, point, k_slide, r_slide, dforce)
-            call find_turning(law%axis, x, t, length, point, k_turning, r_turning)
-            if (law%friction > 0 .and. (point%active .or. point%closed)) then
+            if (.not. domain%motions_stand) call find_turning(law%axis, x, t, length, point, k_turning, r_turning)
+            if (.not. domain%motions_stand .and. law%friction > 0 .and. (point%active .or. point%closed)) then
                call find_friction(law, wires, x, t, length, pair, increment_start(domain, contact, point, nodes_p), &
                   dforce + point%turning%dforce*point%kinematics%dangle, point, k_friction, r_friction)
                k_slide = k_slide + k_friction
@@ -175,17 +166,46 @@ contains
             conducts = (point%closed .or. conducts_apart(point)) .and. all(pair%resistivity > 0) .and. law%spot%exists()
             if (conducts) call find_spot(law, wires, pair, x, t, length, point, circuit)
             circuit%dconductance = circuit%dconductance + spot_that_slides(law%normal, point, circuit, dforce)
-            call contact_blocks(point%kinematics, t, iterate%value(potential_slots(1), nodes_p), &
-               contact_force_t(point%force, point%geometric_force, point%stiffness, point%turning%dforce, &
-               law_of_spot(law%normal, point)), circuit, form_hessian, k_p, r_p, k_me_p, k_ee_p, r_e_p, electricity)
-            k_p = k_p + k_slide + k_turning
-            r_p = r_p + r_slide + r_turning
+            associate (voltage => iterate%value(potential_slots(1), nodes_p), &
+               force => contact_force_t(point%force, point%geometric_force, point%stiffness, point%turning%dforce, &
+               law_of_spot(law%normal, point)))
+               if (domain%motions_stand) then
+                  call electric_blocks(point%kinematics, voltage, force, circuit, k_me_p, k_ee_p, r_e_p, electricity)
+               else
+                  call contact_blocks(point%kinematics, t, voltage, force, circuit, form_hessian, k_p, r_p, k_me_p, &
+                     k_ee_p, r_e_p, electricity)
+                  k_p = k_p + k_slide + k_turning
+                  r_p = r_p + r_slide + r_turning
+               end if
+            end associate
             if (conducts) call keep_current(electricity, circuit, point)
             if (model%has_field(field_temperature)) call keep_temperatures(elements, point)
          end associate
       end subroutine evaluate
 
    end subroutine assemble_contacts
+
+   !> Forces and tangent of the motions of some contacts.
+   subroutine add_motions(domain, points, nodes, k, r)
+      type(domain_t), intent(inout) :: domain
+      type(contact_point_t), intent(in) :: points(:)
+      !> Nodes of both elements (4, contacts)
+      integer, intent(in) :: nodes(:, :)
+      !> Tangents (24, 24, contacts) and residuals (24, contacts)
+      real(dp), intent(in) :: k(:, :, :), r(:, :)
+      integer :: i
+
+      if (any(points%friction_iteration%limit > 0)) domain%matrix%symmetric(group_mechanical) = .false.
+      do i = 1, size(points)
+         call add_iteration_force(points(i), nodes(:, i), domain%forces)
+         call add_supposed_force(points(i), nodes(:, i), domain%forces)
+      end do
+      call domain%add_cells(nodes, motion_slots, motion_slots, k, r)
+      do i = 1, size(points)
+         call domain%add_slip_coupling(nodes(:, i), points(i)%friction_iteration%along, &
+            points(i)%friction_iteration%dlimit)
+      end do
+   end subroutine add_motions
 
    !> What friction asks of the state in which the increment began.
    pure type(increment_start_t) function increment_start(domain, contact, point, nodes_p) result(before)
@@ -413,13 +433,18 @@ contains
       point%temperature_max = max(point%temperature_bar, point%temperature)
    end subroutine keep_temperatures
 
-   elemental subroutine clear_results(point)
+   elemental subroutine clear_motions(point)
       type(contact_point_t), intent(inout) :: point
 
       if (.not. (point%active .or. point%closed)) call forget_friction(point%friction_iteration)
       point%friction = friction_law_t()
-      point%new_spot = .false.
       point%traction = 0
+   end subroutine clear_motions
+
+   elemental subroutine clear_flows(point)
+      type(contact_point_t), intent(inout) :: point
+
+      point%new_spot = .false.
       point%conductance = 0
       point%constriction = 0
       point%current = 0
@@ -434,7 +459,7 @@ contains
       point%heat = 0
       point%semi_major = 0
       point%semi_minor = 0
-   end subroutine clear_results
+   end subroutine clear_flows
 
    !> Take each point's force and gap along with the step `eta dq` of the unknowns.
    subroutine predict_contacts(model, eta, step, points)

@@ -292,6 +292,7 @@ contains
       integer, allocatable :: closed(:)
       integer :: i
 
+      if (domain%motions_stand) return
       if (size(self%cells) == 0) return
       call domain%timing%lap(phase_update)
       call survey(self, domain)

@@ -11,7 +11,7 @@ module litz_contact_blocks
    use litz_spot_law, only: contact_spot_t
    implicit none
    private
-   public :: contact_blocks, contact_force_t, spot_in_circuit_t
+   public :: contact_blocks, electric_blocks, contact_force_t, spot_in_circuit_t
 
    !> The normal force as the residual and the tangent take it. An exact tangent has that of the law in all places; a
    !> mixed iteration linearises about a force of its own.
@@ -59,11 +59,25 @@ contains
 
       call contact_mechanics(kinematics, t, force%force, force%stiffness, force%geometric_force, form, k_mm, r_m, &
          force%dforce_dangle)
+      call electric_blocks(kinematics, v, force, circuit, k_me, k_ee, r_e, electricity)
+   end subroutine contact_blocks
+
+   !> The rows of the currents.
+   pure subroutine electric_blocks(kinematics, v, force, circuit, k_me, k_ee, r_e, electricity)
+      type(contact_kinematics_t), intent(in) :: kinematics
+      !> Nodal voltages (4) [V]: barred 1, barred 2, 1, 2
+      real(dp), intent(in) :: v(4)
+      type(contact_force_t), intent(in) :: force
+      type(spot_in_circuit_t), intent(in) :: circuit
+      !> As of `contact_blocks`
+      real(dp), intent(out) :: k_me(4, 24), k_ee(4, 4), r_e(4)
+      type(contact_electricity_t), intent(out) :: electricity
+
       call current_of_spot(kinematics, v, force%law, circuit%spot, circuit%follows, circuit%series_resistance, &
          circuit%dconductance, electricity)
       k_me = coupling_tangent(electricity, kinematics)
       k_ee = electricity%k_ee
       r_e = electricity%r_e
-   end subroutine contact_blocks
+   end subroutine electric_blocks
 
 end module litz_contact_blocks

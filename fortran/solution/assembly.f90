@@ -14,18 +14,21 @@ module litz_assembly
 contains
 
    !> Forces and tangent at the present iterate.
-   subroutine evaluate(problem, error)
+   subroutine evaluate(problem, error, motions_stand)
       type(problem_t), intent(inout) :: problem
       !> More cells than can be counted, or input that cannot be evaluated
       type(error_t), allocatable, intent(out) :: error
+      !> Since the last call only potentials, and temperatures that the mechanics does not see, have changed; absent:
+      !> anything may have
+      logical, intent(in), optional :: motions_stand
       integer :: i
 
+      problem%motions_stand = .false.
+      if (present(motions_stand)) problem%motions_stand = motions_stand
       call heat_elements(problem%model, problem%iterate%value(temperature_slots(1), :), &
          problem%mechanical_temperature(), problem%elements)
-      do i = 1, size(problem%terms)
-         call problem%terms(i)%term%locate(problem%domain_t, error)
-         if (allocated(error)) return
-      end do
+      if (.not. problem%motions_stand) call locate(problem, error)
+      if (allocated(error)) return
       if (problem%pattern_changed) call rebuild_pattern(problem, error)
       if (allocated(error)) return
       call problem%clear_system()
@@ -36,6 +39,19 @@ contains
       call ground_floating_parts(problem, error)
       call problem%timing%lap(phase_assembly)
    end subroutine evaluate
+
+   !> Find the cells of all terms.
+   subroutine locate(problem, error)
+      type(problem_t), intent(inout) :: problem
+      !> More cells than can be counted
+      type(error_t), allocatable, intent(out) :: error
+      integer :: i
+
+      do i = 1, size(problem%terms)
+         call problem%terms(i)%term%locate(problem%domain_t, error)
+         if (allocated(error)) return
+      end do
+   end subroutine locate
 
    !> Pattern of the system, of the elements and of what else the terms connect, and the solver's symbolic work.
    subroutine rebuild_pattern(problem, error)

@@ -78,7 +78,7 @@ contains
          if (fields(field)%group == group .and. (free == 0 .or. free == field)) report%correction(field) = &
             maxval(abs(correction(first_slot(field):last_slot(field), :)))
       end do
-      call evaluate(problem, error)
+      call evaluate(problem, error, motions_stand=.true.)
    end subroutine update_fields
 
 end module litz_group_update

@@ -79,6 +79,7 @@ contains
       real(dp), allocatable :: k(:, :, :), r(:, :), energy(:)
       integer :: first, last, n, e
 
+      if (domain%motions_stand) return
       n = min(chunk, domain%model%n_elements)
       allocate (k(12, 12, n), r(12, n), energy(n))
       self%strain_energy = 0

@@ -34,6 +34,9 @@ module litz_domain
       !> Of the last two changes of the enthalpy in its rate over time, and of the works of friction in theirs: backward
       !> Euler, or BDF2
       real(dp) :: heat_weights(2) = [1.0_dp, 0.0_dp]
+      !> Forces and tangent of the motions stay as they were evaluated last, as nothing that they depend on has changed:
+      !> only rows of the groups after them are cleared and added
+      logical :: motions_stand = .false.
       !> The pattern must be built and analysed before the next solve
       logical :: pattern_changed = .true.
       type(timing_t) :: timing
@@ -119,16 +122,19 @@ contains
    !> Nothing has been added yet.
    subroutine clear_system(self)
       class(domain_t), intent(inout) :: self
-      integer :: row_group, column_group
+      integer :: row_group, column_group, first_group
 
+      first_group = merge(group_mechanical + 1, 1, self%motions_stand)
       do column_group = 1, n_groups
-         do row_group = 1, n_groups
+         do row_group = first_group, n_groups
             if (depends_on(row_group, column_group)) self%matrix%block(row_group, column_group)%value = 0
          end do
       end do
-      self%matrix%symmetric = .true.
-      if (allocated(self%matrix%slip_coupling%value)) deallocate (self%matrix%slip_coupling%value)
-      call clear_forces(self%iterate%x, self%iterate%value, self%iterate%change, self%forces)
+      self%matrix%symmetric(first_group:) = .true.
+      if (.not. self%motions_stand) then
+         if (allocated(self%matrix%slip_coupling%value)) deallocate (self%matrix%slip_coupling%value)
+      end if
+      call clear_forces(first_group, self%iterate%x, self%iterate%value, self%iterate%change, self%forces)
    end subroutine clear_system
 
    !> Add cells to the system: their tangents, and with `r` their forces.
@@ -145,6 +151,7 @@ contains
 
       associate (row_group => fields(field_of_slot(rows(1)))%group, &
          column_group => fields(field_of_slot(columns(1)))%group)
+         if (self%motions_stand .and. row_group == group_mechanical) return
          call scatter(self%equations, nodes, rows, columns, k, self%iterate%prescribed, &
             self%matrix%block(row_group, column_group), self%forces, r)
          if (size(self%iterate%bodies%dependents) > 0) call scatter_dependent(self%equations, self%iterate%bodies, &

@@ -30,6 +30,7 @@ contains
       integer :: node
       logical :: free(3)
 
+      if (domain%motions_stand) return
       associate (first => rotation_slots(1), last => rotation_slots(2), load => domain%loading%load, &
          internal => domain%forces%internal, block => domain%matrix%block(group_mechanical, group_mechanical))
          do node = 1, size(load, 2)

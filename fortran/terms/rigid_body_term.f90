@@ -49,6 +49,7 @@ contains
       type(error_t), allocatable, intent(out) :: error
       integer :: i
 
+      if (domain%motions_stand) return
       do i = 1, size(domain%iterate%bodies%dependents)
          call collect(domain, domain%iterate%bodies%dependents(i))
       end do

@@ -41,13 +41,15 @@ module litz_scatter
 
 contains
 
-   !> No cell has added anything yet.
-   pure subroutine clear_forces(x, value, change, forces)
+   !> No cell has added anything yet to the equations of a group and those after it.
+   pure subroutine clear_forces(first_group, x, value, change, forces)
+      !> One of the groups of litz_fields
+      integer, intent(in) :: first_group
       !> Positions (3, n_nodes) [m], values of all unknowns (n_slots, n_nodes), and their change since the increment
       !> began
       real(dp), intent(in) :: x(:, :), value(:, :), change(:, :)
       type(forces_t), intent(inout) :: forces
-      integer :: field, n_nodes
+      integer :: field, first, n_nodes
 
       n_nodes = size(x, 2)
       if (.not. allocated(forces%internal)) then
@@ -55,11 +57,12 @@ contains
             forces%prescribed(n_slots, n_nodes), forces%magnitude(n_slots, n_nodes), &
             forces%sensitivity(n_slots, n_nodes))
       end if
-      forces%internal = 0
-      forces%iteration = 0
-      forces%prescribed = 0
-      forces%reference = 0
-      forces%sensitivity = 0
+      first = first_slot_of_group(first_group)
+      forces%internal(first:, :) = 0
+      forces%iteration(first:, :) = 0
+      forces%prescribed(first:, :) = 0
+      forces%sensitivity(first:, :) = 0
+      where (fields%group >= first_group) forces%reference = 0
       do field = 1, n_fields
          associate (magnitude => forces%magnitude(first_slot(field):last_slot(field), :))
             if (field == field_displacement) then

@@ -73,6 +73,7 @@ contains
       real(dp), allocatable :: k(:, :, :), r(:, :)
       integer :: n, node, slot
 
+      if (domain%motions_stand) return
       n = domain%model%n_nodes
       self%force = 0*domain%iterate%change
       if (.not. any(self%stiffness > 0)) return

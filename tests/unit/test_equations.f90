@@ -75,7 +75,7 @@ contains
 
       call new_system(equations, matrix)
       nothing = 0
-      call clear_forces(reshape([0.0_dp], [3, n_nodes], [0.0_dp]), nothing, nothing, forces)
+      call clear_forces(1, reshape([0.0_dp], [3, n_nodes], [0.0_dp]), nothing, nothing, forces)
       allocate (dense(n_slots*n_nodes, n_slots*n_nodes), source=0.0_dp)
       internal = 0
       call add_random_cells(pairs, motion_slots, motion_slots, equations, matrix, forces, dense, internal)
@@ -168,7 +168,7 @@ contains
 
       call new_system(equations, matrix)
       nothing = 0
-      call clear_forces(reshape([0.0_dp], [3, n_nodes], [0.0_dp]), nothing, nothing, forces)
+      call clear_forces(1, reshape([0.0_dp], [3, n_nodes], [0.0_dp]), nothing, nothing, forces)
       call random_number(increment)
       call random_number(k)
       call scatter(equations, pairs(:, 3:3), motion_slots, motion_slots, k, increment, &
@@ -188,7 +188,7 @@ contains
 
       call new_system(equations, matrix)
       nothing = 0
-      call clear_forces(reshape([0.0_dp], [3, n_nodes], [0.0_dp]), nothing, nothing, forces)
+      call clear_forces(1, reshape([0.0_dp], [3, n_nodes], [0.0_dp]), nothing, nothing, forces)
       call random_number(r)
       r = r - 0.5_dp
       k = 0

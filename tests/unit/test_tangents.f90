@@ -551,8 +551,36 @@ contains
       do trial = 1, 3
          call compare(name, problem, exact, 1.0e3_dp)
       end do
+      call check_motions_that_stand(name, problem)
       call note_terms(problem)
    end subroutine check_heat_of_contacts
+
+   !> Where only potentials and temperatures have changed, the rest of the system is not evaluated again.
+   subroutine check_motions_that_stand(name, problem)
+      character(len=*), intent(in) :: name
+      type(problem_t), intent(inout) :: problem
+      type(error_t), allocatable :: error
+      real(dp) :: change(n_slots, problem%model%n_nodes)
+      real(dp), allocatable :: before(:), partly(:), whole(:), sensitivity(:, :)
+
+      before = all_of(problem)
+      change = random_values(problem, spread(1.0e-2_dp, 1, n_slots))
+      associate (first => potential_slots(1))
+         call problem%iterate%move(problem%state, problem%model%x, change(first:, :), first)
+      end associate
+      call evaluate(problem, error, motions_stand=.true.)
+      call stop_on(error)
+      partly = all_of(problem)
+      sensitivity = problem%forces%sensitivity
+      call evaluate(problem, error)
+      call stop_on(error)
+      whole = all_of(problem)
+      call check(any(abs(whole - before) > 0), name//': potentials change the system', maxval(abs(whole)))
+      call check(all(abs(partly - whole) <= 1.0e-10_dp*abs(whole)), name//': motions stand', &
+         maxval(abs(partly - whole)))
+      call check(all(abs(sensitivity - problem%forces%sensitivity) <= 1.0e-10_dp*sensitivity), &
+         name//': round-off where motions stand', maxval(abs(sensitivity - problem%forces%sensitivity)))
+   end subroutine check_motions_that_stand
 
    !> Which terms change what those before them have made.
    subroutine note_terms(problem)

@@ -95,9 +95,10 @@ def run_litz(deck, directory, *, limit=3600.0):
     del phases["total"]
     status = (Path(directory) / f"{Path(deck).stem}.sta").read_text(encoding="utf-8").splitlines()
     column = status[0].split().index("iterations")
+    rows = [line.split() for line in status[1:] if not line.startswith("#")]
     number, unit = run.printed[run.printed.index(", at most ") :].removeprefix(", at most ").split()[:2]
     memory = float(number) * {"MB": 1e6, "GB": 1e9}[unit]
-    return LitzRun(run, phases, [int(line.split()[column]) for line in status[1:]], memory)
+    return LitzRun(run, phases, [int(row[column]) for row in rows], memory)
 
 
 def median(runs, quantity):
