@@ -6,7 +6,7 @@ module litz_contact_lens
    use litz_kinds, only: dp
    use litz_axis_choices, only: axis_hermite
    use litz_contact_points, only: contact_point_t, leg_t, is_contact_of
-   use litz_cut_lens, only: flat_tilt, steep_tilt
+   use litz_cut_lens, only: cut_lens_t, flat_tilt, steep_tilt
    use litz_element_library, only: elements_t
    use litz_end_places, only: place_at_end_t
    use litz_lens_law, only: smooth_step
@@ -135,17 +135,31 @@ contains
          lens%bend = bends_over_feet(point, lens%cosine)
          overlap = min(-point%gap, deepest*radius)
          lens%bend = max(lens%bend, d*least_bend(0.0_dp, overlap, radius))
-         lens%is_flat = all(lens%near) .and. any(point%at_end) .and. &
-            any(lens%bend > 2*(1 - lens%cosine)*(1 + lens%cosine))
          ! nothing is felt of an end that is farther away
          overlap = max(overlap, least_felt*radius)
-         do i = 1, 2
-            if (.not. point%at_end(i)) lens%near(i) = lens%near(i) .and. &
-               lens%bend(i)*to_end(i)**2 < felt**2*2*d*overlap
-         end do
+         to_end = merge(to_end, 0.0_dp, lens%near .and. .not. point%at_end)
+         lens%near = lens%near .and. lens%bend*to_end**2 < felt**2*2*d*overlap
+         if (all(lens%near) .and. any(point%at_end)) lens%flat = side_by_side(lens, &
+            to_end*sqrt(lens%bend/(2*d*overlap)))
       end associate
       call place_at_ends(wires, elements, point)
    end subroutine divide_at_ends
+
+   !> How far two wires whose ends both cut an overlap lie side by side, so that its middle is anywhere: as far as the
+   !> least bend makes it shorter than the angle of the axes does, and the end of the other wire is within two half
+   !> lengths of the contact, which is at an end.
+   pure real(dp) function side_by_side(lens, to_end) result(flat)
+      type(cut_lens_t), intent(in) :: lens
+      !> In half lengths of the overlap (2)
+      real(dp), intent(in) :: to_end(2)
+      real(dp) :: square_of_sine
+
+      square_of_sine = (1 - lens%cosine)*(1 + lens%cosine)
+      associate (bend => maxval(lens%bend))
+         flat = smooth_step((bend - square_of_sine)/max(2*square_of_sine, epsilon(bend)*bend))
+      end associate
+      flat = flat*(1 - smooth_step(maxval(to_end) - 1))
+   end function side_by_side
 
    !> What joints change of the overlap, and the angle of the law.
    pure subroutine divide_at_joints(point)

@@ -48,8 +48,8 @@ module litz_cut_lens
       real(dp) :: young(2) = 0, poisson(2) = 0
       !> What the ball of a joint adds to the radii (2) [m]
       real(dp) :: of_ball(2) = 0
-      !> Both ends cut an overlap that would be much longer than the least bend has it: they lie side by side
-      logical :: is_flat = .false.
+      !> How far both ends cut an overlap that would be much longer than the least bend has it: they lie side by side
+      real(dp) :: flat = 0
       !> What the contact has of these pairs, of which other contacts or the places along a line have the rest (2, 2)
       real(dp) :: share(2, 2) = 1
    end type cut_lens_t
@@ -91,18 +91,44 @@ contains
       !> Of a contact that is not at the end, how far that is along the wire; else minus d times the slope with which
       !> the distance grows from the end on (2) [m]
       real(dp), intent(in) :: place(2)
+      type(jet_t) :: flat(2, 2)
+      integer :: i, j
+
+      if (lens%flat < 1) part%pair = parts_of_pairs(lens, held, .false., overlap, place)
+      if (lens%flat > 0) then
+         flat = parts_of_pairs(lens, held, .true., overlap, place)
+         do j = 1, 2
+            do i = 1, 2
+               if (lens%flat < 1) flat(i, j) = lens%flat*flat(i, j) + (1 - lens%flat)*part%pair(i, j)
+            end do
+         end do
+         part%pair = flat
+      end if
+      if (lens%is_near_joint) part%pair = divided_at_joints(lens, part%pair)
+      part%pair = (lens%share*lens%energy)*part%pair
+      part%whole = part%pair(1, 1) + part%pair(2, 1) + part%pair(1, 2) + part%pair(2, 2)
+   end function cut_energy
+
+   !> What the pairs of shapes have of the overlap: index 1 of a cylinder, 2 of a round end, barred before unbarred.
+   pure function parts_of_pairs(lens, held, is_flat, overlap, place) result(pair)
+      type(cut_lens_t), intent(in) :: lens
+      !> The contact is at the end (2); the wires lie side by side
+      logical, intent(in) :: held(2), is_flat
+      !> As `cut_energy` has them [m]
+      real(dp), intent(in) :: overlap, place(2)
+      type(jet_t) :: pair(2, 2)
       type(jet_t) :: delta, middle, at_end(2), corner, a(2), foot(2), cylinder(2), over_foot(2), flat, both, scale
       integer :: i
 
       delta = variable(overlap, 1)
-      call find_overlaps(lens, held, delta, [variable(place(1), 2), variable(place(2), 3)], a, foot, middle, at_end, &
-         corner)
+      call find_overlaps(lens, held, is_flat, delta, [variable(place(1), 2), variable(place(2), 3)], a, foot, middle, &
+         at_end, corner)
       do i = 1, 2
          cylinder(i) = constant(1.0_dp)
          over_foot(i) = constant(1.0_dp)
          if (.not. lens%near(i)) cycle
          cylinder(i) = constant(0.5_dp)
-         if (.not. lens%is_flat) cylinder(i) = energy_to(sqrt(lens%bend(i)/(2*lens%distance))*a(i), at_end(i))
+         if (.not. is_flat) cylinder(i) = energy_to(sqrt(lens%bend(i)/(2*lens%distance))*a(i), at_end(i))
          over_foot(i) = energy_to(sqrt(1/(2*lens%distance))*foot(i), corner)
          if (.not. held(i)) cycle
          flat = flatness((-1/lens%distance)*variable(place(i), i + 1))
@@ -111,17 +137,14 @@ contains
       end do
       both = of_both(cylinder, lens%cosine)
       scale = delta**(-energy_power)
-      part%pair(1, 1) = both*energy_of(middle)*scale
-      part%pair(2, 1) = (1.0_dp - cylinder(1))*over_foot(2)
-      part%pair(1, 2) = (1.0_dp - cylinder(2))*over_foot(1)
-      if (all(lens%near)) part%pair(2, 2) = at_least_zero(1.0_dp - both - part%pair(2, 1) - part%pair(1, 2)) &
-         *energy_of(corner)*scale
-      part%pair(2, 1) = part%pair(2, 1)*energy_of(at_end(1))*scale
-      part%pair(1, 2) = part%pair(1, 2)*energy_of(at_end(2))*scale
-      if (lens%is_near_joint) part%pair = divided_at_joints(lens, part%pair)
-      part%pair = (lens%share*lens%energy)*part%pair
-      part%whole = part%pair(1, 1) + part%pair(2, 1) + part%pair(1, 2) + part%pair(2, 2)
-   end function cut_energy
+      pair(1, 1) = both*energy_of(middle)*scale
+      pair(2, 1) = (1.0_dp - cylinder(1))*over_foot(2)
+      pair(1, 2) = (1.0_dp - cylinder(2))*over_foot(1)
+      pair(2, 2) = constant(0.0_dp)
+      if (all(lens%near)) pair(2, 2) = at_least_zero(1.0_dp - both - pair(2, 1) - pair(1, 2))*energy_of(corner)*scale
+      pair(2, 1) = pair(2, 1)*energy_of(at_end(1))*scale
+      pair(1, 2) = pair(1, 2)*energy_of(at_end(2))*scale
+   end function parts_of_pairs
 
    !> What joints leave of the parts of cylinders and ends: of each cylinder those of its legs, the joint has the rest.
    pure function divided_at_joints(lens, pair) result(divided)
@@ -139,10 +162,10 @@ contains
    end function divided_at_joints
 
    !> Places and overlaps round the contact, from the place at which it is.
-   pure subroutine find_overlaps(lens, held, delta, place, a, foot, middle, at_end, corner)
+   pure subroutine find_overlaps(lens, held, is_flat, delta, place, a, foot, middle, at_end, corner)
       type(cut_lens_t), intent(in) :: lens
-      !> (2)
-      logical, intent(in) :: held(2)
+      !> (2); the wires lie side by side
+      logical, intent(in) :: held(2), is_flat
       type(jet_t), intent(in) :: delta, place(2)
       !> From the nearest place of both axes to the ends, from the foot of either end to that of the other wire (2),
       !> overlap in that place, at the ends over their feet (2), and of end over end
@@ -150,7 +173,7 @@ contains
       integer :: i
 
       associate (gamma => lens%cosine, k => lens%bend/(2*lens%distance), k_foot => 1/(2*lens%distance))
-         if (lens%is_flat .and. .not. all(held)) then
+         if (is_flat .and. .not. all(held)) then
             ! the middle is anywhere, and the way between the ends is what counts
             foot = place
             if (held(1)) foot(1) = (-gamma)*place(2)

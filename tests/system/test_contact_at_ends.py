@@ -192,6 +192,38 @@ def test_a_rod_slides_over_a_kink_without_a_jump(run, degrees):
     assert np.max(np.abs(np.diff(force))) < 0.75 * (crossing - joint)
 
 
+def largest_step(values):
+    """Of a curve, what stands alone against its slope on both sides, over its largest value."""
+    slope = np.diff(values)
+    alone = slope[1:-1] - np.array([slope[:-2], slope[2:]])
+    return np.where(alone[0] * alone[1] > 0, np.abs(alone).min(axis=0), 0).max() / values.max()
+
+
+@pytest.mark.parametrize(
+    ("degrees", "overlap", "behind", "law"),
+    [
+        (2, 0.002, None, HERTZ),
+        (5, 0.01, None, HERTZ),
+        (5, 0.01, 3, HERTZ),
+        (10, 0.02, 3, HERTZ),
+        (5, 0.01, None, linear("", 1e10)),
+    ],
+)
+def test_the_force_past_the_end_of_a_wire_falls_without_a_step(run, degrees, overlap, behind, law):
+    """Wires at a small angle, of which the other one goes on or begins some radii `behind` the crossing."""
+    angle, radius = np.radians(degrees), COPPER.radius
+    reach = math.sqrt(4 * overlap) * radius / np.sin(angle)
+    along = np.linspace(-0.0151 if behind is None else -behind * radius, 0.0149, 12)
+    upper = [-0.4 * reach, 0, 2 * radius] + np.outer(along, [np.cos(angle), np.sin(angle), 0])
+    lower = np.linspace((-0.02, 0, 0), (0, 0, 0), 9)
+    down = f" UPPER, 3, 3, {-overlap * radius:.17g}\n"
+    press = step(boundary=down)
+    drag = step(static="0.0125, 1., 1e-9, 0.0125", boundary=f" UPPER, 1, 1, {1.8 * reach:.17g}\n{down}")
+    results = solved(run(two_wires(lower, upper, HELD, press, drag, law=law)))
+    force = np.array([results.contacts_at(i)["force"].sum() for i in range(1, len(results.times))])
+    assert largest_step(force) < 0.02
+
+
 def test_a_lap_ends_where_the_wires_end(run):
     """The force of two wires that lie along each other goes with the length of their lap, wherever their nodes are."""
     distance = 2 * COPPER.radius - OVERLAP
