@@ -214,7 +214,7 @@ def test_the_force_past_the_end_of_a_wire_falls_without_a_step(run, degrees, ove
     angle, radius = np.radians(degrees), COPPER.radius
     reach = math.sqrt(4 * overlap) * radius / np.sin(angle)
     along = np.linspace(-0.0151 if behind is None else -behind * radius, 0.0149, 12)
-    upper = [-0.4 * reach, 0, 2 * radius] + np.outer(along, [np.cos(angle), np.sin(angle), 0])
+    upper = np.array([-0.4 * reach, 0, 2 * radius]) + np.outer(along, [np.cos(angle), np.sin(angle), 0])
     lower = np.linspace((-0.02, 0, 0), (0, 0, 0), 9)
     down = f" UPPER, 3, 3, {-overlap * radius:.17g}\n"
     press = step(boundary=down)
