@@ -19,18 +19,19 @@ module litz_contact_points
    use litz_state, only: contact_t
    use litz_wire_turning, only: wire_turning_t
    use litz_wires, only: wires_t
+   use litz_yielding_place, only: yielding_place_t
    use litz_yielding_spot, only: yielding_state_t
    implicit none
    private
    public :: contact_point_t, contact_set_t, points_by_wire_t, points_by_place_t, leg_t, joint_parts_t
-   public :: law_ok, law_parallel, law_bad_data, law_too_curved, law_yields_at_end
+   public :: law_ok, law_parallel, law_bad_data, law_too_curved
    public :: pair_geometry, away_from, axis_of_pair, arc_at, crossing_at, clearance_of, add_taper, &
       chain_by_wire, chain_by_place, inherit, is_contact_of
 
    !> What has become of the laws of a contact: nothing; the axes are parallel, so that there is no Hertz ellipse; the
    !> data of the law are none for it; a wire is curved about the other so much that the foot of a line is hardly known;
    !> wires that yield touch at an end or a kink
-   integer, parameter :: law_ok = 0, law_parallel = 1, law_bad_data = 2, law_too_curved = 3, law_yields_at_end = 4
+   integer, parameter :: law_ok = 0, law_parallel = 1, law_bad_data = 2, law_too_curved = 3
 
    !> A stretch of a wire of a contact, up to its next round end or joint: one on which the contact is, or one that
    !> leads away from a joint near by.
@@ -162,6 +163,14 @@ module litz_contact_points
       real(dp) :: dent_depth = 0
       type(yielding_state_t) :: yielding
       real(dp) :: yielded = 0
+      !> Deepest overlap that a crossing of wires that yield has had, as far as its dent tells [m]; of a place in its
+      !> lens the same, and how much deeper the lens is than the place [m]
+      real(dp) :: deepest = 0, lens_depth = 0
+      !> Where ends or joints cut the contact of wires that yield, what the force of uncut cylinders is of that of the
+      !> ellipse; and its force without ends, whatever its share [N]
+      real(dp) :: yielding_part = 1, uncut_force = 0
+      !> Law per length of wires that yield, of a point of a line contact
+      type(yielding_place_t) :: yielding_place
       !> Which of the dents of earlier contacts it has found again; 0: none
       integer :: found_dent = 0
       !> In contact as the iteration takes it (prediction) and as it is
@@ -392,6 +401,8 @@ contains
       point%in_lens = earlier%in_lens
       point%spot_section = earlier%spot_section
       point%kept_overlap = earlier%kept_overlap
+      point%deepest = earlier%deepest
+      point%lens_depth = earlier%lens_depth
       point%lens_share = earlier%lens_share
       point%lens_sine = earlier%lens_sine
       point%law_angle = earlier%law_angle

@@ -267,6 +267,8 @@ contains
          point%section_share = 1
          point%spot_section = 1
          point%kept_overlap = 0
+         point%deepest = 0
+         point%lens_depth = 0
          point%in_lens = .false.
          if (bend > 0 .or. tilt > 0) then
             ! to where the wires are nearest; of a wedge, as far as one reaches that counts
@@ -280,6 +282,7 @@ contains
             call sorted%find_nearest(wires, 2*reach, 2*reach + 2*sum(elements%radius(pair)), point, i, distance, legs)
             if (i > 0) call share_with(contact%points(i), legs, 2 - distance/reach, bend, contact%places, elements, &
                point)
+            if (point%in_lens .and. bend > 0) point%lens_depth = tilt**2/(2*bend)
             ! the lens is still open
             if (i == 0 .and. bend > 0) then
                if (-point%gap + tilt**2/(2*bend) <= 0) point%line_share = 0
@@ -384,6 +387,7 @@ contains
       call bound_field(crossing, half_length, radius, point)
       if (.not. point%in_lens) return
       point%kept_overlap = crossing%kept_overlap
+      point%deepest = crossing%deepest
       point%spot_section = max(point%spot_section, share_of_kept(crossing, radius))
    end subroutine share_with
 

@@ -5,7 +5,7 @@
 !> independent force. The converged force is that of the law at the true gap.
 module litz_normal_forces
    use litz_kinds, only: dp
-   use litz_contact_points, only: contact_point_t, law_ok, law_parallel, law_too_curved, law_yields_at_end
+   use litz_contact_points, only: contact_point_t, law_ok, law_parallel, law_too_curved
    use litz_cut_forces, only: cut_force, ellipse_of_parts, kept_part, scaled
    use litz_cut_lens, only: is_cut
    use litz_element_library, only: elements_t, material_at, material_place_t
@@ -13,13 +13,18 @@ module litz_normal_forces
    use litz_law_input, only: wire_pair_t
    use litz_lens_law, only: lens_t, lens_force, lens_energy
    use litz_line_point, only: force_of_line
-   use litz_line_law, only: line_wires_t, line_wires, line_force_t, line_force, line_overlap_t, line_overlap
+   use litz_line_law, only: line_wires_t, line_wires, line_force_t, line_overlap_t, line_overlap
    use litz_model, only: model_t, interaction_t
    use litz_normal_law, only: normal_law_t, force_of_gap_t, overlap_of_force_t, force_at_gap, overlap_at_force, &
       linearise
-   use litz_normal_yielding, only: dent_of_wires, state_of_wires
+   use litz_normal_yielding, only: state_of_wires
    use litz_parallel, only: worth_threads
+   use litz_yielding_lens, only: yielding_lens_t, lens_state_t, state_of_lens, lens_at_force, &
+      overlap_of_yielding_lens
+   use litz_yielding_place, only: place_state_t, state_of_place, place_force, overlap_of_place
    use litz_yielding_spot, only: dent_t, yielding_state_t
+   use litz_yielding_wires, only: find_yielding_ellipse, dent_of_crossing, lens_of_wires, place_of_wires, &
+      depth_of_lens, depth_of_place
    implicit none
    private
    public :: apply_normal_law, wires_of, line_of_point, is_lens, law_of_spot, share_of_ellipse, weight_of_lens
@@ -105,9 +110,15 @@ contains
             if ((law%spot%uses_ellipse .or. law%heat%uses_ellipse) .and. share_of_ellipse(law%normal, point) > 0) then
                call find_ellipse(pair, point)
             end if
-            call press_lens(law%normal, pair, point)
+            if (law%normal%yields()) then
+               call press_yielding_lens(law%normal, pair, point)
+            else
+               call press_lens(law%normal, pair, point)
+            end if
          else
-            if (law%normal%uses_ellipse .or. law%spot%uses_ellipse .or. law%heat%uses_ellipse) then
+            if (law%normal%yields()) then
+               call find_yielding_ellipse(law%normal, pair, point)
+            else if (law%normal%uses_ellipse .or. law%spot%uses_ellipse .or. law%heat%uses_ellipse) then
                call find_ellipse(pair, point)
             end if
             if (point%law_status /= law_ok) return
@@ -128,17 +139,34 @@ contains
       type(contact_point_t), intent(inout) :: point
       type(wire_pair_t) :: pair
       type(dent_t) :: dent
+      type(yielding_lens_t) :: lens
 
       associate (law => model%interactions(model%contact_pairs(point%pair)%interaction)%normal)
          if (.not. law%yields()) return
          point%dent_depth = 0
          point%yielding = yielding_state_t()
          point%yielded = 0
-         if (.not. (point%history%dent%felt_force() > 0 .and. point%weight > 0)) return
+         point%uncut_force = 0
+         if (.not. point%weight > 0) return
          pair = wires_of(model, elements, point)
-         call find_ellipse(pair, point)
-         if (.not. point%ellipse%semi_major > 0) return
-         dent = dent_of_wires(law, pair, point%ellipse, point%history%dent%felt_force())
+         if (point%line_place > 0) then
+            point%line = line_of_point(pair, point)
+            point%yielding_place = place_of_wires(law, pair, point)
+            point%dent_depth = depth_of_place(point%yielding_place)
+            return
+         end if
+         point%deepest = 0
+         if (.not. point%history%dent%felt_force() > 0) return
+         if (is_lens(law, point)) then
+            point%line = line_of_point(pair, point)
+            lens = lens_of_wires(law, pair, point)
+            point%deepest = lens%deepest
+            point%dent_depth = depth_of_lens(lens)
+            return
+         end if
+         call find_yielding_ellipse(law, pair, point)
+         dent = dent_of_crossing(law, pair, point)
+         point%deepest = dent%overlap
          point%dent_depth = dent%depth
       end associate
    end subroutine find_dent
@@ -150,11 +178,11 @@ contains
       type(contact_point_t), intent(inout) :: point
       real(dp) :: dissipated
 
-      if (any(point%held) .or. is_cut(point%lens)) point%law_status = law_yields_at_end
       if (.not. point%closed) return
       call state_of_wires(law%normal, pair, point%ellipse, point%history%dent%felt_force(), point%gap, &
          law%spot_memory, point%yielding, dissipated)
-      point%yielded = point%weight*dissipated
+      point%yielded = point%weight*point%cut*point%yielding_part*dissipated
+      point%uncut_force = point%yielding%force
    end subroutine follow_yielding
 
    !> A crossing whose force is the integral of the law per length over its lens.
@@ -215,12 +243,14 @@ contains
       type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(inout) :: point
       type(force_of_gap_t) :: base
-      real(dp) :: weight
+      real(dp) :: weight, part
 
-      base = force_at_gap(law, point%gap, pair, point%ellipse, point%history%dent%felt_force())
+      part = 1
+      if (law%yields()) part = point%yielding_part
+      base = scaled(force_at_gap(law, point%gap, pair, point%ellipse, point%history%dent%felt_force()), part)
       call press(law, pair, base, point)
       if (.not. point%active) return
-      weight = point%weight*point%cut
+      weight = point%weight*point%cut*part
       point%mixed_force = point%mixed_force/weight
       call linearise(law, point%gap, first_overlap*minval(pair%radius), pair, point%ellipse, point%mixed_force, &
          point%stiffness, point%iteration_force, point%at_mixed, point%history%dent%felt_force(), point%dent_depth)
@@ -295,6 +325,39 @@ contains
       call follow_cut(weight, point)
    end subroutine press_lens
 
+   !> The same of wires that yield.
+   pure subroutine press_yielding_lens(normal, pair, point)
+      type(normal_law_t), intent(in) :: normal
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(inout) :: point
+      type(yielding_lens_t) :: lens
+      type(lens_state_t) :: state
+      real(dp) :: overlap, weight
+
+      lens = lens_of_wires(normal, pair, point)
+      state = state_of_lens(lens, -point%gap)
+      call press(normal, pair, state%law, point)
+      if (point%closed) then
+         point%yielding = state%spot
+         point%yielded = point%weight*point%cut*state%dissipated
+         point%uncut_force = state%law%force
+      end if
+      if (.not. point%active) return
+      weight = point%weight*point%cut
+      overlap = point%dent_depth + first_overlap*minval(pair%radius)
+      if (point%mixed_force > 0) then
+         overlap = overlap_of_yielding_lens(lens, point%mixed_force/weight)
+      else if (point%gap < -point%dent_depth) then
+         overlap = min(overlap, -point%gap)
+      end if
+      state = state_of_lens(lens, overlap)
+      point%mixed_force = state%law%force
+      point%stiffness = -state%law%dforce_dgap
+      point%iteration_force = point%mixed_force + point%stiffness*(-point%gap - overlap)
+      if (point%lens_share < 1) point%at_mixed = scaled(state%law, weight)
+      call follow_cut(weight, point)
+   end subroutine press_yielding_lens
+
    !> A lens as the law of a crossing.
    pure type(force_of_gap_t) function law_of_lens(point, lens, gap, penalty) result(law)
       type(contact_point_t), intent(in) :: point
@@ -338,7 +401,8 @@ contains
       type(contact_point_t), intent(inout) :: point
       type(line_force_t) :: law
 
-      law = line_force(point%line, -point%gap, penalty)
+      law = place_force(point%yielding_place, point%line, -point%gap, penalty)
+      if (point%yielding_place%yields) call follow_place(point)
       point%at_gap = force_of_line(law, point%weight)
       if (point%lens%near(1) .and. point%closed) then
          point%slide_force = [point%dweight_dlap*law%energy, 0.0_dp]
@@ -348,12 +412,23 @@ contains
       end if
       if (.not. point%active) return
       if (.not. point%predicted) point%predicted_gap = point%gap
-      law = line_force(point%line, -point%predicted_gap, penalty)
+      law = place_force(point%yielding_place, point%line, -point%predicted_gap, penalty)
       point%mixed_force = point%weight*law%force
       point%geometric_force = point%mixed_force
       point%stiffness = point%weight*law%stiffness
       point%iteration_force = point%mixed_force + point%stiffness*(point%predicted_gap - point%gap)
    end subroutine press_line
+
+   !> What yielding has dissipated at a place, and the force per length that makes its dent.
+   pure subroutine follow_place(point)
+      type(contact_point_t), intent(inout) :: point
+      type(place_state_t) :: state
+
+      if (.not. point%closed) return
+      state = state_of_place(point%yielding_place, -point%gap)
+      point%yielded = point%weight*state%dissipated
+      point%uncut_force = state%strip%force
+   end subroutine follow_place
 
    !> The overlap of a point at a force, and its stiffness.
    pure type(overlap_of_force_t) function overlap_of_point(law, pair, point, force, weight) result(found)
@@ -363,15 +438,25 @@ contains
       !> Greater than 0 [N], and the share of a crossing [-] or the length of a line [m] that carries it
       real(dp), intent(in) :: force, weight
       type(line_overlap_t) :: line
+      type(place_state_t) :: place
       real(dp) :: share
 
-      if (point%line_place > 0) then
+      if (point%line_place > 0 .and. law%yields()) then
+         call overlap_of_place(point%yielding_place, force/weight, found%overlap, place, found%delastic_dforce)
+         found%stiffness = place%stiffness
+         found%elastic_stiffness = place%elastic_stiffness
+      else if (point%line_place > 0) then
          line = line_overlap(point%line, force/weight, law%line_penalty())
          found = overlap_of_force_t(line%overlap, line%stiffness, line%dstiffness_dforce)
       else if (is_lens(law, point)) then
          share = weight*kept_part(point)
-         found = overlap_of_lens(law, pair, point, force/share)
+         if (law%yields()) then
+            found = lens_at_force(lens_of_wires(law, pair, point), force/share)
+         else
+            found = overlap_of_lens(law, pair, point, force/share)
+         end if
          found%stiffness = share*found%stiffness
+         found%elastic_stiffness = share*found%elastic_stiffness
          return
       else
          found = overlap_at_force(law, force/weight, pair, point%ellipse, point%history%dent%felt_force())

@@ -11,7 +11,7 @@ module litz_yielding_line
    implicit none
    private
    public :: yielding_line_t, yielding_line, line_dent_t, line_dent, line_state_t, line_state_at_force, &
-      line_state_at_overlap, yielded_strip
+      line_state_at_overlap, yielded_strip, returned_by_line, dissipated_by_line, pressure_of_strip
 
    !> Newton stops at this relative change of the force; the error left is of the order of its square
    real(dp), parameter :: step_tolerance = 1.0e-9_dp
@@ -20,6 +20,13 @@ module litz_yielding_line
    real(dp), parameter :: small_argument = 0.5_dp
    !> Largest A of a strip that has widened in a lens, which is half as wide as its far field then
    real(dp), parameter :: widest_lens = 0.25_dp
+   !> Gauss points in (0, 1) and their weights, for energies
+   real(dp), parameter :: half_places(4) = [0.18343464249564980494_dp, 0.52553240991632898582_dp, &
+      0.79666647741362673959_dp, 0.96028985649753623168_dp]
+   real(dp), parameter :: half_weights(4) = [0.36268378337836198297_dp, 0.31370664587788728734_dp, &
+      0.22238103445337447054_dp, 0.10122853629037625915_dp]
+   real(dp), parameter :: places(8) = 0.5_dp + 0.5_dp*[-half_places, half_places]
+   real(dp), parameter :: weights(8) = 0.5_dp*[half_weights, half_weights]
 
    !> What the law needs of two wires at an angle.
    type :: yielding_line_t
@@ -42,8 +49,12 @@ module litz_yielding_line
    type :: line_state_t
       !> The force is the largest so far
       logical :: loads = .false.
+      !> 1 - sqrt(1 - lambda^2) of the strip, 1 where it is the largest one [-]
+      real(dp) :: opening = 1
       !> delta [m], f [N/m], df/ddelta [N/m^2]
       real(dp) :: overlap = 0, force = 0, stiffness = 0
+      !> df/ddelta of the metal around the strip, which stays elastic [N/m^2]
+      real(dp) :: elastic_stiffness = 0
       !> b [m] and its derivative by f [m^2/N]
       real(dp) :: half_width = 0, dhalf_width_dforce = 0
       !> A of the strip in the lens [-], and d ln A/d ln f
@@ -94,6 +105,7 @@ contains
       real(dp) :: share, t, lambda, slope, square
 
       if (.not. force > 0) then
+         state%opening = 0
          state%overlap = dent%depth
       else if (force >= dent%force .or. .not. dent%evenness > 0) then
          state = loading_state(law, force)
@@ -107,12 +119,14 @@ contains
             slope = 2*(1 - phi)*(1 - t) + phi
          end associate
          state%force = force
+         state%opening = t
          state%overlap = dent%overlap - drop(law, dent, lambda, 1 - t)
          state%half_width = lambda*dent%half_width
          state%dhalf_width_dforce = state%half_width*(1 - t)/(lambda**2*slope*dent%force)
          state%lens = dent%lens
          square = law%line%section*state%half_width**2
-         state%stiffness = pi*law%line%modulus/(-log(dent%lens + square) - square/(dent%lens + square))
+         state%stiffness = 1/elastic_compliance(law, dent%lens, square)
+         state%elastic_stiffness = state%stiffness
          state%too_wide = dent%half_width > law%line%max_half_width .or. dent%lens > max(widest_lens, law%line%lens)
       end if
    end function line_state_at_force
@@ -171,7 +185,72 @@ contains
       spot%conductance = 1/(-law%line%resistivity/(2*pi)*log(state%lens + section) + film/(2*state%half_width))
       spot%dconductance_dforce = spot%conductance**2/state%force &
          *(law%line%resistivity/pi*share + width_slope*film/(2*state%half_width))
+      spot%dconductance_dresistivity = spot%conductance**2/(2*pi)*(log(state%lens + section) &
+         - 2*section/(state%lens + section)*law%line%electric_offset)
    end function yielded_strip
+
+   !> What comes back per length on the way to the dent, the integral of f over the overlap [J/m], with
+   !> `t = 1 - sqrt(1 - lambda^2)` as `t_1 v^2`.
+   pure real(dp) function returned_by_line(law, dent, opening) result(energy)
+      type(yielding_line_t), intent(in) :: law
+      !> Of the largest force, elastic or not
+      type(line_dent_t), intent(in) :: dent
+      !> t_1 [-]
+      real(dp), intent(in) :: opening
+      real(dp) :: t, square
+      integer :: i
+
+      energy = 0
+      do i = 1, size(places)
+         associate (phi => dent%evenness, f_m => dent%force)
+            t = opening*places(i)**2
+            square = law%line%section*dent%half_width**2*t*(2 - t)
+            energy = energy + weights(i)*2*opening*places(i)*f_m**2*((1 - phi)*t*(2 - t) + phi*t) &
+               *(2*(1 - phi)*(1 - t) + phi)*elastic_compliance(law, dent%lens, square)
+         end associate
+      end do
+   end function returned_by_line
+
+   !> What loading up to a dent has dissipated per length: its work less what comes back [J/m].
+   pure real(dp) function dissipated_by_line(law, dent) result(lost)
+      type(yielding_line_t), intent(in) :: law
+      type(line_dent_t), intent(in) :: dent
+      type(line_state_t) :: state
+      integer :: i
+
+      lost = 0
+      if (.not. dent%evenness > 0) return
+      lost = returned_by_line(law, line_dent(law, law%force), 1.0_dp) - returned_by_line(law, dent, 1.0_dp)
+      associate (beyond => dent%force - law%force)
+         do i = 1, size(places)
+            ! next to the onset little is dissipated
+            state = loading_state(law, law%force + beyond*places(i))
+            lost = lost + weights(i)*beyond*state%force/state%stiffness
+         end do
+      end associate
+   end function dissipated_by_line
+
+   !> Pressure in the middle of the strip [Pa].
+   pure real(dp) function pressure_of_strip(dent, state) result(pressure)
+      !> Of the largest force
+      type(line_dent_t), intent(in) :: dent
+      type(line_state_t), intent(in) :: state
+
+      pressure = 0
+      if (.not. state%force > 0) return
+      associate (t => state%opening, phi => dent%evenness)
+         pressure = dent%force/(pi*dent%half_width)*(2*(1 - phi)*sqrt(t*(2 - t)) + phi*acos(1 - t))
+      end associate
+   end function pressure_of_strip
+
+   !> ddelta/df of a strip in an elastic half-space [m^2/N].
+   pure real(dp) function elastic_compliance(law, lens, square) result(compliance)
+      type(yielding_line_t), intent(in) :: law
+      !> A, and B of the strip [-]
+      real(dp), intent(in) :: lens, square
+
+      compliance = (-log(lens + square) - square/(lens + square))/(pi*law%line%modulus)
+   end function elastic_compliance
 
    !> On the loading curve (15.12).
    pure type(line_state_t) function loading_state(law, force) result(state)
@@ -203,6 +282,7 @@ contains
       state%dhalf_width_dforce = slope
       state%lens = law%line%lens*b**2/(square*force)
       state%lens_slope = 2*force*slope/b - 1
+      state%elastic_stiffness = 1/elastic_compliance(law, state%lens, law%line%section*b**2)
       state%too_wide = b > law%line%max_half_width*(1 + 4*epsilon(b)) .or. state%lens > max(widest_lens, law%line%lens)
    end function loading_state
 

@@ -84,6 +84,8 @@ contains
       call table%field('in_lens', point%in_lens)
       call table%field('spot_section', point%spot_section)
       call table%field('kept_overlap', point%kept_overlap)
+      call table%field('deepest', point%deepest)
+      call table%field('lens_depth', point%lens_depth)
       call table%field('lens_share', point%lens_share)
       call table%field('lens_sine', point%lens_sine)
       call table%field('law_angle', point%law_angle)
