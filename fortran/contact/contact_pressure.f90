@@ -8,8 +8,8 @@ module litz_contact_pressure
    use litz_law_input, only: wire_pair_t
    use litz_line_law, only: line_force_t, line_force
    use litz_normal_forces, only: is_lens
-   use litz_yielding_lens, only: deepest_place
-   use litz_yielding_place, only: pressure_of_place, yielding_place_t
+   use litz_yielding_lens, only: pressure_of_lens
+   use litz_yielding_place, only: pressure_of_place
    use litz_yielding_wires, only: lens_of_wires
    use litz_normal_law, only: normal_law_t
    implicit none
@@ -46,17 +46,13 @@ contains
       type(normal_law_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(in) :: point
-      type(yielding_place_t) :: strip
 
       pressure = point%yielding%pressure
       if (point%line_place > 0) then
-         strip = point%yielding_place
+         pressure = pressure_of_place(point%yielding_place, -point%gap)
       else if (is_lens(law, point)) then
-         strip = deepest_place(lens_of_wires(law, pair, point))
-      else
-         return
+         pressure = pressure_of_lens(lens_of_wires(law, pair, point), -point%gap)
       end if
-      pressure = pressure_of_place(strip, -point%gap)
    end function yielded_pressure
 
    pure real(dp) function of_strip(point, force) result(pressure)

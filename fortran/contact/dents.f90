@@ -16,7 +16,7 @@ module litz_dents
    use litz_wires, only: wires_t, arc_from_to
    use litz_yielding_lens, only: yielding_lens_t
    use litz_yielding_spot, only: dent_t
-   use litz_yielding_wires, only: depth_of_lens, depth_of_place, find_yielding_ellipse, lens_of_wires, place_of_wires
+   use litz_yielding_wires, only: depth_of_lens, find_yielding_ellipse, lens_of_wires, place_of_wires
    implicit none
    private
    public :: follow_dents, find_left_dents, keep_left_dents
@@ -198,9 +198,9 @@ contains
       now%deepest = point%deepest
       now%line = line_of_point(pair, now)
       now%yielding_place = place_of_wires(law, pair, now)
-      point%largest_force = point%weight*now%yielding_place%strip_dent%force
-      point%dent = depth_of_place(now%yielding_place)
-      point%largest_semi_major = now%yielding_place%strip_dent%half_width
+      point%largest_force = point%weight*now%yielding_place%dent%force
+      point%dent = now%yielding_place%dent%depth
+      point%largest_semi_major = now%yielding_place%dent%half_width
    end subroutine show_place
 
    !> The dent of a force at the present angle; all 0 where there is no force, or the wires are parallel.

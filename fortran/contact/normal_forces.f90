@@ -24,7 +24,7 @@ module litz_normal_forces
    use litz_yielding_place, only: place_state_t, state_of_place, place_force, overlap_of_place
    use litz_yielding_spot, only: dent_t, yielding_state_t
    use litz_yielding_wires, only: find_yielding_ellipse, dent_of_crossing, lens_of_wires, place_of_wires, &
-      depth_of_lens, depth_of_place
+      depth_of_lens
    implicit none
    private
    public :: apply_normal_law, wires_of, line_of_point, is_lens, law_of_spot, share_of_ellipse, weight_of_lens
@@ -152,7 +152,7 @@ contains
          if (point%line_place > 0) then
             point%line = line_of_point(pair, point)
             point%yielding_place = place_of_wires(law, pair, point)
-            point%dent_depth = depth_of_place(point%yielding_place)
+            point%dent_depth = point%yielding_place%dent%depth
             return
          end if
          point%deepest = 0

@@ -1,5 +1,4 @@
-!> What wires that yield conduct along lines: the strip with its dent, and in the lens of a crossing as far as that is
-!> short the spot of the crossing.
+!> What wires that yield conduct along lines, and in lenses whose section counts.
 !>
 !> Source: theory section 15; the rest is that of elastic wires, (10.23) and (10.26).
 module litz_yielded_cells
@@ -7,21 +6,19 @@ module litz_yielded_cells
    use litz_contact_blocks, only: spot_in_circuit_t
    use litz_contact_points, only: contact_point_t
    use litz_law_input, only: wire_pair_t
-   use litz_lens_at_place, only: deepest_overlap, lens_at_place_t, lens_at_place
    use litz_lens_law, only: gauss_weight, n_depths
-   use litz_line_cell, only: cell_samples_t, cell_samples, cell_integral, line_cell_t, n_samples
+   use litz_line_cell, only: cell_samples_t, cell_samples, cell_integral, line_cell_t, n_of_cell, n_samples
    use litz_line_kinematics, only: line_course_t
    use litz_line_law, only: line_spot_t
    use litz_model, only: interaction_t
    use litz_normal_forces, only: weight_of_lens
    use litz_spot_law, only: contact_spot_t
    use litz_spot_resistance, only: spot_metal_t, set_conductance
-   use litz_spots_of_places, only: blend, even_share, number_of, varying_t
+   use litz_spots_of_places, only: number_of
    use litz_yielding_lens, only: yielding_lens_t, lens_state_t, state_of_lens
-   use litz_yielding_line, only: line_dent_t, line_dent, line_state_t, line_state_at_overlap, yielding_line_t, &
-      yielded_strip
+   use litz_yielding_line, only: line_dent_t, line_dent, line_state_t, line_state_at_overlap, yielded_strip
    use litz_yielding_place, only: yielding_place_t
-   use litz_yielding_spot, only: dent_t, yielding_state_t, state_at_overlap
+   use litz_yielding_spot, only: dent_t, yielding_state_t
    use litz_yielding_wires, only: lens_of_wires
    implicit none
    private
@@ -29,10 +26,19 @@ module litz_yielded_cells
 
    !> Relative change of the overlap for a difference
    real(dp), parameter :: small_change = 1.0e-5_dp
+   integer, parameter :: max_halvings = 50
+
+   !> What conducts in a cell, per share of it.
+   type :: strips_t
+      !> Length [m] and largest half width [m]
+      real(dp) :: length = 0, half_width = 0
+      !> [S], and its derivatives by slope and curvature of the distance (2), and by the resistivities (2)
+      real(dp) :: conductance = 0, by_course(2) = 0, by_resistivity(2) = 0
+   end type strips_t
 
 contains
 
-   !> What a place of a line conducts: the integral over the part of its cell that touches beyond its dent.
+   !> What a place of a line conducts: the integral over the part of its cell that touches.
    pure subroutine find_yielded_cell(law, pair, course, point, circuit)
       type(interaction_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair
@@ -41,66 +47,110 @@ contains
       type(spot_in_circuit_t), intent(inout) :: circuit
       type(yielding_place_t) :: place
       type(line_cell_t) :: cell
-      type(cell_samples_t) :: samples
-      type(varying_t) :: conductance
-      real(dp) :: half_width, density
+      type(strips_t) :: strips, other
+      real(dp) :: density, change, by_overlap
 
       circuit%follows = 0
       place = point%yielding_place
+      ! with the section as the spot sees it
       place%strip%line = point%line
       cell = point%cell
-      cell%overlap = cell%overlap - place%strip_share*place%strip_dent%depth
-      samples = cell_samples(cell)
-      if (samples%n == 0) return
-      call find_strip(law, place, point%cell%overlap, samples, conductance, half_width)
-      if (place%strip_share < 1) call add_crossing(law, pair, place, cell, samples, point, conductance)
-      density = point%weight/sum(point%cell%reach)
-      circuit%spot%conductance = density*conductance%value
-      circuit%spot%dconductance_dresistivity = density*conductance%by_resistivity
-      circuit%spot%semi_minor = half_width
+      strips = strips_of_cell(law, pair, place, cell)
+      if (.not. strips%conductance > 0) return
+      change = small_change*abs(cell%overlap)
+      if (cell%overlap < place%dent%overlap) change = -change
+      cell%overlap = cell%overlap + change
+      other = strips_of_cell(law, pair, place, cell)
+      by_overlap = (other%conductance - strips%conductance)/change
+      density = point%weight/sum(cell%reach)
+      circuit%spot%conductance = density*strips%conductance
+      circuit%spot%dconductance_dresistivity = density*strips%by_resistivity
+      circuit%spot%semi_minor = strips%half_width
       ! an ellipse of the same area
-      circuit%spot%semi_major = 4/pi*density*sum(samples%weight(:samples%n))/2
-      circuit%dconductance = density*(conductance%derivative(2)*course%dslope &
-         + conductance%derivative(3)*course%dbend - conductance%derivative(1)*point%kinematics%dgap)
+      circuit%spot%semi_major = 4/pi*density*strips%length/2
+      circuit%dconductance = density*(strips%by_course(1)*course%dslope + strips%by_course(2)*course%dbend &
+         - by_overlap*point%kinematics%dgap)
    end subroutine find_yielded_cell
 
-   !> The strip on the part of a cell that touches. Beside its place the dent is as much deeper as the wires are.
-   pure subroutine find_strip(law, place, overlap, samples, strip, half_width)
+   !> The strips on the part of a cell that touches. Beside its place the wires have been as much deeper as there.
+   pure type(strips_t) function strips_of_cell(law, pair, place, cell) result(strips)
       type(interaction_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
       type(yielding_place_t), intent(in) :: place
-      !> At the place [m]
-      real(dp), intent(in) :: overlap
-      !> Of the cell less the dent
-      type(cell_samples_t), intent(in) :: samples
-      type(varying_t), intent(out) :: strip
-      !> Of the widest place [m]
-      real(dp), intent(out) :: half_width
-      type(line_spot_t) :: at(n_samples)
-      type(line_dent_t) :: dent
-      type(line_state_t) :: state(n_samples), made
-      real(dp) :: here
+      type(line_cell_t), intent(in) :: cell
+      type(line_cell_t) :: beyond
+      type(cell_samples_t) :: samples
+      type(line_spot_t) :: at(n_samples), deeper
+      real(dp) :: slope(n_samples), derivative(n_of_cell), drop, edge, step
       integer :: i
 
+      drop = place%dent%overlap - cell%overlap
+      edge = edge_of_dent(place, drop)
+      beyond = cell
+      beyond%overlap = cell%overlap - edge
+      samples = cell_samples(beyond)
+      if (samples%n == 0) return
       do i = 1, samples%n
-         here = samples%overlap(i) + place%strip_share*place%strip_dent%depth
-         dent = line_dent_t()
-         if (place%strip_dent%evenness > 0) then
-            made = line_state_at_overlap(place%strip, dent, place%strip_dent%overlap + here - overlap)
-            dent = line_dent(place%strip, made%force)
-         end if
-         state(i) = line_state_at_overlap(place%strip, dent, here)
-         call keep_strip(law, dent, state(i))
-         at(i) = yielded_strip(place%strip, state(i), number_of(law%spot, law%spot%film_number))
+         associate (here => samples%overlap(i) + edge)
+            at(i) = strip_beside(law, place, here, drop)
+            step = small_change*here
+            deeper = strip_beside(law, place, here + step, drop)
+            slope(i) = (deeper%conductance - at(i)%conductance)/step
+         end associate
       end do
       associate (n => samples%n)
-         half_width = maxval(state(:n)%half_width)
-         call cell_integral(samples, at(:n)%conductance, at(:n)%dconductance_dforce*state(:n)%stiffness, strip%value, &
-            strip%derivative)
-         do i = 1, 2
-            strip%by_resistivity(i) = dot_product(samples%weight(:n), at(:n)%dconductance_dresistivity(i))
+         strips%length = sum(samples%weight(:n))
+         strips%half_width = maxval(at(:n)%half_width)
+         call cell_integral(samples, at(:n)%conductance, slope(:n), strips%conductance, derivative)
+         strips%by_course = derivative(2:3)
+         do i = 1, size(pair%resistivity)
+            strips%by_resistivity(i) = dot_product(samples%weight(:n), at(:n)%dconductance_dresistivity(i))
          end do
       end associate
-   end subroutine find_strip
+   end function strips_of_cell
+
+   !> The strip where the wires overlap by this much, and have overlapped by more.
+   pure type(line_spot_t) function strip_beside(law, place, overlap, drop) result(spot)
+      type(interaction_t), intent(in) :: law
+      type(yielding_place_t), intent(in) :: place
+      !> [m], and how much deeper the wires have been [m]
+      real(dp), intent(in) :: overlap, drop
+      type(line_dent_t) :: dent
+      type(line_state_t) :: state
+
+      if (place%dent%yielded) then
+         state = line_state_at_overlap(place%strip, line_dent_t(), overlap + drop)
+         dent = line_dent(place%strip, state%force)
+      end if
+      state = line_state_at_overlap(place%strip, dent, overlap)
+      call keep_strip(law, dent, state)
+      spot = yielded_strip(place%strip, state, number_of(law%spot, law%spot%film_number))
+   end function strip_beside
+
+   !> Overlap where wires part that have been deeper by this much [m]: there all of it comes back.
+   pure real(dp) function edge_of_dent(place, drop) result(edge)
+      type(yielding_place_t), intent(in) :: place
+      !> [m]
+      real(dp), intent(in) :: drop
+      type(line_dent_t) :: dent
+      real(dp) :: low, high
+      integer :: i
+
+      edge = 0
+      if (.not. (place%dent%yielded .and. drop > 0)) return
+      low = 0
+      high = place%dent%force
+      do i = 1, max_halvings
+         dent = line_dent(place%strip, (low + high)/2)
+         if (dent%overlap - dent%depth < drop) then
+            low = dent%force
+         else
+            high = dent%force
+         end if
+      end do
+      dent = line_dent(place%strip, high)
+      edge = max(dent%overlap - drop, 0.0_dp)
+   end function edge_of_dent
 
    !> A strip that has welded stays as wide as the largest force has made it.
    pure subroutine keep_strip(law, dent, state)
@@ -114,37 +164,6 @@ contains
       state%dhalf_width_dforce = 0
       state%lens_slope = 0
    end subroutine keep_strip
-
-   !> What a cell in the lens of a crossing has of its spot, as far as that is short.
-   pure subroutine add_crossing(law, pair, place, cell, samples, point, of_cell)
-      type(interaction_t), intent(in) :: law
-      type(wire_pair_t), intent(in) :: pair
-      type(yielding_place_t), intent(in) :: place
-      !> Less the dent
-      type(line_cell_t), intent(in) :: cell
-      type(cell_samples_t), intent(in) :: samples
-      type(contact_point_t), intent(in) :: point
-      !> In: the strip, out: what the cell conducts
-      type(varying_t), intent(inout) :: of_cell
-      type(lens_at_place_t) :: lens
-      type(yielding_state_t) :: state
-      type(contact_spot_t) :: spot
-      type(varying_t) :: touching, round
-      real(dp) :: ones(n_samples)
-
-      if (.not. cell%bend > 0) return
-      ones = 1
-      call cell_integral(samples, ones(:samples%n), 0*ones(:samples%n), touching%value, touching%derivative)
-      lens = lens_at_place(point%line, deepest_overlap(cell, 0.0_dp), cell%bend, 0.0_dp)
-      if (.not. lens%half_length > 0) return
-      state = state_at_overlap(place%spot, place%spot_dent, lens%deepest%value &
-         + place%strip_share*place%strip_dent%depth)
-      if (.not. state%force > 0) return
-      call spot_of_state(law, pair, place%spot_dent, state, spot)
-      round = varying_t(spot%conductance, spot%dconductance_dforce*lens%deepest%derivative, &
-         spot%dconductance_dresistivity)
-      of_cell = blend(of_cell, even_share(round, lens, touching), varying_t(1 - place%strip_share))
-   end subroutine add_crossing
 
    !> The spot of a crossing, and how it changes with the overlap instead of the force.
    pure subroutine spot_of_state(law, pair, dent, state, spot)

@@ -13,11 +13,11 @@ module litz_yielding_wires
    use litz_normal_yielding, only: dent_of_wires
    use litz_yielding_lens, only: yielding_lens_t, remember_force
    use litz_yielding_line, only: yielding_line, line_dent, line_dent_t, line_state_t, line_state_at_overlap
-   use litz_yielding_place, only: yielding_place_t, spot_of_place
+   use litz_yielding_place, only: yielding_place_t
    use litz_yielding_spot, only: yielding_crossing, dent_t
    implicit none
    private
-   public :: find_yielding_ellipse, dent_of_crossing, lens_of_wires, place_of_wires, depth_of_lens, depth_of_place
+   public :: find_yielding_ellipse, dent_of_crossing, lens_of_wires, place_of_wires, depth_of_lens
 
 contains
 
@@ -60,7 +60,7 @@ contains
       type(contact_point_t), intent(in) :: point
       integer :: unused_info
 
-      lens%strip = yielding_line(point%line, pair, spread(law%yield_stress, 1, 2))
+      lens%strip = yielding_line(point%line, pair, spread(law%yield_stress, 1, 2), law%hardness, point%law_angle)
       call hertz_ellipse(pair%radius, pair%young, pair%poisson, point%law_angle, lens%ellipse, unused_info)
       call yielding_crossing(lens%ellipse, pair%poisson, spread(law%yield_stress, 1, 2), law%hardness, lens%spot, &
          unused_info)
@@ -75,25 +75,17 @@ contains
       type(wire_pair_t), intent(in) :: pair
       !> With its law per length
       type(contact_point_t), intent(in) :: point
-      type(hertz_ellipse_t) :: ellipse
       type(line_state_t) :: made
       real(dp) :: largest
-      integer :: info
 
       place%yields = .true.
-      place%strip = yielding_line(point%line, pair, spread(law%yield_stress, 1, 2))
+      place%strip = yielding_line(point%line, pair, spread(law%yield_stress, 1, 2), law%hardness, point%law_angle)
       largest = point%history%dent%felt_force()
       if (point%in_lens .and. point%deepest > point%lens_depth) then
          made = line_state_at_overlap(place%strip, line_dent_t(), point%deepest - point%lens_depth)
          largest = max(largest, made%force)
       end if
-      place%strip_dent = line_dent(place%strip, largest)
-      if (.not. (point%in_lens .and. point%section_share < 1)) return
-      call hertz_ellipse(pair%radius, pair%young, pair%poisson, point%law_angle, ellipse, info)
-      if (info /= hertz_ok) return
-      place%strip_share = point%section_share
-      call yielding_crossing(ellipse, pair%poisson, spread(law%yield_stress, 1, 2), law%hardness, place%spot, info)
-      call spot_of_place(ellipse, point%deepest, point%lens_depth, place)
+      place%dent = line_dent(place%strip, largest)
    end function place_of_wires
 
    !> Overlap beyond which a lens has a force [m].
@@ -109,13 +101,5 @@ contains
       depth = dent%depth
       if (lens%strip_share < 1) depth = min(depth, lens%dent%depth)
    end function depth_of_lens
-
-   !> Overlap beyond which a place has a force [m].
-   pure real(dp) function depth_of_place(place) result(depth)
-      type(yielding_place_t), intent(in) :: place
-
-      depth = place%strip_dent%depth
-      if (place%strip_share < 1) depth = max(0.0_dp, min(depth, place%spot_dent%depth - place%deeper))
-   end function depth_of_place
 
 end module litz_yielding_wires

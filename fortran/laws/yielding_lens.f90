@@ -11,12 +11,12 @@ module litz_yielding_lens
    use litz_normal_law, only: force_of_gap_t, overlap_of_force_t
    use litz_yielding_line, only: yielding_line_t, line_dent_t, line_dent, line_state_t, line_state_at_overlap, &
       returned_by_line, dissipated_by_line
-   use litz_yielding_place, only: yielding_place_t
+   use litz_yielding_place, only: yielding_place_t, pressure_of_place
    use litz_yielding_spot, only: yielding_t, dent_t, dent_of_force, yielding_state_t, state_at_overlap
    implicit none
    private
    public :: yielding_lens_t, lens_state_t, remember_force, state_of_lens, overlap_of_yielding_lens, &
-      deepest_place, lens_at_force
+      pressure_of_lens, lens_at_force
 
    !> The overlap at a force is known to this part of it
    real(dp), parameter :: tolerance = 1.0e-11_dp
@@ -74,17 +74,24 @@ contains
       lens%dent = dent_of_force(lens%spot, spot%force)
    end subroutine remember_force
 
-   !> Its deepest place.
-   pure type(yielding_place_t) function deepest_place(lens) result(place)
+   !> Pressure in the middle of strip and spot at the deepest place [Pa].
+   pure real(dp) function pressure_of_lens(lens, overlap) result(pressure)
       type(yielding_lens_t), intent(in) :: lens
+      !> [m]
+      real(dp), intent(in) :: overlap
       type(line_state_t) :: made
+      type(line_dent_t) :: dent
+      type(yielding_state_t) :: spot
 
-      place = yielding_place_t(yields=.true., strip=lens%strip, strip_share=lens%strip_share, spot=lens%spot, &
-         spot_dent=lens%dent, approach=lens%ellipse%approach)
-      if (.not. lens%deepest > 0) return
-      made = line_state_at_overlap(lens%strip, line_dent_t(), lens%deepest)
-      place%strip_dent = line_dent(lens%strip, made%force)
-   end function deepest_place
+      if (lens%deepest > 0) then
+         made = line_state_at_overlap(lens%strip, line_dent_t(), lens%deepest)
+         dent = line_dent(lens%strip, made%force)
+      end if
+      pressure = lens%strip_share*pressure_of_place(yielding_place_t(.true., lens%strip, dent), overlap)
+      if (.not. lens%strip_share < 1) return
+      spot = state_at_overlap(lens%spot, lens%dent, overlap)
+      pressure = pressure + (1 - lens%strip_share)*spot%pressure
+   end function pressure_of_lens
 
    !> Force, energy and spot at an overlap.
    pure type(lens_state_t) function state_of_lens(lens, overlap) result(state)
@@ -150,7 +157,7 @@ contains
          end if
          along(i) = line_state_at_overlap(lens%strip, before(i), overlap*gauss_depth(i))
          ! what has not yielded has the force of elastic wires, to the last digit
-         if (before(i)%evenness > 0 .or. elastic%along(i)%force > lens%strip%force) cycle
+         if (before(i)%yielded .or. elastic%along(i)%force > lens%strip%onset) cycle
          along(i)%force = elastic%along(i)%force
       end do
    end subroutine find_strips
@@ -175,9 +182,9 @@ contains
          associate (strip => state%along(i), dent => state%dents(i))
             if (.not. strip%force > 0) cycle
             weight = lens%strip_share*state%elastic%half_length*gauss_weight(i)
-            if (strip%loads .or. .not. before(i)%evenness > 0) dent = line_dent(lens%strip, strip%force)
+            if (strip%loads .or. .not. before(i)%yielded) dent = line_dent(lens%strip, strip%force)
             energy = energy + weight*returned_by_line(lens%strip, dent, merge(strip%opening, 1.0_dp, &
-               before(i)%evenness > 0 .and. .not. strip%loads))
+               before(i)%yielded .and. .not. strip%loads))
             if (strip%loads) state%dissipated = state%dissipated + weight*(dissipated_by_line(lens%strip, dent) &
                - dissipated_by_line(lens%strip, before(i)))
             stiffness = stiffness + weight*strip%elastic_stiffness
