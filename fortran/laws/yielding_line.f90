@@ -430,6 +430,11 @@ contains
       real(dp), intent(in) :: lambda, s
       real(dp) :: root, factor, present_log
 
+      ! a lens that is the only far field gives way in proportion to the force
+      if (.not. section > epsilon(section)**2*lens) then
+         u = -s*log(lens)/2
+         return
+      end if
       root = sqrt(section/(lens + section))
       factor = (lens + 2*section)/(2*root*(lens + section))
       ! as a strip closes between parallel wires, what multiplies its logarithm goes to 0
