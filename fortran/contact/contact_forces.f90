@@ -7,7 +7,7 @@ module litz_contact_forces
    use litz_contact_mechanics, only: form_hessian
    use litz_contact_spots, only: find_spot, keep_current
    use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry, clearance_of, law_parallel, &
-      law_bad_data, law_too_curved
+      law_bad_data, law_too_curved, law_yields_at_end
    use litz_domain, only: domain_t
    use litz_element_library, only: elements_t, along_element
    use litz_errors, only: error_t, fail, exit_input
@@ -55,6 +55,10 @@ contains
          case (law_too_curved)
             reason = 'a wire is curved about another where they touch ('//elements_of(model, points(i))// &
                ') by nearly their distance: such a contact is not modelled'
+            return
+         case (law_yields_at_end)
+            reason = 'wires touch at an end or a kink ('//elements_of(model, points(i))// &
+               '), where YIELD of *SURFACE BEHAVIOR is not modelled'
             return
          end select
       end do

@@ -24,14 +24,14 @@ module litz_contact_points
    implicit none
    private
    public :: contact_point_t, contact_set_t, points_by_wire_t, points_by_place_t, leg_t, joint_parts_t
-   public :: law_ok, law_parallel, law_bad_data, law_too_curved
+   public :: law_ok, law_parallel, law_bad_data, law_too_curved, law_yields_at_end
    public :: pair_geometry, away_from, axis_of_pair, arc_at, crossing_at, clearance_of, add_taper, &
       chain_by_wire, chain_by_place, inherit, is_contact_of
 
    !> What has become of the laws of a contact: nothing; the axes are parallel, so that there is no Hertz ellipse; the
    !> data of the law are none for it; a wire is curved about the other so much that the foot of a line is hardly known;
    !> wires that yield touch at an end or a kink
-   integer, parameter :: law_ok = 0, law_parallel = 1, law_bad_data = 2, law_too_curved = 3
+   integer, parameter :: law_ok = 0, law_parallel = 1, law_bad_data = 2, law_too_curved = 3, law_yields_at_end = 4
 
    !> A stretch of a wire of a contact, up to its next round end or joint: one on which the contact is, or one that
    !> leads away from a joint near by.
@@ -166,9 +166,8 @@ module litz_contact_points
       !> Deepest overlap that a crossing of wires that yield has had, as far as its dent tells [m]; of a place in its
       !> lens the same, and how much deeper the lens is than the place [m]
       real(dp) :: deepest = 0, lens_depth = 0
-      !> Where ends or joints cut the contact of wires that yield, what the force of uncut cylinders is of that of the
-      !> ellipse; and its force without ends, whatever its share [N]
-      real(dp) :: yielding_part = 1, uncut_force = 0
+      !> Force of wires that yield, whatever its share: of a crossing [N], of a point of a line per length [N/m]
+      real(dp) :: yielding_force = 0
       !> Law per length of wires that yield, of a point of a line contact
       type(yielding_place_t) :: yielding_place
       !> Which of the dents of earlier contacts it has found again; 0: none

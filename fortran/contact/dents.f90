@@ -8,6 +8,7 @@ module litz_dents
    use litz_contact_history, only: dent_memory_t, left_dents_t
    use litz_contact_points, only: contact_point_t, contact_set_t
    use litz_element_library, only: elements_t
+   use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
    use litz_law_input, only: wire_pair_t
    use litz_model, only: model_t
    use litz_normal_forces, only: apply_normal_law, is_lens, line_of_point, wires_of
@@ -16,7 +17,7 @@ module litz_dents
    use litz_wires, only: wires_t, arc_from_to
    use litz_yielding_lens, only: yielding_lens_t
    use litz_yielding_spot, only: dent_t
-   use litz_yielding_wires, only: depth_of_lens, find_yielding_ellipse, lens_of_wires, place_of_wires
+   use litz_yielding_wires, only: depth_of_lens, lens_of_wires, place_of_wires
    implicit none
    private
    public :: follow_dents, find_left_dents, keep_left_dents
@@ -43,7 +44,7 @@ contains
                whole = point
                whole%weight = 1
                call apply_normal_law(model, elements, whole)
-               point%uncut_force = whole(1)%uncut_force
+               point%yielding_force = whole(1)%yielding_force
             end if
             call follow_dent(law, wires, pair, point, point%history%dent)
             call show_dent(law, pair, point%history%dent, point)
@@ -79,6 +80,7 @@ contains
                point%found_dent = k
                point%history%dent = left%dents(k)
                point%history%dent%left = part
+               point%section_share = point%history%dent%share_of_section(point%section_share)
             end do
          end associate
       end do
@@ -145,10 +147,11 @@ contains
 
       dent%dissipation = dent%dissipation + point%yielded
       if (dent%force > 0 .and. point%line_place == 0) dent%left = part_left(law, wires, pair, point, dent)
-      if (point%uncut_force > 0 .and. point%uncut_force >= dent%felt_force()) then
-         dent%force = point%uncut_force
+      if (point%yielding_force > 0 .and. point%yielding_force >= dent%felt_force()) then
+         dent%force = point%yielding_force
          dent%arc = [point%arc_bar, point%arc]
          dent%left = 1
+         dent%section_share = point%section_share
       end if
    end subroutine follow_dent
 
@@ -213,14 +216,14 @@ contains
       type(dent_t), intent(out) :: dent
       !> Of its spot, the longer one first (2) [m]
       real(dp), intent(out) :: half_axes(2)
-      type(contact_point_t) :: there
+      type(hertz_ellipse_t) :: ellipse
+      integer :: info
 
       half_axes = 0
-      there = point
-      call find_yielding_ellipse(law, pair, there)
-      if (.not. there%ellipse%semi_major > 0) return
-      dent = dent_of_wires(law, pair, there%ellipse, force)
-      half_axes = sqrt(dent%area/(pi*there%ellipse%ratio))*[1.0_dp, there%ellipse%ratio]
+      call hertz_ellipse(pair%radius, pair%young, pair%poisson, point%law_angle, ellipse, info)
+      if (info /= hertz_ok) return
+      dent = dent_of_wires(law, pair, ellipse, force)
+      half_axes = sqrt(dent%area/(pi*ellipse%ratio))*[1.0_dp, ellipse%ratio]
    end subroutine dent_here
 
    !> Common area of the dent and a spot of its size where the contact is now, over its area [-].

@@ -125,7 +125,7 @@ contains
       end if
       radius = minval(point%radius)
       half_length = half_length_of(point, deepest*radius)
-      point%section_share = share_of_line(half_length/radius)
+      point%section_share = point%history%dent%share_of_section(share_of_line(half_length/radius))
       ! a penalty does not depend on the far field
       if (law%line_penalty() > 0) point%section_share = 0
       point%spot_section = max(point%section_share, share_of_kept(point, radius))
@@ -380,7 +380,7 @@ contains
       call share_of_point(half_length, resolution*spacing_of_places(places, pair, elements%length(pair)), of_crossing, &
          slope)
       point%line_share = 1 - short*of_crossing
-      point%section_share = 1 - short*(1 - share_of_line(half_length/radius))
+      point%section_share = point%history%dent%share_of_section(1 - short*(1 - share_of_line(half_length/radius)))
       point%spot_section = point%section_share
       ! next to an end the overlap is a wedge
       point%in_lens = .not. any(legs > 0)

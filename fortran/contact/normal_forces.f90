@@ -5,7 +5,7 @@
 !> independent force. The converged force is that of the law at the true gap.
 module litz_normal_forces
    use litz_kinds, only: dp
-   use litz_contact_points, only: contact_point_t, law_ok, law_parallel, law_too_curved
+   use litz_contact_points, only: contact_point_t, law_ok, law_parallel, law_too_curved, law_yields_at_end
    use litz_cut_forces, only: cut_force, ellipse_of_parts, kept_part, scaled
    use litz_cut_lens, only: is_cut
    use litz_element_library, only: elements_t, material_at, material_place_t
@@ -17,14 +17,13 @@ module litz_normal_forces
    use litz_model, only: model_t, interaction_t
    use litz_normal_law, only: normal_law_t, force_of_gap_t, overlap_of_force_t, force_at_gap, overlap_at_force, &
       linearise
-   use litz_normal_yielding, only: state_of_wires
+   use litz_normal_yielding, only: dent_of_wires, state_of_wires
    use litz_parallel, only: worth_threads
    use litz_yielding_lens, only: yielding_lens_t, lens_state_t, state_of_lens, lens_at_force, &
       overlap_of_yielding_lens
    use litz_yielding_place, only: place_state_t, state_of_place, place_force, overlap_of_place
    use litz_yielding_spot, only: dent_t, yielding_state_t
-   use litz_yielding_wires, only: find_yielding_ellipse, dent_of_crossing, lens_of_wires, place_of_wires, &
-      depth_of_lens
+   use litz_yielding_wires, only: lens_of_wires, place_of_wires, depth_of_lens
    implicit none
    private
    public :: apply_normal_law, wires_of, line_of_point, is_lens, law_of_spot, share_of_ellipse, weight_of_lens
@@ -104,6 +103,7 @@ contains
          pair = wires_of(model, elements, point)
          if (needs_line) point%line = line_of_point(pair, point)
          if (.not. (point%active .or. point%closed)) return
+         if (law%normal%yields() .and. is_at_end(point)) point%law_status = law_yields_at_end
          if (point%line_place > 0) then
             call press_line(law%normal%line_penalty(), point)
          else if (is_lens(law%normal, point)) then
@@ -116,9 +116,7 @@ contains
                call press_lens(law%normal, pair, point)
             end if
          else
-            if (law%normal%yields()) then
-               call find_yielding_ellipse(law%normal, pair, point)
-            else if (law%normal%uses_ellipse .or. law%spot%uses_ellipse .or. law%heat%uses_ellipse) then
+            if (law%normal%uses_ellipse .or. law%spot%uses_ellipse .or. law%heat%uses_ellipse) then
                call find_ellipse(pair, point)
             end if
             if (point%law_status /= law_ok) return
@@ -146,7 +144,7 @@ contains
          point%dent_depth = 0
          point%yielding = yielding_state_t()
          point%yielded = 0
-         point%uncut_force = 0
+         point%yielding_force = 0
          if (.not. point%weight > 0) return
          pair = wires_of(model, elements, point)
          if (point%line_place > 0) then
@@ -164,12 +162,20 @@ contains
             point%dent_depth = depth_of_lens(lens)
             return
          end if
-         call find_yielding_ellipse(law, pair, point)
-         dent = dent_of_crossing(law, pair, point)
+         call find_ellipse(pair, point)
+         if (.not. point%ellipse%semi_major > 0) return
+         dent = dent_of_wires(law, pair, point%ellipse, point%history%dent%felt_force())
          point%deepest = dent%overlap
          point%dent_depth = dent%depth
       end associate
    end subroutine find_dent
+
+   !> A contact at a point next to an end or a joint.
+   pure logical function is_at_end(point)
+      type(contact_point_t), intent(in) :: point
+
+      is_at_end = point%line_place == 0 .and. (any(point%held) .or. is_cut(point%lens))
+   end function is_at_end
 
    !> What the contact of wires that yield is at the present gap.
    pure subroutine follow_yielding(law, pair, point)
@@ -181,8 +187,8 @@ contains
       if (.not. point%closed) return
       call state_of_wires(law%normal, pair, point%ellipse, point%history%dent%felt_force(), point%gap, &
          law%spot_memory, point%yielding, dissipated)
-      point%yielded = point%weight*point%cut*point%yielding_part*dissipated
-      point%uncut_force = point%yielding%force
+      point%yielded = point%weight*dissipated
+      point%yielding_force = point%yielding%force
    end subroutine follow_yielding
 
    !> A crossing whose force is the integral of the law per length over its lens.
@@ -243,14 +249,12 @@ contains
       type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(inout) :: point
       type(force_of_gap_t) :: base
-      real(dp) :: weight, part
+      real(dp) :: weight
 
-      part = 1
-      if (law%yields()) part = point%yielding_part
-      base = scaled(force_at_gap(law, point%gap, pair, point%ellipse, point%history%dent%felt_force()), part)
+      base = force_at_gap(law, point%gap, pair, point%ellipse, point%history%dent%felt_force())
       call press(law, pair, base, point)
       if (.not. point%active) return
-      weight = point%weight*point%cut*part
+      weight = point%weight*point%cut
       point%mixed_force = point%mixed_force/weight
       call linearise(law, point%gap, first_overlap*minval(pair%radius), pair, point%ellipse, point%mixed_force, &
          point%stiffness, point%iteration_force, point%at_mixed, point%history%dent%felt_force(), point%dent_depth)
@@ -339,8 +343,8 @@ contains
       call press(normal, pair, state%law, point)
       if (point%closed) then
          point%yielding = state%spot
-         point%yielded = point%weight*point%cut*state%dissipated
-         point%uncut_force = state%law%force
+         point%yielded = point%weight*state%dissipated
+         point%yielding_force = state%law%force
       end if
       if (.not. point%active) return
       weight = point%weight*point%cut
@@ -427,7 +431,7 @@ contains
       if (.not. point%closed) return
       state = state_of_place(point%yielding_place, -point%gap)
       point%yielded = point%weight*state%dissipated
-      point%uncut_force = state%strip%force
+      point%yielding_force = state%strip%force
    end subroutine follow_place
 
    !> The overlap of a point at a force, and its stiffness.

@@ -1,56 +1,22 @@
-!> What wires that yield have from before where they touch: the law of a crossing, of a lens or of a place of a line,
-!> with the dents of the largest force.
+!> What wires that yield have from before where they touch: the law of a lens or of a place of a line, with the dents of
+!> the largest force.
 !>
 !> Source: theory section 15.
 module litz_yielding_wires
    use litz_kinds, only: dp
-   use litz_contact_points, only: contact_point_t, law_parallel
-   use litz_cut_forces, only: ellipse_of_parts, settle_cut
-   use litz_cut_lens, only: is_cut
-   use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
+   use litz_contact_points, only: contact_point_t
+   use litz_hertz, only: hertz_ellipse
    use litz_law_input, only: wire_pair_t
    use litz_normal_law, only: normal_law_t
-   use litz_normal_yielding, only: dent_of_wires
    use litz_yielding_lens, only: yielding_lens_t, remember_force
    use litz_yielding_line, only: yielding_line, line_dent, line_dent_t, line_state_t, line_state_at_overlap
    use litz_yielding_place, only: yielding_place_t
-   use litz_yielding_spot, only: yielding_crossing, dent_t
+   use litz_yielding_spot, only: yielding_crossing
    implicit none
    private
-   public :: find_yielding_ellipse, dent_of_crossing, lens_of_wires, place_of_wires, depth_of_lens
+   public :: lens_of_wires, place_of_wires, depth_of_lens
 
 contains
-
-   !> The ellipse of crossed wires, or where ends or joints cut their overlap that with the sum of the forces there, and
-   !> what the force of uncut cylinders is of its own.
-   pure subroutine find_yielding_ellipse(law, pair, point)
-      type(normal_law_t), intent(in) :: law
-      type(wire_pair_t), intent(in) :: pair
-      type(contact_point_t), intent(inout) :: point
-      real(dp) :: approach
-      integer :: info
-
-      point%yielding_part = 1
-      call hertz_ellipse(pair%radius, pair%young, pair%poisson, point%law_angle, point%ellipse, info)
-      if (info /= hertz_ok) point%law_status = law_parallel
-      if (info /= hertz_ok .or. .not. is_cut(point%lens)) return
-      if (point%gap < 0 .and. .not. point%lens%has_energies) call settle_cut(law, pair, point)
-      if (.not. (point%lens%has_energies .and. any(point%force_part > 0))) return
-      approach = point%ellipse%approach
-      call ellipse_of_parts(pair, point, info)
-      point%yielding_part = (point%ellipse%approach/approach)**1.5_dp
-   end subroutine find_yielding_ellipse
-
-   !> The dent of a crossing that is a point.
-   pure type(dent_t) function dent_of_crossing(law, pair, point) result(dent)
-      type(normal_law_t), intent(in) :: law
-      type(wire_pair_t), intent(in) :: pair
-      !> With its ellipse
-      type(contact_point_t), intent(in) :: point
-
-      if (.not. point%history%dent%felt_force() > 0) return
-      if (point%ellipse%semi_major > 0) dent = dent_of_wires(law, pair, point%ellipse, point%history%dent%felt_force())
-   end function dent_of_crossing
 
    !> The lens of a crossing whose section counts.
    pure type(yielding_lens_t) function lens_of_wires(law, pair, point) result(lens)

@@ -160,6 +160,7 @@ contains
       call table%field('dent_arc', history%dent%arc(2))
       call table%field('dent_left', history%dent%left)
       call table%field('dent_dissipation', history%dent%dissipation)
+      call table%field('dent_section_share', history%dent%section_share)
       call table%field('slow_heat_bar', history%settled_heat(1, 1))
       call table%field('fast_heat_bar', history%settled_heat(2, 1))
       call table%field('slow_heat', history%settled_heat(1, 2))
