@@ -33,6 +33,8 @@ module litz_normal_forces
    real(dp), parameter :: first_overlap = 1.0e-3_dp
    !> The overlap of a lens at a force is found when its logarithm changes by less than this; steps at most
    real(dp), parameter :: tolerance = 1.0e-9_dp
+   !> Change of the angle of a lens over its sine, for differences
+   real(dp), parameter :: small_turn = 1.0e-3_dp
    integer, parameter :: max_iterations = 20
 
 contains
@@ -340,6 +342,7 @@ contains
 
       lens = lens_of_wires(normal, pair, point)
       state = state_of_lens(lens, -point%gap)
+      if (state%has_yielded) call turn_lens(normal, pair, point, -point%gap, state%law)
       call press(normal, pair, state%law, point)
       if (point%closed) then
          point%yielding = state%spot
@@ -358,9 +361,39 @@ contains
       point%mixed_force = state%law%force
       point%stiffness = -state%law%dforce_dgap
       point%iteration_force = point%mixed_force + point%stiffness*(-point%gap - overlap)
-      if (point%lens_share < 1) point%at_mixed = scaled(state%law, weight)
+      if (point%lens_share < 1) then
+         if (state%has_yielded) call turn_lens(normal, pair, point, overlap, state%law)
+         point%at_mixed = scaled(state%law, weight)
+      end if
       call follow_cut(weight, point)
    end subroutine press_yielding_lens
+
+   !> How force and energy of a lens of wires that have yielded change with the angle, by differences.
+   pure subroutine turn_lens(normal, pair, point, overlap, law)
+      type(normal_law_t), intent(in) :: normal
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(in) :: point
+      !> [m]
+      real(dp), intent(in) :: overlap
+      !> In: at the angle of the point
+      type(force_of_gap_t), intent(inout) :: law
+      type(contact_point_t) :: turned
+      type(lens_state_t) :: state(2)
+      real(dp) :: change
+      integer :: side
+
+      change = small_turn*point%law_sine
+      do side = 1, 2
+         turned = point
+         turned%law_angle = point%law_angle + (2*side - 3)*change
+         turned%law_sine = sin(turned%law_angle)
+         turned%line = line_of_point(pair, turned)
+         state(side) = state_of_lens(lens_of_wires(normal, pair, turned), overlap)
+      end do
+      law%dforce_dangle = (state(2)%law%force - state(1)%law%force)/(2*change)
+      law%denergy_dangle = (state(2)%law%energy - state(1)%law%energy)/(2*change)
+      law%d2energy_dangle2 = (state(2)%law%energy - 2*law%energy + state(1)%law%energy)/change**2
+   end subroutine turn_lens
 
    !> A lens as the law of a crossing.
    pure type(force_of_gap_t) function law_of_lens(point, lens, gap, penalty) result(law)

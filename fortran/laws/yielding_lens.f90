@@ -38,6 +38,8 @@ module litz_yielding_lens
    type :: lens_state_t
       !> At this overlap, as the law of a crossing has it
       type(force_of_gap_t) :: law
+      !> It differs from the lens of elastic wires
+      logical :: has_yielded = .false.
       !> dF/ddelta of the metal around, which stays elastic [N/m]
       real(dp) :: elastic_stiffness = 0
       !> What making the dents larger has dissipated [J]
@@ -109,6 +111,8 @@ contains
          elastic%d2energy_dangle2)
       call add_strip(lens, overlap, elastic, state)
       call add_spot(lens, overlap, elastic, state)
+      state%has_yielded = lens%deepest > 0 .and. any(state%dents%yielded) .or. lens%dent%evenness > 0 &
+         .or. any(state%along%force > lens%strip%onset) .or. state%spot%dissipation > 0
       ! away from where it begins to load again
       change = small_change*overlap
       if (overlap < lens%deepest) change = -change
