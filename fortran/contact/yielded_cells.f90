@@ -47,7 +47,7 @@ contains
       type(spot_in_circuit_t), intent(inout) :: circuit
       type(yielding_place_t) :: place
       type(line_cell_t) :: cell
-      type(strips_t) :: strips, other
+      type(strips_t) :: strips, near, far
       real(dp) :: density, change, by_overlap
 
       circuit%follows = 0
@@ -59,9 +59,11 @@ contains
       if (.not. strips%conductance > 0) return
       change = small_change*abs(cell%overlap)
       if (cell%overlap < place%dent%overlap) change = -change
-      cell%overlap = cell%overlap + change
-      other = strips_of_cell(law, pair, place, cell)
-      by_overlap = (other%conductance - strips%conductance)/change
+      cell%overlap = point%cell%overlap + change/2
+      near = strips_of_cell(law, pair, place, cell)
+      cell%overlap = point%cell%overlap + change
+      far = strips_of_cell(law, pair, place, cell)
+      by_overlap = one_sided([strips%conductance, near%conductance, far%conductance])/change
       density = point%weight/sum(cell%reach)
       circuit%spot%conductance = density*strips%conductance
       circuit%spot%dconductance_dresistivity = density*strips%by_resistivity
@@ -80,7 +82,7 @@ contains
       type(line_cell_t), intent(in) :: cell
       type(line_cell_t) :: beyond
       type(cell_samples_t) :: samples
-      type(line_spot_t) :: at(n_samples), deeper
+      type(line_spot_t) :: at(n_samples), near, far
       real(dp) :: slope(n_samples), derivative(n_of_cell), drop, edge, step
       integer :: i
 
@@ -94,8 +96,9 @@ contains
          associate (here => samples%overlap(i) + edge)
             at(i) = strip_beside(law, place, here, drop)
             step = small_change*here
-            deeper = strip_beside(law, place, here + step, drop)
-            slope(i) = (deeper%conductance - at(i)%conductance)/step
+            near = strip_beside(law, place, here + step/2, drop)
+            far = strip_beside(law, place, here + step, drop)
+            slope(i) = one_sided([at(i)%conductance, near%conductance, far%conductance])/step
          end associate
       end do
       associate (n => samples%n)
@@ -108,6 +111,14 @@ contains
          end do
       end associate
    end function strips_of_cell
+
+   !> Slope from a value and those half a step and a step away, times the step.
+   pure real(dp) function one_sided(values)
+      !> (3)
+      real(dp), intent(in) :: values(3)
+
+      one_sided = dot_product([-3.0_dp, 4.0_dp, -1.0_dp], values)
+   end function one_sided
 
    !> The strip where the wires overlap by this much, and have overlapped by more.
    pure type(line_spot_t) function strip_beside(law, place, overlap, drop) result(spot)
@@ -192,7 +203,7 @@ contains
       type(contact_point_t), intent(in) :: point
       type(spot_in_circuit_t), intent(inout) :: circuit
       type(yielding_lens_t) :: lens
-      type(contact_spot_t) :: other
+      type(contact_spot_t) :: near, far
       real(dp) :: change
 
       circuit%follows = 0
@@ -201,9 +212,11 @@ contains
       circuit%spot = whole_spot(law, pair, lens, -point%gap)
       change = small_change*abs(point%gap)
       if (-point%gap < lens%deepest) change = -change
-      other = whole_spot(law, pair, lens, -point%gap + change)
+      near = whole_spot(law, pair, lens, -point%gap + change/2)
+      far = whole_spot(law, pair, lens, -point%gap + change)
       associate (spot => circuit%spot, weight => weight_of_lens(point))
-         circuit%dconductance = -weight*(other%conductance - spot%conductance)/change*point%kinematics%dgap
+         circuit%dconductance = -weight*one_sided([spot%conductance, near%conductance, far%conductance])/change &
+            *point%kinematics%dgap
          spot%conductance = weight*spot%conductance
          spot%dconductance_dresistivity = weight*spot%dconductance_dresistivity
       end associate

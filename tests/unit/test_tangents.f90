@@ -141,12 +141,16 @@ program test_tangents
    call check_lines('bow over a straight wire, spots of a larger force', hertz// &
       '*GAP ELECTRICAL CONDUCTANCE, LAW=PLASTIC, VOLTAGE=LINEAR, SPOT=LARGEST FORCE'//nl//'1e9'//nl, 1.0_dp, &
       1.2e-5_dp, 0.02_dp, 2.0_dp)
-   call check_lines('line of wires that yield', yielding//clean, 0.0_dp, 4.0e-6_dp, 0.02_dp, 0.01_dp)
+   ! how the pull on the ends of a line changes with a dent that grows is left out; a lens in its dents has its slopes
+   ! from differences
+   call check_lines('line of wires that yield', yielding//clean, 0.0_dp, 4.0e-6_dp, 0.02_dp, 0.01_dp, &
+      tolerance=1.0e-5_dp)
    call check_lines('line of wires in their dents', yielding//clean, 0.0_dp, 4.0e-6_dp, 0.002_dp, 1.2_dp)
    call check_lines('bow over a straight wire that yields', yielding//clean, 5.0_dp, 1.2e-5_dp, 0.005_dp, 0.01_dp)
-   call check_lines('bow over a straight wire, in its dents', yielding//clean, 5.0_dp, 1.2e-5_dp, 0.002_dp, 1.1_dp)
+   call check_lines('bow over a straight wire, in its dents', yielding//clean, 5.0_dp, 1.2e-5_dp, 0.002_dp, 1.1_dp, &
+      tolerance=1.0e-6_dp)
    call check_lines('film between wires that yield along a line', yielding//'*GAP ELECTRICAL CONDUCTANCE, '// &
-      'LAW=FILM, VOLTAGE=LINEAR'//nl//'1e-12'//nl, 0.0_dp, 4.0e-6_dp, 0.02_dp, 0.01_dp)
+      'LAW=FILM, VOLTAGE=LINEAR'//nl//'1e-12'//nl, 0.0_dp, 4.0e-6_dp, 0.02_dp, 0.01_dp, tolerance=1.0e-5_dp)
    call check_lines('line that sticks', hertz//'*FRICTION'//nl//'1e3'//nl, 0.0_dp, 4.0e-6_dp, 0.02_dp)
    call check_lines('line of a penalty that sticks', penalty_of_line//'*FRICTION, ELASTIC SLIP=1e-7'//nl//'1e3'//nl, &
       0.0_dp, 3.5e-5_dp, 0.01_dp)
@@ -417,19 +421,24 @@ contains
    end subroutine check_contacts_over_temperature
 
    !> Wires that touch along a line, `part` of the usual random motion away from equilibrium.
-   subroutine check_lines(name, laws, bow, push, part, larger, loads)
+   subroutine check_lines(name, laws, bow, push, part, larger, loads, tolerance)
       character(len=*), intent(in) :: name, laws
       real(dp), intent(in) :: bow, push, part
       !> Times the present one are the largest forces that places remember, and dents; absent: 1
       real(dp), intent(in), optional :: larger
       !> Cards of the second step
       character(len=*), intent(in), optional :: loads
+      !> Of the largest force that changes; absent: `exact`
+      real(dp), intent(in), optional :: tolerance
       type(problem_t) :: problem
       character(len=:), allocatable :: cards
+      real(dp) :: right
       integer :: trial
 
       cards = ''
       if (present(loads)) cards = loads
+      right = exact
+      if (present(tolerance)) right = tolerance
       ! the same motions whatever was checked before: none of them brings a place to the verge of touching
       call start_random_numbers()
       call solve_first_step(deck_along(laws, bow, push, cards), problem)
@@ -443,7 +452,7 @@ contains
          end associate
       end if
       do trial = 1, 3
-         call compare(name, problem, exact, part)
+         call compare(name, problem, right, part)
          call check(count(problem%contact%line_points%closed) > 1, name//': points of a line in contact', 0.0_dp)
       end do
    end subroutine check_lines
