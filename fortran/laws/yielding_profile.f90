@@ -16,11 +16,13 @@ module litz_yielding_profile
    real(dp), parameter :: step_tolerance = 1.0e-9_dp
    integer, parameter :: max_iterations = 60
    !> Gauss points in (-1, 1) and their weights, the positive half of them
-   integer, parameter :: n_half = 5
-   real(dp), parameter :: half_places(n_half) = [0.14887433898163121089_dp, 0.43339539412924719080_dp, &
-      0.67940956829902440623_dp, 0.86506336668898451073_dp, 0.97390652851717172008_dp]
-   real(dp), parameter :: half_weights(n_half) = [0.29552422471475287017_dp, 0.26926671930999635509_dp, &
-      0.21908636251598204400_dp, 0.14945134915058059315_dp, 0.06667134430868813759_dp]
+   integer, parameter :: n_half = 8
+   real(dp), parameter :: half_places(n_half) = [0.09501250983763744_dp, 0.28160355077925892_dp, 0.45801677765722737_dp, &
+      0.61787624440264377_dp, 0.75540440835500300_dp, 0.86563120238783176_dp, &
+      0.94457502307323260_dp, 0.98940093499164994_dp]
+   real(dp), parameter :: half_weights(n_half) = [0.18945061045506864_dp, 0.18260341504492364_dp, 0.16915651939500265_dp, &
+      0.14959598881657671_dp, 0.12462897125553407_dp, 0.09515851168249261_dp, &
+      0.06225352393864746_dp, 0.02715245941175418_dp]
    real(dp), parameter :: places(2*n_half) = [-half_places, half_places]
    real(dp), parameter :: weights(2*n_half) = [half_weights, half_weights]
 

@@ -1,5 +1,7 @@
 """Wires that yield where they touch along lines: the law per length with its dents, from crossings to wires side by side."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -87,7 +89,111 @@ def test_the_balance_of_energy_closes_with_what_yielding_dissipates(run):
 
 
 def total(results, step):
+    """Force [N] and conductance [S] of all contacts at the end of a step."""
     contacts = results.contacts
     last = contacts["increment"][contacts["step"] == step].max(initial=0)
     here = (contacts["step"] == step) & (contacts["increment"] == last)
     return contacts["force"][here].sum(), (1 / contacts["resistance"][here]).sum()
+
+
+#: Up, back, apart, up again on the same curve and beyond, and back
+COURSE = [0.3e-6, 1e-6, 0.9e-6, 0.8e-6, 0.3e-6, 0.8e-6, 1e-6, 1.3e-6, 1.2e-6]
+
+
+def crossing(overlap, degrees, largest=0.0):
+    return litz.kernels.normal_law(
+        overlap, radius=COPPER.radius, young=COPPER.young, poisson=COPPER.poisson, angle=np.radians(degrees),
+        yield_stress=YIELD, hardness=HARDNESS, largest_force=largest,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(("degrees", "force_within", "conductance_within"), [(8, 0.02, 0.01), (5, 0.03, 0.02)])
+def test_places_along_a_short_lens_have_the_force_and_conductance_of_the_crossing(
+    run, degrees, force_within, conductance_within
+):
+    """With elements as short as this the lens is one of many places, up, on the way back, and up again."""
+    process, results = run(wires(*(to(z) for z in COURSE), degrees=degrees, elements=(40, 40)))
+    assert process.returncode == 0, process.stderr
+    assert (results.contacts["length"] > 0).sum() > 20
+    largest = 0.0
+    for step, z in enumerate(COURSE, 1):
+        force, conductance = total(results, step)
+        exact = crossing(z, degrees, largest)
+        largest = max(largest, exact.force)
+        assert force == pytest.approx(exact.force, abs=force_within * largest)
+        if exact.force > 0:
+            expected = 4 * exact.disc_radius / (2 * COPPER.resistivity)
+            assert conductance == pytest.approx(expected, rel=conductance_within)
+
+
+@pytest.mark.parametrize("degrees", [12, 5, 3, 2, 1])
+def test_force_and_conductance_hardly_depend_on_the_mesh(run, degrees):
+    found = []
+    for n in (8, 40):
+        process, results = run(wires(*(to(z) for z in COURSE), degrees=degrees, elements=(n, n)), name=f"{n}")
+        assert process.returncode == 0, process.stderr
+        found.append(np.array([total(results, step) for step in range(1, len(COURSE) + 1)]))
+    coarse, fine = found
+    np.testing.assert_allclose(coarse[:, 0], fine[:, 0], atol=0.025 * fine[:, 0].max())
+    np.testing.assert_allclose(coarse[:, 1], fine[:, 1], atol=0.025 * fine[:, 1].max())
+    # it comes again on the way on which it went
+    np.testing.assert_allclose(fine[5], fine[3], rtol=5e-3)
+    np.testing.assert_allclose(fine[6], fine[1], rtol=5e-3)
+
+
+def test_force_and_conductance_change_steadily_with_the_angle(run):
+    """Up and on the way back, from wires that cross to wires side by side."""
+    rows = []
+    angles = [8, 7, 6, 5, 4.2, 3.5, 3, 2.5, 2.1, 1.8, 1.5, 1.25, 1]
+    for degrees in angles:
+        process, results = run(wires(to(1e-6), to(0.85e-6), degrees=degrees, elements=(16, 16)), name=f"{degrees}")
+        assert process.returncode == 0, process.stderr
+        rows.append([*total(results, 1), *total(results, 2)])
+    # of straight wires the lens is as long as this
+    scaled = np.array(rows) * np.sin(np.radians(angles))[:, None]
+    for before, after in pairwise(scaled):
+        assert after / before == pytest.approx([1, 1, 1, 1], abs=0.13)
+
+
+def test_a_film_lies_on_the_strips(run):
+    film = 1e-11
+    process, results = run(wires(to(1e-6), to(0.9e-6), law=BEHAVIOR + f"*GAP ELECTRICAL CONDUCTANCE, LAW=FILM\n {film}\n"))
+    assert process.returncode == 0, process.stderr
+    largest = 0.0
+    for step, z in enumerate((1e-6, 0.9e-6), 1):
+        found, force = middle_of(results, step), force_at(z, largest)
+        exact = law(force, largest)
+        expected = 1 / (1 / exact.conductance + film / (2 * exact.half_width))
+        assert 1 / (found["resistance"] * found["length"]) == pytest.approx(expected, rel=1e-6)
+        largest = max(force, largest)
+
+
+@pytest.mark.parametrize("between", [0.7e-6, -1.5e-2])
+@pytest.mark.parametrize("degrees", [0.0, 3.0])
+def test_a_restart_goes_on_with_the_dents(run, tmp_path, degrees, between):
+    """Bit for bit, also of wires that have been far apart."""
+    steps = [to(z, increments=2, extra="*RESTART, WRITE\n") for z in (1e-6, between, 0.8e-6)]
+    deck = wires(*steps, degrees=degrees)
+    process, whole = run(deck, name="whole")
+    assert process.returncode == 0, process.stderr
+    process, going_on = run(deck, "--restart", f"{tmp_path / 'whole' / 'whole.restart.h5'}:2:2", name="second")
+    assert process.returncode == 0, process.stderr
+    assert going_on.contacts_at(-1).n_rows > 0
+    for name in ("force", "resistance", "largest_force", "dent", "yield_dissipation"):
+        assert going_on.contacts_at(-1)[name].tolist() == whole.contacts_at(-1)[name].tolist()
+    assert going_on.history["ALLPD"][-1] == whole.history["ALLPD"][-1]
+
+
+@pytest.mark.parametrize(
+    ("spot", "words"),
+    [
+        ("*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ, SPOT=LARGEST FORCE\n", "SPOT=LARGEST FORCE"),
+        ("*GAP ELECTRICAL CONDUCTANCE, LAW=CONSTANT, PER=LENGTH\n 1e-6\n", "LAW=CONSTANT of *GAP ELECTRICAL CONDUCTANCE"),
+        ("*GAP ELECTRICAL CONDUCTANCE, LAW=SHARVIN\n 4e-8\n", "LAW=SHARVIN of *GAP ELECTRICAL CONDUCTANCE"),
+    ],
+)
+def test_spots_that_do_not_follow_strips_end_the_run_in_words(run, spot, words):
+    process, _ = run(wires(to(1e-6), law=BEHAVIOR + spot))
+    assert process.returncode != 0
+    assert words in process.stderr
+
