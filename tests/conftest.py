@@ -1,5 +1,7 @@
 """What the tests share: the built program, and what else its build directory can make."""
 
+import contextlib
+import fcntl
 import importlib.resources
 import importlib.util
 import os
@@ -46,14 +48,54 @@ def litz(litz_program):
 
 
 @pytest.fixture(scope="session")
-def build_target(litz_program):
+def shared_folder(tmp_path_factory) -> Path:
+    """A folder for all processes among which the tests are divided."""
+    base = tmp_path_factory.getbasetemp()
+    folder = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "shared"
+    folder.mkdir(exist_ok=True)
+    return folder
+
+
+@pytest.fixture(scope="session")
+def alone(shared_folder):
+    """``with alone("builds"):`` is for one process of the tests at a time."""
+
+    @contextlib.contextmanager
+    def lock(name):
+        with open(shared_folder / f"{name}.lock", "w", encoding="utf-8") as file:
+            fcntl.flock(file, fcntl.LOCK_EX)
+            yield
+
+    return lock
+
+
+@pytest.fixture(scope="session")
+def made_once(shared_folder, alone):
+    """``made_once("name", make)``: the folder that ``make(folder)`` has filled for all processes of the tests."""
+
+    def made(name, make) -> Path:
+        folder, done = shared_folder / name, shared_folder / f"{name}.done"
+        with alone(name):
+            if not done.exists():
+                shutil.rmtree(folder, ignore_errors=True)
+                folder.mkdir()
+                make(folder)
+                done.touch()
+        return folder
+
+    return made
+
+
+@pytest.fixture(scope="session")
+def build_target(litz_program, alone):
     """Build one target where the program was built: ``build_target("tests/read_decks") -> Path``."""
 
     def build(target) -> Path:
         directory = litz_program.resolve().parents[1]
         if not (directory / "build.ninja").is_file() or shutil.which("ninja") is None:
             pytest.skip(f"{directory} is no build directory: {target} is not there")
-        subprocess.run(["ninja", "-C", directory, target], check=True, capture_output=True)
+        with alone("build"):
+            subprocess.run(["ninja", "-C", directory, target], check=True, capture_output=True)
         return directory / target
 
     return build

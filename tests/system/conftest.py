@@ -3,6 +3,7 @@
 import html
 import importlib
 import re
+import shutil
 import subprocess
 import warnings
 from pathlib import Path
@@ -24,13 +25,15 @@ def inputs():
 
 
 @pytest.fixture(scope="session")
-def run_of_input(litz_program, tmp_path_factory):
-    """`run_of_input("01_crossed_wires")` is the directory with the results of a deck, which is run only once."""
+def run_of_input(litz_program, made_once, tmp_path_factory):
+    """`run_of_input("01_crossed_wires")` is a directory with the results of a deck, which is run only once.
+
+    Each process of the tests has a copy of its own, in which it may write.
+    """
     directories = {}
 
     def run(name):
-        if name not in directories:
-            directory = tmp_path_factory.mktemp(name)
+        def make(directory):
             done = subprocess.run(
                 [litz_program, "run", INPUTS / f"{name}.inp", "-o", directory],
                 capture_output=True,
@@ -39,7 +42,9 @@ def run_of_input(litz_program, tmp_path_factory):
                 check=False,
             )
             assert done.returncode == 0, done.stdout + done.stderr
-            directories[name] = directory
+
+        if name not in directories:
+            directories[name] = shutil.copytree(made_once(name, make), tmp_path_factory.mktemp(name), dirs_exist_ok=True)
         return directories[name]
 
     return run
@@ -69,11 +74,15 @@ def header(inputs):
 
 
 @pytest.fixture(scope="session")
-def report_of_grid(run_of_input, tmp_path_factory):
+def report_of_grid(run_of_input, made_once):
     """The page of a report about the grid, with nothing beside it."""
-    with warnings.catch_warnings():
-        warnings.filterwarnings("ignore", message=".*drawn with matplotlib only")
-        return litz_package.report(run_of_input("04_wire_grid"), tmp_path_factory.mktemp("report") / "grid.html")
+
+    def make(folder):
+        with warnings.catch_warnings():
+            warnings.filterwarnings("ignore", message=".*drawn with matplotlib only")
+            litz_package.report(run_of_input("04_wire_grid"), folder / "grid.html")
+
+    return made_once("report", make) / "grid.html"
 
 
 @pytest.fixture
@@ -86,10 +95,12 @@ def reports_without_pictures(monkeypatch):
     monkeypatch.setattr(importlib.import_module("litz.reports.report"), "_figure", figure)
 
 
-@pytest.fixture(scope="session")
-def changed_sources(tmp_path_factory):
-    """A copy of the sources with what newcomers add by the documents."""
-    return make_changed_sources(tmp_path_factory.mktemp("changed_sources"))
+@pytest.fixture(scope="module")
+def changed_sources(made_once, alone):
+    """A copy of the sources with what newcomers add by the documents, for the tests of one file at a time."""
+    folder = made_once("changed_sources", make_changed_sources)
+    with alone("build of changed sources"):
+        yield folder / "litz"
 
 
 @pytest.fixture
