@@ -333,7 +333,7 @@ contains
       call begin(k, 'SOLVER', place_step, &
          'Linear solver of this step and the later ones (litz extension). MONOLITHIC:'// &
          ' voltages are solved in the same linear step as displacements. UPDATED: with the new displacements.')
-      call k%add(choice('NAME', 'BLOCK|UMFPACK|SKYLINE', 'the solver', required=.true.))
+      call k%add(choice('NAME', 'BLOCK|UMFPACK|SKYLINE|MUMPS', 'the solver', required=.true.))
       call k%add(choice('COUPLING', 'MONOLITHIC|UPDATED', 'when voltages are solved'))
       call finish(table, k)
       call begin(k, 'SOLUTION TECHNIQUE', place_step, &
