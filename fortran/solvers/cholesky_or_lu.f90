@@ -51,6 +51,8 @@ module litz_cholesky_or_lu
    !> Residual of the iteration over that of its start, and steps beyond which an LU costs no more
    real(dp), parameter :: accurate_residual = 1.0e-9_dp
    integer, parameter :: max_steps = 30
+   !> Number of equations from which L D L^T of MUMPS takes less time than LU of UMFPACK
+   integer, parameter :: worth_mumps = 500
 
 contains
 
@@ -72,7 +74,7 @@ contains
 
       allocate (umfpack_factor_t :: backend)
       call create_mumps_factor(.true., symmetric_backend)
-      call create_lu_solver(backend, solver, symmetric_backend)
+      call create_lu_solver(backend, solver, symmetric_backend, worth_mumps)
    end subroutine create_lu
 
    !> Scales by itself: Cholesky wants a unit diagonal.

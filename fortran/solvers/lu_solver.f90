@@ -22,6 +22,8 @@ module litz_lu_solver
    type, extends(linear_solver_t) :: lu_solver_t
       private
       type(lazy_factor_t) :: method(ldl)
+      !> Symmetric matrices with fewer equations are factored as all others
+      integer :: symmetric_from = 0
       !> The one of the last `factor`
       integer :: used = lu
    contains
@@ -34,17 +36,20 @@ module litz_lu_solver
 contains
 
    !> The solver from empty factorisations of some libraries.
-   subroutine create_lu_solver(backend, solver, symmetric_backend)
+   subroutine create_lu_solver(backend, solver, symmetric_backend, symmetric_from)
       !> Comes back not allocated
       class(sparse_factor_t), allocatable, intent(inout) :: backend
       class(linear_solver_t), allocatable, intent(out) :: solver
       !> For symmetric matrices, if allocated; comes back not allocated
       class(sparse_factor_t), allocatable, intent(inout), optional :: symmetric_backend
+      !> Number of equations from which it is used; all without it
+      integer, intent(in), optional :: symmetric_from
       type(lu_solver_t), allocatable :: new
 
       allocate (new)
       call move_alloc(backend, new%method(lu)%factor%backend)
       if (present(symmetric_backend)) call move_alloc(symmetric_backend, new%method(ldl)%factor%backend)
+      if (present(symmetric_from)) new%symmetric_from = symmetric_from
       call move_alloc(new, solver)
    end subroutine create_lu_solver
 
@@ -57,8 +62,19 @@ contains
       call self%release()
       self%method%is_analysed = .false.
       self%used = lu
-      if (.not. allocated(self%method(ldl)%factor%backend)) call prepare(self, matrix, error)
+      if (method_for(self, .true., matrix%n_rows) == lu) call prepare(self, matrix, error)
    end subroutine lu_analyse
+
+   pure integer function method_for(self, symmetric, n)
+      class(lu_solver_t), intent(in) :: self
+      !> The matrix is
+      logical, intent(in) :: symmetric
+      !> Number of equations
+      integer, intent(in) :: n
+
+      method_for = merge(ldl, lu, symmetric .and. n >= self%symmetric_from .and. &
+         allocated(self%method(ldl)%factor%backend))
+   end function method_for
 
    !> Symbolic work of the factorisation that is used, unless it has been done.
    subroutine prepare(self, matrix, error)
@@ -88,8 +104,7 @@ contains
 
       self%negative_pivots = -1
       n_counted = min(self%n_counted, matrix%n_rows)
-      self%used = merge(ldl, lu, symmetric .and. n_counted == matrix%n_rows .and. &
-         allocated(self%method(ldl)%factor%backend))
+      self%used = method_for(self, symmetric .and. n_counted == matrix%n_rows, matrix%n_rows)
       call self%method(lu + ldl - self%used)%factor%release()
       call prepare(self, matrix, error)
       if (allocated(error)) return

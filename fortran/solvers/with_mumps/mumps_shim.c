@@ -2,6 +2,7 @@
  *
  * Indices count from 1. A symmetric matrix comes with both triangles, of which MUMPS is given the upper one. Status
  * codes are those of MUMPS, INFOG(1): 0 or positive done, negative failed. */
+#include "mumps_shim.h"
 #include <dmumps_c.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -21,14 +22,19 @@ enum { ordering_given = 1, no = 0, yes = 1, silent = -1 };
 enum { null_threshold = 2 };
 enum { status_code = 0, status_detail = 1, negative_pivots = 11, peak_memory = 15, null_count = 27 };
 
-typedef struct {
+typedef struct mumps_shim {
     DMUMPS_STRUC_C mumps;
+    int instance;
+    struct mumps_shim *next;
     MUMPS_INT *row, *column, *position;
     int64_t entries;
 } mumps_shim;
 
+mumps_announcement *mumps_shim_announce = NULL;
+
 static int call(mumps_shim *self, int job)
 {
+    if (mumps_shim_announce) mumps_shim_announce(self->instance, job, self->mumps.sym);
     self->mumps.job = job;
     dmumps_c(&self->mumps);
     return self->mumps.infog[status_code];
@@ -42,18 +48,8 @@ static void free_arrays(mumps_shim *self)
     self->row = self->column = self->position = NULL;
 }
 
-/* A pivot no larger than `smallest` counts as vanished. NULL when there is no memory. */
-mumps_shim *mumps_shim_create(int symmetric, double smallest)
+static void set_controls(mumps_shim *self)
 {
-    mumps_shim *self = calloc(1, sizeof *self);
-    if (!self) return NULL;
-    self->mumps.sym = symmetric ? 2 : 0;
-    self->mumps.par = 1;
-    self->mumps.comm_fortran = whole_world;
-    if (call(self, initialise) < 0) {
-        free(self);
-        return NULL;
-    }
     MUMPS_INT *control = self->mumps.icntl;
     control[output_errors] = control[output_warnings] = control[output_totals] = silent;
     control[print_level] = no;
@@ -65,6 +61,23 @@ mumps_shim *mumps_shim_create(int symmetric, double smallest)
     control[parallel_root] = 1;
     control[null_pivots] = yes;
     control[sequential_analysis] = 1;
+}
+
+/* A pivot no larger than `smallest` counts as vanished. NULL when there is no memory. */
+mumps_shim *mumps_shim_create(int symmetric, double smallest)
+{
+    static int instances = 0;
+    mumps_shim *self = calloc(1, sizeof *self);
+    if (!self) return NULL;
+    self->instance = ++instances;
+    self->mumps.sym = symmetric ? 2 : 0;
+    self->mumps.par = 1;
+    self->mumps.comm_fortran = whole_world;
+    if (call(self, initialise) < 0) {
+        free(self);
+        return NULL;
+    }
+    set_controls(self);
     self->mumps.cntl[null_threshold] = -smallest;
     return self;
 }
@@ -161,4 +174,25 @@ void mumps_shim_version(int version[3])
 {
     version[0] = version[1] = version[2] = 0;
     sscanf(MUMPS_VERSION, "%d.%d.%d", version, version + 1, version + 2);
+}
+
+/* Matrices, right-hand sides and controls are those of the first process. */
+int mumps_shim_follow(int instance, int job, int symmetric)
+{
+    static mumps_shim *first = NULL;
+    mumps_shim **place = &first, *self;
+    while (*place && (*place)->instance != instance) place = &(*place)->next;
+    if (!*place && !(*place = calloc(1, sizeof **place))) return 0;
+    self = *place;
+    self->instance = instance;
+    self->mumps.sym = symmetric;
+    self->mumps.par = 1;
+    self->mumps.comm_fortran = whole_world;
+    call(self, job);
+    if (job == initialise) set_controls(self);
+    if (job == terminate) {
+        *place = self->next;
+        free(self);
+    }
+    return 1;
 }
