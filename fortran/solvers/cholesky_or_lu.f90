@@ -144,8 +144,8 @@ contains
       self%failed_equation = self%lu%failed_equation
    end subroutine factor_lu
 
-   !> That Cholesky failed says only that there is a negative pivot; how many, the other factorisation may tell. A matrix
-   !> with a positive definite symmetric part has none.
+   !> That Cholesky failed says only that there is a negative pivot; how many, the other factorisation may tell. A
+   !> matrix with a positive definite symmetric part has none.
    subroutine count_negative_pivots(self)
       class(cholesky_or_lu_t), intent(inout) :: self
 

@@ -57,7 +57,9 @@ def assert_same_answers(found, expected):
         np.testing.assert_array_equal(found.status[column], expected.status[column], err_msg=column)
     for name in expected.history:
         scale = np.nanmax(np.abs(expected.history[name]))
-        np.testing.assert_allclose(found.history[name], expected.history[name], rtol=0, atol=HISTORY * scale, err_msg=name)
+        np.testing.assert_allclose(
+            found.history[name], expected.history[name], rtol=0, atol=HISTORY * scale, err_msg=name
+        )
     for name in ("displacement", "rotation", "potential"):
         field = expected.field(name, None)
         np.testing.assert_allclose(

@@ -65,7 +65,9 @@ def test_decks_that_magnify_round_off_have_the_same_force_with_all_solvers(litz,
         ends = np.flatnonzero(np.diff(history["step"], append=np.inf))
         forces.append(history[SENSITIVE[name]][ends])
     # before it is drawn the end of the rod is free
-    np.testing.assert_allclose(forces[1:], [forces[0]] * (len(solvers) - 1), rtol=2e-5, atol=1e-9 * np.abs(forces).max())
+    np.testing.assert_allclose(
+        forces[1:], [forces[0]] * (len(solvers) - 1), rtol=2e-5, atol=1e-9 * np.abs(forces).max()
+    )
 
 
 @pytest.mark.parametrize("deck", [path for path in INPUTS if path.stem not in SENSITIVE], ids=lambda path: path.stem)
