@@ -5,6 +5,7 @@ import shutil
 import signal
 import subprocess
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -50,13 +51,21 @@ def one_thread():
     return os.environ | {"OMP_NUM_THREADS": "1"}
 
 
+def kind(column):
+    """`RF` of `RF1 node 11`."""
+    return column.split()[0].rstrip("0123456789")
+
+
 def assert_same_answers(found, expected):
     for table in (found.status, expected.status):
         assert len(table["iterations"]) > 0
     for column in ("iterations", "attempts", "negative_pivots", "contacts"):
         np.testing.assert_array_equal(found.status[column], expected.status[column], err_msg=column)
     for name in expected.history:
-        scale = np.nanmax(np.abs(expected.history[name]))
+        # forces that are zero are round-off of those of the other components
+        scale = max(
+            np.nanmax(np.abs(expected.history[other])) for other in expected.history if kind(other) == kind(name)
+        )
         np.testing.assert_allclose(
             found.history[name], expected.history[name], rtol=0, atol=HISTORY * scale, err_msg=name
         )
@@ -97,24 +106,24 @@ def test_an_error_ends_all_processes_with_its_message_and_exit_code(mpi, tmp_pat
     done = mpi(2, "run", deck)
     assert done.returncode == 1
     assert done.stderr.count("NONSENSE") >= 1
-    free = cantilever("*CLOAD\n 11, 3, -50.").replace(", ENCASTRE", ", 1, 3")
-    deck.write_text(free)
+    deck.write_text(cantilever("*CLOAD\n 11, 3, -1e9", static="1, 1, 1, 1"))
     one, two = (mpi(ranks, "run", deck, "--quiet", "-o", tmp_path / str(ranks)) for ranks in (1, 2))
     assert one.returncode == two.returncode == 2, two.stderr
-    assert "Something can move freely" in two.stderr
+    message = one.stderr.splitlines()[0]
+    assert message.startswith("error: step 1, increment 1")
+    assert two.stderr.splitlines()[0] == message.replace(str(tmp_path / "1"), str(tmp_path / "2"))
 
 
 def test_a_process_that_is_killed_ends_all(mpi_command, inputs, tmp_path):
     """None waits for ever for one that is no longer there."""
     words = mpi_command(2, "run", inputs / "11_fibre_mat.inp", "--quiet", "-o", tmp_path)
     with subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=one_thread()) as mpirun:
-        children = f"/proc/{mpirun.pid}/task/{mpirun.pid}/children"
+        children = Path(f"/proc/{mpirun.pid}/task/{mpirun.pid}/children")
         processes = []
         deadline = time.monotonic() + 60
         while len(processes) < 2 and time.monotonic() < deadline:
             time.sleep(0.1)
-            with open(children) as file:
-                processes = file.read().split()
+            processes = children.read_text().split()
         time.sleep(1)
         os.kill(int(processes[-1]), signal.SIGKILL)
         assert mpirun.wait(timeout=60) != 0
