@@ -17,10 +17,12 @@ program litz
    use litz_model_summary, only: model_summary
    use litz_numbers, only: parse_integer, number_ok
    use litz_output_files, only: make_directory
+   use litz_processes, only: begin_processes, end_processes, usual_solver
    use litz_run, only: run_options_t, run_model
    use litz_run_warnings, only: run_warnings_t
    use litz_size_check, only: check_size
    use litz_solver_factory, only: available_solvers, solver_libraries
+   use litz_solver_names, only: solver_default
    use litz_timing, only: phase_reading
    use litz_text, only: shown
    use litz_version, only: version
@@ -41,6 +43,7 @@ program litz
    end interface
 
    call set_process_environment()
+   call begin_processes()
    call ignore_file_size_signal()
    call watch_memory()
    call read_command(command, error)
@@ -57,6 +60,7 @@ program litz
    case default
       call print_text(help_text(command%argument))
    end select
+   call end_processes()
 
 contains
 
@@ -94,7 +98,7 @@ contains
       if (allocated(error)) call end_with(error)
       options%deck_path = command%argument
       options%output_directory = command%output_directory
-      options%solver = command%solver
+      options%solver = merge(command%solver, usual_solver, command%solver /= solver_default)
       options%threads = command%threads
       options%restart_path = command%restart_path
       options%restart_step = command%restart_step
@@ -233,6 +237,7 @@ contains
       flush (error_unit)
       ! without memory OpenBLAS's threads, which are ended before the program, wait for it for ever
       if (code == exit_memory) call c_exit_at_once(code)
+      call end_processes()
       call c_exit(code)
    end subroutine stop_with
 

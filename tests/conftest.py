@@ -2,9 +2,11 @@
 
 import contextlib
 import fcntl
+import functools
 import importlib.resources
 import importlib.util
 import os
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -20,6 +22,25 @@ def find_program() -> Path:
     if importlib.util.find_spec("litz") is None:
         pytest.fail("No litz program: set LITZ_PROGRAM to it, or install the package")
     return Path(str(importlib.resources.files("litz") / "_bin" / "litz"))
+
+
+@functools.cache
+def solvers_of_program() -> list[str]:
+    """Names of the solvers that the program was built with."""
+    version = subprocess.run([find_program(), "--version"], capture_output=True, text=True, check=True).stdout
+    names = re.search(r"^solvers: (.*)$", version, re.MULTILINE)[1]
+    return re.sub(r" *\([^)]*\)", "", names).split(", ")
+
+
+def pytest_runtest_setup(item):
+    if item.get_closest_marker("mumps") and "MUMPS" not in solvers_of_program():
+        pytest.skip("the program was built without MUMPS")
+
+
+@pytest.fixture(scope="session")
+def solvers() -> list[str]:
+    """The solvers of the program, the default first."""
+    return solvers_of_program()
 
 
 @pytest.fixture(scope="session")

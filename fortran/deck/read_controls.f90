@@ -3,7 +3,7 @@ module litz_read_controls
    use litz_kinds, only: dp
    use litz_text, only: to_text
    use litz_model, only: step_t, controls_t, coupling_monolithic, coupling_updated
-   use litz_solver_names, only: solver_block, solver_umfpack, solver_skyline
+   use litz_solver_names, only: solver_block, solver_umfpack, solver_skyline, solver_mumps
    use litz_reader, only: reader_t, fail_at, choice_of, integer_parameter, parameter_of
    use litz_data_lines, only: read_line
    implicit none
@@ -102,6 +102,8 @@ contains
          step%solver = solver_umfpack
       case ('SKYLINE')
          step%solver = solver_skyline
+      case ('MUMPS')
+         step%solver = solver_mumps
       end select
       select case (choice_of(self, card, 'COUPLING'))
       case ('MONOLITHIC')

@@ -331,9 +331,10 @@ contains
       call finish(table, k)
 
       call begin(k, 'SOLVER', place_step, &
-         'Linear solver of this step and the later ones (litz extension). MONOLITHIC:'// &
+         'Linear solver of this step and the later ones (litz extension). BLOCK, the default, takes Cholesky where'// &
+         ' it can, else MUMPS or UMFPACK; MUMPS takes L D L^T or LU by MUMPS for every matrix. MONOLITHIC:'// &
          ' voltages are solved in the same linear step as displacements. UPDATED: with the new displacements.')
-      call k%add(choice('NAME', 'BLOCK|UMFPACK|SKYLINE', 'the solver', required=.true.))
+      call k%add(choice('NAME', 'BLOCK|UMFPACK|SKYLINE|MUMPS', 'the solver', required=.true.))
       call k%add(choice('COUPLING', 'MONOLITHIC|UPDATED', 'when voltages are solved'))
       call finish(table, k)
       call begin(k, 'SOLUTION TECHNIQUE', place_step, &

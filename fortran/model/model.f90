@@ -11,7 +11,7 @@ module litz_model
    use litz_spot_law, only: spot_law_t
    use litz_stick_laws, only: stick_mindlin
    use litz_surface_choices, only: surface_plane
-   use litz_solver_names, only: solver_default, solver_block, solver_umfpack, solver_skyline
+   use litz_solver_names, only: solver_default, solver_block, solver_umfpack, solver_skyline, solver_mumps
    implicit none
    private
    public :: name_length
@@ -19,7 +19,7 @@ module litz_model
    public :: rigid_body_surface_t, surface_pair_t
    public :: step_t, nodal_value_t, element_heat_t, output_request_t, controls_t, rigid_body_t
    public :: axis_linear, axis_hermite
-   public :: solver_default, solver_block, solver_umfpack, solver_skyline
+   public :: solver_default, solver_block, solver_umfpack, solver_skyline, solver_mumps
    public :: coupling_default, coupling_monolithic, coupling_updated, coupling_swept
    public :: request_node, request_element, request_contact, request_electrode, request_energy
    public :: shear_given, shear_round, shear_unreduced

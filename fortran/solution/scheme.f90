@@ -1,8 +1,8 @@
 !> In which order the groups of fields are solved for, and by which matrices.
 !>
 !> Where a group depends on those before it only, forward substitution through the blocks below the diagonal is the
-!> exact step of the whole system, and every group has a matrix and a solver of its own. A solver that is asked for by
-!> name gets the whole system as one matrix instead.
+!> exact step of the whole system, and every group has a matrix and a solver of its own. A solver of unsymmetric
+!> matrices that is asked for by name gets the whole system as one matrix instead.
 !>
 !> A Newton step is for the first `n_coupled` groups; those after them are solved for when these have converged
 !> (`solve_group`). Where these act back on the first ones, all take their turns until none has anything left to do: a
@@ -16,7 +16,7 @@ module litz_scheme
    use litz_linear_solver, only: linear_solver_t, csr_matrix_t
    use litz_model, only: coupling_default, coupling_updated, coupling_swept
    use litz_solver_factory, only: create_solver, resolved_solver
-   use litz_solver_names, only: solver_default, solver_block
+   use litz_solver_names, only: solver_default, solves_by_blocks
    use litz_sparse_pattern, only: csr_entries, csr_add_product
    implicit none
    private
@@ -67,7 +67,7 @@ contains
       self%kind = resolved_solver(kind)
       self%n_coupled = coupled_groups(self%kind, coupling)
       self%is_swept = coupling == coupling_swept
-      self%is_whole = self%n_coupled > 1 .and. self%kind /= solver_block
+      self%is_whole = self%n_coupled > 1 .and. .not. solves_by_blocks(self%kind)
       do i = 1, n_groups
          call create_solver(kind, self%group(i)%solver, error)
          if (allocated(error)) return
@@ -75,14 +75,14 @@ contains
       if (self%is_whole) call create_solver(kind, self%whole%solver, error)
    end subroutine scheme_create
 
-   !> Groups in a Newton step; the block solver leaves all but the first one to updates by default.
+   !> Groups in a Newton step; solvers by blocks leave all but the first one to updates by default.
    pure integer function coupled_groups(kind, coupling) result(n)
       !> Solver, and coupling of the groups: constants of the model
       integer, intent(in) :: kind, coupling
       logical :: is_updated
 
       is_updated = any(coupling == [coupling_updated, coupling_swept]) .or. &
-         (coupling == coupling_default .and. kind == solver_block)
+         (coupling == coupling_default .and. solves_by_blocks(kind))
       n = merge(1, n_groups, is_updated)
    end function coupled_groups
 

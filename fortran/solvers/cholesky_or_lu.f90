@@ -1,6 +1,6 @@
 !> One matrix solved by its Cholesky factor: exactly where it is symmetric and positive definite, as a preconditioner
 !> where only its symmetric part is, or that of the matrix without a coupling that is given beside it; by LU where that
-!> cannot be, or where the rest is too large for it.
+!> cannot be, or where the rest is too large for it, or by L D L^T of MUMPS where the matrix is symmetric.
 module litz_cholesky_or_lu
    use litz_kinds, only: dp
    use litz_cholmod, only: cholmod_factor_t
@@ -9,7 +9,10 @@ module litz_cholesky_or_lu
    use litz_errors, only: error_t
    use litz_gmres, only: linear_map_t, gmres
    use litz_linear_solver, only: linear_solver_t, csr_matrix_t, check_right_side
+   use litz_lu_solver, only: create_lu_solver
+   use litz_mumps, only: create_mumps_factor
    use litz_scaled_factor, only: scaled_factor_t
+   use litz_sparse_factor, only: sparse_factor_t
    use litz_sparse_pattern, only: csr_add_product
    use litz_umfpack, only: umfpack_factor_t
    implicit none
@@ -17,7 +20,9 @@ module litz_cholesky_or_lu
    public :: cholesky_or_lu_t
 
    type, extends(linear_solver_t) :: cholesky_or_lu_t
-      type(scaled_factor_t) :: cholesky, lu
+      type(scaled_factor_t) :: cholesky
+      !> LU, or L D L^T
+      class(linear_solver_t), allocatable :: lu
       !> The values are symmetric
       logical :: symmetric = .true.
       !> The LU has its symbolic work done
@@ -46,6 +51,8 @@ module litz_cholesky_or_lu
    !> Residual of the iteration over that of its start, and steps beyond which an LU costs no more
    real(dp), parameter :: accurate_residual = 1.0e-9_dp
    integer, parameter :: max_steps = 30
+   !> Number of equations from which L D L^T of MUMPS takes less time than LU of UMFPACK
+   integer, parameter :: worth_mumps = 500
 
 contains
 
@@ -56,10 +63,19 @@ contains
 
       self%lu_analysed = .false.
       if (.not. allocated(self%cholesky%backend)) allocate (cholmod_factor_t :: self%cholesky%backend)
-      if (.not. allocated(self%lu%backend)) allocate (umfpack_factor_t :: self%lu%backend)
+      if (.not. allocated(self%lu)) call create_lu(self%lu)
       call self%lu%release()
       call self%cholesky%analyse(matrix, self%offset, error)
    end subroutine solver_analyse
+
+   subroutine create_lu(solver)
+      class(linear_solver_t), allocatable, intent(out) :: solver
+      class(sparse_factor_t), allocatable :: backend, symmetric_backend
+
+      allocate (umfpack_factor_t :: backend)
+      call create_mumps_factor(.true., symmetric_backend)
+      call create_lu_solver(backend, solver, symmetric_backend, worth_mumps)
+   end subroutine create_lu
 
    !> Scales by itself: Cholesky wants a unit diagonal.
    subroutine solver_factor(self, matrix, symmetric, error, row_scale, column_scale, coupling)
@@ -116,34 +132,28 @@ contains
       type(error_t), allocatable, intent(out) :: error
       !> As of `factor` (n_rows)
       real(dp), intent(in), optional :: row_scale(:), column_scale(:)
-      real(dp) :: scale(matrix%n_rows)
 
       call self%cholesky%release()
       if (.not. self%lu_analysed) then
-         call self%lu%analyse(matrix, self%offset, error)
+         self%lu%offset = self%offset
+         call self%lu%analyse(matrix, error)
          if (allocated(error)) return
          self%lu_analysed = .true.
       end if
-      if (present(row_scale) .and. present(column_scale)) then
-         call self%lu%factor(matrix, row_scale, column_scale, error)
-      else
-         call equilibrate(matrix, scale)
-         call self%lu%factor(matrix, scale, scale, error)
-      end if
+      call self%lu%factor(matrix, self%symmetric, error, row_scale, column_scale)
       self%failed_equation = self%lu%failed_equation
    end subroutine factor_lu
 
-   !> That Cholesky failed says only that there is a negative pivot; how many, the LU tells if it could keep to the
-   !> diagonal. A matrix with a positive definite symmetric part has none.
+   !> That Cholesky failed says only that there is a negative pivot; how many, the other factorisation may tell. A
+   !> matrix with a positive definite symmetric part has none.
    subroutine count_negative_pivots(self)
       class(cholesky_or_lu_t), intent(inout) :: self
 
       self%negative_pivots = 0
       self%negative_pivots_exact = .true.
       if (.not. self%lu_used) return
-      self%negative_pivots_exact = self%lu%backend%diagonal_pivots
-      self%negative_pivots = 1
-      if (self%negative_pivots_exact) self%negative_pivots = count(self%lu%backend%pivot < 0)
+      self%negative_pivots_exact = self%lu%negative_pivots >= 0
+      self%negative_pivots = merge(self%lu%negative_pivots, 1, self%negative_pivots_exact)
    end subroutine count_negative_pivots
 
    subroutine solver_solve(self, matrix, b, x, error)
@@ -171,7 +181,7 @@ contains
          if (allocated(error)) return
       end if
       if (self%lu_used) then
-         call self%lu%solve(b, x, error)
+         call self%lu%solve(matrix, b, x, error)
          self%failed_equation = self%lu%failed_equation
       else
          call self%cholesky%solve(b, x, error)

@@ -105,10 +105,11 @@ contains
       call self%backend%factor(self%matrix, error)
       if (allocated(error)) return
       weakest = self%backend%failed_equation
-      if (weakest == 0) weakest = minloc(abs(self%backend%pivot), dim=1)
-      if (self%backend%failed_equation > 0 .or. .not. abs(self%backend%pivot(weakest)) > smallest_pivot) then
-         call give_up(self, weakest, 'has a vanishing pivot: the matrix is singular', error)
+      if (weakest == 0 .and. allocated(self%backend%pivot)) then
+         weakest = minloc(abs(self%backend%pivot), dim=1)
+         if (abs(self%backend%pivot(weakest)) > smallest_pivot) weakest = 0
       end if
+      if (weakest > 0) call give_up(self, weakest, 'has a vanishing pivot: the matrix is singular', error)
    end subroutine factor_backend
 
    !> `A x = b`

@@ -11,7 +11,7 @@ module litz_sparse_factor
    real(dp), parameter :: smallest_pivot = 16*epsilon(1.0_dp)
 
    type, abstract :: sparse_factor_t
-      !> (n) pivot met at each equation in the last `factor`
+      !> (n) pivot met at each equation in the last `factor`; not allocated where the library does not tell
       real(dp), allocatable :: pivot(:)
       !> Each equation was eliminated by its own diagonal, so that the signs of a symmetric matrix's pivots count its
       !> negative eigenvalues (Sylvester's law of inertia)
@@ -29,6 +29,7 @@ module litz_sparse_factor
       procedure(solve_interface), deferred :: solve
       !> Give back the memory of the last `factor`, keep the symbolic work
       procedure(release_interface), deferred :: release
+      procedure :: negative_pivots => count_negative_pivots
    end type sparse_factor_t
 
    abstract interface
@@ -55,5 +56,17 @@ module litz_sparse_factor
          class(sparse_factor_t), intent(inout) :: self
       end subroutine release_interface
    end interface
+
+contains
+
+   !> Negative eigenvalues of the symmetric block of the first equations; -1: not known.
+   integer function count_negative_pivots(self, n) result(negative)
+      class(sparse_factor_t), intent(in) :: self
+      !> Number of these equations
+      integer, intent(in) :: n
+
+      negative = -1
+      if (self%diagonal_pivots) negative = count(self%pivot(:n) < 0)
+   end function count_negative_pivots
 
 end module litz_sparse_factor

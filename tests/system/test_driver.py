@@ -121,7 +121,7 @@ def test_voltages_scale_the_currents_and_leave_the_mechanics_alone(run):
     assert large.contacts["force"][-1] == small.contacts["force"][-1]
 
 
-@pytest.mark.parametrize("solver", ["SKYLINE", "UMFPACK"])
+@pytest.mark.parametrize("solver", ["SKYLINE", "UMFPACK", pytest.param("MUMPS", marks=pytest.mark.mumps)])
 def test_solvers_give_the_same_iterates(run, solver):
     """The monolithic step, iteration by iteration: corrections agree until they are round-off themselves."""
     extra = "*SOLVER, NAME={}, COUPLING=MONOLITHIC"

@@ -5,7 +5,14 @@ import pytest
 
 from decks import MATERIAL, cantilever, straight, wire
 
-SOLVERS = ["BLOCK", "BLOCK, COUPLING=MONOLITHIC", "UMFPACK", "UMFPACK, COUPLING=UPDATED", "SKYLINE"]
+SOLVERS = [
+    "BLOCK",
+    "BLOCK, COUPLING=MONOLITHIC",
+    "UMFPACK",
+    "UMFPACK, COUPLING=UPDATED",
+    "SKYLINE",
+    pytest.param("MUMPS", marks=pytest.mark.mumps),
+]
 CONDUCTS = MATERIAL.replace("*ELASTIC", "*ELECTRICAL CONDUCTIVITY\n 5.88e7\n*ELASTIC")
 
 

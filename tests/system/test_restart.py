@@ -23,7 +23,7 @@ def assert_goes_on_from_everywhere(litz, tmp_path, text, *arguments):
         assert_same_end(whole, Results(part), step, increment)
 
 
-@pytest.mark.parametrize("solver", ["BLOCK", "UMFPACK", "SKYLINE"])
+@pytest.mark.parametrize("solver", ["BLOCK", "UMFPACK", "SKYLINE", pytest.param("MUMPS", marks=pytest.mark.mumps)])
 def test_a_restarted_run_equals_the_uninterrupted_one_bit_for_bit(litz, tmp_path, solver):
     """Contacts close, slide over nodes and open; increments are cut and grow."""
     text = crossed(push="-8e-4", static="0.05, 1, 1e-3, 0.3", extra=KEEP_ALL + "*SOLVER, NAME=" + solver)

@@ -252,7 +252,7 @@ class TestIteration:
         several = run(elements=20, sigma=SIGMA, supply="1, 9, 9, 0.4", procedure="0.25, 1\n").field("temperature")
         np.testing.assert_allclose(several, once, rtol=1e-8)
 
-    @pytest.mark.parametrize("solver", ["UMFPACK", "SKYLINE", "BLOCK"])
+    @pytest.mark.parametrize("solver", ["UMFPACK", "SKYLINE", "BLOCK", pytest.param("MUMPS", marks=pytest.mark.mumps)])
     def test_every_solver(self, run, solver):
         found = run(elements=20, sigma=SIGMA, supply="1, 9, 9, 0.4", loads=f"*SOLVER, NAME={solver}\n").field(
             "temperature"

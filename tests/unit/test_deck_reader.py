@@ -388,7 +388,7 @@ def test_help_tells_all_commands(litz):
         (["check", "x.inp", "--solver", "block"], 'unknown option "--solver" of litz check, which has no options'),
         (["run", "x.inp", "--threads", "none"], "the number of threads must be a whole number of at least 1"),
         (["run", "x.inp", "--threads=0"], "the number of threads must be a whole number of at least 1"),
-        (["run", "x.inp", "--solver", "skylin"], 'unknown solver "skylin"; there is BLOCK, UMFPACK and SKYLINE'),
+        (["run", "x.inp", "--solver", "skylin"], 'unknown solver "skylin"; there is BLOCK, UMFPACK, SKYLINE and MUMPS'),
         (["run", "x.inp", "-o"], "the option -o needs a value"),
         (["run", "x.inp", "--quiet=yes"], "the option --quiet takes no value"),
     ],

@@ -397,7 +397,7 @@ def built():
         ("step.controls('fields')", "FIELD, TIME INCREMENTATION"),
         ("step.controls('field', i_c=3)", "has no i_c"),
         ("step.controls('time incrementation', i_0=3)", "does not use I_0"),
-        ("step.solver('PARDISO')", "BLOCK, UMFPACK or SKYLINE"),
+        ("step.solver('PARDISO')", "BLOCK, UMFPACK, SKYLINE or MUMPS"),
         ("step.node_file(frequency=0)", "greater than 0"),
         ("litz.Model('A', units='cgs')", 'must be "SI" or labels'),
         ("litz.Model('A').to_deck()", "no wires"),

@@ -2,7 +2,8 @@
 module litz_solver_factory
    use litz_errors, only: error_t, fail, exit_solver, exit_internal
    use litz_linear_solver, only: linear_solver_t
-   use litz_solver_names, only: solver_default, solver_block, solver_umfpack, solver_skyline, solver_keyword
+   use litz_solver_names, only: solver_default, solver_block, solver_umfpack, solver_skyline, &
+      solver_mumps, solver_keyword
    use litz_lu_solver, only: create_lu_solver
    use litz_sparse_factor, only: sparse_factor_t
    use litz_skyline, only: skyline_factor_t
@@ -25,7 +26,7 @@ contains
       case (solver_skyline)
          allocate (skyline_factor_t :: backend)
          call create_lu_solver(backend, solver)
-      case (solver_block, solver_umfpack)
+      case (solver_block, solver_umfpack, solver_mumps)
          error = fail(exit_solver, 'solver '//trim(solver_keyword(kind))//' is not part of this program, which was '// &
             'built without SuiteSparse; allowed: SKYLINE')
       case default
@@ -47,7 +48,7 @@ contains
    pure function available_solvers() result(text)
       character(len=:), allocatable :: text
 
-      text = 'SKYLINE (built without SuiteSparse: no BLOCK, no UMFPACK)'
+      text = 'SKYLINE (built without SuiteSparse: no BLOCK, no UMFPACK, no MUMPS)'
    end function available_solvers
 
    !> The libraries of the solvers with their versions, for `litz --version`.

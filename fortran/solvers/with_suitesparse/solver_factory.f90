@@ -1,11 +1,12 @@
-!> Creates the solver a deck or the command line asks for; this build has all of them.
+!> Creates the solver a deck or the command line asks for; this build has all of them, MUMPS perhaps.
 module litz_solver_factory
    use, intrinsic :: iso_c_binding, only: c_int
-   use litz_errors, only: error_t, fail, exit_internal
+   use litz_errors, only: error_t, fail, exit_solver, exit_internal
    use litz_linear_solver, only: linear_solver_t
-   use litz_solver_names, only: solver_default, solver_block, solver_umfpack, solver_skyline
+   use litz_solver_names, only: solver_default, solver_block, solver_umfpack, solver_skyline, solver_mumps
    use litz_cholesky_or_lu, only: cholesky_or_lu_t
    use litz_lu_solver, only: create_lu_solver
+   use litz_mumps, only: has_mumps, create_mumps_factor, mumps_version
    use litz_sparse_factor, only: sparse_factor_t
    use litz_umfpack, only: umfpack_factor_t
    use litz_skyline, only: skyline_factor_t
@@ -31,7 +32,7 @@ contains
       integer, intent(in) :: kind
       class(linear_solver_t), allocatable, intent(out) :: solver
       type(error_t), allocatable, intent(out) :: error
-      class(sparse_factor_t), allocatable :: backend
+      class(sparse_factor_t), allocatable :: backend, symmetric_backend
 
       call default_blas_threads()
       select case (resolved_solver(kind))
@@ -43,6 +44,15 @@ contains
       case (solver_skyline)
          allocate (skyline_factor_t :: backend)
          call create_lu_solver(backend, solver)
+      case (solver_mumps)
+         if (has_mumps) then
+            call create_mumps_factor(.false., backend)
+            call create_mumps_factor(.true., symmetric_backend)
+            call create_lu_solver(backend, solver, symmetric_backend)
+         else
+            error = fail(exit_solver, 'solver MUMPS is not part of this program, which was built without MUMPS '// &
+               '(Debian package libmumps-seq-dev); allowed: BLOCK, UMFPACK and SKYLINE')
+         end if
       case default
          error = fail(exit_internal, 'linear solver: there is no solver of this kind')
       end select
@@ -62,7 +72,11 @@ contains
    pure function available_solvers() result(text)
       character(len=:), allocatable :: text
 
-      text = 'BLOCK (CHOLMOD, UMFPACK), UMFPACK, SKYLINE'
+      if (has_mumps) then
+         text = 'BLOCK (CHOLMOD, MUMPS, UMFPACK), UMFPACK, SKYLINE, MUMPS'
+      else
+         text = 'BLOCK (CHOLMOD, UMFPACK), UMFPACK, SKYLINE (built without MUMPS)'
+      end if
    end function available_solvers
 
    !> The libraries of the solvers with their versions, for `litz --version`.
@@ -74,7 +88,7 @@ contains
       call suitesparse_versions(versions)
       write (line, '(3(a, i0, 2(".", i0)), a)') 'SuiteSparse ', versions(1:3), ' (CHOLMOD ', versions(4:6), &
          ', UMFPACK ', versions(7:9), ')'
-      text = trim(line)
+      text = trim(line)//', '//mumps_version()
    end function solver_libraries
 
 end module litz_solver_factory

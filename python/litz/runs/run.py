@@ -63,7 +63,7 @@ def run(
         The .inp file.
     output_directory : path
         Directory of the result files; created if necessary.
-    solver : {"block", "umfpack", "skyline"}, optional
+    solver : {"block", "umfpack", "skyline", "mumps"}, optional
         Replaces the choice of the deck.
     threads : int, optional
         Number of threads.

@@ -1,0 +1,129 @@
+"""`litz-mpi`: the first process runs the deck, all factor its matrices. On any number of them the answers are the same."""
+
+import os
+import shutil
+import signal
+import subprocess
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from decks import cantilever
+from litz import Results
+from same_results import KEEP_ALL, keeping, written
+
+#: Factorisations on several processes add in another order: round-off, in histories and in fields beside their largest
+#: value, after an iteration that contracts it
+HISTORY, FIELD = 1e-10, 1e-9
+
+
+@pytest.fixture(scope="module")
+def mpi_command(build_target, litz_program):
+    """`mpi_command(2, "run", deck)` is the command line on so many processes."""
+    mpirun = shutil.which("mpirun")
+    if mpirun is None:
+        pytest.skip("there is no mpirun (Debian package openmpi-bin)")
+    rules = litz_program.resolve().parents[1] / "build.ninja"
+    if not (rules.is_file() and "build fortran/litz-mpi:" in rules.read_text()):
+        pytest.skip("built without litz-mpi (-Dmpi=enabled, Debian packages libmumps-dev, libopenmpi-dev)")
+    program = build_target("fortran/litz-mpi")
+
+    def command(ranks, *words):
+        as_root = ["--allow-run-as-root"] if os.geteuid() == 0 else []
+        return [mpirun, "--oversubscribe", *as_root, "-n", str(ranks), str(program), *map(str, words)]
+
+    return command
+
+
+@pytest.fixture
+def mpi(mpi_command):
+    def run(ranks, *words):
+        return subprocess.run(
+            mpi_command(ranks, *words), capture_output=True, text=True, check=False, timeout=300, env=one_thread()
+        )
+
+    return run
+
+
+def one_thread():
+    return os.environ | {"OMP_NUM_THREADS": "1"}
+
+
+def kind(column):
+    """`RF` of `RF1 node 11`."""
+    return column.split()[0].rstrip("0123456789")
+
+
+def assert_same_answers(found, expected):
+    for table in (found.status, expected.status):
+        assert len(table["iterations"]) > 0
+    for column in ("iterations", "attempts", "negative_pivots", "contacts"):
+        np.testing.assert_array_equal(found.status[column], expected.status[column], err_msg=column)
+    for name in expected.history:
+        # forces that are zero are round-off of those of the other components
+        scale = max(
+            np.nanmax(np.abs(expected.history[other])) for other in expected.history if kind(other) == kind(name)
+        )
+        np.testing.assert_allclose(
+            found.history[name], expected.history[name], rtol=0, atol=HISTORY * scale, err_msg=name
+        )
+    for name in ("displacement", "rotation", "potential"):
+        field = expected.field(name, None)
+        np.testing.assert_allclose(
+            found.field(name, None), field, rtol=0, atol=FIELD * np.abs(field).max(), err_msg=name
+        )
+
+
+@pytest.mark.parametrize("name", ["04_wire_grid", "08_elastica"])
+def test_one_two_and_four_processes_give_the_same_answers(mpi, inputs, tmp_path, name):
+    results = {}
+    for ranks in (1, 2, 4):
+        done = mpi(ranks, "run", inputs / f"{name}.inp", "--quiet", "-o", tmp_path / str(ranks))
+        assert done.returncode == 0, done.stderr
+        results[ranks] = Results(tmp_path / str(ranks))
+    for ranks in (2, 4):
+        assert_same_answers(results[ranks], results[1])
+
+
+def test_a_run_goes_on_with_another_number_of_processes(mpi, tmp_path):
+    deck = tmp_path / "deck.inp"
+    deck.write_text(keeping(cantilever("*CLOAD\n 11, 3, -50.", static="0.25, 1"), KEEP_ALL))
+    done = mpi(2, "run", deck, "--quiet", "-o", tmp_path / "whole")
+    assert done.returncode == 0, done.stderr
+    kept = tmp_path / "whole" / "deck.restart.h5"
+    step, increment = written(kept)[1]
+    done = mpi(4, "run", deck, "--quiet", "-o", tmp_path / "part", "--restart", f"{kept}:{step}:{increment}")
+    assert done.returncode == 0, done.stderr
+    whole, part = (Results(tmp_path / name).field("displacement") for name in ("whole", "part"))
+    np.testing.assert_allclose(part, whole, rtol=0, atol=FIELD * np.abs(whole).max())
+
+
+def test_an_error_ends_all_processes_with_its_message_and_exit_code(mpi, tmp_path):
+    deck = tmp_path / "deck.inp"
+    deck.write_text("*NONSENSE\n")
+    done = mpi(2, "run", deck)
+    assert done.returncode == 1
+    assert done.stderr.count("NONSENSE") >= 1
+    deck.write_text(cantilever("*CLOAD\n 11, 3, -1e9", static="1, 1, 1, 1"))
+    one, two = (mpi(ranks, "run", deck, "--quiet", "-o", tmp_path / str(ranks)) for ranks in (1, 2))
+    assert one.returncode == two.returncode == 2, two.stderr
+    message = one.stderr.splitlines()[0]
+    assert message.startswith("error: step 1, increment 1")
+    assert two.stderr.splitlines()[0] == message.replace(str(tmp_path / "1"), str(tmp_path / "2"))
+
+
+def test_a_process_that_is_killed_ends_all(mpi_command, inputs, tmp_path):
+    """None waits for ever for one that is no longer there."""
+    words = mpi_command(2, "run", inputs / "11_fibre_mat.inp", "--quiet", "-o", tmp_path)
+    with subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=one_thread()) as mpirun:
+        children = Path(f"/proc/{mpirun.pid}/task/{mpirun.pid}/children")
+        processes = []
+        deadline = time.monotonic() + 60
+        while len(processes) < 2 and time.monotonic() < deadline:
+            time.sleep(0.1)
+            processes = children.read_text().split()
+        time.sleep(1)
+        os.kill(int(processes[-1]), signal.SIGKILL)
+        assert mpirun.wait(timeout=60) != 0
