@@ -4,6 +4,7 @@ program test_text_tools
    use litz_lookup, only: id_map_t, name_map_t
    use litz_numbers, only: parse_integer, parse_real, number_ok, number_not_one, number_not_finite, number_too_large, &
       number_too_small
+   use litz_number_text, only: put_integer, put_real, put_text
    use litz_sorting, only: sort_integers
    use litz_text, only: to_text, nearest_word, shown, join_words, words_of, wrapped
    implicit none
@@ -18,6 +19,7 @@ program test_text_tools
    call names_are_found_and_new_ones_counted()
    call sorted_values_ascend()
    call numbers_are_written_with_six_digits()
+   call numbers_of_tables_are_those_of_the_library()
    call the_nearest_word_is_near()
    if (failures > 0) error stop 1
 
@@ -192,5 +194,40 @@ contains
       call require(wrapped('one two', 7, 2) == 'one two'//new_line('a'), 'a line that just fits')
       call require(wrapped('unbreakable', 4, 2) == 'unbreakable'//new_line('a'), 'a word longer than the line')
    end subroutine the_nearest_word_is_near
+
+   !> Over more than the range that needs no library, next to powers of ten, with few digits, and integers.
+   subroutine numbers_of_tables_are_those_of_the_library()
+      integer, parameter :: whole(*) = [0, 7, -10, 123456789, huge(0), -huge(0) - 1]
+      character(len=80) :: text, expected
+      real(dp) :: draw(3), value
+      integer :: i, used
+
+      do i = 1, 40000
+         call random_number(draw)
+         select case (mod(i, 4))
+         case (0)
+            value = (draw(1) - 0.5_dp)*10.0_dp**(60*draw(2) - 35)
+         case (1)
+            value = int(1000*draw(1))*10.0_dp**int(40*draw(2) - 25)
+         case (2)
+            value = 10.0_dp**int(60*draw(1) - 35)*(1 + epsilon(value)*int(8*draw(2) - 4))
+         case default
+            value = int(1.0e6_dp*draw(1))/8.0_dp
+         end select
+         write (expected, '(g0, a)') value, ';'
+         text = ''
+         used = 0
+         call put_real(value, text, used)
+         call put_text(';', text, used)
+         call require(text == expected .and. used == len_trim(expected), trim(expected)//' is not '//trim(text))
+      end do
+      do i = 1, size(whole)
+         write (expected, '(i0)') whole(i)
+         text = ''
+         used = 0
+         call put_integer(whole(i), text, used)
+         call require(text == expected .and. used == len_trim(expected), trim(expected)//' is not '//trim(text))
+      end do
+   end subroutine numbers_of_tables_are_those_of_the_library
 
 end program test_text_tools
