@@ -24,6 +24,7 @@ contains
 
    !> Write a real behind the first characters of a text.
    pure subroutine put_real(value, text, used)
+      !> Any number, also one that is not finite
       real(dp), intent(in) :: value
       !> Long enough
       character(len=*), intent(inout) :: text
@@ -61,6 +62,7 @@ contains
       integer, intent(in) :: number
       !> As in `put_real`
       character(len=*), intent(inout) :: text
+      !> As there
       integer, intent(inout) :: used
       character(len=20) :: digits
       integer(int64) :: rest
@@ -84,6 +86,7 @@ contains
       character(len=*), intent(in) :: more
       !> As in `put_real`
       character(len=*), intent(inout) :: text
+      !> As there
       integer, intent(inout) :: used
 
       text(used + 1:used + len(more)) = more
@@ -94,6 +97,7 @@ contains
    pure subroutine find_digits(magnitude, digits, exponent, is_known)
       !> Greater than 0
       real(dp), intent(in) :: magnitude
+      !> Of `n_digits` characters
       character(len=*), intent(out) :: digits
       !> e
       integer, intent(out) :: exponent

@@ -157,9 +157,11 @@ contains
 
    !> Add `|K| |q|` of the rows of a node of a cell.
    pure subroutine add_sensitivity(n_rows, n_columns, k, before, magnitude, sensitivity)
-      !> Size of the tangent, the tangent of the cell, and how many of its rows are those of other nodes before
+      !> Size of the tangent of the cell
       integer, intent(in) :: n_rows, n_columns
+      !> Tangent of the cell
       real(dp), intent(in) :: k(n_rows, n_columns)
+      !> How many of its rows belong to nodes before this one
       integer, intent(in) :: before
       !> How large the unknowns of the cell are (n_columns)
       real(dp), intent(in) :: magnitude(n_columns)
