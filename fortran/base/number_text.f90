@@ -35,8 +35,8 @@ contains
       integer :: exponent
       logical :: is_known
 
-      if (.not. abs(value) > 0) then
-         call put_text('0.0000000000000000', text, used)
+      if (abs(value) <= 0) then
+         call put_text(trim(merge('-', ' ', sign(1.0_dp, value) < 0))//'0.0000000000000000', text, used)
          return
       end if
       call find_digits(abs(value), digits, exponent, is_known)

@@ -1,5 +1,6 @@
 !> Numbers from text against the run-time library, hash tables and sorting against plain searches, words.
 program test_text_tools
+   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan, ieee_negative_inf
    use litz_kinds, only: dp, int64
    use litz_lookup, only: id_map_t, name_map_t
    use litz_numbers, only: parse_integer, parse_real, number_ok, number_not_one, number_not_finite, number_too_large, &
@@ -198,11 +199,13 @@ contains
    !> Over more than the range that needs no library, next to powers of ten, with few digits, and integers.
    subroutine numbers_of_tables_are_those_of_the_library()
       integer, parameter :: whole(*) = [0, 7, -10, 123456789, huge(0), -huge(0) - 1]
+      real(dp), parameter :: special(*) = [0.0_dp, -0.0_dp, tiny(1.0_dp), -huge(1.0_dp), 0.1_dp, -1.0_dp, 1.0e16_dp, &
+         1.0e17_dp]
       character(len=80) :: text, expected
       real(dp) :: draw(3), value
       integer :: i, used
 
-      do i = 1, 40000
+      do i = 1, 40000 + size(special)
          call random_number(draw)
          select case (mod(i, 4))
          case (0)
@@ -214,6 +217,9 @@ contains
          case default
             value = int(1.0e6_dp*draw(1))/8.0_dp
          end select
+         if (i > 40000) value = special(max(1, i - 40000))
+         if (i == 1) value = ieee_value(value, ieee_quiet_nan)
+         if (i == 2) value = ieee_value(value, ieee_negative_inf)
          write (expected, '(g0, a)') value, ';'
          text = ''
          used = 0
