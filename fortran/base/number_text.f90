@@ -6,13 +6,16 @@ module litz_number_text
    use litz_kinds, only: dp, int64
    implicit none
    private
-   public :: put_real, put_integer, put_text
+   public :: put_real, put_integer, put_text, line_length
 
+   !> Of a line of a table, at most
+   integer, parameter :: line_length = 2048
    !> Significant digits of a real
    integer, parameter :: n_digits = 17
    !> With 18 digits or more, if there is such a kind
    integer, parameter :: long = merge(selected_real_kind(18), dp, selected_real_kind(18) > 0)
-   !> Exponents `e` of `0.d1d2d3... 10^e`: below, a power of ten is beyond the table, above, no digit is behind the point
+   !> Exponents `e` of `0.d1d2d3... 10^e`: below, the power of ten is beyond the table, above, no digit is behind the
+   !> point
    integer, parameter :: least_exponent = -23, largest_exponent = n_digits - 1
    integer :: i
    !> Correctly rounded
@@ -26,8 +29,8 @@ contains
    pure subroutine put_real(value, text, used)
       !> Any number, also one that is not finite
       real(dp), intent(in) :: value
-      !> Long enough
-      character(len=*), intent(inout) :: text
+      !> A line
+      character(len=line_length), intent(inout) :: text
       !> Characters of it so far
       integer, intent(inout) :: used
       character(len=n_digits) :: digits
@@ -61,7 +64,7 @@ contains
       !> Any integer
       integer, intent(in) :: number
       !> As in `put_real`
-      character(len=*), intent(inout) :: text
+      character(len=line_length), intent(inout) :: text
       !> As there
       integer, intent(inout) :: used
       character(len=20) :: digits
@@ -85,7 +88,7 @@ contains
       !> Any text
       character(len=*), intent(in) :: more
       !> As in `put_real`
-      character(len=*), intent(inout) :: text
+      character(len=line_length), intent(inout) :: text
       !> As there
       integer, intent(inout) :: used
 
@@ -97,8 +100,8 @@ contains
    pure subroutine find_digits(magnitude, digits, exponent, is_known)
       !> Greater than 0
       real(dp), intent(in) :: magnitude
-      !> Of `n_digits` characters
-      character(len=*), intent(out) :: digits
+      !> The first one is not 0
+      character(len=n_digits), intent(out) :: digits
       !> e
       integer, intent(out) :: exponent
       !> They are what the run-time library would write

@@ -3,7 +3,7 @@ module litz_contact_ledger
    use litz_kinds, only: dp
    use litz_errors, only: error_t
    use litz_model, only: model_t
-   use litz_number_text, only: put_integer, put_real, put_text
+   use litz_number_text, only: line_length, put_integer, put_real, put_text
    use litz_state, only: state_t, contact_t
    use litz_output_files, only: text_file_t
    use litz_quantities, only: quantity_t, quantity_table_t
@@ -111,7 +111,7 @@ contains
       !> Of the table
       integer, intent(in) :: row
       character(len=:), allocatable :: text
-      character(len=2048) :: line
+      character(len=line_length) :: line
       integer :: i, k, used
 
       used = 0

@@ -5,7 +5,7 @@ program test_text_tools
    use litz_lookup, only: id_map_t, name_map_t
    use litz_numbers, only: parse_integer, parse_real, number_ok, number_not_one, number_not_finite, number_too_large, &
       number_too_small
-   use litz_number_text, only: put_integer, put_real, put_text
+   use litz_number_text, only: line_length, put_integer, put_real, put_text
    use litz_sorting, only: sort_integers
    use litz_text, only: to_text, nearest_word, shown, join_words, words_of, wrapped
    implicit none
@@ -201,7 +201,7 @@ contains
       integer, parameter :: whole(*) = [0, 7, -10, 123456789, huge(0), -huge(0) - 1]
       real(dp), parameter :: special(*) = [0.0_dp, -0.0_dp, tiny(1.0_dp), -huge(1.0_dp), 0.1_dp, -1.0_dp, 1.0e16_dp, &
          1.0e17_dp]
-      character(len=80) :: text, expected
+      character(len=line_length) :: text, expected
       real(dp) :: draw(3), value
       integer :: i, used
 
