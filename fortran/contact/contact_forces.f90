@@ -4,13 +4,13 @@ module litz_contact_forces
    use litz_contact_kinematics, only: n_motions
    use litz_contact_blocks, only: contact_blocks, electric_blocks, contact_force_t, spot_in_circuit_t
    use litz_contact_electricity, only: contact_electricity_t
-   use litz_contact_mechanics, only: form_hessian
+   use litz_contact_mechanics, only: contact_mechanics, form_hessian
    use litz_contact_spots, only: find_spot, keep_current
-   use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry, clearance_of, law_parallel, &
-      law_bad_data, law_too_curved, law_yields_at_end
+   use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry, clearance_of
+   use litz_contact_refusals, only: refuse_bad_data
    use litz_domain, only: domain_t
    use litz_element_library, only: elements_t, along_element
-   use litz_errors, only: error_t, fail, exit_input
+   use litz_errors, only: error_t
    use litz_fields, only: field_temperature, group_mechanical, motion_slots, potential_slots
    use litz_friction_forces, only: find_friction, increment_start_t
    use litz_friction_iteration, only: predict_friction, forget_friction
@@ -26,69 +26,14 @@ module litz_contact_forces
    use litz_sliding_forces, only: find_sliding
    use litz_spots_beside_spots, only: collect_spots
    use litz_strips_of_wires, only: collect_strips
-   use litz_text, only: to_text
    use litz_timing, only: phase_contact, phase_assembly
    use litz_turning_forces, only: find_turning
    use litz_wires, only: wires_t
    implicit none
    private
    public :: assemble_contacts, share_currents, set_current, conductors_of, conducts_apart, predict_contacts
-   public :: refused_contact
 
 contains
-
-   !> Why an iteration cannot go on with these contacts; empty where it can. A smaller increment may not come here.
-   pure function refused_contact(model, points) result(reason)
-      type(model_t), intent(in) :: model
-      type(contact_point_t), intent(in) :: points(:)
-      character(len=:), allocatable :: reason
-      integer :: i
-
-      reason = ''
-      do i = 1, size(points)
-         if (.not. points(i)%closed) cycle
-         select case (points(i)%law_status)
-         case (law_parallel)
-            reason = 'wires have become parallel where they touch ('//elements_of(model, points(i))// &
-               '): the law of a contact at a point needs wires that cross'
-            return
-         case (law_too_curved)
-            reason = 'a wire is curved about another where they touch ('//elements_of(model, points(i))// &
-               ') by nearly their distance: such a contact is not modelled'
-            return
-         case (law_yields_at_end)
-            reason = 'wires touch at an end or a kink ('//elements_of(model, points(i))// &
-               '), where YIELD of *SURFACE BEHAVIOR is not modelled'
-            return
-         end select
-      end do
-   end function refused_contact
-
-   !> The first contact whose spot law does not take its data; no increment is small enough for that.
-   subroutine refuse_bad_data(model, points, error)
-      type(model_t), intent(in) :: model
-      type(contact_point_t), intent(in) :: points(:)
-      type(error_t), allocatable, intent(out) :: error
-      integer :: i
-
-      do i = 1, size(points)
-         if (points(i)%law_status /= law_bad_data) cycle
-         associate (law => model%interactions(model%contact_pairs(points(i)%pair)%interaction))
-            error = fail(exit_input, 'surface interaction '//law%name//': the data of the spot law '// &
-               trim(law%spot%name)//' are not what it needs ('//elements_of(model, points(i))//')')
-         end associate
-         return
-      end do
-   end subroutine refuse_bad_data
-
-   pure function elements_of(model, point) result(words)
-      type(model_t), intent(in) :: model
-      type(contact_point_t), intent(in) :: point
-      character(len=:), allocatable :: words
-
-      words = 'elements '//to_text(model%element_id(point%element_bar))//' and '// &
-         to_text(model%element_id(point%element))
-   end function elements_of
 
    !> Add all points to the system: mechanics, and where a current can cross, the paper's electric blocks.
    subroutine assemble_contacts(domain, contact, points, error)
@@ -118,7 +63,7 @@ contains
             end do
             !$omp end parallel do
             call domain%timing%lap(phase_contact)
-            if (.not. domain%motions_stand) call add_motions(domain, points(members), nodes(:, :n), k(:, :, :n), &
+            if (.not. domain%motions_stand) call add_motions(domain, points, members, nodes(:, :n), k(:, :, :n), &
                r(:, :n))
             if (any(points(members)%conductance > 0)) then
                call domain%add_cells(nodes(:, :n), potential_slots, potential_slots, k_ee(:, :, :n), r_e(:, :n))
@@ -165,15 +110,24 @@ contains
             end if
             conducts = (point%closed .or. conducts_apart(point)) .and. all(pair%resistivity > 0) .and. law%spot%exists()
             if (conducts) call find_spot(law, wires, pair, x, t, length, point, circuit)
-            circuit%dconductance = circuit%dconductance + spot_that_slides(law%normal, point, circuit, dforce)
+            if (conducts) circuit%dconductance = circuit%dconductance + spot_that_slides(law%normal, point, circuit, &
+               dforce)
             associate (voltage => iterate%value(potential_slots(1), nodes_p), &
                force => contact_force_t(point%force, point%geometric_force, point%stiffness, point%turning%dforce, &
                law_of_spot(law%normal, point)))
-               if (domain%motions_stand) then
+               if (.not. (conducts .or. domain%motions_stand)) then
+                  call contact_mechanics(point%kinematics, t, force%force, force%stiffness, force%geometric_force, &
+                     form_hessian, k_p, r_p, force%dforce_dangle)
+                  k_me_p = 0
+                  k_ee_p = 0
+                  r_e_p = 0
+               else if (domain%motions_stand) then
                   call electric_blocks(point%kinematics, voltage, force, circuit, k_me_p, k_ee_p, r_e_p, electricity)
                else
                   call contact_blocks(point%kinematics, t, voltage, force, circuit, form_hessian, k_p, r_p, k_me_p, &
                      k_ee_p, r_e_p, electricity)
+               end if
+               if (.not. domain%motions_stand) then
                   k_p = k_p + k_slide + k_turning
                   r_p = r_p + r_slide + r_turning
                end if
@@ -186,24 +140,24 @@ contains
    end subroutine assemble_contacts
 
    !> Forces and tangent of the motions of some contacts.
-   subroutine add_motions(domain, points, nodes, k, r)
+   subroutine add_motions(domain, points, members, nodes, k, r)
       type(domain_t), intent(inout) :: domain
       type(contact_point_t), intent(in) :: points(:)
-      !> Nodes of both elements (4, contacts)
-      integer, intent(in) :: nodes(:, :)
+      !> Which of them (contacts), and the nodes of both elements of each (4, contacts)
+      integer, intent(in) :: members(:), nodes(:, :)
       !> Tangents (24, 24, contacts) and residuals (24, contacts)
       real(dp), intent(in) :: k(:, :, :), r(:, :)
       integer :: i
 
-      if (any(points%friction_iteration%limit > 0)) domain%matrix%symmetric(group_mechanical) = .false.
-      do i = 1, size(points)
-         call add_iteration_force(points(i), nodes(:, i), domain%forces)
-         call add_supposed_force(points(i), nodes(:, i), domain%forces)
+      do i = 1, size(members)
+         if (points(members(i))%friction_iteration%limit > 0) domain%matrix%symmetric(group_mechanical) = .false.
+         call add_iteration_force(points(members(i)), nodes(:, i), domain%forces)
+         call add_supposed_force(points(members(i)), nodes(:, i), domain%forces)
       end do
       call domain%add_cells(nodes, motion_slots, motion_slots, k, r)
-      do i = 1, size(points)
-         call domain%add_slip_coupling(nodes(:, i), points(i)%friction_iteration%along, &
-            points(i)%friction_iteration%dlimit)
+      do i = 1, size(members)
+         call domain%add_slip_coupling(nodes(:, i), points(members(i))%friction_iteration%along, &
+            points(members(i))%friction_iteration%dlimit)
       end do
    end subroutine add_motions
 

@@ -5,8 +5,9 @@ module litz_contact_term
    use litz_contact_capture, only: capture_contacts
    use litz_contact_crossings, only: locate_points
    use litz_contact_energies, only: add_contact_energies, work_of_swelling, work_of_softening
-   use litz_contact_forces, only: assemble_contacts, share_currents, predict_contacts, refused_contact
+   use litz_contact_forces, only: assemble_contacts, share_currents, predict_contacts
    use litz_contact_points, only: contact_set_t, contact_point_t
+   use litz_contact_refusals, only: refused_contact
    use litz_contact_descent, only: descent_fraction
    use litz_contact_step, only: contact_fraction => bearable_fraction
    use litz_contact_tangents, only: follow_centre_line

@@ -274,13 +274,21 @@ contains
       !> Axes in powers of xi (3, 0:3) [m]: barred, unbarred
       real(dp), intent(in) :: p_bar(3, 0:3), p(3, 0:3)
       real(dp) :: f(0:n_grid + 1, 0:n_grid + 1)
+      !> Places of the grid on both axes, component after component
+      real(dp) :: x_bar(n_grid, 3), x(3)
       integer :: i, j
 
+      do i = 1, n_grid
+         associate (xi => grid_xi(i))
+            x_bar(i, :) = (p_bar(:, 0) - p(:, 0)) + xi*(p_bar(:, 1) + xi*(p_bar(:, 2) + xi*p_bar(:, 3)))
+         end associate
+      end do
       f = huge(1.0_dp)
       do j = 1, n_grid
-         do i = 1, n_grid
-            f(i, j) = squared_distance(p_bar, p, grid_xi(i), grid_xi(j))
-         end do
+         associate (xi => grid_xi(j))
+            x = xi*(p(:, 1) + xi*(p(:, 2) + xi*p(:, 3)))
+         end associate
+         f(1:n_grid, j) = (x_bar(:, 1) - x(1))**2 + (x_bar(:, 2) - x(2))**2 + (x_bar(:, 3) - x(3))**2
       end do
    end function grid_distances
 
@@ -300,18 +308,6 @@ contains
 
       xi = -1 + 2*real(i - 1, dp)/(n_grid - 1)
    end function grid_xi
-
-   pure real(dp) function squared_distance(p_bar, p, xi_bar, xi) result(f)
-      !> Axes in powers of xi (3, 0:3) [m]: barred, unbarred
-      real(dp), intent(in) :: p_bar(3, 0:3), p(3, 0:3)
-      !> Places in the barred and the unbarred element
-      real(dp), intent(in) :: xi_bar, xi
-      real(dp) :: w(3)
-
-      w = (p_bar(:, 0) - p(:, 0)) + xi_bar*(p_bar(:, 1) + xi_bar*(p_bar(:, 2) + xi_bar*p_bar(:, 3))) &
-         - xi*(p(:, 1) + xi*(p(:, 2) + xi*p(:, 3)))
-      f = dot_product(w, w)
-   end function squared_distance
 
    pure logical function is_inside(point) result(inside)
       type(point_t), intent(in) :: point

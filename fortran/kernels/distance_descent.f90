@@ -35,7 +35,7 @@ contains
       real(dp), intent(in) :: p_bar(3, 0:3), p(3, 0:3)
       !> Places (barred, unbarred)
       real(dp), intent(in) :: xi(2)
-      real(dp) :: w(3), xb1(3), xb2(3), x1(3), x2(3), normal(3)
+      real(dp) :: w(3), xb1(3), xb2(3), x1(3), x2(3)
 
       w = (p_bar(:, 0) - p(:, 0)) + xi(1)*(p_bar(:, 1) + xi(1)*(p_bar(:, 2) + xi(1)*p_bar(:, 3))) &
          - xi(2)*(p(:, 1) + xi(2)*(p(:, 2) + xi(2)*p(:, 3)))
@@ -43,7 +43,6 @@ contains
       x1 = p(:, 1) + xi(2)*(2*p(:, 2) + xi(2)*3*p(:, 3))
       xb2 = 2*p_bar(:, 2) + xi(1)*6*p_bar(:, 3)
       x2 = 2*p(:, 2) + xi(2)*6*p(:, 3)
-      normal = [x1(2)*xb1(3) - x1(3)*xb1(2), x1(3)*xb1(1) - x1(1)*xb1(3), x1(1)*xb1(2) - x1(2)*xb1(1)]
 
       point%xi = xi
       point%f = dot_product(w, w)/2
@@ -53,8 +52,22 @@ contains
       point%matrix(2, 2) = point%square(2) - dot_product(w, x2)
       point%matrix(1, 2) = -dot_product(xb1, x1)
       point%matrix(2, 1) = point%matrix(1, 2)
-      point%sine = sqrt(dot_product(normal, normal)/max(product(point%square), tiny(1.0_dp)))
    end function evaluate
+
+   !> Sine of the angle between the tangents at a point.
+   pure real(dp) function sine_at(p_bar, p, point) result(sine)
+      !> Axes in powers of xi (3, 0:3) [m]
+      real(dp), intent(in) :: p_bar(3, 0:3), p(3, 0:3)
+      type(point_t), intent(in) :: point
+      real(dp) :: xb1(3), x1(3), normal(3)
+
+      associate (xi => point%xi)
+         xb1 = p_bar(:, 1) + xi(1)*(2*p_bar(:, 2) + xi(1)*3*p_bar(:, 3))
+         x1 = p(:, 1) + xi(2)*(2*p(:, 2) + xi(2)*3*p(:, 3))
+      end associate
+      normal = [x1(2)*xb1(3) - x1(3)*xb1(2), x1(3)*xb1(1) - x1(1)*xb1(3), x1(1)*xb1(2) - x1(2)*xb1(1)]
+      sine = sqrt(dot_product(normal, normal)/max(product(point%square), tiny(1.0_dp)))
+   end function sine_at
 
    !> A minimum of `f` in the box `|xi| <= limit`, going down from `start`.
    pure subroutine minimise(p_bar, p, start, limit, point)
@@ -72,7 +85,7 @@ contains
 
       point = evaluate(p_bar, p, start)
       do iteration = 1, max_iterations
-         if (.not. (minval(point%square) > 0 .and. point%f < huge(1.0_dp))) return
+         if (.not. (minval(point%square) > 0 .and. point%f < huge(1.0_dp))) exit
          call descent_step(point, limit, step, is_newton)
          step = step*min(1.0_dp, largest_step/max(maxval(abs(step)), tiny(1.0_dp)))
          call stop_at_border(limit, point%xi, step)
@@ -87,9 +100,10 @@ contains
          point = trial
          if (maxval(abs(step)) <= step_tolerance) then
             point%converged = .true.
-            return
+            exit
          end if
       end do
+      point%sine = sine_at(p_bar, p, point)
    end subroutine minimise
 
    !> Shortens a step that leaves the box so that it ends on the border.

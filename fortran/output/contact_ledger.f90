@@ -3,6 +3,7 @@ module litz_contact_ledger
    use litz_kinds, only: dp
    use litz_errors, only: error_t
    use litz_model, only: model_t
+   use litz_number_text, only: line_length, put_integer, put_real, put_text
    use litz_state, only: state_t, contact_t
    use litz_output_files, only: text_file_t
    use litz_quantities, only: quantity_t, quantity_table_t
@@ -110,23 +111,26 @@ contains
       !> Of the table
       integer, intent(in) :: row
       character(len=:), allocatable :: text
-      character(len=2048) :: line
-      integer :: i
+      character(len=line_length) :: line
+      integer :: i, k, used
 
-      line = ''
+      used = 0
       do i = 1, size(rows%quantities)
-         associate (quantity => rows%quantities(i), next => len_trim(line) + 1)
+         associate (quantity => rows%quantities(i))
             if (.not. quantity%is_result()) cycle
-            if (quantity%words /= '') then
-               line(next:) = ','//quantity%word(rows%integers(quantity%first, row))
-            else if (quantity%is_integer) then
-               write (line(next:), '(",", g0)') rows%integers(quantity%first, row)
-            else
-               write (line(next:), '(*(:, ",", g0))') rows%reals(quantity%first:quantity%last(), row)
-            end if
+            do k = quantity%first, quantity%last()
+               call put_text(',', line, used)
+               if (quantity%words /= '') then
+                  call put_text(quantity%word(rows%integers(k, row)), line, used)
+               else if (quantity%is_integer) then
+                  call put_integer(rows%integers(k, row), line, used)
+               else
+                  call put_real(rows%reals(k, row), line, used)
+               end if
+            end do
          end associate
       end do
-      text = trim(line)
+      text = line(:used)
    end function row_text
 
    pure function contact_status(contact, last_elements) result(status)

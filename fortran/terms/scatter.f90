@@ -87,7 +87,7 @@ contains
       !> First and last slot of the equations and of the unknowns of each node (2)
       integer, intent(in) :: rows(2), columns(2)
       !> Tangents (slots of rows x nodes, slots of columns x nodes, cells)
-      real(dp), intent(in) :: k(:, :, :)
+      real(dp), contiguous, intent(in) :: k(:, :, :)
       !> Prescribed increments (n_slots, n_nodes)
       real(dp), intent(in) :: increment(:, :)
       !> Block of the group of the rows and the group of the columns
@@ -95,16 +95,21 @@ contains
       type(forces_t), intent(inout) :: forces
       !> Forces (slots of rows x nodes, cells)
       real(dp), intent(in), optional :: r(:, :)
-      real(dp) :: largest(n_fields), dq(size(k, 2))
-      integer :: n_rows, cell, a, i, node
+      real(dp) :: largest(n_fields), dq(size(k, 2)), magnitude(size(k, 2))
+      integer :: n_rows, n_columns, cell, a, i, node
       logical :: is_prescribed
 
       n_rows = rows(2) - rows(1) + 1
+      n_columns = columns(2) - columns(1) + 1
       largest = forces%reference
       ! only the first iteration of an increment has any
       is_prescribed = any(abs(increment(columns(1):columns(2), :)) > 0)
-      !$omp parallel private(cell, a, i, node, dq) reduction(max: largest) if (size(nodes, 2) >= worth_threads)
+      !$omp parallel private(cell, a, i, node, dq, magnitude) reduction(max: largest) &
+      !$omp& if (size(nodes, 2) >= worth_threads)
       do cell = 1, size(nodes, 2)
+         do a = 1, size(nodes, 1)
+            magnitude((a - 1)*n_columns + 1:a*n_columns) = forces%magnitude(columns(1):columns(2), nodes(a, cell))
+         end do
          do a = 1, size(nodes, 1)
             node = nodes(a, cell)
             if (.not. owned(node)) cycle
@@ -122,9 +127,9 @@ contains
                   if (any(abs(dq) > 0)) forces%prescribed(rows(1):rows(2), node) = &
                      forces%prescribed(rows(1):rows(2), node) + matmul(k_a, dq)
                end if
-               call add_sensitivity(nodes(:, cell), k_a, forces%magnitude(columns(1):columns(2), :), &
-                  forces%sensitivity(rows(1):rows(2), node))
             end associate
+            call add_sensitivity(size(k, 1), size(k, 2), k(:, :, cell), (a - 1)*n_rows, magnitude, &
+               forces%sensitivity(rows(1):rows(2), node))
             call scatter_rows(equations, a, nodes(:, cell), rows, columns, k(:, :, cell), matrix)
          end do
       end do
@@ -150,21 +155,23 @@ contains
       end do
    end subroutine scatter_tangent
 
-   !> Add `|K| |q|` of some rows of a cell.
-   pure subroutine add_sensitivity(nodes, k, magnitude, sensitivity)
-      !> Nodes of the cell (nodes)
-      integer, intent(in) :: nodes(:)
-      !> Rows of the tangent (rows, unknowns of a node x nodes), and how large the unknowns of all nodes are
-      real(dp), intent(in) :: k(:, :), magnitude(:, :)
-      !> Sum of these rows (rows)
+   !> Add `|K| |q|` of the rows of a node of a cell.
+   pure subroutine add_sensitivity(n_rows, n_columns, k, before, magnitude, sensitivity)
+      !> Size of the tangent of the cell
+      integer, intent(in) :: n_rows, n_columns
+      !> Tangent of the cell
+      real(dp), intent(in) :: k(n_rows, n_columns)
+      !> How many of its rows belong to nodes before this one
+      integer, intent(in) :: before
+      !> How large the unknowns of the cell are (n_columns)
+      real(dp), intent(in) :: magnitude(n_columns)
+      !> Of the rows of the node (rows)
       real(dp), intent(inout) :: sensitivity(:)
-      integer :: b, i, column
+      integer :: i, column
 
-      column = 0
-      do b = 1, size(nodes)
-         do i = 1, size(magnitude, 1)
-            column = column + 1
-            sensitivity = sensitivity + abs(k(:, column))*magnitude(i, nodes(b))
+      do column = 1, n_columns
+         do i = 1, size(sensitivity)
+            sensitivity(i) = sensitivity(i) + abs(k(before + i, column))*magnitude(column)
          end do
       end do
    end subroutine add_sensitivity
@@ -179,12 +186,15 @@ contains
       !> Tangent of the cell (slots of rows x nodes, slots of columns x nodes)
       real(dp), intent(in) :: k(:, :)
       type(csr_matrix_t), intent(inout) :: matrix
-      integer :: b, i, j, row, position, offset, group, k_row, k_column
+      integer :: b, i, j, row, position, offset, group, n_columns, k_row, k_column
+      logical :: all_free
 
       if (all(equations%number(rows(1):rows(2), nodes(a)) == 0)) return
       group = fields(field_of_slot(columns(1)))%group
+      n_columns = columns(2) - columns(1) + 1
       do b = 1, size(nodes)
          if (equations%n_free(group, nodes(b)) == 0) cycle
+         all_free = all(equations%number(columns(1):columns(2), nodes(b)) > 0)
          offset = equations%offset(group, block_offset(equations, nodes(a), nodes(b))) &
             + count(equations%number(first_slot_of_group(group):columns(1) - 1, nodes(b)) > 0)
          k_row = (a - 1)*(rows(2) - rows(1) + 1)
@@ -193,7 +203,13 @@ contains
             row = equations%number(i, nodes(a))
             if (row == 0) cycle
             position = matrix%row_start(row) + offset
-            k_column = (b - 1)*(columns(2) - columns(1) + 1)
+            k_column = (b - 1)*n_columns
+            if (all_free) then
+               do j = 1, n_columns
+                  matrix%value(position + j - 1) = matrix%value(position + j - 1) + k(k_row, k_column + j)
+               end do
+               cycle
+            end if
             do j = columns(1), columns(2)
                k_column = k_column + 1
                if (equations%number(j, nodes(b)) == 0) cycle

@@ -2,7 +2,7 @@
 !> where a law cannot be evaluated.
 program test_contact_laws
    use litz_kinds, only: dp, pi
-   use litz_contact_forces, only: refused_contact
+   use litz_contact_refusals, only: refused_contact
    use litz_contact_history, only: contact_history_t, force_of_spot
    use litz_contact_points, only: contact_set_t, law_bad_data
    use litz_element_library, only: elements_t

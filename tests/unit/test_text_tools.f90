@@ -1,9 +1,11 @@
 !> Numbers from text against the run-time library, hash tables and sorting against plain searches, words.
 program test_text_tools
+   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan, ieee_negative_inf
    use litz_kinds, only: dp, int64
    use litz_lookup, only: id_map_t, name_map_t
    use litz_numbers, only: parse_integer, parse_real, number_ok, number_not_one, number_not_finite, number_too_large, &
       number_too_small
+   use litz_number_text, only: line_length, put_integer, put_real, put_text
    use litz_sorting, only: sort_integers
    use litz_text, only: to_text, nearest_word, shown, join_words, words_of, wrapped
    implicit none
@@ -18,6 +20,7 @@ program test_text_tools
    call names_are_found_and_new_ones_counted()
    call sorted_values_ascend()
    call numbers_are_written_with_six_digits()
+   call numbers_of_tables_are_those_of_the_library()
    call the_nearest_word_is_near()
    if (failures > 0) error stop 1
 
@@ -192,5 +195,45 @@ contains
       call require(wrapped('one two', 7, 2) == 'one two'//new_line('a'), 'a line that just fits')
       call require(wrapped('unbreakable', 4, 2) == 'unbreakable'//new_line('a'), 'a word longer than the line')
    end subroutine the_nearest_word_is_near
+
+   !> Over more than the range that needs no library, next to powers of ten, with few digits, and integers.
+   subroutine numbers_of_tables_are_those_of_the_library()
+      integer, parameter :: whole(*) = [0, 7, -10, 123456789, huge(0), -huge(0) - 1]
+      real(dp), parameter :: special(*) = [0.0_dp, -0.0_dp, tiny(1.0_dp), -huge(1.0_dp), 0.1_dp, -1.0_dp, 1.0e16_dp, &
+         1.0e17_dp]
+      character(len=line_length) :: text, expected
+      real(dp) :: draw(3), value
+      integer :: i, used
+
+      do i = 1, 40000 + size(special)
+         call random_number(draw)
+         select case (mod(i, 4))
+         case (0)
+            value = (draw(1) - 0.5_dp)*10.0_dp**(60*draw(2) - 35)
+         case (1)
+            value = int(1000*draw(1))*10.0_dp**int(40*draw(2) - 25)
+         case (2)
+            value = 10.0_dp**int(60*draw(1) - 35)*(1 + epsilon(value)*int(8*draw(2) - 4))
+         case default
+            value = int(1.0e6_dp*draw(1))/8.0_dp
+         end select
+         if (i > 40000) value = special(max(1, i - 40000))
+         if (i == 1) value = ieee_value(value, ieee_quiet_nan)
+         if (i == 2) value = ieee_value(value, ieee_negative_inf)
+         write (expected, '(g0, a)') value, ';'
+         text = ''
+         used = 0
+         call put_real(value, text, used)
+         call put_text(';', text, used)
+         call require(text == expected .and. used == len_trim(expected), trim(expected)//' is not '//trim(text))
+      end do
+      do i = 1, size(whole)
+         write (expected, '(i0)') whole(i)
+         text = ''
+         used = 0
+         call put_integer(whole(i), text, used)
+         call require(text == expected .and. used == len_trim(expected), trim(expected)//' is not '//trim(text))
+      end do
+   end subroutine numbers_of_tables_are_those_of_the_library
 
 end program test_text_tools
