@@ -176,7 +176,6 @@ contains
          before%closing = clearance_of(point%fit, contact%converged_clearance(point%pair)) &
             - clearance_of(point%fit, contact%clearance(point%pair))
          before%goes_on = domain%state%increment > 0
-         if (point%line_place == 0 .and. .not. any(point%held)) return
          call pair_geometry(domain%model, domain%wires, domain%elements, point%element_bar, point%element, &
             iterate%x_start, start, before%x, before%t, length)
          do a = 1, size(nodes_p)

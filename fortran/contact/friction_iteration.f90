@@ -12,7 +12,7 @@ module litz_friction_iteration
    use litz_friction_law, only: friction_none, friction_stick, friction_slip
    implicit none
    private
-   public :: friction_iteration_t, predict_friction, forget_friction, place_touch, place_line_touch
+   public :: friction_iteration_t, predict_friction, forget_friction, place_touch
 
    type :: friction_iteration_t
       !> Status that the iteration supposes; `friction_none`: nothing yet
@@ -31,11 +31,11 @@ module litz_friction_iteration
       real(dp) :: difference(n_motions) = 0
       !> The contact was open when the increment began and has been closed since
       logical :: touched = .false.
-      !> Arc lengths of the places along the barred and the unbarred wire at which it closed (2) [m]
-      real(dp) :: touch(2) = 0
-      !> Of a point of a line contact: its arc length along the barred wire [m] and the normal (3) when the increment
+      !> Arc lengths of the places along the barred and the unbarred wire (2) [m] and the normal (3) when the increment
       !> began, and the part of the slip since then that follows the first touch
-      real(dp) :: arc_before = 0, normal_before(3) = 0, part = 1
+      real(dp) :: arc_before(2) = 0, normal_before(3) = 0, part = 1
+      !> The first direction of the slip is between the one wire and the reverse of the other
+      logical :: reverses = .false.
    end type friction_iteration_t
 
    !> A step that leaves less than this of a trial traction has gone too far to say whether the contact sticks
@@ -48,40 +48,28 @@ contains
       type(friction_iteration_t), intent(inout) :: iteration
 
       if (iteration%status == friction_none) return
-      iteration = friction_iteration_t(touched=iteration%touched, touch=iteration%touch, &
-         arc_before=iteration%arc_before, normal_before=iteration%normal_before, part=iteration%part)
+      iteration = friction_iteration_t(touched=iteration%touched, arc_before=iteration%arc_before, &
+         normal_before=iteration%normal_before, part=iteration%part)
    end subroutine forget_friction
 
-   !> Where a contact closes within the increment: there its slip begins.
+   !> Where a contact was when the increment began in which it closes: of the slip since then it has the part after the
+   !> touch.
    !>
    !> Asked when the iteration first finds it closed, so that nothing has held the overlap back yet: gap and places of a
    !> motion in proportion go straight from their start to here, and the gap is zero after `g_0/(g_0 - g)` of the way.
-   !> The place is then kept, and the equations of the increment with it.
-   pure subroutine place_touch(gap_start, gap, arc, moved, iteration)
+   !> The touch is then kept, and the equations of the increment with it.
+   pure subroutine place_touch(gap_start, gap, arc, normal, iteration)
       !> Gap when the increment began, and now, below zero [m]
       real(dp), intent(in) :: gap_start, gap
-      !> Arc lengths of the places now, and how far they have moved since the increment began (2) [m]
-      real(dp), intent(in) :: arc(2), moved(2)
-      type(friction_iteration_t), intent(inout) :: iteration
-
-      iteration%touched = .true.
-      iteration%touch = arc - closed_share(gap_start, gap)*moved
-   end subroutine place_touch
-
-   !> The same at a point of a line contact, whose surfaces turn besides: of the slip since the increment began it has
-   !> the part after the touch.
-   pure subroutine place_line_touch(gap_start, gap, arc, normal, iteration)
-      !> Gap when the increment began, and now, below zero [m]
-      real(dp), intent(in) :: gap_start, gap
-      !> Arc length of the foot [m] and normal (3) when the increment began
-      real(dp), intent(in) :: arc, normal(3)
+      !> Arc lengths of the places (2) [m] and normal (3) when the increment began
+      real(dp), intent(in) :: arc(2), normal(3)
       type(friction_iteration_t), intent(inout) :: iteration
 
       iteration%touched = .true.
       iteration%arc_before = arc
       iteration%normal_before = normal
       iteration%part = closed_share(gap_start, gap)
-   end subroutine place_line_touch
+   end subroutine place_touch
 
    !> The part of a motion in proportion for which a contact is closed.
    pure real(dp) function closed_share(gap_start, gap)

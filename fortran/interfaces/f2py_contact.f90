@@ -18,7 +18,7 @@ module f2py_contact
    use litz_contact_mechanics, only: core_contact_mechanics => contact_mechanics
    use litz_friction_law, only: friction_law_t, friction_start_t, core_friction_law => friction_law, &
       core_mindlin_ratio => mindlin_ratio
-   use litz_contact_friction, only: slip_t, slip_kinematics, friction_residual, friction_tangent
+   use litz_wire_friction, only: wire_slip_t, wire_slip, wire_friction_residual, wire_friction_tangent
    implicit none
    private :: names_of, ellipse_for
 contains
@@ -336,9 +336,9 @@ contains
    end subroutine mindlin_ratio
 
    ! Residual and tangent of the traction at given closest points. force: F, dF/dg, dF/dangle; stiffness: k_t, dk_t/dF
-   ! values: traction (2), plastic slip (2), dissipation, status; on_bar: the force on the barred wire
-   subroutine contact_friction(x, t, length, axis, radius, xi_bar, xi, side, direction, moved, mu, force, stiffness, &
-      traction_start, k, r, values, on_bar, info)
+   ! values: traction (2), plastic slip (2), dissipation, status, slip (2); on_bar: the force on the barred wire
+   subroutine contact_friction(x, t, length, axis, radius, xi_bar, xi, side, along, turned, normal_before, moved, mu, &
+      force, stiffness, traction_start, k, r, values, on_bar, info)
       !> Nodal positions (3, 4) [m]: barred 1, barred 2, 1, 2
       real(c_double), intent(in) :: x(3, 4)
       !> Unit tangents of the nodes (3, 4)
@@ -353,9 +353,13 @@ contains
       integer(c_int), intent(in) :: axis
       !> Remembered orientation +1 or -1; 0: none
       integer(c_int), intent(in) :: side
-      !> +1 or -1: whether xi runs along the wire or against it (2)
-      integer(c_int), intent(in) :: direction(2)
-      !> Arc lengths by which the closest points have moved since the increment began (2) [m]
+      !> The first direction of the slip is along the sum of the unit tangents times these factors (2)
+      real(c_double), intent(in) :: along(2)
+      !> Rotations of the nodes since the increment began (3, 3, 4)
+      real(c_double), intent(in) :: turned(3, 3, 4)
+      !> Normal when it began (3)
+      real(c_double), intent(in) :: normal_before(3)
+      !> How far the closest points have moved since in the directions of xib and xi (2) [m]
       real(c_double), intent(in) :: moved(2)
       !> Coefficient of friction [-]
       real(c_double), intent(in) :: mu
@@ -369,14 +373,14 @@ contains
       real(c_double), intent(out) :: k(24, 24)
       !> Residual (24) [N, N m]
       real(c_double), intent(out) :: r(24)
-      !> Traction (2) [N], plastic slip (2) [m], dissipation [J], status
-      real(c_double), intent(out) :: values(6)
+      !> Traction (2) [N], plastic slip (2) [m], dissipation [J], status, slip (2) [m]
+      real(c_double), intent(out) :: values(8)
       !> Force on the barred wire (3) [N]
       real(c_double), intent(out) :: on_bar(3)
       !> 0: all is well; else one of the constants of the kernel
       integer(c_int), intent(out) :: info
       type(contact_kinematics_t) :: kinematics
-      type(slip_t) :: slip
+      type(wire_slip_t) :: slip
       type(friction_law_t) :: law
       k = 0
       r = 0
@@ -384,13 +388,13 @@ contains
       on_bar = 0
       call core_contact_kinematics(x, t, length, axis, radius, xi_bar, xi, side, kinematics, info)
       if (info /= 0) return
-      slip = slip_kinematics(kinematics, x, t, length, axis, direction, moved)
+      slip = wire_slip(kinematics, x, t, length, axis, radius, along, turned, normal_before, moved)
       law = core_friction_law(mu, force(1), stiffness(1), stiffness(2), friction_start_t(traction_start, force(1)), &
          slip%slip)
-      r = friction_residual(kinematics, slip, law%traction)
-      k = friction_tangent(kinematics, slip, t, law, force(2)*kinematics%dgap + force(3)*kinematics%dangle, &
-         law%traction)
-      values = [law%traction, law%plastic_slip, law%dissipation, real(law%status, c_double)]
+      r = wire_friction_residual(slip, law%traction)
+      k = wire_friction_tangent(kinematics, slip, slip%dslip, t, law, &
+         force(2)*kinematics%dgap + force(3)*kinematics%dangle, law%traction)
+      values = [law%traction, law%plastic_slip, law%dissipation, real(law%status, c_double), slip%slip]
       on_bar = -matmul(slip%frame, law%traction)
    end subroutine contact_friction
 

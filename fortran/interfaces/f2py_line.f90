@@ -1,5 +1,5 @@
 ! The kernels of line contact for Python, of many points at once; the contracts are in fortran/laws/line_law.f90,
-! fortran/laws/lens_law.f90, fortran/kernels/line_point.f90 and fortran/kernels/line_friction.f90.
+! fortran/laws/lens_law.f90, fortran/kernels/line_point.f90 and fortran/kernels/wire_friction.f90.
 module f2py_line
    use iso_c_binding, only: c_double, c_int
    use litz_law_input, only: wire_pair_t
@@ -10,7 +10,7 @@ module f2py_line
    use litz_contact_kinematics, only: contact_kinematics, contact_kinematics_t
    use litz_axis_choices, only: axis_hermite
    use litz_friction_law, only: friction_law_t, friction_start_t, core_friction_law => friction_law
-   use litz_line_friction, only: line_slip_t, line_slip, line_friction_residual, line_friction_tangent
+   use litz_wire_friction, only: wire_slip_t, wire_slip, wire_friction_residual, wire_friction_tangent
    use litz_line_kinematics, only: core_lens_sine => lens_sine, line_kinematics
    use litz_line_point, only: core_line_point => line_point, line_laws_t, line_place_t, line_point_t
    implicit none
@@ -218,7 +218,7 @@ contains
       !> 0: all is well; else one of the constants of the kernel
       integer(c_int), intent(out) :: info
       type(contact_kinematics_t) :: kinematics
-      type(line_slip_t) :: slip
+      type(wire_slip_t) :: slip
       type(friction_law_t) :: law
       k = 0
       r = 0
@@ -226,11 +226,12 @@ contains
       frame = 0
       call line_kinematics(x, t, length, axis_hermite, radius, xi_bar, xi, at_end /= 0, normal_side, kinematics, info)
       if (info /= 0) return
-      slip = line_slip(kinematics, x, t, length, radius, turned, normal_before, moved)
+      slip = wire_slip(kinematics, x, t, length, axis_hermite, radius, [0.0_c_double, 1.0_c_double], turned, &
+         normal_before, [moved, 0.0_c_double])
       law = core_friction_law(mu, force(1), stiffness(1), stiffness(2), friction_start_t(traction_start, force(1)), &
          slip%slip)
-      r = line_friction_residual(slip, law%traction)
-      k = line_friction_tangent(kinematics, slip, slip%dslip, t, law, force(2)*kinematics%dgap, law%traction)
+      r = wire_friction_residual(slip, law%traction)
+      k = wire_friction_tangent(kinematics, slip, slip%dslip, t, law, force(2)*kinematics%dgap, law%traction)
       values = [slip%slip, law%traction, real(law%status, c_double)]
       frame = slip%frame
    end subroutine line_friction

@@ -9,7 +9,7 @@ module litz_end_kinematics
    use litz_line_kinematics, only: line_kinematics
    implicit none
    private
-   public :: end_kinematics, mirrored, mirrored_nodes, mirrored_motions
+   public :: end_kinematics
 
    integer :: i
    !> Nodes and unknowns of a pair of elements, the unbarred element first

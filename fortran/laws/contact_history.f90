@@ -35,8 +35,10 @@ module litz_contact_history
       real(dp) :: arc(2) = 0
       !> Normal force [N]
       real(dp) :: force = 0
-      !> Traction in the frame of litz_contact_friction, or of litz_line_friction at a point of a line (2) [N]
+      !> Traction in the directions of litz_wire_friction (2) [N], the first of which, except at a point of a line, is
+      !> between the two wires, or between the one and the reverse of the other
       real(dp) :: traction(2) = 0
+      logical :: reverses = .false.
       !> Share of a crossing [-], or length that a point of a line stood for [m]
       real(dp) :: weight = 0
       !> Path of the slip since the contact closed [m], and the heat that friction made of it [J]

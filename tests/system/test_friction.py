@@ -188,6 +188,46 @@ def test_without_a_stiffness_a_contact_sticks_as_stiff_as_mindlin_says(run):
     assert reaction(results)[-1, 0] == pytest.approx(2 * (1 - 0.34) / (2 - 0.34) * PENALTY * 1e-8, rel=1e-6)
 
 
+RADIUS = 1e-3
+
+
+def turn(x, angle, *, increments=10):
+    """The upper wire, which lies along y, moves along the lower one and turns about its own axis."""
+    return move(x, increments=increments).replace("*END STEP", f" UPPER, 5, 5, {angle:.17g}\n*END STEP")
+
+
+@pytest.mark.parametrize("increments", [1, 10])
+def test_a_wire_that_rolls_on_the_other_feels_no_friction(run, increments):
+    way = 1e-3
+    _, results = run(rubbing(turn(way, way / RADIUS, increments=increments)))
+    # the radius at which it rolls is that of the surface in which the overlap is shared
+    assert np.abs(reaction(results)).max() < STICK * way * OVERLAP / RADIUS
+    contacts = results.contacts
+    assert set(contacts["friction"]) == {"stick"}
+    assert contacts["slip_path"][-1] == 0
+
+
+@pytest.mark.parametrize("increments", [1, 10])
+def test_a_wire_that_turns_on_the_spot_slips_and_gives_both_wires_their_moments(run, increments):
+    """The friction has the arm of either radius: it turns the one wire back about its axis, and bends the other."""
+    angle = 0.1
+    deck = rubbing(turn(0, angle, increments=increments))
+    deck = deck.replace(" RF\n", " RF, RM\n").replace(
+        "*ENERGY PRINT", "*NODE PRINT, NSET=LOWER, TOTALS=ONLY\n RM\n*ENERGY PRINT"
+    )
+    _, results = run(deck)
+    contact = results.contacts_at(-1)
+    assert list(contact["friction"]) == ["slip"]
+    assert contact["slip_path"] == pytest.approx(RADIUS * angle - MU * FORCE / STICK, rel=1e-3)
+    assert contact["dissipation"] == pytest.approx(MU * FORCE * contact["slip_path"], rel=1e-6)
+    # its lowest point goes against x: the supports hold it back
+    assert reaction(results)[-1] == pytest.approx([-MU * FORCE, 0], rel=1e-6, abs=1e-9)
+    # moments of the supports about the axes of the nodes, which lie in one plane for each wire
+    upper, lower = (results.history[f"RM2 sum {name}"][-1] for name in ("UPPER", "LOWER"))
+    assert upper == pytest.approx(RADIUS * MU * FORCE, rel=1e-3)
+    assert lower == pytest.approx(RADIUS * MU * FORCE, rel=1e-3)
+
+
 def test_no_friction_is_a_coefficient_of_zero(run):
     steps = [move(1e-4, 2e-4)]
     _, without = run(rubbing(*steps, friction=""), name="without")

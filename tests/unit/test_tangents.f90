@@ -142,7 +142,7 @@ program test_tangents
       1.2e-5_dp, 0.02_dp, 2.0_dp)
    call check_lines('line that sticks', hertz//'*FRICTION'//nl//'1e3'//nl, 0.0_dp, 4.0e-6_dp, 0.02_dp)
    call check_lines('line of a penalty that sticks', penalty_of_line//'*FRICTION, ELASTIC SLIP=1e-7'//nl//'1e3'//nl, &
-      0.0_dp, 3.5e-5_dp, 0.01_dp)
+      1.0_dp, 3.5e-5_dp, 0.01_dp)
    call check_lines('line that slips', hertz//'*FRICTION'//nl//'1e-4'//nl, 0.0_dp, 4.0e-6_dp, 0.02_dp)
    call check_lines('bow that slips on a straight wire', hertz//'*FRICTION'//nl//'1e-4'//nl, 5.0_dp, 1.2e-5_dp, 0.02_dp)
    call check_ends('end on a wire', hertz//spot, 'end', 'A, B')

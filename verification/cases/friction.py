@@ -30,7 +30,8 @@ def reference():
     modulus = hertz.effective_modulus((young, young), (nu, nu))
     unit = hertz.crossed_wires(1, math.pi / 2, radius=(radius, radius), modulus=modulus, resistivity=(1, 1)).approach
     return DraggedCantilever(
-        a=0.0825, b=0.0825, ei=young * math.pi * radius**4 / 4, diameter=2 * radius, hertz=unit,
+        a=0.0825, b=0.0825, ei=young * math.pi * radius**4 / 4, radius=radius, hertz=unit,
+        gj=young / (2 * (1 + nu)) * math.pi * radius**4 / 2,
         stick_ratio=2 * (1 - nu) / (2 - nu), mu=MU, w=2e-4,
     )  # fmt: skip
 
