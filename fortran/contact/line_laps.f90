@@ -157,8 +157,9 @@ contains
       lap = to_ends(merge(2, 1, is_forward))
    end function lap_from_end
 
-   !> Half of the length along which two wires that cross lie beside each other, until one of them ends [m].
-   pure real(dp) function lap_at_crossing(wires, elements, point) result(half_lap)
+   !> How far two wires lie beside each other from their crossing on, until one of them ends, on the longer side [m]: as
+   !> the crossing comes to an end, all that lies between that and the other one.
+   pure real(dp) function lap_at_crossing(wires, elements, point) result(lap)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(contact_point_t), intent(in) :: point
@@ -169,7 +170,7 @@ contains
       own = distances_to_ends(wires, elements, point%element, point%arc)
       other = distances_to_ends(wires, elements, point%element_bar, point%arc_bar)
       if (.not. runs_along) other = other([2, 1])
-      half_lap = sum(min(own, other)/2)
+      lap = maxval(min(own, other))
    end function lap_at_crossing
 
    !> Lengths of wire from a place to the first and to the second end [m]; huge along a closed wire.
