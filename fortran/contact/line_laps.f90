@@ -21,7 +21,10 @@ contains
    !> Part of its length for which a place stands. What lies between the last place of a lap and its end has the linear
    !> course that the last two places tell, so that nothing jumps where the end passes a place: with the distance `h` of
    !> places, of which the end is `r` behind the last one, that one has `r + r^2/(2 h)` more than up to itself, and the
-   !> one before it `r^2/(2 h)` less. As their feet slide they gain or lose length.
+   !> one before it `r^2/(2 h)` less. As their feet slide they gain or lose length. Where both wires end within two
+   !> distances of places, no two places tell a course: the place at the end of its wire stands for the whole lap, until
+   !> from `h` on it passes its length on to the next one, `h - r` and `2 r`. Of the two passes one begins at either end
+   !> of the lap, so that together they have the sum of a linear course.
    pure subroutine find_lap(wires, elements, places, rate, point, share, of_lap)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
@@ -32,7 +35,7 @@ contains
       type(contact_point_t), intent(inout) :: point
       !> [-], and how the length changes with the distance of the foot from the end [-], and how that does [1/m] (2)
       real(dp), intent(out) :: share, of_lap(2)
-      real(dp) :: behind, spacing, beyond
+      real(dp) :: behind, spacing, beyond, own_end(2)
       integer :: ahead
 
       point%lens%near = .false.
@@ -43,8 +46,16 @@ contains
       share = 0
       if (point%foot_at_end) return
       spacing = 2*half_part(elements, places, point%element)
-      associate (length => places%length(point%line_place))
-         if (behind < spacing - tie*spacing) then
+      own_end = distances_to_ends(wires, elements, point%element, point%arc)
+      associate (length => places%length(point%line_place), before => own_end(3 - ahead))
+         if (before < (1 - tie)*spacing) then
+            beyond = max(0.0_dp, behind - spacing)
+            share = (behind - 2*beyond)/length
+            of_lap(1) = merge(-1, 1, beyond > 0)/abs(rate)
+         else if (before < (2 - tie)*spacing .and. behind < spacing - tie*spacing) then
+            share = 2*behind/length
+            of_lap(1) = 2/abs(rate)
+         else if (behind < spacing - tie*spacing) then
             share = (length - spacing/2 + behind + behind**2/(2*spacing))/length
             of_lap = [1 + behind/spacing, 1/(spacing*abs(rate))]/abs(rate)
          else
