@@ -12,7 +12,7 @@ module litz_cut_forces
    use litz_normal_law, only: normal_law_t, force_of_gap_t
    implicit none
    private
-   public :: cut_force, ellipse_of_parts, kept_part, scaled
+   public :: cut_force, settle_cut, ellipse_of_parts, kept_part, scaled
 
    !> Energy over force and overlap of Hertz
    real(dp), parameter :: energy_of_hertz = 0.4_dp
@@ -76,7 +76,7 @@ contains
    pure subroutine settle_cut(law, pair, energy, point)
       type(normal_law_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair
-      !> Of two wires without ends at the present gap [J]
+      !> Of two wires without ends at the present gap, as far as the section counts in their law [J]
       real(dp), intent(in) :: energy
       !> Closed
       type(contact_point_t), intent(inout) :: point
@@ -99,7 +99,7 @@ contains
    pure subroutine find_energies(law, pair, energy, point)
       type(normal_law_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair
-      !> Of two wires without ends at the present gap [J]
+      !> Of two wires without ends at the present gap, as far as the section counts in their law [J]
       real(dp), intent(in) :: energy
       type(contact_point_t), intent(inout) :: point
       type(hertz_ellipse_t) :: cylinders, one

@@ -18,6 +18,7 @@ module litz_line_shares
    use litz_line_laps, only: find_lap, cell_at_lap, lap_at_crossing
    use litz_line_places, only: line_places_t, spacing_of_places
    use litz_model, only: model_t
+   use litz_normal_forces, only: settle_ends, wires_of
    use litz_normal_law, only: normal_law_t
    use litz_shares_at_ends, only: own_t, share_end, share_on_legs, share_along, share_of_lens, half_pass, resolution, &
       least_sine
@@ -198,6 +199,7 @@ contains
                if (is_cut(point%lens)) then
                   call set_angle_of_axes(point)
                   if (serves_lines(model, point%pair)) call blend_angle_of_lens(point)
+                  call settle_ends(law, wires_of(model, elements, point), point)
                end if
             end associate
             largest_change = max(largest_change, change_of(earlier, point))
