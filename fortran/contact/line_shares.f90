@@ -283,7 +283,7 @@ contains
             end if
          end if
          rate = point%kinematics%cos_angle/max(least_quality, quality(1))
-         call find_lap(wires, elements, contact%places, rate, point, of_length, of_lap)
+         call find_lap(wires, elements, contact%places, profile, rate, point, of_length, of_lap)
          part = point%line_share*share_of_pass(quality)*flatness(tilt)
          point%dweight_dlap = part*of_lap(1)
          point%d2weight_dlap2 = part*of_lap(2)
