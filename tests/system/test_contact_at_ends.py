@@ -236,7 +236,8 @@ def totals(results):
 def test_the_force_past_the_end_of_a_wire_falls_without_a_step(run, degrees, overlap, behind, law):
     force, conductance = totals(solved(run(dragged_past_the_end(degrees, overlap, behind, law))))
     assert largest_step(force) < 0.015
-    assert largest_step(conductance) < 0.015
+    # at last touch conductance falls with infinite slope
+    assert largest_step(conductance[force > 0]) < 0.015
 
 
 @pytest.mark.parametrize(
