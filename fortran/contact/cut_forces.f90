@@ -94,8 +94,8 @@ contains
    end subroutine settle_cut
 
    !> Energies of ends on cylinders and of ends on ends over that of two cylinders, at one overlap. A law per length
-   !> knows no round ends: they have the part of crossed wires that Hertz has. Where the section counts in the law of the
-   !> cylinders, it does not in that of round ends.
+   !> knows no round ends: they have the part of crossed wires that Hertz has. Where the section counts in the law of
+   !> the cylinders, it does not in that of round ends.
    pure subroutine find_energies(law, pair, energy, point)
       type(normal_law_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair

@@ -25,10 +25,11 @@ contains
    !> Part of its length for which a place stands. What lies between the last place of a lap and its end has the linear
    !> course that the last two places tell, so that nothing jumps where the end passes a place: with the distance `h` of
    !> places, of which the end is `r` behind the last one, that one has `r + r^2/(2 h)` more than up to itself, and the
-   !> one before it `r^2/(2 h)` less, as far as the overlap goes on to the last one. As their feet slide they gain or lose
-   !> length. Where both wires end within two distances of places, no two places tell a course: the place at the end of its
-   !> wire stands for the whole lap, until from `h` on it passes its length on to the next one, `h - r` and `2 r`. Of the
-   !> two passes one begins at either end of the lap, so that together they have the sum of a linear course.
+   !> one before it `r^2/(2 h)` less, as far as the overlap goes on to the last one. As their feet slide they gain or
+   !> lose length. Where both wires end within two distances of places, no two places tell a course: the place at the
+   !> end of its wire stands for the whole lap, until from `h` on it passes its length on to the next one, `h - r` and
+   !> `2 r`. Of the two passes one begins at either end of the lap, so that together they have the sum of a linear
+   !> course.
    pure subroutine find_lap(wires, elements, places, profile, rate, point, share, of_lap)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
@@ -79,8 +80,8 @@ contains
       end associate
    end subroutine find_lap
 
-   !> How far the last two places of a lap tell the course up to its end: an overlap that ends before the last one does not
-   !> go on.
+   !> How far the last two places of a lap tell the course up to its end: an overlap that ends before the last one does
+   !> not go on.
    pure real(dp) function share_of_course(wires, profile, spacing, ahead, is_last, point) result(share)
       type(wires_t), intent(in) :: wires
       type(line_profile_t), intent(in) :: profile

@@ -4,8 +4,8 @@
 !> more where little is left for places. Source: theory section 10.
 module litz_shares_at_ends
    use litz_kinds, only: dp
-   use litz_contact_lens, only: half_length_of, half_length_on, angle_of_axes, flatness, least_bend, deepest, least_overlap, &
-      longest, small_sine, moderate_sine
+   use litz_contact_lens, only: half_length_of, half_length_on, angle_of_axes, flatness, least_bend, deepest, &
+      least_overlap, longest, small_sine, moderate_sine
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_place_t, leg_t, is_contact_of
    use litz_cut_lens, only: is_cut
    use litz_element_library, only: elements_t
@@ -221,8 +221,8 @@ contains
       at_joint = point%held .and. .not. point%at_end
       bend = maxval(point%bend, .not. at_joint([2, 1]))
       if (all(at_joint)) bend = sin(point%lens%angle)**2/point%kinematics%distance
-      sine = sqrt(point%kinematics%distance*least_bend(bend, max(0.0_dp, min(-point%gap, deepest*minval(point%radius))), &
-         length))
+      sine = sqrt(point%kinematics%distance*least_bend(bend, max(0.0_dp, min(-point%gap, &
+         deepest*minval(point%radius))), length))
       sine = max(least_sine, min(1.0_dp, sine))
    end function sine_at_end
 
