@@ -17,7 +17,7 @@ module litz_contact_lens
    private
    public :: has_lens, half_length_of, half_length_on, divide_at_ends, tells_shares, angle_of_axes, place_at_ends, &
       ends_of_wires, second_ends, is_at_cut_end, cut_ends, flatness, least_bend, wedge_length, deepest, &
-      least_overlap, small_sine, moderate_sine
+      least_overlap, longest, small_sine, moderate_sine
 
    !> Sines of the angle between the axes up to which the lens alone gives the angle of the law, and from which on the
    !> axes do (5 and 10 degrees)
@@ -26,6 +26,8 @@ module litz_contact_lens
    real(dp), parameter :: near_round_off = 1.0e-12_dp
    !> Overlap beyond which a lens counts as no longer, in smaller radii
    real(dp), parameter :: deepest = 0.02_dp
+   !> An overlap that ends or joints cut counts as no longer, in smaller radii: longer ones are the matter of places
+   real(dp), parameter :: longest = 2
    !> Overlap at an end by which its length is told, at least, in distances of the axes
    real(dp), parameter :: least_overlap = 1.0e-5_dp
    !> Half lengths of a lens up to which it may come to be cut within an increment, of an overlap of at least this part
@@ -134,32 +136,14 @@ contains
          lens%cosine = dot_product(way(:, 1), way(:, 2))/max(norm2(way(:, 1))*norm2(way(:, 2)), tiny(d))
          lens%bend = bends_over_feet(point, lens%cosine)
          overlap = min(-point%gap, deepest*radius)
-         lens%bend = max(lens%bend, d*least_bend(0.0_dp, overlap, radius))
+         lens%bend = max(lens%bend, d*least_bend(0.0_dp, overlap, longest*radius))
          ! nothing is felt of an end that is farther away
          overlap = max(overlap, least_felt*radius)
          to_end = merge(to_end, 0.0_dp, lens%near .and. .not. point%at_end)
          lens%near = lens%near .and. lens%bend*to_end**2 < felt**2*2*d*overlap
-         if (all(lens%near) .and. any(point%at_end)) lens%flat = side_by_side(lens, &
-            to_end*sqrt(lens%bend/(2*d*overlap)))
       end associate
       call place_at_ends(wires, elements, point)
    end subroutine divide_at_ends
-
-   !> How far two wires whose ends both cut an overlap lie side by side, so that its middle is anywhere: as far as the
-   !> least bend makes it shorter than the angle of the axes does, and the end of the other wire is within two half
-   !> lengths of the contact, which is at an end.
-   pure real(dp) function side_by_side(lens, to_end) result(flat)
-      type(cut_lens_t), intent(in) :: lens
-      !> In half lengths of the overlap (2)
-      real(dp), intent(in) :: to_end(2)
-      real(dp) :: square_of_sine
-
-      square_of_sine = (1 - lens%cosine)*(1 + lens%cosine)
-      associate (bend => maxval(lens%bend))
-         flat = smooth_step((bend - square_of_sine)/max(2*square_of_sine, epsilon(bend)*bend))
-      end associate
-      flat = flat*(1 - smooth_step(maxval(to_end) - 1))
-   end function side_by_side
 
    !> What joints change of the overlap, and the angle of the law.
    pure subroutine divide_at_joints(point)
@@ -343,12 +327,12 @@ contains
       distance = to_ends(side)
    end subroutine find_free_end
 
-   !> Curvature of the distance along a wire from its end on, of an overlap that is no longer than a radius [1/m].
-   pure real(dp) function least_bend(bend, overlap, radius)
+   !> Curvature of the distance along a wire from its end on, of an overlap that is no longer than this [1/m].
+   pure real(dp) function least_bend(bend, overlap, length)
       !> [1/m], [m], [m]
-      real(dp), intent(in) :: bend, overlap, radius
+      real(dp), intent(in) :: bend, overlap, length
 
-      least_bend = max(bend, 2*overlap/radius**2)
+      least_bend = max(bend, 2*overlap/length**2)
    end function least_bend
 
    !> 1 where an axis lies along the surface of the other wire, 0 where it runs into it.

@@ -34,7 +34,7 @@ contains
       point%at_gap = force_of_gap_t()
       point%slide_force = 0
       if (.not. base%force > 0) return
-      if (.not. point%lens%has_energies) call settle_cut(law, pair, point)
+      if (.not. point%lens%has_energies) call settle_cut(law, pair, base%energy, point)
       part = part_of_lens(point)
       associate (q => part%whole, weight => point%weight)
          q_delta = q%first(1)
@@ -73,15 +73,17 @@ contains
 
    !> Bring up to date what stays within an iteration: the energies of the pairs of shapes, and what each has of the
    !> force of the spot, in parts of what it would have alone.
-   pure subroutine settle_cut(law, pair, point)
+   pure subroutine settle_cut(law, pair, energy, point)
       type(normal_law_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair
+      !> Of two wires without ends at the present gap, as far as the section counts in their law [J]
+      real(dp), intent(in) :: energy
       !> Closed
       type(contact_point_t), intent(inout) :: point
       type(lens_part_t) :: part
       integer :: i, j
 
-      call find_energies(law, pair, point)
+      call find_energies(law, pair, energy, point)
       part = part_of_lens(point)
       do j = 1, 2
          do i = 1, 2
@@ -92,23 +94,28 @@ contains
    end subroutine settle_cut
 
    !> Energies of ends on cylinders and of ends on ends over that of two cylinders, at one overlap. A law per length
-   !> knows no round ends: they have the part of crossed wires that Hertz has.
-   pure subroutine find_energies(law, pair, point)
+   !> knows no round ends: they have the part of crossed wires that Hertz has. Where the section counts in the law of
+   !> the cylinders, it does not in that of round ends.
+   pure subroutine find_energies(law, pair, energy, point)
       type(normal_law_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair
+      !> Of two wires without ends at the present gap, as far as the section counts in their law [J]
+      real(dp), intent(in) :: energy
       type(contact_point_t), intent(inout) :: point
       type(hertz_ellipse_t) :: cylinders, one
-      real(dp) :: angle, factor
+      real(dp) :: angle, factor, overlap
       integer :: i, j, info
 
       angle = point%law_angle
       factor = 1
+      overlap = -point%gap
       if (law%line_penalty() > 0) then
          angle = pi/2
          factor = point%law_sine
       end if
       call hertz_ellipse(pair%radius, pair%young, pair%poisson, angle, cylinders, info)
       if (info /= hertz_ok) return
+      if (point%section_share > 0) factor = energy_of_hertz*overlap*(overlap/cylinders%approach)**1.5_dp/energy
       do j = 1, 2
          do i = 1, 2
             point%lens%energy(i, j) = 1

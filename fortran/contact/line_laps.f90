@@ -6,6 +6,8 @@ module litz_line_laps
    use litz_kinds, only: dp
    use litz_contact_points, only: contact_point_t, leg_t
    use litz_element_library, only: elements_t
+   use litz_lens_law, only: smooth_step
+   use litz_line_kinematics, only: line_profile_t
    use litz_line_places, only: line_places_t
    use litz_wires, only: wires_t
    implicit none
@@ -15,25 +17,34 @@ module litz_line_laps
    !> Ends and places that are nearer to each other than this part of the distance of places lie side by side: all
    !> places of a lap have to find the same
    real(dp), parameter :: tie = 1.0e-8_dp
+   !> Part of the overlap at one place from which on that at the next one goes on
+   real(dp), parameter :: goes_on = 0.25_dp
 
 contains
 
    !> Part of its length for which a place stands. What lies between the last place of a lap and its end has the linear
    !> course that the last two places tell, so that nothing jumps where the end passes a place: with the distance `h` of
    !> places, of which the end is `r` behind the last one, that one has `r + r^2/(2 h)` more than up to itself, and the
-   !> one before it `r^2/(2 h)` less. As their feet slide they gain or lose length.
-   pure subroutine find_lap(wires, elements, places, rate, point, share, of_lap)
+   !> one before it `r^2/(2 h)` less, as far as the overlap goes on to the last one. As their feet slide they gain or
+   !> lose length. Where both wires end within two distances of places, no two places tell a course: the place at the
+   !> end of its wire stands for the whole lap, until from `h` on it passes its length on to the next one, `h - r` and
+   !> `2 r`. Of the two passes one begins at either end of the lap, so that together they have the sum of a linear
+   !> course.
+   pure subroutine find_lap(wires, elements, places, profile, rate, point, share, of_lap)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(line_places_t), intent(in) :: places
+      !> Of the distance round the place
+      type(line_profile_t), intent(in) :: profile
       !> By how much the foot moves along the element of the other wire as the place does [-]
       real(dp), intent(in) :: rate
       !> Out: with the end that it is next to
       type(contact_point_t), intent(inout) :: point
       !> [-], and how the length changes with the distance of the foot from the end [-], and how that does [1/m] (2)
       real(dp), intent(out) :: share, of_lap(2)
-      real(dp) :: behind, spacing, beyond
+      real(dp) :: behind, spacing, beyond, own_end(2), linear
       integer :: ahead
+      logical :: is_last
 
       point%lens%near = .false.
       share = 1
@@ -43,14 +54,23 @@ contains
       share = 0
       if (point%foot_at_end) return
       spacing = 2*half_part(elements, places, point%element)
-      associate (length => places%length(point%line_place))
-         if (behind < spacing - tie*spacing) then
-            share = (length - spacing/2 + behind + behind**2/(2*spacing))/length
-            of_lap = [1 + behind/spacing, 1/(spacing*abs(rate))]/abs(rate)
+      own_end = distances_to_ends(wires, elements, point%element, point%arc)
+      is_last = behind < spacing - tie*spacing
+      linear = share_of_course(wires, profile, spacing, ahead, is_last, point)
+      associate (length => places%length(point%line_place), before => own_end(3 - ahead))
+         beyond = max(0.0_dp, behind - spacing)
+         if (before < (1 - tie)*spacing) then
+            share = (min(behind, spacing) - (1 + linear)/2*beyond)/length
+            of_lap(1) = merge(1.0_dp, -(1 + linear)/2, is_last)/abs(rate)
+         else if (before < (2 - tie)*spacing .and. is_last) then
+            share = (3 + linear)/2*behind/length
+            of_lap(1) = (3 + linear)/(2*abs(rate))
+         else if (is_last) then
+            share = (length - spacing/2 + behind + linear*behind**2/(2*spacing))/length
+            of_lap = [1 + linear*behind/spacing, linear/(spacing*abs(rate))]/abs(rate)
          else
-            beyond = behind - spacing
-            share = (length - beyond**2/(2*spacing))/length
-            of_lap = -[beyond, 1/abs(rate)]/(spacing*abs(rate))
+            share = (length - linear*beyond**2/(2*spacing))/length
+            of_lap = -linear*[beyond, 1/abs(rate)]/(spacing*abs(rate))
          end if
       end associate
       point%lens%near(1) = .true.
@@ -59,6 +79,26 @@ contains
          point%place(1) = minval(to_ends)
       end associate
    end subroutine find_lap
+
+   !> How far the last two places of a lap tell the course up to its end: an overlap that ends before the last one does
+   !> not go on.
+   pure real(dp) function share_of_course(wires, profile, spacing, ahead, is_last, point) result(share)
+      type(wires_t), intent(in) :: wires
+      type(line_profile_t), intent(in) :: profile
+      !> Of places [m]
+      real(dp), intent(in) :: spacing
+      !> The end of the lap lies towards the first (1) or the second end (2) of the wire of the place
+      integer, intent(in) :: ahead
+      !> The place is the last one, or the one before that
+      logical, intent(in) :: is_last
+      type(contact_point_t), intent(in) :: point
+      real(dp) :: way, overlap(2)
+
+      way = spacing*wires%direction(point%element)*merge(1, -1, (ahead == 2) .neqv. is_last)
+      overlap = [-point%gap, -point%gap - (profile%slope + profile%bend*way/2)*way]
+      if (is_last) overlap = overlap([2, 1])
+      share = smooth_step(overlap(2)/max(goes_on*overlap(1), tiny(share)))
+   end function share_of_course
 
    !> The length for which a place stands, as its foot has slid.
    pure subroutine slide_along_lap(wires, elements, point)
@@ -157,8 +197,9 @@ contains
       lap = to_ends(merge(2, 1, is_forward))
    end function lap_from_end
 
-   !> Half of the length along which two wires that cross lie beside each other, until one of them ends [m].
-   pure real(dp) function lap_at_crossing(wires, elements, point) result(half_lap)
+   !> How far two wires lie beside each other from their crossing on, until one of them ends, on the longer side [m]: as
+   !> the crossing comes to an end, all that lies between that and the other one.
+   pure real(dp) function lap_at_crossing(wires, elements, point) result(lap)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(contact_point_t), intent(in) :: point
@@ -169,7 +210,7 @@ contains
       own = distances_to_ends(wires, elements, point%element, point%arc)
       other = distances_to_ends(wires, elements, point%element_bar, point%arc_bar)
       if (.not. runs_along) other = other([2, 1])
-      half_lap = sum(min(own, other)/2)
+      lap = maxval(min(own, other))
    end function lap_at_crossing
 
    !> Lengths of wire from a place to the first and to the second end [m]; huge along a closed wire.

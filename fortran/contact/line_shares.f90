@@ -9,7 +9,6 @@ module litz_line_shares
       flatness, least_bend, deepest
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_place_t, chain_by_place, pair_geometry, &
       law_too_curved
-   use litz_cut_forces, only: settle_cut
    use litz_cut_lens, only: cut_lens_t, is_cut
    use litz_crossings_of_wires, only: crossings_of_wires_t, sort_crossings
    use litz_element_library, only: elements_t
@@ -19,7 +18,7 @@ module litz_line_shares
    use litz_line_laps, only: find_lap, cell_at_lap, lap_at_crossing
    use litz_line_places, only: line_places_t, spacing_of_places
    use litz_model, only: model_t
-   use litz_normal_forces, only: wires_of
+   use litz_normal_forces, only: settle_ends, wires_of
    use litz_normal_law, only: normal_law_t
    use litz_shares_at_ends, only: own_t, share_end, share_on_legs, share_along, share_of_lens, half_pass, resolution, &
       least_sine
@@ -133,9 +132,7 @@ contains
       point%lens_share = share_of_lens(law, point, point%kinematics%angle)
       own%line_share = line_share_at(wires, elements, contact, by_place, point)
       ! as far as a lens is part of a longer overlap, only ends bound that
-      own%length = huge(radius)
-      if (all(point%lens%near)) own%length = min(half_length/max(1 - point%long_share, epsilon(radius)), &
-         lap_at_crossing(wires, elements, point))
+      own%length = min(half_length/max(1 - point%long_share, epsilon(radius)), lap_at_crossing(wires, elements, point))
       own%sine = (1 - point%lens_share)*sin(point%kinematics%angle) + point%lens_share*point%lens_sine
       call share_on_legs(law, wires, elements, contact, by_place, own, point)
    end subroutine share_crossing
@@ -202,7 +199,7 @@ contains
                if (is_cut(point%lens)) then
                   call set_angle_of_axes(point)
                   if (serves_lines(model, point%pair)) call blend_angle_of_lens(point)
-                  call settle_cut(law, wires_of(model, elements, point), point)
+                  call settle_ends(law, wires_of(model, elements, point), point)
                end if
             end associate
             largest_change = max(largest_change, change_of(earlier, point))
@@ -286,7 +283,7 @@ contains
             end if
          end if
          rate = point%kinematics%cos_angle/max(least_quality, quality(1))
-         call find_lap(wires, elements, contact%places, rate, point, of_length, of_lap)
+         call find_lap(wires, elements, contact%places, profile, rate, point, of_length, of_lap)
          part = point%line_share*share_of_pass(quality)*flatness(tilt)
          point%dweight_dlap = part*of_lap(1)
          point%d2weight_dlap2 = part*of_lap(2)

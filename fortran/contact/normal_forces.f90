@@ -6,7 +6,7 @@
 module litz_normal_forces
    use litz_kinds, only: dp
    use litz_contact_points, only: contact_point_t, law_ok, law_parallel, law_too_curved, law_yields_at_end
-   use litz_cut_forces, only: cut_force, ellipse_of_parts, kept_part, scaled
+   use litz_cut_forces, only: cut_force, settle_cut, ellipse_of_parts, kept_part, scaled
    use litz_cut_lens, only: is_cut
    use litz_element_library, only: elements_t, material_at, material_place_t
    use litz_hertz, only: hertz_ellipse, hertz_ok
@@ -23,7 +23,7 @@ module litz_normal_forces
    implicit none
    private
    public :: apply_normal_law, wires_of, line_of_point, is_lens, law_of_spot, share_of_ellipse, weight_of_lens
-   public :: overlap_of_point
+   public :: overlap_of_point, settle_ends
 
    !> At first touch the Hertz law is linearised about the force of an overlap of at most this fraction of the radius
    real(dp), parameter :: first_overlap = 1.0e-3_dp
@@ -208,6 +208,20 @@ contains
 
       weight = point%weight*kept_part(point)
    end function weight_of_lens
+
+   !> Bring up to date what ends and joints change of the law.
+   pure subroutine settle_ends(law, pair, point)
+      type(normal_law_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      !> Closed, with its shares
+      type(contact_point_t), intent(inout) :: point
+      real(dp) :: energy, by_angle(2)
+
+      energy = 0
+      if (is_lens(law, point)) call lens_energy(line_of_point(pair, point), point%gap, point%law_sine, &
+         law%line_penalty(), energy, by_angle(1), by_angle(2))
+      call settle_cut(law, pair, energy, point)
+   end subroutine settle_ends
 
    !> A crossing, with the share that it carries.
    pure subroutine press_point(law, pair, point)

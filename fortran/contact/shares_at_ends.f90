@@ -4,12 +4,12 @@
 !> more where little is left for places. Source: theory section 10.
 module litz_shares_at_ends
    use litz_kinds, only: dp
-   use litz_contact_lens, only: half_length_on, angle_of_axes, flatness, least_bend, deepest, least_overlap, &
-      small_sine, moderate_sine
+   use litz_contact_lens, only: half_length_of, half_length_on, angle_of_axes, flatness, least_bend, deepest, &
+      least_overlap, longest, small_sine, moderate_sine
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_place_t, leg_t, is_contact_of
    use litz_cut_lens, only: is_cut
    use litz_element_library, only: elements_t
-   use litz_lens_law, only: share_of_ends, smooth_step
+   use litz_lens_law, only: share_of_ends, share_of_line, smooth_step
    use litz_line_laps, only: lap_from_end
    use litz_line_places, only: line_places_t, place_at, spacing_of_places
    use litz_normal_law, only: normal_law_t
@@ -31,9 +31,6 @@ module litz_shares_at_ends
    real(dp), parameter :: along_each_other = 0.966_dp
    !> Least part of a force that counts in a mean
    real(dp), parameter :: tiny_part = 1.0e-100_dp
-   !> The overlap of two legs at a joint counts as no longer, in smaller radii: longer ones are the matter of places
-   real(dp), parameter :: longest = 2
-
    !> What a crossing has where it lies: share of the places there, length of what ends leave of its overlap [m], and
    !> the sine that its law sees.
    type :: own_t
@@ -51,8 +48,15 @@ contains
       type(contact_set_t), intent(in) :: contact
       type(points_by_place_t), intent(in) :: by_place
       type(contact_point_t), intent(inout) :: point
+      real(dp) :: radius
 
-      point%lens_sine = sine_at_end(point, minval(point%radius))
+      radius = minval(point%radius)
+      point%lens_sine = sine_at_end(point, longest*radius)
+      if (.not. any(point%held .and. .not. point%at_end)) then
+         point%section_share = 0
+         if (.not. law%line_penalty() > 0) point%section_share = share_of_line(half_length_of(point, deepest*radius) &
+            /radius)
+      end if
       point%lens_share = share_of_lens(law, point, angle_of_axes(point))
       call share_on_legs(law, wires, elements, contact, by_place, own_t(), point)
       if (count(point%held) == 1) call leave_to_twin(wires, contact%points, point)
@@ -94,8 +98,9 @@ contains
                sine = own%sine
                if (any(point%held) .or. .not. is_contact_of(bar, leg)) then
                   of_crossing = 1 - line_share_on(wires, elements, contact, by_place, bar, leg)
-                  length = min(half_length_on(point, bar, leg, deepest*minval(point%radius)), &
-                     lap_on(wires, elements, point, bar, leg))
+                  ! as far as it is part of a longer overlap, only ends bound that
+                  length = min(half_length_on(point, bar, leg, deepest*minval(point%radius)) &
+                     /max(1 - point%long_share, epsilon(length)), lap_on(wires, elements, point, bar, leg))
                   sine = sine_on(law, point, bar, leg)
                end if
                ! equal parts where no cylinder has any, or places carry all
@@ -205,10 +210,10 @@ contains
    end subroutine leave_to_twin
 
    !> Sine of straight wires between which the distance would be as curved.
-   pure real(dp) function sine_at_end(point, radius) result(sine)
+   pure real(dp) function sine_at_end(point, length) result(sine)
       type(contact_point_t), intent(in) :: point
-      !> The smaller one [m]
-      real(dp), intent(in) :: radius
+      !> Of an overlap, at most [m]
+      real(dp), intent(in) :: length
       real(dp) :: bend
       logical :: at_joint(2)
 
@@ -216,7 +221,8 @@ contains
       at_joint = point%held .and. .not. point%at_end
       bend = maxval(point%bend, .not. at_joint([2, 1]))
       if (all(at_joint)) bend = sin(point%lens%angle)**2/point%kinematics%distance
-      sine = sqrt(point%kinematics%distance*least_bend(bend, max(0.0_dp, min(-point%gap, deepest*radius)), radius))
+      sine = sqrt(point%kinematics%distance*least_bend(bend, max(0.0_dp, min(-point%gap, &
+         deepest*minval(point%radius))), length))
       sine = max(least_sine, min(1.0_dp, sine))
    end function sine_at_end
 

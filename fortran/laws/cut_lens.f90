@@ -48,8 +48,6 @@ module litz_cut_lens
       real(dp) :: young(2) = 0, poisson(2) = 0
       !> What the ball of a joint adds to the radii (2) [m]
       real(dp) :: of_ball(2) = 0
-      !> How far both ends cut an overlap that would be much longer than the least bend has it: they lie side by side
-      real(dp) :: flat = 0
       !> What the contact has of these pairs, of which other contacts or the places along a line have the rest (2, 2)
       real(dp) :: share(2, 2) = 1
    end type cut_lens_t
@@ -91,29 +89,18 @@ contains
       !> Of a contact that is not at the end, how far that is along the wire; else minus d times the slope with which
       !> the distance grows from the end on (2) [m]
       real(dp), intent(in) :: place(2)
-      type(jet_t) :: flat(2, 2)
-      integer :: i, j
 
-      if (lens%flat < 1) part%pair = parts_of_pairs(lens, held, .false., overlap, place)
-      if (lens%flat > 0) then
-         flat = parts_of_pairs(lens, held, .true., overlap, place)
-         do j = 1, 2
-            do i = 1, 2
-               if (lens%flat < 1) flat(i, j) = lens%flat*flat(i, j) + (1 - lens%flat)*part%pair(i, j)
-            end do
-         end do
-         part%pair = flat
-      end if
+      part%pair = parts_of_pairs(lens, held, overlap, place)
       if (lens%is_near_joint) part%pair = divided_at_joints(lens, part%pair)
       part%pair = (lens%share*lens%energy)*part%pair
       part%whole = part%pair(1, 1) + part%pair(2, 1) + part%pair(1, 2) + part%pair(2, 2)
    end function cut_energy
 
    !> What the pairs of shapes have of the overlap: index 1 of a cylinder, 2 of a round end, barred before unbarred.
-   pure function parts_of_pairs(lens, held, is_flat, overlap, place) result(pair)
+   pure function parts_of_pairs(lens, held, overlap, place) result(pair)
       type(cut_lens_t), intent(in) :: lens
-      !> The contact is at the end (2); the wires lie side by side
-      logical, intent(in) :: held(2), is_flat
+      !> The contact is at the end (2)
+      logical, intent(in) :: held(2)
       !> As `cut_energy` has them [m]
       real(dp), intent(in) :: overlap, place(2)
       type(jet_t) :: pair(2, 2)
@@ -121,14 +108,13 @@ contains
       integer :: i
 
       delta = variable(overlap, 1)
-      call find_overlaps(lens, held, is_flat, delta, [variable(place(1), 2), variable(place(2), 3)], a, foot, middle, &
-         at_end, corner)
+      call find_overlaps(lens, held, delta, [variable(place(1), 2), variable(place(2), 3)], a, foot, middle, at_end, &
+         corner)
       do i = 1, 2
          cylinder(i) = constant(1.0_dp)
          over_foot(i) = constant(1.0_dp)
          if (.not. lens%near(i)) cycle
-         cylinder(i) = constant(0.5_dp)
-         if (.not. is_flat) cylinder(i) = energy_to(sqrt(lens%bend(i)/(2*lens%distance))*a(i), at_end(i))
+         cylinder(i) = energy_to(sqrt(lens%bend(i)/(2*lens%distance))*a(i), at_end(i))
          over_foot(i) = energy_to(sqrt(1/(2*lens%distance))*foot(i), corner)
          if (.not. held(i)) cycle
          flat = flatness((-1/lens%distance)*variable(place(i), i + 1))
@@ -162,10 +148,10 @@ contains
    end function divided_at_joints
 
    !> Places and overlaps round the contact, from the place at which it is.
-   pure subroutine find_overlaps(lens, held, is_flat, delta, place, a, foot, middle, at_end, corner)
+   pure subroutine find_overlaps(lens, held, delta, place, a, foot, middle, at_end, corner)
       type(cut_lens_t), intent(in) :: lens
-      !> (2); the wires lie side by side
-      logical, intent(in) :: held(2), is_flat
+      !> (2)
+      logical, intent(in) :: held(2)
       type(jet_t), intent(in) :: delta, place(2)
       !> From the nearest place of both axes to the ends, from the foot of either end to that of the other wire (2),
       !> overlap in that place, at the ends over their feet (2), and of end over end
@@ -173,16 +159,7 @@ contains
       integer :: i
 
       associate (gamma => lens%cosine, k => lens%bend/(2*lens%distance), k_foot => 1/(2*lens%distance))
-         if (is_flat .and. .not. all(held)) then
-            ! the middle is anywhere, and the way between the ends is what counts
-            foot = place
-            if (held(1)) foot(1) = (-gamma)*place(2)
-            if (held(2)) foot(2) = (-gamma)*place(1)
-            a = foot
-            at_end = delta
-            middle = delta
-            corner = delta - k_foot*foot(merge(2, 1, held(1)))*foot(merge(2, 1, held(1)))
-         else if (all(held)) then
+         if (all(held)) then
             foot = place
             do i = 1, 2
                a(i) = (1/lens%bend(i))*(foot(i) + gamma*foot(3 - i))

@@ -103,7 +103,6 @@ contains
          call table%field('lens_known', lens%is_known)
          call table%field('lens_has_energies', lens%has_energies)
          call table%field('lens_cosine', lens%cosine)
-         call table%field('lens_flat', lens%flat)
          call table%field('lens_angle', lens%angle)
          call table%field('lens_distance', lens%distance)
          call table%field('lens_near_joint', lens%is_near_joint)

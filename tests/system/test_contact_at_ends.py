@@ -199,29 +199,65 @@ def largest_step(values):
     return np.where(alone[0] * alone[1] > 0, np.abs(alone).min(axis=0), 0).max() / values.max()
 
 
+def dragged_past_the_end(degrees, overlap, behind, law, begin=-0.4, end=1.4, increments=80):
+    """Wires at a small angle, of which the other one goes on or begins some radii `behind` the crossing. That is moved past
+    the end, from and to these half lengths of the overlap, whose depth is in radii."""
+    angle, radius = np.radians(degrees), COPPER.radius
+    reach = math.sqrt(4 * overlap) * radius / np.sin(angle)
+    along = np.linspace(-0.0151 if behind is None else -behind * radius, 0.0149, 12)
+    upper = np.array([begin * reach, 0, 2 * radius]) + np.outer(along, [np.cos(angle), np.sin(angle), 0])
+    lower = np.linspace((-0.02, 0, 0), (0, 0, 0), 9)
+    down = f" UPPER, 3, 3, {-overlap * radius:.17g}\n"
+    static = f"{1 / increments:.17g}, 1., 1e-9, {1 / increments:.17g}"
+    drag = step(static=static, boundary=f" UPPER, 1, 1, {(end - begin) * reach:.17g}\n{down}")
+    return two_wires(lower, upper, HELD, step(boundary=down), drag, law=law + spot("HERTZ"))
+
+
+def totals(results):
+    """Force [N] and conductance [S] of all contacts, by increment."""
+    contacts = [results.contacts_at(i) for i in range(1, len(results.times))]
+    return [np.array([values.sum() for values in each]) for each in (
+        [c["force"] for c in contacts], [1 / c["resistance"] for c in contacts],
+    )]  # fmt: skip
+
+
 @pytest.mark.parametrize(
     ("degrees", "overlap", "behind", "law"),
     [
         (2, 0.002, None, HERTZ),
         (5, 0.01, None, HERTZ),
         (5, 0.01, 3, HERTZ),
-        (10, 0.02, 3, HERTZ),
         (5, 0.01, None, linear("", 1e10)),
+        (10, 0.02, 2, HERTZ),
+        (10, 0.02, 0.5, linear("", 1e10)),
+        (13, 0.02, 1, HERTZ),
     ],
 )
 def test_the_force_past_the_end_of_a_wire_falls_without_a_step(run, degrees, overlap, behind, law):
-    """Wires at a small angle, of which the other one goes on or begins some radii `behind` the crossing."""
-    angle, radius = np.radians(degrees), COPPER.radius
-    reach = math.sqrt(4 * overlap) * radius / np.sin(angle)
-    along = np.linspace(-0.0151 if behind is None else -behind * radius, 0.0149, 12)
-    upper = np.array([-0.4 * reach, 0, 2 * radius]) + np.outer(along, [np.cos(angle), np.sin(angle), 0])
-    lower = np.linspace((-0.02, 0, 0), (0, 0, 0), 9)
-    down = f" UPPER, 3, 3, {-overlap * radius:.17g}\n"
-    press = step(boundary=down)
-    drag = step(static="0.0125, 1., 1e-9, 0.0125", boundary=f" UPPER, 1, 1, {1.8 * reach:.17g}\n{down}")
-    results = solved(run(two_wires(lower, upper, HELD, press, drag, law=law)))
-    force = np.array([results.contacts_at(i)["force"].sum() for i in range(1, len(results.times))])
-    assert largest_step(force) < 0.02
+    force, conductance = totals(solved(run(dragged_past_the_end(degrees, overlap, behind, law))))
+    assert largest_step(force) < 0.015
+    # at last touch conductance falls with infinite slope
+    assert largest_step(conductance[force > 0]) < 0.015
+
+
+@pytest.mark.parametrize(
+    ("degrees", "behind", "middle"),
+    [
+        # the crossing comes to the end, and is held there
+        (13, 1, 0),
+        # what is left between both ends becomes shorter than the distance of places
+        (10, 0.5, 0.095),
+        # the wires end beside each other
+        (10, 0.5, 0.3),
+    ],
+)
+def test_a_contact_between_two_ends_changes_its_kind_without_a_step(run, degrees, behind, middle):
+    """Over a thousandth of its half length a contact changes as by sliding off, which takes 1.5 half lengths, and no more:
+    by ten times the mean."""
+    deck = dragged_past_the_end(degrees, 0.02, behind, HERTZ, middle - 0.02, middle + 0.02, 40)
+    force, conductance = totals(solved(run(deck)))
+    for values in (force, conductance):
+        assert np.abs(np.diff(values[1:])).max() < 10 / 1500 * values.max()
 
 
 def test_a_lap_ends_where_the_wires_end(run):
