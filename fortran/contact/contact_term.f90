@@ -145,6 +145,7 @@ contains
             contact)
          call share_crossings(model, wires, elements, contact)
          call find_left_dents(model, wires, elements, contact%left_dents, contact%points)
+         call find_left_dents(model, wires, elements, contact%left_dents, contact%line_points)
          call apply_normal_law(model, elements, contact%points)
          call apply_normal_law(model, elements, contact%line_points)
          call domain%timing%lap(phase_contact)
@@ -398,13 +399,14 @@ contains
          call follow_spots(domain%model, domain%wires, domain%elements, contact%points)
          call follow_spots(domain%model, domain%wires, domain%elements, contact%line_points)
          call follow_dents(domain%model, domain%wires, domain%elements, contact%points)
+         call follow_dents(domain%model, domain%wires, domain%elements, contact%line_points)
          call capture_contacts(domain%model, domain%elements, contact, domain%state)
          if (contact%shares_wait) then
             call renew_shares(domain%model, domain%wires, domain%elements, domain%iterate%x, domain%iterate%rotation, &
                contact, unused_change)
             contact%shares_wait = .false.
          end if
-         call keep_left_dents(domain%wires, contact%converged, contact%points, contact%left_dents)
+         call keep_left_dents(domain%wires, contact)
          contact%converged = contact%points
          contact%converged_line_points = contact%line_points
       end associate
