@@ -58,7 +58,8 @@ contains
             return
          case (law_yields_at_end)
             reason = 'wires touch at an end or a kink ('//elements_of(model, points(i))// &
-               '), where YIELD of *SURFACE BEHAVIOR is not modelled'
+               '), where YIELD of *SURFACE BEHAVIOR is not modelled: give a contact pair of these elements a surface'// &
+               ' interaction without YIELD'
             return
          end select
       end do

@@ -18,7 +18,7 @@ module litz_yielded_cells
    use litz_yielding_lens, only: yielding_lens_t, lens_state_t, state_of_lens
    use litz_yielding_line, only: line_dent_t, line_dent, line_state_t, line_state_at_overlap, yielded_strip
    use litz_yielding_place, only: yielding_place_t
-   use litz_yielding_spot, only: dent_t, yielding_state_t
+   use litz_yielding_spot, only: yielding_state_t
    use litz_yielding_wires, only: lens_of_wires
    implicit none
    private
@@ -134,7 +134,6 @@ contains
          dent = line_dent(place%strip, state%force)
       end if
       state = line_state_at_overlap(place%strip, dent, overlap)
-      call keep_strip(law, dent, state)
       spot = yielded_strip(place%strip, state, number_of(law%spot, law%spot%film_number))
    end function strip_beside
 
@@ -163,24 +162,10 @@ contains
       edge = max(dent%overlap - drop, 0.0_dp)
    end function edge_of_dent
 
-   !> A strip that has welded stays as wide as the largest force has made it.
-   pure subroutine keep_strip(law, dent, state)
-      type(interaction_t), intent(in) :: law
-      type(line_dent_t), intent(in) :: dent
-      type(line_state_t), intent(inout) :: state
-
-      if (.not. law%spot_memory .or. .not. state%force > 0 .or. state%force >= dent%force) return
-      state%half_width = dent%half_width
-      state%lens = dent%lens
-      state%dhalf_width_dforce = 0
-      state%lens_slope = 0
-   end subroutine keep_strip
-
    !> The spot of a crossing, and how it changes with the overlap instead of the force.
-   pure subroutine spot_of_state(law, pair, dent, state, spot)
+   pure subroutine spot_of_state(law, pair, state, spot)
       type(interaction_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair
-      type(dent_t), intent(in) :: dent
       type(yielding_state_t), intent(in) :: state
       type(contact_spot_t), intent(out) :: spot
       type(spot_metal_t) :: metal
@@ -189,11 +174,7 @@ contains
       metal%film = number_of(law%spot, law%spot%film_number)
       metal%resistivity_path = 0
       if (law%spot%path_number > 0) metal%resistivity_path = law%spot%data(law%spot%path_number)
-      if (law%spot_memory .and. state%opening < 1) then
-         call set_conductance(metal, dent%disc, [0.0_dp, 0.0_dp], dent%area, [0.0_dp, 0.0_dp], spot)
-      else
-         call set_conductance(metal, state%disc, state%ddisc(:2), state%area, state%darea(:2), spot)
-      end if
+      call set_conductance(metal, state%disc, state%ddisc(:2), state%area, state%darea(:2), spot)
    end subroutine spot_of_state
 
    !> What a crossing whose section counts conducts: its spot and the strip along its lens.
@@ -237,7 +218,6 @@ contains
       state = state_of_lens(lens, overlap)
       do i = 1, n_depths
          if (.not. state%along(i)%force > 0) cycle
-         call keep_strip(law, state%dents(i), state%along(i))
          at = yielded_strip(lens%strip, state%along(i), number_of(law%spot, law%spot%film_number))
          associate (length => lens%strip_share*state%elastic%half_length*gauss_weight(i))
             spot%conductance = spot%conductance + length*at%conductance
@@ -247,7 +227,7 @@ contains
       end do
       spot%semi_major = state%elastic%half_length
       if (.not. (lens%strip_share < 1 .and. state%spot%force > 0)) return
-      call spot_of_state(law, pair, lens%dent, state%spot, round)
+      call spot_of_state(law, pair, state%spot, round)
       associate (share => 1 - lens%strip_share)
          spot%conductance = spot%conductance + share*round%conductance
          spot%dconductance_dresistivity = spot%dconductance_dresistivity + share*round%dconductance_dresistivity

@@ -152,6 +152,10 @@ contains
             call fail_at(self, self%values%token(2), 'a wire touches a rigid surface along a line: the law '// &
                trim(this%normal%name)//' of '//this%name//' needs its second number, the force per length and'// &
                ' penetration')
+         else if (this%normal%yields()) then
+            call fail_at(self, self%values%token(2), 'on a rigid surface wires do not yield; '//this%name// &
+               ' has YIELD of *SURFACE BEHAVIOR: a surface interaction without it, or with LINEAR and its second'// &
+               ' number, is possible')
          else
             call fail_at(self, self%values%token(2), 'a wire touches a rigid surface along a line; the law '// &
                this%normal%called()//' of '//this%name//' is one of crossings')

@@ -7,9 +7,11 @@ module litz_line_contact
    public :: serves_lines, line_obstacle
 
    !> Nothing is in the way; a normal law at points only; straight axes; friction that sticks with the stiffness of a
-   !> point; overlap without limit; a law of one spot, of current or of heat; a spot that does not follow wires that yield
+   !> point; overlap without limit; a law of one spot, of current or of heat; a current or heat that does not follow the
+   !> dents of wires that yield
    integer, parameter :: obstacle_none = 0, obstacle_normal_law = 1, obstacle_axis = 2, obstacle_stick = 3, &
-      obstacle_penetration = 4, obstacle_spot_law = 5, obstacle_heat_law = 6, obstacle_yielding_spot = 7, obstacle_yielding_heat = 8
+      obstacle_penetration = 4, obstacle_spot_law = 5, obstacle_heat_law = 6, obstacle_yielding_spot = 7, &
+      obstacle_yielding_heat = 8
 
 contains
 
