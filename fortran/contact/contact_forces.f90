@@ -16,6 +16,7 @@ module litz_contact_forces
    use litz_friction_iteration, only: predict_friction, forget_friction
    use litz_friction_law, only: friction_law_t
    use litz_law_input, only: wire_pair_t
+   use litz_line_contact, only: line_obstacle
    use litz_model, only: model_t
    use litz_mutual_resistances, only: mutual_resistances_t, both_of
    use litz_normal_forces, only: wires_of, is_lens, law_of_spot
@@ -60,6 +61,9 @@ contains
             reason = 'wires touch at an end or a kink ('//elements_of(model, points(i))// &
                '), where YIELD of *SURFACE BEHAVIOR is not modelled: give a contact pair of these elements a surface'// &
                ' interaction without YIELD'
+            associate (obstacle => line_obstacle(model%interactions(model%contact_pairs(points(i)%pair)%interaction)))
+               if (len(obstacle) > 0) reason = reason//'; along a line '//obstacle//' is not possible'
+            end associate
             return
          end select
       end do
