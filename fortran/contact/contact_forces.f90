@@ -6,8 +6,7 @@ module litz_contact_forces
    use litz_contact_electricity, only: contact_electricity_t
    use litz_contact_mechanics, only: form_hessian
    use litz_contact_spots, only: find_spot, keep_current
-   use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry, clearance_of, law_parallel, &
-      law_bad_data, law_too_curved, law_yields_at_end
+   use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry, clearance_of, law_bad_data
    use litz_domain, only: domain_t
    use litz_element_library, only: elements_t, along_element
    use litz_errors, only: error_t, fail, exit_input
@@ -16,58 +15,25 @@ module litz_contact_forces
    use litz_friction_iteration, only: predict_friction, forget_friction
    use litz_friction_law, only: friction_law_t
    use litz_law_input, only: wire_pair_t
-   use litz_line_contact, only: line_obstacle
    use litz_model, only: model_t
    use litz_mutual_resistances, only: mutual_resistances_t, both_of
    use litz_normal_forces, only: wires_of, is_lens, law_of_spot
    use litz_normal_law, only: normal_law_t
    use litz_parallel, only: worth_threads
+   use litz_refused_contacts, only: elements_of
    use litz_scatter, only: forces_t, chunk
    use litz_shared_conductors, only: shared_conductors_t, collect_shared
    use litz_sliding_forces, only: find_sliding
    use litz_spots_beside_spots, only: collect_spots
    use litz_strips_of_wires, only: collect_strips
-   use litz_text, only: to_text
    use litz_timing, only: phase_contact, phase_assembly
    use litz_turning_forces, only: find_turning
    use litz_wires, only: wires_t
    implicit none
    private
    public :: assemble_contacts, share_currents, set_current, conductors_of, conducts_apart, predict_contacts
-   public :: refused_contact
 
 contains
-
-   !> Why an iteration cannot go on with these contacts; empty where it can. A smaller increment may not come here.
-   pure function refused_contact(model, points) result(reason)
-      type(model_t), intent(in) :: model
-      type(contact_point_t), intent(in) :: points(:)
-      character(len=:), allocatable :: reason
-      integer :: i
-
-      reason = ''
-      do i = 1, size(points)
-         if (.not. points(i)%closed) cycle
-         select case (points(i)%law_status)
-         case (law_parallel)
-            reason = 'wires have become parallel where they touch ('//elements_of(model, points(i))// &
-               '): the law of a contact at a point needs wires that cross'
-            return
-         case (law_too_curved)
-            reason = 'a wire is curved about another where they touch ('//elements_of(model, points(i))// &
-               ') by nearly their distance: such a contact is not modelled'
-            return
-         case (law_yields_at_end)
-            reason = 'wires touch at an end or a kink ('//elements_of(model, points(i))// &
-               '), where YIELD of *SURFACE BEHAVIOR is not modelled: give a contact pair of these elements a surface'// &
-               ' interaction without YIELD'
-            associate (obstacle => line_obstacle(model%interactions(model%contact_pairs(points(i)%pair)%interaction)))
-               if (len(obstacle) > 0) reason = reason//'; along a line '//obstacle//' is not possible'
-            end associate
-            return
-         end select
-      end do
-   end function refused_contact
 
    !> The first contact whose spot law does not take its data; no increment is small enough for that.
    subroutine refuse_bad_data(model, points, error)
@@ -85,15 +51,6 @@ contains
          return
       end do
    end subroutine refuse_bad_data
-
-   pure function elements_of(model, point) result(words)
-      type(model_t), intent(in) :: model
-      type(contact_point_t), intent(in) :: point
-      character(len=:), allocatable :: words
-
-      words = 'elements '//to_text(model%element_id(point%element_bar))//' and '// &
-         to_text(model%element_id(point%element))
-   end function elements_of
 
    !> Add all points to the system: mechanics, and where a current can cross, the paper's electric blocks.
    subroutine assemble_contacts(domain, contact, points, error)

@@ -11,7 +11,8 @@ module litz_normal_forces
    use litz_element_library, only: elements_t, material_at, material_place_t
    use litz_hertz, only: hertz_ellipse, hertz_ok
    use litz_law_input, only: wire_pair_t
-   use litz_lens_law, only: lens_t, lens_force, lens_energy
+   use litz_lens_forces, only: law_of_lens, find_overlap_of_lens
+   use litz_lens_law, only: lens_t, lens_force
    use litz_line_point, only: force_of_line
    use litz_line_law, only: line_wires_t, line_wires, line_force_t, line_overlap_t, line_overlap
    use litz_model, only: model_t, interaction_t
@@ -31,11 +32,8 @@ module litz_normal_forces
 
    !> At first touch the Hertz law is linearised about the force of an overlap of at most this fraction of the radius
    real(dp), parameter :: first_overlap = 1.0e-3_dp
-   !> The overlap of a lens at a force is found when its logarithm changes by less than this; steps at most
-   real(dp), parameter :: tolerance = 1.0e-9_dp
    !> Change of the angle of a lens over its sine, for differences
    real(dp), parameter :: small_turn = 1.0e-3_dp
-   integer, parameter :: max_iterations = 20
 
 contains
 
@@ -312,7 +310,7 @@ contains
 
       penalty = normal%line_penalty()
       lens = lens_force(point%line, point%gap, point%law_sine, penalty)
-      base = law_of_lens(point, lens, point%gap, penalty)
+      base = law_of_lens(point%line, lens, point%gap, point%law_sine, penalty)
       call press(normal, pair, base, point)
       if (.not. point%active) return
       weight = point%weight*point%cut
@@ -327,7 +325,7 @@ contains
       point%mixed_force = lens%force
       point%stiffness = -lens%dforce_dgap
       point%iteration_force = point%mixed_force + point%stiffness*(-point%gap - overlap)
-      if (point%lens_share < 1) point%at_mixed = scaled(law_of_lens(point, lens, -overlap, penalty), weight)
+      if (point%lens_share < 1) point%at_mixed = scaled(law_of_lens(point%line, lens, -overlap, point%law_sine, penalty), weight)
       call follow_cut(weight, point)
    end subroutine press_lens
 
@@ -394,41 +392,6 @@ contains
       law%denergy_dangle = (state(2)%law%energy - state(1)%law%energy)/(2*change)
       law%d2energy_dangle2 = (state(2)%law%energy - 2*law%energy + state(1)%law%energy)/change**2
    end subroutine turn_lens
-
-   !> A lens as the law of a crossing.
-   pure type(force_of_gap_t) function law_of_lens(point, lens, gap, penalty) result(law)
-      type(contact_point_t), intent(in) :: point
-      type(lens_t), intent(in) :: lens
-      !> Of its deepest place [m], and eps_l [N/m^2] or 0
-      real(dp), intent(in) :: gap, penalty
-
-      law = force_of_gap_t(lens%force, lens%dforce_dgap, lens%dforce_dangle)
-      call lens_energy(point%line, gap, point%law_sine, penalty, law%energy, law%denergy_dangle, law%d2energy_dangle2)
-   end function law_of_lens
-
-   !> The overlap of a lens at a force, by Newton's method in their logarithms, between which there is nearly a straight
-   !> line.
-   pure subroutine find_overlap_of_lens(line, sine, penalty, force, start, overlap, lens)
-      type(line_wires_t), intent(in) :: line
-      !> Sine of the lens, eps_l [N/m^2] or 0, force [N], and an overlap to start from [m]
-      real(dp), intent(in) :: sine, penalty, force, start
-      !> [m]
-      real(dp), intent(out) :: overlap
-      !> The lens at this overlap
-      type(lens_t), intent(out) :: lens
-      real(dp) :: step
-      integer :: iteration
-
-      overlap = start
-      lens = lens_force(line, -overlap, sine, penalty)
-      do iteration = 1, max_iterations
-         step = log(force/lens%force)*lens%force/(-lens%dforce_dgap*overlap)
-         ! the lens is no longer than the wires are apart
-         overlap = min(overlap*exp(step), 0.5_dp*sum(line%radius))
-         lens = lens_force(line, -overlap, sine, penalty)
-         if (abs(step) < tolerance) exit
-      end do
-   end subroutine find_overlap_of_lens
 
    !> A point of a line contact: the law per length times the length that it stands for, linearised about the gap that
    !> was predicted: what the motion has done to the gap besides is a matter of the next step, not of the force.
