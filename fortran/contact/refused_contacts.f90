@@ -14,7 +14,7 @@ contains
    pure function refused_contact(model, points) result(reason)
       type(model_t), intent(in) :: model
       type(contact_point_t), intent(in) :: points(:)
-      character(len=:), allocatable :: reason
+      character(len=:), allocatable :: reason, obstacle
       integer :: i
 
       reason = ''
@@ -33,9 +33,8 @@ contains
             reason = 'wires touch at an end or a kink ('//elements_of(model, points(i))// &
                '), where YIELD of *SURFACE BEHAVIOR is not modelled: give a contact pair of these elements a surface'// &
                ' interaction without YIELD'
-            associate (obstacle => line_obstacle(model%interactions(model%contact_pairs(points(i)%pair)%interaction)))
-               if (len(obstacle) > 0) reason = reason//'; along a line '//obstacle//' is not possible'
-            end associate
+            obstacle = line_obstacle(model%interactions(model%contact_pairs(points(i)%pair)%interaction))
+            if (len(obstacle) > 0) reason = reason//'; along a line '//obstacle//' is not possible'
             return
          end select
       end do

@@ -72,9 +72,9 @@ contains
       case (obstacle_yielding_spot)
          words = 'LAW='//trim(law%spot%name)//' of *GAP ELECTRICAL CONDUCTANCE'
          if (law%spot_memory) words = 'SPOT=LARGEST FORCE'
-         words = words//', with YIELD of *SURFACE BEHAVIOR'
+         words = words//' with YIELD of *SURFACE BEHAVIOR'
       case (obstacle_yielding_heat)
-         words = 'LAW='//trim(law%heat%name)//' of *GAP CONDUCTANCE, with YIELD of *SURFACE BEHAVIOR'
+         words = 'LAW='//trim(law%heat%name)//' of *GAP CONDUCTANCE with YIELD of *SURFACE BEHAVIOR'
       case default
          words = ''
       end select
