@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import litz
-from line_wires import COPPER, along, pressed, two_wires
+from line_wires import COPPER, along, two_wires
 from line_wires import LED as GUIDED
 
 YIELD, HARDNESS = 60e6, 168e6
@@ -157,7 +157,9 @@ def test_force_and_conductance_change_steadily_with_the_angle(run):
 
 def test_a_film_lies_on_the_strips(run):
     film = 1e-11
-    process, results = run(wires(to(1e-6), to(0.9e-6), law=BEHAVIOR + f"*GAP ELECTRICAL CONDUCTANCE, LAW=FILM\n {film}\n"))
+    process, results = run(
+        wires(to(1e-6), to(0.9e-6), law=BEHAVIOR + f"*GAP ELECTRICAL CONDUCTANCE, LAW=FILM\n {film}\n")
+    )
     assert process.returncode == 0, process.stderr
     largest = 0.0
     for step, z in enumerate((1e-6, 0.9e-6), 1):
@@ -188,7 +190,10 @@ def test_a_restart_goes_on_with_the_dents(run, tmp_path, degrees, between):
     ("spot", "words"),
     [
         ("*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ, SPOT=LARGEST FORCE\n", "SPOT=LARGEST FORCE"),
-        ("*GAP ELECTRICAL CONDUCTANCE, LAW=CONSTANT, PER=LENGTH\n 1e-6\n", "LAW=CONSTANT of *GAP ELECTRICAL CONDUCTANCE"),
+        (
+            "*GAP ELECTRICAL CONDUCTANCE, LAW=CONSTANT, PER=LENGTH\n 1e-6\n",
+            "LAW=CONSTANT of *GAP ELECTRICAL CONDUCTANCE",
+        ),
         ("*GAP ELECTRICAL CONDUCTANCE, LAW=SHARVIN\n 4e-8\n", "LAW=SHARVIN of *GAP ELECTRICAL CONDUCTANCE"),
     ],
 )
@@ -196,7 +201,6 @@ def test_spots_that_do_not_follow_strips_end_the_run_in_words(run, spot, words):
     process, _ = run(wires(to(1e-6), law=BEHAVIOR + spot))
     assert process.returncode != 0
     assert words in process.stderr
-
 
 
 def test_ends_that_yield_end_the_run_in_words(run):

@@ -81,7 +81,11 @@ class YieldedLine:
         b = self.half_width(largest)
         force = quad(lambda t: self.punches(largest, t), 0, angle)[0]
         gone = quad(
-            lambda t: self.punches(largest, t) * self.compliance(b * math.sin(t)), angle, math.pi / 2, epsabs=0, epsrel=1e-10
+            lambda t: self.punches(largest, t) * self.compliance(b * math.sin(t)),
+            angle,
+            math.pi / 2,
+            epsabs=0,
+            epsrel=1e-10,
         )[0]
         return force, self.approach(largest) - gone
 
