@@ -31,8 +31,8 @@ def deck():
         f"*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ, YIELD={LINE.yield_stress}",
         "*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ, VOLTAGE=LINEAR",
         "*CONTACT PAIR, INTERACTION=TOUCH\n LOWER, UPPER",
-        "*BOUNDARY\n LOWER, ENCASTRE\n UPPER, 1, 2\n UPPER, 4, 6\n LOWER, 9, 9, 1.\n UPPER, 9",
-        *(step(f"*BOUNDARY\n UPPER, 3, 3, {-overlap:.17g}") for overlap in OVERLAPS),
+        "*BOUNDARY\n LOWER, ENCASTRE\n UPPER, 1, 2\n UPPER, 4, 6\n UPPER, 9",
+        *(step(f"*BOUNDARY\n UPPER, 3, 3, {-overlap:.17g}\n LOWER, 9, 9, 1.") for overlap in OVERLAPS),
     )
 
 
