@@ -11,8 +11,9 @@ module litz_contact_descent
    use litz_contact_kinematics, only: n_motions
    use litz_contact_points, only: contact_point_t
    use litz_fields, only: motion_slots
-   use litz_line_law, only: line_force_t, line_force
+   use litz_line_law, only: line_force_t
    use litz_model, only: model_t
+   use litz_yielding_place, only: place_force
    implicit none
    private
    public :: descent_fraction
@@ -75,7 +76,7 @@ contains
          do k = 1, size(points)
             associate (point => points(k))
                if (.not. point%weight > 0) cycle
-               law = line_force(point%line, -(gap(k) + fraction*dgap(k)), model%interactions( &
+               law = place_force(point%yielding_place, point%line, -(gap(k) + fraction*dgap(k)), model%interactions( &
                   model%contact_pairs(point%pair)%interaction)%normal%line_penalty())
                slope = slope + (point%mixed_force - point%weight*law%force &
                   - fraction*point%stiffness*dgap(k))*dgap(k)

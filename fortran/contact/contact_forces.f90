@@ -7,7 +7,6 @@ module litz_contact_forces
    use litz_contact_mechanics, only: contact_mechanics, form_hessian
    use litz_contact_spots, only: find_spot, keep_current
    use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry, clearance_of
-   use litz_contact_refusals, only: refuse_bad_data
    use litz_domain, only: domain_t
    use litz_element_library, only: elements_t, along_element
    use litz_errors, only: error_t
@@ -21,6 +20,7 @@ module litz_contact_forces
    use litz_normal_forces, only: wires_of, is_lens, law_of_spot
    use litz_normal_law, only: normal_law_t
    use litz_parallel, only: worth_threads
+   use litz_refused_contacts, only: refuse_bad_data
    use litz_scatter, only: forces_t, chunk
    use litz_shared_conductors, only: shared_conductors_t, collect_shared
    use litz_sliding_forces, only: find_sliding

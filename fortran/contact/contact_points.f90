@@ -20,6 +20,7 @@ module litz_contact_points
    use litz_state, only: contact_t
    use litz_wire_turning, only: wire_turning_t
    use litz_wires, only: wires_t
+   use litz_yielding_place, only: yielding_place_t
    use litz_yielding_spot, only: yielding_state_t
    implicit none
    private
@@ -163,6 +164,13 @@ module litz_contact_points
       real(dp) :: dent_depth = 0
       type(yielding_state_t) :: yielding
       real(dp) :: yielded = 0
+      !> Deepest overlap that a crossing of wires that yield has had, as far as its dent tells [m]; of a place in its
+      !> lens the same, and how much deeper the lens is than the place [m]
+      real(dp) :: deepest = 0, lens_depth = 0
+      !> Force of wires that yield, whatever its share: of a crossing [N], of a point of a line per length [N/m]
+      real(dp) :: yielding_force = 0
+      !> Law per length of wires that yield, of a point of a line contact
+      type(yielding_place_t) :: yielding_place
       !> Which of the dents of earlier contacts it has found again; 0: none
       integer :: found_dent = 0
       !> In contact as the iteration takes it (prediction) and as it is
@@ -395,6 +403,8 @@ contains
       point%in_lens = earlier%in_lens
       point%spot_section = earlier%spot_section
       point%kept_overlap = earlier%kept_overlap
+      point%deepest = earlier%deepest
+      point%lens_depth = earlier%lens_depth
       point%lens_share = earlier%lens_share
       point%lens_sine = earlier%lens_sine
       point%law_angle = earlier%law_angle

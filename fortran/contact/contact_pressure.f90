@@ -8,6 +8,9 @@ module litz_contact_pressure
    use litz_law_input, only: wire_pair_t
    use litz_line_law, only: line_force_t, line_force
    use litz_normal_forces, only: is_lens
+   use litz_yielding_lens, only: pressure_of_lens
+   use litz_yielding_place, only: pressure_of_place
+   use litz_yielding_wires, only: lens_of_wires
    use litz_normal_law, only: normal_law_t
    implicit none
    private
@@ -25,7 +28,7 @@ contains
       pressure = 0
       if (.not. (point%force > 0 .and. point%weight > 0)) return
       if (law%yields()) then
-         pressure = point%yielding%pressure
+         pressure = yielded_pressure(law, pair, point)
          return
       end if
       if (point%line_place > 0) then
@@ -37,6 +40,20 @@ contains
          pressure = of_ellipse(pair, point, point%force/point%weight)
       end if
    end function elastic_pressure
+
+   !> The same of wires that yield.
+   pure real(dp) function yielded_pressure(law, pair, point) result(pressure)
+      type(normal_law_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(in) :: point
+
+      pressure = point%yielding%pressure
+      if (point%line_place > 0) then
+         pressure = pressure_of_place(point%yielding_place, -point%gap)
+      else if (is_lens(law, point)) then
+         pressure = pressure_of_lens(lens_of_wires(law, pair, point), -point%gap)
+      end if
+   end function yielded_pressure
 
    pure real(dp) function of_strip(point, force) result(pressure)
       type(contact_point_t), intent(in) :: point

@@ -17,6 +17,7 @@ module litz_contact_spots
    use litz_spot_memory, only: leaves_spot, lens_of_spot, as_it_was
    use litz_spots_of_places, only: spot_of_cell, spot_per_length, is_round, number_of
    use litz_wires, only: wires_t
+   use litz_yielded_cells, only: find_yielded_cell, find_yielded_lens
    use litz_yielded_spots, only: find_yielded_spot, has_yielded_spot
    implicit none
    private
@@ -39,7 +40,14 @@ contains
 
       circuit%series_resistance = pair%series_resistance
       if (has_yielded_spot(law)) then
-         call find_yielded_spot(law, pair, point, circuit)
+         if (point%line_place > 0) then
+            call find_yielded_cell(law, pair, line_course(x, t, length, axis_hermite, point%foot_at_end, &
+               point%kinematics), point, circuit)
+         else if (is_lens(law%normal, point)) then
+            call find_yielded_lens(law, pair, point, circuit)
+         else
+            call find_yielded_spot(law, pair, point, circuit)
+         end if
       else
          call find_spot_of_force(law, wires, pair, x, t, length, point, circuit)
       end if

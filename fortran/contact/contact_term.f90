@@ -7,7 +7,6 @@ module litz_contact_term
    use litz_contact_energies, only: add_contact_energies, work_of_swelling, work_of_softening
    use litz_contact_forces, only: assemble_contacts, share_currents, predict_contacts
    use litz_contact_points, only: contact_set_t, contact_point_t
-   use litz_contact_refusals, only: refused_contact
    use litz_contact_descent, only: descent_fraction
    use litz_contact_step, only: contact_fraction => bearable_fraction
    use litz_contact_tangents, only: follow_centre_line
@@ -21,6 +20,7 @@ module litz_contact_term
    use litz_model, only: step_t
    use litz_normal_forces, only: apply_normal_law
    use litz_dents, only: follow_dents, find_left_dents, keep_left_dents
+   use litz_refused_contacts, only: refused_contact
    use litz_spot_memory, only: follow_spots
    use litz_state, only: energies_t
    use litz_term, only: term_t, status_t
@@ -146,6 +146,7 @@ contains
             contact)
          call share_crossings(model, wires, elements, contact)
          call find_left_dents(model, wires, elements, contact%left_dents, contact%points)
+         call find_left_dents(model, wires, elements, contact%left_dents, contact%line_points)
          call apply_normal_law(model, elements, contact%points)
          call apply_normal_law(model, elements, contact%line_points)
          call domain%timing%lap(phase_contact)
@@ -399,13 +400,14 @@ contains
          call follow_spots(domain%model, domain%wires, domain%elements, contact%points)
          call follow_spots(domain%model, domain%wires, domain%elements, contact%line_points)
          call follow_dents(domain%model, domain%wires, domain%elements, contact%points)
+         call follow_dents(domain%model, domain%wires, domain%elements, contact%line_points)
          call capture_contacts(domain%model, domain%elements, contact, domain%state)
          if (contact%shares_wait) then
             call renew_shares(domain%model, domain%wires, domain%elements, domain%iterate%x, domain%iterate%rotation, &
                contact, unused_change)
             contact%shares_wait = .false.
          end if
-         call keep_left_dents(domain%wires, contact%converged, contact%points, contact%left_dents)
+         call keep_left_dents(domain%wires, contact)
          contact%converged = contact%points
          contact%converged_line_points = contact%line_points
       end associate

@@ -6,16 +6,18 @@
 module litz_dents
    use litz_kinds, only: dp, pi
    use litz_contact_history, only: dent_memory_t, left_dents_t
-   use litz_contact_points, only: contact_point_t
+   use litz_contact_points, only: contact_point_t, contact_set_t
    use litz_element_library, only: elements_t
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
    use litz_law_input, only: wire_pair_t
    use litz_model, only: model_t
-   use litz_normal_forces, only: wires_of
+   use litz_normal_forces, only: apply_normal_law, is_lens, line_of_point, wires_of
    use litz_normal_law, only: normal_law_t
    use litz_normal_yielding, only: dent_of_wires
    use litz_wires, only: wires_t, arc_from_to
+   use litz_yielding_lens, only: yielding_lens_t
    use litz_yielding_spot, only: dent_t
+   use litz_yielding_wires, only: depth_of_lens, lens_of_wires, place_of_wires
    implicit none
    private
    public :: follow_dents, find_left_dents, keep_left_dents
@@ -28,6 +30,7 @@ contains
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(contact_point_t), intent(inout) :: points(:)
+      type(contact_point_t) :: whole(1)
       type(wire_pair_t) :: pair
       integer :: i
 
@@ -36,6 +39,13 @@ contains
             law => model%interactions(model%contact_pairs(points(i)%pair)%interaction)%normal)
             if (.not. law%yields()) cycle
             pair = wires_of(model, elements, point)
+            ! a crossing whose places carry all of it goes on to remember the force of the whole
+            if (point%line_place == 0 .and. point%gap < 0 .and. .not. point%weight > 0) then
+               whole = point
+               whole%weight = 1
+               call apply_normal_law(model, elements, whole)
+               point%yielding_force = whole(1)%yielding_force
+            end if
             call follow_dent(law, wires, pair, point, point%history%dent)
             call show_dent(law, pair, point%history%dent, point)
          end associate
@@ -64,39 +74,57 @@ contains
             point%history%dent%left = 0
             do k = 1, size(left%dents)
                if (any(left%wires(:, k) /= wires_of_dent(wires, point))) cycle
-               part = part_left(law, wires, pair, point, left%dents(k))
+               part = left%dents(k)%left
+               if (point%line_place == 0) part = part_left(law, wires, pair, point, left%dents(k))
                if (.not. part > point%history%dent%left) cycle
                point%found_dent = k
                point%history%dent = left%dents(k)
                point%history%dent%left = part
+               point%section_share = point%history%dent%share_of_section(point%section_share)
             end do
          end associate
       end do
    end subroutine find_left_dents
 
    !> The dents that no contact has any more when an increment has converged.
-   subroutine keep_left_dents(wires, converged, points, left)
+   subroutine keep_left_dents(wires, contact)
       type(wires_t), intent(in) :: wires
-      !> Crossings at the start and at the end of the increment
-      type(contact_point_t), intent(in) :: converged(:), points(:)
-      type(left_dents_t), intent(inout) :: left
-      logical :: is_kept(size(left%dents)), is_left(size(converged))
+      type(contact_set_t), intent(inout) :: contact
+      logical, allocatable :: is_kept(:)
+      integer, allocatable :: old(:), new(:), new_places(:)
       integer :: i
 
-      if (size(left%dents) == 0 .and. .not. any(converged%history%dent%force > 0)) return
-      is_kept = .true.
+      allocate (is_kept(size(contact%left_dents%dents)), source=.true.)
+      call find_left(contact%converged, contact%points, is_kept, new)
+      call find_left(contact%converged_line_points, contact%line_points, is_kept, new_places)
+      if (all(is_kept) .and. size(new) + size(new_places) == 0) return
+      old = pack([(i, i=1, size(is_kept))], is_kept)
+      associate (left => contact%left_dents, crossings => contact%converged, places => contact%converged_line_points)
+         left%wires = reshape([left%wires(:, old), (wires_of_dent(wires, crossings(new(i))), i=1, size(new)), &
+            (wires_of_dent(wires, places(new_places(i))), i=1, size(new_places))], &
+            [3, size(old) + size(new) + size(new_places)])
+         left%dents = [left%dents(old), crossings(new)%history%dent, places(new_places)%history%dent]
+      end associate
+   end subroutine keep_left_dents
+
+   !> Which contacts of the start of an increment have left their dents, and which dents have been found again.
+   pure subroutine find_left(converged, points, is_kept, new)
+      !> At the start and at the end of the increment
+      type(contact_point_t), intent(in) :: converged(:), points(:)
+      !> Dents that no contact has (n)
+      logical, intent(inout) :: is_kept(:)
+      !> Of `converged` (m)
+      integer, allocatable, intent(out) :: new(:)
+      logical :: is_left(size(converged))
+      integer :: i
+
       is_left = converged%history%dent%force > 0
       do i = 1, size(points)
          if (points(i)%found_dent > 0) is_kept(points(i)%found_dent) = .false.
          if (points(i)%predecessor > 0) is_left(points(i)%predecessor) = .false.
       end do
-      if (all(is_kept) .and. .not. any(is_left)) return
-      associate (old => pack([(i, i=1, size(is_kept))], is_kept), new => pack([(i, i=1, size(is_left))], is_left))
-         left%wires = reshape([left%wires(:, old), (wires_of_dent(wires, converged(new(i))), i=1, size(new))], &
-            [3, size(old) + size(new)])
-         left%dents = [left%dents(old), converged(new)%history%dent]
-      end associate
-   end subroutine keep_left_dents
+      new = pack([(i, i=1, size(converged))], is_left)
+   end subroutine find_left
 
    !> Contact pair and wires of a contact (3).
    pure function wires_of_dent(wires, point) result(numbers)
@@ -105,6 +133,8 @@ contains
       integer :: numbers(3)
 
       numbers = [point%pair, wires%wire(point%element_bar), wires%wire(point%element)]
+      ! a place of a line remembers what it has felt itself
+      if (point%line_place > 0) numbers(3) = -point%line_place
    end function wires_of_dent
 
    !> A force that the contact has not felt before makes a dent of its own.
@@ -114,16 +144,14 @@ contains
       type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(in) :: point
       type(dent_memory_t), intent(inout) :: dent
-      real(dp) :: force
 
-      force = 0
-      if (point%closed) force = point%force/point%weight
       dent%dissipation = dent%dissipation + point%yielded
-      if (dent%force > 0) dent%left = part_left(law, wires, pair, point, dent)
-      if (force > 0 .and. force >= dent%felt_force()) then
-         dent%force = force
+      if (dent%force > 0 .and. point%line_place == 0) dent%left = part_left(law, wires, pair, point, dent)
+      if (point%yielding_force > 0 .and. point%yielding_force >= dent%felt_force()) then
+         dent%force = point%yielding_force
          dent%arc = [point%arc_bar, point%arc]
          dent%left = 1
+         dent%section_share = point%section_share
       end if
    end subroutine follow_dent
 
@@ -133,15 +161,50 @@ contains
       type(wire_pair_t), intent(in) :: pair
       type(dent_memory_t), intent(in) :: dent
       type(contact_point_t), intent(inout) :: point
+      type(contact_point_t) :: there
+      type(yielding_lens_t) :: lens
       type(dent_t) :: made
       real(dp) :: half_axes(2)
 
       point%largest_force = dent%felt_force()
       point%yield_dissipation = dent%dissipation
-      call dent_here(law, pair, point, point%largest_force, made, half_axes)
-      point%dent = made%depth
-      point%largest_semi_major = half_axes(1)
+      there = point
+      there%history%dent = dent
+      if (point%line_place > 0) then
+         call show_place(law, pair, there, point)
+      else if (is_lens(law, point) .and. dent%felt_force() > 0) then
+         there%line = line_of_point(pair, there)
+         lens = lens_of_wires(law, pair, there)
+         point%deepest = lens%deepest
+         point%dent = depth_of_lens(lens)
+         point%largest_semi_major = sqrt(2*sum(pair%radius)*lens%deepest)/point%law_sine
+      else
+         call dent_here(law, pair, point, point%largest_force, made, half_axes)
+         point%deepest = made%overlap
+         point%dent = made%depth
+         point%largest_semi_major = half_axes(1)
+      end if
    end subroutine show_dent
+
+   !> The dent of a place of a line: its largest force per length is that of the length that it stands for.
+   pure subroutine show_place(law, pair, there, point)
+      type(normal_law_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      !> The point with its present memory
+      type(contact_point_t), intent(in) :: there
+      type(contact_point_t), intent(inout) :: point
+      type(contact_point_t) :: now
+
+      if (point%in_lens) point%deepest = max(point%deepest, point%lens_depth - point%gap)
+      if (.not. point%weight > 0) return
+      now = there
+      now%deepest = point%deepest
+      now%line = line_of_point(pair, now)
+      now%yielding_place = place_of_wires(law, pair, now)
+      point%largest_force = point%weight*now%yielding_place%dent%force
+      point%dent = now%yielding_place%dent%depth
+      point%largest_semi_major = now%yielding_place%dent%half_width
+   end subroutine show_place
 
    !> The dent of a force at the present angle; all 0 where there is no force, or the wires are parallel.
    pure subroutine dent_here(law, pair, point, force, dent, half_axes)

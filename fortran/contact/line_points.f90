@@ -158,6 +158,7 @@ contains
       end do
       call match_line_points(wires, size(contact%places%xi), old, points, newest)
       call match_line_points(wires, size(contact%places%xi), contact%converged_line_points, points, converged)
+      points%predecessor = converged
       sorted = sort_crossings(wires, contact%points)
       !$omp parallel do schedule(static) if (size(points) >= worth_threads)
       do i = 1, size(points)

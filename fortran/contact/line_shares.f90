@@ -124,7 +124,7 @@ contains
       end if
       radius = minval(point%radius)
       half_length = half_length_of(point, deepest*radius)
-      point%section_share = share_of_line(half_length/radius)
+      point%section_share = point%history%dent%share_of_section(share_of_line(half_length/radius))
       ! a penalty does not depend on the far field
       if (law%line_penalty() > 0) point%section_share = 0
       point%spot_section = max(point%section_share, share_of_kept(point, radius))
@@ -264,6 +264,8 @@ contains
          point%section_share = 1
          point%spot_section = 1
          point%kept_overlap = 0
+         point%deepest = 0
+         point%lens_depth = 0
          point%in_lens = .false.
          if (bend > 0 .or. tilt > 0) then
             ! to where the wires are nearest; of a wedge, as far as one reaches that counts
@@ -277,6 +279,7 @@ contains
             call sorted%find_nearest(wires, 2*reach, 2*reach + 2*sum(elements%radius(pair)), point, i, distance, legs)
             if (i > 0) call share_with(contact%points(i), legs, 2 - distance/reach, bend, contact%places, elements, &
                point)
+            if (point%in_lens .and. bend > 0) point%lens_depth = tilt**2/(2*bend)
             ! the lens is still open
             if (i == 0 .and. bend > 0) then
                if (-point%gap + tilt**2/(2*bend) <= 0) point%line_share = 0
@@ -374,13 +377,14 @@ contains
       call share_of_point(half_length, resolution*spacing_of_places(places, pair, elements%length(pair)), of_crossing, &
          slope)
       point%line_share = 1 - short*of_crossing
-      point%section_share = 1 - short*(1 - share_of_line(half_length/radius))
+      point%section_share = point%history%dent%share_of_section(1 - short*(1 - share_of_line(half_length/radius)))
       point%spot_section = point%section_share
       ! next to an end the overlap is a wedge
       point%in_lens = .not. any(legs > 0)
       call bound_field(crossing, half_length, radius, point)
       if (.not. point%in_lens) return
       point%kept_overlap = crossing%kept_overlap
+      point%deepest = crossing%deepest
       point%spot_section = max(point%spot_section, share_of_kept(crossing, radius))
    end subroutine share_with
 

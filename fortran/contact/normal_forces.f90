@@ -11,15 +11,20 @@ module litz_normal_forces
    use litz_element_library, only: elements_t, material_at, material_place_t
    use litz_hertz, only: hertz_ellipse, hertz_ok
    use litz_law_input, only: wire_pair_t
-   use litz_lens_law, only: lens_t, lens_force, lens_energy
+   use litz_lens_forces, only: law_of_lens, find_overlap_of_lens
+   use litz_lens_law, only: lens_t, lens_force
    use litz_line_point, only: force_of_line
-   use litz_line_law, only: line_wires_t, line_wires, line_force_t, line_force, line_overlap_t, line_overlap
+   use litz_line_law, only: line_wires_t, line_wires, line_force_t, line_overlap_t, line_overlap
    use litz_model, only: model_t, interaction_t
    use litz_normal_law, only: normal_law_t, force_of_gap_t, overlap_of_force_t, force_at_gap, overlap_at_force, &
       linearise
    use litz_normal_yielding, only: dent_of_wires, state_of_wires
    use litz_parallel, only: worth_threads
+   use litz_yielding_lens, only: yielding_lens_t, lens_state_t, state_of_lens, lens_at_force, &
+      overlap_of_yielding_lens
+   use litz_yielding_place, only: place_state_t, state_of_place, place_force, overlap_of_place
    use litz_yielding_spot, only: dent_t, yielding_state_t
+   use litz_yielding_wires, only: lens_of_wires, place_of_wires, depth_of_lens
    implicit none
    private
    public :: apply_normal_law, wires_of, line_of_point, is_lens, law_of_spot, share_of_ellipse, weight_of_lens
@@ -27,9 +32,8 @@ module litz_normal_forces
 
    !> At first touch the Hertz law is linearised about the force of an overlap of at most this fraction of the radius
    real(dp), parameter :: first_overlap = 1.0e-3_dp
-   !> The overlap of a lens at a force is found when its logarithm changes by less than this; steps at most
-   real(dp), parameter :: tolerance = 1.0e-9_dp
-   integer, parameter :: max_iterations = 20
+   !> Change of the angle of a lens over its sine, for differences
+   real(dp), parameter :: small_turn = 1.0e-3_dp
 
 contains
 
@@ -99,13 +103,18 @@ contains
          pair = wires_of(model, elements, point)
          if (needs_line) point%line = line_of_point(pair, point)
          if (.not. (point%active .or. point%closed)) return
+         if (law%normal%yields() .and. is_at_end(point)) point%law_status = law_yields_at_end
          if (point%line_place > 0) then
             call press_line(law%normal%line_penalty(), point)
          else if (is_lens(law%normal, point)) then
             if ((law%spot%uses_ellipse .or. law%heat%uses_ellipse) .and. share_of_ellipse(law%normal, point) > 0) then
                call find_ellipse(pair, point)
             end if
-            call press_lens(law%normal, pair, point)
+            if (law%normal%yields()) then
+               call press_yielding_lens(law%normal, pair, point)
+            else
+               call press_lens(law%normal, pair, point)
+            end if
          else
             if (law%normal%uses_ellipse .or. law%spot%uses_ellipse .or. law%heat%uses_ellipse) then
                call find_ellipse(pair, point)
@@ -128,20 +137,45 @@ contains
       type(contact_point_t), intent(inout) :: point
       type(wire_pair_t) :: pair
       type(dent_t) :: dent
+      type(yielding_lens_t) :: lens
 
       associate (law => model%interactions(model%contact_pairs(point%pair)%interaction)%normal)
          if (.not. law%yields()) return
          point%dent_depth = 0
          point%yielding = yielding_state_t()
          point%yielded = 0
-         if (.not. (point%history%dent%felt_force() > 0 .and. point%weight > 0)) return
+         point%yielding_force = 0
+         if (.not. point%weight > 0) return
          pair = wires_of(model, elements, point)
+         if (point%line_place > 0) then
+            point%line = line_of_point(pair, point)
+            point%yielding_place = place_of_wires(law, pair, point)
+            point%dent_depth = point%yielding_place%dent%depth
+            return
+         end if
+         point%deepest = 0
+         if (.not. point%history%dent%felt_force() > 0) return
+         if (is_lens(law, point)) then
+            point%line = line_of_point(pair, point)
+            lens = lens_of_wires(law, pair, point)
+            point%deepest = lens%deepest
+            point%dent_depth = depth_of_lens(lens)
+            return
+         end if
          call find_ellipse(pair, point)
          if (.not. point%ellipse%semi_major > 0) return
          dent = dent_of_wires(law, pair, point%ellipse, point%history%dent%felt_force())
+         point%deepest = dent%overlap
          point%dent_depth = dent%depth
       end associate
    end subroutine find_dent
+
+   !> A contact at a point next to an end or a joint.
+   pure logical function is_at_end(point)
+      type(contact_point_t), intent(in) :: point
+
+      is_at_end = point%line_place == 0 .and. (any(point%held) .or. is_cut(point%lens))
+   end function is_at_end
 
    !> What the contact of wires that yield is at the present gap.
    pure subroutine follow_yielding(law, pair, point)
@@ -150,11 +184,11 @@ contains
       type(contact_point_t), intent(inout) :: point
       real(dp) :: dissipated
 
-      if (any(point%held) .or. is_cut(point%lens)) point%law_status = law_yields_at_end
       if (.not. point%closed) return
       call state_of_wires(law%normal, pair, point%ellipse, point%history%dent%felt_force(), point%gap, &
          law%spot_memory, point%yielding, dissipated)
       point%yielded = point%weight*dissipated
+      point%yielding_force = point%yielding%force
    end subroutine follow_yielding
 
    !> A crossing whose force is the integral of the law per length over its lens.
@@ -290,7 +324,7 @@ contains
 
       penalty = normal%line_penalty()
       lens = lens_force(point%line, point%gap, point%law_sine, penalty)
-      base = law_of_lens(point, lens, point%gap, penalty)
+      base = law_of_lens(point%line, lens, point%gap, point%law_sine, penalty)
       call press(normal, pair, base, point)
       if (.not. point%active) return
       weight = point%weight*point%cut
@@ -305,44 +339,73 @@ contains
       point%mixed_force = lens%force
       point%stiffness = -lens%dforce_dgap
       point%iteration_force = point%mixed_force + point%stiffness*(-point%gap - overlap)
-      if (point%lens_share < 1) point%at_mixed = scaled(law_of_lens(point, lens, -overlap, penalty), weight)
+      if (point%lens_share < 1) point%at_mixed = scaled(law_of_lens(point%line, lens, -overlap, point%law_sine, penalty), weight)
       call follow_cut(weight, point)
    end subroutine press_lens
 
-   !> A lens as the law of a crossing.
-   pure type(force_of_gap_t) function law_of_lens(point, lens, gap, penalty) result(law)
+   !> The same of wires that yield.
+   pure subroutine press_yielding_lens(normal, pair, point)
+      type(normal_law_t), intent(in) :: normal
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(inout) :: point
+      type(yielding_lens_t) :: lens
+      type(lens_state_t) :: state
+      real(dp) :: overlap, weight
+
+      lens = lens_of_wires(normal, pair, point)
+      state = state_of_lens(lens, -point%gap)
+      if (state%has_yielded) call turn_lens(normal, pair, point, -point%gap, state%law)
+      call press(normal, pair, state%law, point)
+      if (point%closed) then
+         point%yielding = state%spot
+         point%yielded = point%weight*state%dissipated
+         point%yielding_force = state%law%force
+      end if
+      if (.not. point%active) return
+      weight = point%weight*point%cut
+      overlap = point%dent_depth + first_overlap*minval(pair%radius)
+      if (point%mixed_force > 0) then
+         overlap = overlap_of_yielding_lens(lens, point%mixed_force/weight)
+      else if (point%gap < -point%dent_depth) then
+         overlap = min(overlap, -point%gap)
+      end if
+      state = state_of_lens(lens, overlap)
+      point%mixed_force = state%law%force
+      point%stiffness = -state%law%dforce_dgap
+      point%iteration_force = point%mixed_force + point%stiffness*(-point%gap - overlap)
+      if (point%lens_share < 1) then
+         if (state%has_yielded) call turn_lens(normal, pair, point, overlap, state%law)
+         point%at_mixed = scaled(state%law, weight)
+      end if
+      call follow_cut(weight, point)
+   end subroutine press_yielding_lens
+
+   !> How force and energy of a lens of wires that have yielded change with the angle, by differences.
+   pure subroutine turn_lens(normal, pair, point, overlap, law)
+      type(normal_law_t), intent(in) :: normal
+      type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(in) :: point
-      type(lens_t), intent(in) :: lens
-      !> Of its deepest place [m], and eps_l [N/m^2] or 0
-      real(dp), intent(in) :: gap, penalty
-
-      law = force_of_gap_t(lens%force, lens%dforce_dgap, lens%dforce_dangle)
-      call lens_energy(point%line, gap, point%law_sine, penalty, law%energy, law%denergy_dangle, law%d2energy_dangle2)
-   end function law_of_lens
-
-   !> The overlap of a lens at a force, by Newton's method in their logarithms, between which there is nearly a straight
-   !> line.
-   pure subroutine find_overlap_of_lens(line, sine, penalty, force, start, overlap, lens)
-      type(line_wires_t), intent(in) :: line
-      !> Sine of the lens, eps_l [N/m^2] or 0, force [N], and an overlap to start from [m]
-      real(dp), intent(in) :: sine, penalty, force, start
       !> [m]
-      real(dp), intent(out) :: overlap
-      !> The lens at this overlap
-      type(lens_t), intent(out) :: lens
-      real(dp) :: step
-      integer :: iteration
+      real(dp), intent(in) :: overlap
+      !> In: at the angle of the point
+      type(force_of_gap_t), intent(inout) :: law
+      type(contact_point_t) :: turned
+      type(lens_state_t) :: state(2)
+      real(dp) :: change
+      integer :: side
 
-      overlap = start
-      lens = lens_force(line, -overlap, sine, penalty)
-      do iteration = 1, max_iterations
-         step = log(force/lens%force)*lens%force/(-lens%dforce_dgap*overlap)
-         ! the lens is no longer than the wires are apart
-         overlap = min(overlap*exp(step), 0.5_dp*sum(line%radius))
-         lens = lens_force(line, -overlap, sine, penalty)
-         if (abs(step) < tolerance) exit
+      change = small_turn*point%law_sine
+      do side = 1, 2
+         turned = point
+         turned%law_angle = point%law_angle + (2*side - 3)*change
+         turned%law_sine = sin(turned%law_angle)
+         turned%line = line_of_point(pair, turned)
+         state(side) = state_of_lens(lens_of_wires(normal, pair, turned), overlap)
       end do
-   end subroutine find_overlap_of_lens
+      law%dforce_dangle = (state(2)%law%force - state(1)%law%force)/(2*change)
+      law%denergy_dangle = (state(2)%law%energy - state(1)%law%energy)/(2*change)
+      law%d2energy_dangle2 = (state(2)%law%energy - 2*law%energy + state(1)%law%energy)/change**2
+   end subroutine turn_lens
 
    !> A point of a line contact: the law per length times the length that it stands for, linearised about the gap that
    !> was predicted: what the motion has done to the gap besides is a matter of the next step, not of the force.
@@ -352,7 +415,8 @@ contains
       type(contact_point_t), intent(inout) :: point
       type(line_force_t) :: law
 
-      law = line_force(point%line, -point%gap, penalty)
+      law = place_force(point%yielding_place, point%line, -point%gap, penalty)
+      if (point%yielding_place%yields) call follow_place(point)
       point%at_gap = force_of_line(law, point%weight)
       if (point%lens%near(1) .and. point%closed) then
          point%slide_force = [point%dweight_dlap*law%energy, 0.0_dp]
@@ -362,12 +426,23 @@ contains
       end if
       if (.not. point%active) return
       if (.not. point%predicted) point%predicted_gap = point%gap
-      law = line_force(point%line, -point%predicted_gap, penalty)
+      law = place_force(point%yielding_place, point%line, -point%predicted_gap, penalty)
       point%mixed_force = point%weight*law%force
       point%geometric_force = point%mixed_force
       point%stiffness = point%weight*law%stiffness
       point%iteration_force = point%mixed_force + point%stiffness*(point%predicted_gap - point%gap)
    end subroutine press_line
+
+   !> What yielding has dissipated at a place, and the force per length that makes its dent.
+   pure subroutine follow_place(point)
+      type(contact_point_t), intent(inout) :: point
+      type(place_state_t) :: state
+
+      if (.not. point%closed) return
+      state = state_of_place(point%yielding_place, -point%gap)
+      point%yielded = point%weight*state%dissipated
+      point%yielding_force = state%strip%force
+   end subroutine follow_place
 
    !> The overlap of a point at a force, and its stiffness.
    pure type(overlap_of_force_t) function overlap_of_point(law, pair, point, force, weight) result(found)
@@ -377,15 +452,25 @@ contains
       !> Greater than 0 [N], and the share of a crossing [-] or the length of a line [m] that carries it
       real(dp), intent(in) :: force, weight
       type(line_overlap_t) :: line
+      type(place_state_t) :: place
       real(dp) :: share
 
-      if (point%line_place > 0) then
+      if (point%line_place > 0 .and. law%yields()) then
+         call overlap_of_place(point%yielding_place, force/weight, found%overlap, place, found%delastic_dforce)
+         found%stiffness = place%stiffness
+         found%elastic_stiffness = place%elastic_stiffness
+      else if (point%line_place > 0) then
          line = line_overlap(point%line, force/weight, law%line_penalty())
          found = overlap_of_force_t(line%overlap, line%stiffness, line%dstiffness_dforce)
       else if (is_lens(law, point)) then
          share = weight*kept_part(point)
-         found = overlap_of_lens(law, pair, point, force/share)
+         if (law%yields()) then
+            found = lens_at_force(lens_of_wires(law, pair, point), force/share)
+         else
+            found = overlap_of_lens(law, pair, point, force/share)
+         end if
          found%stiffness = share*found%stiffness
+         found%elastic_stiffness = share*found%elastic_stiffness
          return
       else
          found = overlap_at_force(law, force/weight, pair, point%ellipse, point%history%dent%felt_force())

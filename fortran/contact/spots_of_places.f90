@@ -11,9 +11,10 @@ module litz_spots_of_places
    use litz_lens_law, only: n_depths, share_of_line, slope_of_line_share
    use litz_line_cell, only: cell_samples_t, cell_samples, cell_integral, n_of_cell, n_samples
    use litz_line_kinematics, only: line_course_t
-   use litz_line_law, only: line_force_t, line_force, line_overlap_t, line_overlap, line_spot_t, line_spot
+   use litz_line_law, only: line_force_t, line_overlap_t, line_overlap, line_spot_t, line_spot
    use litz_model, only: interaction_t
    use litz_spot_law, only: contact_spot_t, contact_spot, spot_law_t, spot_ok
+   use litz_yielding_place, only: place_force
    implicit none
    private
    public :: spot_of_cell, spot_per_length, is_round, strip_of, number_of
@@ -79,7 +80,8 @@ contains
       integer :: i, info
 
       do i = 1, samples%n
-         force(i) = line_force(point%line, samples%overlap(i) + deeper, law%normal%line_penalty())
+         force(i) = place_force(point%yielding_place, point%line, samples%overlap(i) + deeper, &
+            law%normal%line_penalty())
          call spot_per_length(law, pair, point, force(i)%force, at(i), info)
          if (info /= spot_ok) point%law_status = law_bad_data
       end do

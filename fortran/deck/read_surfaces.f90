@@ -147,11 +147,15 @@ contains
 
       if (pair%interaction == 0) return
       associate (this => model%interactions(pair%interaction))
-         if (this%normal%serves_lines()) return
+         if (this%normal%serves_lines() .and. .not. this%normal%yields()) return
          if (this%normal%line_penalty_number > 0) then
             call fail_at(self, self%values%token(2), 'a wire touches a rigid surface along a line: the law '// &
                trim(this%normal%name)//' of '//this%name//' needs its second number, the force per length and'// &
                ' penetration')
+         else if (this%normal%yields()) then
+            call fail_at(self, self%values%token(2), 'on a rigid surface wires do not yield; '//this%name// &
+               ' has YIELD of *SURFACE BEHAVIOR: a surface interaction without it, or with LINEAR and its second'// &
+               ' number, is possible')
          else
             call fail_at(self, self%values%token(2), 'a wire touches a rigid surface along a line; the law '// &
                this%normal%called()//' of '//this%name//' is one of crossings')

@@ -123,7 +123,7 @@ contains
 
    ! values: force, overlap, doverlap/dforce, b, g', dg'/dforce, dent
    subroutine line_law_of_points(n, given, is_overlap, largest_force, radius, young, poisson, resistivity, angle, &
-      film, yield_stress, values, onset, too_wide)
+      film, yield_stress, hardness, values, onset, too_wide)
       !> Number of points
       integer(c_int), intent(in) :: n
       !> Forces per length [N/m], or overlaps [m] (n)
@@ -140,9 +140,11 @@ contains
       real(c_double), intent(in) :: film(n)
       !> Yield stresses (2, n) [Pa]
       real(c_double), intent(in) :: yield_stress(2, n)
+      !> H [Pa]; 0: 2.8 times the smaller yield stress
+      real(c_double), intent(in) :: hardness
       !> f [N/m], delta [m], ddelta/df [m^2/N], b [m], g' [S/m], dg'/df [S/N], dent [m] (7, n)
       real(c_double), intent(out) :: values(7, n)
-      !> p_Y [Pa], f_Y [N/m], b_Y [m] (3, n)
+      !> p_Y of parallel wires [Pa], force per length at the onset [N/m], b_Y of parallel wires [m] (3, n)
       real(c_double), intent(out) :: onset(3, n)
       !> Not 0: the strip is wider than the law holds for (n)
       integer(c_int), intent(out) :: too_wide(n)
@@ -155,8 +157,8 @@ contains
       values = 0
       do i = 1, n
          wires = wire_pair_t(radius(:, i), young(:, i), poisson(:, i), resistivity(:, i))
-         law = yielding_line(line_wires(wires, angle(i)), wires, yield_stress(:, i))
-         onset(:, i) = [law%yield_pressure, law%force, law%half_width]
+         law = yielding_line(line_wires(wires, angle(i)), wires, yield_stress(:, i), hardness, angle(i))
+         onset(:, i) = [law%yield_pressure, law%onset, law%half_width]
          dent = line_dent(law, largest_force(i))
          if (is_overlap /= 0) then
             state = line_state_at_overlap(law, dent, given(i))

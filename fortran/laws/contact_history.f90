@@ -17,8 +17,11 @@ module litz_contact_history
       real(dp) :: left = 1
       !> What yielding has dissipated [J]
       real(dp) :: dissipation = 0
+      !> How far the section of the wires was its far field when it was made [-]
+      real(dp) :: section_share = 0
    contains
       procedure :: felt_force
+      procedure :: share_of_section
    end type dent_memory_t
 
    !> Dents of contacts that have opened so far that their wires are no longer near each other.
@@ -65,6 +68,17 @@ contains
 
       felt_force = self%left*self%force
    end function felt_force
+
+   !> How far the section of the wires counts at least where it counts this far at the present overlap: metal that has
+   !> yielded keeps the far field with which it did [-]
+   elemental real(dp) function share_of_section(self, present) result(share)
+      class(dent_memory_t), intent(in) :: self
+      !> [-]
+      real(dp), intent(in) :: present
+
+      share = present
+      if (self%force > 0) share = present + self%left*max(self%section_share - present, 0.0_dp)
+   end function share_of_section
 
    !> The memory of a contact that is closed when an increment has converged.
    pure function advanced_history(start, arc, force, weight, friction, new_spot) result(history)

@@ -33,7 +33,7 @@ module litz_normal_law
       logical :: is_straight = .false.
       !> Its first number is a stiffness [N/m] that may be raised where wires overlap too much
       logical :: has_penalty = .false.
-      !> It holds along a line, too, as the elastic law of litz_line_law
+      !> It holds along a line, too, as the elastic law of litz_line_law, or that of metal that yields
       logical :: is_elastic_line = .false.
       !> Which of its numbers is a stiffness per length [N/m^2] of wires that touch along a line; 0: none
       integer :: line_penalty_number = 0

@@ -24,7 +24,6 @@ contains
       law = normal_hertz()
       law%yield_stress = yield_stress
       law%hardness = hardness
-      law%is_elastic_line = .false.
       law%title = 'law of wires that yield'
       law%force_of_gap => force_of_gap
       law%overlap_of_force => overlap_of_force

@@ -7,9 +7,11 @@ module litz_line_contact
    public :: serves_lines, line_obstacle
 
    !> Nothing is in the way; a normal law at points only; straight axes; friction that sticks with the stiffness of a
-   !> point; overlap without limit; a law of one spot, of current or of heat
+   !> point; overlap without limit; a law of one spot, of current or of heat; a current or heat that does not follow the
+   !> dents of wires that yield
    integer, parameter :: obstacle_none = 0, obstacle_normal_law = 1, obstacle_axis = 2, obstacle_stick = 3, &
-      obstacle_penetration = 4, obstacle_spot_law = 5, obstacle_heat_law = 6
+      obstacle_penetration = 4, obstacle_spot_law = 5, obstacle_heat_law = 6, obstacle_yielding_spot = 7, &
+      obstacle_yielding_heat = 8
 
 contains
 
@@ -38,6 +40,12 @@ contains
          obstacle = obstacle_spot_law
       else if (law%heat%is_given() .and. .not. law%heat%is_per_length) then
          obstacle = obstacle_heat_law
+      else if (law%normal%yields()) then
+         if (law%spot%exists() .and. (law%spot_memory .or. .not. law%spot%is_of_mechanics)) then
+            obstacle = obstacle_yielding_spot
+         else if (law%heat%is_given()) then
+            obstacle = obstacle_yielding_heat
+         end if
       end if
    end function obstacle
 
@@ -61,6 +69,12 @@ contains
          if (law%spot%can_be_per_length) words = words//' without PER=LENGTH'
       case (obstacle_heat_law)
          words = 'LAW='//trim(law%heat%name)//' of *GAP CONDUCTANCE, which is that of a spot without PER=LENGTH'
+      case (obstacle_yielding_spot)
+         words = 'LAW='//trim(law%spot%name)//' of *GAP ELECTRICAL CONDUCTANCE'
+         if (law%spot_memory) words = 'SPOT=LARGEST FORCE'
+         words = words//' with YIELD of *SURFACE BEHAVIOR'
+      case (obstacle_yielding_heat)
+         words = 'LAW='//trim(law%heat%name)//' of *GAP CONDUCTANCE with YIELD of *SURFACE BEHAVIOR'
       case default
          words = ''
       end select

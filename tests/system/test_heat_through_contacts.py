@@ -221,10 +221,11 @@ class TestAgainstNetworks:
         found = contacts_of(run(heat=LAWS["METAL"], loads=f"*SOLVER, NAME={solver}\n"))
         np.testing.assert_allclose(found, contacts_of(run(heat=LAWS["METAL"])), rtol=1e-7)
 
-    def test_heat_passes_side_by_side_as_the_current_does(self, litz, tmp_path):
+    @pytest.mark.parametrize("metal", ["", ", YIELD=60e6"], ids=["elastic", "yielding"])
+    def test_heat_passes_side_by_side_as_the_current_does(self, litz, tmp_path, metal):
         """The resistance of a lap joint to heat is that to the current, times sigma over lambda."""
         deck = LAP_JOINT.read_text().replace("*ELECTRICAL CONDUCTIVITY", "*CONDUCTIVITY\n400\n*ELECTRICAL CONDUCTIVITY")
-        deck = deck.replace("LAW=FILM\n 1e-11", "LAW=HERTZ")
+        deck = deck.replace("LAW=FILM\n 1e-11", "LAW=HERTZ").replace("OVERCLOSURE=HERTZ", f"OVERCLOSURE=HERTZ{metal}")
         deck += f"*STEP\n{HEAT}\n1, 1\n*BOUNDARY\nPLUS, 9, 9, 0\nPLUS, 11, 11, 310\nMINUS, 11, 11, 300\n*END STEP\n"
         (tmp_path / "lap.inp").write_text(deck)
         done = litz("run", tmp_path / "lap.inp", "-o", tmp_path / "lap", "--quiet")
@@ -234,14 +235,17 @@ class TestAgainstNetworks:
         heat = np.abs(results.field("reaction_heat")).max()
         assert 10 / heat == pytest.approx(resistance * 5.88e7 / 400, rel=1e-12)
 
-    @pytest.mark.parametrize("law", ["CONDUCTIVITY", "CONSTANT, PER=LENGTH\n20"])
+    @pytest.mark.parametrize(
+        ("law", "metal"), [("CONDUCTIVITY", ""), ("CONDUCTIVITY", ", YIELD=60e6"), ("CONSTANT, PER=LENGTH\n20", "")]
+    )
     @pytest.mark.parametrize("insulated", ["a film that no current passes", "no conductors"])
-    def test_lines_pass_heat_without_a_current(self, litz, tmp_path, law, insulated):
+    def test_lines_pass_heat_without_a_current(self, litz, tmp_path, law, metal, insulated):
         """As much as with one: the strip of clean metal, whatever its resistivity."""
         deck = LAP_JOINT.read_text().replace("*ELECTRICAL CONDUCTIVITY", "*CONDUCTIVITY\n400\n*ELECTRICAL CONDUCTIVITY")
         deck = deck.replace("*CONTACT PAIR", f"*GAP CONDUCTANCE, LAW={law}\n*CONTACT PAIR").replace(
             "LAW=FILM\n 1e-11", "LAW=HERTZ"
         )
+        deck = deck.replace("OVERCLOSURE=HERTZ", f"OVERCLOSURE=HERTZ{metal}")
         heat = f"*STEP\n{HEAT}\n1, 1\n*BOUNDARY\nPLUS, 9, 9, 0\nPLUS, 11, 11, 310\nMINUS, 11, 11, 300\n*END STEP\n"
         passed = []
         for name in ("current", "none"):

@@ -253,13 +253,6 @@ def test_a_spot_of_other_mechanics_is_refused(run, spot):
     assert "follow the force of wires that yield" in process.stderr
 
 
-def test_wires_that_come_to_lie_along_each_other_end_the_run_in_words(run):
-    """The law of yielding metal is one of crossings."""
-    process, _ = run(held(to(1e-6, increments=1), degrees=0.5))
-    assert process.returncode != 0
-    assert "HERTZ with YIELD" in process.stderr
-
-
 def test_a_contact_closes_again_in_its_dent_without_cut_backs(run, inputs):
     """Pressed, released, pressed again, little by little: where its force ends in the dent, the line of the loading on which
     it closes first leaves the dent to no force."""

@@ -1,7 +1,8 @@
-!> Contacts with which an iteration, or the run, cannot go on, in words.
-module litz_contact_refusals
+!> Contacts that litz does not model, and laws that do not take their data.
+module litz_refused_contacts
    use litz_contact_points, only: contact_point_t, law_parallel, law_bad_data, law_too_curved, law_yields_at_end
    use litz_errors, only: error_t, fail, exit_input
+   use litz_line_contact, only: line_obstacle
    use litz_model, only: model_t
    use litz_text, only: to_text
    implicit none
@@ -14,7 +15,7 @@ contains
    pure function refused_contact(model, points) result(reason)
       type(model_t), intent(in) :: model
       type(contact_point_t), intent(in) :: points(:)
-      character(len=:), allocatable :: reason
+      character(len=:), allocatable :: reason, obstacle
       integer :: i
 
       reason = ''
@@ -31,7 +32,10 @@ contains
             return
          case (law_yields_at_end)
             reason = 'wires touch at an end or a kink ('//elements_of(model, points(i))// &
-               '), where YIELD of *SURFACE BEHAVIOR is not modelled'
+               '), where YIELD of *SURFACE BEHAVIOR is not modelled: give a contact pair of these elements a surface'// &
+               ' interaction without YIELD'
+            obstacle = line_obstacle(model%interactions(model%contact_pairs(points(i)%pair)%interaction))
+            if (len(obstacle) > 0) reason = reason//'; along a line '//obstacle//' is not possible'
             return
          end select
       end do
@@ -54,6 +58,7 @@ contains
       end do
    end subroutine refuse_bad_data
 
+   !> Both elements of a contact, in words.
    pure function elements_of(model, point) result(words)
       type(model_t), intent(in) :: model
       type(contact_point_t), intent(in) :: point
@@ -63,4 +68,4 @@ contains
          to_text(model%element_id(point%element))
    end function elements_of
 
-end module litz_contact_refusals
+end module litz_refused_contacts
