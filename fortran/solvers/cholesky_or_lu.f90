@@ -81,7 +81,7 @@ contains
       self%lu_used = self%failed_equation > 0
       if (self%lu_used) call factor_lu(self, matrix, error, row_scale, column_scale)
       if (allocated(error)) return
-      if (symmetric .or. .not. (self%lu_used .or. self%is_near)) call count_negative_pivots(self)
+      if (symmetric .or. self%lu_used .or. .not. self%is_near) call count_negative_pivots(self)
    end subroutine solver_factor
 
    subroutine factor_cholesky(self, matrix, error, coupling)
@@ -134,7 +134,8 @@ contains
    end subroutine factor_lu
 
    !> That Cholesky failed says only that there is a negative pivot; how many, the LU tells if it could keep to the
-   !> diagonal. A matrix with a positive definite symmetric part has none.
+   !> diagonal. A matrix with a positive definite symmetric part has none; without one the LU alone knows, as what
+   !> friction makes unsymmetric leaves the pivots positive.
    subroutine count_negative_pivots(self)
       class(cholesky_or_lu_t), intent(inout) :: self
 
@@ -142,6 +143,10 @@ contains
       self%negative_pivots_exact = .true.
       if (.not. self%lu_used) return
       self%negative_pivots_exact = self%lu%backend%diagonal_pivots
+      if (.not. (self%symmetric .or. self%negative_pivots_exact)) then
+         self%negative_pivots = -1
+         return
+      end if
       self%negative_pivots = 1
       if (self%negative_pivots_exact) self%negative_pivots = count(self%lu%backend%pivot < 0)
    end subroutine count_negative_pivots
