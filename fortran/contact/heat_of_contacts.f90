@@ -42,8 +42,8 @@ module litz_heat_of_contacts
       type(heated_contact_t), allocatable :: contacts(:)
       type(heated_element_t), allocatable :: elements(:)
       type(element_ends_t) :: ends
-      !> The first of the contacts: at the temperatures of their places, with what a change of the current meets in spots
-      !> that it warms; and at those that are linear between the nodes
+      !> The first of the contacts: at the temperatures of their places, with what a change of the current meets in
+      !> spots that it warms; and at those that are linear between the nodes
       type(shared_conductors_t) :: conductors, linear_conductors
       !> Those of the model
       type(spot_metal_t), allocatable :: metals(:)

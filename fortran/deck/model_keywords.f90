@@ -299,8 +299,8 @@ contains
          ' other''s potential (litz extension)', default='NO'))
       call k%add(choice('SUPERTEMPERATURE', 'NO|YES', &
          'YES: a spot that its current warms resists more, by the tables of its wires over the temperature, in'// &
-         ' steps that solve for temperatures; NO: its resistance is that at the temperatures of its wires (litz extension)', &
-         default='NO'))
+         ' steps that solve for temperatures; NO: its resistance is that at the temperatures of its wires'// &
+         ' (litz extension)', default='NO'))
       call k%add(choice('SPOT', 'PRESENT FORCE|LARGEST FORCE', &
          'LARGEST FORCE: the spot keeps the size of the largest force since the contact closed or slipped (without'// &
          ' friction: moved by more than the spot) (litz extension)', default='PRESENT FORCE'))
@@ -351,8 +351,8 @@ contains
 
       call begin(k, 'GAP HEAT GENERATION', place_model, 'Heat of friction, in steps that solve for motions and'// &
          ' temperatures over time. It enters both wires half and half, where wires with *CONDUCTIVITY touch each'// &
-         ' other; of that on a rigid surface a part f enters the wire, the rest is lost to the surface. Without this'// &
-         ' keyword all of the work of friction becomes heat.', after='SURFACE INTERACTION')
+         ' other; of that on a rigid surface a part f enters the wire, the rest is lost to the surface.'// &
+         ' Without this keyword all of the work of friction becomes heat.', after='SURFACE INTERACTION')
       call k%add_data([real_field('eta', '-', 'part of the work of friction that becomes heat, from 0 to 1', &
          limit_not_negative), &
          real_field('f', '-', 'part of the heat that enters the wire, from 0 to 1; of two wires only 0.5, the'// &

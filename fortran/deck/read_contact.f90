@@ -352,7 +352,8 @@ contains
       associate (law => model%interactions(pair%interaction))
          if (abs(law%heat%surface_share - 0.5_dp) > epsilon(1.0_dp)) call fail_at(self, self%deck%cards(card)%name, &
             'the heat of friction enters both wires half and half: f of *GAP HEAT GENERATION of surface'// &
-            ' interaction '//law%name//' is 0.5, not '//to_text(law%heat%surface_share)//', which is for rigid surfaces')
+            ' interaction '//law%name//' is 0.5, not '//to_text(law%heat%surface_share)// &
+            ', which is for rigid surfaces')
       end associate
    end subroutine check_friction_heat
 

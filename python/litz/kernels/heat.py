@@ -275,15 +275,13 @@ def hot_spot(
     >>> print(f"{hot.hottest[0] - 293:.0f} K warmer, {100 * (ratio - 1):.0f} % more resistance")
     141 K warmer, 36 % more resistance
     """
-    rho, lam = _pair_of_tables("resistivity", resistivity), None
-    if conductivity is not None:
-        lam = _pair_of_tables("conductivity", conductivity)
-    if (lam is None) == (lorenz is None):
+    rho = _pair_of_tables("resistivity", resistivity)
+    if (conductivity is None) == (lorenz is None):
         raise ValueError("conductivity or lorenz is needed, and not both")
     bulk = checks.array("temperature", temperature, (2,))
     if lorenz is not None and not (bulk > 0).all():
         raise ValueError(f"temperature must be greater than 0 K, but holds {bulk.min():g}")
-    lam = lam or (np.ones((2, 1)), np.ones((2, 1)))
+    lam = _pair_of_tables("conductivity", 1.0 if conductivity is None else conductivity)
     film = 0.0 if film_heat_conductance is None else 1 / checks.positive("film_heat_conductance", film_heat_conductance)
     current, heat, hottest, dcurrent, dheat, dhottest, info = _core.f2py_heat.hot_spot(
         checks.number("voltage", voltage),
