@@ -38,7 +38,6 @@ from .heat import (
     conductor_heat,
     heat_capacity,
     hot_conductance,
-    hot_spot,
     spot_heat,
     wire_radiation,
 )
@@ -46,6 +45,7 @@ from .line import LineLaw, LinePoint, line_law, line_point
 from .search import contact_search
 from .spot import ContactSpot, contact_spot
 from .surface import NodeToSegment, SegmentToSegment, node_to_segment_em, segment_to_segment_em
+from .warmed_spots import HotSpot, hot_spot
 from .yielding import NormalForce, normal_law
 
 __all__ = [
@@ -59,6 +59,7 @@ __all__ = [
     "ContactSpot",
     "HeatCapacity",
     "HotConductance",
+    "HotSpot",
     "LineLaw",
     "LinePoint",
     "NodeToSegment",
