@@ -7,7 +7,6 @@ module litz_contact_heat_tangent
       inverse_of_own
    use litz_heated_elements, only: add_at_nodes, rise_by
    use litz_kinds, only: dp
-   use litz_spot_heat, only: by_heat
    implicit none
    private
    public :: own_tangent, multiply_heat
@@ -51,11 +50,10 @@ contains
          k_te = 0
          k_et = 0
          if (i > size(self%conductors%resistance)) return
-         by_current = 2*self%current(i)*inverse_of_own(self, i, matmul(self%spots(i)%dheat(:, by_heat), &
-            [contact%resistance(1), contact%film_resistance, contact%resistance(2)]))
+         by_current = inverse_of_own(self, i, self%spots(i)%by_current)
          associate (n_v => self%conductors%n_v(:, i), diagonal => self%conductors%diagonal(i))
             k_te = reshape([(-n(:2)*by_current(1)*n_v(a), -n(3:)*by_current(2)*n_v(a), a=1, 4)], [4, 4])/diagonal
-            k_et = -self%current(i)/diagonal*spread(n_v, 2, 4)*spread(matmul(contact%dseries, bulk_by_node), 1, 4)
+            k_et = -spread(n_v, 2, 4)*spread(matmul(self%spots(i)%dvoltage, bulk_by_node), 1, 4)/diagonal
          end associate
       end associate
    end subroutine own_tangent
@@ -154,7 +152,7 @@ contains
       !> Changes at the nodes (n_nodes) [V], [K]
       real(dp), intent(in) :: potential(:), temperature(:)
       type(change_t), intent(inout) :: change
-      real(dp) :: at(2), made(3), of_others(size(self%contacts)), even(size(self%elements))
+      real(dp) :: at(2), of_others(size(self%contacts)), even(size(self%elements))
       integer :: i, k, n
 
       n = size(self%conductors%resistance)
@@ -168,8 +166,7 @@ contains
       do i = 1, size(self%contacts)
          at = change_at(self, i, temperature)
          associate (contact => self%contacts(i), current => self%current(i), place => self%ends%place_of(:, i))
-            made = 2*current*change%current(i)*[contact%resistance(1), contact%film_resistance, contact%resistance(2)]
-            change%heat(:, i) = matmul(self%spots(i)%dheat(:, by_heat), made) &
+            change%heat(:, i) = self%spots(i)%by_current*change%current(i) &
                + (change%current(i)*self%of_others(i) + current*of_others(i))/2
             change%base(:, i) = at - self%elements(place)%dconductivity*mean_change(self, i, temperature) &
                *self%rise(:, i) + self%elements(place)%heat_series*(1 - contact%xi**2)/2*even(place)

@@ -9,15 +9,16 @@ module litz_contact_heat_term
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
    use litz_fields, only: field_temperature, group_transport, potential_slots, temperature_slots
-   use litz_friction_heat, only: rubbing_t, find_rubbing, is_abrupt, add_difference
+   use litz_friction_heat, only: find_rubbing
    use litz_contact_heat_tangent, only: own_tangent, multiply_heat
    use litz_heat_of_contacts, only: contact_heat_t, collect_heat
    use litz_heated_contacts, only: heated_contact_t, heated_contact, can_pass_heat, conducting_metals
    use litz_heat_within, only: slow_and_fast
    use litz_heated_elements, only: heated_element_t, add_at_nodes
-   use litz_hot_places, only: melted, beyond_table
+   use litz_hot_places, only: melted, beyond_table, beyond_table_inside
    use litz_model, only: step_t
    use litz_property_table, only: property_at
+   use litz_rubbing, only: rubbing_t, is_abrupt, add_friction_heat
    use litz_shared_conductors, only: shared_conductors_t
    use litz_term, only: term_t
    implicit none
@@ -119,7 +120,8 @@ contains
       self%of_friction = spread(0.0_dp, 1, domain%model%n_elements)
       if (.not. (self%rate > 0 .and. domain%heat_weights(2) > 0)) return
       call find_rubbing(domain, self%contact, rubbing)
-      call add_difference(rubbing, domain%model%connectivity, domain%heat_weights, 1/self%rate, &
+      ! the contacts have the rate of this increment
+      call add_friction_heat(rubbing, domain%model%connectivity, domain%heat_weights - [1, 0], 1/self%rate, &
          domain%forces%internal(temperature_slots(1), :), self%of_friction)
    end subroutine add_friction
 
@@ -269,7 +271,7 @@ contains
             point%heat_bar = heat%heat(1, number)
             point%heat = heat%heat(2, number)
             if (.not. (heat%resistances_follow .and. number <= size(heat%conductors%resistance))) return
-            point%conductance = 1/heat%conductors%resistance(number)
+            point%conductance = 1/heat%resistance(number)
             call set_current(heat%current(number), heat%potential_rise(:, number), heat%of_others(number), point)
          end associate
       end subroutine keep
@@ -317,6 +319,7 @@ contains
       if (len(reason) == 0) reason = melted(domain, self%contact%line_points(self%line_points))
       if (len(reason) == 0) reason = beyond_table(domain, self%contact%points(self%points))
       if (len(reason) == 0) reason = beyond_table(domain, self%contact%line_points(self%line_points))
+      if (len(reason) == 0) reason = beyond_table_inside(domain, self%heat)
    end function rejection
 
    subroutine link(self, domain, field, pairs)

@@ -1,36 +1,13 @@
-!> Heat of friction in steps over time, as its work enters the rate of the enthalpy.
-!>
-!> The enthalpy less the work of friction changes by the flow of heat alone, and BDF2 takes this difference: of the
-!> works D of the last two increments of a contact comes
-!>
-!>     (a D_n - b D_(n-1))/dt                                                                                       (1)
-!>
-!> to the nodes of its wires, with the weights of the enthalpy, so that over a step the wires take up all that friction
-!> has done and no more, whatever the increments. Of (1) the spots and the ledger have D_n/dt; the rest is here. Where
-!> friction sets in or ends, (1) would be far from the rate of either increment, and such an increment takes backward
-!> Euler, b = 0. Source: theory section 13.
+!> Contacts of wires that make heat of friction in steps over time.
 module litz_friction_heat
    use litz_contact_points, only: contact_point_t, contact_set_t
    use litz_domain, only: domain_t
-   use litz_fields, only: temperature_slots
    use litz_heated_contacts, only: can_pass_heat
    use litz_kinds, only: dp
+   use litz_rubbing, only: rubbing_t
    implicit none
    private
-   public :: rubbing_t, find_rubbing, is_abrupt, add_difference
-
-   !> The rate at a contact has jumped when it changes by this part of the larger one; contacts of less than this part
-   !> of all heat do not count
-   real(dp), parameter :: largest_change = 0.5_dp, least_part = 0.01_dp
-
-   !> A contact that has friction in this increment or had it in the last one.
-   type :: rubbing_t
-      !> Both elements, and the places in them, barred first
-      integer :: element(2) = 0
-      real(dp) :: xi(2) = 0
-      !> Heat that friction makes in this increment and made in the last one [J]
-      real(dp) :: heat = 0, heat_before = 0
-   end type rubbing_t
+   public :: find_rubbing
 
 contains
 
@@ -106,47 +83,5 @@ contains
          rubbing%heat_before = law%friction_fraction*work_before
       end associate
    end function rubbing_of
-
-   !> Friction sets in or ends at a contact that matters.
-   pure logical function is_abrupt(rubbing, increment, before)
-      type(rubbing_t), intent(in) :: rubbing(:)
-      !> This increment and the last one [s]
-      real(dp), intent(in) :: increment, before
-      real(dp), dimension(size(rubbing)) :: now, earlier
-
-      now = rubbing%heat/increment
-      earlier = rubbing%heat_before/before
-      is_abrupt = any(abs(now - earlier) > largest_change*max(now, earlier) .and. max(now, earlier) > &
-         least_part*sum(max(now, earlier)))
-   end function is_abrupt
-
-   !> What the nodes get of (1) beyond the rate of this increment; `made` is the same by elements.
-   pure subroutine add_difference(rubbing, connectivity, weights, increment, leaving, made)
-      type(rubbing_t), intent(in) :: rubbing(:)
-      !> Nodes of the elements (2, n_elements)
-      integer, intent(in) :: connectivity(:, :)
-      !> a and b of (1)
-      real(dp), intent(in) :: weights(2)
-      !> [s]
-      real(dp), intent(in) :: increment
-      !> Heat that leaves the nodes (n_nodes) [W]
-      real(dp), intent(inout) :: leaving(:)
-      !> (n_elements) [W]
-      real(dp), intent(inout) :: made(:)
-      real(dp) :: heat
-      integer :: i, side
-
-      do i = 1, size(rubbing)
-         heat = ((weights(1) - 1)*rubbing(i)%heat - weights(2)*rubbing(i)%heat_before)/increment
-         do side = 1, 2
-            associate (xi => rubbing(i)%xi(side), e => rubbing(i)%element(side))
-               associate (nodes => connectivity(:, e))
-                  leaving(nodes) = leaving(nodes) - heat/2*[1 - xi, 1 + xi]/2
-               end associate
-               made(e) = made(e) + heat/2
-            end associate
-         end do
-      end do
-   end subroutine add_difference
 
 end module litz_friction_heat

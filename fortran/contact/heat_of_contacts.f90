@@ -12,12 +12,14 @@
 module litz_heat_of_contacts
    use litz_element_ends, only: element_ends_t, collect_ends
    use litz_gmres, only: linear_map_t, gmres
-   use litz_heated_contacts, only: heated_contact_t, conducting_metal_t
+   use litz_heated_contacts, only: heated_contact_t
    use litz_heat_within, only: slow_and_fast
    use litz_heated_elements, only: heated_element_t, n_parts, currents_along, place_heat, rise_by
+   use litz_hot_spot, only: hot_spot_t, hot_spot, hot_ok, by_volt
    use litz_kinds, only: dp
+   use litz_passed_spots, only: passed_spot_t, cold_spot, warmed_spot
    use litz_shared_conductors, only: shared_conductors_t
-   use litz_spot_heat, only: spot_heat_t, spot_heat, heat_ok, by_heat, by_temperature, by_path
+   use litz_spot_metal, only: spot_metal_t
    implicit none
    private
    public :: contact_heat_t, bulk_map_t, followed_t, collect_heat, follow, change_between, solve_bulks, inverse_of_own
@@ -40,10 +42,11 @@ module litz_heat_of_contacts
       type(heated_contact_t), allocatable :: contacts(:)
       type(heated_element_t), allocatable :: elements(:)
       type(element_ends_t) :: ends
-      !> The first of the contacts: at the temperatures of their places, and at those that are linear between the nodes
+      !> The first of the contacts: at the temperatures of their places, with what a change of the current meets in
+      !> spots that it warms; and at those that are linear between the nodes
       type(shared_conductors_t) :: conductors, linear_conductors
       !> Those of the model
-      type(conducting_metal_t), allocatable :: metals(:)
+      type(spot_metal_t), allocatable :: metals(:)
       !> Resistances of spots change with the temperatures
       logical :: resistances_follow = .false.
       !> Absolute zero on the scale of the temperatures [K]
@@ -56,12 +59,15 @@ module litz_heat_of_contacts
       real(dp), allocatable :: heat(:, :), between(:, :)
       !> v at both nodes of each element (2, elements), and all v of an element (elements) [W]
       real(dp), allocatable :: at_nodes(:, :), between_contacts(:)
-      type(spot_heat_t), allocatable :: spots(:)
+      type(passed_spot_t), allocatable :: spots(:)
+      !> Of contacts with a current: spots that it warms, their voltages [V], and resistances of all [ohm] (contacts)
+      type(hot_spot_t), allocatable :: hot_spots(:)
+      real(dp), allocatable :: spot_voltage(:), resistance(:)
       !> Voltages of the nodes of each element: first minus second (elements) [V]
       real(dp), allocatable :: drop(:)
       !> (1) has a solution
       logical :: is_solved = .true.
-      !> Of the heats of a contact by its own bulks (2, 2, contacts) [W/K]
+      !> Of the heats of a contact by its own bulks, and by them with its own current (2, 2, contacts) [W/K]
       real(dp), allocatable :: slope(:, :, :)
    contains
       procedure :: solve
@@ -92,7 +98,7 @@ contains
       !> Of these
       type(shared_conductors_t), intent(in) :: conductors
       !> Those of the model
-      type(conducting_metal_t), intent(in) :: metals(:)
+      type(spot_metal_t), intent(in) :: metals(:)
       !> Absolute zero on the scale of the temperatures [K]
       real(dp), intent(in) :: zero
       !> The caller fills in `elements`, in the order of `ends`
@@ -103,9 +109,11 @@ contains
       heat%conductors = conductors
       heat%linear_conductors = conductors
       heat%metals = metals
+      heat%resistance = conductors%resistance
+      allocate (heat%hot_spots(size(heat%resistance)))
       heat%zero = zero
-      heat%resistances_follow = any([(any(contacts(i)%follows) .and. contacts(i)%conductance > 0 .and. .not. &
-         contacts(i)%is_given, i=1, size(contacts))])
+      heat%resistances_follow = any([((any(contacts(i)%follows) .or. contacts(i)%is_hot) .and. &
+         contacts(i)%conductance > 0 .and. .not. contacts(i)%is_given, i=1, size(contacts))])
       call collect_ends(reshape([(contacts(i)%element, i=1, size(contacts))], [2, size(contacts)]), &
          reshape([(contacts(i)%xi, i=1, size(contacts))], [2, size(contacts)]), heat%ends)
       allocate (heat%elements(size(heat%ends%element)))
@@ -134,26 +142,88 @@ contains
       real(dp), intent(in) :: voltage(:)
       !> The currents are not known yet
       logical, intent(in) :: is_first
-      integer :: i, n
+      integer :: i
 
-      n = size(voltage)
       do i = 1, size(self%contacts)
          call self%contacts(i)%warm(self%metals, self%bulk(:, i), self%zero)
       end do
       if (is_first .or. self%resistances_follow) then
-         if (self%resistances_follow) then
-            self%conductors%resistance = [(self%contacts(i)%series_resistance(), i=1, n)]
-            self%conductors%diagonal = self%linear_conductors%diagonal &
-               + (self%conductors%resistance - self%linear_conductors%resistance)
-         end if
-         if (n > 0) call self%conductors%currents(voltage, self%current(:n), self%potential_rise(:, :n), &
-            self%of_others(:n))
+         if (size(voltage) > 0) call find_currents(self, voltage, is_first)
          do i = 1, size(self%elements)
             if (self%elements(i)%series > 0) call find_heat_in_element(self, i)
          end do
       end if
       call find_heats(self)
    end subroutine find_state
+
+   !> Currents through the spots at the temperatures of the bulks; those of spots that they warm by Newton's method.
+   subroutine find_currents(self, voltage, is_first)
+      class(contact_heat_t), intent(inout) :: self
+      !> Between the wires at the contacts with a current, linear between the nodes (n) [V]
+      real(dp), intent(in) :: voltage(:)
+      !> The currents are not known yet
+      logical, intent(in) :: is_first
+      real(dp), dimension(size(voltage)) :: resistance, source, step
+      logical :: is_hot(size(voltage))
+      integer :: i, n, iteration
+
+      n = size(voltage)
+      is_hot = self%contacts(:n)%is_hot
+      if (self%resistances_follow) then
+         resistance = [(self%contacts(i)%series_resistance(), i=1, n)]
+         call take(resistance)
+      end if
+      self%resistance = self%conductors%resistance
+      if (is_first .or. .not. any(is_hot)) call self%conductors%currents(voltage, self%current(:n), &
+         self%potential_rise(:, :n), self%of_others(:n))
+      if (is_first) self%spot_voltage = self%resistance*self%current(:n)
+      if (.not. any(is_hot)) return
+      do iteration = 1, max_iterations
+         source = voltage
+         do i = 1, n
+            if (.not. is_hot(i)) cycle
+            call find_hot_spot(self, i, resistance(i))
+            if (.not. self%is_solved) return
+            source(i) = source(i) - (self%spot_voltage(i) - resistance(i)*self%hot_spots(i)%current)
+         end do
+         call take(resistance)
+         call self%conductors%currents(source, self%current(:n), self%potential_rise(:, :n), self%of_others(:n))
+         step = 0
+         where (is_hot) step = resistance*(self%current(:n) - self%hot_spots%current)
+         self%spot_voltage = self%spot_voltage + step
+         if (.not. maxval(abs(step)) > accurate*maxval(abs(voltage))) exit
+      end do
+      self%is_solved = iteration <= max_iterations
+      where (is_hot) self%resistance = 1/self%hot_spots%conductance
+
+   contains
+
+      subroutine take(resistance)
+         !> (n) [ohm]
+         real(dp), intent(in) :: resistance(:)
+
+         self%conductors%resistance = resistance
+         self%conductors%diagonal = self%linear_conductors%diagonal + (resistance - self%linear_conductors%resistance)
+      end subroutine take
+
+   end subroutine find_currents
+
+   !> A spot that its current warms, at its voltage; one in which more current goes with less voltage is not solved.
+   subroutine find_hot_spot(self, i, resistance)
+      class(contact_heat_t), intent(inout) :: self
+      !> Contact
+      integer, intent(in) :: i
+      !> dV/dI [ohm]
+      real(dp), intent(inout) :: resistance
+      integer :: info
+
+      associate (contact => self%contacts(i), spot => self%hot_spots(i))
+         call hot_spot(contact%constrictions, self%metals(contact%material), self%spot_voltage(i), self%bulk(:, i), &
+            spot, info)
+         self%is_solved = info == hot_ok .and. spot%dcurrent(by_volt) > 0
+         if (self%is_solved) resistance = 1/spot%dcurrent(by_volt)
+      end associate
+   end subroutine find_hot_spot
 
    subroutine find_heat_in_element(self, k)
       class(contact_heat_t), intent(inout) :: self
@@ -179,6 +249,7 @@ contains
       real(dp), intent(in) :: voltage(:), temperature(:)
       real(dp), dimension(2, size(self%contacts)) :: linear, base, left, step
       type(bulk_map_t) :: map
+      type(followed_t) :: followed
       integer :: i, side, iteration
 
       map%heat => self
@@ -202,11 +273,13 @@ contains
          if (.not. self%is_solved) return
          left = base + rise_by(self%elements, self%ends, self%heat + self%between) - self%bulk
          call solve_bulks(map, left, step)
-         call add_step(step)
          if (.not. maxval(abs(step)) > accurate*maxval(abs(self%bulk - self%zero))) exit
+         call add_step(step)
       end do
       self%is_solved = iteration <= max_iterations .and. maxval(abs(step)) <= huge(1.0_dp)
-      call find_state(self, voltage, .false.)
+      ! the heat that belongs to the last step, which is lost in the round-off of temperatures where spots conduct well
+      call follow(self, step, followed)
+      self%heat = self%heat + followed%heat
       self%rise = self%bulk - linear
 
    contains
@@ -265,20 +338,19 @@ contains
    !> wires half and half.
    subroutine find_heats(self)
       class(contact_heat_t), intent(inout) :: self
-      integer :: i, info
+      logical :: ok
+      integer :: i
 
       do i = 1, size(self%contacts)
-         associate (contact => self%contacts(i), current => self%current(i))
-            if (.not. contact%is_passed) then
-               self%slope(:, :, i) = 0
-               self%spots(i) = spot_heat_t(hottest=maxval(self%bulk(:, i)) - self%zero)
-               self%heat(:, i) = contact%friction_heat/2
-               cycle
+         associate (contact => self%contacts(i), spot => self%spots(i))
+            spot = passed_spot_t(hottest=maxval(self%bulk(:, i)) - self%zero)
+            if (contact%is_hot) then
+               spot = warmed_spot(self%hot_spots(i), self%zero)
+            else if (contact%is_passed) then
+               call cold_spot(contact, self%bulk(:, i) - self%zero, self%current(i), spot, ok)
+               self%is_solved = self%is_solved .and. ok
             end if
-            call spot_heat(contact%path, self%bulk(:, i) - self%zero, current**2*[contact%resistance(1), &
-               contact%film_resistance, contact%resistance(2)], self%spots(i), info)
-            if (info /= heat_ok) self%is_solved = .false.
-            self%heat(:, i) = self%spots(i)%heat + (current*self%of_others(i) + contact%friction_heat)/2
+            self%heat(:, i) = spot%heat + (self%current(i)*self%of_others(i) + contact%friction_heat)/2
             self%slope(:, :, i) = by_own_bulk(self, i)
          end associate
       end do
@@ -329,19 +401,12 @@ contains
       type(contact_heat_t), intent(in) :: self
       !> Contact
       integer, intent(in) :: i
-      real(dp) :: slope(2, 2), dmade(3, 2)
-      integer :: side
+      real(dp) :: slope(2, 2)
 
-      associate (contact => self%contacts(i), dheat => self%spots(i)%dheat, current => self%current(i))
-         slope = dheat(:, by_temperature) + matmul(dheat(:, by_path), contact%dpath)
-         if (i > size(self%conductors%resistance)) return
-         do side = 1, 2
-            dmade([1, 3], side) = contact%dresistance(:, side)
-            dmade(2, side) = 0
-            dmade(:, side) = current**2*(dmade(:, side) - 2*[contact%resistance(1), contact%film_resistance, &
-               contact%resistance(2)]*contact%dseries(side)/self%conductors%diagonal(i))
-         end do
-         slope = slope + matmul(dheat(:, by_heat), dmade)
+      associate (spot => self%spots(i))
+         slope = spot%by_bulk
+         if (i <= size(self%conductors%diagonal)) slope = slope - spread(spot%by_current, 2, 2) &
+            *spread(spot%dvoltage, 1, 2)/self%conductors%diagonal(i)
       end associate
    end function by_own_bulk
 
@@ -352,7 +417,7 @@ contains
       real(dp), intent(in) :: dbulk(:, :)
       type(followed_t), intent(out) :: followed
       real(dp), dimension(size(self%conductors%resistance)) :: voltage, unused
-      real(dp) :: rise(2, size(voltage)), of_others(size(self%contacts)), made(3)
+      real(dp) :: rise(2, size(voltage)), of_others(size(self%contacts))
       integer :: i, k, n
 
       n = size(voltage)
@@ -361,7 +426,7 @@ contains
          followed%at_nodes(2, size(self%elements)), source=0.0_dp)
       of_others = 0
       if (self%resistances_follow) then
-         voltage = [(-self%current(i)*dot_product(self%contacts(i)%dseries, dbulk(:, i)), i=1, n)]
+         voltage = [(-dot_product(self%spots(i)%dvoltage, dbulk(:, i)), i=1, n)]
          call self%conductors%currents(voltage, followed%current(:n), rise, unused)
          of_others(:n) = self%conductors%mutual%voltages(followed%current(:n))
          do k = 1, size(self%elements)
@@ -370,13 +435,9 @@ contains
          end do
       end if
       do i = 1, size(self%contacts)
-         associate (contact => self%contacts(i), current => self%current(i))
-            made = 2*current*followed%current(i)*[contact%resistance(1), contact%film_resistance, &
-               contact%resistance(2)]
-            made([1, 3]) = made([1, 3]) + current**2*matmul(contact%dresistance, dbulk(:, i))
-            if (contact%is_passed) followed%heat(:, i) = matmul(self%spots(i)%dheat(:, by_heat), made) &
-               + matmul(self%spots(i)%dheat(:, by_temperature) + matmul(self%spots(i)%dheat(:, by_path), &
-               contact%dpath), dbulk(:, i)) + (followed%current(i)*self%of_others(i) + current*of_others(i))/2
+         associate (spot => self%spots(i))
+            followed%heat(:, i) = spot%by_current*followed%current(i) + matmul(spot%by_bulk, dbulk(:, i)) &
+               + (followed%current(i)*self%of_others(i) + self%current(i)*of_others(i))/2
          end associate
       end do
    end subroutine follow

@@ -14,21 +14,17 @@ module litz_heated_contacts
    use litz_fields, only: temperature_slots
    use litz_heat_law, only: heat_law_t, heat_metal_law
    use litz_heat_within, only: part_reached
+   use litz_hot_spot, only: constrictions_t
    use litz_law_input, only: wire_pair_t
    use litz_model, only: model_t, interaction_t
    use litz_normal_forces, only: wires_of, line_of_point
    use litz_property_table, only: property_at
    use litz_spot_heat, only: spot_path_t
    use litz_spot_laws, only: spot_law
+   use litz_spot_metal, only: spot_metal_t
    implicit none
    private
-   public :: heated_contact_t, heated_contact, can_pass_heat, conducting_metal_t, conducting_metals
-
-   !> What a wire is made of.
-   type :: conducting_metal_t
-      !> [K], [ohm m] and [K], [W/(m K)]
-      real(dp), allocatable :: resistivity(:, :), heat_conductivity(:, :)
-   end type conducting_metal_t
+   public :: heated_contact_t, heated_contact, can_pass_heat, conducting_metals
 
    type :: heated_contact_t
       !> Nodes of both elements, barred first, and their parts of the values at its places
@@ -61,6 +57,9 @@ module litz_heated_contacts
       !> How the former, and all in series, change with the temperatures of both places (2, 2), (2) [ohm/K]
       real(dp) :: dresistance(2, 2) = 0, dseries(2) = 0
       type(spot_path_t) :: path
+      !> The current warms the spot, which resists more (SUPERTEMPERATURE), and its way
+      logical :: is_hot = .false.
+      type(constrictions_t) :: constrictions
       !> Heat can pass between the wires, and not only that of their friction enters them [W]
       logical :: is_passed = .false.
       !> A wire whose conductivity goes with the temperature is at absolute zero or below
@@ -95,7 +94,7 @@ contains
    !> Those of a model.
    pure function conducting_metals(model) result(metals)
       type(model_t), intent(in) :: model
-      type(conducting_metal_t) :: metals(size(model%materials))
+      type(spot_metal_t) :: metals(size(model%materials))
       integer :: i
 
       do i = 1, size(metals)
@@ -141,6 +140,9 @@ contains
          if (.not. heated%conductance > 0) heated%heat_shape = elastic_shape(domain, law, point, pair)
          heated%is_metal = law%heat%number == heat_metal_law .and. heated%conductance > 0
          heated%lorenz = law%heat%lorenz
+         heated%is_hot = law%supertemperature .and. heated%shape > 0 .and. .not. heated%is_given
+         if (heated%is_hot) heated%constrictions = constrictions_t(heated%shape, heated%film_resistance, &
+            is_metal=heated%is_metal, lorenz=heated%lorenz, zero=domain%model%absolute_zero)
          do side = 1, 2
             associate (part => heated%part(2*side - 1:2*side), node => heated%nodes(2*side - 1:2*side))
                heated%is_cold = heated%is_cold .or. heated%is_metal .and. dot_product(part, &
@@ -170,7 +172,7 @@ contains
    pure subroutine warm(self, metals, temperature, absolute_zero)
       class(heated_contact_t), intent(inout) :: self
       !> Of the model
-      type(conducting_metal_t), intent(in) :: metals(:)
+      type(spot_metal_t), intent(in) :: metals(:)
       !> Barred, unbarred (2), and absolute zero on their scale [K]
       real(dp), intent(in) :: temperature(2), absolute_zero
       real(dp), dimension(2) :: rho, drho, lambda, dlambda, dshape

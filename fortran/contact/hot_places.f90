@@ -2,11 +2,12 @@
 module litz_hot_places
    use litz_contact_points, only: contact_point_t
    use litz_domain, only: domain_t
+   use litz_heat_of_contacts, only: contact_heat_t
    use litz_kinds, only: dp
    use litz_text, only: to_text
    implicit none
    private
-   public :: melted, beyond_table
+   public :: melted, beyond_table, beyond_table_inside
 
 contains
 
@@ -66,5 +67,33 @@ contains
          end do
       end do
    end function beyond_table
+
+   !> The same of the insides of spots that their current warms.
+   function beyond_table_inside(domain, heat) result(words)
+      type(domain_t), intent(in) :: domain
+      type(contact_heat_t), intent(in) :: heat
+      character(len=:), allocatable :: words
+      real(dp) :: above, most
+      integer :: i, side
+
+      words = ''
+      most = 0
+      do i = 1, size(heat%resistance)
+         if (.not. heat%contacts(i)%is_hot) cycle
+         do side = 1, 2
+            associate (table => heat%metals(heat%contacts(i)%material(side))%resistivity, &
+               hottest => heat%hot_spots(i)%hottest(side), element => heat%contacts(i)%element)
+               if (size(table, 2) == 1) cycle
+               above = hottest - table(1, size(table, 2))
+               if (.not. above > most) cycle
+               most = above
+               words = 'the spot of elements '//to_text(domain%model%element_id(element(1)))//' and '// &
+                  to_text(domain%model%element_id(element(2)))//' would be at '//to_text(hottest)//' '// &
+                  domain%model%units%label('K')//', where the table of *ELECTRICAL CONDUCTIVITY ends at '// &
+                  to_text(table(1, size(table, 2)))
+            end associate
+         end do
+      end do
+   end function beyond_table_inside
 
 end module litz_hot_places

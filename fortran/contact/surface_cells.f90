@@ -67,6 +67,8 @@ module litz_surface_cells
       real(dp) :: slip_path = 0, dissipation = 0
       !> Of the overlap [J]
       real(dp) :: energy = 0
+      !> Work of friction in the last increment [J]; also of a cell that has opened in it
+      real(dp) :: last_dissipation = 0
    end type surface_memory_t
 
    type :: surface_cell_t
@@ -97,6 +99,8 @@ module litz_surface_cells
       type(friction_law_t) :: friction
       type(friction_iteration_t) :: iteration
       real(dp) :: stick_stiffness = 0, traction(3) = 0
+      !> Work of friction in this increment [J]
+      real(dp) :: friction_work = 0
       !> Forces and moments on the surface about its centre, with friction (6) [N, N m]
       real(dp) :: on_surface(6) = 0
    end type surface_cell_t
@@ -316,6 +320,7 @@ contains
    pure type(surface_memory_t) function advanced_memory(cell) result(memory)
       type(surface_cell_t), intent(in) :: cell
 
+      memory%last_dissipation = cell%friction_work
       if (.not. cell%force > 0) return
       associate (before => cell%memory, friction => cell%friction)
          memory%closed = .true.

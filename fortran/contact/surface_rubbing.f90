@@ -7,6 +7,7 @@ module litz_surface_rubbing
    use litz_element_library, only: material_at
    use litz_fields, only: group_mechanical, motion_slots
    use litz_rigid_surface, only: rigid_surface_t
+   use litz_rubbing, only: rubbing_t
    use litz_surface_cells, only: surface_cell_t, wire_axis_t
    use litz_surface_friction, only: surface_slip_t, surface_slip, sticking_t, rub_cell, stick_stiffness_of, &
       place_friction
@@ -15,7 +16,7 @@ module litz_surface_rubbing
    use litz_wires, only: arc_from_to
    implicit none
    private
-   public :: touched_t, sticking_of, rub, heat_of_opening
+   public :: touched_t, sticking_of, rub, work_of_friction, rubbing_of_cells
 
    !> A cell that touched when the increment began.
    type :: touched_t
@@ -144,6 +145,39 @@ contains
          end do
       end associate
    end subroutine take_over
+
+   !> What friction has done to a cell in this increment [J].
+   pure real(dp) function work_of_friction(domain, cell) result(work)
+      type(domain_t), intent(in) :: domain
+      type(surface_cell_t), intent(in) :: cell
+
+      work = cell%friction%dissipation
+      if (cell%has_place .and. .not. cell%force > 0) work = heat_of_opening(domain, cell)
+   end function work_of_friction
+
+   !> Cells that give heat of friction to wires which conduct heat.
+   pure function rubbing_of_cells(domain, cells) result(rubbing)
+      type(domain_t), intent(in) :: domain
+      type(surface_cell_t), intent(in) :: cells(:)
+      type(rubbing_t), allocatable :: rubbing(:)
+      integer :: i, n
+
+      allocate (rubbing(count(cells%friction_work + cells%memory%last_dissipation > 0)))
+      n = 0
+      do i = 1, size(cells)
+         associate (cell => cells(i), model => domain%model)
+            if (.not. cell%friction_work + cell%memory%last_dissipation > 0) cycle
+            if (.not. allocated(model%materials(model%sections(model%element_section(cell%element))%material) &
+               %heat_conductivity)) cycle
+            n = n + 1
+            associate (law => model%interactions(model%surface_pairs(cell%pair)%interaction)%heat)
+               rubbing(n) = rubbing_t([cell%element, 0], [cell%xi, 0.0_dp], [law%surface_share, 0.0_dp], &
+                  law%friction_fraction*cell%friction_work, law%friction_fraction*cell%memory%last_dissipation)
+            end associate
+         end associate
+      end do
+      rubbing = rubbing(:n)
+   end function rubbing_of_cells
 
    !> A cell that opens in the increment has rubbed while its traction fell to nothing; what it held elastically is
    !> lost.

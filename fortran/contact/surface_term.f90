@@ -21,7 +21,7 @@ module litz_surface_term
       advanced_memory
    use litz_surface_friction, only: stick_stiffness_of
    use litz_surface_poses, only: present_surface, element_axis, surface_node
-   use litz_surface_rubbing, only: touched_t, sticking_of, rub, heat_of_opening
+   use litz_surface_rubbing, only: touched_t, sticking_of, rub, work_of_friction, rubbing_of_cells
    use litz_term, only: term_t, status_t
    use litz_timing, only: phase_contact, phase_update
    use litz_wires, only: wires_t
@@ -38,7 +38,7 @@ module litz_surface_term
    real(dp), parameter :: stick_tolerance = 0.01_dp
 
    !> Numbers of the memory of a cell in the state
-   integer, parameter :: n_remembered = 9
+   integer, parameter :: n_remembered = 10
 
    type, extends(term_t) :: surface_term_t
       type(surface_cell_t), allocatable :: cells(:)
@@ -164,7 +164,8 @@ contains
       end if
       do i = 1, size(self%cells)
          associate (cell => self%cells(i), m => domain%state%surface_memory(:, i))
-            cell%memory = surface_memory_t(m(1) > 0, friction_start_t(m(2:3), m(4), m(5), m(6)), m(7), m(8), m(9))
+            cell%memory = surface_memory_t(m(1) > 0, friction_start_t(m(2:3), m(4), m(5), m(6)), m(7), m(8), m(9), &
+               m(10))
             cell%has_place = cell%memory%closed .and. cell%force > 0
             cell%part = 1
             cell%iteration = friction_iteration_t()
@@ -175,7 +176,20 @@ contains
       end do
       self%touched = [(touched_t(self%cells(i)%element, self%cells(i)%pair), i=1, size(self%cells))]
       self%touched = pack(self%touched, self%cells%has_place)
+      call keep_friction(self, domain)
    end subroutine remember
+
+   !> What friction has done in this increment, for those who take its heat.
+   subroutine keep_friction(self, domain)
+      class(surface_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      integer :: i
+
+      do i = 1, size(self%cells)
+         self%cells(i)%friction_work = work_of_friction(domain, self%cells(i))
+      end do
+      domain%surface_rubbing = rubbing_of_cells(domain, self%cells)
+   end subroutine keep_friction
 
    !> Forces of the overlaps that were surveyed.
    subroutine press(self, domain)
@@ -303,6 +317,7 @@ contains
          i=1, size(closed))]), 2)
       call add_closed(self, domain, pack(closed, [(surface_node(domain, self%cells(closed(i))) > 0, &
          i=1, size(closed))]), 3)
+      call keep_friction(self, domain)
       call domain%timing%lap(phase_contact)
    end subroutine evaluate
 
@@ -398,11 +413,7 @@ contains
          energies%contact = energies%contact + sum(cells%energy) + sum(cells%memory%start%elastic_energy &
             + cells%friction%elastic_work, mask=cells%force > 0)
          energies%work = energies%work + sum(cells%friction%work_beyond_mean)
-         energies%friction = energies%friction + sum(cells%friction%dissipation)
-         do i = 1, size(cells)
-            if (cells(i)%has_place .and. .not. cells(i)%force > 0) energies%friction = energies%friction &
-               + heat_of_opening(domain, cells(i))
-         end do
+         energies%friction = energies%friction + sum(cells%friction_work)
          energies%thermal = energies%thermal + work_on_surfaces(domain%model, domain%elements, &
             domain%state%mechanical_temperature, domain%mechanical_temperature(), cells%element, &
             (cells%force + merge(cells%memory%start%force, 0.0_dp, cells%memory%closed))/2)
@@ -425,7 +436,7 @@ contains
          self%cells(i)%memory = advanced_memory(self%cells(i))
          associate (m => self%cells(i)%memory)
             domain%state%surface_memory(:, i) = [merge(1.0_dp, 0.0_dp, m%closed), m%start%traction, m%start%force, &
-               m%start%stiffness, m%start%elastic_energy, m%slip_path, m%dissipation, m%energy]
+               m%start%stiffness, m%start%elastic_energy, m%slip_path, m%dissipation, m%energy, m%last_dissipation]
          end associate
       end do
       closed = pack([(i, i=1, size(self%cells))], self%cells%force > 0)

@@ -297,6 +297,10 @@ contains
       call k%add(choice('MUTUAL RESISTANCE', 'NO|YES', &
          'YES: contacts that are near each other on one wire, within three of its radii along it, raise each'// &
          ' other''s potential (litz extension)', default='NO'))
+      call k%add(choice('SUPERTEMPERATURE', 'NO|YES', &
+         'YES: a spot that its current warms resists more, by the tables of its wires over the temperature, in'// &
+         ' steps that solve for temperatures; NO: its resistance is that at the temperatures of its wires'// &
+         ' (litz extension)', default='NO'))
       call k%add(choice('SPOT', 'PRESENT FORCE|LARGEST FORCE', &
          'LARGEST FORCE: the spot keeps the size of the largest force since the contact closed or slipped (without'// &
          ' friction: moved by more than the spot) (litz extension)', default='PRESENT FORCE'))
@@ -346,12 +350,13 @@ contains
       call finish(table, k)
 
       call begin(k, 'GAP HEAT GENERATION', place_model, 'Heat of friction, in steps that solve for motions and'// &
-         ' temperatures over time. It enters both wires half and half; without this keyword all of the work of'// &
-         ' friction does, where wires with *CONDUCTIVITY touch each other.', after='SURFACE INTERACTION')
+         ' temperatures over time. It enters both wires half and half, where wires with *CONDUCTIVITY touch each'// &
+         ' other; of that on a rigid surface a part f enters the wire, the rest is lost to the surface.'// &
+         ' Without this keyword all of the work of friction becomes heat.', after='SURFACE INTERACTION')
       call k%add_data([real_field('eta', '-', 'part of the work of friction that becomes heat, from 0 to 1', &
          limit_not_negative), &
-         real_field('f', '-', 'part of the heat that enters the first wire: only 0.5', limit_not_negative, &
-         required=.false.)])
+         real_field('f', '-', 'part of the heat that enters the wire, from 0 to 1; of two wires only 0.5, the'// &
+         ' default', limit_not_negative, required=.false.)])
       call finish(table, k)
    end subroutine add_heat_of_contacts
 

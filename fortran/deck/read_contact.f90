@@ -82,7 +82,9 @@ contains
       end do
       model%interactions = model%interactions(:self%interactions%names%n)
       do index = 1, size(model%interactions)
-         if (spot_card(index) > 0) call check_spot(self, spot_card(index), model%interactions(index))
+         if (spot_card(index) == 0) cycle
+         call check_spot(self, spot_card(index), model%interactions(index))
+         call check_supertemperature(self, spot_card(index), model%interactions(index))
       end do
    end subroutine read_interactions
 
@@ -99,6 +101,26 @@ contains
          ' makes a spot of its own; with YIELD spots follow the force of wires that yield: LAW=HERTZ, LAW=FILM or'// &
          ' LAW=SHARVIN (CONSTANT and TABLE give the resistance)')
    end subroutine check_spot
+
+   !> A spot that its current warms has a resistance and heat conductance that follow from its size, in some step.
+   subroutine check_supertemperature(self, card, interaction)
+      type(reader_t), intent(inout) :: self
+      !> Of the law of the spot
+      integer, intent(in) :: card
+      type(interaction_t), intent(in) :: interaction
+
+      if (.not. interaction%supertemperature) return
+      if (interaction%spot%can_be_per_length) call fail_at(self, parameter_of(self, card, 'SUPERTEMPERATURE'), &
+         'LAW='//trim(interaction%spot%name)//' gives the resistance, whatever the temperatures in the spot:'// &
+         ' SUPERTEMPERATURE is for the laws that know its size')
+      if (interaction%heat%is_given()) call fail_at(self, parameter_of(self, card, 'SUPERTEMPERATURE'), &
+         'how warm a spot gets follows from its heat conductivity, which LAW='//trim(interaction%heat%name)// &
+         ' of *GAP CONDUCTANCE does not say: take LAW=CONDUCTIVITY or LAW=METAL there')
+      if (n_cards_of(self, 'COUPLED THERMAL-ELECTRICAL') + n_cards_of(self, 'COUPLED TEMPERATURE-DISPLACEMENT') &
+         == 0) call fail_at(self, parameter_of(self, card, 'SUPERTEMPERATURE'), &
+         'SUPERTEMPERATURE acts in steps that solve for temperatures, and there is none: *COUPLED'// &
+         ' THERMAL-ELECTRICAL or *COUPLED TEMPERATURE-DISPLACEMENT, ELECTRICAL')
+   end subroutine check_supertemperature
 
    subroutine read_behavior(self, card, interaction)
       type(reader_t), intent(inout) :: self
@@ -181,6 +203,7 @@ contains
       interaction%voltage_correction = choice_of(self, card, 'VOLTAGE') == 'CORRECTED'
       interaction%spot_memory = choice_of(self, card, 'SPOT') == 'LARGESTFORCE'
       interaction%mutual_resistance = choice_of(self, card, 'MUTUAL RESISTANCE') == 'YES'
+      interaction%supertemperature = choice_of(self, card, 'SUPERTEMPERATURE') == 'YES'
       interaction%spot = spot_law(choice_of(self, card, 'LAW'))
       interaction%spot%is_per_length = choice_of(self, card, 'PER') == 'LENGTH'
       if (interaction%spot%is_per_length .and. .not. interaction%spot%can_be_per_length) then
@@ -198,11 +221,12 @@ contains
       type(interaction_t), intent(inout) :: interaction
 
       type(token_t) :: softening, melting
-      real(dp) :: friction_fraction
+      real(dp) :: of_friction(2)
 
-      friction_fraction = interaction%heat%friction_fraction
+      of_friction = [interaction%heat%friction_fraction, interaction%heat%surface_share]
       interaction%heat = heat_law(choice_of(self, card, 'LAW'))
-      interaction%heat%friction_fraction = friction_fraction
+      interaction%heat%friction_fraction = of_friction(1)
+      interaction%heat%surface_share = of_friction(2)
       interaction%heat%is_per_length = choice_of(self, card, 'PER') == 'LENGTH'
       if (interaction%heat%is_per_length .and. .not. interaction%heat%is_given()) then
          call fail_at(self, parameter_of(self, card, 'PER'), 'PER=LENGTH is for LAW=CONSTANT and LAW=TABLE;'// &
@@ -257,8 +281,9 @@ contains
       if (self%values%real(1) > 1) call fail_at(self, self%values%token(1), &
          'friction turns a part of its work to heat, from 0 to 1, not '//to_text(self%values%real(1)))
       if (.not. self%values%given(2)) return
-      if (abs(self%values%real(2) - 0.5_dp) > epsilon(1.0_dp)) call fail_at(self, self%values%token(2), &
-         'the heat of friction enters both wires half and half: f is 0.5, not '//to_text(self%values%real(2)))
+      interaction%heat%surface_share = self%values%real(2)
+      if (self%values%real(2) > 1) call fail_at(self, self%values%token(2), &
+         'a part of the heat enters the wire, from 0 to 1, not '//to_text(self%values%real(2)))
    end subroutine read_friction_heat
 
    !> The data line of a law, or its table.
@@ -315,6 +340,23 @@ contains
       end associate
    end subroutine check_lines
 
+   !> Of two wires neither takes more of the heat of their friction than the other.
+   subroutine check_friction_heat(self, card, model, pair)
+      type(reader_t), intent(inout) :: self
+      !> Index of the card
+      integer, intent(in) :: card
+      type(model_t), intent(in) :: model
+      type(contact_pair_t), intent(in) :: pair
+
+      if (pair%interaction == 0) return
+      associate (law => model%interactions(pair%interaction))
+         if (abs(law%heat%surface_share - 0.5_dp) > epsilon(1.0_dp)) call fail_at(self, self%deck%cards(card)%name, &
+            'the heat of friction enters both wires half and half: f of *GAP HEAT GENERATION of surface'// &
+            ' interaction '//law%name//' is 0.5, not '//to_text(law%heat%surface_share)// &
+            ', which is for rigid surfaces')
+      end associate
+   end subroutine check_friction_heat
+
    subroutine read_contact_pairs(self, model)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(inout) :: model
@@ -342,6 +384,7 @@ contains
          if (self%values%n > 1) call find_set(self, 'element', self%element_sets, self%values%token(2), pair%set)
          if (pair%set_bar == 0 .or. pair%set == 0) cycle
          call check_lines(self, card, model, pair)
+         call check_friction_heat(self, card, model, pair)
          pair%line = self%deck%lines(self%deck%cards(card)%first_data)%number
          pair%file = self%deck%sources(self%deck%lines(self%deck%cards(card)%first_data)%source)%path
          call check_pair(self, model, pair)

@@ -1,11 +1,13 @@
-! Kernels of heat for Python; the contracts are in fortran/laws/spot_heat.f90 and fortran/kernels/conductor_heat.f90,
-! wire_surface.f90 and heat_capacity.f90.
+! Kernels of heat for Python; the contracts are in fortran/laws/spot_heat.f90 and hot_spot.f90, and in
+! fortran/kernels/conductor_heat.f90, wire_surface.f90 and heat_capacity.f90.
 module f2py_heat
    use iso_c_binding, only: c_double, c_int
    use litz_conductor_heat, only: core_conductor_heat => conductor_heat, heated_wire_t, heat_flows_t
    use litz_heat_capacity, only: core_heat_capacity => heat_capacity, latent_heat_t
+   use litz_hot_spot, only: core_hot_spot => hot_spot, constrictions_t, hot_spot_t
    use litz_property_table, only: property_at
    use litz_spot_heat, only: core_hot_conductance => hot_conductance, spot_heat_of_voltage, spot_heat_t, spot_wires_t
+   use litz_spot_metal, only: spot_metal_t
    use litz_wire_surface, only: core_wire_radiation => wire_radiation
    implicit none
 contains
@@ -63,6 +65,69 @@ contains
 
       call core_hot_conductance(voltage, temperature, lorenz, ratio, dratio)
    end subroutine hot_conductance
+
+   ! derivatives by V, T_1, T_2
+   subroutine hot_spot(n_rho_1, n_rho_2, n_lambda_1, n_lambda_2, voltage, temperature, shape, resistivity_1, &
+      resistivity_2, conductivity_1, conductivity_2, is_metal, lorenz, film_resistance, film, current, heat, hottest, &
+      dcurrent, dheat, dhottest, info)
+      !> Numbers of pairs of the tables
+      integer(c_int), intent(in) :: n_rho_1
+      !> Numbers of pairs of the tables
+      integer(c_int), intent(in) :: n_rho_2
+      !> Numbers of pairs of the tables
+      integer(c_int), intent(in) :: n_lambda_1
+      !> Numbers of pairs of the tables
+      integer(c_int), intent(in) :: n_lambda_2
+      !> V [V]
+      real(c_double), intent(in) :: voltage
+      !> Of the bulks (2) [K]
+      real(c_double), intent(in) :: temperature(2)
+      !> Of either constriction [1/m]
+      real(c_double), intent(in) :: shape
+      !> Temperatures and rho of wire 1 (2, n_rho_1) [K, ohm m]
+      real(c_double), intent(in) :: resistivity_1(2, n_rho_1)
+      !> Temperatures and rho of wire 2 (2, n_rho_2) [K, ohm m]
+      real(c_double), intent(in) :: resistivity_2(2, n_rho_2)
+      !> Temperatures and lambda of wire 1 (2, n_lambda_1) [K, W/(m K)]
+      real(c_double), intent(in) :: conductivity_1(2, n_lambda_1)
+      !> Temperatures and lambda of wire 2 (2, n_lambda_2) [K, W/(m K)]
+      real(c_double), intent(in) :: conductivity_2(2, n_lambda_2)
+      !> Wiedemann-Franz metals, or not: 0
+      integer(c_int), intent(in) :: is_metal
+      !> Lorenz number [V^2/K^2]; 0: that of the tables at the bulks
+      real(c_double), intent(in) :: lorenz
+      !> Of the film [ohm]
+      real(c_double), intent(in) :: film_resistance
+      !> Resistance of the film to heat [K/W]
+      real(c_double), intent(in) :: film
+      !> [A]
+      real(c_double), intent(out) :: current
+      !> To the bulks (2) [W]
+      real(c_double), intent(out) :: heat(2)
+      !> Hottest temperatures in the constrictions (2) [K]
+      real(c_double), intent(out) :: hottest(2)
+      !> Derivatives of the current (3)
+      real(c_double), intent(out) :: dcurrent(3)
+      !> Derivatives of the heats (2, 3)
+      real(c_double), intent(out) :: dheat(2, 3)
+      !> Derivatives of the hottest temperatures (2, 3)
+      real(c_double), intent(out) :: dhottest(2, 3)
+      !> 0, or not: data that are not allowed, no solution
+      integer(c_int), intent(out) :: info
+      type(spot_metal_t) :: metals(2)
+      type(hot_spot_t) :: found
+
+      metals(1) = spot_metal_t(resistivity_1, conductivity_1)
+      metals(2) = spot_metal_t(resistivity_2, conductivity_2)
+      call core_hot_spot(constrictions_t(shape, film_resistance, film, is_metal /= 0, lorenz), metals, voltage, &
+         temperature, found, info)
+      current = found%current
+      heat = found%heat
+      hottest = found%hottest
+      dcurrent = found%dcurrent
+      dheat = found%dheat
+      dhottest = found%dhottest
+   end subroutine hot_spot
 
    ! flows: current, Joule heat, heat to the surroundings
    subroutine conductor_heat(n_rho, n_lambda, v, temperature, length, area, resistivity, conductivity, heat_fraction, &

@@ -32,6 +32,8 @@ module litz_heat_law
       real(dp) :: softening = 0, melting = 0
       !> Part of the work of friction that becomes heat
       real(dp) :: friction_fraction = 1
+      !> Part of that heat that enters a wire which rubs on a rigid surface
+      real(dp) :: surface_share = 0.5_dp
    contains
       procedure :: is_given
       procedure :: as_spot_law

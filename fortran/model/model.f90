@@ -128,6 +128,8 @@ module litz_model
       logical :: spot_memory = .false.
       !> Spots near each other on one wire raise each other's potential
       logical :: mutual_resistance = .false.
+      !> What the current heats in a spot raises its resistance, in steps that solve for temperatures
+      logical :: supertemperature = .false.
    end type interaction_t
 
    type :: contact_pair_t

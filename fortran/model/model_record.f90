@@ -255,10 +255,12 @@ contains
       if (this%heat%has_melting) call record%value('TMELT', this%heat%melting)
       call record%value('MELTING', trim(merge('WARN', 'END ', this%heat%may_melt)))
       call record%value('heat of friction (*GAP HEAT GENERATION)', this%heat%friction_fraction)
+      call record%value('heat of friction on surfaces (*GAP HEAT GENERATION)', this%heat%surface_share)
       call record%value('PER of *GAP CONDUCTANCE', trim(merge('LENGTH', 'SPOT  ', this%heat%is_per_length)))
       call record%value('AXIS', this%axis)
       call record%value('VOLTAGE', trim(merge('CORRECTED', 'LINEAR   ', this%voltage_correction)))
       call record%value('MUTUAL RESISTANCE', trim(merge('YES', 'NO ', this%mutual_resistance)))
+      call record%value('SUPERTEMPERATURE', trim(merge('YES', 'NO ', this%supertemperature)))
       call record%value('PER', trim(merge('LENGTH', 'SPOT  ', this%spot%is_per_length)))
       call record%value('SPOT', trim(merge('LARGEST FORCE', 'PRESENT FORCE', this%spot_memory)))
 

@@ -226,6 +226,7 @@ contains
          if (interaction%spot_memory) words = words//' of the largest force'
          words = words//', '//trim(merge('corrected', 'linear   ', interaction%voltage_correction))//' voltage'
          if (interaction%mutual_resistance) words = words//', mutual resistances'
+         if (interaction%supertemperature) words = words//', warmed by its current'
       else
          words = words//', no current'
       end if

@@ -12,6 +12,7 @@ module litz_term_list
    use litz_radiation_term, only: radiation_term_t
    use litz_rigid_body_term, only: rigid_body_term_t
    use litz_stabilization_term, only: stabilization_term_t
+   use litz_surface_heat_term, only: surface_heat_term_t
    use litz_surface_term, only: new_surface_term
    use litz_term, only: term_t, term_entry_t
    implicit none
@@ -33,6 +34,7 @@ contains
       call add(radiation_term_t())
       call add(new_capacity_term(domain%model))
       call add(new_conductor_term(domain%elements%resistivity))
+      call add(surface_heat_term_t())
       if (contact%present) call add(contact_term_t(contact))
       if (contact%present) call add(new_contact_heat_term(contact))
       ! after all that has unknowns of dependent nodes and makes forces on them

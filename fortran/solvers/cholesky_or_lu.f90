@@ -97,7 +97,7 @@ contains
       self%lu_used = self%failed_equation > 0
       if (self%lu_used) call factor_lu(self, matrix, error, row_scale, column_scale)
       if (allocated(error)) return
-      if (symmetric .or. .not. (self%lu_used .or. self%is_near)) call count_negative_pivots(self)
+      if (symmetric .or. self%lu_used .or. .not. self%is_near) call count_negative_pivots(self)
    end subroutine solver_factor
 
    subroutine factor_cholesky(self, matrix, error, coupling)
@@ -145,7 +145,8 @@ contains
    end subroutine factor_lu
 
    !> That Cholesky failed says only that there is a negative pivot; how many, the other factorisation may tell. A
-   !> matrix with a positive definite symmetric part has none.
+   !> matrix with a positive definite symmetric part has none; without one that factorisation alone knows, as what
+   !> friction makes unsymmetric leaves the pivots positive.
    subroutine count_negative_pivots(self)
       class(cholesky_or_lu_t), intent(inout) :: self
 
@@ -153,7 +154,11 @@ contains
       self%negative_pivots_exact = .true.
       if (.not. self%lu_used) return
       self%negative_pivots_exact = self%lu%negative_pivots >= 0
-      self%negative_pivots = merge(self%lu%negative_pivots, 1, self%negative_pivots_exact)
+      if (self%symmetric .or. self%negative_pivots_exact) then
+         self%negative_pivots = merge(self%lu%negative_pivots, 1, self%negative_pivots_exact)
+      else
+         self%negative_pivots = -1
+      end if
    end subroutine count_negative_pivots
 
    subroutine solver_solve(self, matrix, b, x, error)

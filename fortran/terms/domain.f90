@@ -10,6 +10,7 @@ module litz_domain
    use litz_loading, only: loading_t
    use litz_model, only: model_t
    use litz_property_table, only: property_at
+   use litz_rubbing, only: rubbing_t
    use litz_scatter, only: forces_t, clear_forces, scatter, scatter_tangent
    use litz_state, only: state_t
    use litz_timing, only: timing_t
@@ -34,6 +35,8 @@ module litz_domain
       !> Of the last two changes of the enthalpy in its rate over time, and of the works of friction in theirs: backward
       !> Euler, or BDF2
       real(dp) :: heat_weights(2) = [1.0_dp, 0.0_dp]
+      !> Friction on rigid surfaces, by the motions that were evaluated last
+      type(rubbing_t), allocatable :: surface_rubbing(:)
       !> Forces and tangent of the motions stay as they were evaluated last, as nothing that they depend on has changed:
       !> only rows of the groups after them are cleared and added
       logical :: motions_stand = .false.

@@ -100,7 +100,8 @@ def model():
         "*INITIAL CONDITIONS, TYPE=TEMPERATURE\n 902, 20\n"
         + contacts
         + "*RIGID SURFACE, NAME=FLOOR, TYPE=CYLINDER, REF NODE=906\n 0.02, 0.01, -0.05, 1, 0.1, 0.2, 0.01\n"
-        "*CONTACT PAIR, INTERACTION=TABLE\n LOW, FLOOR\n"
+        "*SURFACE INTERACTION, NAME=RUBBING\n*FRICTION\n 0.2\n*GAP HEAT GENERATION\n 0.9, 0.6\n"
+        "*CONTACT PAIR, INTERACTION=RUBBING\n LOW, FLOOR\n"
         "*CONTACT PAIR, INTERACTION=TABLE\n SOME, UP4\n"
         "*SURFACE INTERACTION, NAME=SHARVIN\n*GAP ELECTRICAL CONDUCTANCE, LAW=SHARVIN\n 1e-15, 1e-13\n"
         "*CONTACT PAIR, INTERACTION=SHARVIN\n UP1, UP3\n"
@@ -118,6 +119,8 @@ HEATED = (
     "*PHYSICAL CONSTANTS, ABSOLUTE ZERO=-1.0, STEFAN BOLTZMANN=5.67e-8\n"
     "*BEAM SECTION, ELSET=LOW, MATERIAL=COPPER, SECTION=CIRC\n 1e-3\n"
     "*AMPLITUDE, NAME=WAVE\n 0, 0, 1, 1\n*AMPLITUDE, NAME=OTHER\n 0, 0, 1, 2\n*BOUNDARY\n 901, 9\n"
+    "*SURFACE INTERACTION, NAME=TOUCH\n*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ, SUPERTEMPERATURE=NO\n"
+    "*CONTACT PAIR, INTERACTION=TOUCH\n LOW\n"
 )
 HEAT_STEP = """\
 *STEP
@@ -203,7 +206,6 @@ FREE = {
 }  # fmt: skip
 #: Values that a user may change, and why
 FREE_VALUES = {
-    ("GAP HEAT GENERATION", "f"): "always one half",
     ("STATIC", "DIRECT"): "size of the increments", ("STATIC", "first"): "size of the increments",
     ("STATIC", "smallest"): "size of the increments", ("STATIC", "largest"): "size of the increments",
     ("ELASTIC", "TYPE"): "one choice", ("INITIAL CONDITIONS", "TYPE"): "one choice",

@@ -298,6 +298,15 @@ class TestSpots:
         np.testing.assert_array_equal(hottest, np.maximum(bulk_1, bulk_2))
         assert (joule == 0).all()
 
+    @pytest.mark.parametrize("fine", [True, False], ids=["at nodes", "within elements"])
+    def test_spots_may_conduct_as_well_as_they_like(self, run, fine):
+        """Then the wires have one temperature where they cross, and pass heat that round-off does not touch."""
+        well, better = (
+            contacts_of(run(heat=f"*GAP CONDUCTANCE, LAW=CONSTANT\n{h}", fine=fine)) for h in ("1e5", "1e9")
+        )
+        np.testing.assert_allclose(better[2], better[3], rtol=1e-9)
+        np.testing.assert_allclose(better[5:], well[5:], rtol=1e-3, atol=1e-4)
+
     def test_a_force_outside_the_table_is_a_warning(self, run):
         """5 mN in each contact; a table from 10 mN on."""
         warnings = run(current="", heat="*GAP CONDUCTANCE, LAW=TABLE\n0.01, 0.01\n0.1, 0.25", volts=0.0).warnings

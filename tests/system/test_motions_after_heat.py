@@ -104,3 +104,36 @@ def test_a_straight_wire_whose_given_temperature_rises_has_them_too(run):
     np.testing.assert_array_equal(results.status["negative_pivots"], 2 * beyond)
     (warning,) = results.warnings
     assert (warning.increment, warning.count) == (np.flatnonzero(beyond)[0] + 1, np.count_nonzero(beyond))
+
+
+def test_a_wire_that_rubs_elsewhere_does_not_hide_them(run):
+    """Its friction makes the tangent unsymmetric, whose pivots count negative eigenvalues all the same."""
+    rubbing = f"""\
+*NODE, NSET=RUB
+1001, 0, 1, {RADIUS}
+1002, 0.01, 1, {RADIUS}
+*ELEMENT, TYPE=B33, ELSET=RUB
+1001, 1001, 1002
+*BEAM SECTION, ELSET=RUB, MATERIAL=COPPER, SECTION=CIRC
+{RADIUS}
+*RIGID SURFACE, NAME=FLOOR, TYPE=PLANE
+0, 1, 0, 0, 0, 1
+*SURFACE INTERACTION, NAME=TOUCH
+*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR
+1e7, 1e8
+*FRICTION
+0.2
+*CONTACT PAIR, INTERACTION=TOUCH
+RUB, FLOOR
+*INITIAL CONDITIONS, TYPE=TEMPERATURE
+RUB, 300
+*BOUNDARY
+RUB, 2
+RUB, 4, 6
+"""
+    loads = f"1001, 9\nRUB, 3, 3, -1e-6\n1001, 1, 1, 1e-3\n*TEMPERATURE\nALL, {300 + 1.95 * CRITICAL}\n"
+    results = run(0.0, elements=20, procedure="*STATIC\n", increments="0.1, 1, , 0.1\n", heat="1, 9", loads=loads,
+                  model=rubbing)  # fmt: skip
+    np.testing.assert_array_equal(results.status["negative_pivots"], 2 * (1.95 * results.times[1:] > 1))
+    (warning,) = results.warnings
+    assert "has 2 negative pivots" in warning.message

@@ -137,6 +137,7 @@ contains
       call solver%analyse(matrix, error)
       call solver%factor(matrix, .false., error)
       call check(.not. allocated(error) .and. solver%lu_used, 'the symmetric part is indefinite')
+      call check(solver%negative_pivots <= 0, 'which does not make a stable matrix one with negative pivots')
       call solver%factor(matrix, .false., error, coupling=coupling)
       b = [(sin(1.0_dp*i), i=1, n)]
       call solver%solve(matrix, b, x, error)

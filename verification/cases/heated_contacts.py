@@ -12,6 +12,9 @@ d = d0 + 2 r alpha (T - T0), while the resistivity rho0 (1 + b (T - T0)) rises. 
 
 so that the temperature T of the crossing follows from one equation: what enters it from the arm and the spot leaves through
 the cold arm. The resistance of the spot has a minimum over the current.
+
+The warmed spot: in a metal of constant conductivity, rho = L T/lambda, a spot whose current warms it between wires of the
+temperature T passes I = 2 sqrt(L) (T/R) arctan(V/(2 sqrt(L) T)), with its resistance R at that temperature.
 """
 
 import numpy as np
@@ -26,9 +29,11 @@ CONDUCTIVITY, RESISTIVITY, SLOPE, LORENZ, ALPHA = 390.0, 1.7e-8, 4e-3, 2.44e-8, 
 PRESSED, TOUCHING = 4e-7, 1.5e-6
 VOLTS = (0.05, 0.1, 0.15)
 CURRENTS = np.arange(10.0, 131.0, 10.0)
+#: Those of the warmed spot
+STRONG_CURRENTS = (50.0, 80.0, 110.0)
 
 
-def crossed(elements, overlap, sigma, heat, material, steps):
+def crossed(elements, overlap, sigma, heat, material, steps, spot="LAW=HERTZ"):
     """Two wires between clamps, each of two arms, whose middles are a node; they carry a current from arm to arm."""
     n = 2 * elements + 1
     lines = [
@@ -49,7 +54,7 @@ def crossed(elements, overlap, sigma, heat, material, steps):
     lines += ["*CONDUCTIVITY", f" {CONDUCTIVITY}", *material]
     lines += ["*BEAM SECTION, ELSET=BOTH, MATERIAL=COPPER, SECTION=CIRC", f" {RADIUS}"]
     lines += ["*SURFACE INTERACTION, NAME=TOUCH", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ"]
-    lines += ["*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ", heat, "*CONTACT PAIR, INTERACTION=TOUCH", " A, B"]
+    lines += [f"*GAP ELECTRICAL CONDUCTANCE, {spot}", heat, "*CONTACT PAIR, INTERACTION=TOUCH", " A, B"]
     lines += ["*INITIAL CONDITIONS, TYPE=TEMPERATURE", f" ALL, {ROOM}", "*BOUNDARY", " ALL, ENCASTRE", " 101, 9"]
     return "\n".join([*lines, *steps, ""])
 
@@ -74,6 +79,42 @@ def hot_spot_reference():
         current = volts / (2 * arm + spot)
         wires = ROOM + current**2 * (spot + arm) / 2 * ARM / (2 * CONDUCTIVITY * AREA)
         values += [wires, np.sqrt(wires**2 + (current * spot) ** 2 / (4 * LORENZ))]
+    return values
+
+
+def warmed_spot(workspace, elements=40):
+    """Voltage of the spot, temperature of the wires and hottest one at each current, with SUPERTEMPERATURE."""
+    sigma = "\n".join(f" {CONDUCTIVITY / (LORENZ * t):.17g}, {t}" for t in (1.0, 5000.0))
+    steps = []
+    for current in STRONG_CURRENTS:
+        steps += ["*STEP", "*COUPLED THERMAL-ELECTRICAL, STEADY STATE", "*BOUNDARY"]
+        steps += [f" ENDS, 11, 11, {ROOM}", "*CECURRENT", f" 1, , {current}", "*END STEP"]
+    heat = f"*GAP CONDUCTANCE, LAW=METAL, LORENZ={LORENZ}"
+    text = crossed(elements, PRESSED, sigma, heat, [], steps, "LAW=HERTZ, SUPERTEMPERATURE=YES")
+    results = workspace.run("warmed_spot", text)
+    last = [np.flatnonzero(np.asarray(results.steps) == step)[-1] for step in range(1, len(STRONG_CURRENTS) + 1)]
+    names = ("voltage_gap", "temperature_1", "temperature_max")
+    return [float(results.contacts_at(int(i))[name][0]) for i in last for name in names]
+
+
+def warmed_spot_reference():
+    """The same from one equation for the rise, with the arms as in the closed loop."""
+    resistivity, slope, root = LORENZ * ROOM / CONDUCTIVITY, 1 / ROOM, np.sqrt(LORENZ)
+
+    def voltage(kelvin, current):
+        cold = LORENZ * kelvin / CONDUCTIVITY / (2 * np.sqrt(RADIUS * PRESSED))
+        return 2 * root * kelvin * np.tan(current * cold / (2 * root * kelvin))
+
+    def left_over(rise, current):
+        k = current / AREA * np.sqrt(resistivity * slope / CONDUCTIVITY)
+        from_arm = -k * ((1 / slope + rise) * np.cos(k * ARM) - 1 / slope) / np.sin(k * ARM)
+        return current * voltage(ROOM + rise, current) / 2 + CONDUCTIVITY * AREA * (from_arm - rise / ARM)
+
+    values = []
+    for current in STRONG_CURRENTS:
+        kelvin = ROOM + brentq(left_over, 1e-6, 2000.0, args=(current,), xtol=1e-12)
+        volts = voltage(kelvin, current)
+        values += [volts, kelvin, np.sqrt(kelvin**2 + volts**2 / (4 * LORENZ))]
     return values
 
 
@@ -115,6 +156,7 @@ def measure(workspace):
     temperature, resistance = closed_loop(workspace)
     return {
         "heated_contacts.hot_spot": hot_spot(workspace),
+        "heated_contacts.warmed_spot": warmed_spot(workspace),
         "heated_contacts.loop_rise": list(temperature),
         "heated_contacts.loop_resistance": list(resistance),
         "figure": (temperature, resistance),

@@ -12,7 +12,7 @@ Wires that touch along a line: `line_law` (force to approach and conductance, pe
 Surfaces of solids in the plane that touch, with laws per area: `node_to_segment_em`, `segment_to_segment_em`.
 The wires: `beam_b31`, `beam_b33`, their strains and `beam_forces_by_temperature`, `conductor`, `potential_rise`.
 Heat: `conductor_heat` (current and heat along a wire, with a film), `wire_radiation`, `heat_capacity`, `spot_heat` (heat and
-hottest place of a contact spot), `hot_conductance`.
+hottest place of a contact spot), `hot_conductance`, `hot_spot`.
 """
 
 from .axes import ClosestPoints, closest_points
@@ -45,6 +45,7 @@ from .line import LineLaw, LinePoint, line_law, line_point
 from .search import contact_search
 from .spot import ContactSpot, contact_spot
 from .surface import NodeToSegment, SegmentToSegment, node_to_segment_em, segment_to_segment_em
+from .warmed_spots import HotSpot, hot_spot
 from .yielding import NormalForce, normal_law
 
 __all__ = [
@@ -58,6 +59,7 @@ __all__ = [
     "ContactSpot",
     "HeatCapacity",
     "HotConductance",
+    "HotSpot",
     "LineLaw",
     "LinePoint",
     "NodeToSegment",
@@ -79,6 +81,7 @@ __all__ = [
     "contact_spot",
     "heat_capacity",
     "hot_conductance",
+    "hot_spot",
     "line_law",
     "line_point",
     "node_to_segment_em",

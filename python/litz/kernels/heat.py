@@ -145,7 +145,7 @@ def spot_heat(
         raise ValueError(
             "wires without a current between them need heat_conductance: lorenz relates heat to the current"
         )
-    film_resistance = _not_negative("film_resistance", film_resistance)
+    film_resistance = not_negative("film_resistance", film_resistance)
     if g * film_resistance >= 1:
         raise ValueError(f"film_resistance must be less than V/I, {1 / g:g} ohm, of which it is a part")
     film = 0.0 if film_heat_conductance is None else 1 / checks.positive("film_heat_conductance", film_heat_conductance)
@@ -256,15 +256,15 @@ def conductor_heat(
     fraction = checks.number("heat_fraction", heat_fraction)
     if not 0 <= fraction <= 1:
         raise ValueError(f"heat_fraction must be from 0 to 1, not {fraction:g}")
-    rho = np.zeros((2, 1)) if resistivity is None else _table("resistivity", resistivity)
-    per_length = _not_negative("film", film) * _not_negative("perimeter", perimeter)
+    rho = np.zeros((2, 1)) if resistivity is None else table("resistivity", resistivity)
+    per_length = not_negative("film", film) * not_negative("perimeter", perimeter)
     k, r, flows = _core.f2py_heat.conductor_heat(
         checks.array("v", v, (2,)),
         checks.array("temperature", temperature, (2,)),
         checks.positive("length", length),
         checks.positive("area", area),
         rho,
-        _table("conductivity", conductivity),
+        table("conductivity", conductivity),
         fraction,
         per_length,
         checks.number("sink", sink),
@@ -375,7 +375,7 @@ def heat_capacity(
         checks.array("temperature", temperature, (2,)),
         checks.array("before", before, (2,)),
         mass / checks.positive("time", time),
-        _table("specific_heat", specific_heat),
+        table("specific_heat", specific_heat),
         latent.T,
     )
     return HeatCapacity(np.diag(k), r)
@@ -392,7 +392,7 @@ def _conductance(voltage: float, current: float | None, conductance: float | Non
         if voltage * i < 0:
             raise ValueError(f"current must have the sign of the voltage, {voltage:g} V, but is {i:g} A")
         return i / voltage
-    g = _not_negative("conductance", conductance)
+    g = not_negative("conductance", conductance)
     if current is not None and not np.isclose(checks.number("current", current), g * voltage, rtol=1e-6, atol=0):
         raise ValueError(f"current and conductance contradict each other: G V is {g * voltage:g} A")
     return g
@@ -414,14 +414,15 @@ def _temperatures(name: str, value: ArrayLike, absolute_zero: float) -> NDArray[
     return result
 
 
-def _not_negative(name: str, value: float) -> float:
+def not_negative(name: str, value: float) -> float:
+    """The number, after checking it."""
     result = checks.number(name, value)
     if result < 0:
         raise ValueError(f"{name} must not be negative, but is {result:g}")
     return result
 
 
-def _table(name: str, value: ArrayLike) -> NDArray[np.float64]:
+def table(name: str, value: ArrayLike) -> NDArray[np.float64]:
     """A property over temperature (2, n), or one number as a table, after checking it."""
     if np.ndim(value) == 0:
         return np.array([[0.0], [checks.positive(name, value)]])  # type: ignore[arg-type]

@@ -124,16 +124,20 @@ class _Spot(_Law):
         closed, slipped, or without friction moved by more than the spot.
     mutual_resistance : {"NO", "YES"}
         YES: contacts that are near each other on one wire raise each other's potential.
+    supertemperature : {"NO", "YES"}
+        YES: a spot that its current warms resists more, in steps that solve for temperatures.
     """
 
     voltage: str = "CORRECTED"
     spot: str = "PRESENT FORCE"
     mutual_resistance: str = "NO"
+    supertemperature: str = "NO"
 
     def card(self) -> CardSpec:
         """The card of the law."""
         law, rows = self._law()
-        parameters = {"LAW": law, **_unless(self, voltage="CORRECTED", spot="PRESENT FORCE", mutual_resistance="NO")}
+        usual = {"voltage": "CORRECTED", "spot": "PRESENT FORCE", "mutual_resistance": "NO", "supertemperature": "NO"}
+        parameters = {"LAW": law, **_unless(self, **usual)}
         return "GAP ELECTRICAL CONDUCTANCE", parameters, rows
 
     def _law(self) -> tuple[str, list[list[float]]]:
@@ -445,7 +449,9 @@ HERTZ_AND_HOLM: Interaction = predefined(
     Interaction,
     name="TOUCH",
     behaviour=predefined(Hertz, penetration="LIMITED"),
-    conductance=predefined(HertzSpot, voltage="CORRECTED", spot="PRESENT FORCE", mutual_resistance="NO"),
+    conductance=predefined(
+        HertzSpot, voltage="CORRECTED", spot="PRESENT FORCE", mutual_resistance="NO", supertemperature="NO"
+    ),
     friction=None,
     axis="HERMITE",
     heat=None,

@@ -1,0 +1,74 @@
+!> Heat of friction on rigid surfaces that enters the wires, in steps over time that solve for temperatures.
+!>
+!> What friction does there is the matter of the surface term. Source: theory section 13.
+module litz_surface_heat_term
+   use litz_domain, only: domain_t
+   use litz_errors, only: error_t
+   use litz_fields, only: field_temperature, temperature_slots
+   use litz_kinds, only: dp
+   use litz_model, only: step_t
+   use litz_rubbing, only: is_abrupt, add_friction_heat
+   use litz_term, only: term_t
+   implicit none
+   private
+   public :: surface_heat_term_t
+
+   type, extends(term_t) :: surface_heat_term_t
+      !> By which the work of an increment is a power [1/s]; 0: time is a scale of loads
+      real(dp), private :: rate = 0
+      !> Into the elements (n_elements) [W]
+      real(dp), allocatable, private :: made(:)
+   contains
+      procedure :: apply_load
+      procedure :: evaluate
+      procedure :: settle
+      procedure :: accept
+   end type surface_heat_term_t
+
+contains
+
+   subroutine apply_load(self, domain, step, step_time, increment)
+      class(surface_heat_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      type(step_t), intent(in) :: step
+      !> Time of the step at the end of the increment, and the increment [s]
+      real(dp), intent(in) :: step_time, increment
+
+      self%rate = 0
+      if (step%transient .and. step%solves(field_temperature)) self%rate = 1/increment
+   end subroutine apply_load
+
+   subroutine evaluate(self, domain, error)
+      class(surface_heat_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      !> Never
+      type(error_t), allocatable, intent(out) :: error
+
+      self%made = spread(0.0_dp, 1, domain%model%n_elements)
+      if (.not. (self%rate > 0 .and. allocated(domain%surface_rubbing))) return
+      call add_friction_heat(domain%surface_rubbing, domain%model%connectivity, domain%heat_weights, 1/self%rate, &
+         domain%forces%internal(temperature_slots(1), :), self%made)
+   end subroutine evaluate
+
+   !> The forces balance, so that friction is known: an increment in which it sets in or ends takes backward Euler.
+   subroutine settle(self, domain, has_moved)
+      class(surface_heat_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      !> The forces must be evaluated again
+      logical, intent(inout) :: has_moved
+
+      if (.not. (self%rate > 0 .and. domain%heat_weights(2) > 0 .and. allocated(domain%surface_rubbing))) return
+      if (.not. is_abrupt(domain%surface_rubbing, 1/self%rate, domain%state%time_increment)) return
+      domain%heat_weights = [1, 0]
+      has_moved = .true.
+   end subroutine settle
+
+   !> What results show.
+   subroutine accept(self, domain)
+      class(surface_heat_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+
+      if (allocated(self%made)) domain%state%heat_made = domain%state%heat_made + self%made
+   end subroutine accept
+
+end module litz_surface_heat_term

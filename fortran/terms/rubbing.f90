@@ -1,0 +1,77 @@
+!> Heat of friction in steps over time, as its work enters the rate of the enthalpy.
+!>
+!> The enthalpy less the work of friction changes by the flow of heat alone, and BDF2 takes this difference: of the
+!> works D of the last two increments of a contact comes
+!>
+!>     (a D_n - b D_(n-1))/dt                                                                                       (1)
+!>
+!> to the nodes of its wires, with the weights of the enthalpy, so that over a step the wires take up all that friction
+!> has done and no more, whatever the increments. Where friction sets in or ends, (1) would be far from the rate of
+!> either increment, and such an increment takes backward Euler, b = 0. Source: theory section 13.
+module litz_rubbing
+   use litz_kinds, only: dp
+   implicit none
+   private
+   public :: rubbing_t, is_abrupt, add_friction_heat
+
+   !> The rate at a contact has jumped when it changes by this part of the larger one; contacts of less than this part
+   !> of all heat do not count
+   real(dp), parameter :: largest_change = 0.5_dp, least_part = 0.01_dp
+
+   !> A contact that has friction in this increment or had it in the last one.
+   type :: rubbing_t
+      !> Both elements, 0 for a rigid surface, and the places in them, barred first
+      integer :: element(2) = 0
+      real(dp) :: xi(2) = 0
+      !> Part of the heat that enters either
+      real(dp) :: share(2) = 0.5_dp
+      !> Heat that friction makes in this increment and made in the last one [J]
+      real(dp) :: heat = 0, heat_before = 0
+   end type rubbing_t
+
+contains
+
+   !> Friction sets in or ends at a contact that matters.
+   pure logical function is_abrupt(rubbing, increment, before)
+      type(rubbing_t), intent(in) :: rubbing(:)
+      !> This increment and the last one [s]
+      real(dp), intent(in) :: increment, before
+      real(dp), dimension(size(rubbing)) :: now, earlier
+
+      now = rubbing%heat/increment
+      earlier = rubbing%heat_before/before
+      is_abrupt = any(abs(now - earlier) > largest_change*max(now, earlier) .and. max(now, earlier) > &
+         least_part*sum(max(now, earlier)))
+   end function is_abrupt
+
+   !> What the nodes get of (1); `made` is the same by elements.
+   pure subroutine add_friction_heat(rubbing, connectivity, weights, increment, leaving, made)
+      type(rubbing_t), intent(in) :: rubbing(:)
+      !> Nodes of the elements (2, n_elements)
+      integer, intent(in) :: connectivity(:, :)
+      !> a and b of (1)
+      real(dp), intent(in) :: weights(2)
+      !> [s]
+      real(dp), intent(in) :: increment
+      !> Heat that leaves the nodes (n_nodes) [W]
+      real(dp), intent(inout) :: leaving(:)
+      !> (n_elements) [W]
+      real(dp), intent(inout) :: made(:)
+      real(dp) :: heat
+      integer :: i, side
+
+      do i = 1, size(rubbing)
+         do side = 1, 2
+            associate (xi => rubbing(i)%xi(side), e => rubbing(i)%element(side))
+               if (e == 0) cycle
+               heat = rubbing(i)%share(side)*(weights(1)*rubbing(i)%heat - weights(2)*rubbing(i)%heat_before)/increment
+               associate (nodes => connectivity(:, e))
+                  leaving(nodes) = leaving(nodes) - heat*[1 - xi, 1 + xi]/2
+               end associate
+               made(e) = made(e) + heat
+            end associate
+         end do
+      end do
+   end subroutine add_friction_heat
+
+end module litz_rubbing
