@@ -6,11 +6,10 @@ module litz_contact_forces
    use litz_contact_electricity, only: contact_electricity_t
    use litz_contact_mechanics, only: form_hessian
    use litz_contact_spots, only: find_spot, keep_current
-   use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry, clearance_of, law_parallel, &
-      law_bad_data, law_too_curved, law_yields_at_end
+   use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry, clearance_of
    use litz_domain, only: domain_t
    use litz_element_library, only: elements_t, along_element
-   use litz_errors, only: error_t, fail, exit_input
+   use litz_errors, only: error_t
    use litz_fields, only: field_temperature, group_mechanical, motion_slots, potential_slots
    use litz_friction_forces, only: find_friction, increment_start_t
    use litz_friction_iteration, only: predict_friction, forget_friction
@@ -21,74 +20,21 @@ module litz_contact_forces
    use litz_normal_forces, only: wires_of, is_lens, law_of_spot
    use litz_normal_law, only: normal_law_t
    use litz_parallel, only: worth_threads
+   use litz_ploughing, only: coefficient_of_friction
+   use litz_refused_contacts, only: refuse_bad_data
    use litz_scatter, only: forces_t, chunk
    use litz_shared_conductors, only: shared_conductors_t, collect_shared
    use litz_sliding_forces, only: find_sliding
    use litz_spots_beside_spots, only: collect_spots
    use litz_strips_of_wires, only: collect_strips
-   use litz_text, only: to_text
    use litz_timing, only: phase_contact, phase_assembly
    use litz_turning_forces, only: find_turning
    use litz_wires, only: wires_t
    implicit none
    private
    public :: assemble_contacts, share_currents, set_current, conductors_of, conducts_apart, predict_contacts
-   public :: refused_contact
 
 contains
-
-   !> Why an iteration cannot go on with these contacts; empty where it can. A smaller increment may not come here.
-   pure function refused_contact(model, points) result(reason)
-      type(model_t), intent(in) :: model
-      type(contact_point_t), intent(in) :: points(:)
-      character(len=:), allocatable :: reason
-      integer :: i
-
-      reason = ''
-      do i = 1, size(points)
-         if (.not. points(i)%closed) cycle
-         select case (points(i)%law_status)
-         case (law_parallel)
-            reason = 'wires have become parallel where they touch ('//elements_of(model, points(i))// &
-               '): the law of a contact at a point needs wires that cross'
-            return
-         case (law_too_curved)
-            reason = 'a wire is curved about another where they touch ('//elements_of(model, points(i))// &
-               ') by nearly their distance: such a contact is not modelled'
-            return
-         case (law_yields_at_end)
-            reason = 'wires touch at an end or a kink ('//elements_of(model, points(i))// &
-               '), where YIELD of *SURFACE BEHAVIOR is not modelled'
-            return
-         end select
-      end do
-   end function refused_contact
-
-   !> The first contact whose spot law does not take its data; no increment is small enough for that.
-   subroutine refuse_bad_data(model, points, error)
-      type(model_t), intent(in) :: model
-      type(contact_point_t), intent(in) :: points(:)
-      type(error_t), allocatable, intent(out) :: error
-      integer :: i
-
-      do i = 1, size(points)
-         if (points(i)%law_status /= law_bad_data) cycle
-         associate (law => model%interactions(model%contact_pairs(points(i)%pair)%interaction))
-            error = fail(exit_input, 'surface interaction '//law%name//': the data of the spot law '// &
-               trim(law%spot%name)//' are not what it needs ('//elements_of(model, points(i))//')')
-         end associate
-         return
-      end do
-   end subroutine refuse_bad_data
-
-   pure function elements_of(model, point) result(words)
-      type(model_t), intent(in) :: model
-      type(contact_point_t), intent(in) :: point
-      character(len=:), allocatable :: words
-
-      words = 'elements '//to_text(model%element_id(point%element_bar))//' and '// &
-         to_text(model%element_id(point%element))
-   end function elements_of
 
    !> Add all points to the system: mechanics, and where a current can cross, the paper's electric blocks.
    subroutine assemble_contacts(domain, contact, points, error)
@@ -157,7 +103,7 @@ contains
             pair = wires_of(model, elements, point)
             call find_sliding(wires, elements, law%axis, x, t, length, point, k_slide, r_slide, dforce)
             if (.not. domain%motions_stand) call find_turning(law%axis, x, t, length, point, k_turning, r_turning)
-            if (.not. domain%motions_stand .and. law%friction > 0 .and. (point%active .or. point%closed)) then
+            if (.not. domain%motions_stand .and. coefficient_of_friction(law, point) > 0 .and. (point%active .or. point%closed)) then
                call find_friction(law, wires, x, t, length, pair, increment_start(domain, contact, point, nodes_p), &
                   dforce + point%turning%dforce*point%kinematics%dangle, point, k_friction, r_friction)
                k_slide = k_slide + k_friction
@@ -195,7 +141,8 @@ contains
       real(dp), intent(in) :: k(:, :, :), r(:, :)
       integer :: i
 
-      if (any(points%friction_iteration%limit > 0)) domain%matrix%symmetric(group_mechanical) = .false.
+      if (any(points%friction_iteration%limit > 0 .or. abs(points%turning%growth) > 0)) &
+         domain%matrix%symmetric(group_mechanical) = .false.
       do i = 1, size(points)
          call add_iteration_force(points(i), nodes(:, i), domain%forces)
          call add_supposed_force(points(i), nodes(:, i), domain%forces)

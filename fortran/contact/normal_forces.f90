@@ -4,8 +4,8 @@
 !> `delta(F)`, whether a point is active follows from the predicted gap and force, and the geometric stiffness takes the
 !> independent force. The converged force is that of the law at the true gap.
 module litz_normal_forces
-   use litz_kinds, only: dp
-   use litz_contact_points, only: contact_point_t, law_ok, law_parallel, law_too_curved, law_yields_at_end
+   use litz_kinds, only: dp, pi
+   use litz_contact_points, only: contact_point_t, law_ok, law_parallel, law_too_curved, law_yields_at_end, law_compacts
    use litz_cut_forces, only: cut_force, ellipse_of_parts, kept_part, scaled
    use litz_cut_lens, only: is_cut
    use litz_element_library, only: elements_t, material_at, material_place_t
@@ -19,7 +19,7 @@ module litz_normal_forces
       linearise
    use litz_normal_yielding, only: dent_of_wires, state_of_wires
    use litz_parallel, only: worth_threads
-   use litz_yielding_spot, only: dent_t, yielding_state_t
+   use litz_yielding_spot, only: dent_t, yielding_state_t, widest_spot
    implicit none
    private
    public :: apply_normal_law, wires_of, line_of_point, is_lens, law_of_spot, share_of_ellipse, weight_of_lens
@@ -154,6 +154,7 @@ contains
       if (.not. point%closed) return
       call state_of_wires(law%normal, pair, point%ellipse, point%history%dent%felt_force(), point%gap, &
          law%spot_memory, point%yielding, dissipated)
+      if (point%yielding%area > pi*(widest_spot*minval(pair%radius))**2) point%law_status = law_compacts
       point%yielded = point%weight*dissipated
    end subroutine follow_yielding
 

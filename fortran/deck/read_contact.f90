@@ -352,12 +352,13 @@ contains
       end do
    end subroutine read_contact_pairs
 
-   !> Not the same pair twice, and a radius for every element.
+   !> Not the same pair twice, a radius for every element, and no elasticity over temperature where metal yields.
    subroutine check_pair(self, model, pair)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(in) :: model
       type(contact_pair_t), intent(in) :: pair
       integer :: i, k, sets(2)
+      logical :: ok
 
       do i = 1, size(model%contact_pairs)
          associate (other => model%contact_pairs(i))
@@ -373,6 +374,8 @@ contains
          associate (members => model%element_sets(sets(k))%members)
             do i = 1, size(members)
                if (model%element_section(members(i)) == 0) cycle
+               call check_elasticity(self, model, pair, members(i), self%values%token(k), ok)
+               if (.not. ok) exit
                associate (section => model%sections(model%element_section(members(i))))
                   if (section%contact_radius > 0 .or. .not. section%area > 0) cycle
                   call fail_at(self, self%values%token(k), 'element '//to_text(model%element_id(members(i)))// &
@@ -383,5 +386,28 @@ contains
          end associate
       end do
    end subroutine check_pair
+
+   !> The law of wires that yield knows the dent of a force at one elasticity: a dent keeps its shape as metal softens.
+   subroutine check_elasticity(self, model, pair, element, token, ok)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      type(contact_pair_t), intent(in) :: pair
+      !> Its number in the model
+      integer, intent(in) :: element
+      !> The set that it is in
+      type(token_t), intent(in) :: token
+      !> The element may touch others here
+      logical, intent(out) :: ok
+
+      ok = .true.
+      if (pair%interaction == 0 .or. model%sections(model%element_section(element))%material == 0) return
+      associate (law => model%interactions(pair%interaction), &
+         material => model%materials(model%sections(model%element_section(element))%material))
+         ok = .not. (law%normal%yields() .and. allocated(material%elastic_table))
+         if (.not. ok) call fail_at(self, token, 'element '//to_text(model%element_id(element))//' can touch others'// &
+            ' here, and its material '//material%name//' has an elasticity over temperature, which YIELD of surface'// &
+            ' interaction '//law%name//' does not follow: give *ELASTIC one line, or leave YIELD out')
+      end associate
+   end subroutine check_elasticity
 
 end module litz_read_contact

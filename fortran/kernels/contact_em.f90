@@ -147,7 +147,7 @@ contains
          contact%electricity)
       if (abs(normal%denergy_dangle) > 0 .or. abs(normal%d2energy_dangle2) > 0) then
          call contact_turning(contact%kinematics, x, t, length, laws%axis, turning_t(normal%denergy_dangle, &
-            normal%d2energy_dangle2, normal%dforce_dangle), form_spin, k_turning, r_turning)
+            normal%d2energy_dangle2, normal%dforce_dangle, normal%growth), form_spin, k_turning, r_turning)
          k_mm = k_mm + k_turning
          r_m = r_m + r_turning
       end if
