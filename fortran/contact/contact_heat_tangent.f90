@@ -154,12 +154,12 @@ contains
       !> Changes at the nodes (n_nodes) [V], [K]
       real(dp), intent(in) :: potential(:), temperature(:)
       type(change_t), intent(inout) :: change
-      real(dp) :: at(2), made(3), of_others(size(self%contacts)), even(size(self%elements))
+      real(dp) :: at(2), made(3), of_others(2, size(self%contacts)), even(size(self%elements))
       integer :: i, k, n
 
       n = size(self%conductors%resistance)
       of_others = 0
-      if (n > 0) of_others(:n) = self%conductors%mutual%voltages(change%current(:n))
+      if (n > 0) of_others(:, :n) = self%conductors%mutual%voltages_in_wires(change%current(:n))
       allocate (change%heat(2, size(self%contacts)), change%between(2, size(self%contacts)), &
          change%base(2, size(self%contacts)), change%at_nodes(2, size(self%elements)), source=0.0_dp)
       do k = 1, size(self%elements)
@@ -170,7 +170,7 @@ contains
          associate (contact => self%contacts(i), current => self%current(i), place => self%ends%place_of(:, i))
             made = 2*current*change%current(i)*[contact%resistance(1), contact%film_resistance, contact%resistance(2)]
             change%heat(:, i) = matmul(self%spots(i)%dheat(:, by_heat), made) &
-               + (change%current(i)*self%of_others(i) + current*of_others(i))/2
+               + change%current(i)*self%of_others(:, i) + current*of_others(:, i)
             change%base(:, i) = at - self%elements(place)%dconductivity*mean_change(self, i, temperature) &
                *self%rise(:, i) + self%elements(place)%heat_series*(1 - contact%xi**2)/2*even(place)
          end associate

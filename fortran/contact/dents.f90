@@ -21,6 +21,9 @@ module litz_dents
    private
    public :: follow_dents, find_left_dents, keep_left_dents, work_of_slides
 
+   !> A contact whose force is this part of what it felt lies in its dent, not on top of it but for round-off
+   real(dp), parameter :: below_top = 1 - 1.0e-6_dp
+
 contains
 
    !> What dents have seen of an increment that has converged.
@@ -83,7 +86,7 @@ contains
 
       climb = 0
       associate (history => point%history)
-         if (.not. (history%closed .and. point%force < point%weight*history%dent%felt_force())) return
+         if (.not. (history%closed .and. point%force < below_top*point%weight*history%dent%felt_force())) return
          climb = slide_over_dent(law, wires, pair, point, history%dent, [point%arc_bar, point%arc]) &
             - slide_over_dent(law, wires, pair, point, history%dent, history%arc)
       end associate

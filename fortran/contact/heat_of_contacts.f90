@@ -48,8 +48,9 @@ module litz_heat_of_contacts
       logical :: resistances_follow = .false.
       !> Absolute zero on the scale of the temperatures [K]
       real(dp) :: zero = 0
-      !> Currents [A], what others add to their voltages [V] (contacts), and rises of the potential (2, contacts) [V]
-      real(dp), allocatable :: current(:), of_others(:), potential_rise(:, :)
+      !> Currents [A] (contacts), what others add to their voltages in either wire, and rises of the potential
+      !> (2, contacts) [V]
+      real(dp), allocatable :: current(:), of_others(:, :), potential_rise(:, :)
       !> Temperatures of the bulks, and what of them is above the linear ones (2, contacts) [K]
       real(dp), allocatable :: bulk(:, :), rise(:, :)
       !> Heats that enter the wires at the contacts: through the spots, and v (2, contacts) [W]
@@ -119,7 +120,7 @@ contains
       integer :: n, i
 
       n = size(self%contacts)
-      allocate (self%current(n), self%of_others(n), self%potential_rise(2, n), source=0.0_dp)
+      allocate (self%current(n), self%of_others(2, n), self%potential_rise(2, n), source=0.0_dp)
       allocate (self%between(2, n), self%at_nodes(2, size(self%elements)), self%between_contacts(size(self%elements)), &
          self%slope(2, 2, n), source=0.0_dp)
       allocate (self%drop, source=[(potential(self%elements(i)%nodes(1)) - potential(self%elements(i)%nodes(2)), &
@@ -134,6 +135,7 @@ contains
       real(dp), intent(in) :: voltage(:)
       !> The currents are not known yet
       logical, intent(in) :: is_first
+      real(dp) :: unused(size(voltage))
       integer :: i, n
 
       n = size(voltage)
@@ -146,8 +148,10 @@ contains
             self%conductors%diagonal = self%linear_conductors%diagonal &
                + (self%conductors%resistance - self%linear_conductors%resistance)
          end if
-         if (n > 0) call self%conductors%currents(voltage, self%current(:n), self%potential_rise(:, :n), &
-            self%of_others(:n))
+         if (n > 0) then
+            call self%conductors%currents(voltage, self%current(:n), self%potential_rise(:, :n), unused)
+            self%of_others(:, :n) = self%conductors%mutual%voltages_in_wires(self%current(:n))
+         end if
          do i = 1, size(self%elements)
             if (self%elements(i)%series > 0) call find_heat_in_element(self, i)
          end do
@@ -278,7 +282,7 @@ contains
             call spot_heat(contact%path, self%bulk(:, i) - self%zero, current**2*[contact%resistance(1), &
                contact%film_resistance, contact%resistance(2)], self%spots(i), info)
             if (info /= heat_ok) self%is_solved = .false.
-            self%heat(:, i) = self%spots(i)%heat + (current*self%of_others(i) + contact%friction_heat)/2
+            self%heat(:, i) = self%spots(i)%heat + current*self%of_others(:, i) + contact%friction_heat/2
             self%slope(:, :, i) = by_own_bulk(self, i)
          end associate
       end do
@@ -352,7 +356,7 @@ contains
       real(dp), intent(in) :: dbulk(:, :)
       type(followed_t), intent(out) :: followed
       real(dp), dimension(size(self%conductors%resistance)) :: voltage, unused
-      real(dp) :: rise(2, size(voltage)), of_others(size(self%contacts)), made(3)
+      real(dp) :: rise(2, size(voltage)), of_others(2, size(self%contacts)), made(3)
       integer :: i, k, n
 
       n = size(voltage)
@@ -363,7 +367,7 @@ contains
       if (self%resistances_follow) then
          voltage = [(-self%current(i)*dot_product(self%contacts(i)%dseries, dbulk(:, i)), i=1, n)]
          call self%conductors%currents(voltage, followed%current(:n), rise, unused)
-         of_others(:n) = self%conductors%mutual%voltages(followed%current(:n))
+         of_others(:, :n) = self%conductors%mutual%voltages_in_wires(followed%current(:n))
          do k = 1, size(self%elements)
             if (self%elements(k)%resistance > 0) call change_between(self, k, 0.0_dp, 0.0_dp, followed%current, &
                followed%between, followed%at_nodes(:, k))
@@ -376,7 +380,7 @@ contains
             made([1, 3]) = made([1, 3]) + current**2*matmul(contact%dresistance, dbulk(:, i))
             if (contact%is_passed) followed%heat(:, i) = matmul(self%spots(i)%dheat(:, by_heat), made) &
                + matmul(self%spots(i)%dheat(:, by_temperature) + matmul(self%spots(i)%dheat(:, by_path), &
-               contact%dpath), dbulk(:, i)) + (followed%current(i)*self%of_others(i) + current*of_others(i))/2
+               contact%dpath), dbulk(:, i)) + followed%current(i)*self%of_others(:, i) + current*of_others(:, i)
          end associate
       end do
    end subroutine follow

@@ -34,8 +34,10 @@ contains
 
       point%ploughed = 0
       if (.not. point%history%ploughing > 0) return
-      point%ploughed = point%friction%dissipation*point%history%ploughing/coefficient_of_friction(law, point)
-      point%friction%dissipation = point%friction%dissipation - point%ploughed
+      associate (by_slip => point%friction%dissipation/coefficient_of_friction(law, point))
+         point%ploughed = by_slip*point%history%ploughing
+         point%friction%dissipation = by_slip*law%friction
+      end associate
    end subroutine split_dissipation
 
    !> P over the normal force in the state that an increment has come to [-]. The spot counts as a round one of its area.

@@ -19,13 +19,10 @@ module litz_read_contact
    use litz_line_contact, only: line_obstacle
    use litz_read_surfaces, only: names_surface, read_surface_pair
    use litz_sets, only: find_set
-   use litz_yielding_spot, only: onset_factor
+   use litz_yielding_spot, only: largest_onset
    implicit none
    private
    public :: read_interactions, read_contact_pairs
-
-   !> Of an elastic material
-   real(dp), parameter :: largest_poisson = 0.5_dp
 
 contains
 
@@ -133,7 +130,7 @@ contains
          call fail_at(self, parameter_of(self, card, 'YIELD'), 'YIELD is for PRESSURE-OVERCLOSURE=HERTZ')
          return
       end if
-      onset = onset_factor(largest_poisson, 0.0_dp)*yield_stress
+      onset = largest_onset(yield_stress)
       if (hardness > 0 .and. hardness <= onset) then
          call fail_at(self, parameter_of(self, card, 'HARDNESS'), 'a hardness of '//to_text(hardness)// &
             ' is not above the pressure at which the metal of crossed wires begins to yield, up to '//to_text(onset))

@@ -12,7 +12,7 @@ module f2py_yielding
    use litz_yielding_line, only: yielding_line_t, yielding_line, line_dent_t, line_dent, line_state_t, &
       line_state_at_force, line_state_at_overlap, yielded_strip
    use litz_yielding_spot, only: yielding_t, yielding_crossing, dent_t, dent_of_force, yielding_state_t, &
-      state_at_overlap, state_at_force
+      state_at_overlap, state_at_force, core_largest_onset => largest_onset
    implicit none
    private :: numbers_of, beyond_elastic
 
@@ -172,6 +172,15 @@ contains
             spot%conductance, spot%dconductance_dforce]
       end do
    end subroutine line_law_of_points
+
+   ! Pressure at the onset of yielding at most [Pa]
+   subroutine largest_onset(yield_stress, onset)
+      !> [Pa]
+      real(c_double), intent(in) :: yield_stress
+      !> [Pa]
+      real(c_double), intent(out) :: onset
+      onset = core_largest_onset(yield_stress)
+   end subroutine largest_onset
 
    pure function numbers_of(state, ratio, depth) result(values)
       type(yielding_state_t), intent(in) :: state

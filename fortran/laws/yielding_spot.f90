@@ -13,7 +13,7 @@ module litz_yielding_spot
    implicit none
    private
    public :: yielding_t, yielding_crossing, dent_t, dent_of_force, yielding_state_t, state_at_overlap, state_at_force
-   public :: onset_factor, default_hardness, yielding_ok, yielding_bad_data, yielding_too_soft
+   public :: onset_factor, largest_onset, default_hardness, yielding_ok, yielding_bad_data, yielding_too_soft
 
    !> Radius of a circle of the area of the spot over that of the thinner wire, beyond which H falls, and the metal is
    !> compacted: the law does not hold
@@ -85,6 +85,14 @@ contains
 
       onset_factor = 1.295_dp*exp(0.736_dp*poisson)*(1 + 0.11_dp*(1 - ratio)**2.8_dp)
    end function onset_factor
+
+   !> Pressure at the onset of yielding at most, at any angle and of any elastic metal [Pa].
+   pure real(dp) function largest_onset(yield_stress)
+      !> [Pa]
+      real(dp), intent(in) :: yield_stress
+
+      largest_onset = onset_factor(0.5_dp, 0.0_dp)*yield_stress
+   end function largest_onset
 
    !> H of the softer metal where it is not given [Pa].
    pure real(dp) function default_hardness(yield_stress)

@@ -25,9 +25,9 @@ def modes(angle, along):
     return total
 
 
-def deck(angle, along, options="VOLTAGE=LINEAR, MUTUAL RESISTANCE=YES"):
+def deck(angle, along, options="VOLTAGE=LINEAR, MUTUAL RESISTANCE=YES", **changes):
     """Two thin wires across a thick one at a distance along it, in its radii, and an angle round it."""
-    return two_spots.deck(SPOT, along * THICK.radius, angle, options, stations=3)
+    return two_spots.deck(SPOT, along * THICK.radius, angle, options, stations=3, **changes)
 
 
 def contacts(run, text):
@@ -65,6 +65,60 @@ def test_contacts_within_elements_feel_each_other_beside_the_voltage_that_the_el
     (_, with_it), (_, without) = contacts(run, text), contacts(run, alone)
     added = VOLTAGE / np.abs(with_it["current"]) - VOLTAGE / np.abs(without["current"])
     np.testing.assert_allclose(added, modes(0, 0.25) * THICK.resistivity / THICK.radius, rtol=0.04)
+
+
+@pytest.mark.parametrize(("along", "depth"), [(0.25, 0.1), (0.5, 0.4), (2, 0.1)])
+def test_a_free_end_mirrors_the_spots(run, along, depth):
+    """Both spots near the end of the thick wire, whose round end counts as a flat one 2/3 r beyond its node: there the
+    sources have images, each its own, too."""
+    r = THICK.radius
+    middle_to_end = (along / 2 + depth) * r
+    _, ledger = contacts(run, deck(0, along, thick=np.linspace(-0.01, middle_to_end, 5)))
+    below = np.array([along + depth, depth]) + 2 / 3
+    image = [[modes(0, a + b) for b in below] for a in below]
+    beside = modes(0, along) * (1 - np.eye(2))
+    resistance = ALONE * np.eye(2) + (beside + image) * THICK.resistivity / r
+    expected = np.linalg.solve(resistance, [VOLTAGE, VOLTAGE])
+    # the fits of two of the modes
+    np.testing.assert_allclose(np.abs(ledger["current"]), expected, rtol=2 * 0.02 * 2 * SPOT / r)
+    assert (expected < 0.99 * VOLTAGE / (ALONE + beside[0, 1] * THICK.resistivity / r)).any()
+
+
+def bent(text, radius):
+    """The wire along x as an arc about y, with all that lies on it, and moved as the arc has turned there."""
+    def place(match):
+        x, y, z = (float(part) for part in match.group(2).split(","))
+        turn, out = x / radius, radius + z
+        return f"{match.group(1)}, {out * np.sin(turn):.17g}, {y:.17g}, {out * np.cos(turn) - radius:.17g}"
+
+    turns = {f"THIN{k}": float(re.search(rf"^ {k}01, ([^,]*)", text, re.M).group(1)) / radius for k in (1, 2)}
+    text = re.sub(r"^( \d+), ([^,\n]+, [^,\n]+, [^,\n]+)$", place, text, flags=re.M)
+    for name, turn in turns.items():
+        down = -1e-6 * np.array([np.sin(turn), np.cos(turn)])
+        text = text.replace(f" {name}, 3, 3, -1e-06", f" {name}, 1, 1, {down[0]:.17g}\n {name}, 3, 3, {down[1]:.17g}")
+    return text
+
+
+def test_in_a_bend_directions_round_the_wire_turn_with_its_axis(run):
+    """On the outside of an arc of three radii: as on a straight wire at the same distance along the axis."""
+    text = deck(0, 0.5, thick=np.linspace(-4e-3, 4e-3, 33))
+    straight, arc = (contacts(run, each)[1]["current"] for each in (text, bent(text, 3 * THICK.radius)))
+    # of what the other spot adds, 0.4 rho/r of 25; angles between fixed directions would change it by 5 %
+    np.testing.assert_allclose(arc, straight, rtol=1e-4)
+
+
+def test_what_spots_add_to_each_other_heats_the_wire_that_they_share(run):
+    """Equal metals at one temperature: each half of a spot is warmed by half of its own heat, the thick wire by the rest."""
+    text = deck(0, 0.1)
+    text = text.replace("*ELECTRICAL CONDUCTIVITY", "*CONDUCTIVITY\n 400.\n*ELECTRICAL CONDUCTIVITY")
+    heated = "*STEP\n*COUPLED THERMAL-ELECTRICAL, STEADY STATE\n*BOUNDARY\n"
+    heated += "".join(f" {name}, 11, 11, 293.\n" for name in ("THICK", "THIN1", "THIN2"))
+    _, ledger = contacts(run, text + heated + "*END STEP\n")
+    current = np.abs(ledger["current"])
+    added = VOLTAGE * current - ALONE * current**2
+    assert (added > 0.04 * ALONE * current**2).all()
+    np.testing.assert_allclose(ledger["heat_1"], ALONE * current**2 / 2 + added, rtol=1e-6)
+    np.testing.assert_allclose(ledger["heat_2"], ALONE * current**2 / 2, rtol=1e-6)
 
 
 @pytest.mark.parametrize("resistance", [1e-9, 1e-7, 1e-5])
