@@ -67,21 +67,20 @@ def test_contacts_within_elements_feel_each_other_beside_the_voltage_that_the_el
     np.testing.assert_allclose(added, modes(0, 0.25) * THICK.resistivity / THICK.radius, rtol=0.04)
 
 
-@pytest.mark.parametrize(("along", "depth"), [(0.25, 0.1), (0.5, 0.4), (2, 0.1)])
-def test_a_free_end_mirrors_the_spots(run, along, depth):
-    """Both spots near the end of the thick wire, whose round end counts as a flat one 2/3 r beyond its node: there the
-    sources have images, each its own, too."""
-    r = THICK.radius
-    middle_to_end = (along / 2 + depth) * r
-    _, ledger = contacts(run, deck(0, along, thick=np.linspace(-0.01, middle_to_end, 5)))
+def test_a_free_end_mirrors_the_spots(run):
+    """Two spots near the end of the thick wire, whose round end counts as a flat one 2/3 r beyond its node: what is added
+    there are both images, its own, too."""
+    along, depth = 0.25, 0.1
+    near, far = (
+        contacts(run, deck(0, along, thick=np.linspace(-0.01, end * THICK.radius, 5)))[1]["current"]
+        for end in (along / 2 + depth, 10)
+    )
+    added = VOLTAGE * (1 / np.abs(near) - 1 / np.abs(far)) * THICK.radius / THICK.resistivity
     below = np.array([along + depth, depth]) + 2 / 3
-    image = [[modes(0, a + b) for b in below] for a in below]
-    beside = modes(0, along) * (1 - np.eye(2))
-    resistance = ALONE * np.eye(2) + (beside + image) * THICK.resistivity / r
-    expected = np.linalg.solve(resistance, [VOLTAGE, VOLTAGE])
-    # the fits of two of the modes
-    np.testing.assert_allclose(np.abs(ledger["current"]), expected, rtol=2 * 0.02 * 2 * SPOT / r)
-    assert (expected < 0.99 * VOLTAGE / (ALONE + beside[0, 1] * THICK.resistivity / r)).any()
+    expected = np.array([sum(modes(0, a + b) for b in below) for a in below])
+    # the fit of one image is within 0.005 there
+    np.testing.assert_allclose(added, expected, atol=0.01)
+    assert expected.max() > 0.02
 
 
 def bent(text, radius):
