@@ -103,7 +103,8 @@ contains
             pair = wires_of(model, elements, point)
             call find_sliding(wires, elements, law%axis, x, t, length, point, k_slide, r_slide, dforce)
             if (.not. domain%motions_stand) call find_turning(law%axis, x, t, length, point, k_turning, r_turning)
-            if (.not. domain%motions_stand .and. coefficient_of_friction(law, point) > 0 .and. (point%active .or. point%closed)) then
+            if (.not. domain%motions_stand .and. coefficient_of_friction(law, point) > 0 &
+               .and. (point%active .or. point%closed)) then
                call find_friction(law, wires, x, t, length, pair, increment_start(domain, contact, point, nodes_p), &
                   dforce + point%turning%dforce*point%kinematics%dangle, point, k_friction, r_friction)
                k_slide = k_slide + k_friction
@@ -141,8 +142,9 @@ contains
       real(dp), intent(in) :: k(:, :, :), r(:, :)
       integer :: i
 
-      if (any(points%friction_iteration%limit > 0 .or. abs(points%turning%growth) > 0)) &
+      if (any(points%friction_iteration%limit > 0 .or. abs(points%turning%growth) > 0)) then
          domain%matrix%symmetric(group_mechanical) = .false.
+      end if
       do i = 1, size(points)
          call add_iteration_force(points(i), nodes(:, i), domain%forces)
          call add_supposed_force(points(i), nodes(:, i), domain%forces)

@@ -9,8 +9,8 @@ module litz_mutual_resistances
    public :: mutual_resistances_t, both_of
 
    type :: mutual_resistances_t
-      !> Pairs of contacts (2, n), which of its wires each shares with the other one (2, n; 1: barred), and the voltage of
-      !> either that a current of the other one adds (n) [ohm]
+      !> Pairs of contacts (2, n); which of its wires each shares with the other one (2, n), 1: the barred one; and the
+      !> voltage of either that a current of the other one adds (n) [ohm]
       integer, allocatable :: contacts(:, :), sides(:, :)
       real(dp), allocatable :: resistance(:)
    contains

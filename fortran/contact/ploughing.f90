@@ -40,7 +40,7 @@ contains
       end associate
    end subroutine split_dissipation
 
-   !> P over the normal force in the state that an increment has come to [-]. The spot counts as a round one of its area.
+   !> P over the normal force in the state that an increment has come to [-], of a round spot of the same area.
    pure real(dp) function ploughing_coefficient(law, pair, point, dent, slide) result(ratio)
       type(normal_law_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair
@@ -62,8 +62,8 @@ contains
       ratio = -state%denergy_dlargest*dent%force*rate/state%force
    end function ploughing_coefficient
 
-   !> Work that takes the contact from what it felt of its dent in the increment to what it will feel in the next one, at
-   !> the same overlap [J]: that of the force along the wires, but for what this dissipates.
+   !> Work that takes the contact from what it felt of its dent in the increment to what it will feel in the next one,
+   !> at the same overlap [J]: that of the force along the wires, but for what this dissipates.
    pure real(dp) function work_of_slide(law, pair, point, after) result(work)
       type(normal_law_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair

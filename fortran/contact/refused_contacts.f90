@@ -36,9 +36,9 @@ contains
                '), where YIELD of *SURFACE BEHAVIOR is not modelled'
             return
          case (law_compacts)
-            reason = 'the spot of wires that yield ('//elements_of(model, points(i))//') has the area of a circle of'// &
-               ' more than '//to_text(widest_spot)//' times the radius of the thinner wire: the metal is compacted,'// &
-               ' which YIELD of *SURFACE BEHAVIOR does not describe'
+            reason = 'the spot of wires that yield ('//elements_of(model, points(i))//') has the area of a circle'// &
+               ' of more than '//to_text(widest_spot)//' times the radius of the thinner wire: the metal is'// &
+               ' compacted, which YIELD of *SURFACE BEHAVIOR does not describe'
             return
          end select
       end do

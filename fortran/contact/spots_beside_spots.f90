@@ -48,7 +48,7 @@ module litz_spots_beside_spots
 
 contains
 
-   !> Pairs of contacts that are within reach of each other on a wire, each once; a contact beside its own image is a pair.
+   !> Pairs of contacts that are within reach of each other on a wire, each once; a contact beside its own image is one.
    subroutine collect_spots(model, wires, elements, contacts, mutual)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
@@ -104,6 +104,7 @@ contains
 
       !> Pairs with a chain of spots in one element.
       subroutine add_pairs_in(element, newest, a)
+         !> Its number
          integer, intent(in) :: element
          !> The first of the chain; 0: there is none
          integer, intent(in) :: newest

@@ -69,8 +69,8 @@ contains
    end subroutine spot_of_force
 
    ! values: overlap, force, stiffness, its derivative by the force; dF by the angle and by the largest force;
-   ! semi-axes, a_e; dent; energy, dissipation; derivatives of the area by overlap, angle, largest force, then of a_e; that of the
-   ! energy by the largest force
+   ! semi-axes, a_e; dent; energy, dissipation; derivatives of the area by overlap, angle, largest force, then of a_e;
+   ! that of the energy by the largest force
    subroutine normal_law_of_points(n, given, is_force, largest_force, radius, young, poisson, angle, yield_stress, &
       hardness, values, onset, info)
       !> Number of points

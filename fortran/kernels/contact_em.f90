@@ -56,7 +56,7 @@ module litz_contact_em
       integer :: axis = axis_hermite
       !> The end, -1 or 1, with which the barred, the unbarred wire touches (2); 0: with its side
       integer :: ends(2) = 0
-      !> See litz_normal_laws; and of wires that yield, the largest force of their dent [N], and whether a spot that opens
+      !> See litz_normal_laws; of wires that yield, the largest force of their dent [N], and whether a spot that opens
       !> is conducting metal as wide as that force has made it
       type(normal_law_t) :: normal
       real(dp) :: dent_force = 0

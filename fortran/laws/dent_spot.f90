@@ -31,8 +31,8 @@ contains
          state%area, state%darea(1)*by_force + [0.0_dp, state%darea(2)], spot)
    end function yielded_spot
 
-   !> The spot of a state at an overlap, all 0 where there is none; its conductance has derivatives by the overlap at fixed
-   !> angle, in place of that by the force, and by the angle at fixed overlap.
+   !> The spot of a state at an overlap, all 0 where there is none; its conductance has derivatives by the overlap at
+   !> fixed angle, in place of that by the force, and by the angle at fixed overlap.
    pure type(contact_spot_t) function spot_of_state(law, resistivity, state, ratio) result(spot)
       !> Of a spot of the mechanics
       type(spot_law_t), intent(in) :: law

@@ -69,8 +69,8 @@ module litz_yielding_spot
       real(dp) :: area = 0, disc = 0
       !> Their derivatives by the overlap, the angle and the largest force (3)
       real(dp) :: darea(3) = 0, ddisc(3) = 0
-      !> What comes back on unloading, and what yielding has dissipated [J]; how the former changes at fixed overlap with
-      !> the angle [J/rad] and with the largest force [m]
+      !> What comes back on unloading, and what yielding has dissipated [J]; how the former changes at fixed overlap
+      !> with the angle [J/rad] and with the largest force [m]
       real(dp) :: energy = 0, dissipation = 0, torque = 0, denergy_dlargest = 0
       !> Pressure in the middle of the spot [Pa]
       real(dp) :: pressure = 0
@@ -422,9 +422,9 @@ contains
       end associate
    end function returned_energy
 
-   !> How what comes back changes at fixed overlap with the angle [J/rad] and with the largest force [m] (2): through the
-   !> disc, through phi, and as lambda follows the overlap of the dent, where its change is the force times that of the
-   !> overlap.
+   !> How what comes back changes at fixed overlap with the angle [J/rad] and with the largest force [m] (2): through
+   !> the disc, through phi, and as lambda follows the overlap of the dent, where its change is the force times that of
+   !> the overlap.
    pure function energy_slopes(law, dent, lambda, s, work) result(slopes)
       type(yielding_t), intent(in) :: law
       type(dent_t), intent(in) :: dent

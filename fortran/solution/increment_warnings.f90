@@ -216,9 +216,9 @@ contains
          ' thinner wire; beyond '//to_text(wide_spot)//' the metal around it gives way, and the hardness falls'// &
          ' (by 15 % there)', elements, contact%spot_share, 'radii')
       if (contact%climbed > longest_climb) call warnings%add('left_dent', describe_contact(model, contact)//' has'// &
-         ' slid up the side of its dent by '//to_text(contact%climbed)//' of the width of the dent in one increment:'// &
-         ' its force jumps; increments in which it slides by less than '//to_text(longest_climb)//' follow it', &
-         elements, contact%climbed, 'widths')
+         ' slid up the side of its dent by '//to_text(contact%climbed)//' of the width of the dent in one'// &
+         ' increment: its force jumps; increments in which it slides by less than '//to_text(longest_climb)// &
+         ' follow it', elements, contact%climbed, 'widths')
    end subroutine add_dent
 
    !> Elements too long for the pressure along a line to be smooth, where their nodes do not lie opposite those of the

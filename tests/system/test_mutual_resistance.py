@@ -85,6 +85,7 @@ def test_a_free_end_mirrors_the_spots(run):
 
 def bent(text, radius):
     """The wire along x as an arc about y, with all that lies on it, and moved as the arc has turned there."""
+
     def place(match):
         x, y, z = (float(part) for part in match.group(2).split(","))
         turn, out = x / radius, radius + z

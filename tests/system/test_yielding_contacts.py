@@ -220,7 +220,9 @@ def test_what_climbing_out_of_a_dent_takes_is_in_the_balance(run):
     far = 2.5 * law(2e-6).semi_major
     errors = []
     for increments in (20, 40):
-        _, results = run(held(to(2e-6, increments=40), to(1.6e-6, increments=40), to(1.6e-6, far, increments=increments)))
+        _, results = run(
+            held(to(2e-6, increments=40), to(1.6e-6, increments=40), to(1.6e-6, far, increments=increments))
+        )
         history = results.history
         assert contacts(results)[-1]["force"] == pytest.approx(law(1.6e-6).force, rel=1e-3)
         errors.append(np.abs(history["ETOTAL"] - history["ETOTAL"][80])[81:].max() / history["ALLPD"][-1])
@@ -236,7 +238,9 @@ def test_leaving_a_dent_in_one_increment_is_warned_of(run):
         assert ("left_dent" in [warning.kind for warning in results.warnings]) == warned
 
 
-@pytest.mark.parametrize(("overlap", "wide", "refused"), [(4e-5, False, False), (6e-5, True, False), (2e-4, True, True)])
+@pytest.mark.parametrize(
+    ("overlap", "wide", "refused"), [(4e-5, False, False), (6e-5, True, False), (2e-4, True, True)]
+)
 def test_spots_that_are_wide_for_their_wires_are_warned_of_and_refused(run, overlap, wide, refused):
     """A circle of the area of the spot of 0.3 and of 0.5 radii."""
     process, results = run(held(to(overlap, increments=1), behavior=BEHAVIOR + ", PENETRATION=UNLIMITED"))

@@ -136,7 +136,9 @@ def test_tangent_of_wires_that_yield(name, spot, larger):
 @pytest.mark.parametrize("largest_force", [0.0, 30.0])
 def test_wires_that_yield_have_the_law_of_the_spot(largest_force):
     """Force, spot and dent are those of `normal_law`, the conductance that of `contact_spot`; over the dent there is nothing."""
-    metal = dict(radius=1e-3, young=120e9, poisson=0.34, yield_stress=200e6, hardness=800e6, largest_force=largest_force)
+    metal = dict(
+        radius=1e-3, young=120e9, poisson=0.34, yield_stress=200e6, hardness=800e6, largest_force=largest_force
+    )
     x = np.array([[-0.01, 0, 1.998e-3], [0.01, 0, 1.998e-3], [0, -0.01, 0], [0, 0.01, 0]])
     t = [[1, 0, 0], [1, 0, 0], [0, 1, 0], [0, 1, 0]]
     laws = dict(normal_law="hertz", spot_law="hertz", resistivity=1.7e-8, **metal)
