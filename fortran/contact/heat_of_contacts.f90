@@ -265,8 +265,8 @@ contains
       end do
    end function settled_heat
 
-   !> Heats through the spots at the temperatures of the bulks; what strips make beside them, and friction, enters both
-   !> wires half and half.
+   !> Heats through the spots at the temperatures of the bulks. What others add to their voltages heats the wire in
+   !> which they do, friction both wires half and half.
    subroutine find_heats(self)
       class(contact_heat_t), intent(inout) :: self
       integer :: i, info
