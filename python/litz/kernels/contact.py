@@ -313,6 +313,9 @@ def _contact_em(
     voltages = checks.array("v", v, (4,))
     of_wires = properties(radius, young, poisson, resistivity)
     normal_number, normal_data = normal_law_data(normal_law, eps_n=eps_n, normal_value=normal_value)
+    of_yielding = single_yield_data(yield_stress, hardness, largest_force)
+    if yield_stress is not None:
+        _check_yielding(normal_law, spot_law, np.asarray(ends), of_yielding)
     spot_number, spot_data = spot_law_data(
         "spot_law",
         spot_law,
@@ -322,7 +325,6 @@ def _contact_em(
         law_value=law_value,
         table=table,
     )
-    of_yielding = single_yield_data(yield_stress, hardness, largest_force)
     if side not in (-1, 0, 1):
         raise ValueError(f"side must be -1, 0 or 1, not {side!r}")
     series = checks.array("series_resistance", series_resistance, (2,))
@@ -331,8 +333,6 @@ def _contact_em(
     of_ends = checks.array("ends", ends, (2,))
     if not np.isin(of_ends, (-1, 0, 1)).all():
         raise ValueError(f"ends must be -1, 0 or 1 each, not {ends!r}")
-    if yield_stress is not None:
-        _check_yielding(normal_law, spot_law, of_ends, of_yielding)
     has_vectors = rotation_vectors is not None
     vectors = (
         np.zeros((4, 3)) if rotation_vectors is None else checks.array("rotation_vectors", rotation_vectors, (4, 3))
