@@ -80,6 +80,7 @@ contains
                   point%new_spot), contact_history_t(), point%gap < 0 .or. point%cell_touches)
             end if
             history%dent = point%history%dent
+            history%ploughing = point%ploughing
             if (is_shown(point)) history%settled_heat = point%history%settled_heat
             point%history = history
             if (.not. is_shown(point)) cycle

@@ -35,7 +35,7 @@ contains
             energies%contact = energies%contact + point%at_gap%energy + point%history%elastic_energy &
                + point%friction%elastic_work
             energies%friction = energies%friction + point%friction%dissipation
-            energies%yielding = energies%yielding + point%yielded
+            energies%yielding = energies%yielding + point%yielded + point%ploughed
          end associate
       end do
       ! what a contact held elastically when it opened is lost

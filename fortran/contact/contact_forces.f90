@@ -20,11 +20,12 @@ module litz_contact_forces
    use litz_normal_forces, only: wires_of, is_lens, law_of_spot
    use litz_normal_law, only: normal_law_t
    use litz_parallel, only: worth_threads
+   use litz_ploughing, only: coefficient_of_friction
    use litz_refused_contacts, only: refuse_bad_data
    use litz_scatter, only: forces_t, chunk
    use litz_shared_conductors, only: shared_conductors_t, collect_shared
    use litz_sliding_forces, only: find_sliding
-   use litz_spots_beside_spots, only: collect_spots
+   use litz_spots_beside_spots, only: collect_spots, spots_t
    use litz_strips_of_wires, only: collect_strips
    use litz_timing, only: phase_contact, phase_assembly
    use litz_turning_forces, only: find_turning
@@ -102,7 +103,8 @@ contains
             pair = wires_of(model, elements, point)
             call find_sliding(wires, elements, law%axis, x, t, length, point, k_slide, r_slide, dforce)
             if (.not. domain%motions_stand) call find_turning(law%axis, x, t, length, point, k_turning, r_turning)
-            if (.not. domain%motions_stand .and. law%friction > 0 .and. (point%active .or. point%closed)) then
+            if (.not. domain%motions_stand .and. coefficient_of_friction(law, point) > 0 &
+               .and. (point%active .or. point%closed)) then
                call find_friction(law, wires, x, t, length, pair, increment_start(domain, contact, point, nodes_p), &
                   dforce + point%turning%dforce*point%kinematics%dangle, point, k_friction, r_friction)
                k_slide = k_slide + k_friction
@@ -150,9 +152,12 @@ contains
       integer :: i
 
       do i = 1, size(members)
-         if (points(members(i))%friction_iteration%limit > 0) domain%matrix%symmetric(group_mechanical) = .false.
-         call add_iteration_force(points(members(i)), nodes(:, i), domain%forces)
-         call add_supposed_force(points(members(i)), nodes(:, i), domain%forces)
+         associate (point => points(members(i)))
+            if (point%friction_iteration%limit > 0 .or. abs(point%turning%growth) > 0) &
+               domain%matrix%symmetric(group_mechanical) = .false.
+            call add_iteration_force(point, nodes(:, i), domain%forces)
+            call add_supposed_force(point, nodes(:, i), domain%forces)
+         end associate
       end do
       call domain%add_cells(nodes, motion_slots, motion_slots, k, r)
       do i = 1, size(members)
@@ -291,6 +296,7 @@ contains
       integer, allocatable :: pairs(:, :), nodes(:, :)
       real(dp), allocatable :: conductance(:), xi(:, :), normal(:, :)
       type(mutual_resistances_t) :: strips, spots
+      logical, allocatable :: is_line(:)
       integer :: k, n
 
       n = size(points)
@@ -302,10 +308,11 @@ contains
          xi = reshape([places_by_point(a, points), places_by_point(b, line_points)], shape(pairs))
          normal = reshape([(a(points(k))%kinematics%normal, k=1, n), (b(line_points(k))%kinematics%normal, k=1, &
             size(line_points))], [3, size(pairs, 2)])
-         call collect_strips(model, wires, elements, contact%places, pairs, xi, normal, &
-            [(k > n, k=1, size(pairs, 2))], strips)
-         call collect_spots(model, wires, elements, pairs, xi, normal, 1/conductance, [(k > n, k=1, size(pairs, 2))], &
-            feels_others(model, [a(points)%pair, b(line_points)%pair]), spots)
+         is_line = [(k > n, k=1, size(pairs, 2))]
+         call collect_strips(model, wires, elements, contact%places, pairs, xi, normal, is_line, strips)
+         call collect_spots(model, wires, elements, spots_t(pairs, xi, normal, reshape([axes_by_point(a, points), &
+            axes_by_point(b, line_points)], [3, 2, size(pairs, 2)]), 1/conductance, is_line, &
+            feels_others(model, [a(points)%pair, b(line_points)%pair])), spots)
          call collect_shared(pairs, nodes, xi, reshape([resistances_by_point(a, points), &
             resistances_by_point(b, line_points)], shape(pairs)), 1/conductance, both_of(strips, spots), shared)
       end associate
@@ -340,6 +347,16 @@ contains
 
       elements = [(points(members(i))%element_bar, points(members(i))%element, i=1, size(members))]
    end function elements_by_point
+
+   pure function axes_by_point(points, members) result(axes)
+      type(contact_point_t), intent(in) :: points(:)
+      !> Which of them (n)
+      integer, intent(in) :: members(:)
+      real(dp) :: axes(6*size(members))
+      integer :: i
+
+      axes = [(points(members(i))%kinematics%point_bar, points(members(i))%kinematics%point, i=1, size(members))]
+   end function axes_by_point
 
    pure function places_by_point(points, members) result(xi)
       type(contact_point_t), intent(in) :: points(:)

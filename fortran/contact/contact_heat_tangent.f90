@@ -152,12 +152,12 @@ contains
       !> Changes at the nodes (n_nodes) [V], [K]
       real(dp), intent(in) :: potential(:), temperature(:)
       type(change_t), intent(inout) :: change
-      real(dp) :: at(2), of_others(size(self%contacts)), even(size(self%elements))
+      real(dp) :: at(2), of_others(2, size(self%contacts)), even(size(self%elements))
       integer :: i, k, n
 
       n = size(self%conductors%resistance)
       of_others = 0
-      if (n > 0) of_others(:n) = self%conductors%mutual%voltages(change%current(:n))
+      if (n > 0) of_others(:, :n) = self%conductors%mutual%voltages_in_wires(change%current(:n))
       allocate (change%heat(2, size(self%contacts)), change%between(2, size(self%contacts)), &
          change%base(2, size(self%contacts)), change%at_nodes(2, size(self%elements)), source=0.0_dp)
       do k = 1, size(self%elements)
@@ -167,7 +167,7 @@ contains
          at = change_at(self, i, temperature)
          associate (contact => self%contacts(i), current => self%current(i), place => self%ends%place_of(:, i))
             change%heat(:, i) = self%spots(i)%by_current*change%current(i) &
-               + (change%current(i)*self%of_others(i) + current*of_others(i))/2
+               + change%current(i)*self%of_others(:, i) + current*of_others(:, i)
             change%base(:, i) = at - self%elements(place)%dconductivity*mean_change(self, i, temperature) &
                *self%rise(:, i) + self%elements(place)%heat_series*(1 - contact%xi**2)/2*even(place)
          end associate

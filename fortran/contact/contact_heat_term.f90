@@ -272,7 +272,8 @@ contains
             point%heat = heat%heat(2, number)
             if (.not. (heat%resistances_follow .and. number <= size(heat%conductors%resistance))) return
             point%conductance = 1/heat%resistance(number)
-            call set_current(heat%current(number), heat%potential_rise(:, number), heat%of_others(number), point)
+            call set_current(heat%current(number), heat%potential_rise(:, number), &
+               sum(heat%of_others(:, number)), point)
          end associate
       end subroutine keep
 

@@ -19,7 +19,7 @@ module litz_contact_term
    use litz_line_shares, only: share_crossings, renew_shares
    use litz_model, only: step_t
    use litz_normal_forces, only: apply_normal_law
-   use litz_dents, only: follow_dents, find_left_dents, keep_left_dents
+   use litz_dents, only: follow_dents, find_left_dents, keep_left_dents, work_of_slides
    use litz_refused_contacts, only: refused_contact
    use litz_spot_memory, only: follow_spots
    use litz_state, only: energies_t
@@ -381,6 +381,8 @@ contains
       associate (contact => self%contact)
          call add_contact_energies(contact, contact%converged, contact%points, energies)
          call add_contact_energies(contact, contact%converged_line_points, contact%line_points, energies)
+         energies%yielding = energies%yielding - work_of_slides(domain%model, domain%wires, domain%elements, &
+            contact%points)
          associate (before => domain%state%mechanical_temperature, now => domain%mechanical_temperature())
             energies%thermal = energies%thermal + work_of_swelling(domain%model, domain%elements, before, now, &
                contact%converged, contact%points) + work_of_swelling(domain%model, domain%elements, before, now, &

@@ -157,7 +157,7 @@ contains
       real(dp), intent(in) :: share
 
       scaled = force_of_gap_t(share*law%force, share*law%dforce_dgap, share*law%dforce_dangle, share*law%energy, &
-         share*law%denergy_dangle, share*law%d2energy_dangle2)
+         share*law%denergy_dangle, share*law%d2energy_dangle2, share*law%growth)
    end function scaled
 
 end module litz_cut_forces

@@ -14,13 +14,17 @@ module litz_dents
    use litz_normal_forces, only: apply_normal_law, is_lens, line_of_point, wires_of
    use litz_normal_law, only: normal_law_t
    use litz_normal_yielding, only: dent_of_wires
+   use litz_ploughing, only: ploughing_coefficient, work_of_slide
    use litz_wires, only: wires_t, arc_from_to
    use litz_yielding_lens, only: yielding_lens_t
    use litz_yielding_spot, only: dent_t
    use litz_yielding_wires, only: depth_of_lens, lens_of_wires, place_of_wires
    implicit none
    private
-   public :: follow_dents, find_left_dents, keep_left_dents
+   public :: follow_dents, find_left_dents, keep_left_dents, work_of_slides
+
+   !> A contact whose force is this part of what it felt lies in its dent, not on top of it but for round-off
+   real(dp), parameter :: below_top = 1 - 1.0e-6_dp
 
 contains
 
@@ -32,6 +36,7 @@ contains
       type(contact_point_t), intent(inout) :: points(:)
       type(contact_point_t) :: whole(1)
       type(wire_pair_t) :: pair
+      type(dent_memory_t) :: dent
       integer :: i
 
       do i = 1, size(points)
@@ -46,11 +51,70 @@ contains
                call apply_normal_law(model, elements, whole)
                point%yielding_force = whole(1)%yielding_force
             end if
-            call follow_dent(law, wires, pair, point, point%history%dent)
+            dent = point%history%dent
+            call follow_dent(law, wires, pair, point, dent)
+            dent%dissipation = dent%dissipation + point%ploughed
+            if (point%line_place == 0 .and. .not. is_lens(law, point)) call follow_slide(law, wires, pair, dent, point)
+            point%history%dent = dent
             call show_dent(law, pair, point%history%dent, point)
          end associate
       end do
    end subroutine follow_dents
+
+   !> A crossing has slid over its dent.
+   pure subroutine follow_slide(law, wires, pair, dent, point)
+      type(normal_law_t), intent(in) :: law
+      type(wires_t), intent(in) :: wires
+      type(wire_pair_t), intent(in) :: pair
+      !> After the increment
+      type(dent_memory_t), intent(inout) :: dent
+      !> With the dent of the increment
+      type(contact_point_t), intent(inout) :: point
+
+      dent%dissipation = dent%dissipation - work_of_slide(law, pair, point, dent)
+      point%climbed = climb(law, wires, pair, point)
+      point%ploughing = ploughing_coefficient(law, pair, point, dent, max(0.0_dp, slide_over_dent(law, wires, pair, &
+         point, dent, [point%arc_bar, point%arc])))
+   end subroutine follow_slide
+
+   !> Work by which an increment that has converged slides wires out of their dents, but for what ploughing dissipates.
+   real(dp) function work_of_slides(model, wires, elements, points) result(work)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(contact_point_t), intent(in) :: points(:)
+      type(wire_pair_t) :: pair
+      type(dent_memory_t) :: dent
+      integer :: i
+
+      work = 0
+      do i = 1, size(points)
+         associate (point => points(i), &
+            law => model%interactions(model%contact_pairs(points(i)%pair)%interaction)%normal)
+            if (.not. law%yields() .or. is_lens(law, point)) cycle
+            pair = wires_of(model, elements, point)
+            dent = point%history%dent
+            call follow_dent(law, wires, pair, point, dent)
+            work = work + work_of_slide(law, pair, point, dent)
+         end associate
+      end do
+   end function work_of_slides
+
+   !> How far a contact that lies in its dent has slid up its side in the increment, over the width of the dent [-].
+   pure real(dp) function climb(law, wires, pair, point)
+      type(normal_law_t), intent(in) :: law
+      type(wires_t), intent(in) :: wires
+      type(wire_pair_t), intent(in) :: pair
+      !> With the dent of the increment
+      type(contact_point_t), intent(in) :: point
+
+      climb = 0
+      associate (history => point%history)
+         if (.not. (history%closed .and. point%force < below_top*point%weight*history%dent%felt_force())) return
+         climb = slide_over_dent(law, wires, pair, point, history%dent, [point%arc_bar, point%arc]) &
+            - slide_over_dent(law, wires, pair, point, history%dent, history%arc)
+      end associate
+   end function climb
 
    !> Wires that have parted and come back feel the dent of then where they meet in it.
    subroutine find_left_dents(model, wires, elements, left, points)
@@ -183,6 +247,7 @@ contains
          point%deepest = made%overlap
          point%dent = made%depth
          point%largest_semi_major = half_axes(1)
+         point%spot_share = sqrt(made%area/pi)/minval(pair%radius)
       end if
    end subroutine show_dent
 
@@ -233,22 +298,38 @@ contains
       type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(in) :: point
       type(dent_memory_t), intent(in) :: dent
+      real(dp) :: slide
+
+      slide = slide_over_dent(law, wires, pair, point, dent, [point%arc_bar, point%arc])
+      part = dent%left
+      if (slide >= 0) part = common_part(slide)
+   end function part_left
+
+   !> Distance of two spots as large as the dent, in the dent and at a place, over their diameter: t of (15.17) [-];
+   !> -1 where the wires are parallel.
+   pure real(dp) function slide_over_dent(law, wires, pair, point, dent, arc) result(slide)
+      type(normal_law_t), intent(in) :: law
+      type(wires_t), intent(in) :: wires
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(in) :: point
+      type(dent_memory_t), intent(in) :: dent
+      !> Of the place along both wires (2) [m]
+      real(dp), intent(in) :: arc(2)
       type(dent_t) :: made
       real(dp) :: moved(2), slip(2), along(2), half_axes(2)
 
-      part = dent%left
+      slide = -1
       call dent_here(law, pair, point, dent%force, made, half_axes)
       if (.not. made%area > 0) return
-      moved = arc_from_to(dent%arc, [point%arc_bar, point%arc], &
-         wires%circumference(wires%wire([point%element_bar, point%element])))
+      moved = arc_from_to(dent%arc, arc, wires%circumference(wires%wire([point%element_bar, point%element])))
       moved = moved*wires%direction([point%element_bar, point%element])
       ! in a frame along the barred axis, which the other one crosses at the angle
       associate (angle => point%kinematics%angle)
          slip = moved(1)*[1.0_dp, 0.0_dp] - moved(2)*[cos(angle), sin(angle)]
          along = major_axis(pair%radius, angle)
       end associate
-      part = common_part(norm2([dot_product(slip, along), along(1)*slip(2) - along(2)*slip(1)]/(2*half_axes)))
-   end function part_left
+      slide = norm2([dot_product(slip, along), along(1)*slip(2) - along(2)*slip(1)]/(2*half_axes))
+   end function slide_over_dent
 
    !> Direction of the longer axis of the spot in the plane of contact, where the curvatures together are least.
    pure function major_axis(radius, angle) result(along)

@@ -9,6 +9,7 @@ module litz_friction_forces
    use litz_law_input, only: wire_pair_t
    use litz_model, only: interaction_t
    use litz_normal_forces, only: overlap_of_point
+   use litz_ploughing, only: coefficient_of_friction, split_dissipation
    use litz_rotation_forms, only: spin_to_hessian
    use litz_stick_laws, only: stick_stiffness_at
    use litz_wire_friction, only: wire_slip_t, wire_slip, side_at, wire_friction_residual, wire_friction_tangent
@@ -53,8 +54,9 @@ contains
       type(wire_slip_t) :: slip
       type(friction_law_t) :: supposed
       type(friction_start_t) :: start
-      real(dp) :: force, dforce(n_motions), stiffness, dstiffness_dforce, r_supposed(n_motions)
+      real(dp) :: mu, force, dforce(n_motions), stiffness, dstiffness_dforce, r_supposed(n_motions)
 
+      mu = coefficient_of_friction(law, point)
       if (.not. (point%history%closed .or. point%friction_iteration%touched)) then
          call find_touch(law%axis, wires, length, pair%radius, before, point)
       end if
@@ -67,14 +69,15 @@ contains
       r = 0
       if (point%closed) then
          call stick(law, pair, point%force, settled_weight(point), point, stiffness, dstiffness_dforce)
-         point%friction = friction_law(law%friction, point%force, stiffness, dstiffness_dforce, start, slip%slip)
+         point%friction = friction_law(mu, point%force, stiffness, dstiffness_dforce, start, slip%slip)
          point%traction = -matmul(slip%frame, point%friction%traction)
          r = wire_friction_residual(slip, point%friction%traction)
          if (.not. point%history%closed) call grow_with_force(dot_product(r, before%dq), point%friction)
+         call split_dissipation(law, point)
       end if
 
       if (point%friction_iteration%status == friction_none) then
-         call suppose(law%friction, before%goes_on, start%traction, point)
+         call suppose(mu, before%goes_on, start%traction, point)
       end if
       associate (iteration => point%friction_iteration)
          iteration%difference = -r
@@ -86,16 +89,16 @@ contains
          dforce = dforce_sliding - point%stiffness*point%kinematics%dgap
          if (.not. force > 0) return
          call stick(law, pair, force, settled_weight(point), point, stiffness, dstiffness_dforce)
-         supposed = friction_law(law%friction, force, stiffness, dstiffness_dforce, start, slip%slip, iteration%status)
+         supposed = friction_law(mu, force, stiffness, dstiffness_dforce, start, slip%slip, iteration%status)
          r_supposed = wire_friction_residual(slip, supposed%traction)
          k = wire_friction_tangent(point%kinematics, slip, slip%dslip, t, supposed, dforce, iteration%mixed_traction)
          call spin_to_hessian(k, r_supposed, [4, 10, 16, 22])
          iteration%difference = r_supposed - r
          iteration%trial = supposed%trial
          iteration%dtrial = stiffness*slip%dslip
-         iteration%limit = law%friction*force
-         iteration%dlimit = law%friction*dforce
-         iteration%along = wire_friction_residual(slip, supposed%dtraction_dforce)/law%friction
+         iteration%limit = mu*force
+         iteration%dlimit = mu*dforce
+         iteration%along = wire_friction_residual(slip, supposed%dtraction_dforce)/mu
       end associate
    end subroutine find_friction
 
@@ -254,7 +257,7 @@ contains
       !> [N/m], [1/m]
       real(dp), intent(out) :: stiffness, dstiffness_dforce
 
-      call stick_stiffness_at(law%stick_law, law%stick_value, law%friction, force, &
+      call stick_stiffness_at(law%stick_law, law%stick_value, coefficient_of_friction(law, point), force, &
          overlap_of_point(law%normal, pair, point, force, weight), pair, stiffness, dstiffness_dforce)
    end subroutine stick
 

@@ -51,8 +51,9 @@ module litz_heat_of_contacts
       logical :: resistances_follow = .false.
       !> Absolute zero on the scale of the temperatures [K]
       real(dp) :: zero = 0
-      !> Currents [A], what others add to their voltages [V] (contacts), and rises of the potential (2, contacts) [V]
-      real(dp), allocatable :: current(:), of_others(:), potential_rise(:, :)
+      !> Currents [A] (contacts), what others add to their voltages in either wire, and rises of the potential
+      !> (2, contacts) [V]
+      real(dp), allocatable :: current(:), of_others(:, :), potential_rise(:, :)
       !> Temperatures of the bulks, and what of them is above the linear ones (2, contacts) [K]
       real(dp), allocatable :: bulk(:, :), rise(:, :)
       !> Heats that enter the wires at the contacts: through the spots, and v (2, contacts) [W]
@@ -127,7 +128,7 @@ contains
       integer :: n, i
 
       n = size(self%contacts)
-      allocate (self%current(n), self%of_others(n), self%potential_rise(2, n), source=0.0_dp)
+      allocate (self%current(n), self%of_others(2, n), self%potential_rise(2, n), source=0.0_dp)
       allocate (self%between(2, n), self%at_nodes(2, size(self%elements)), self%between_contacts(size(self%elements)), &
          self%slope(2, 2, n), source=0.0_dp)
       allocate (self%drop, source=[(potential(self%elements(i)%nodes(1)) - potential(self%elements(i)%nodes(2)), &
@@ -142,13 +143,17 @@ contains
       real(dp), intent(in) :: voltage(:)
       !> The currents are not known yet
       logical, intent(in) :: is_first
-      integer :: i
+      integer :: i, n
 
       do i = 1, size(self%contacts)
          call self%contacts(i)%warm(self%metals, self%bulk(:, i), self%zero)
       end do
       if (is_first .or. self%resistances_follow) then
-         if (size(voltage) > 0) call find_currents(self, voltage, is_first)
+         n = size(voltage)
+         if (n > 0) then
+            call find_currents(self, voltage, is_first)
+            self%of_others(:, :n) = self%conductors%mutual%voltages_in_wires(self%current(:n))
+         end if
          do i = 1, size(self%elements)
             if (self%elements(i)%series > 0) call find_heat_in_element(self, i)
          end do
@@ -163,7 +168,7 @@ contains
       real(dp), intent(in) :: voltage(:)
       !> The currents are not known yet
       logical, intent(in) :: is_first
-      real(dp), dimension(size(voltage)) :: resistance, source, step
+      real(dp), dimension(size(voltage)) :: resistance, source, step, unused
       logical :: is_hot(size(voltage))
       integer :: i, n, iteration
 
@@ -175,7 +180,7 @@ contains
       end if
       self%resistance = self%conductors%resistance
       if (is_first .or. .not. any(is_hot)) call self%conductors%currents(voltage, self%current(:n), &
-         self%potential_rise(:, :n), self%of_others(:n))
+         self%potential_rise(:, :n), unused)
       if (is_first) self%spot_voltage = self%resistance*self%current(:n)
       if (.not. any(is_hot)) return
       do iteration = 1, max_iterations
@@ -187,7 +192,7 @@ contains
             source(i) = source(i) - (self%spot_voltage(i) - resistance(i)*self%hot_spots(i)%current)
          end do
          call take(resistance)
-         call self%conductors%currents(source, self%current(:n), self%potential_rise(:, :n), self%of_others(:n))
+         call self%conductors%currents(source, self%current(:n), self%potential_rise(:, :n), unused)
          step = 0
          where (is_hot) step = resistance*(self%current(:n) - self%hot_spots%current)
          self%spot_voltage = self%spot_voltage + step
@@ -334,8 +339,8 @@ contains
       end do
    end function settled_heat
 
-   !> Heats through the spots at the temperatures of the bulks; what strips make beside them, and friction, enters both
-   !> wires half and half.
+   !> Heats through the spots at the temperatures of the bulks. What others add to their voltages heats the wire in
+   !> which they do, friction both wires half and half.
    subroutine find_heats(self)
       class(contact_heat_t), intent(inout) :: self
       logical :: ok
@@ -350,7 +355,7 @@ contains
                call cold_spot(contact, self%bulk(:, i) - self%zero, self%current(i), spot, ok)
                self%is_solved = self%is_solved .and. ok
             end if
-            self%heat(:, i) = spot%heat + (self%current(i)*self%of_others(i) + contact%friction_heat)/2
+            self%heat(:, i) = spot%heat + self%current(i)*self%of_others(:, i) + contact%friction_heat/2
             self%slope(:, :, i) = by_own_bulk(self, i)
          end associate
       end do
@@ -417,7 +422,7 @@ contains
       real(dp), intent(in) :: dbulk(:, :)
       type(followed_t), intent(out) :: followed
       real(dp), dimension(size(self%conductors%resistance)) :: voltage, unused
-      real(dp) :: rise(2, size(voltage)), of_others(size(self%contacts))
+      real(dp) :: rise(2, size(voltage)), of_others(2, size(self%contacts))
       integer :: i, k, n
 
       n = size(voltage)
@@ -428,7 +433,7 @@ contains
       if (self%resistances_follow) then
          voltage = [(-dot_product(self%spots(i)%dvoltage, dbulk(:, i)), i=1, n)]
          call self%conductors%currents(voltage, followed%current(:n), rise, unused)
-         of_others(:n) = self%conductors%mutual%voltages(followed%current(:n))
+         of_others(:, :n) = self%conductors%mutual%voltages_in_wires(followed%current(:n))
          do k = 1, size(self%elements)
             if (self%elements(k)%resistance > 0) call change_between(self, k, 0.0_dp, 0.0_dp, followed%current, &
                followed%between, followed%at_nodes(:, k))
@@ -437,7 +442,7 @@ contains
       do i = 1, size(self%contacts)
          associate (spot => self%spots(i))
             followed%heat(:, i) = spot%by_current*followed%current(i) + matmul(spot%by_bulk, dbulk(:, i)) &
-               + (followed%current(i)*self%of_others(i) + self%current(i)*of_others(i))/2
+               + followed%current(i)*self%of_others(:, i) + self%current(i)*of_others(:, i)
          end associate
       end do
    end subroutine follow

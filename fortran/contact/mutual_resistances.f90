@@ -9,11 +9,13 @@ module litz_mutual_resistances
    public :: mutual_resistances_t, both_of
 
    type :: mutual_resistances_t
-      !> Pairs of contacts (2, n), and the voltage of either that a current of the other one adds (n) [ohm]
-      integer, allocatable :: contacts(:, :)
+      !> Pairs of contacts (2, n); which of its wires each shares with the other one (2, n), 1: the barred one; and the
+      !> voltage of either that a current of the other one adds (n) [ohm]
+      integer, allocatable :: contacts(:, :), sides(:, :)
       real(dp), allocatable :: resistance(:)
    contains
       procedure :: voltages
+      procedure :: voltages_in_wires
    end type mutual_resistances_t
 
 contains
@@ -24,7 +26,9 @@ contains
       integer :: n
 
       n = size(a%resistance)
-      allocate (both%contacts(2, n + size(b%resistance)))
+      allocate (both%contacts(2, n + size(b%resistance)), both%sides(2, n + size(b%resistance)))
+      both%sides(:, :n) = a%sides
+      both%sides(:, n + 1:) = b%sides
       both%contacts(:, :n) = a%contacts
       both%contacts(:, n + 1:) = b%contacts
       allocate (both%resistance, source=[a%resistance, b%resistance])
@@ -46,5 +50,23 @@ contains
          end associate
       end do
    end function voltages
+
+   !> The same by the wire in which they are, barred first (2, n) [V].
+   pure function voltages_in_wires(self, current) result(voltages)
+      class(mutual_resistances_t), intent(in) :: self
+      !> From the barred to the unbarred wire (n) [A]
+      real(dp), intent(in) :: current(:)
+      real(dp) :: voltages(2, size(current))
+      integer :: k
+
+      voltages = 0
+      do k = 1, size(self%resistance)
+         associate (a => self%contacts(1, k), b => self%contacts(2, k), of_a => self%sides(1, k), &
+            of_b => self%sides(2, k))
+            voltages(of_a, a) = voltages(of_a, a) + self%resistance(k)*current(b)
+            voltages(of_b, b) = voltages(of_b, b) + self%resistance(k)*current(a)
+         end associate
+      end do
+   end function voltages_in_wires
 
 end module litz_mutual_resistances

@@ -4,8 +4,8 @@
 !> `delta(F)`, whether a point is active follows from the predicted gap and force, and the geometric stiffness takes the
 !> independent force. The converged force is that of the law at the true gap.
 module litz_normal_forces
-   use litz_kinds, only: dp
-   use litz_contact_points, only: contact_point_t, law_ok, law_parallel, law_too_curved, law_yields_at_end
+   use litz_kinds, only: dp, pi
+   use litz_contact_points, only: contact_point_t, law_ok, law_parallel, law_too_curved, law_yields_at_end, law_compacts
    use litz_cut_forces, only: cut_force, settle_cut, ellipse_of_parts, kept_part, scaled
    use litz_cut_lens, only: is_cut
    use litz_element_library, only: elements_t, material_at, material_place_t
@@ -23,7 +23,7 @@ module litz_normal_forces
    use litz_yielding_lens, only: yielding_lens_t, lens_state_t, state_of_lens, lens_at_force, &
       overlap_of_yielding_lens
    use litz_yielding_place, only: place_state_t, state_of_place, place_force, overlap_of_place
-   use litz_yielding_spot, only: dent_t, yielding_state_t
+   use litz_yielding_spot, only: dent_t, yielding_state_t, widest_spot
    use litz_yielding_wires, only: lens_of_wires, place_of_wires, depth_of_lens
    implicit none
    private
@@ -187,6 +187,7 @@ contains
       if (.not. point%closed) return
       call state_of_wires(law%normal, pair, point%ellipse, point%history%dent%felt_force(), point%gap, &
          law%spot_memory, point%yielding, dissipated)
+      if (point%yielding%area > pi*(widest_spot*minval(pair%radius))**2) point%law_status = law_compacts
       point%yielded = point%weight*dissipated
       point%yielding_force = point%yielding%force
    end subroutine follow_yielding

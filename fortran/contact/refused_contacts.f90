@@ -1,10 +1,12 @@
 !> Contacts that litz does not model, and laws that do not take their data.
 module litz_refused_contacts
-   use litz_contact_points, only: contact_point_t, law_parallel, law_bad_data, law_too_curved, law_yields_at_end
+   use litz_contact_points, only: contact_point_t, law_parallel, law_bad_data, law_too_curved, law_yields_at_end, &
+      law_compacts
    use litz_errors, only: error_t, fail, exit_input
    use litz_line_contact, only: line_obstacle
    use litz_model, only: model_t
    use litz_text, only: to_text
+   use litz_yielding_spot, only: widest_spot
    implicit none
    private
    public :: refused_contact, refuse_bad_data
@@ -36,6 +38,11 @@ contains
                ' interaction without YIELD'
             obstacle = line_obstacle(model%interactions(model%contact_pairs(points(i)%pair)%interaction))
             if (len(obstacle) > 0) reason = reason//'; along a line '//obstacle//' is not possible'
+            return
+         case (law_compacts)
+            reason = 'the spot of wires that yield ('//elements_of(model, points(i))//') has the area of a circle'// &
+               ' of more than '//to_text(widest_spot)//' times the radius of the thinner wire: the metal is'// &
+               ' compacted, which YIELD of *SURFACE BEHAVIOR does not describe'
             return
          end select
       end do

@@ -68,7 +68,7 @@ contains
                a = parts(a)%before
             end do
          end do
-         if (pass == 1) allocate (strips%contacts(2, n), strips%resistance(n))
+         if (pass == 1) allocate (strips%contacts(2, n), strips%sides(2, n), strips%resistance(n))
       end do
 
    contains
@@ -118,6 +118,7 @@ contains
          apart = norm2((2*a%side - 3)*normal(:, a%contact) - (2*b%side - 3)*normal(:, b%contact))
          there = material_at(model, elements, places%element(place), places%xi(place))
          strips%contacts(:, n) = [a%contact, b%contact]
+         strips%sides(:, n) = [a%side, b%side]
          ! the current leaves the barred wire and enters the unbarred one
          strips%resistance(n) = (2*a%side - 3)*(2*b%side - 3)*a%share*b%share/places%length(place) &
             *there%resistivity/pi*(0.125_dp - log(max(apart, least_distance)))

@@ -47,9 +47,10 @@ contains
       if (.not. (point%active .and. point%stiffness > 0)) return
       point%turning = turning_of(point, point%at_mixed)
       associate (turning => point%turning)
-         slope = turning%dforce/point%stiffness
+         slope = (turning%dforce + turning%growth)/point%stiffness
          ! at first touch no force is known yet
-         if (.not. point%geometric_force > 0) turning = turning_t(0.0_dp, turning%dforce*slope, turning%dforce)
+         if (.not. point%geometric_force > 0) turning = turning_t(0.0_dp, turning%dforce*slope, turning%dforce, &
+            turning%growth)
          point%iteration_torque = turning%denergy + slope*(point%iteration_force - point%mixed_force)
          if (any(abs([turning%denergy, turning%d2energy, turning%dforce]) > 0)) call contact_turning( &
             point%kinematics, x, t, length, axis, turning, form_hessian, k, unused)
@@ -75,6 +76,7 @@ contains
       turning%denergy = law%denergy_dangle*slope
       turning%d2energy = law%d2energy_dangle2*slope**2 + law%denergy_dangle*curvature
       turning%dforce = law%dforce_dangle*slope
+      turning%growth = law%growth*slope
    end function turning_of
 
 end module litz_turning_forces

@@ -2,12 +2,11 @@
 !>
 !> Source: theory (15.9).
 module litz_yielded_spots
-   use litz_kinds, only: dp, pi
    use litz_contact_blocks, only: spot_in_circuit_t
    use litz_contact_points, only: contact_point_t
+   use litz_dent_spot, only: spot_of_state
    use litz_law_input, only: wire_pair_t
    use litz_model, only: interaction_t
-   use litz_spot_resistance, only: spot_metal_t, set_conductance
    implicit none
    private
    public :: find_yielded_spot, has_yielded_spot
@@ -28,17 +27,11 @@ contains
       !> With the state of its yielding
       type(contact_point_t), intent(in) :: point
       type(spot_in_circuit_t), intent(inout) :: circuit
-      type(spot_metal_t) :: metal
 
       circuit%follows = 0
       if (.not. point%yielding%area > 0) return
-      metal%resistivity = pair%resistivity
-      if (law%spot%film_number > 0) metal%film = law%spot%data(law%spot%film_number)
-      if (law%spot%path_number > 0) metal%resistivity_path = law%spot%data(law%spot%path_number)
-      associate (spot => circuit%spot, state => point%yielding, ratio => point%ellipse%ratio)
-         spot%semi_major = sqrt(state%area/(pi*ratio))
-         spot%semi_minor = ratio*spot%semi_major
-         call set_conductance(metal, state%disc, state%ddisc(:2), state%area, state%darea(:2), spot)
+      circuit%spot = spot_of_state(law%spot, pair%resistivity, point%yielding, point%ellipse%ratio)
+      associate (spot => circuit%spot)
          circuit%dconductance = point%weight*(spot%dconductance_dangle*point%kinematics%dangle &
             - spot%dconductance_dforce*point%kinematics%dgap)
          spot%conductance = point%weight*spot%conductance

@@ -151,6 +151,8 @@ module litz_foreign_words
       'give E along the wire, and Poisson''s ratio'), &
       foreign_word_t('SURFACE BEHAVIOR', 'PRESSURE-OVERCLOSURE', 'HARD|EXPONENTIAL|TABULAR|TIED|SCALE FACTOR', &
       'HERTZ needs no data, LINEAR a penalty'), &
+      foreign_word_t('GAP ELECTRICAL CONDUCTANCE', 'LAW', 'CMY|ELASTIC ROUGH', &
+      'it is a law per area, of the kernels for surfaces, and wires touch in spots: CLUSTER has many'), &
       foreign_word_t('BOUNDARY', '', 'XSYMM', 'write 1, 5 and 6, a line each'), &
       foreign_word_t('BOUNDARY', '', 'YSYMM', 'write 2, 4 and 6, a line each'), &
       foreign_word_t('BOUNDARY', '', 'ZSYMM', 'write 3, 4 and 5, a line each'), &

@@ -19,13 +19,10 @@ module litz_read_contact
    use litz_line_contact, only: line_obstacle
    use litz_read_surfaces, only: names_surface, read_surface_pair
    use litz_sets, only: find_set
-   use litz_yielding_spot, only: onset_factor
+   use litz_yielding_spot, only: largest_onset
    implicit none
    private
    public :: read_interactions, read_contact_pairs
-
-   !> Of an elastic material
-   real(dp), parameter :: largest_poisson = 0.5_dp
 
 contains
 
@@ -155,7 +152,7 @@ contains
          call fail_at(self, parameter_of(self, card, 'YIELD'), 'YIELD is for PRESSURE-OVERCLOSURE=HERTZ')
          return
       end if
-      onset = onset_factor(largest_poisson, 0.0_dp)*yield_stress
+      onset = largest_onset(yield_stress)
       if (hardness > 0 .and. hardness <= onset) then
          call fail_at(self, parameter_of(self, card, 'HARDNESS'), 'a hardness of '//to_text(hardness)// &
             ' is not above the pressure at which the metal of crossed wires begins to yield, up to '//to_text(onset))
@@ -395,12 +392,13 @@ contains
       end do
    end subroutine read_contact_pairs
 
-   !> Not the same pair twice, and a radius for every element.
+   !> Not the same pair twice, a radius for every element, and no elasticity over temperature where metal yields.
    subroutine check_pair(self, model, pair)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(in) :: model
       type(contact_pair_t), intent(in) :: pair
       integer :: i, k, sets(2)
+      logical :: ok
 
       do i = 1, size(model%contact_pairs)
          associate (other => model%contact_pairs(i))
@@ -416,6 +414,8 @@ contains
          associate (members => model%element_sets(sets(k))%members)
             do i = 1, size(members)
                if (model%element_section(members(i)) == 0) cycle
+               call check_elasticity(self, model, pair, members(i), self%values%token(k), ok)
+               if (.not. ok) exit
                associate (section => model%sections(model%element_section(members(i))))
                   if (section%contact_radius > 0 .or. .not. section%area > 0) cycle
                   call fail_at(self, self%values%token(k), 'element '//to_text(model%element_id(members(i)))// &
@@ -426,5 +426,28 @@ contains
          end associate
       end do
    end subroutine check_pair
+
+   !> The law of wires that yield knows the dent of a force at one elasticity: a dent keeps its shape as metal softens.
+   subroutine check_elasticity(self, model, pair, element, token, ok)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      type(contact_pair_t), intent(in) :: pair
+      !> Its number in the model
+      integer, intent(in) :: element
+      !> The set that it is in
+      type(token_t), intent(in) :: token
+      !> The element may touch others here
+      logical, intent(out) :: ok
+
+      ok = .true.
+      if (pair%interaction == 0 .or. model%sections(model%element_section(element))%material == 0) return
+      associate (law => model%interactions(pair%interaction), &
+         material => model%materials(model%sections(model%element_section(element))%material))
+         ok = .not. (law%normal%yields() .and. allocated(material%elastic_table))
+         if (.not. ok) call fail_at(self, token, 'element '//to_text(model%element_id(element))//' can touch others'// &
+            ' here, and its material '//material%name//' has an elasticity over temperature, which YIELD of surface'// &
+            ' interaction '//law%name//' does not follow: give *ELASTIC one line, or leave YIELD out')
+      end associate
+   end subroutine check_elasticity
 
 end module litz_read_contact

@@ -8,6 +8,7 @@ module f2py_contact
    use litz_law_words, only: law_words_t
    use litz_normal_law, only: normal_law_t, force_of_gap_t, overlap_of_force_t, force_at_gap, overlap_at_force
    use litz_normal_laws, only: find_normal_law => normal_law, all_normal_laws
+   use litz_normal_yielding, only: normal_yielding
    use litz_spot_law, only: spot_law_t, contact_spot_t, core_contact_spot => contact_spot
    use litz_spot_laws, only: find_spot_law => spot_law, all_spot_laws
    use litz_closest_points, only: core_closest_points => closest_points
@@ -402,8 +403,8 @@ contains
    ! k_me: the five parts of the coupling block
    ! rotation_vectors are looked at when has_rotation_vectors /= 0.
    subroutine contact_em(x, t, length, v, radius, young, poisson, resistivity, normal_law, n_normal_data, &
-      normal_data, spot_law, n_spot_data, spot_data, axis, side, ends, series_resistance, has_rotation_vectors, &
-      rotation_vectors, k, r, numbers, normal, k_me, info)
+      normal_data, yield_stress, hardness, largest_force, keeps_spot, spot_law, n_spot_data, spot_data, axis, side, &
+      ends, series_resistance, has_rotation_vectors, rotation_vectors, k, r, numbers, normal, k_me, info)
       !> Nodal positions (3, 4) [m]: barred 1, barred 2, 1, 2
       real(c_double), intent(in) :: x(3, 4)
       !> Unit tangents of the nodes (3, 4)
@@ -426,6 +427,10 @@ contains
       integer(c_int), intent(in) :: n_normal_data
       !> Data of the normal law (n_normal_data)
       real(c_double), intent(in) :: normal_data(n_normal_data)
+      !> Of wires that yield: yield stress [Pa], 0: they do not; hardness [Pa], 0: 2.8 times that; largest force [N]
+      real(c_double), intent(in) :: yield_stress, hardness, largest_force
+      !> Not 0: the spot stays as wide as the largest force has made it
+      integer(c_int), intent(in) :: keeps_spot
       !> Place of the spot law in litz_spot_laws; 0: no current
       integer(c_int), intent(in) :: spot_law
       !> Numbers that are the data of the spot law, at least 1
@@ -449,8 +454,8 @@ contains
       !> Residual (28) [N, N m, A]
       real(c_double), intent(out) :: r(28)
       !> xi_bar, xi, gap [m], angle [rad], force [N], semi-axes [m], resistance [ohm], current [A], voltage across the
-      !> spot [V], side
-      real(c_double), intent(out) :: numbers(11)
+      !> spot [V], side, largest force [N], dent [m]
+      real(c_double), intent(out) :: numbers(13)
       !> Unit normal from the unbarred to the barred axis
       real(c_double), intent(out) :: normal(3)
       !> The five parts of the coupling block (4, 24, 5)
@@ -464,6 +469,9 @@ contains
       laws%axis = axis
       laws%ends = ends
       laws%normal = find_normal_law(normal_law, normal_data)
+      if (yield_stress > 0) laws%normal = normal_yielding(yield_stress, hardness)
+      laws%dent_force = largest_force
+      laws%keeps_spot = keeps_spot /= 0
       laws%spot = find_spot_law(spot_law, spot_data)
       if (has_rotation_vectors /= 0) then
          call core_contact_em(x, t, length, v, wires, laws, side, k, r, contact, info, rotation_vectors)
@@ -471,7 +479,8 @@ contains
          call core_contact_em(x, t, length, v, wires, laws, side, k, r, contact, info)
       end if
       numbers = [contact%xi_bar, contact%xi, contact%gap, contact%angle, contact%force, contact%semi_major, &
-         contact%semi_minor, contact%resistance, contact%current, contact%voltage_gap, real(contact%side, c_double)]
+         contact%semi_minor, contact%resistance, contact%current, contact%voltage_gap, real(contact%side, c_double), &
+         contact%largest_force, contact%dent]
       normal = contact%normal
       k_me = 0
       if (info == contact_active) then

@@ -12,7 +12,7 @@ module f2py_yielding
    use litz_yielding_line, only: yielding_line_t, yielding_line, line_dent_t, line_dent, line_state_t, &
       line_state_at_force, line_state_at_overlap, yielded_strip
    use litz_yielding_spot, only: yielding_t, yielding_crossing, dent_t, dent_of_force, yielding_state_t, &
-      state_at_overlap, state_at_force
+      state_at_overlap, state_at_force, core_largest_onset => largest_onset
    implicit none
    private :: numbers_of, beyond_elastic
 
@@ -69,7 +69,8 @@ contains
    end subroutine spot_of_force
 
    ! values: overlap, force, stiffness, its derivative by the force; dF by the angle and by the largest force;
-   ! semi-axes, a_e; dent; energy, dissipation; derivatives of the area by overlap, angle, largest force, then of a_e
+   ! semi-axes, a_e; dent; energy, dissipation; derivatives of the area by overlap, angle, largest force, then of a_e;
+   ! that of the energy by the largest force
    subroutine normal_law_of_points(n, given, is_force, largest_force, radius, young, poisson, angle, yield_stress, &
       hardness, values, onset, info)
       !> Number of points
@@ -88,8 +89,8 @@ contains
       real(c_double), intent(in) :: yield_stress(2)
       !> H [Pa]; 0: 2.8 times the smaller yield stress
       real(c_double), intent(in) :: hardness
-      !> (18, n) in the units of the types of litz_yielding_spot
-      real(c_double), intent(out) :: values(18, n)
+      !> (19, n) in the units of the types of litz_yielding_spot
+      real(c_double), intent(out) :: values(19, n)
       !> p_Y [Pa], F_Y [N], delta_Y [m], h, F_p [N]
       real(c_double), intent(out) :: onset(5)
       !> 0: all is well; else one of the constants of litz_hertz or litz_yielding_spot
@@ -174,15 +175,25 @@ contains
       end do
    end subroutine line_law_of_points
 
+   ! Pressure at the onset of yielding at most [Pa]
+   subroutine largest_onset(yield_stress, onset)
+      !> [Pa]
+      real(c_double), intent(in) :: yield_stress
+      !> [Pa]
+      real(c_double), intent(out) :: onset
+      onset = core_largest_onset(yield_stress)
+   end subroutine largest_onset
+
    pure function numbers_of(state, ratio, depth) result(values)
       type(yielding_state_t), intent(in) :: state
       !> b/a, and the overlap at which the wires part [m]
       real(c_double), intent(in) :: ratio, depth
-      !> (18)
-      real(c_double) :: values(18), a
+      !> (19)
+      real(c_double) :: values(19), a
       a = sqrt(state%area/(pi*ratio))
       values = [state%overlap, state%force, state%stiffness, state%dstiffness_dforce, state%dforce, a, ratio*a, &
-         state%disc, depth, state%energy, state%dissipation, state%darea, state%ddisc]
+         state%disc, depth, state%energy, state%dissipation, state%darea, state%ddisc, &
+         state%denergy_dlargest]
    end function numbers_of
 
 end module f2py_yielding

@@ -8,11 +8,13 @@
 !> The steps, each its own kernel: closest points, kinematics, force, spot, and the blocks that these make. Where a wire
 !> touches with its round end, or at a kink, the place on it is its node, and the law is that of a hemisphere.
 module litz_contact_em
-   use litz_kinds, only: dp
    use litz_axis_choices, only: axis_hermite
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
+   use litz_dent_spot, only: spot_of_state
+   use litz_kinds, only: dp, pi
    use litz_law_input, only: wire_pair_t
    use litz_normal_law, only: normal_law_t, force_of_gap_t, force_at_gap
+   use litz_normal_yielding, only: dent_of_wires, state_of_wires
    use litz_spot_law, only: spot_law_t, contact_spot_t, contact_spot, spot_ok, spot_bad_data
    use litz_axis, only: axis_shape, axis_polynomial
    use litz_closest_points, only: closest_points, closest_inside, closest_beyond, closest_parallel, closest_not_unique
@@ -24,11 +26,12 @@ module litz_contact_em
    use litz_contact_mechanics, only: form_spin
    use litz_contact_turning, only: contact_turning, turning_t
    use litz_rotation_forms, only: spin_to_rotation_vectors
+   use litz_yielding_spot, only: dent_t, yielding_state_t, widest_spot
    implicit none
    private
    public :: contact_em, contact_em_t, wire_pair_t, contact_laws_t
    public :: contact_active, contact_open, contact_beyond, contact_parallel, contact_not_unique, &
-      contact_not_converged, contact_unknown_law, contact_bad_data
+      contact_not_converged, contact_unknown_law, contact_bad_data, contact_compacts
 
    !> The wires touch
    integer, parameter :: contact_active = 0
@@ -44,6 +47,8 @@ module litz_contact_em
    integer, parameter :: contact_not_converged = -3
    integer, parameter :: contact_unknown_law = -4
    integer, parameter :: contact_bad_data = -5
+   !> The spot of wires that yield is too large for their thickness
+   integer, parameter :: contact_compacts = -6
 
    !> How the wires act on each other.
    type :: contact_laws_t
@@ -51,8 +56,11 @@ module litz_contact_em
       integer :: axis = axis_hermite
       !> The end, -1 or 1, with which the barred, the unbarred wire touches (2); 0: with its side
       integer :: ends(2) = 0
-      !> See litz_normal_laws
+      !> See litz_normal_laws; of wires that yield, the largest force of their dent [N], and whether a spot that opens
+      !> is conducting metal as wide as that force has made it
       type(normal_law_t) :: normal
+      real(dp) :: dent_force = 0
+      logical :: keeps_spot = .false.
       !> See litz_spot_laws; left as it is: no current
       type(spot_law_t) :: spot
    end type contact_laws_t
@@ -71,6 +79,8 @@ module litz_contact_em
       integer :: side = 0
       !> Contact force [N], pushing the wires apart, and elastic energy of the normal law [J]
       real(dp) :: force = 0, energy = 0
+      !> Of wires that yield: largest force so far, this one included [N], and overlap at which they part [m]
+      real(dp) :: largest_force = 0, dent = 0
       !> Semi-axes of the spot [m]
       real(dp) :: semi_major = 0, semi_minor = 0
       !> Resistance of the spot [ohm] (0: no electric contact), current from barred to unbarred [A], voltage across the
@@ -103,7 +113,7 @@ contains
       real(dp), intent(in), optional :: rotation_vectors(3, 4)
       type(hertz_ellipse_t) :: ellipse
       type(contact_spot_t) :: spot
-      type(force_of_gap_t) :: normal
+      type(force_of_gap_t) :: normal, of_spot
       real(dp) :: k_mm(24, 24), r_m(24), k_me(4, 24), k_ee(4, 4), r_e(4), k_turning(24, 24), r_turning(24)
       integer :: law_info
       logical :: is_round(2)
@@ -130,24 +140,34 @@ contains
       end if
       info = contact_unknown_law
       if (.not. laws%normal%exists()) return
-      normal = force_at_gap(laws%normal, contact%gap, wires, ellipse)
+      normal = force_at_gap(laws%normal, contact%gap, wires, ellipse, laws%dent_force)
       contact%force = normal%force
       contact%energy = normal%energy
 
       ! ... makes the spot ...
-      call contact_spot(laws%spot, contact%force, wires, ellipse, spot, law_info)
-      if (law_info == spot_bad_data) info = contact_bad_data
-      if (law_info /= spot_ok) return
+      of_spot = normal
+      if (laws%normal%yields()) then
+         call find_yielded_spot(wires, laws, ellipse, contact, spot, info)
+         if (info /= contact_active) return
+      end if
+      if (.not. (laws%normal%yields() .and. laws%spot%is_of_mechanics)) then
+         call contact_spot(laws%spot, contact%force, wires, ellipse, spot, law_info)
+         if (law_info == spot_bad_data) info = contact_bad_data
+         if (law_info /= spot_ok) return
+      else
+         ! what it follows is the overlap, and the angle at fixed overlap
+         of_spot = force_of_gap_t(normal%force, -1.0_dp)
+      end if
       info = contact_active
 
       ! ... and the spot carries the current
       call contact_blocks(contact%kinematics, t, v, &
-         contact_force_t(contact%force, contact%force, -normal%dforce_dgap, normal%dforce_dangle, normal), &
+         contact_force_t(contact%force, contact%force, -normal%dforce_dgap, normal%dforce_dangle, of_spot), &
          spot_in_circuit_t(spot, series_resistance=wires%series_resistance), form_spin, k_mm, r_m, k_me, k_ee, r_e, &
          contact%electricity)
       if (abs(normal%denergy_dangle) > 0 .or. abs(normal%d2energy_dangle2) > 0) then
          call contact_turning(contact%kinematics, x, t, length, laws%axis, turning_t(normal%denergy_dangle, &
-            normal%d2energy_dangle2, normal%dforce_dangle), form_spin, k_turning, r_turning)
+            normal%d2energy_dangle2, normal%dforce_dangle, normal%growth), form_spin, k_turning, r_turning)
          k_mm = k_mm + k_turning
          r_m = r_m + r_turning
       end if
@@ -163,6 +183,33 @@ contains
       contact%current = contact%electricity%current
       contact%voltage_gap = contact%electricity%voltage_gap
    end subroutine contact_em
+
+   !> The dent and the spot of wires that yield. Source: theory section 15.
+   pure subroutine find_yielded_spot(wires, laws, ellipse, contact, spot, info)
+      type(wire_pair_t), intent(in) :: wires
+      type(contact_laws_t), intent(in) :: laws
+      type(hertz_ellipse_t), intent(in) :: ellipse
+      type(contact_em_t), intent(inout) :: contact
+      type(contact_spot_t), intent(out) :: spot
+      !> `contact_active`, `contact_open` over the dent, or `contact_compacts`
+      integer, intent(out) :: info
+      type(yielding_state_t) :: state
+      type(dent_t) :: dent
+      real(dp) :: unused
+
+      contact%largest_force = max(contact%force, laws%dent_force)
+      dent = dent_of_wires(laws%normal, wires, ellipse, contact%largest_force)
+      contact%dent = dent%depth
+      info = contact_open
+      if (.not. contact%force > 0) return
+      call state_of_wires(laws%normal, wires, ellipse, laws%dent_force, contact%gap, laws%keeps_spot, state, unused)
+      info = contact_compacts
+      if (dent%area > pi*(widest_spot*minval(wires%radius))**2) return
+      if (laws%spot%exists() .and. laws%spot%is_of_mechanics) then
+         spot = spot_of_state(laws%spot, wires%resistivity, state, ellipse%ratio)
+      end if
+      info = contact_active
+   end subroutine find_yielded_spot
 
    !> Closest points and kinematics; `info` is `contact_active` when the wires overlap within both elements.
    pure subroutine find_contact(x, t, length, axis, radius, side, contact, info)

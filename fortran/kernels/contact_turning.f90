@@ -23,6 +23,8 @@ module litz_contact_turning
    type :: turning_t
       !> Pi_psi [J/rad], Pi_psipsi [J/rad^2] and F_psi [N/rad]
       real(dp) :: denergy = 0, d2energy = 0, dforce = 0
+      !> What a dent that grows with the force adds to F_psi as the derivative of the torque by the overlap [N/rad]
+      real(dp) :: growth = 0
    end type turning_t
 
    !> One axis at its closest point, as the angle sees it.
@@ -61,7 +63,7 @@ contains
       if (form == form_hessian) k = (k + transpose(k))/2
       do j = 1, n_motions
          k(:, j) = k(:, j) + kinematics%dangle*(turning%d2energy*kinematics%dangle(j) &
-            - turning%dforce*kinematics%dgap(j))
+            - (turning%dforce + turning%growth)*kinematics%dgap(j))
       end do
    end subroutine contact_turning
 

@@ -48,6 +48,8 @@ module litz_contact_history
       real(dp) :: slip_path = 0, dissipation = 0
       !> That of the last increment alone [J]
       real(dp) :: last_dissipation = 0
+      !> What the dent of wires that yield adds to the coefficient of friction [-]
+      real(dp) :: ploughing = 0
       !> Energy of the tangential spring [J]
       real(dp) :: elastic_energy = 0
       !> Largest force of the whole contact, whatever its share, since it closed or last left its spot: of a crossing

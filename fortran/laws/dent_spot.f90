@@ -3,12 +3,12 @@
 !> Source: theory (15.9).
 module litz_dent_spot
    use litz_kinds, only: dp, pi
-   use litz_spot_law, only: contact_spot_t
+   use litz_spot_law, only: contact_spot_t, spot_law_t
    use litz_spot_resistance, only: spot_metal_t, set_conductance
    use litz_yielding_spot, only: yielding_t, dent_t, yielding_state_t, state_at_force
    implicit none
    private
-   public :: yielded_spot
+   public :: yielded_spot, spot_of_state
 
 contains
 
@@ -30,5 +30,27 @@ contains
       call set_conductance(metal, state%disc, state%ddisc(1)*by_force + [0.0_dp, state%ddisc(2)], &
          state%area, state%darea(1)*by_force + [0.0_dp, state%darea(2)], spot)
    end function yielded_spot
+
+   !> The spot of a state at an overlap, all 0 where there is none; its conductance has derivatives by the overlap at
+   !> fixed angle, in place of that by the force, and by the angle at fixed overlap.
+   pure type(contact_spot_t) function spot_of_state(law, resistivity, state, ratio) result(spot)
+      !> Of a spot of the mechanics
+      type(spot_law_t), intent(in) :: law
+      !> Barred, unbarred (2) [ohm m]
+      real(dp), intent(in) :: resistivity(2)
+      type(yielding_state_t), intent(in) :: state
+      !> b/a of the ellipse
+      real(dp), intent(in) :: ratio
+      type(spot_metal_t) :: metal
+
+      if (.not. state%area > 0) return
+      metal%resistivity = resistivity
+      if (law%film_number > 0) metal%film = law%data(law%film_number)
+      if (law%path_number > 0) metal%resistivity_path = law%data(law%path_number)
+      spot%semi_major = sqrt(state%area/(pi*ratio))
+      spot%semi_minor = ratio*spot%semi_major
+      spot%approach = state%overlap
+      call set_conductance(metal, state%disc, state%ddisc(:2), state%area, state%darea(:2), spot)
+   end function spot_of_state
 
 end module litz_dent_spot

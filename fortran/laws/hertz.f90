@@ -20,8 +20,8 @@ module litz_hertz
       real(dp) :: ratio = 1
       !> ca [m N^(-1/3)] and cd [m N^(-2/3)]
       real(dp) :: semi_major = 0, approach = 0
-      !> E* [Pa]
-      real(dp) :: modulus = 0
+      !> E* [Pa], and angle between the axes [rad]
+      real(dp) :: modulus = 0, angle = 0
       !> Derivatives with respect to the angle, per radian: of cd, and of log(a b). Both are smooth and vanish at 90
       !> degrees, where a and b of equal wires change places and have no derivative of their own.
       real(dp) :: dapproach_dangle = 0, dlog_area_dangle = 0
@@ -75,6 +75,7 @@ contains
       end if
       if (.not. q > tiny(q)) return
       info = hertz_ok
+      ellipse%angle = angle
       a_curvature = mean_curvature*q/(2*(1 + c))                                                           ! A
       ellipse%modulus = effective_modulus(young, poisson)
 

@@ -17,6 +17,9 @@ module litz_normal_law
       real(dp) :: force = 0, dforce_dgap = 0, dforce_dangle = 0
       !> Integral of the force over the overlap [J], and its derivatives by the angle [J/rad, J/rad^2]
       real(dp) :: energy = 0, denergy_dangle = 0, d2energy_dangle2 = 0
+      !> What a dent that grows adds to the derivative of the torque denergy/dangle by the overlap, which otherwise is
+      !> dF/dangle [N/rad]; then the second derivative above is that of the torque by the angle
+      real(dp) :: growth = 0
    end type force_of_gap_t
 
    !> The law at a force.

@@ -4,7 +4,7 @@
 !> The energy is the elastic one: it does not grow with what yielding dissipates.
 module litz_normal_yielding
    use litz_kinds, only: dp
-   use litz_hertz, only: hertz_ellipse_t
+   use litz_hertz, only: hertz_ellipse_t, hertz_ellipse
    use litz_law_input, only: law_input_t, wire_pair_t
    use litz_normal_hertz, only: normal_hertz, elastic_force, elastic_overlap
    use litz_normal_law, only: normal_law_t, force_of_gap_t, overlap_of_force_t
@@ -13,6 +13,9 @@ module litz_normal_yielding
    implicit none
    private
    public :: normal_yielding, dent_of_wires, state_of_wires
+
+   !> Step of differences, over the sine of the angle and over the overlap
+   real(dp), parameter :: part_of_step = 1.0e-4_dp
 
 contains
 
@@ -46,8 +49,66 @@ contains
          found%dforce_dangle = state%dforce(1)
          found%energy = state%energy
          found%denergy_dangle = state%torque
+         call add_torque_slopes(given, law, dent, state, found)
       end if
    end function force_of_gap
+
+   !> How the torque changes with the angle, and with the overlap where the dent grows: by central differences, whose
+   !> error is some 1e-8 of what they give.
+   pure subroutine add_torque_slopes(given, law, dent, state, found)
+      type(law_input_t), intent(in) :: given
+      type(yielding_t), intent(in) :: law
+      type(dent_t), intent(in) :: dent
+      !> At the gap
+      type(yielding_state_t), intent(in) :: state
+      type(force_of_gap_t), intent(inout) :: found
+      real(dp) :: step
+
+      associate (angle => given%ellipse%angle, overlap => -given%gap)
+         step = part_of_step*sin(angle)
+         found%d2energy_dangle2 = (torque_at_angle(given, angle + step, state%loads) &
+            - torque_at_angle(given, angle - step, state%loads))/(2*step)
+         if (.not. state%loads) return
+         step = part_of_step*overlap
+         found%growth = (torque_on_loading(law, overlap + step) - torque_on_loading(law, overlap - step))/(2*step) &
+            - state%dforce(1)
+      end associate
+   end subroutine add_torque_slopes
+
+   !> The torque at the gap and another angle, on the same branch [J/rad].
+   pure real(dp) function torque_at_angle(given, angle, loads) result(torque)
+      type(law_input_t), intent(in) :: given
+      !> [rad]
+      real(dp), intent(in) :: angle
+      !> The force is the largest so far
+      logical, intent(in) :: loads
+      type(law_input_t) :: turned
+      type(yielding_t) :: law
+      type(dent_t) :: dent
+      type(yielding_state_t) :: state
+      integer :: unused_info
+
+      turned = given
+      call hertz_ellipse(given%wires%radius, given%wires%young, given%wires%poisson, angle, turned%ellipse, unused_info)
+      call yielding_of(turned, law, dent)
+      if (loads) then
+         torque = torque_on_loading(law, -given%gap)
+      else
+         state = state_at_overlap(law, dent, -given%gap)
+         torque = state%torque
+      end if
+   end function torque_at_angle
+
+   !> The torque where the dent is that of the present force [J/rad].
+   pure real(dp) function torque_on_loading(law, overlap) result(torque)
+      type(yielding_t), intent(in) :: law
+      !> [m]
+      real(dp), intent(in) :: overlap
+      type(yielding_state_t) :: state
+
+      state = state_at_overlap(law, dent_t(), overlap)
+      torque = state%torque
+   end function torque_on_loading
 
    pure function overlap_of_force(given) result(found)
       type(law_input_t), intent(in) :: given

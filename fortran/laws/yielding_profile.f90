@@ -66,7 +66,7 @@ contains
       profile%force = force
    end function profile_of_force
 
-   !> The place at an overlap (15.18), (15.19).
+   !> The place at an overlap (15.19), (15.20).
    pure type(profile_t) function profile_at(law, zeta) result(profile)
       type(yielding_t), intent(in) :: law
       !> Positive

@@ -13,7 +13,11 @@ module litz_yielding_spot
    implicit none
    private
    public :: yielding_t, yielding_crossing, dent_t, dent_of_force, yielding_state_t, state_at_overlap, state_at_force
-   public :: onset_factor, default_hardness, yielding_ok, yielding_bad_data, yielding_too_soft
+   public :: onset_factor, largest_onset, default_hardness, yielding_ok, yielding_bad_data, yielding_too_soft
+
+   !> Radius of a circle of the area of the spot over that of the thinner wire, beyond which H falls, and the metal is
+   !> compacted: the law does not hold
+   real(dp), parameter, public :: wide_spot = 0.3_dp, widest_spot = 0.5_dp
 
    integer, parameter :: yielding_ok = 0
    !> A yield stress that is not positive, or a hardness that is negative
@@ -65,9 +69,9 @@ module litz_yielding_spot
       real(dp) :: area = 0, disc = 0
       !> Their derivatives by the overlap, the angle and the largest force (3)
       real(dp) :: darea(3) = 0, ddisc(3) = 0
-      !> What comes back on unloading, and what yielding has dissipated [J]; how the former changes with the angle at
-      !> fixed overlap and largest force [J/rad]
-      real(dp) :: energy = 0, dissipation = 0, torque = 0
+      !> What comes back on unloading, and what yielding has dissipated [J]; how the former changes at fixed overlap
+      !> with the angle [J/rad] and with the largest force [m]
+      real(dp) :: energy = 0, dissipation = 0, torque = 0, denergy_dlargest = 0
       !> Pressure in the middle of the spot [Pa]
       real(dp) :: pressure = 0
    end type yielding_state_t
@@ -81,6 +85,14 @@ contains
 
       onset_factor = 1.295_dp*exp(0.736_dp*poisson)*(1 + 0.11_dp*(1 - ratio)**2.8_dp)
    end function onset_factor
+
+   !> Pressure at the onset of yielding at most, at any angle and of any elastic metal [Pa].
+   pure real(dp) function largest_onset(yield_stress)
+      !> [Pa]
+      real(dp), intent(in) :: yield_stress
+
+      largest_onset = onset_factor(0.5_dp, 0.0_dp)*yield_stress
+   end function largest_onset
 
    !> H of the softer metal where it is not given [Pa].
    pure real(dp) function default_hardness(yield_stress)
@@ -274,6 +286,7 @@ contains
       type(yielding_t), intent(in) :: law
       !> What the force makes, and what was there
       type(dent_t), intent(in) :: new, dent
+      real(dp) :: slopes(2)
 
       state%loads = new%force >= dent%force
       state%force = new%force
@@ -288,8 +301,11 @@ contains
       state%ddisc(:2) = new%ddisc(2)*[new%stiffness, state%dforce(1)] + [0.0_dp, new%ddisc(1)]
       state%energy = new%energy
       state%pressure = (1.5_dp - new%evenness/2)*new%force/new%area
-      state%torque = torque_of(law, new, 1.0_dp, 0.0_dp, new%force*new%doverlap(1))
-      if (new%force > law%force) state%dissipation = new%work - new%energy
+      slopes = energy_slopes(law, new, 1.0_dp, 0.0_dp, new%force*new%doverlap)
+      state%torque = slopes(1)
+      if (.not. new%force > law%force) return
+      state%denergy_dlargest = slopes(2)
+      state%dissipation = new%work - new%energy
    end function loading_state
 
    !> On the way back from the largest force, all but the force and the overlap (15.5 to 15.7).
@@ -298,7 +314,7 @@ contains
       type(dent_t), intent(in) :: dent
       !> Half axes of the spot over the largest ones, and sqrt(1 - lambda^2)
       real(dp), intent(in) :: lambda, s
-      real(dp) :: phi, length, slope, dlog_length(2), ddrop(2), dsquare(3)
+      real(dp) :: phi, length, slope, dlog_length(2), ddrop(2), dsquare(3), slopes(2)
 
       phi = dent%evenness
       if (phi > 0) state%dissipation = dent%work - dent%energy
@@ -321,7 +337,9 @@ contains
       state%ddisc = dent%disc*dsquare/(2*lambda) + lambda*[0.0_dp, dent%ddisc]
       state%energy = returned_energy(law, dent, lambda, s)
       state%pressure = (1.5_dp*(1 - phi)*lambda + 2*phi/pi*atan2(lambda, s))*dent%force/dent%area
-      state%torque = torque_of(law, dent, lambda, s, dent%force*relative_unloading(phi, lambda, s)*length*ddrop(1))
+      slopes = energy_slopes(law, dent, lambda, s, dent%force*relative_unloading(phi, lambda, s)*length*ddrop)
+      state%torque = slopes(1)
+      if (phi > 0) state%denergy_dlargest = slopes(2)
    end function unloading_state
 
    !> f(omega) of the loading (15.2).
@@ -404,23 +422,24 @@ contains
       end associate
    end function returned_energy
 
-   !> How what comes back changes with the angle at fixed overlap and largest force [J/rad]: through the disc, through
-   !> phi, and as lambda follows the overlap of the dent, where its change is the force times that of the overlap.
-   pure real(dp) function torque_of(law, dent, lambda, s, work) result(torque)
+   !> How what comes back changes at fixed overlap with the angle [J/rad] and with the largest force [m] (2): through
+   !> the disc, through phi, and as lambda follows the overlap of the dent, where its change is the force times that of
+   !> the overlap.
+   pure function energy_slopes(law, dent, lambda, s, work) result(slopes)
       type(yielding_t), intent(in) :: law
       type(dent_t), intent(in) :: dent
       !> lambda and sqrt(1 - lambda^2) [-]
       real(dp), intent(in) :: lambda, s
-      !> Force times change of the overlap at fixed lambda [J/rad]
-      real(dp), intent(in) :: work
-      real(dp) :: parts(3)
+      !> Force times change of the overlap at fixed lambda, by the angle [J/rad] and by the largest force [m] (2)
+      real(dp), intent(in) :: work(2)
+      real(dp) :: slopes(2), parts(3)
 
       parts = returned_parts(lambda, s)
       associate (phi => dent%evenness)
-         torque = -returned_energy(law, dent, lambda, s)*dent%ddisc(1)/dent%disc - work &
-            + dent%force**2/(2*law%modulus*dent%disc)*dent%devenness(1) &
+         slopes = returned_energy(law, dent, lambda, s)*([0.0_dp, 2/dent%force] - dent%ddisc/dent%disc) - work &
+            + dent%force**2/(2*law%modulus*dent%disc)*dent%devenness &
             *(-2*(1 - phi)*parts(1) + (1 - 2*phi)*parts(2) + 2*phi*parts(3))
       end associate
-   end function torque_of
+   end function energy_slopes
 
 end module litz_yielding_spot

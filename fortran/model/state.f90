@@ -37,6 +37,9 @@ module litz_state
       !> Of wires that yield: largest force that the contact feels [N], overlap beyond which it touches in the dent of
       !> that force [m], longer semi-axis of the spot then [m], and what yielding has dissipated [J]
       real(dp) :: largest_force = 0, dent = 0, largest_semi_major = 0, yield_dissipation = 0
+      !> Radius of a circle of the area of that spot, over the radius of the thinner wire; and which part of the width
+      !> of its dent the contact has slid up in the increment [-]
+      real(dp) :: spot_share = 0, climbed = 0
       !> Contact resistance [ohm], infinite where no current can pass; current from barred to unbarred [A],
       !> its voltage [V]
       real(dp) :: resistance = 0, current = 0, voltage_gap = 0

@@ -151,6 +151,7 @@ contains
       call table%field('slip_path', history%slip_path)
       call table%field('dissipation', history%dissipation)
       call table%field('last_dissipation', history%last_dissipation)
+      call table%field('ploughing', history%ploughing)
       call table%field('elastic_energy', history%elastic_energy)
       call table%field('largest_force', history%largest_force)
       call table%field('spot_arc_bar', history%spot_arc(1))

@@ -17,6 +17,7 @@ module litz_increment_warnings
    use litz_text, only: to_text
    use litz_tight_bends, only: describe_tight_bends
    use litz_unpaired_overlaps, only: describe_unpaired_overlaps
+   use litz_yielding_spot, only: wide_spot
    implicit none
    private
    public :: add_deck_warnings, add_start_warnings, add_increment_warnings
@@ -26,6 +27,8 @@ module litz_increment_warnings
    real(dp), parameter :: longest_smooth = 3.5_dp
    !> Nodes lie opposite each other to this part of half an element
    real(dp), parameter :: opposite = 0.2_dp
+   !> Part of its width by which a contact may slide up the side of its dent in an increment
+   real(dp), parameter :: longest_climb = 0.25_dp
 
 contains
 
@@ -172,6 +175,7 @@ contains
       end if
       call add_table_ends(model, contact, elements, warnings)
       call add_hot_spot(model, contact, elements, warnings)
+      call add_dent(model, contact, elements, warnings)
       if (penetration(model, contact) <= allowed_penetration) return
       call warnings%add('unlimited_penetration', describe_contact(model, contact)//' overlaps by '// &
          to_text(100*penetration(model, contact))//' % of the smaller radius, which PENETRATION=UNLIMITED'// &
@@ -198,6 +202,24 @@ contains
          to_text(contact%temperature_max)//' '//model%units%label('K')//' in its spot, whose metal '//change, &
          elements, contact%temperature_max, 'K')
    end subroutine add_hot_spot
+
+   !> A spot of metal that yields which is wide for its wires, or a contact that has jumped up the side of its dent.
+   subroutine add_dent(model, contact, elements, warnings)
+      type(model_t), intent(in) :: model
+      type(contact_t), intent(in) :: contact
+      !> The user's numbers of its elements
+      integer, intent(in) :: elements(2)
+      type(run_warnings_t), intent(inout) :: warnings
+
+      if (contact%spot_share > wide_spot) call warnings%add('wide_spot', describe_contact(model, contact)//' has'// &
+         ' yielded to a spot with the area of a circle of '//to_text(contact%spot_share)//' times the radius of the'// &
+         ' thinner wire; beyond '//to_text(wide_spot)//' the metal around it gives way, and the hardness falls'// &
+         ' (by 15 % there)', elements, contact%spot_share, 'radii')
+      if (contact%climbed > longest_climb) call warnings%add('left_dent', describe_contact(model, contact)//' has'// &
+         ' slid up the side of its dent by '//to_text(contact%climbed)//' of the width of the dent in one'// &
+         ' increment: its force jumps; increments in which it slides by less than '//to_text(longest_climb)// &
+         ' follow it', elements, contact%climbed, 'widths')
+   end subroutine add_dent
 
    !> Elements too long for the pressure along a line to be smooth, where their nodes do not lie opposite those of the
    !> other wire: the longest.

@@ -25,9 +25,9 @@ def modes(angle, along):
     return total
 
 
-def deck(angle, along, options="VOLTAGE=LINEAR, MUTUAL RESISTANCE=YES"):
+def deck(angle, along, options="VOLTAGE=LINEAR, MUTUAL RESISTANCE=YES", **changes):
     """Two thin wires across a thick one at a distance along it, in its radii, and an angle round it."""
-    return two_spots.deck(SPOT, along * THICK.radius, angle, options, stations=3)
+    return two_spots.deck(SPOT, along * THICK.radius, angle, options, stations=3, **changes)
 
 
 def contacts(run, text):
@@ -65,6 +65,60 @@ def test_contacts_within_elements_feel_each_other_beside_the_voltage_that_the_el
     (_, with_it), (_, without) = contacts(run, text), contacts(run, alone)
     added = VOLTAGE / np.abs(with_it["current"]) - VOLTAGE / np.abs(without["current"])
     np.testing.assert_allclose(added, modes(0, 0.25) * THICK.resistivity / THICK.radius, rtol=0.04)
+
+
+def test_a_free_end_mirrors_the_spots(run):
+    """Two spots near the end of the thick wire, whose round end counts as a flat one 2/3 r beyond its node: what is added
+    there are both images, its own, too."""
+    along, depth = 0.25, 0.1
+    near, far = (
+        contacts(run, deck(0, along, thick=np.linspace(-0.01, end * THICK.radius, 5)))[1]["current"]
+        for end in (along / 2 + depth, 10)
+    )
+    added = VOLTAGE * (1 / np.abs(near) - 1 / np.abs(far)) * THICK.radius / THICK.resistivity
+    below = np.array([along + depth, depth]) + 2 / 3
+    expected = np.array([sum(modes(0, a + b) for b in below) for a in below])
+    # the fit of one image is within 0.005 there
+    np.testing.assert_allclose(added, expected, atol=0.01)
+    assert expected.max() > 0.02
+
+
+def bent(text, radius):
+    """The wire along x as an arc about y, with all that lies on it, and moved as the arc has turned there."""
+
+    def place(match):
+        x, y, z = (float(part) for part in match.group(2).split(","))
+        turn, out = x / radius, radius + z
+        return f"{match.group(1)}, {out * np.sin(turn):.17g}, {y:.17g}, {out * np.cos(turn) - radius:.17g}"
+
+    turns = {f"THIN{k}": float(re.search(rf"^ {k}01, ([^,]*)", text, re.M).group(1)) / radius for k in (1, 2)}
+    text = re.sub(r"^( \d+), ([^,\n]+, [^,\n]+, [^,\n]+)$", place, text, flags=re.M)
+    for name, turn in turns.items():
+        down = -1e-6 * np.array([np.sin(turn), np.cos(turn)])
+        text = text.replace(f" {name}, 3, 3, -1e-06", f" {name}, 1, 1, {down[0]:.17g}\n {name}, 3, 3, {down[1]:.17g}")
+    return text
+
+
+def test_in_a_bend_directions_round_the_wire_turn_with_its_axis(run):
+    """On the outside of an arc of three radii: as on a straight wire at the same distance along the axis."""
+    text = deck(0, 0.5, thick=np.linspace(-4e-3, 4e-3, 33))
+    straight, arc = (contacts(run, each)[1]["current"] for each in (text, bent(text, 3 * THICK.radius)))
+    # of what the other spot adds, 0.4 rho/r of 25; angles between fixed directions would change it by 5 %
+    np.testing.assert_allclose(arc, straight, rtol=1e-4)
+
+
+def test_what_spots_add_to_each_other_heats_the_wire_that_they_share(run):
+    """Equal metals at one temperature: each half of a spot is warmed by half of its own heat, the thick wire by the rest."""
+    text = deck(0, 0.1)
+    text = text.replace("*ELECTRICAL CONDUCTIVITY", "*CONDUCTIVITY\n 400.\n*ELECTRICAL CONDUCTIVITY")
+    heated = "*STEP\n*COUPLED THERMAL-ELECTRICAL, STEADY STATE\n*BOUNDARY\n"
+    heated += "".join(f" {name}, 11, 11, 293.\n" for name in ("THICK", "THIN1", "THIN2"))
+    _, ledger = contacts(run, text + heated + "*END STEP\n")
+    current = np.abs(ledger["current"])
+    added = VOLTAGE * current - ALONE * current**2
+    assert (added > 0.04 * ALONE * current**2).all()
+    np.testing.assert_allclose(ledger["heat_1"], ALONE * current**2 / 2 + added, rtol=1e-6)
+    np.testing.assert_allclose(ledger["heat_2"], ALONE * current**2 / 2, rtol=1e-6)
 
 
 @pytest.mark.parametrize("resistance", [1e-9, 1e-7, 1e-5])

@@ -174,6 +174,93 @@ def test_a_wire_that_slides_leaves_its_dent(run):
     assert off["force"] == pytest.approx(law(1.2e-6).force, rel=1e-9)
 
 
+def ploughing_force(overlap):
+    """(2/pi) F D'(F)/a of a round spot: what a contact that slides makes anew of its dent, over the length in which it does."""
+    step = 1e-5 * overlap
+    below, here, above = (law(z) for z in (overlap - step, overlap, overlap + step))
+    growth = (above.dissipation - below.dissipation) / (above.force - below.force)
+    return 2 / np.pi * here.force * growth / here.semi_major
+
+
+@pytest.mark.parametrize("increments", [2, 16])
+def test_a_contact_that_slides_ploughs(run, increments):
+    """At the same overlap: a force along the wire that makes the dent anew, and whose work is dissipated, in long increments
+    as in short ones. The stick before is as stiff as that of friction."""
+    far = 4 * law(2e-6).semi_major
+    process, results = run(held(to(2e-6, increments=1), to(2e-6, far, increments=increments)))
+    assert process.returncode == 0, process.stderr
+    force = ploughing_force(2e-6)
+    # of a sphere in the groove that it has ploughed, with its front half or with all of its spot: 4a/(3 pi R), 2a/(3 pi R)
+    relative = law(2e-6).semi_major / (np.pi * RADIUS)
+    assert 0.6 * relative < force / law(2e-6).force < 1.4 * relative
+    history = results.history
+    np.testing.assert_allclose(history["RF1 sum UPPER"][2:], force, rtol=1e-6)
+    modulus = YOUNG / (2 * (1 - POISSON**2))
+    stick = 2 * (1 - POISSON) / (2 - POISSON) * 2 * modulus * law(2e-6).disc_radius
+    made = history["ALLPD"][-1] - law(2e-6).dissipation
+    assert made == pytest.approx(force * (far - force / stick), rel=1e-6)
+    assert contacts(results)[-1]["yield_dissipation"] == pytest.approx(history["ALLPD"][-1], rel=1e-12)
+    # sliding changes nothing in the balance
+    assert history["ETOTAL"][-1] - history["ETOTAL"][1] == pytest.approx(0, abs=1e-6 * made)
+    assert history["ALLFD"][-1] == pytest.approx(0, abs=1e-9 * made)
+
+
+def test_ploughing_adds_to_friction(run):
+    far = 4 * law(2e-6).semi_major
+    _, results = run(held(to(2e-6, increments=1), to(2e-6, far, increments=4), friction="*FRICTION\n 0.1"))
+    pressed, ploughed = law(2e-6).force, ploughing_force(2e-6)
+    assert results.history["RF1 sum UPPER"][-1] == pytest.approx(0.1 * pressed + ploughed, rel=1e-6)
+    made = results.history["ALLPD"][-1] - law(2e-6).dissipation
+    assert made / results.history["ALLFD"][-1] == pytest.approx(ploughed / (0.1 * pressed), rel=1e-6)
+
+
+def test_what_climbing_out_of_a_dent_takes_is_in_the_balance(run):
+    """Let go half way, then slid up the side of the dent until it is left: work = elastic energy + ALLPD, to first order in
+    the increments; the force rises to that of metal that has not yielded before."""
+    far = 2.5 * law(2e-6).semi_major
+    errors = []
+    for increments in (20, 40):
+        _, results = run(
+            held(to(2e-6, increments=40), to(1.6e-6, increments=40), to(1.6e-6, far, increments=increments))
+        )
+        history = results.history
+        assert contacts(results)[-1]["force"] == pytest.approx(law(1.6e-6).force, rel=1e-3)
+        errors.append(np.abs(history["ETOTAL"] - history["ETOTAL"][80])[81:].max() / history["ALLPD"][-1])
+    assert errors[1] < 0.025
+    assert errors[0] / errors[1] > 1.7
+
+
+def test_leaving_a_dent_in_one_increment_is_warned_of(run):
+    """Where the contact lies in its dent; one that makes it anew as it slides may take long increments."""
+    along = law(2e-6).semi_major
+    for z, warned in ((1.6e-6, True), (2e-6, False)):
+        _, results = run(held(to(2e-6, increments=1), to(z, increments=1), to(z, along, increments=1)))
+        assert ("left_dent" in [warning.kind for warning in results.warnings]) == warned
+
+
+@pytest.mark.parametrize(
+    ("overlap", "wide", "refused"), [(4e-5, False, False), (6e-5, True, False), (2e-4, True, True)]
+)
+def test_spots_that_are_wide_for_their_wires_are_warned_of_and_refused(run, overlap, wide, refused):
+    """A circle of the area of the spot of 0.3 and of 0.5 radii."""
+    process, results = run(held(to(overlap, increments=1), behavior=BEHAVIOR + ", PENETRATION=UNLIMITED"))
+    assert (process.returncode != 0) == refused
+    if refused:
+        assert "the metal is compacted" in process.stderr + process.stdout
+        return
+    assert (law(overlap).semi_major > 0.3 * RADIUS) == wide
+    assert ("wide_spot" in [warning.kind for warning in results.warnings]) == wide
+
+
+def test_an_elasticity_over_temperature_is_refused(run):
+    deck = held(to(2e-6, increments=1))
+    assert deck.count("*ELASTIC\n") == 1
+    line = deck.split("*ELASTIC\n")[1].split("\n")[0]
+    process, _ = run(deck.replace(line, f"{line}, 293.\n {line}, 400.", 1))
+    assert process.returncode == 1
+    assert "an elasticity over temperature, which YIELD of surface interaction TOUCH does not follow" in process.stderr
+
+
 def two_steps(back, **changes):
     """The ends of the upper wire are pushed, then taken back to `back`."""
     deck = crossed(behavior=BEHAVIOR, static="0.1, 1, 1e-3, 0.1", extra="*ENERGY PRINT", **changes)

@@ -14,7 +14,7 @@ import pytest
 from contact_pair import CLASSES, Pair, turned
 from derivatives import derivative, derivative_along, random_direction, rotation, skew
 from litz import _core
-from litz.kernels import closest_points, contact_coupling, contact_em, contact_spot
+from litz.kernels import closest_points, contact_coupling, contact_em, contact_spot, normal_law
 
 TOLERANCE = 1e-8
 N_CONFIGURATIONS = 200
@@ -106,6 +106,79 @@ def test_residual_of_hertz_is_the_gradient_of_its_energy(name):
         r = pair.evaluate().R[:24]
         gradient = derivative(energy, np.zeros(28), pair.step)[:24]
         assert np.abs(r - gradient).max() < TOLERANCE * np.abs(r).max(), seed
+
+
+def yielding(pair, spot, larger):
+    """Laws of the pair with metal that yields well below its present overlap, and a dent of `larger` times its force."""
+    laws = dict(normal_law="hertz", spot_law=spot) | (dict(film_resistivity=0.1) if spot == "film" else {})
+    pair.laws = {key: value for key, value in pair.laws.items() if key in ("side", "series_resistance")} | laws
+    elastic = pair.evaluate(spot_law="hertz", film_resistivity=None)
+    pressure = 1.5 * elastic.force / (np.pi * elastic.semi_major * elastic.semi_minor)
+    pair.laws |= dict(yield_stress=0.2 * pressure, hardness=1.2 * pressure)
+    pair.laws["largest_force"] = larger * pair.evaluate().force
+
+
+@pytest.mark.parametrize("name", ["oblique", "strongly pre-rotated"])
+@pytest.mark.parametrize("spot", ["hertz", "film", "none"])
+@pytest.mark.parametrize("larger", [0.0, 1.5])
+def test_tangent_of_wires_that_yield(name, spot, larger):
+    """On the loading, where the dent and its torque grow, and on the way back."""
+    for seed in range(N_BY_COLUMNS):
+        pair = Pair(seed, **(CLASSES[name] | dict(overlap=(0.01, 0.05))))
+        yielding(pair, spot, larger)
+        result = pair.evaluate()
+        assert result.active, seed
+        assert result.dent > 0
+        errors = errors_of_tangent(seed, result.K, pair.residual, pair)
+        assert max(errors.values()) < TOLERANCE, (seed, pair.laws, errors)
+
+
+@pytest.mark.parametrize("largest_force", [0.0, 6.0])
+def test_wires_that_yield_have_the_law_of_the_spot(largest_force):
+    """Force, spot and dent are those of `normal_law`, the conductance that of `contact_spot`; over the dent there is nothing."""
+    metal = dict(
+        radius=1e-3, young=120e9, poisson=0.34, yield_stress=200e6, hardness=800e6, largest_force=largest_force
+    )
+    x = np.array([[-0.01, 0, 1.998e-3], [0.01, 0, 1.998e-3], [0, -0.01, 0], [0, 0.01, 0]])
+    t = [[1, 0, 0], [1, 0, 0], [0, 1, 0], [0, 1, 0]]
+    laws = dict(normal_law="hertz", spot_law="hertz", resistivity=1.7e-8, **metal)
+    found = contact_em(x, t, [0.02, 0.02], [1e-3, 1e-3, 0, 0], **laws)
+    law = normal_law(2e-6, angle=np.pi / 2, **metal)
+    spot = contact_spot(law.force, angle=np.pi / 2, resistivity=1.7e-8, **metal)
+    for name in ("force", "semi_major", "dent", "largest_force"):
+        assert getattr(found, name) == pytest.approx(getattr(law, name), rel=1e-9), name
+    assert found.resistance == pytest.approx(1 / spot.conductance, rel=1e-9)
+    kept = contact_em(x, t, [0.02, 0.02], [1e-3, 1e-3, 0, 0], keeps_spot=True, **laws)
+    top = contact_spot(law.largest_force, angle=np.pi / 2, resistivity=1.7e-8, **metal)
+    assert kept.resistance == pytest.approx(1 / top.conductance, rel=1e-9)
+    lifted = x + np.array([[0, 0, 2e-6 - 0.99 * law.dent]] * 2 + [[0, 0, 0]] * 2)
+    over = contact_em(lifted, t, [0.02, 0.02], np.zeros(4), **(laws | dict(largest_force=law.largest_force)))
+    assert not over.active
+    assert over.gap < 0
+    assert not over.K.any()
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (dict(normal_law="linear", eps_n=1.0), 'yield_stress belongs to normal_law="hertz"'),
+        (dict(spot_law="plastic"), "makes a spot of its own"),
+        (dict(spot_law="paper"), "makes a spot of its own"),
+        (dict(hardness=250e6), "hardness must be greater than the pressure"),
+        (dict(yield_stress=-1.0), "yield_stress must be greater than 0"),
+        (dict(largest_force=-1.0), "largest_force must not be negative"),
+        (dict(yield_stress=None, hardness=None, largest_force=1.0), "largest_force needs yield_stress"),
+        (dict(ends=[0, 1]), "at the ends of wires"),
+        (dict(x=[[-0.01, 0, 1.8e-3], [0.01, 0, 1.8e-3], [0, -0.01, 0], [0, 0.01, 0]]), "more than half of the smaller"),
+    ],
+)
+def test_what_does_not_go_with_wires_that_yield_is_refused(change, words):
+    good = dict(radius=1e-3, young=120e9, poisson=0.34, resistivity=1.7e-8, normal_law="hertz", spot_law="hertz",
+                yield_stress=200e6, hardness=800e6)  # fmt: skip
+    x = [[-0.01, 0, 1.998e-3], [0.01, 0, 1.998e-3], [0, -0.01, 0], [0, 0.01, 0]]
+    t = [[1, 0, 0], [1, 0, 0], [0, 1, 0], [0, 1, 0]]
+    with pytest.raises(ValueError, match=words):
+        contact_em(**(dict(x=x, t=t, length=[0.02, 0.02], v=np.zeros(4)) | good | change))
 
 
 def test_wires_that_press_resist_to_be_turned_from_crossed_towards_parallel():

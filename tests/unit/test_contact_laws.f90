@@ -2,7 +2,6 @@
 !> where a law cannot be evaluated.
 program test_contact_laws
    use litz_kinds, only: dp, pi
-   use litz_contact_refusals, only: refused_contact
    use litz_contact_history, only: contact_history_t, force_of_spot
    use litz_contact_points, only: contact_set_t, law_bad_data
    use litz_element_library, only: elements_t
@@ -13,6 +12,7 @@ program test_contact_laws
    use litz_normal_law, only: normal_law_t, force_of_gap_t, force_at_gap, linearise, penalty_that_holds
    use litz_normal_laws, only: normal_law
    use litz_normal_yielding, only: normal_yielding
+   use litz_refused_contacts, only: refused_contact
    use litz_spot_law, only: contact_spot_t, contact_spot, spot_law_t, spot_ok, spot_bad_data, spot_unknown_law
    use litz_spot_laws, only: spot_law
    implicit none

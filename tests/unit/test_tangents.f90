@@ -72,13 +72,12 @@ program test_tangents
       '0.01, 1e-2'//nl//'1000, 1e-4'//nl, '', '', exact)
    call check_terms('linear axes', 'B33', 'B33', penalty//spot, ', AXIS=LINEAR', '', exact)
    call check_terms('Hertz', 'B33', 'B31', hertz//spot, '', '', exact)
-   ! how the torque about the normal changes with the angle, and with a dent that grows, is left out of the tangent
-   call check_yielding('wires that yield', spot, 0.01_dp, 1.0e-4_dp)
-   call check_yielding('wires in their dent', spot, 1.1_dp, 2.0e-6_dp)
+   call check_yielding('wires that yield', spot, 0.01_dp, exact)
+   call check_yielding('wires in their dent', spot, 1.1_dp, exact)
    call check_yielding('film between wires that yield', '*GAP ELECTRICAL CONDUCTANCE, LAW=FILM'//nl//'1e-12'//nl, &
-      0.01_dp, 1.0e-4_dp)
+      0.01_dp, exact)
    call check_yielding('kept spots in a dent', '*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ, SPOT=LARGEST FORCE'//nl, &
-      1.1_dp, 2.0e-6_dp)
+      1.1_dp, exact)
    ! it would slip if it were moved as far as the others; what the motion since the increment began changes in the rows
    ! of the slip is left out: of the order of that motion over the radius
    call check_terms('friction that sticks', 'B33', 'B33', penalty//'*FRICTION'//nl//'0.8'//nl, '', '', 1.0e-4_dp, &
@@ -391,6 +390,8 @@ contains
       call solve_first_step(deck_of('B33', 'B33', '*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ, YIELD=1e8'//nl// &
          law_of_spot, '', '', ''), problem)
       problem%contact%converged%history%dent%force = larger*problem%contact%converged%history%dent%force
+      ! what sticks is tested below
+      problem%contact%converged%history%ploughing = 0
       do trial = 1, 3
          call compare(name, problem, tolerance, 0.01_dp)
          call check(any(problem%contact%points%closed .and. (problem%contact%points%yielding%dissipation > 0)), &

@@ -46,6 +46,7 @@ def points(
     found = dict(zip(names, values, strict=False))
     found["area"] = np.pi * found["a"] * found["b"]
     found["darea"], found["ddisc"] = values[12:15], values[15:18]
+    found["energy_by_largest"] = values[18]
     return found, dict(zip(["pressure", "force", "overlap", "h", "plastic"], onset, strict=True))
 
 
@@ -299,6 +300,9 @@ def test_derivatives(hardness, degrees, multiple):
             )
             exact = np.array([found["by_largest"][0], found["darea"][2, 0], found["ddisc"][2, 0]])
             assert (np.abs(exact - by_largest[:3, 0]) * largest <= tolerance[:3] / reach).all()
+            if size[0] > 0 and largest > onset["force"]:
+                energy = found["energy_by_largest"][0] - by_largest[4, 0]
+                assert abs(energy) * largest <= 10 * tolerance[4] / reach
 
 
 @pytest.mark.parametrize("multiple", [0.0, 0.5, 1.0001, 2.0, 100.0, 1e5])

@@ -20,13 +20,14 @@ RATIOS = (10, 20, 50, 100)
 THICK = Wire(radius=1e-3, young=120e9, poisson=0.34, resistivity=1.7e-8)
 THIN = Wire(radius=0.1e-3, young=120e9, poisson=0.34, resistivity=1.7e-8)
 RHO = THICK.resistivity
+THICK_NODES = np.linspace(-0.01, 0.01, 5)
 
 
-def deck(spot_radius, distance=DISTANCE, angle=0.0, options="VOLTAGE=LINEAR", stations=4):
+def deck(spot_radius, distance=DISTANCE, angle=0.0, options="VOLTAGE=LINEAR", stations=4, thick=THICK_NODES):
     """A thick wire along x and two thin ones across it at a distance along it and an angle round it, which come down by a
-    micrometre; `stations` are the nodes of a thin one."""
+    micrometre; `stations` are the nodes of a thin one, `thick` has those of the thick one."""
     hardness = PENALTY * APPROACH / (np.pi * spot_radius**2)
-    blocks, moves = [chain(np.outer(np.linspace(-0.01, 0.01, 5), [1, 0, 0]), "B33", "THICK", 1)], []
+    blocks, moves = [chain(np.outer(thick, [1, 0, 0]), "B33", "THICK", 1)], []
     for name, first, x, turn in (("THIN1", 101, -distance / 2, 0.0), ("THIN2", 201, distance / 2, angle)):
         out, across = np.array([0, np.sin(turn), np.cos(turn)]), np.array([0, np.cos(turn), -np.sin(turn)])
         middle = np.array([x, 0, 0]) + (THICK.radius + THIN.radius) * out

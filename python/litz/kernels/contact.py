@@ -13,7 +13,10 @@ from .axes import AXES, Axis
 from .laws import NormalLaw, normal_law_data
 from .spot import SpotLaw, spot_law_data
 from .wire_pair import Numbers, geometry, properties
+from .yielding import single_yield_data
 
+#: Spot laws of wires that yield
+_YIELDED_SPOTS = ("hertz", "film", "sharvin", "constant", "table", "none")
 # The constants of the kernel
 _CONTACT_ACTIVE, _CONTACT_OPEN, _CONTACT_BEYOND = 0, 1, 2
 _FAILURES = {
@@ -21,6 +24,8 @@ _FAILURES = {
     "a point contact needs wires that cross",
     -2: "the wires overlap, but their closest points are not unique",
     -3: "the closest points were not found; do two nodes of an element coincide?",
+    -6: "the spot of wires that yield has the area of a circle of more than half of the smaller radius: the wires would "
+    "be compacted, for which the law does not hold",
 }
 
 
@@ -60,6 +65,10 @@ class ContactEM(NamedTuple):
     #: On which side of the other a wire lies, 1 or -1, what the argument `side` remembers; 0 where the closest points
     #: lie beyond the elements
     side: int
+    #: Of wires that yield: largest force so far, this one included [N], what the argument `largest_force` remembers
+    largest_force: float
+    #: Of wires that yield: overlap at which they part in the dent of that force [m]
+    dent: float
 
 
 class ContactCoupling(NamedTuple):
@@ -101,6 +110,9 @@ def contact_em(
     side: Literal[-1, 0, 1] = 0,
     series_resistance: ArrayLike = (0.0, 0.0),
     ends: ArrayLike = (0, 0),
+    yield_stress: float | None = None,
+    largest_force: float = 0.0,
+    keeps_spot: bool = False,
 ) -> ContactEM:
     """Electric-mechanical beam-to-beam contact element: tangent and residual of one pair of elements.
 
@@ -132,7 +144,7 @@ def contact_em(
     normal_value : float or array_like, optional
         The number, or the numbers, of a normal law that has no argument of its own.
     hardness, film_resistivity, resistance, law_value, table : optional
-        Data of the spot law, see `contact_spot`.
+        Data of the spot law, see `contact_spot`. With `yield_stress`, `hardness` is that of the metal that yields.
     side : {0, 1, -1}
         Sign of ``(xb - x) . (x' x xb')`` when the contact began: `side` of the last converged state. With it the gap
         keeps its sign when the axes have passed through each other; 0, for a pair that was open, takes the present sign.
@@ -143,12 +155,21 @@ def contact_em(
         End of the barred and of the unbarred element, -1 or 1, with which that wire touches, as a hemisphere; 0: it
         touches with its side. The place is held at the node, and its foot on the other wire moves (a kink of a wire is
         a round joint, too). Whether the distance is least there is not looked at.
+    yield_stress : float, optional
+        With `normal_law="hertz"`: yield stress of the softer metal [Pa]; the law of runs with ``YIELD``, see `normal_law`.
+        Its spot laws are "hertz", "film" and "sharvin", which follow the yielded spot, "constant", "table" and "none".
+    largest_force : float
+        With `yield_stress`: `largest_force` of the last converged state [N], which has made the dent; 0: none.
+    keeps_spot : bool
+        With `yield_stress`: the spot stays as wide as the largest force has made it while the wires touch
+        (``SPOT=LARGEST FORCE``).
 
     Returns
     -------
     ContactEM
         `K` (28, 28), `R` (28,), `active`, `xi_bar`, `xi`, `gap` [m], `normal` (3,), `force` [N], `spot_radius` [m],
-        `resistance` [ohm], `current` [A], `voltage_gap` [V], `angle` [rad], `semi_major` [m], `semi_minor` [m], `side`.
+        `resistance` [ohm], `current` [A], `voltage_gap` [V], `angle` [rad], `semi_major` [m], `semi_minor` [m], `side`,
+        `largest_force` [N], `dent` [m].
         Unknowns in the order {ub (12), u (12), Vb (2), V (2)}, each node ``ux uy uz phix phiy phiz``. `R` is internal
         minus external; Newton solves ``K dq = -R``. A pair that is open, or whose closest points lie beyond the
         elements' ends, has zeros and ``active=False``.
@@ -181,9 +202,10 @@ def contact_em(
     k, r, numbers, normal, _, info = _contact_em(
         x, t, length, v, radius, young, poisson, resistivity, eps_n, axis, spot_law, rotation_vectors, normal_law,
         hardness, film_resistivity, resistance, law_value, normal_value, table, side, series_resistance, ends,
+        yield_stress, largest_force, keeps_spot,
     )  # fmt: skip
-    xi_bar, xi, gap, angle, force, semi_major, semi_minor, spot_resistance, current, voltage_gap, now_on = map(
-        float, numbers
+    xi_bar, xi, gap, angle, force, semi_major, semi_minor, spot_resistance, current, voltage_gap, now_on, most, dent = (
+        map(float, numbers)
     )
     return ContactEM(
         K=k,
@@ -202,6 +224,8 @@ def contact_em(
         semi_major=semi_major,
         semi_minor=semi_minor,
         side=int(now_on),
+        largest_force=most,
+        dent=dent,
     )
 
 
@@ -228,12 +252,15 @@ def contact_coupling(
     side: Literal[-1, 0, 1] = 0,
     series_resistance: ArrayLike = (0.0, 0.0),
     ends: ArrayLike = (0, 0),
+    yield_stress: float | None = None,
+    largest_force: float = 0.0,
+    keeps_spot: bool = False,
 ) -> ContactCoupling:
     """Parts of the coupling block of `contact_em`, as the paper names them; their sum is ``K[24:, :24]`` (spins).
 
     Parameters
     ----------
-    x, t, ..., ends
+    x, t, ..., keeps_spot
         All as for `contact_em`.
 
     Returns
@@ -249,6 +276,7 @@ def contact_coupling(
     parts = _contact_em(
         x, t, length, v, radius, young, poisson, resistivity, eps_n, axis, spot_law, None, normal_law,
         hardness, film_resistivity, resistance, law_value, normal_value, table, side, series_resistance, ends,
+        yield_stress, largest_force, keeps_spot,
     )[4]  # fmt: skip
     return ContactCoupling(*np.moveaxis(parts, -1, 0))
 
@@ -276,16 +304,22 @@ def _contact_em(
     side: int,
     series_resistance: ArrayLike,
     ends: ArrayLike,
+    yield_stress: float | None,
+    largest_force: float,
+    keeps_spot: bool,
 ) -> tuple[Any, ...]:
     """Check the input, call the kernel, raise what it could not do."""
     places = geometry(x, t, length)
     voltages = checks.array("v", v, (4,))
     of_wires = properties(radius, young, poisson, resistivity)
     normal_number, normal_data = normal_law_data(normal_law, eps_n=eps_n, normal_value=normal_value)
+    of_yielding = single_yield_data(yield_stress, hardness, largest_force)
+    if yield_stress is not None:
+        _check_yielding(normal_law, spot_law, np.asarray(ends), of_yielding)
     spot_number, spot_data = spot_law_data(
         "spot_law",
         spot_law,
-        hardness=hardness,
+        hardness=hardness if yield_stress is None else None,
         film_resistivity=film_resistivity,
         resistance=resistance,
         law_value=law_value,
@@ -304,9 +338,30 @@ def _contact_em(
         np.zeros((4, 3)) if rotation_vectors is None else checks.array("rotation_vectors", rotation_vectors, (4, 3))
     )
     result = _core.f2py_contact.contact_em(
-        *places, voltages, *of_wires, normal_number, normal_data, spot_number, spot_data,
+        *places, voltages, *of_wires, normal_number, normal_data, *of_yielding, keeps_spot, spot_number, spot_data,
         checks.choice("axis", axis, AXES), side, of_ends.astype(int), series, has_vectors, vectors.T,
     )  # fmt: skip
     if result[-1] < 0:
         raise ValueError(_FAILURES[result[-1]])
     return result
+
+
+def _check_yielding(
+    normal_law: NormalLaw, spot_law: SpotLaw, ends: NDArray[np.float64], of_yielding: tuple[float, ...]
+) -> None:
+    """Refuse what does not go with wires that yield."""
+    if normal_law != "hertz":
+        raise ValueError(f'yield_stress belongs to normal_law="hertz", not "{normal_law}"')
+    if spot_law not in _YIELDED_SPOTS:
+        raise ValueError(
+            f'spot_law="{spot_law}" makes a spot of its own; with yield_stress it is one of {", ".join(_YIELDED_SPOTS)}'
+        )
+    if ends.any():
+        raise ValueError("yield_stress: at the ends of wires the law of metal that yields is not known")
+    yield_stress, hardness, _ = of_yielding
+    onset = _core.f2py_yielding.largest_onset(yield_stress)
+    if 0 < hardness <= onset:
+        raise ValueError(
+            f"hardness must be greater than the pressure at which crossed wires with a yield stress of {yield_stress:g} "
+            f"Pa begin to yield, up to {onset:g} Pa, not {hardness:g} Pa"
+        )

@@ -148,6 +148,22 @@ def yield_data(yield_stress: Numbers | None, hardness: float | None) -> tuple[Fl
     )
 
 
+def single_yield_data(yield_stress: float | None, hardness: float | None, largest_force: float) -> tuple[float, ...]:
+    """Yield stress, 0 of elastic wires, hardness, 0 where it follows from it, and largest force of a law of runs."""
+    largest = checks.number("largest_force", largest_force)
+    if largest < 0:
+        raise ValueError(f"largest_force must not be negative, but is {largest:g}")
+    if yield_stress is None:
+        if largest > 0:
+            raise ValueError("largest_force needs yield_stress: elastic wires remember none")
+        return 0.0, 0.0, 0.0
+    return (
+        checks.positive("yield_stress", yield_stress),
+        0.0 if hardness is None else checks.positive("hardness", hardness),
+        largest,
+    )
+
+
 def refuse(info: int, hardness: float, stresses: Floats, yield_pressure: float, angle: float) -> None:
     """Raise what `info` of the law says."""
     if info == _TOO_SOFT:
