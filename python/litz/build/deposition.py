@@ -94,10 +94,7 @@ def drop(rng: np.random.Generator, n_wires: int, rules: Rules) -> Layout:
             )
         n_drawn += count
         together = _keep(np.concatenate([ends, _drawn(rng, count, rules)]), len(ends), rules, with_ends=False)
-        together = move_ends(
-            together, rules.is_held(together), rules.size, margin=rules.margin,
-            reach=_LARGEST_MOVE * rules.length, shortest=rules.shortest,
-        )  # fmt: skip
+        together = _with_free_ends(together, rules.is_held(together), rules)
         together = _keep(together, 0, rules, with_ends=True)
         share = max(0.05, (len(together) - len(ends)) / count)
         ends = together[:n_wires]
@@ -109,6 +106,12 @@ def _drawn(rng: np.random.Generator, count: int, rules: Rules) -> NDArray[np.flo
     """Random wires of which the edges leave enough."""
     ends = draw(rng, count, rules.size, rules.length)
     return ends[np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) >= rules.shortest]
+
+
+def _with_free_ends(ends: NDArray, held: NDArray, rules: Rules) -> NDArray[np.float64]:
+    """Wires whose ends have been moved away from others, but for those that are held."""
+    reach = _LARGEST_MOVE * rules.length
+    return move_ends(ends, held, rules.size, margin=rules.margin, reach=reach, shortest=rules.shortest)
 
 
 def _keep(ends: NDArray, first_new: int, rules: Rules, *, with_ends: bool) -> NDArray[np.float64]:
@@ -181,6 +184,9 @@ def deposit(
             )
         n_drawn += count
         together = np.concatenate([placed, _drawn(rng, count, rules)])
+        held = rules.is_held(together)
+        held[: len(placed)] = True
+        together = _with_free_ends(together, held, rules)
         lengths = np.linalg.norm(together[:, 1] - together[:, 0], axis=1)
         found = find_crossings(together, rules.margin, len(placed))
         wrong = ~found.crosses | (np.abs(found.sine) < math.sin(rules.smallest_angle))

@@ -12,7 +12,7 @@ those below them; here it bounds the curvature too, so that the axes are those o
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 #: Turns in which the heights are fitted to the distances at the crossings, and steps in which these are found
-_TURNS, _CLOSER = 4, 2
+_TURNS, _CLOSER = 3, 2
 #: Exchanges of wrong supports that do not get fewer before they are exchanged one at a time; and of these, for each place
 _PATIENCE, _MAX_EXCHANGES = 4, 20
 #: Forces and heights below this part of the largest are round-off; supports give way by this part of the heights, so that those
@@ -111,31 +111,35 @@ class Pile:
             self._add(np.full(n_elements + 1, top), levels > top - 1.5 * self._distance)
             return True
         rests_on = below if refuse is None else below.where(~refuse)
-        heights, forces = self._at_rest(length, n_elements, rests_on)
-        if refuse is not None and refuse.any():
-            near = below.where(refuse)
-            room = weights(n_elements, near.here) @ heights - self.at(near.wires, near.there)
-            if (room < 2 * self._distance).any():
+        heights, forces = np.zeros(n_elements + 1), np.zeros(len(rests_on.wires))
+        for heights, forces in self._fitted(length, n_elements, rests_on):
+            if refuse is not None and self._comes_near(heights, below.where(refuse)):
                 return False
         self._add(heights, forces > 0)
         return True
 
-    def _at_rest(self, length: float, n_elements: int, below: Below) -> tuple[NDArray, NDArray]:
-        """Heights of the nodes of a wire that rests on those below, and the forces with which it does."""
-        heights, forces = np.zeros(n_elements + 1), np.zeros(len(below.wires))
-        if not len(forces):
-            return heights, forces
-        base, wanted = self.at(below.wires, below.there), np.full(len(forces), self._distance)
+    def _comes_near(self, heights: NDArray, below: Below) -> bool:
+        """A wire comes nearer than two distances to one of those below."""
+        room = weights(len(heights) - 1, below.here) @ heights - self.at(below.wires, below.there)
+        return bool((room < 2 * self._distance).any())
+
+    def _fitted(self, length: float, n_elements: int, below: Below) -> Iterator[tuple[NDArray, NDArray]]:
+        """Heights of the nodes of a wire that rests on those below, and the forces with which it does, better from turn to turn."""
+        if not len(below.wires):
+            yield np.zeros(n_elements + 1), np.zeros(0)
+            return
+        base, wanted = self.at(below.wires, below.there), np.full(len(below.wires), self._distance)
         here = weights(n_elements, below.here)
         lifted = _compliance(n_elements, round(length / n_elements / self._reach, 12)) @ here.T
         guess = _tops(below.here * length, base, self._reach / 2)
         for turn in range(_TURNS):
             forces = _supports(here @ lifted, base + wanted, guess)
             heights, guess = lifted @ forces, forces > 0
+            yield heights, forces
+            near = np.flatnonzero(here @ heights < base + 1.5 * wanted)
             if turn < _TURNS - 1:
-                missing = self._distance - self._distances(length, heights, below)
-                wanted = np.where(guess | (missing > 0), wanted + missing, wanted)
-        return heights, forces
+                missing = self._distance - self._distances(length, heights, below.where(near))
+                wanted[near] += np.where(guess[near] | (missing > 0), missing, 0.0)
 
     def _distances(self, length: float, heights: NDArray, below: Below) -> NDArray[np.float64]:
         """Smallest distance of the axis of a wire from each of those below, near where they cross, by Gauss and Newton."""

@@ -16,7 +16,7 @@ from .geometry import clip_line, crossing_angle, end_distance, rounded, segment_
 #: Random fibres tried per placed fibre before the mat counts as full
 _TRIES = 400
 #: Of deposited fibres: reach, and distance of the ends from fibres that they come near to, seen from above [radii]
-_REACH, _MARGIN = 20.0, 3.0
+_REACH, _MARGIN = 20.0, 2.5
 #: Length of the elements of a plate over the radius of its bars
 _BAR_ELEMENT = 5.0
 
