@@ -16,7 +16,7 @@ from .geometry import clip_line, crossing_angle, end_distance, rounded, segment_
 #: Random fibres tried per placed fibre before the mat counts as full
 _TRIES = 400
 #: Of deposited fibres: reach, and distance of the ends from fibres that they come near to, seen from above [radii]
-_REACH, _MARGIN = 20.0, 2.5
+_REACH, _MARGIN = 15.0, 2.5
 #: Length of the elements of a plate over the radius of its bars
 _BAR_ELEMENT = 5.0
 
@@ -75,7 +75,7 @@ def fibre_mat(
     length : float
         Length of the fibres of a deposited mat [m].
     reach : float, optional
-        Length over which a deposited fibre bends down from what it lies on [m], at least ten radii; 20 radii when left out.
+        Length over which a deposited fibre bends down from what it lies on [m], at least ten radii; 15 radii when left out.
     n_layers : int
         Layers of a layered mat.
     spread : float
