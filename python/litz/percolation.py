@@ -1,8 +1,8 @@
 """Whether wires lead from one electrode to the other, and from which density on they do.
 
 `spans` says so of a run. `threshold` drops sticks on a square until they do, many times over: Li and Zhang (Phys. Rev. E 80,
-040104, 2009) found 5.6373 sticks per square of their length where all crossings touch, Daniels (arXiv 2603.05374) 6.8509 where each stick
-lies on those that it crosses.
+040104, 2009) found 5.63726 sticks per square of their length where all crossings touch. Level sticks, which touch only the
+highest of those they cross, need about three times as many.
 """
 
 import math
@@ -17,10 +17,8 @@ from .results import Results
 
 #: Sticks per square of their length where those that touch at all crossings lead across an infinite square
 STICKS = 5.63726
-#: The same for sticks that lie on those that they cross
-STACKED_STICKS = 6.850923
-#: Sticks are drawn up to this multiple of the threshold at first
-_ENOUGH = 1.5
+#: Sticks are drawn up to this multiple of the threshold at a time, and of level ones, which touch less
+_ENOUGH, _ENOUGH_LEVEL = 1.5, 4.0
 #: The median of a normal distribution scatters by this much more than the mean
 _MEDIAN = math.sqrt(math.pi / 2)
 
@@ -114,7 +112,7 @@ def _first_path(rng: np.random.Generator, ratio: float, smallest_angle: float, s
     """Number of sticks of the length 1 with which there is a path across a square."""
     ends = np.empty((0, 2, 2))
     while True:
-        count = math.ceil(_ENOUGH * (STACKED_STICKS if stacked else STICKS) * ratio**2)
+        count = math.ceil((_ENOUGH_LEVEL if stacked else _ENOUGH) * STICKS * ratio**2)
         ends = np.concatenate([ends, draw(rng, count, np.array([ratio, ratio]), 1.0)])
         found = find_crossings(ends, 1e-9)
         found = found.where(found.crosses)

@@ -195,7 +195,11 @@ def test_workers_of_dask_run_the_models(tmp_path):
     distributed = pytest.importorskip("distributed")
     with distributed.Client(processes=False, n_workers=1, dashboard_address=None) as client:
         table = litz.sweep(
-            lambda push: model(push), {"push": [1e-6]}, directory=tmp_path, executor=client.get_executor(), progress=False
+            lambda push: model(1 * push),
+            {"push": [1e-6]},
+            directory=tmp_path,
+            executor=client.get_executor(),
+            progress=False,
         )
     assert table["status"].tolist() == ["finished"]
 
@@ -205,7 +209,7 @@ def test_what_cannot_be_sent_to_workers_is_refused(tmp_path):
         ProcessPoolExecutor(1, get_context("fork")) as executor,
         pytest.raises(ValueError, match="define them in a module"),
     ):
-        litz.sweep(lambda push: model(push), {"push": [1e-6]}, directory=tmp_path, executor=executor, progress=False)
+        litz.sweep(lambda push: model(1 * push), {"push": [1e-6]}, directory=tmp_path, executor=executor, progress=False)
     with pytest.raises(ValueError, match="an executor has its own number"):
         litz.sweep(model, {"push": [1e-6]}, directory=tmp_path, executor=executor, processes=2)
 

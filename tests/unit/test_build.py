@@ -31,10 +31,10 @@ MODELS = {
     ),
     "film": lambda seed=3: build.nanowire_film((10e-6, 5e-6), 50, length=5e-6, radius=30e-9, seed=seed, n_elements=4),
     "draped film": lambda seed=3: build.nanowire_film(
-        (8e-6, 6e-6), 20, length=6e-6, radius=30e-9, seed=seed, reach=0.4e-6
+        (8e-6, 6e-6), 14, length=6e-6, radius=30e-9, seed=seed, reach=0.6e-6
     ),
     "deposited mat": lambda seed=3: build.fibre_mat(
-        (1e-3, 1e-3), 20, radius=10e-6, seed=seed, orientation="deposited", length=1e-3
+        (1e-3, 1e-3), 14, radius=10e-6, seed=seed, orientation="deposited", length=1e-3
     ),
 }
 RANDOM = ["layered mat", "isotropic mat", "film", "draped film", "deposited mat"]

@@ -22,8 +22,8 @@ def test_a_path_of_three_sticks():
 
 
 def test_a_stacked_stick_touches_the_highest_it_crosses_only():
-    # the second lies on the first, the third on the second, above the first: only left and second are joined, and second and third
-    ends = np.array([[[0.0, 1.0], [1.2, 1.0]], [[0.4, 0.5], [0.4, 1.5]], [[0.2, 0.6], [2.0, 1.2]]])
+    # the second lies on the first, the third on the second, above the first
+    ends = np.array([[[0.0, 1.0], [1.2, 1.0]], [[0.4, 0.5], [0.4, 1.5]], [[0.2, 0.8], [2.0, 1.2]]])
     found = find_crossings(ends, 1e-9)
     found = found.where(found.crosses)
     assert len(found.wires) == 3

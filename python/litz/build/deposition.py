@@ -80,7 +80,8 @@ class Layout:
 def drop(rng: np.random.Generator, n_wires: int, rules: Rules) -> Layout:
     """Wires on a plane that keep the rules wherever they cross, seen from above.
 
-    An end near another wire is moved along its own line. A wire that crosses an earlier one at too small an angle, or whose end finds
+    An end near another wire is moved along its own line. A wire that crosses an earlier one at too small an angle, or whose end
+    finds
     no free place, is drawn anew.
     """
     ends = np.empty((0, 2, 2))
@@ -172,7 +173,7 @@ def deposit(
 ) -> Piled:
     """Wires that are dropped one after the other and bend over those below; rules hold where wires come near.
 
-    A wire is drawn anew only if it would rest on another one at too small an angle, or on or under an end: what lies deeper in the pile is
+    A wire is drawn anew only if it would rest on another one at too small an angle, or on or under an end: what lies deeper is
     of no concern.
     """
     pile, placed, n_drawn = Pile(distance, reach), np.empty((0, 2, 2)), 0
@@ -180,7 +181,7 @@ def deposit(
         count = min(n_wires + _BATCH, _TRIES * n_wires - n_drawn)
         if count <= 0:
             raise ValueError(
-                f"only {len(placed)} of {n_wires} fibres come to lie on others at the smallest angle or more, away from their ends"
+                f"only {len(placed)} of {n_wires} fibres come to lie on others at the smallest angle, away from their ends"
             )
         n_drawn += count
         together = np.concatenate([placed, _drawn(rng, count, rules)])
@@ -237,7 +238,9 @@ def _nodes(ends: NDArray, heights: NDArray) -> NDArray[np.float64]:
 def check_reach(reach: float | None, radius: float) -> None:
     """Refuse a length over which wires would bend too sharply for beams."""
     if reach is not None and not reach >= _SHORTEST_REACH * radius:
-        raise ValueError(f"reach must be at least {_SHORTEST_REACH:g} radii, {_SHORTEST_REACH * radius:g} m, not {reach:g} m")
+        raise ValueError(
+            f"reach must be at least {_SHORTEST_REACH:g} radii, {_SHORTEST_REACH * radius:g} m, not {reach:g} m"
+        )
 
 
 def build(
@@ -275,7 +278,9 @@ def build(
             break
         gap += clearance - found
     else:
-        raise ValueError(f"wires that bend so sharply overlap by {-found:.3g} m: choose a longer reach, or straighter crossings")
+        raise ValueError(
+            f"wires that bend so sharply overlap by {-found:.3g} m: choose a longer reach, or straighter crossings"
+        )
     model.comments.append(f"{piled.n_touching} of {piled.n_crossings} crossings touch, up to the clearance")
     model.height = float(model.x[:, 2].max())
     hold_ends(model, group, model.height)

@@ -5,7 +5,7 @@ A wire is an elastic beam drawn to the ground by springs (Winkler's foundation):
     1/2 integral (a^4/4 z''^2 + z^2) ds     with z >= h_j where it crosses wire j below,
 
 where `a = (4 E I/k)^(1/4)`, the reach, is the length over which it comes down from what it lies on. As in models of paper
-(Niskanen et al., KCL-PAKKA, 1997), where the slope of a fibre is limited by a flexibility, one number says how closely wires follow
+(Niskanen et al., KCL-PAKKA, 1997), where the slope of a fibre is limited, one number says how closely wires follow
 those below them; here it bounds the curvature too, so that the axes are those of beams.
 """
 
@@ -111,10 +111,12 @@ class Pile:
             self._add(np.full(n_elements + 1, top), levels > top - 1.5 * self._distance)
             return True
         rests_on = below if refuse is None else below.where(~refuse)
-        heights, forces = np.zeros(n_elements + 1), np.zeros(len(rests_on.wires))
-        for heights, forces in self._fitted(length, n_elements, rests_on):
-            if refuse is not None and self._comes_near(heights, below.where(refuse)):
+        found = []
+        for turn in self._fitted(length, n_elements, rests_on):
+            if refuse is not None and self._comes_near(turn[0], below.where(refuse)):
                 return False
+            found.append(turn)
+        heights, forces = found[-1]
         self._add(heights, forces > 0)
         return True
 
@@ -124,7 +126,7 @@ class Pile:
         return bool((room < 2 * self._distance).any())
 
     def _fitted(self, length: float, n_elements: int, below: Below) -> Iterator[tuple[NDArray, NDArray]]:
-        """Heights of the nodes of a wire that rests on those below, and the forces with which it does, better from turn to turn."""
+        """Heights of the nodes of a wire that rests on those below, and its forces on them, better from turn to turn."""
         if not len(below.wires):
             yield np.zeros(n_elements + 1), np.zeros(0)
             return
@@ -182,7 +184,12 @@ def _combined(n_elements: int, element: NDArray, *shapes: NDArray) -> NDArray[np
     """Sums of the values at both nodes of elements and of the slopes there, times shape functions, as weights of the nodes."""
     first, last, slope_first, slope_last = (shape[:, None] for shape in shapes)
     values, slopes = np.eye(n_elements + 1), _node_slopes(n_elements)
-    return first * values[element] + last * values[element + 1] + slope_first * slopes[element] + slope_last * slopes[element + 1]
+    return (
+        first * values[element]
+        + last * values[element + 1]
+        + slope_first * slopes[element]
+        + slope_last * slopes[element + 1]
+    )
 
 
 def _element(n_elements: int, places: NDArray) -> tuple[NDArray, NDArray]:
@@ -220,7 +227,10 @@ def _interpolated(heights: NDArray, slopes: NDArray, place: float, shapes: Calla
     element = min(int(n * place), n - 1)
     first, last, slope_first, slope_last = shapes(2 * (n * place - element) - 1)
     return float(
-        first * heights[element] + last * heights[element + 1] + slope_first * slopes[element] + slope_last * slopes[element + 1]
+        first * heights[element]
+        + last * heights[element + 1]
+        + slope_first * slopes[element]
+        + slope_last * slopes[element + 1]
     )
 
 
@@ -256,8 +266,8 @@ def _tops(places: NDArray, heights: NDArray, reach: float) -> NDArray[np.bool_]:
 def _supports(compliance: NDArray, heights: NDArray, rests: NDArray[np.bool_]) -> NDArray[np.float64]:
     """Forces >= 0 at the places of support that hold a beam at or above heights: 0 where it is above.
 
-    The linear complementarity problem is solved by exchanging all wrong places at once (Judice and Pires, 1994); where they do not get
-    fewer, one by one as Lawson and Hanson (1974) do. `rests` is a guess of the places with forces.
+    The linear complementarity problem is solved by exchanging all wrong places at once (Judice and Pires, 1994); where they do
+    not get fewer, one by one as Lawson and Hanson (1974) do. `rests` is a guess of the places with forces.
     """
     compliance = compliance + np.diag(_SOFTNESS * np.diag(compliance))
     fewest, patience = len(heights) + 1, _PATIENCE

@@ -2,7 +2,7 @@
 
 import itertools
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, Literal
 
 import numpy as np
@@ -55,8 +55,8 @@ def fibre_mat(
     are the electrodes. All ends follow the pressing according to their height and are held in the plane (they do not slide
     along the walls); there are no plates.
 
-    Deposited: fibres of a length fall on a plane one after the other, as in paper, with random middles and directions. Each bends over
-    those that it comes to lie on, so that any number fits; mats of many fibres are dense. They are cut off at the edges; their ends at
+    Deposited: fibres of a length fall on a plane one after the other, as in paper, with random middles and directions. Each bends
+    over those that it comes to lie on, so that any number fits. They are cut off at the edges; their ends at
     x = 0 and x = size[0] are the electrodes. All ends follow the pressing according to their height and are held in the plane;
     there are no plates.
 
@@ -121,12 +121,7 @@ def fibre_mat(
     if orientation == "layered":
         if len(size) != 2:
             raise ValueError("size of a layered mat: x and y; its height follows from the layers")
-        if n_layers < 1:
-            raise ValueError(f"n_layers must be 1 or more, not {n_layers}")
-        if overlap:
-            raise ValueError("a layered mat has no overlap")
-        if not 0 <= 2 * spread <= math.pi / 2 - smallest_angle:
-            raise ValueError("spread must be between 0 and half of (90 degrees minus the smallest angle)")
+        _check_layers(n_layers, spread, smallest_angle, overlap)
         model = Model(f"Layered mat of {n_layers} x {n_fibres} fibres, seed {seed}")
         layers = {"n_layers": n_layers, "n_fibres": n_fibres, "spread": spread, "clearance": clearance}
         bars = {"number": n_bars, "radius": radius if bar_radius is None else bar_radius}
@@ -147,8 +142,7 @@ def fibre_mat(
         model.element_set("WIRES", list(model.groups))
         model.contact("WIRES", interaction=interaction, interference_fit=overlap)
     elif orientation == "deposited":
-        if len(size) != 2 or length is None or not length > 4 * radius or overlap:
-            raise ValueError("a deposited mat needs size: x and y, and a length of more than two diameters; it has no overlap")
+        length = _checked_length(size, length, radius, overlap)
         reach = _REACH * radius if reach is None else reach
         check_reach(reach, radius)
         rules = Rules(np.array(size, dtype=float), length, radius, smallest_angle, _MARGIN * radius)
@@ -159,6 +153,23 @@ def fibre_mat(
     return model
 
 
+def _check_layers(n_layers: int, spread: float, smallest_angle: float, overlap: bool) -> None:
+    """Refuse what layers cannot be."""
+    if n_layers < 1:
+        raise ValueError(f"n_layers must be 1 or more, not {n_layers}")
+    if overlap:
+        raise ValueError("a layered mat has no overlap")
+    if not 0 <= 2 * spread <= math.pi / 2 - smallest_angle:
+        raise ValueError("spread must be between 0 and half of (90 degrees minus the smallest angle)")
+
+
+def _checked_length(size: Sequence[float], length: float | None, radius: float, overlap: bool) -> float:
+    """The length of deposited fibres [m]."""
+    if len(size) != 2 or length is None or not length > 4 * radius or overlap:
+        raise ValueError("a deposited mat needs size: x and y, and a length of more than two diameters; it has no overlap")
+    return length
+
+
 def _deposited(
     title: str, n_fibres: int, rules: Rules, reach: float, clearance: float, seed: int, n_elements: int | None,
     fibre: dict[str, Any], interaction: Interaction,
@@ -167,7 +178,9 @@ def _deposited(
 
     def pile(gap: float) -> Piled:
         distance = 2 * rules.radius + gap
-        return deposit(np.random.default_rng(seed), n_fibres, rules, distance=distance, reach=reach, n_elements=n_elements)
+        return deposit(
+            np.random.default_rng(seed), n_fibres, rules, distance=distance, reach=reach, n_elements=n_elements
+        )
 
     size = rules.size
     model = build(

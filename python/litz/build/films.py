@@ -70,7 +70,8 @@ def nanowire_film(
     Level wires that lie directly on each other touch first, others the later the more levels are between them: a film conducts
     well when it is pressed by 0.8 to 0.95 of `model.height`. Nearly flat it becomes stiff, and a run may give up.
 
-    With `reach` wires are elastic beams that springs draw to the ground: `a = (4 E I/k)^(1/4)`, with the stiffness k per length of
+    With `reach` wires are elastic beams that springs draw to the ground: `a = (4 E I/k)^(1/4)`, with the stiffness k per length
+    of
     what draws them there, such as a liquid that dries.
 
     Wires that would cross at less than the smallest angle are dropped anew, which makes crossings rarer: see `litz.percolation`

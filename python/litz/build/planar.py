@@ -46,7 +46,9 @@ class Crossings:
         return Crossings(*(getattr(self, name)[mask] for name in self.__dataclass_fields__))
 
 
-def spread(found: Crossings, lengths: NDArray, which: NDArray[np.bool_], width: float, step: float) -> tuple[Crossings, NDArray]:
+def spread(
+    found: Crossings, lengths: NDArray, which: NDArray[np.bool_], width: float, step: float
+) -> tuple[Crossings, NDArray]:
     """Pairs of which some stand for more than one place: all along the stretch in which the wires are near, seen from above.
 
     Parameters
@@ -153,7 +155,9 @@ def move_ends(
             outward /= length[:, None]
             room = _room(ends[:, which], outward, size)
             free = ~held[both[:, 0], which]
-            low, high = _forbidden(*(ends[both[free, 0], which], outward[both[free, 0]], *ends[both[free, 1]].transpose(1, 0, 2)), margin)
+            low, high = _forbidden(
+                *(ends[both[free, 0], which], outward[both[free, 0]], *ends[both[free, 1]].transpose(1, 0, 2)), margin
+            )
             shift = _shifts(both[free, 0], low, high, np.stack([shortest - length, room]), reach)
             ends[:, which] += shift[:, None] * outward
             moved |= bool(shift.any())
@@ -201,7 +205,9 @@ def _forbidden(point: NDArray, along: NDArray, start: NDArray, end: NDArray, mar
     axis, gap = (end - start) / length[:, None], point - start
     with np.errstate(divide="ignore", invalid="ignore"):
         strip = np.sort((np.array([[-margin], [margin]]) - cross(axis, gap)) / cross(axis, along), axis=0)
-        slab = np.sort(([np.zeros(len(length)), length] - np.sum(axis * gap, axis=1)) / np.sum(axis * along, axis=1), axis=0)
+        slab = np.sort(
+            ([np.zeros(len(length)), length] - np.sum(axis * gap, axis=1)) / np.sum(axis * along, axis=1), axis=0
+        )
         low, high = np.fmax(strip[0], slab[0]), np.fmin(strip[1], slab[1])
         parts = [np.where(low < high, [low, high], [[np.inf], [-np.inf]])]
         for corner in (start, end):

@@ -124,7 +124,9 @@ def _failure(results: Results) -> list[str]:
     found += ["<h3>The iterate that was given up</h3>", tables.contacts_of_iterate(last)]
     found.append(surface_contacts_of_iterate(last))
     with tempfile.TemporaryDirectory() as folder:
-        picture = plot(last, "wires", Path(folder, "wires.webp"), field="displacement", spots="force", size=_SIZE_OF_WIRES)
+        picture = plot(
+            last, "wires", Path(folder, "wires.webp"), field="displacement", spots="force", size=_SIZE_OF_WIRES
+        )
         found.append(_figure(picture, "The last iterate of the failed run: not an equilibrium."))
     return found
 

@@ -68,7 +68,8 @@ class ResultFile:
         if self._kept is not None:
             yield
             return
-        with self._open() as self._kept:
+        with self._open() as file:
+            self._kept = file
             try:
                 yield
             finally:
