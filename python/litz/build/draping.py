@@ -112,7 +112,7 @@ class Pile:
             return True
         rests_on = below if refuse is None else below.where(~refuse)
         found = []
-        for turn in self._fitted(length, n_elements, rests_on):
+        for turn in self._fitted(self._reach, length, n_elements, rests_on):
             if refuse is not None and self._comes_near(turn[0], below.where(refuse)):
                 return False
             found.append(turn)
@@ -125,15 +125,15 @@ class Pile:
         room = weights(len(heights) - 1, below.here) @ heights - self.at(below.wires, below.there)
         return bool((room < 2 * self._distance).any())
 
-    def _fitted(self, length: float, n_elements: int, below: Below) -> Iterator[tuple[NDArray, NDArray]]:
+    def _fitted(self, reach: float, length: float, n_elements: int, below: Below) -> Iterator[tuple[NDArray, NDArray]]:
         """Heights of the nodes of a wire that rests on those below, and its forces on them, better from turn to turn."""
         if not len(below.wires):
             yield np.zeros(n_elements + 1), np.zeros(0)
             return
         base, wanted = self.at(below.wires, below.there), np.full(len(below.wires), self._distance)
         here = weights(n_elements, below.here)
-        lifted = _compliance(n_elements, round(length / n_elements / self._reach, 12)) @ here.T
-        guess = _tops(below.here * length, base, self._reach / 2)
+        lifted = _compliance(n_elements, round(length / n_elements / reach, 12)) @ here.T
+        guess = _tops(below.here * length, base, reach / 2)
         for turn in range(_TURNS):
             forces = _supports(here @ lifted, base + wanted, guess)
             heights, guess = lifted @ forces, forces > 0
