@@ -127,7 +127,7 @@ def _path(ends: NDArray, found: Crossings, ratio: float, smallest_sine: float, s
     others, too_small = found.wires[:, 0].tolist(), (np.abs(found.sine) < smallest_sine).tolist()
     left, right = len(ends), len(ends) + 1
     clusters = _Clusters(len(ends) + 2)
-    at_left, at_right = ((ends[:, :, 0] <= 0).any(axis=1).tolist(), (ends[:, :, 0] >= ratio).any(axis=1).tolist())
+    at_left, at_right = ends[:, :, 0].min(axis=1) <= 0, ends[:, :, 0].max(axis=1) >= ratio
     level: list[int] = [-1] * len(ends)
     count = 0
     for stick in range(len(ends)):

@@ -209,7 +209,9 @@ def test_what_cannot_be_sent_to_workers_is_refused(tmp_path):
         ProcessPoolExecutor(1, get_context("fork")) as executor,
         pytest.raises(ValueError, match="define them in a module"),
     ):
-        litz.sweep(lambda push: model(1 * push), {"push": [1e-6]}, directory=tmp_path, executor=executor, progress=False)
+        litz.sweep(
+            lambda push: model(1 * push), {"push": [1e-6]}, directory=tmp_path, executor=executor, progress=False
+        )
     with pytest.raises(ValueError, match="an executor has its own number"):
         litz.sweep(model, {"push": [1e-6]}, directory=tmp_path, executor=executor, processes=2)
 
@@ -255,7 +257,7 @@ def test_means_over_seeds():
     assert means["area"].tolist() == [2.0, 4.0]
     assert means["area std"].tolist() == [1.0, 2.0]
     assert table.where(table["side"] == 2.0).over("seed", "side")["area"].tolist() == [4.0]
-    with pytest.raises(ValueError, match="did you mean 'seed'"):
+    with pytest.raises(ValueError, match="no parameter 'sede'"):
         table.over("sede")
 
 

@@ -166,7 +166,9 @@ def _check_layers(n_layers: int, spread: float, smallest_angle: float, overlap: 
 def _checked_length(size: Sequence[float], length: float | None, radius: float, overlap: bool) -> float:
     """The length of deposited fibres [m]."""
     if len(size) != 2 or length is None or not length > 4 * radius or overlap:
-        raise ValueError("a deposited mat needs size: x and y, and a length of more than two diameters; it has no overlap")
+        raise ValueError(
+            "a deposited mat needs size: x and y, and a length of more than two diameters; it has no overlap"
+        )
     return length
 
 

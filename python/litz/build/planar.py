@@ -41,7 +41,7 @@ class Crossings:
     crosses: NDArray[np.bool_]
     end_distance: NDArray[np.float64]
 
-    def where(self, mask: NDArray) -> Crossings:
+    def where(self, mask: NDArray | slice) -> Crossings:
         """The pairs for which a mask (k) is true, or those it names."""
         return Crossings(*(getattr(self, name)[mask] for name in self.__dataclass_fields__))
 
@@ -155,10 +155,9 @@ def move_ends(
             outward /= length[:, None]
             room = _room(ends[:, which], outward, size)
             free = ~held[both[:, 0], which]
-            low, high = _forbidden(
-                *(ends[both[free, 0], which], outward[both[free, 0]], *ends[both[free, 1]].transpose(1, 0, 2)), margin
-            )
-            shift = _shifts(both[free, 0], low, high, np.stack([shortest - length, room]), reach)
+            wire, other = both[free].T
+            low, high = _forbidden(ends[wire, which], outward[wire], ends[other, 0], ends[other, 1], margin)
+            shift = _shifts(wire, low, high, np.stack([shortest - length, room]), reach)
             ends[:, which] += shift[:, None] * outward
             moved |= bool(shift.any())
         if not moved:
