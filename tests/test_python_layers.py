@@ -24,6 +24,7 @@ MAY_IMPORT = {
     "model": {"errors", "base", "wires", "deck", "results", "runs"},
     "build": {"errors", "base", "kernels", "wires", "deck", "model"},
     "sweeps": {"errors", "base", "deck", "results", "runs", "model"},
+    "percolation": {"build", "results"},
     "pictures": {"errors", "base", "wires", "results"},
     "viewer": {"errors", "base", "wires", "results", "pictures"},
     "reports": {"errors", "base", "wires", "results", "pictures", "viewer"},

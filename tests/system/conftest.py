@@ -89,10 +89,10 @@ def report_of_grid(run_of_input, made_once):
 def reports_without_pictures(monkeypatch):
     """In place of its pictures, which take most of its time, a report has the texts below them."""
 
-    def figure(results, kind, folder, text, **options):
-        return f"<figure>{html.escape(text)}</figure>"
-
-    monkeypatch.setattr(importlib.import_module("litz.reports.report"), "_figure", figure)
+    report = importlib.import_module("litz.reports.report")
+    monkeypatch.setattr(report, "plot", lambda results, kind, filename, **options: filename)
+    monkeypatch.setattr(report, "plot_wires", lambda results, fields, paths, size: None)
+    monkeypatch.setattr(report, "_figure", lambda picture, text: f"<figure>{html.escape(text)}</figure>")
 
 
 @pytest.fixture(scope="module")

@@ -94,7 +94,7 @@ def assert_harmless(text):
         assert attributes.get("id") != "injected"
         assert tag != "b"
         if tag == "img":
-            assert attributes["src"].startswith("data:image/png;base64,")
+            assert attributes["src"].startswith("data:image/webp;base64,")
     scripts = [attributes for tag, attributes in page.elements if tag == "script"]
     assert {attributes["type"] for attributes in scripts} <= {"text/plain", "importmap", "module"}
     # what stands in scripts is ours, or base64

@@ -56,7 +56,7 @@ class TestPage:
 
     def test_its_pictures_are_inside(self, page):
         assert page.count('<img alt="') >= 7
-        assert page.count("data:image/png;base64,iVBOR") == page.count('<img alt="')
+        assert page.count("data:image/webp;base64,UklGR") == page.count('<img alt="')
 
     def test_it_is_not_large(self, page):
         assert len(page) < 5e6

@@ -3,6 +3,9 @@
 import io
 import json
 import re
+import time
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from multiprocessing import get_context
 
 import numpy as np
 import pytest
@@ -161,6 +164,126 @@ def test_places_and_parameters_of_a_template_must_fit(template, tmp_path):
         litz.sweep(template, {"push": [1]}, directory=tmp_path)
     with pytest.raises(litz.FileError, match=r"missing\.inp"):
         litz.sweep("missing.inp", {"push": [1]}, directory=tmp_path)
+
+
+# Executors, and what is done with those that run when a sweep is cancelled
+
+
+def slow_if_deep(push):
+    """A model that takes a minute and more if it is pushed by 2e-6 m."""
+    made = model(push)
+    if push == 2e-6:
+        made.steps.clear()
+        step = made.step(total=1.0, increment=1e-6, inc=1000000, direct=True)
+        step.move("UPPER", "z", -push)
+    return made
+
+
+@pytest.mark.parametrize("make", [lambda: ThreadPoolExecutor(1), lambda: ProcessPoolExecutor(1, get_context("fork"))])
+def test_an_executor_runs_the_models(make, tmp_path):
+    with make() as executor:
+        table = litz.sweep(model, {"push": [2e-6, 1e-6]}, directory=tmp_path, executor=executor, progress=False)
+        # it is the user's, who can go on with it
+        assert executor.submit(max, 1, 2).result() == 2
+    assert table["push"].tolist() == [2e-6, 1e-6]
+    assert table["status"].tolist() == ["finished", "finished"]
+    assert table["RF3 sum UPPER"][0] < table["RF3 sum UPPER"][1] < 0
+    assert not list(tmp_path.glob("running-*"))
+
+
+def test_workers_of_dask_run_the_models(tmp_path):
+    distributed = pytest.importorskip("distributed")
+    with distributed.Client(processes=False, n_workers=1, dashboard_address=None) as client:
+        table = litz.sweep(
+            lambda push: model(1 * push),
+            {"push": [1e-6]},
+            directory=tmp_path,
+            executor=client.get_executor(),
+            progress=False,
+        )
+    assert table["status"].tolist() == ["finished"]
+
+
+def test_what_cannot_be_sent_to_workers_is_refused(tmp_path):
+    with (
+        ProcessPoolExecutor(1, get_context("fork")) as executor,
+        pytest.raises(ValueError, match="define them in a module"),
+    ):
+        litz.sweep(
+            lambda push: model(1 * push), {"push": [1e-6]}, directory=tmp_path, executor=executor, progress=False
+        )
+    with pytest.raises(ValueError, match="an executor has its own number"):
+        litz.sweep(model, {"push": [1e-6]}, directory=tmp_path, executor=executor, processes=2)
+
+
+def test_cancelling_ends_what_runs_and_keeps_what_is_finished(tmp_path, capsys):
+    finished = []
+
+    def collect(results):
+        finished.append(results)
+        if len(finished) == 2:
+            raise KeyboardInterrupt
+        return {"n": 1}
+
+    start = time.monotonic()
+    pushes = {"push": [2e-6, 1e-6, 3e-6, 4e-6]}
+    with pytest.raises(KeyboardInterrupt):
+        litz.sweep(slow_if_deep, pushes, directory=tmp_path, processes=2, collect=collect)
+    assert time.monotonic() - start < 60
+    assert capsys.readouterr().err.startswith("1 of 4 runs")
+    assert [path.parent.name[:10] for path in tmp_path.rglob("outcome.json")] == ["push=1e-6-"]
+    assert not list(tmp_path.glob("running-*"))
+    (slow,) = tmp_path.glob("push=2e-6-*")
+    # a program that was ended has removed its lock, and writes no more
+    assert not list(slow.glob("*.lock"))
+    size = (slow / "deck.sta").stat().st_size
+    time.sleep(0.5)
+    assert (slow / "deck.sta").stat().st_size == size
+
+
+def test_means_over_seeds():
+    def noisy(side, seed):
+        if seed == 3:
+            raise ValueError("bad luck")
+        return {"area": side * (1 + seed)}
+
+    with pytest.warns(UserWarning, match="2 of 8 runs failed"):
+        table = litz.sweep(noisy, {"side": [1.0, 2.0], "seed": [0, 1, 2, 3]}, directory=None, progress=False)
+    means = table.over("seed")
+    assert list(means) == ["side", "runs", "area", "area std"]
+    assert means["side"].tolist() == [1.0, 2.0]
+    assert means["runs"].tolist() == [3, 3]
+    # of 1, 2, 3 and of 2, 4, 6
+    assert means["area"].tolist() == [2.0, 4.0]
+    assert means["area std"].tolist() == [1.0, 2.0]
+    assert table.where(table["side"] == 2.0).over("seed", "side")["area"].tolist() == [4.0]
+    with pytest.raises(ValueError, match="no parameter 'sede'"):
+        table.over("sede")
+
+
+def test_columns_of_contacts_and_conductances(tmp_path):
+    def conducting(push):
+        made = litz.Model("crossed")
+        properties = {"radius": 1e-3, "material": litz.COPPER, "elements": 5}
+        lower = made.wire("LOWER", (-0.05, 0, 0), (0.05, 0, 0), **properties)
+        upper = made.wire("UPPER", (0, -0.05, 2e-3), (0, 0.05, 2e-3), **properties)
+        made.contact(lower, upper, conductance=litz.HertzSpot())
+        made.fix(lower)
+        made.fix(upper, "x", "y", "rotations")
+        step = made.step()
+        step.move(upper, "z", -push)
+        step.potential(lower.start, 1e-3)
+        step.potential(upper.start, 0)
+        step.electrode_print(lower.start, upper.start)
+        return made
+
+    table = litz.sweep(conducting, {"push": [1e-6]}, directory=tmp_path, progress=False)
+    ledger = litz.Results(table["directory"][0]).contacts_at(-1)
+    assert table["contacts"].tolist() == [1]
+    assert table["contact force"].tolist() == ledger["force"].tolist()
+    of_electrodes = "LOWER_START to UPPER_START"
+    assert table[f"conductance {of_electrodes}"][0] == 1 / table[f"resistance {of_electrodes}"][0]
+    assert table.units[f"conductance {of_electrodes}"] == "S"
 
 
 # Progress

@@ -30,8 +30,14 @@ MODELS = {
         elements_per_lay=16,
     ),
     "film": lambda seed=3: build.nanowire_film((10e-6, 5e-6), 50, length=5e-6, radius=30e-9, seed=seed, n_elements=4),
+    "draped film": lambda seed=3: build.nanowire_film(
+        (8e-6, 6e-6), 14, length=6e-6, radius=30e-9, seed=seed, reach=0.6e-6
+    ),
+    "deposited mat": lambda seed=3: build.fibre_mat(
+        (1e-3, 1e-3), 14, radius=10e-6, seed=seed, orientation="deposited", length=1e-3
+    ),
 }
-RANDOM = ["layered mat", "isotropic mat", "film"]
+RANDOM = ["layered mat", "isotropic mat", "film", "draped film", "deposited mat"]
 
 
 def wires_of(model):

@@ -48,14 +48,14 @@ class TestAxes:
 
     def test_tangents_of_a_circle_are_exact_also_at_its_free_ends(self):
         nodes, tangents, elements = self.arc(6)
-        found = end_tangents(nodes, find_wires(elements)[0])
+        found = end_tangents(nodes, find_wires(elements))
         np.testing.assert_allclose(found[:, 0], tangents[:-1], atol=1e-14)
         np.testing.assert_allclose(found[:, 1], tangents[1:], atol=1e-14)
 
     def test_tangents_of_a_circle_are_exact_with_elements_of_unequal_lengths(self):
         angle = np.array([0.0, 0.02, 0.12, 0.15, 0.35])
         nodes = np.stack([np.sin(angle), 1 - np.cos(angle), np.zeros(5)], axis=1)
-        found = end_tangents(nodes, find_wires(np.stack([np.arange(4), np.arange(1, 5)], axis=1))[0])
+        found = end_tangents(nodes, find_wires(np.stack([np.arange(4), np.arange(1, 5)], axis=1)))
         # a chord is turned from the tangent by half its angle: to first order the mean of two chords, each with the
         # length of the other, is the tangent
         middle = np.arctan2(found[1:, 0, 1], found[1:, 0, 0])
@@ -63,7 +63,7 @@ class TestAxes:
 
     def test_a_sharp_corner_stays_sharp(self):
         nodes = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0]])
-        found = end_tangents(nodes, find_wires(np.array([[0, 1], [1, 2]]))[0])
+        found = end_tangents(nodes, find_wires(np.array([[0, 1], [1, 2]])))
         np.testing.assert_allclose(found[0, 1], [1, 0, 0])
         np.testing.assert_allclose(found[1, 0], [0, 1, 0])
 

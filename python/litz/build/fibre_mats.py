@@ -2,18 +2,21 @@
 
 import itertools
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..model import COPPER, HERTZ_AND_HOLM, Interaction, Material, Model, straight
+from .deposition import DEFAULT_ELEMENTS, Piled, Rules, build, check_reach, deposit
 from .frame import add_plate, evenly, hold_in_frame, parallel_bars, unit
 from .geometry import clip_line, crossing_angle, end_distance, rounded, segment_distance
 
 #: Random fibres tried per placed fibre before the mat counts as full
 _TRIES = 400
+#: Of deposited fibres: reach, and distance of the ends from fibres that they come near to, seen from above [radii]
+_REACH, _MARGIN = 15.0, 2.5
 #: Length of the elements of a plate over the radius of its bars
 _BAR_ELEMENT = 5.0
 
@@ -24,20 +27,22 @@ def fibre_mat(
     *,
     radius: float,
     seed: int,
-    orientation: Literal["layered", "isotropic"] = "layered",
+    orientation: Literal["layered", "isotropic", "deposited"] = "layered",
+    length: float | None = None,
+    reach: float | None = None,
     n_layers: int = 4,
     spread: float = math.radians(30),
     clearance: float | None = None,
     overlap: bool = False,
     smallest_angle: float = math.radians(20),
-    n_elements: int = 12,
+    n_elements: int | None = None,
     n_bars: int = 6,
     bar_radius: float | None = None,
     material: Material = COPPER,
     interaction: Interaction = HERTZ_AND_HOLM,
     element: str = "B33",
 ) -> Model:
-    """Random mat of straight fibres in a box, to be pressed along z between two electrodes.
+    """Random mat of fibres, to be pressed along z.
 
     Layered: `n_layers` layers of level fibres, each turned by 90 degrees against the one below with a random deviation
     up to `spread`; fibres of one layer do not touch. Below and above lie the electrodes, plates of parallel rigid bars
@@ -50,18 +55,27 @@ def fibre_mat(
     are the electrodes. All ends follow the pressing according to their height and are held in the plane (they do not slide
     along the walls); there are no plates.
 
+    Deposited: fibres of a length fall on a plane one after the other, as in paper, with random middles and directions. Each bends
+    over those that it comes to lie on, so that any number fits. They are cut off at the edges; their ends at
+    x = 0 and x = size[0] are the electrodes. All ends follow the pressing according to their height and are held in the plane;
+    there are no plates.
+
     Parameters
     ----------
     size : tuple of float
-        Sides of the box along x, y and z [m]. The height of a layered mat follows from its layers: x and y only.
+        Sides of the box along x, y and z [m]. The height of a layered or deposited mat follows from its fibres: x and y only.
     n_fibres : int
         Number of fibres; in a layered mat that of each layer.
     radius : float
         Radius of the fibres [m].
     seed : int
         Seed of the random numbers: the same seed and arguments give the same model.
-    orientation : {"layered", "isotropic"}
+    orientation : {"layered", "isotropic", "deposited"}
         Kind of mat.
+    length : float
+        Length of the fibres of a deposited mat [m].
+    reach : float, optional
+        Length over which a deposited fibre bends down from what it lies on [m], at least ten radii; 15 radii when left out.
     n_layers : int
         Layers of a layered mat.
     spread : float
@@ -74,8 +88,8 @@ def fibre_mat(
         Fibres of an isotropic mat may overlap at the start; the contact pair is then an interference fit.
     smallest_angle : float
         Fibres that come within two radii of touching cross at this angle or more [rad]: contacts are points.
-    n_elements : int
-        Elements of each fibre.
+    n_elements : int, optional
+        Elements of each fibre. Left out: 12; of deposited fibres as many as are not longer than half the reach.
     n_bars : int
         Bars of each plate of a layered mat.
     bar_radius : float, optional
@@ -87,7 +101,7 @@ def fibre_mat(
     -------
     Model
         Node sets PLUS (upper electrode) and MINUS (lower electrode); element set WIRES (all). Layered: groups LAYER1,
-        LAYER2, ... from below, PLATE_BOTTOM and PLATE_TOP. Isotropic: group FIBRES. `model.press` adds the step.
+        LAYER2, ... from below, PLATE_BOTTOM and PLATE_TOP. Isotropic and deposited: group FIBRES. `model.press` adds the step.
 
     Raises
     ------
@@ -99,21 +113,19 @@ def fibre_mat(
     clearance = radius / 10 if clearance is None else clearance
     if not (overlap or clearance > 0):
         raise ValueError(f"clearance must be greater than 0, not {clearance:g}")
+    if orientation != "deposited" and not (length is reach is None):
+        raise ValueError("length and reach are for deposited mats")
     rng = np.random.default_rng(seed)
+    n_straight = DEFAULT_ELEMENTS if n_elements is None else n_elements
     fibre: dict[str, Any] = {"radius": radius, "material": material, "element": element}
     if orientation == "layered":
         if len(size) != 2:
             raise ValueError("size of a layered mat: x and y; its height follows from the layers")
-        if n_layers < 1:
-            raise ValueError(f"n_layers must be 1 or more, not {n_layers}")
-        if overlap:
-            raise ValueError("a layered mat has no overlap")
-        if not 0 <= 2 * spread <= math.pi / 2 - smallest_angle:
-            raise ValueError("spread must be between 0 and half of (90 degrees minus the smallest angle)")
+        _check_layers(n_layers, spread, smallest_angle, overlap)
         model = Model(f"Layered mat of {n_layers} x {n_fibres} fibres, seed {seed}")
         layers = {"n_layers": n_layers, "n_fibres": n_fibres, "spread": spread, "clearance": clearance}
         bars = {"number": n_bars, "radius": radius if bar_radius is None else bar_radius}
-        _stack(model, rng, np.array(size, dtype=float), fibre, layers, bars, n_elements)
+        _stack(model, rng, np.array(size, dtype=float), fibre, layers, bars, n_straight)
         model.element_set("WIRES", list(model.groups))
         names = ["PLATE_BOTTOM", *(f"LAYER{number}" for number in range(1, n_layers + 1)), "PLATE_TOP"]
         for pair in itertools.pairwise(names):
@@ -124,13 +136,60 @@ def fibre_mat(
         model = Model(f"Isotropic mat of {n_fibres} fibres, seed {seed}")
         distance = -math.inf if overlap else 2 * radius + clearance
         ends = _isotropic(rng, n_fibres, np.array(size), distance, 4 * radius, smallest_angle)
-        model.wires("FIBRES", [rounded(straight(start, end, n_elements), max(size)) for start, end in ends], **fibre)
+        model.wires("FIBRES", [rounded(straight(start, end, n_straight), max(size)) for start, end in ends], **fibre)
         _hold_isotropic(model, size[2])
         model.height = float(size[2])
         model.element_set("WIRES", list(model.groups))
         model.contact("WIRES", interaction=interaction, interference_fit=overlap)
+    elif orientation == "deposited":
+        length = _checked_length(size, length, radius, overlap)
+        reach = _REACH * radius if reach is None else reach
+        check_reach(reach, radius)
+        rules = Rules(np.array(size, dtype=float), length, radius, smallest_angle, _MARGIN * radius)
+        title = f"Deposited mat of {n_fibres} fibres, seed {seed}"
+        model = _deposited(title, n_fibres, rules, reach, clearance, seed, n_elements, fibre, interaction)
     else:
-        raise ValueError(f'orientation must be "layered" or "isotropic", not {orientation!r}')
+        raise ValueError(f'orientation must be "layered", "isotropic" or "deposited", not {orientation!r}')
+    return model
+
+
+def _check_layers(n_layers: int, spread: float, smallest_angle: float, overlap: bool) -> None:
+    """Refuse what layers cannot be."""
+    if n_layers < 1:
+        raise ValueError(f"n_layers must be 1 or more, not {n_layers}")
+    if overlap:
+        raise ValueError("a layered mat has no overlap")
+    if not 0 <= 2 * spread <= math.pi / 2 - smallest_angle:
+        raise ValueError("spread must be between 0 and half of (90 degrees minus the smallest angle)")
+
+
+def _checked_length(size: Sequence[float], length: float | None, radius: float, overlap: bool) -> float:
+    """The length of deposited fibres [m]."""
+    if len(size) != 2 or length is None or not length > 4 * radius or overlap:
+        raise ValueError(
+            "a deposited mat needs size: x and y, and a length of more than two diameters; it has no overlap"
+        )
+    return length
+
+
+def _deposited(
+    title: str, n_fibres: int, rules: Rules, reach: float, clearance: float, seed: int, n_elements: int | None,
+    fibre: dict[str, Any], interaction: Interaction,
+) -> Model:  # fmt: skip
+    """Fibres that have fallen on each other."""
+
+    def pile(gap: float) -> Piled:
+        distance = 2 * rules.radius + gap
+        return deposit(
+            np.random.default_rng(seed), n_fibres, rules, distance=distance, reach=reach, n_elements=n_elements
+        )
+
+    size = rules.size
+    model = build(
+        title, "FIBRES", pile, clearance=clearance, length=float(size[0]), rounding=float(size.max()),
+        interaction=interaction, **fibre,
+    )  # fmt: skip
+    model.element_set("WIRES", ["FIBRES"])
     return model
 
 

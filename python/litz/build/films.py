@@ -1,15 +1,12 @@
-"""Films of straight nanowires between two electrodes."""
+"""Films of nanowires between two electrodes."""
 
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ..model import HERTZ_AND_HOLM, SILVER, Interaction, Material, Model, straight
-from .geometry import end_distance, rounded, segment_distance
+from ..model import HERTZ_AND_HOLM, SILVER, Interaction, Material, Model
+from .deposition import Rules, build, check_reach, drop, pile_up
 
-#: Random places tried for each wire before the film counts as full
-_TRIES = 400
 #: Minimum distance of the end of a wire from any other wire, seen from above [radii]
 _MARGIN = 4.0
 
@@ -21,19 +18,20 @@ def nanowire_film(
     length: float,
     radius: float,
     seed: int,
+    reach: float | None = None,
     clearance: float | None = None,
     smallest_angle: float = math.radians(15),
-    n_elements: int = 12,
+    n_elements: int | None = None,
     material: Material = SILVER,
     interaction: Interaction = HERTZ_AND_HOLM,
     element: str = "B33",
 ) -> Model:
-    """Straight nanowires dropped at random on a plane, with an electrode at each end of the film.
+    """Nanowires dropped at random on a plane, with an electrode at each end of the film.
 
-    Centres and directions in the plane are uniform. Each wire comes to lie level, above all wires dropped before that it
-    crosses; it does not sag. No end lies on another wire: it is four radii away, seen from above. Wires are cut where they
-    leave the film; the cut ends at x = 0 and x = size[0] are the electrodes. All ends are held in the plane and follow a
-    pressing according to their height (`model.press`).
+    Centres and directions in the plane are uniform. Each wire comes to lie above all wires dropped before that it crosses:
+    level, or bent over them. No end lies on another wire: it is four radii away, seen from above, for which wires get a little
+    shorter or longer. Wires are cut where they leave the film; the cut ends at x = 0 and x = size[0] are the electrodes. All ends
+    are held in the plane and follow a pressing according to their height (`model.press`).
 
     Parameters
     ----------
@@ -45,19 +43,22 @@ def nanowire_film(
         Length of a wire that is not cut, and its radius [m].
     seed : int
         Seed of the random numbers: the same seed and arguments give the same model.
+    reach : float, optional
+        Length over which a wire bends down from one that it lies on [m], at least ten radii: the shorter, the more crossings
+        touch. Left out: wires stay level.
     clearance : float, optional
-        Gap at the highest crossing below each wire [m]; a hundredth of the radius when left out.
+        Gap where a wire lies on another one [m]; a hundredth of the radius when left out.
     smallest_angle : float
         Wires that cross do so at this angle or more [rad], others are dropped anew: contacts are points.
-    n_elements : int
-        Elements of each wire.
+    n_elements : int, optional
+        Elements of each wire. Left out: 12 of level wires, and of others as many as are not longer than half the reach.
     material, interaction, element
         What the wires are made of, the laws of their contacts, type of the elements.
 
     Returns
     -------
     Model
-        Group FILM; node sets MINUS (x = 0) and PLUS (x = size[0]).
+        Group FILM; node sets MINUS (x = 0) and PLUS (x = size[0]). `model.comments` say how many crossings touch.
 
     Raises
     ------
@@ -66,8 +67,15 @@ def nanowire_film(
 
     Notes
     -----
-    Wires that lie directly on each other touch first, others the later the more levels are between them: a film conducts
+    Level wires that lie directly on each other touch first, others the later the more levels are between them: a film conducts
     well when it is pressed by 0.8 to 0.95 of `model.height`. Nearly flat it becomes stiff, and a run may give up.
+
+    With `reach` wires are elastic beams that springs draw to the ground: `a = (4 E I/k)^(1/4)`, with the stiffness k per length
+    of
+    what draws them there, such as a liquid that dries.
+
+    Wires that would cross at less than the smallest angle are dropped anew, which makes crossings rarer: see `litz.percolation`
+    for what that does to the threshold.
 
     Spots of nanowires are smaller than the mean free path of the electrons, 53 nm in silver. Their resistance is then that of
     Sharvin, `4 rho l/(3 A)` for the area A, where the product of resistivity and free path, `rho l`, is a constant
@@ -86,108 +94,18 @@ def nanowire_film(
     clearance = radius / 100 if clearance is None else clearance
     if not clearance > 0:
         raise ValueError(f"clearance must be greater than 0, not {clearance:g}")
-    ends = _drop(np.random.default_rng(seed), n_wires, np.array(size, dtype=float), length, radius, smallest_angle)
-    heights = _pile_up(ends, 2 * radius + clearance)
-    model = Model(f"Film of {n_wires} nanowires, seed {seed}")
-    axes = [
-        rounded(straight([*start, z], [*end, z], n_elements), max(size))
-        for (start, end), z in zip(ends, heights, strict=True)
-    ]
-    model.wires("FILM", axes, radius=radius, material=material, element=element)
-    _hold(model, heights)
-    model.height = float(heights.max())
-    x = model.x
-    cut = {
-        name: [node for node in model.groups["FILM"].ends if abs(x[node - 1, 0] - wall) < 1e-6 * size[0]]
-        for name, wall in (("MINUS", 0.0), ("PLUS", size[0]))
-    }
-    if not all(cut.values()):
-        raise ValueError("no wire reaches one of the electrodes: use more or longer wires, or another seed")
-    for name, nodes in cut.items():
-        model.node_set(name, nodes)
-    model.contact("FILM", interaction=interaction)
-    return model
-
-
-def _drop(
-    rng: np.random.Generator, n_wires: int, size: NDArray, length: float, radius: float, smallest_angle: float
-) -> NDArray[np.float64]:
-    """Ends of the wires in the plane, (n_wires, 2, 2)."""
-    placed = np.empty((n_wires, 2, 2))
-    count = 0
-    for _ in range(_TRIES * n_wires):
-        middle, angle = rng.uniform(size=2) * size, rng.uniform(0, math.pi)
-        half = length / 2 * np.array([math.cos(angle), math.sin(angle)])
-        ends = _inside(middle, half, size)
-        # what the wall leaves of a wire must reach beyond a crossing at both sides
-        if np.linalg.norm(ends[1] - ends[0]) < 2 * _MARGIN * radius:
-            continue
-        others = placed[:count]
-        first, second = (np.broadcast_to(end, (count, 2)) for end in ends)
-        if (end_distance(first, second, others[:, 0], others[:, 1]) < _MARGIN * radius).any():
-            continue
-        turn = _cross(ends[1] - ends[0], others[:, 1] - others[:, 0])
-        lengths = np.linalg.norm(ends[1] - ends[0]) * np.linalg.norm(others[:, 1] - others[:, 0], axis=1)
-        if (_crosses(ends, others) & (np.abs(turn) < math.sin(smallest_angle) * lengths)).any():
-            continue
-        placed[count] = ends
-        count += 1
-        if count == n_wires:
-            return placed
-    raise ValueError(
-        f"only {count} of {n_wires} wires fit into the film with crossings of the smallest angle, away from their ends"
+    check_reach(reach, radius)
+    rules = Rules(np.array(size, dtype=float), length, radius, smallest_angle, _MARGIN * radius)
+    layout = drop(np.random.default_rng(seed), n_wires, rules)
+    return build(
+        f"Film of {n_wires} nanowires, seed {seed}",
+        "FILM",
+        lambda gap: pile_up(layout, 2 * radius + gap, reach, n_elements),
+        clearance=clearance,
+        length=size[0],
+        rounding=max(size),
+        interaction=interaction,
+        radius=radius,
+        material=material,
+        element=element,
     )
-
-
-def _inside(middle: NDArray, half: NDArray, size: NDArray) -> NDArray[np.float64]:
-    """The part of a wire that lies inside the film."""
-    with np.errstate(divide="ignore"):
-        walls = np.sort([-middle / half, (size - middle) / half], axis=0)
-    first, last = max(-1.0, walls[0].max()), min(1.0, walls[1].min())
-    return np.clip([middle + first * half, middle + last * half], 0, size)
-
-
-def _pile_up(ends: NDArray, pitch: float) -> NDArray[np.float64]:
-    """Height of each wire: one pitch above the highest wire below it, or on the ground."""
-    level = np.zeros(len(ends), dtype=int)
-    for wire in range(1, len(ends)):
-        below = level[:wire][_near(ends[wire], ends[:wire], pitch)]
-        level[wire] = below.max() + 1 if len(below) else 0
-    return level * pitch
-
-
-def _near(wire: NDArray, others: NDArray, distance: float) -> NDArray[np.bool_]:
-    """Which of the others (n, 2, 2) come nearer to a wire (2, 2) than a distance, in the plane."""
-    first, second = (np.broadcast_to(end, (len(others), 2)) for end in wire)
-    return segment_distance(first, second, others[:, 0], others[:, 1]) < distance
-
-
-def _crosses(wire: NDArray, others: NDArray) -> NDArray[np.bool_]:
-    """Which of the others (n, 2, 2) a wire (2, 2) crosses in the plane."""
-
-    def apart(a: NDArray, b: NDArray, first: NDArray, second: NDArray) -> NDArray:
-        return _cross(b - a, first - a) * _cross(b - a, second - a) < 0
-
-    first, last = wire
-    return apart(first, last, others[:, 0], others[:, 1]) & apart(others[:, 0], others[:, 1], first, last)
-
-
-def _cross(u: NDArray, v: NDArray) -> NDArray[np.float64]:
-    return u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0]
-
-
-def _hold(model: Model, heights: NDArray) -> None:
-    """All ends in the plane, with heights that follow a pressing, and one spin of each wire."""
-    group, x = model.groups["FILM"], model.x
-    model.fix(model.node_set("ENDS", group.ends), "x", "y")
-    top = max(heights.max(), np.finfo(float).tiny)
-    for level, height in enumerate(np.unique(heights)):
-        name = f"LEVEL{level}_ENDS"
-        model.node_set(
-            name, [node for wire, z in zip(group.wires, heights, strict=True) if z == height for node in wire.ends]
-        )
-        model.guides[name] = float(f"{height / top:.9g}")
-    for wire in group.wires:
-        along = np.abs(x[wire.nodes[-1] - 1] - x[wire.nodes[0] - 1])
-        spin = 4 + int(np.argmax(along[:2]))
-        model.fix(wire.nodes[0], spin)

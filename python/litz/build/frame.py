@@ -86,3 +86,37 @@ def _main_axis(model: Model, wire: Wire) -> str:
     """The axis, X or Y, that a level wire runs along more than along the other."""
     direction = model.x[wire.nodes[-1] - 1] - model.x[wire.nodes[0] - 1]
     return "X" if abs(direction[0]) >= abs(direction[1]) else "Y"
+
+
+def hold_ends(model: Model, group: str, height: float) -> None:
+    """Hold the ends of all wires of a group in the plane, let their heights follow a pressing, and stop one spin of each wire.
+
+    Each end follows by its height over `height`, that of the model [m].
+    """
+    of_group = model.groups[group]
+    model.fix(model.node_set("ENDS", of_group.ends), "x", "y")
+    heights: dict[float, list[int]] = {}
+    for node in of_group.ends:
+        heights.setdefault(float(model.x[node - 1, 2]), []).append(node)
+    several = len(heights) < len(of_group.ends) / 2
+    for level, (z, nodes) in enumerate(sorted(heights.items())):
+        share = float(f"{z / max(height, np.finfo(float).tiny):.9g}")
+        if several:
+            model.guides[model.node_set(f"LEVEL{level}_ENDS", nodes).name] = share
+        else:
+            model.guides |= dict.fromkeys(nodes, share)
+    x = model.x
+    first, last = (np.array([wire.nodes[end] for wire in of_group.wires]) for end in (0, -1))
+    axis = np.abs(x[last - 1] - x[first - 1]).argmax(axis=1)
+    for number in np.unique(axis):
+        model.fix(model.node_set(f"SPIN_{'XYZ'[number]}", first[axis == number]), 4 + int(number))
+
+
+def electrodes_at_walls(model: Model, group: str, length: float) -> None:
+    """Name the ends of wires at x = 0 MINUS and at x = length PLUS."""
+    x = model.x
+    for name, wall in (("MINUS", 0.0), ("PLUS", length)):
+        nodes = [node for node in model.groups[group].ends if abs(x[node - 1, 0] - wall) < 1e-6 * length]
+        if not nodes:
+            raise ValueError("no wire reaches one of the electrodes: use more or longer wires, or another seed")
+        model.node_set(name, nodes)

@@ -5,6 +5,7 @@ import textwrap
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import matplotlib as mpl
 import numpy as np
@@ -40,6 +41,10 @@ STYLE = {
 }
 _DPI = 150
 _MIN_PIXELS = 200
+#: Quality of compressed pictures (WebP), of 100
+_QUALITY = 88
+#: Where the wires are in a picture of them: left, bottom, width, height
+_WIRES_BOX = (0.01, 0.13, 0.98, 0.76)
 #: Of what stands at the right of an overview, relative to its width
 _RIGHT_EDGE = 0.99
 #: Width that axes keep beside the longest texts, relative to their own
@@ -142,12 +147,36 @@ def plot(
         raise ValueError(f"there is no wire {wire}: there are {len(results.wires)}, counted from 0")
     path = Picture(filename or results.path.with_name(f"{results.path.stem}_{kind}.png"))
     draw, default_size = _KINDS[kind]
-    with mpl.rc_context(STYLE):
+    with results.kept_open(), mpl.rc_context(STYLE):
         figure = new_figure(default_size, size)
         draw(figure, results, increment, look)
-        show_dollars(figure)
-        figure.savefig(path, dpi="figure")
+        _save(figure, path)
     return path
+
+
+def plot_wires(results: Results, fields: list[str | None], paths: list[Path], size: tuple[int, int]) -> None:
+    """Draw the wires at the last increment coloured by several fields, each into a picture; VTK is started once for all."""
+    with results.kept_open(), mpl.rc_context(STYLE):
+        figures = [new_figure(_KINDS["wires"][1], size) for _ in fields]
+        scenes = [Look(field).scenes(results, [-1]).scene(-1) for field in fields]
+        pixels = box_pixels(figures[0], _WIRES_BOX)
+        camera = _camera(scenes[0], pixels, Look())
+        for figure, scene, tubes in zip(figures, scenes, render(scenes, camera, pixels), strict=True):
+            place_wires(figure, _WIRES_BOX, scene, camera, tubes, 1.0)
+            figure.text(0.03, 0.975, title(results, -1), va="top", fontsize="large", linespacing=1.4)
+        for figure, path in zip(figures, paths, strict=True):
+            _save(figure, path)
+
+
+def _save(figure: Figure, path: Path) -> None:
+    """Write a figure; its layout is found once, and not again whenever it is drawn."""
+    layout = figure.get_layout_engine()
+    show_dollars(figure)
+    if layout is not None:
+        layout.execute(figure)
+        figure.set_layout_engine("none")
+    options: dict[str, Any] = {"pil_kwargs": {"quality": _QUALITY, "method": 2}} if path.suffix == ".webp" else {}
+    figure.savefig(path, dpi="figure", **options)
 
 
 def with_increments(results: Results | str | Path) -> Results:
@@ -193,7 +222,7 @@ def title(results: Results, increment: int) -> str:
 
 
 def _wires(figure: Figure, results: Results, increment: int, look: Look) -> None:
-    _still(figure, results, increment, look, (0.01, 0.13, 0.98, 0.76))
+    _still(figure, results, increment, look, _WIRES_BOX)
     figure.text(0.03, 0.975, title(results, increment), va="top", fontsize="large", linespacing=1.4)
 
 
@@ -201,8 +230,12 @@ def _still(figure: Figure, results: Results, increment: int, look: Look, box: tu
     """The wires at one increment in a box (left, bottom, width, height) of a figure."""
     scene = look.scenes(results, [increment]).scene(increment)
     pixels = box_pixels(figure, box)
-    camera = aim(scene.outline, scene.radius.max(), pixels[0] / pixels[1], look.direction)
+    camera = _camera(scene, pixels, look)
     place_wires(figure, box, scene, camera, render([scene], camera, pixels)[0], look.scale)
+
+
+def _camera(scene: Scene, pixels: np.ndarray, look: Look) -> Camera:
+    return aim(scene.outline, scene.radius.max(), pixels[0] / pixels[1], look.direction)
 
 
 def box_pixels(figure: Figure, box: tuple[float, float, float, float]) -> np.ndarray:
@@ -319,5 +352,6 @@ _KINDS: dict[str, tuple[Callable[[Figure, Results, int, Look], None], tuple[floa
     "surfaces": _chart(surface_charts.surfaces, (8.0, 7.0)),
     "history": _chart(charts.history, (8.0, 4.0)),
 }
-#: Kinds of pictures
+#: Kinds of pictures, and their widths and heights
 KINDS = tuple(_KINDS)
+KINDS_IN_INCHES = {kind: size for kind, (_, size) in _KINDS.items()}

@@ -6,11 +6,10 @@ import math
 import tempfile
 import warnings
 from pathlib import Path
-from typing import Any
 
 from ..errors import FileError
 from ..pictures.friction_charts import has_friction
-from ..pictures.plots import plot
+from ..pictures.plots import KINDS_IN_INCHES, plot, plot_wires
 from ..results import Results
 from ..results.contact_history import has_lines
 from ..results.scalars import default_scalar
@@ -23,6 +22,9 @@ from .surface_tables import surface_contacts_of_iterate, surfaces
 _MAX_DATA = 30e6
 _MAX_DECK_LENGTH = 200_000
 _MAX_WIRES = 300
+# Size of pictures of the wires, and resolution of charts: twice what the page shows [pixels]
+_SIZE_OF_WIRES = (1200, 840)
+_PIXELS_PER_INCH = 110
 
 _STYLE = """
 body { font: 15px/1.5 system-ui, sans-serif; color: #1b1b1b; margin: 0 auto; max-width: 78rem; padding: 1.5rem; }
@@ -71,6 +73,13 @@ def report(results: Results | str | Path, filename: str | Path | None = None) ->
     if results.path.stem.endswith("_unconverged"):
         results = Results(results.path.with_name(results.path.name.replace("_unconverged", "")))
     path = Path(filename) if filename else results.path.with_name(f"{results.path.stem}_report.html")
+    with results.kept_open():
+        path.write_text(_page(results), encoding="utf-8")
+    return path
+
+
+def _page(results: Results) -> str:
+    """The page as text."""
     title = (results.heading.strip() or results.path.stem).splitlines()[0]
     sections = [
         f"<h1>{html.escape(title)}</h1>\n<p>{html.escape(results.path.name)}, made by litz {html.escape(results.version)}</p>",
@@ -91,8 +100,7 @@ def report(results: Results | str | Path, filename: str | Path | None = None) ->
         sections += ["<h2>Worst contacts</h2>", tables.worst_contacts(results)]
         sections += [*surfaces(results), *_pictures(results)]
     sections += ["<h2>Deck</h2>", _deck(results)]
-    path.write_text(page(f"{title} - litz", "\n".join(sections), _STYLE + viewer_style()), encoding="utf-8")
-    return path
+    return page(f"{title} - litz", "\n".join(sections), _STYLE + viewer_style())
 
 
 def _later_run(results: Results) -> str:
@@ -116,14 +124,16 @@ def _failure(results: Results) -> list[str]:
     found += ["<h3>The iterate that was given up</h3>", tables.contacts_of_iterate(last)]
     found.append(surface_contacts_of_iterate(last))
     with tempfile.TemporaryDirectory() as folder:
-        found.append(_figure(last, "wires", Path(folder), "The last iterate of the failed run: not an equilibrium.",
-                             field="displacement", spots="force", size=(1400, 900)))  # fmt: skip
+        picture = plot(
+            last, "wires", Path(folder, "wires.webp"), field="displacement", spots="force", size=_SIZE_OF_WIRES
+        )
+        found.append(_figure(picture, "The last iterate of the failed run: not an equilibrium."))
     return found
 
 
 def _pictures(results: Results) -> list[str]:
     """The pictures that this run has something for."""
-    wanted: list[tuple[str, str, dict[str, Any]]] = [
+    wanted: list[tuple[str, str, dict[str, str]]] = [
         ("wires", f"The wires at the last increment, coloured by {default_scalar(results, -1)}.", {})
     ]
     contacts, field = results.contacts, lambda name: results.field(name).any()
@@ -152,15 +162,26 @@ def _pictures(results: Results) -> list[str]:
     if len(results.history) > 3:
         wanted.append(("history", "Output requested in the deck.", {}))
     with tempfile.TemporaryDirectory() as folder:
-        figures = [_figure(results, kind, Path(folder), text, **options) for kind, text, options in wanted]
+        paths = [Path(folder, f"{number}.webp") for number in range(len(wanted))]
+        wires = [number for number, (kind, _, _) in enumerate(wanted) if kind == "wires"]
+        plot_wires(results, [wanted[n][2].get("field") for n in wires], [paths[n] for n in wires], _SIZE_OF_WIRES)
+        for (kind, _, _), picture in zip(wanted, paths, strict=True):
+            if kind != "wires":
+                plot(results, kind, picture, size=_sizes(kind))
+        figures = [_figure(picture, text) for picture, (_, text, _) in zip(paths, wanted, strict=True)]
     return ["<h2>Pictures</h2>", '<div class="pictures">', *figures, "</div>"]
 
 
-def _figure(results: Results, kind: str, folder: Path, text: str, **options: Any) -> str:
-    picture = plot(results, kind, folder / "picture.png", **options)
+def _figure(picture: Path, text: str) -> str:
     content = base64.b64encode(picture.read_bytes()).decode()
     escaped = html.escape(text)
-    return f'<figure><img alt="{escaped}" src="data:image/png;base64,{content}"><figcaption>{escaped}</figcaption></figure>'
+    return f'<figure><img alt="{escaped}" src="data:image/webp;base64,{content}"><figcaption>{escaped}</figcaption></figure>'
+
+
+def _sizes(kind: str) -> tuple[int, int]:
+    """Width and height of a chart [pixels]."""
+    width, height = KINDS_IN_INCHES[kind]
+    return round(_PIXELS_PER_INCH * width), round(_PIXELS_PER_INCH * height)
 
 
 def _stage(results: Results) -> list[str]:

@@ -1,7 +1,8 @@
 """The files of a run, read when they are asked for."""
 
+import contextlib
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
 from os import PathLike
 from pathlib import Path
@@ -41,6 +42,7 @@ class ResultFile:
     def __init__(self, path: str | PathLike[str]):
         self.path = _find(Path(path))
         self._tables: dict[str, tuple[int, Table]] = {}
+        self._kept: h5py.File | None = None
         with self._open() as file:
             version = int(file["litz"].attrs["format_version"])
             if version > _FORMAT_VERSION:
@@ -60,7 +62,22 @@ class ResultFile:
         sizes = f"{len(self.nodes)} nodes, {len(self.elements)} elements, {len(self.times)} increments"
         return f"<Results {self.path}: {sizes}, {state}>"
 
-    def _open(self) -> h5py.File:
+    @contextlib.contextmanager
+    def kept_open(self) -> Iterator[None]:
+        """Within this block the file stays open, which is faster where much is read; what a run adds meanwhile is not seen."""
+        if self._kept is not None:
+            yield
+            return
+        with self._open() as file:
+            self._kept = file
+            try:
+                yield
+            finally:
+                self._kept = None
+
+    def _open(self) -> contextlib.AbstractContextManager[h5py.File]:
+        if self._kept is not None:
+            return contextlib.nullcontext(self._kept)
         try:
             return h5py.File(self.path, "r", locking=False)
         except OSError as error:

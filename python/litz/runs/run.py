@@ -7,6 +7,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import threading
 import warnings
 from collections.abc import Iterable
 from pathlib import Path
@@ -27,8 +28,8 @@ from ..results import Results
 from ..results.run_warnings import read_warnings
 from .progress import Progress, total_time
 
-#: Time for the program to terminate [s]
-_TERMINATION_TIMEOUT = 5.0
+#: Time for the program to terminate, and between two looks at a file without which it is ended [s]
+_TERMINATION_TIMEOUT, _LOOK_INTERVAL = 5.0, 0.2
 
 _ERRORS: dict[int, type[LitzError]] = {
     error.exit_code: error
@@ -108,8 +109,12 @@ def run_silently(
     restart: str | os.PathLike[str] | None = None,
     quiet: bool = True,
     progress: bool = False,
+    while_exists: Path | None = None,
 ) -> Results:
-    """As `run`, without Python warnings: those of the run are in its results, or in the exception."""
+    """As `run`, without Python warnings: those of the run are in its results, or in the exception.
+
+    The program is ended as soon as the file `while_exists` is gone.
+    """
     deck, output_directory = Path(deck), Path(output_directory)
     command: list[str | Path] = [program_path(), "run", deck, "-o", output_directory]
     if solver is not None:
@@ -122,7 +127,7 @@ def run_silently(
     shown = _progress_of(deck) if progress else None
     results_path = output_directory / (deck.stem + ".vtkhdf")
     before = _changed(results_path)
-    exit_code, printed, message = _call(command, quiet, shown)
+    exit_code, printed, message = _call(command, quiet, shown, while_exists)
     if exit_code != 0:
         error = _error_of(exit_code, message or printed, results_path if results_path.exists() else None)
         has_results = _changed(results_path) != before
@@ -230,9 +235,19 @@ def _end(process: subprocess.Popen) -> None:
         process.kill()
 
 
-def _call(command: list[str | Path], quiet: bool, progress: Progress | None = None) -> tuple[int, str, str]:
+def _end_without(file: Path, process: subprocess.Popen, is_over: threading.Event) -> None:
+    """Terminate a program when a file is gone."""
+    while not is_over.wait(_LOOK_INTERVAL):
+        if not file.exists():
+            _end(process)
+            return
+
+
+def _call(
+    command: list[str | Path], quiet: bool, progress: Progress | None = None, while_exists: Path | None = None
+) -> tuple[int, str, str]:
     """Exit code, standard output and standard error of a command; the output is shown line by line if requested."""
-    printed = []
+    printed, is_over = [], threading.Event()
     with tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace") as messages:
         process = subprocess.Popen(
             [str(word) for word in command],
@@ -244,6 +259,8 @@ def _call(command: list[str | Path], quiet: bool, progress: Progress | None = No
             # lines are not buffered
             env={"GFORTRAN_UNBUFFERED_PRECONNECTED": "y", **program_environment()},
         )
+        if while_exists is not None:
+            threading.Thread(target=_end_without, args=(while_exists, process, is_over), daemon=True).start()
         with process:
             try:
                 for line in process.stdout or ():
@@ -255,6 +272,7 @@ def _call(command: list[str | Path], quiet: bool, progress: Progress | None = No
                         sys.stdout.flush()
                 exit_code = process.wait()
             finally:
+                is_over.set()
                 _end(process)
         if progress is not None:
             progress.close(exit_code == 0)

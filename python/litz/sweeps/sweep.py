@@ -3,36 +3,40 @@
 import hashlib
 import itertools
 import json
+import math
 import os
 import re
 import sys
 import threading
 import time
+import uuid
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor, as_completed
+from concurrent.futures import BrokenExecutor, Executor, Future, ThreadPoolExecutor, as_completed, wait
 from pathlib import Path
+from pickle import PicklingError
 from typing import Any, Literal
 
 import numpy as np
 
 from ..base import notebook
 from ..base.names import nearest_name
-from ..base.table import Table
 from ..deck import Deck
 from ..deck.lines import to_text
 from ..errors import FileError, LitzError
 from ..model import Model
 from ..results import Results
 from ..runs.run import run_silently
+from .sweep_table import DIRECTORY, MESSAGE, OWN_COLUMNS, STATUS, WARNINGS, SweepTable
 
 #: A function of the parameters, or a deck with places such as {radius}
 Case = Callable[..., Any] | str | os.PathLike
 _OUTCOME = "outcome.json"
 _PLACE = re.compile(r"\{(\w+)\}")
 _MAX_NAME_LENGTH = 60
-#: Columns of the table besides parameters and values
-_STATUS, _WARNINGS, _MESSAGE, _DIRECTORY = "status", "warnings", "message", "directory"
+_RESISTANCE, _CONDUCTANCE = "resistance ", "conductance "
+#: What a run that was ended says, and the time it is given to end [s]
+_CANCELLED, _TIME_TO_END = "the sweep was cancelled", 10.0
 
 
 def sweep(
@@ -42,14 +46,16 @@ def sweep(
     collect: Callable[[Results], Mapping[str, float]] | None = None,
     directory: str | os.PathLike = "results/sweep",
     processes: int | None = None,
+    executor: Executor | None = None,
     again: bool | Literal["failed"] = False,
     progress: bool = True,
     **options: Any,
-) -> Table:
+) -> SweepTable:
     """Run a model for many values of its parameters, several at a time.
 
-    Existing runs in the directory are not repeated if their decks are unchanged; an interrupted sweep continues where it
-    stopped. Failed runs are reported by a warning and remain in the table.
+    Existing runs in the directory are not repeated if their decks are unchanged. An interrupted sweep ends the programs that run
+    for it, says how many runs have finished, and continues with the others when it is called again. Failed runs are reported by a
+    warning and remain in the table.
 
     Parameters
     ----------
@@ -59,12 +65,17 @@ def sweep(
     parameters : mapping or sequence of mappings
         Values of each parameter, of which all combinations are run; or the combinations one by one.
     collect : callable, optional
-        What goes into the table: a function of the `Results` that returns numbers by name. Left out: the last row of
-        the history.
+        What goes into the table: a function of the `Results` that returns numbers by name. Left out: `contacts`, their number
+        at the end, `contact force`, the sum of their forces, the last row of the history, and the `conductance A to B` of each
+        `resistance A to B` in it.
     directory : path
         Directory of decks and results, with a subdirectory for each run.
     processes : int, optional
         Runs at a time; the number of processors when left out.
+    executor : concurrent.futures.Executor, optional
+        What runs them, in place of threads of this process: `ProcessPoolExecutor()`, `Client(...).get_executor()` of
+        dask.distributed, `MPIPoolExecutor()` of mpi4py.futures. Its workers need litz and the same directory; `case` and
+        `collect` are sent to them, for which they have to be functions of a module (dask takes any). It is not shut down.
     again : bool or "failed"
         True: repeat all runs; "failed": those that failed.
     progress : bool
@@ -74,10 +85,10 @@ def sweep(
 
     Returns
     -------
-    Table
+    SweepTable
         A row for each run, in the order of the parameters: the parameters, `status` ("finished" or "failed"), the values
-        (nan where a run failed), `warnings` (their number), `message` and `directory`; `to_pandas()` makes a data frame
-        of it.
+        (nan where a run failed), `warnings` (their number), `message` and `directory`; `over("seed")` gives means and standard
+        deviations, `to_pandas()` makes a data frame of it.
 
     Examples
     --------
@@ -92,24 +103,64 @@ def sweep(
     combinations = _combinations(parameters)
     if processes is not None and (isinstance(processes, bool) or processes < 1):
         raise ValueError(f"processes must be 1 or more, not {processes}")
+    if executor is not None and processes is not None:
+        raise ValueError("processes is for threads of this process: an executor has its own number of workers")
     if again not in (True, False, "failed"):
         raise ValueError(f'again must be True, False or "failed", not {again!r}')
     make = case if callable(case) else _Template(Path(case), combinations[0])
     options = {"threads": 1, **options}
     home = None if directory is None else Path(directory)
-    runs = [_Run(make, combination, collect, home, options, again) for combination in combinations]
+    if home is not None and executor is not None:
+        # workers may be elsewhere
+        home = home.absolute()
+    running = None if home is None else home / f"running-{uuid.uuid4().hex[:8]}"
+    runs = [_Run(make, combination, collect, home, options, again, running) for combination in combinations]
     count = _Count(len(runs)) if progress else None
-    pool = ThreadPoolExecutor(processes or os.cpu_count() or 1)
+    pool = executor or ThreadPoolExecutor(processes or os.cpu_count() or 1)
     try:
-        for done in as_completed([pool.submit(one) for one in runs]):
-            if count is not None:
-                count.add(done.result())
+        runs = _run_all(runs, pool, running, count)
     finally:
-        pool.shutdown(cancel_futures=True)
+        if executor is None:
+            pool.shutdown(cancel_futures=True)
         if count is not None:
             count.close()
     _warn_of_failures(runs)
     return _table(runs)
+
+
+def _run_all(runs: list["_Run"], pool: Executor, running: Path | None, count: "_Count | None") -> list["_Run"]:
+    """The runs after they have been run. Each ends when the file `running` is gone, which all workers see."""
+    if running is not None:
+        running.parent.mkdir(parents=True, exist_ok=True)
+        running.touch()
+    places: dict[Future, int] = {}
+    done = list(runs)
+    try:
+        places = {pool.submit(one): place for place, one in enumerate(runs)}
+        for future in as_completed(places):
+            done[places[future]] = _result(future)
+            if count is not None:
+                count.add(done[places[future]])
+    finally:
+        if running is not None:
+            running.unlink(missing_ok=True)
+        for future in places:
+            future.cancel()
+        wait(places, _TIME_TO_END)
+    return done
+
+
+def _result(future: "Future[_Run]") -> "_Run":
+    """A run that is over; an error that says what cannot be sent to another process."""
+    try:
+        return future.result()
+    except BrokenExecutor:
+        raise
+    except (PicklingError, AttributeError, TypeError) as error:
+        raise ValueError(
+            f"case or collect cannot be sent to the workers of the executor ({error}): define them in a module, not in a "
+            "function or a notebook"
+        ) from error
 
 
 def _combinations(parameters: Mapping[str, Iterable[Any]] | Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
@@ -129,7 +180,7 @@ def _combinations(parameters: Mapping[str, Iterable[Any]] | Sequence[Mapping[str
             raise ValueError("all combinations need the same parameters")
     if not combinations or not combinations[0]:
         raise ValueError("a sweep needs at least one parameter with at least one value")
-    taken = {_STATUS, _WARNINGS, _MESSAGE, _DIRECTORY} & set(combinations[0])
+    taken = set(OWN_COLUMNS) & set(combinations[0])
     if taken:
         raise ValueError(f"a parameter may not be called {taken.pop()}: the table has a column of this name")
     if len({_key(one) for one in combinations}) < len(combinations):
@@ -180,8 +231,10 @@ class _Run:
         home: Path | None,
         options: dict[str, Any],
         again: bool | str,
+        running: Path | None = None,
     ):
         self._make, self._collect, self._options, self._again = make, collect, options, again
+        self._running = running
         self.parameters = parameters
         label = "_".join(f"{name}={to_text(value)}" for name, value in parameters.items())
         name = re.sub(r"[^\w.=+-]", "", label)[:_MAX_NAME_LENGTH]
@@ -194,6 +247,9 @@ class _Run:
 
     def __call__(self) -> "_Run":
         """Run it, or reuse the results of an earlier sweep."""
+        if self._is_cancelled():
+            self.message = _CANCELLED
+            return self
         try:
             made = self._make(**self.parameters)
             if isinstance(made, Mapping | float | int | np.number):
@@ -206,6 +262,9 @@ class _Run:
             self.message = str(error) if isinstance(error, LitzError) else f"{type(error).__name__}: {error}"
             self._keep(None)
         return self
+
+    def _is_cancelled(self) -> bool:
+        return self._running is not None and not self._running.exists()
 
     def _run_deck(self, made: Any) -> None:
         if self.directory is None:
@@ -228,8 +287,11 @@ class _Run:
         fresh.replace(deck)
         (self.directory / _OUTCOME).unlink(missing_ok=True)
         try:
-            results = run_silently(deck, output_directory=self.directory, **self._options)
+            results = run_silently(deck, output_directory=self.directory, while_exists=self._running, **self._options)
         except LitzError as error:
+            if self._is_cancelled():
+                self.message = _CANCELLED
+                return
             self.message, self.n_warnings = str(error), len(error.warnings)
             # a full disk, or another run in the same directory: a later sweep should try again
             self._keep(None if isinstance(error, FileError) else identity)
@@ -242,9 +304,17 @@ class _Run:
     def _collected(self, results: Results) -> Mapping[str, float]:
         if self._collect is not None:
             return self._collect(results)
-        history = results.history
-        self.units = history.units
-        return {name: history[name][-1] for name in history if name not in ("step", "increment", "time")}
+        history, contacts = results.history, results.contacts_at(-1)
+        self.units = {**history.units, "contact force": results.unit_labels["N"]}
+        values = {"contacts": float(contacts.n_rows), "contact force": float(contacts["force"].sum())}
+        for name in (name for name in history if name not in ("step", "increment", "time")):
+            values[name] = history[name][-1]
+            if name.startswith(_RESISTANCE):
+                conductance = _CONDUCTANCE + name.removeprefix(_RESISTANCE)
+                values[conductance] = 1 / values[name] if values[name] else math.inf
+                self.units[conductance] = f"1/{history.units[name]}".replace("1/ohm", "S")
+        # a parameter of this name is in the table already
+        return {name: value for name, value in values.items() if name not in self.parameters}
 
     def _taken_over(self, directory: Path, identity: str) -> bool:
         """Reuse the run of an earlier sweep, if there is one; its values are collected anew."""
@@ -254,8 +324,8 @@ class _Run:
             return False
         if outcome.get("identity") != identity or self._again is True:
             return False
-        if outcome[_STATUS] == "failed":
-            self.message, self.n_warnings = outcome[_MESSAGE], outcome.get(_WARNINGS, 0)
+        if outcome[STATUS] == "failed":
+            self.message, self.n_warnings = outcome[MESSAGE], outcome.get(WARNINGS, 0)
             return self._again != "failed"
         results = Results(directory / "deck.vtkhdf")
         self.n_warnings = len(results.warnings)
@@ -269,9 +339,9 @@ class _Run:
         outcome = {
             "identity": identity,
             "parameters": self.parameters,
-            _STATUS: self.status,
-            _WARNINGS: self.n_warnings,
-            _MESSAGE: self.message,
+            STATUS: self.status,
+            WARNINGS: self.n_warnings,
+            MESSAGE: self.message,
         }
         (self.directory / _OUTCOME).write_text(json.dumps(outcome, default=str, indent=1), encoding="utf-8")
 
@@ -296,20 +366,20 @@ def _warn_of_failures(runs: list[_Run]) -> None:
         )
 
 
-def _table(runs: list[_Run]) -> Table:
+def _table(runs: list[_Run]) -> SweepTable:
     columns: dict[str, np.ndarray] = {
         name: np.array([one.parameters[name] for one in runs]) for name in runs[0].parameters
     }
-    columns[_STATUS] = np.array([one.status for one in runs])
+    columns[STATUS] = np.array([one.status for one in runs])
     units = {name: unit for one in runs for name, unit in one.units.items()}
     for name in dict.fromkeys(name for one in runs for name in one.values):
-        if name in (*columns, _WARNINGS, _MESSAGE, _DIRECTORY):
+        if name in (*columns, *OWN_COLUMNS):
             raise ValueError(f"the values may not hold {name}: the table has a column of this name")
         columns[name] = np.array([one.values.get(name, np.nan) for one in runs])
-    columns[_WARNINGS] = np.array([one.n_warnings for one in runs])
-    columns[_MESSAGE] = np.array([one.message for one in runs])
-    columns[_DIRECTORY] = np.array([str(one.directory or "") for one in runs])
-    return Table(columns, {name: units.get(name, "") for name in columns})
+    columns[WARNINGS] = np.array([one.n_warnings for one in runs])
+    columns[MESSAGE] = np.array([one.message for one in runs])
+    columns[DIRECTORY] = np.array([str(one.directory or "") for one in runs])
+    return SweepTable(columns, {name: units.get(name, "") for name in columns}, list(runs[0].parameters))
 
 
 class _Count:

@@ -32,6 +32,9 @@ def find_wires(elements: np.ndarray) -> list[Wire]:
     elements : ndarray
         Rows of the two nodes of each element, (n_elements, 2).
     """
+    plain = _follow_each_other(elements)
+    if plain is not None:
+        return plain
     at_node: dict[int, list[int]] = {}
     for element, ends in enumerate(elements):
         for node in ends:
@@ -46,6 +49,21 @@ def find_wires(elements: np.ndarray) -> list[Wire]:
         element = next(iter(left))
         wires.append(_follow(int(elements[element, 0]), element, elements, at_node, left))
     return sorted(wires, key=lambda wire: wire.elements.min())
+
+
+def _follow_each_other(elements: np.ndarray) -> list[Wire] | None:
+    """The wires, if each element of a wire follows the one before it in the list; None: some do not."""
+    if not len(elements):
+        return []
+    is_inner = np.bincount(elements.ravel()) == 2
+    joined = (elements[:-1, 1] == elements[1:, 0]) & is_inner[elements[1:, 0]]
+    if joined.sum() < is_inner.sum():
+        return None
+    chains = np.split(np.arange(len(elements)), np.flatnonzero(~joined) + 1)
+    return [
+        Wire(np.append(elements[chain, 0], elements[chain[-1], 1]), chain, np.ones(len(chain), dtype=int))
+        for chain in chains
+    ]
 
 
 def numbered_wires(elements: np.ndarray, wire: np.ndarray, place: np.ndarray, direction: np.ndarray) -> list[Wire]:

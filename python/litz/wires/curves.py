@@ -64,26 +64,37 @@ def wire_arcs(nodes: np.ndarray, elements: np.ndarray, wires: list[Wire]) -> Wir
     return WireArcs(number, start, length, sign, np.bincount(number, length, len(wires)), closed)
 
 
-def end_tangents(nodes: np.ndarray, wire: Wire) -> np.ndarray:
-    """Unit tangents of the reference axis at both ends of each element of a wire, along the wire, (n, 2, 3).
+def end_tangents(nodes: np.ndarray, wires: list[Wire]) -> np.ndarray:
+    """Unit tangents of the reference axes at both ends of each element of wires, one wire after the other, along it, (n, 2, 3).
 
     At a node between two elements both share the tangent of the parabola through the node and its two neighbours; at a
     free end the tangent is that of the circle that continues the curve.
     """
-    chords = np.diff(nodes[wire.nodes], axis=0)
+    chords = nodes[_joined(wires, slice(1, None))] - nodes[_joined(wires, slice(-1))]
     length = np.linalg.norm(chords, axis=1)
     chords /= length[:, None]
+    counts = np.array([len(wire.elements) for wire in wires], dtype=int)
+    last = np.cumsum(counts) - 1
+    first = last - counts + 1
+    closed = np.array([len(wire.elements) > 2 and wire.nodes[0] == wire.nodes[-1] for wire in wires], dtype=bool)
+    after = np.arange(1, len(chords) + 1)
+    after[last] = np.where(closed, first, -1)
+    before = np.flatnonzero(after >= 0)
+    after = after[before]
+    smooth = np.sum(chords[before] * chords[after], axis=1) >= np.cos(_MAX_BEND)
+    before, after = before[smooth], after[smooth]
+    mean = chords[before] * length[after, None] + chords[after] * length[before, None]
     tangents = np.repeat(chords[:, None], 2, axis=1)
-    closed = len(chords) > 2 and wire.nodes[0] == wire.nodes[-1]
-    for before in range(len(chords) - (not closed)):
-        after = (before + 1) % len(chords)
-        if chords[before] @ chords[after] >= np.cos(_MAX_BEND):
-            mean = chords[before] * length[after] + chords[after] * length[before]
-            tangents[before, 1] = tangents[after, 0] = mean / np.linalg.norm(mean)
-    if not closed:
-        tangents[0, 0] = 2 * (chords[0] @ tangents[0, 1]) * chords[0] - tangents[0, 1]
-        tangents[-1, 1] = 2 * (chords[-1] @ tangents[-1, 0]) * chords[-1] - tangents[-1, 0]
+    tangents[before, 1] = tangents[after, 0] = mean / np.linalg.norm(mean, axis=1, keepdims=True)
+    for row, end in ((first[~closed], 0), (last[~closed], 1)):
+        inner = tangents[row, 1 - end]
+        tangents[row, end] = 2 * np.sum(chords[row] * inner, axis=1, keepdims=True) * chords[row] - inner
     return tangents
+
+
+def _joined(wires: list[Wire], part: slice) -> np.ndarray:
+    """A part of the nodes of each wire, one wire after the other."""
+    return np.concatenate([wire.nodes[part] for wire in wires]) if wires else np.zeros(0, dtype=int)
 
 
 def rotate(vectors: np.ndarray, rotations: np.ndarray) -> np.ndarray:
@@ -105,15 +116,17 @@ def element_curves(
         Current positions of the two ends and their derivatives with respect to xi, (n_elements, 2, 3).
     """
     positions, slopes = np.zeros((n_elements, 2, 3)), np.zeros((n_elements, 2, 3))
-    current = nodes + displacement
-    for wire in wires:
-        pairs = np.stack([wire.nodes[:-1], wire.nodes[1:]], axis=1)
-        half_length = np.linalg.norm(np.diff(nodes[wire.nodes], axis=0), axis=1)[:, None, None] / 2
-        tangents = end_tangents(nodes, wire)
-        turned = rotate(tangents.reshape(-1, 3), rotation[pairs.ravel()]).reshape(tangents.shape) * half_length
-        against = wire.signs < 0
-        positions[wire.elements] = np.where(against[:, None, None], current[pairs][:, ::-1], current[pairs])
-        slopes[wire.elements] = np.where(against[:, None, None], -turned[:, ::-1], turned)
+    if not wires:
+        return positions, slopes
+    pairs = np.stack([_joined(wires, slice(-1)), _joined(wires, slice(1, None))], axis=1)
+    elements, signs = (np.concatenate([getattr(wire, name) for wire in wires]) for name in ("elements", "signs"))
+    half_length = np.linalg.norm(nodes[pairs[:, 1]] - nodes[pairs[:, 0]], axis=1)[:, None, None] / 2
+    tangents = end_tangents(nodes, wires)
+    turned = rotate(tangents.reshape(-1, 3), rotation[pairs.ravel()]).reshape(tangents.shape) * half_length
+    current = (nodes + displacement)[pairs]
+    against = (signs < 0)[:, None, None]
+    positions[elements] = np.where(against, current[:, ::-1], current)
+    slopes[elements] = np.where(against, -turned[:, ::-1], turned)
     return positions, slopes
 
 
