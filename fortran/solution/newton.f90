@@ -13,9 +13,10 @@ module litz_newton
    use litz_errors, only: error_t
    use litz_fields, only: field_displacement, n_fields, n_slots, n_groups, first_slot, last_slot, last_slot_of_group, &
       temperature_slots
+   use litz_full_step, only: factor_full, solve_full
    use litz_grounding, only: describe_fed_part
    use litz_group_solution, only: has_mutual_tangent
-   use litz_group_update, only: update_group
+   use litz_group_update, only: update_group, note_distance
    use litz_loading, only: prescribed_increment
    use litz_lost_contacts, only: find_lost_contacts
    use litz_model, only: step_t
@@ -74,6 +75,8 @@ contains
       do
          outcome%before = outcome%last
          if (outcome%in_turn == 1) then
+            problem%coupled_step = problem%scheme%is_full .and. .not. problem%is_far
+            if (problem%coupled_step) call problem%iterate%warm_mechanics()
             call evaluate(problem, error)
             if (allocated(error)) return
             if (outcome%iterations == 0) outcome%fed_at_start = problem%fed_node > 0
@@ -121,7 +124,7 @@ contains
          end if
          if (outcome%in_turn > 1) cycle
          keep = keeps_factor(problem, step, outcome)
-         call solve_step(problem, keep, correction, solver_error)
+         call solve_step(problem, keep, outcome%last%allowed, correction, solver_error)
          if (allocated(solver_error)) then
             call give_up(outcome, cause_singular, solver_error%message)
             return
@@ -312,6 +315,7 @@ contains
       type(error_t), allocatable, intent(out) :: solver_error, error
       integer :: group
 
+      if (problem%coupled_step) return
       do group = 2, n_groups
          if (group <= problem%scheme%n_coupled) then
             if (.not. has_mutual_tangent(problem, group)) cycle
@@ -331,7 +335,7 @@ contains
          call measure_residual(problem, step, outcome%last, outcome%at_round_off)
          if (outcome%in_turn /= group) cycle
          call note_update(problem, outcome)
-         if (.not. group_converged(outcome%last, group)) cycle
+         if (.not. (group_converged(outcome%last, group) .or. (problem%scheme%is_full .and. .not. problem%is_far))) cycle
          call outcome%end_turn(1)
          call hand_over(problem, step, outcome%last, outcome%at_round_off, error)
          if (allocated(error)) return
@@ -381,10 +385,12 @@ contains
    end subroutine note_update
 
    !> Factor and solve for the correction of all unknowns (n_slots, n_nodes), prescribed ones included.
-   subroutine solve_step(problem, keep, correction, error)
+   subroutine solve_step(problem, keep, allowed, correction, error)
       type(problem_t), intent(inout) :: problem
       !> The factor of an earlier iteration will do
       logical, intent(in) :: keep
+      !> Residuals of the fields that are allowed (n_fields)
+      real(dp), intent(in) :: allowed(:)
       !> Linear step of all unknowns (n_slots, n_nodes)
       real(dp), intent(out) :: correction(:, :)
       type(error_t), allocatable, intent(out) :: error
@@ -395,8 +401,15 @@ contains
       call problem%timing%lap(phase_factor)
       if (allocated(error)) return
       correction = problem%iterate%prescribed
-      call problem%scheme%solve(problem%matrix, problem%equations, problem%loading%load - problem%forces%internal &
-         - problem%forces%iteration - problem%forces%prescribed, correction, error)
+      associate (forces => problem%forces, load => problem%loading%load)
+         if (problem%coupled_step) then
+            call solve_full(problem, allowed, load - forces%internal - forces%iteration - forces%prescribed, &
+               correction, error)
+         else
+            call problem%scheme%solve(problem%matrix, problem%equations, load - forces%internal - forces%iteration &
+               - forces%prescribed, correction, error)
+         end if
+      end associate
       call problem%iterate%bodies%carry(problem%iterate%x, correction)
       call problem%timing%lap(phase_solve)
    end subroutine solve_step
@@ -405,7 +418,11 @@ contains
       type(problem_t), intent(inout) :: problem
       type(error_t), allocatable, intent(out) :: error
 
-      call problem%scheme%factor(problem%matrix, error)
+      if (problem%coupled_step) then
+         call factor_full(problem, error)
+      else
+         call problem%scheme%factor(problem%matrix, error)
+      end if
       problem%has_factor = all(problem%matrix%symmetric) .and. .not. allocated(error)
    end subroutine factor_tangent
 
@@ -415,11 +432,16 @@ contains
       type(problem_t), intent(inout) :: problem
       type(step_t), intent(in) :: step
       !> Linear step of all unknowns (n_slots, n_nodes)
-      real(dp), intent(in) :: correction(:, :)
+      real(dp), intent(inout) :: correction(:, :)
       type(iteration_report_t), intent(inout) :: report
       real(dp) :: eta
       integer :: i, field
 
+      if (problem%coupled_step) then
+         do i = 1, size(problem%terms)
+            call problem%terms(i)%term%shorten(problem%domain_t, correction)
+         end do
+      end if
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%foresee(problem%domain_t, correction)
       end do
@@ -440,6 +462,7 @@ contains
          call largest_column(eta*correction(first_slot(field):last_slot(field), :), report%correction(field), &
             report%correction_node(field))
       end do
+      if (problem%coupled_step) call note_distance(problem, report)
    end subroutine update
 
    pure subroutine largest_column(values, largest_norm, column)

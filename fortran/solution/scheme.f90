@@ -14,7 +14,7 @@ module litz_scheme
    use litz_errors, only: error_t
    use litz_fields, only: n_groups, group_mechanical, depends_on
    use litz_linear_solver, only: linear_solver_t, csr_matrix_t
-   use litz_model, only: coupling_default, coupling_updated, coupling_swept
+   use litz_model, only: coupling_default, coupling_updated, coupling_swept, coupling_full
    use litz_solver_factory, only: create_solver, resolved_solver
    use litz_solver_names, only: solver_default, solver_block
    use litz_sparse_pattern, only: csr_entries, csr_add_product
@@ -35,6 +35,8 @@ module litz_scheme
       logical :: is_whole = .false.
       !> Groups after those act back on them, and take more than one iteration
       logical :: is_swept = .false.
+      !> Near the solution these are in one Newton step with the first ones all the same
+      logical :: is_full = .false.
       !> Negative pivots of the first group in the last factorisation; -1: not known
       integer :: negative_pivots = -1
       !> Group and equation in it that the last call failed at; 0: none is to blame
@@ -66,7 +68,8 @@ contains
 
       self%kind = resolved_solver(kind)
       self%n_coupled = coupled_groups(self%kind, coupling)
-      self%is_swept = coupling == coupling_swept
+      self%is_swept = any(coupling == [coupling_swept, coupling_full])
+      self%is_full = coupling == coupling_full
       self%is_whole = self%n_coupled > 1 .and. self%kind /= solver_block
       do i = 1, n_groups
          call create_solver(kind, self%group(i)%solver, error)
@@ -81,7 +84,7 @@ contains
       integer, intent(in) :: kind, coupling
       logical :: is_updated
 
-      is_updated = any(coupling == [coupling_updated, coupling_swept]) .or. &
+      is_updated = any(coupling == [coupling_updated, coupling_swept, coupling_full]) .or. &
          (coupling == coupling_default .and. kind == solver_block)
       n = merge(1, n_groups, is_updated)
    end function coupled_groups
@@ -100,7 +103,8 @@ contains
 
       is_same = self%is_created() .and. self%kind == resolved_solver(kind) .and. &
          self%n_coupled == coupled_groups(resolved_solver(kind), coupling) .and. &
-         (self%is_swept .eqv. coupling == coupling_swept)
+         (self%is_swept .eqv. any(coupling == [coupling_swept, coupling_full])) .and. &
+         (self%is_full .eqv. coupling == coupling_full)
    end function is_same
 
    !> Symbolic work; call again only when the pattern has changed.
