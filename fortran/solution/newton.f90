@@ -7,16 +7,14 @@ module litz_newton
    use litz_kinds, only: dp
    use litz_assembly, only: evaluate
    use litz_contact_findings, only: finding_none
-   use litz_convergence, only: measure_residual, has_converged, group_converged, &
-      part_of_allowed, corrections_small, worst_field
+   use litz_convergence, only: measure_residual, has_converged, corrections_small, worst_field
    use litz_element_library, only: heat_elements
    use litz_errors, only: error_t
-   use litz_fields, only: field_displacement, n_fields, n_slots, n_groups, first_slot, last_slot, last_slot_of_group, &
+   use litz_fields, only: field_displacement, n_fields, n_slots, first_slot, last_slot, last_slot_of_group, &
       temperature_slots
    use litz_full_step, only: factor_full, solve_full
    use litz_grounding, only: describe_fed_part
-   use litz_group_solution, only: has_mutual_tangent
-   use litz_group_update, only: update_group, note_distance
+   use litz_group_update, only: note_distance
    use litz_loading, only: prescribed_increment
    use litz_lost_contacts, only: find_lost_contacts
    use litz_model, only: step_t
@@ -25,9 +23,9 @@ module litz_newton
    use litz_observer, only: observer_t
    use litz_problem, only: problem_t
    use litz_reports, only: iteration_report_t
-   use litz_sweep, only: hand_over
    use litz_term, only: status_t
    use litz_timing, only: phase_check, phase_factor, phase_solve, phase_update, phase_output
+   use litz_turns, only: update_groups
    use litz_turned_ends, only: turned_ends_t, most_turned_ends
    implicit none
    private
@@ -35,9 +33,6 @@ module litz_newton
 
    !> Iterations at most, in multiples of I_C, where contacts open and close as predicted all the way
    integer, parameter :: max_iterations = 4
-
-   !> Residuals over the allowed ones with which a group of a sweep has no other turn
-   real(dp), parameter :: part_at_end = 0.1_dp
 
    !> Iterations to balance from where terms anticipate
    integer, parameter :: still_to_go = 2
@@ -305,84 +300,6 @@ contains
       only_contacts_changed = all(report%contacts_active /= numbers) .and. report%contacts_new == 0 .and. &
          report%contacts_lost == 0
    end function only_contacts_changed
-
-   !> Groups that the Newton step leaves out, and those of which it does not have the whole tangent: each is solved for
-   !> at the values of those before it, once these have converged. That is exact where the group is linear.
-   subroutine update_groups(problem, step, outcome, solver_error, error)
-      type(problem_t), intent(inout) :: problem
-      type(step_t), intent(in) :: step
-      type(outcome_t), intent(inout) :: outcome
-      type(error_t), allocatable, intent(out) :: solver_error, error
-      integer :: group
-
-      if (problem%coupled_step) return
-      do group = 2, n_groups
-         if (group <= problem%scheme%n_coupled) then
-            if (.not. has_mutual_tangent(problem, group)) cycle
-         end if
-         if (outcome%in_turn /= group) then
-            if (.not. (has_converged(outcome%last, group - 1) .or. takes_over(problem, outcome, group))) return
-            if (is_done(problem, outcome, group)) then
-               if (problem%scheme%is_swept .and. problem%iterate%mechanics_lags()) call hand_over(problem, step, &
-                  outcome%last, outcome%at_round_off, error)
-               if (allocated(error)) return
-               cycle
-            end if
-            if (problem%scheme%is_swept) call outcome%end_turn(group)
-         end if
-         call update_group(problem, group, outcome%last, solver_error, error)
-         if (allocated(solver_error) .or. allocated(error)) return
-         call measure_residual(problem, step, outcome%last, outcome%at_round_off)
-         if (outcome%in_turn /= group) cycle
-         call note_update(problem, outcome)
-         if (.not. (group_converged(outcome%last, group) .or. (problem%scheme%is_full .and. .not. problem%is_far))) cycle
-         call outcome%end_turn(1)
-         call hand_over(problem, step, outcome%last, outcome%at_round_off, error)
-         if (allocated(error)) return
-      end do
-   end subroutine update_groups
-
-   !> The temperatures take their turn before the motions balance. First of all in an increment, as they follow a
-   !> current that changes at once, and the motions, which take more iterations, need not be found twice; then whenever
-   !> these are nearer to their balance than to what the temperatures have still to do to them.
-   pure logical function takes_over(problem, outcome, group)
-      type(problem_t), intent(in) :: problem
-      type(outcome_t), intent(in) :: outcome
-      !> One of the groups of litz_fields
-      integer, intent(in) :: group
-
-      takes_over = .false.
-      if (.not. problem%scheme%is_swept .or. group_converged(outcome%last, group)) return
-      takes_over = outcome%motions_have_come_far()
-      if (outcome%sweeps == 0) takes_over = problem%fed_node == 0
-   end function takes_over
-
-   !> A group has nothing to do after those before it. In a sweep it has one more iteration where its residuals, which
-   !> the last turn of the motions has left, are within their tolerances but not far below: those of many nodes add up.
-   pure logical function is_done(problem, outcome, group)
-      type(problem_t), intent(in) :: problem
-      type(outcome_t), intent(in) :: outcome
-      !> One of the groups of litz_fields
-      integer, intent(in) :: group
-
-      if (problem%scheme%is_swept) then
-         is_done = part_of_allowed(outcome%last, group) <= part_at_end
-      else
-         is_done = group_converged(outcome%last, group)
-      end if
-   end function is_done
-
-   !> An iteration of a group that takes its turn.
-   pure subroutine note_update(problem, outcome)
-      type(problem_t), intent(in) :: problem
-      type(outcome_t), intent(inout) :: outcome
-
-      outcome%iterations = outcome%iterations + 1
-      outcome%factorisations = outcome%factorisations + 1
-      outcome%counted = outcome%counted + 1
-      outcome%last%iteration = outcome%iterations
-      outcome%last%factor_age = 0
-   end subroutine note_update
 
    !> Factor and solve for the correction of all unknowns (n_slots, n_nodes), prescribed ones included.
    subroutine solve_step(problem, keep, allowed, correction, error)
