@@ -1,9 +1,8 @@
 !> What temperatures do to the forces of contacts, where motions and temperatures are in one Newton step.
 !>
-!> Wires swell, and the forces of elastic contacts go with `E*` of their places. How a swelling changes along the wires,
-!> what it makes of the curvature of the gap, of forces along a wire at its ends, and what softening makes of the stick
-!> of friction is left out: smaller than the rest by the ratio of approach to element length, or radius. Source: theory
-!> sections 13 and 14.
+!> Wires swell, and the forces of elastic contacts go with `E*` of their places. What a swelling makes of the forces
+!> along a wire at its ends, and softening of the stick of friction, is left out: smaller than the rest by the ratio of
+!> approach to radius. Source: theory sections 13 and 14.
 module litz_contact_temperatures
    use litz_kinds, only: dp
    use litz_contact_kinematics, only: n_motions
@@ -102,7 +101,7 @@ contains
       call domain%add_cells(nodes, motion_slots, temperature_slots, k)
    end subroutine add_temperatures
 
-   !> `-F_T dg + M_T dangle`, and what a limit of friction that follows the force adds (24, 4) [N/K, N m/K].
+   !> `-F_T dg - F dg_T + M_T dangle`, and what a limit of friction that follows the force adds (24, 4) [N/K, N m/K].
    pure function forces_by_temperature(domain, point) result(k)
       type(domain_t), intent(in) :: domain
       type(contact_point_t), intent(in) :: point
@@ -117,6 +116,23 @@ contains
          k = spread(rows, 2, 4)*spread(dforce, 1, n_motions) &
             + spread(point%kinematics%dangle, 2, 4)*spread(dtorque, 1, n_motions)
       end associate
+      k(:, :2) = k(:, :2) + point%force*spread(point%kinematics%dxi_bar, 2, 2) &
+         *spread(taper_by_temperature(point%element_bar), 1, n_motions)
+      k(:, 3:) = k(:, 3:) + point%force*spread(point%kinematics%dxi, 2, 2) &
+         *spread(taper_by_temperature(point%element), 1, n_motions)
+
+   contains
+
+      !> How the slope of the radius over xi changes with the temperatures of the nodes of an element (2) [m/K].
+      pure function taper_by_temperature(e) result(slope)
+         !> Element
+         integer, intent(in) :: e
+         real(dp) :: slope(2)
+
+         slope = (radius_by_temperature(domain%model, domain%elements, e, 1.0_dp) &
+            - radius_by_temperature(domain%model, domain%elements, e, -1.0_dp))/2
+      end function taper_by_temperature
+
    end function forces_by_temperature
 
 end module litz_contact_temperatures
