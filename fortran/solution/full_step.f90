@@ -14,8 +14,9 @@ module litz_full_step
    private
    public :: factor_full, solve_full
 
-   !> Residual of the linear equations over that of the start, and products at most
-   real(dp), parameter :: accurate = 1.0e-4_dp
+   !> Residual of the linear equations over that of the start, and over what is allowed, which is enough; and products at
+   !> most
+   real(dp), parameter :: accurate = 1.0e-4_dp, enough = 0.1_dp
    integer, parameter :: max_products = 80
 
    type, extends(linear_map_t) :: full_map_t
@@ -52,6 +53,7 @@ contains
       type(error_t), allocatable, intent(out) :: error
       type(full_map_t) :: map
       real(dp), dimension(sum(problem%equations%count)) :: b, x
+      real(dp) :: force(n_slots, problem%model%n_nodes)
       integer :: group
 
       map%problem => problem
@@ -62,8 +64,11 @@ contains
       call gather_all(map, spread(allowed(field_of_slot), 2, size(rhs, 2)), map%scale)
       ! a field in which nothing flows yet has no measure of its own
       where (.not. map%scale > 0) map%scale = 1
-      call gather_all(map, rhs, b)
-      call gmres(map, b/map%scale, accurate, max_products, x)
+      force = -rhs
+      call add_beyond_blocks(problem, problem%iterate%prescribed, force)
+      call gather_all(map, -force, b)
+      b = b/map%scale
+      call gmres(map, b, max(accurate, enough/max(norm2(b), enough)), max_products, x)
       if (allocated(map%error)) then
          call move_alloc(map%error, error)
          return
@@ -118,14 +123,26 @@ contains
       force = 0
       call spread_all(self, x, value)
       call self%problem%iterate%bodies%carry(self%problem%iterate%x, value)
-      do i = 1, size(self%problem%terms)
-         call self%problem%terms(i)%term%add_mutual_tangent(group_transport, value, force)
-      end do
+      call add_beyond_blocks(self%problem, value, force)
       associate (y_t => y(self%start(group_transport) + 1:))
          y_t = y_t + self%problem%equations%gather(group_transport, force)
       end associate
       y = y/self%scale
    end subroutine apply_tangent
+
+   !> What potentials and temperatures have beyond the blocks.
+   subroutine add_beyond_blocks(problem, value, force)
+      type(problem_t), intent(in) :: problem
+      !> (n_slots, n_nodes)
+      real(dp), intent(in) :: value(:, :)
+      !> (n_slots, n_nodes)
+      real(dp), intent(inout) :: force(:, :)
+      integer :: i
+
+      do i = 1, size(problem%terms)
+         call problem%terms(i)%term%add_mutual_tangent(group_transport, value, force)
+      end do
+   end subroutine add_beyond_blocks
 
    subroutine substitute(self, x, y)
       class(full_map_t), intent(inout) :: self

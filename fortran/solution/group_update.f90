@@ -41,17 +41,17 @@ contains
       else
          call update_fields(problem, group, 0, report, solver_error, error)
       end if
-      call note_distance(problem, report)
+      call note_distance(problem, report%correction(field_temperature))
    end subroutine update_group
 
-   !> Whether the temperatures are far from their solution, by their last correction.
-   subroutine note_distance(problem, report)
+   !> Whether the temperatures are far from their solution, by their correction.
+   subroutine note_distance(problem, correction)
       type(problem_t), intent(inout) :: problem
-      type(iteration_report_t), intent(in) :: report
+      !> The largest one [K]
+      real(dp), intent(in) :: correction
 
       associate (temperature => problem%iterate%value(first_slot(field_temperature), :))
-         problem%is_far = report%correction(field_temperature) &
-            > near*maxval(abs(temperature - problem%model%absolute_zero))
+         problem%is_far = correction > near*maxval(abs(temperature - problem%model%absolute_zero))
       end associate
    end subroutine note_distance
 

@@ -5,13 +5,13 @@
 module litz_newton
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use litz_kinds, only: dp
-   use litz_assembly, only: evaluate
    use litz_contact_findings, only: finding_none
+   use litz_assembly, only: evaluate
    use litz_convergence, only: measure_residual, has_converged, corrections_small, worst_field
    use litz_element_library, only: heat_elements
    use litz_errors, only: error_t
    use litz_fields, only: field_displacement, n_fields, n_slots, first_slot, last_slot, last_slot_of_group, &
-      temperature_slots
+      first_slot_of_group, group_transport, temperature_slots
    use litz_full_step, only: factor_full, solve_full
    use litz_grounding, only: describe_fed_part
    use litz_group_update, only: note_distance
@@ -25,7 +25,7 @@ module litz_newton
    use litz_reports, only: iteration_report_t
    use litz_term, only: status_t
    use litz_timing, only: phase_check, phase_factor, phase_solve, phase_update, phase_output
-   use litz_turns, only: update_groups
+   use litz_turns, only: update_groups, evaluate_for_step
    use litz_turned_ends, only: turned_ends_t, most_turned_ends
    implicit none
    private
@@ -70,9 +70,7 @@ contains
       do
          outcome%before = outcome%last
          if (outcome%in_turn == 1) then
-            problem%coupled_step = problem%scheme%is_full .and. .not. problem%is_far
-            if (problem%coupled_step) call problem%iterate%warm_mechanics()
-            call evaluate(problem, error)
+            call evaluate_for_step(problem, error)
             if (allocated(error)) return
             if (outcome%iterations == 0) outcome%fed_at_start = problem%fed_node > 0
             call measure_residual(problem, step, outcome%last, outcome%at_round_off)
@@ -176,7 +174,8 @@ contains
          end where
       end associate
       call problem%iterate%warm_mechanics()
-      problem%is_far = .true.
+      ! where a step goes on, the first of an increment is tried with all unknowns, too
+      problem%is_far = .not. (problem%scheme%is_full .and. problem%state%increment > 0)
       call heat_elements(problem%model, problem%iterate%value(temperature_slots(1), :), &
          problem%mechanical_temperature(), problem%elements)
       do i = 1, size(problem%terms)
@@ -354,11 +353,7 @@ contains
       real(dp) :: eta
       integer :: i, field
 
-      if (problem%coupled_step) then
-         do i = 1, size(problem%terms)
-            call problem%terms(i)%term%shorten(problem%domain_t, correction)
-         end do
-      end if
+      if (problem%coupled_step) call take_near(problem, correction)
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%foresee(problem%domain_t, correction)
       end do
@@ -379,8 +374,21 @@ contains
          call largest_column(eta*correction(first_slot(field):last_slot(field), :), report%correction(field), &
             report%correction_node(field))
       end do
-      if (problem%coupled_step) call note_distance(problem, report)
    end subroutine update
+
+   !> A step to temperatures that are far leaves these, and potentials, where they are: it moves wires alone.
+   subroutine take_near(problem, correction)
+      type(problem_t), intent(inout) :: problem
+      !> Linear step of all unknowns (n_slots, n_nodes)
+      real(dp), intent(inout) :: correction(:, :)
+      integer :: i
+
+      do i = 1, size(problem%terms)
+         call problem%terms(i)%term%shorten(problem%domain_t, correction)
+      end do
+      call note_distance(problem, maxval(abs(correction(temperature_slots(1), :))))
+      if (problem%is_far) correction(first_slot_of_group(group_transport):, :) = 0
+   end subroutine take_near
 
    pure subroutine largest_column(values, largest_norm, column)
       !> Vectors (components, n)

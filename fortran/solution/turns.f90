@@ -6,7 +6,7 @@ module litz_turns
    use litz_assembly, only: evaluate
    use litz_convergence, only: measure_residual, has_converged, group_converged, part_of_allowed
    use litz_errors, only: error_t
-   use litz_fields, only: n_groups, group_transport
+   use litz_fields, only: n_groups
    use litz_group_solution, only: has_mutual_tangent
    use litz_group_update, only: update_group
    use litz_model, only: step_t
@@ -15,14 +15,35 @@ module litz_turns
    use litz_sweep, only: hand_over
    implicit none
    private
-   public :: update_groups
+   public :: update_groups, evaluate_for_step
 
    !> Residuals over the allowed ones with which a group of a sweep has no other turn
    real(dp), parameter :: part_at_end = 0.1_dp
-   !> Residuals of potentials and temperatures over those before, from where a common step has led these astray
-   real(dp), parameter :: astray = 10
 
 contains
+
+   !> Forces and tangent for the next Newton step, of all unknowns where that is near enough to the solution. A part of a
+   !> conductor without a path to a prescribed value has no potentials yet.
+   subroutine evaluate_for_step(problem, error)
+      type(problem_t), intent(inout) :: problem
+      type(error_t), allocatable, intent(out) :: error
+
+      problem%coupled_step = problem%scheme%is_full .and. .not. problem%is_far
+      if (problem%coupled_step) call problem%iterate%warm_mechanics()
+      call evaluate(problem, error)
+      if (allocated(error) .or. .not. (problem%coupled_step .and. problem%fed_node > 0)) return
+      problem%is_far = .true.
+      call leave_common_step(problem, error)
+   end subroutine evaluate_for_step
+
+   !> From here on the mechanics stays what it is.
+   subroutine leave_common_step(problem, error)
+      type(problem_t), intent(inout) :: problem
+      type(error_t), allocatable, intent(out) :: error
+
+      problem%coupled_step = .false.
+      call evaluate(problem, error, motions_stand=.true.)
+   end subroutine leave_common_step
 
    !> Groups that the Newton step leaves out, and those of which it does not have the whole tangent: each is solved for
    !> at the values of those before it, once these have converged. That is exact where the group is linear.
@@ -34,12 +55,8 @@ contains
       integer :: group
 
       if (problem%coupled_step .and. .not. needs_turn(problem, outcome)) return
-      if (problem%coupled_step) then
-         ! from here on the mechanics stays what it is
-         problem%coupled_step = .false.
-         call evaluate(problem, error, motions_stand=.true.)
-         if (allocated(error)) return
-      end if
+      if (problem%coupled_step) call leave_common_step(problem, error)
+      if (allocated(error)) return
       do group = 2, n_groups
          if (group <= problem%scheme%n_coupled) then
             if (.not. has_mutual_tangent(problem, group)) cycle
@@ -89,8 +106,7 @@ contains
       type(outcome_t), intent(in) :: outcome
 
       needs_turn = problem%scheme%is_full .and. outcome%iterations > 0 .and. problem%fed_node == 0
-      if (needs_turn .and. problem%coupled_step) needs_turn = part_of_allowed(outcome%last, group_transport) > &
-         astray*max(1.0_dp, part_of_allowed(outcome%before, group_transport))
+      if (problem%coupled_step) needs_turn = needs_turn .and. outcome%is_astray
    end function needs_turn
 
    !> A group has nothing to do after those before it. In a sweep it has one more iteration where its residuals, which
