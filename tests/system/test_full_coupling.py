@@ -15,9 +15,9 @@ def loop(*, solver=FULL, procedure=COUPLED, volts=0.1, increments=4):
     """A current heats two clamped wires through their contact: they swell, expand and press it together, which lowers its
     resistance, and get softer and resist more."""
     nodes, members = [], []
-    for first, axis, height in ((1, 0, 0.0), (101, 1, 2e-3)):
+    for first, axis, height in ((1, 0, 0.0), (101, 1, 4e-3)):
         for i in range(9):
-            place = [0.0, 0.0, height + (1e-3 if axis else -1e-3) * (1 - np.cos(np.pi * i / 4)) / 2]
+            place = [0.0, 0.0, height + (-1e-3 if axis else 1e-3) * (1 - np.cos(np.pi * i / 4)) / 2]
             place[axis] = 0.01 * (i - 4) + 0.001
             nodes.append(f"{first + i}, " + ", ".join(f"{value:.17g}" for value in place))
         members += [f"*ELEMENT, TYPE=B33, ELSET={'AB'[axis]}", *(f"{first + i}, {first + i}, {first + i + 1}" for i in range(8))]
@@ -25,6 +25,10 @@ def loop(*, solver=FULL, procedure=COUPLED, volts=0.1, increments=4):
     return "\n".join(["*NODE, NSET=ALL", *nodes, *members]) + f"""
 *NSET, NSET=ENDS
 1, 9, 101, 109
+*NSET, NSET=PLUS
+1
+*NSET, NSET=MINUS
+101
 *MATERIAL, NAME=COPPER
 *ELASTIC
 1.2e11, 0.34, 300
@@ -59,8 +63,8 @@ ALL, 300
 *STATIC
 0.5, 1
 *BOUNDARY
-101, 3, 3, -1.05e-3
-109, 3, 3, -1.05e-3
+101, 3, 3, -0.05e-3
+109, 3, 3, -0.05e-3
 1, 9, 9, 1e-3
 101, 9
 *END STEP
@@ -68,11 +72,11 @@ ALL, 300
 {procedure}
 {1 / increments}, 1, , {1 / increments}
 {solver}*BOUNDARY
-101, 3, 3, -1.1e-3
-109, 3, 3, -1.1e-3
+101, 3, 3, -0.1e-3
+109, 3, 3, -0.1e-3
 1, 9, 9, {volts}
 {heat}*ELECTRODE PRINT
-1, 101
+PLUS, MINUS
 *END STEP
 """
 
