@@ -25,6 +25,8 @@ module litz_full_step
       integer :: start(n_groups + 1) = 0
       !> What residuals are measured by (equations)
       real(dp), allocatable :: scale(:)
+      !> The factors have stood the test of a first solution
+      logical :: is_sound = .false.
       !> Of a solution with a block
       type(error_t), allocatable :: error
    contains
@@ -153,17 +155,40 @@ contains
       type(error_t), allocatable :: error
       real(dp) :: left(size(x))
 
+      if (allocated(self%error)) then
+         y = 0
+         return
+      end if
       left = self%scale*x
       associate (u => [1, self%start(group_mechanical + 1)], t => [self%start(group_transport) + 1, size(x)], &
          matrix => self%problem%matrix)
-         call self%problem%scheme%solve_group(group_mechanical, matrix, left(u(1):u(2)), y(u(1):u(2)), error)
+         call solve_block(self, group_mechanical, left(u(1):u(2)), y(u(1):u(2)), error)
          if (.not. allocated(error)) then
             call csr_add_product(matrix%block(group_transport, group_mechanical), -1.0_dp, y(u(1):u(2)), &
                left(t(1):t(2)))
-            call self%problem%scheme%solve_group(group_transport, matrix, left(t(1):t(2)), y(t(1):t(2)), error)
+            call solve_block(self, group_transport, left(t(1):t(2)), y(t(1):t(2)), error)
          end if
       end associate
+      self%is_sound = .true.
       if (allocated(error)) call move_alloc(error, self%error)
    end subroutine substitute
+
+   !> The first solution with a factor tells whether that is singular.
+   subroutine solve_block(self, group, b, x, error)
+      class(full_map_t), intent(inout) :: self
+      !> One of the groups of litz_fields
+      integer, intent(in) :: group
+      !> (equations of the group)
+      real(dp), intent(in) :: b(:)
+      !> (equations of the group)
+      real(dp), intent(out) :: x(:)
+      type(error_t), allocatable, intent(out) :: error
+
+      if (self%is_sound) then
+         call self%problem%scheme%precondition_group(group, self%problem%matrix, b, x, error)
+      else
+         call self%problem%scheme%solve_group(group, self%problem%matrix, b, x, error)
+      end if
+   end subroutine solve_block
 
 end module litz_full_step

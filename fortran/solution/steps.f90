@@ -106,14 +106,7 @@ contains
       if (problem%scheme%is_created()) number_before = problem%equations%number
       call number_equations(problem%loading%fixed, exists, problem%equations)
       kind = merge(solver, step%solver, solver > 0)
-      ! temperatures act on potentials and on motions, and need an iteration of their own
-      coupling = step%coupling
-      if (step%solves(field_temperature)) then
-         coupling = coupling_swept
-         if (step%coupling == coupling_full .and. step%solves(field_displacement)) coupling = coupling_full
-      else if (coupling == coupling_full) then
-         coupling = coupling_default
-      end if
+      coupling = coupling_of(step)
       same_system = problem%scheme%is_same(kind, coupling)
       if (same_system) same_system = all(number_before == problem%equations%number)
       if (.not. same_system) then
@@ -124,6 +117,20 @@ contains
       end if
       problem%has_factor = .false.
    end subroutine begin_step
+
+   !> Motions and temperatures take turns unless the deck asks for one Newton step; temperatures alone have the iteration
+   !> of a turn.
+   pure integer function coupling_of(step) result(coupling)
+      type(step_t), intent(in) :: step
+
+      coupling = step%coupling
+      if (step%solves(field_temperature)) then
+         coupling = coupling_swept
+         if (step%solves(field_displacement) .and. step%coupling == coupling_full) coupling = coupling_full
+      else if (coupling == coupling_full) then
+         coupling = coupling_default
+      end if
+   end function coupling_of
 
    !> Unknowns that the terms have in a step.
    subroutine request_slots(problem, solves, exists)
