@@ -67,8 +67,9 @@ contains
       integer, intent(in) :: k
       !> As of `currents_along` [A], and how the places move (2, contacts)
       real(dp), intent(in) :: current(:), dplace(:, :)
-      !> Of the parts: changes of their lengths in xi, and added to those of the currents (parts) [A]
+      !> Of the parts: changes of their lengths in xi (parts)
       real(dp), intent(out) :: dlength(:)
+      !> Changes of their currents, to which is added (parts) [A]
       real(dp), intent(inout) :: dalong(:)
       real(dp), dimension(size(dlength) - 1) :: dxi, entering
       integer :: i
