@@ -66,7 +66,7 @@ contains
          point%xi)]
    end function modulus_slope
 
-   !> How a conductance that the force makes changes with the temperatures of the nodes where nothing moves (4) [S/K]: by
+   !> How a conductance that the force makes changes with the temperatures of nodes where nothing moves (4) [S/K]: by
    !> the swelling, by a force that goes with E*, and by a spot that E* makes smaller.
    pure function spot_by_temperature(domain, law, point, by_gap, by_ln_force) result(slope)
       type(domain_t), intent(in) :: domain

@@ -20,8 +20,8 @@ module litz_heat_of_contacts
    use litz_spot_heat, only: spot_heat_t, spot_heat, heat_ok, by_heat, by_temperature, by_path
    implicit none
    private
-   public :: contact_heat_t, bulk_map_t, followed_t, collect_heat, follow, change_between, solve_bulks, inverse_of_own, &
-      left_of_settled
+   public :: contact_heat_t, bulk_map_t, followed_t, collect_heat, follow, change_between, solve_bulks, &
+      inverse_of_own, left_of_settled
 
    !> Newton's method for (1) stops at this change over the largest temperature, from absolute zero; steps at most
    real(dp), parameter :: accurate = 1.0e-13_dp

@@ -333,8 +333,8 @@ contains
       call begin(k, 'SOLVER', place_step, &
          'Linear solver of this step and the later ones (litz extension). MONOLITHIC:'// &
          ' voltages are solved in the same linear step as displacements. UPDATED: with the new displacements. FULL:'// &
-         ' temperatures, too, are in one Newton step with displacements (in *COUPLED TEMPERATURE-DISPLACEMENT; other'// &
-         ' steps have their default). Otherwise temperatures and displacements take turns.')
+         ' temperatures, too, are in one Newton step with displacements (in *COUPLED TEMPERATURE-DISPLACEMENT;'// &
+         ' other steps have their default). Otherwise temperatures and displacements take turns.')
       call k%add(choice('NAME', 'BLOCK|UMFPACK|SKYLINE', 'the solver', required=.true.))
       call k%add(choice('COUPLING', 'MONOLITHIC|UPDATED|FULL', 'when voltages and temperatures are solved'))
       call finish(table, k)

@@ -14,7 +14,7 @@ module litz_full_step
    private
    public :: factor_full, solve_full
 
-   !> Residual of the linear equations over that of the start, and over what is allowed, which is enough; and products at
+   !> Residual of the linear equations over that of the start, and over what is allowed, which is enough; products at
    !> most
    real(dp), parameter :: accurate = 1.0e-4_dp, enough = 0.1_dp
    integer, parameter :: max_products = 80

@@ -6,8 +6,8 @@ module litz_steps
    use litz_diagnosis, only: not_converged
    use litz_equations, only: number_equations
    use litz_errors, only: error_t, fail, exit_input, exit_not_converged
-   use litz_fields, only: fields, n_slots, field_displacement, field_temperature, field_of_dof, field_of_slot, slot_of_dof, &
-      temperature_slots
+   use litz_fields, only: fields, n_slots, field_displacement, field_temperature, field_of_dof, field_of_slot, &
+      slot_of_dof, temperature_slots
    use litz_increment_warnings, only: add_increment_warnings
    use litz_kinds, only: dp
    use litz_loading, only: loading_t, start_loading, load_targets, next_break_point
@@ -118,8 +118,8 @@ contains
       problem%has_factor = .false.
    end subroutine begin_step
 
-   !> Motions and temperatures take turns unless the deck asks for one Newton step; temperatures alone have the iteration
-   !> of a turn.
+   !> Motions and temperatures take turns unless the deck asks for one Newton step; temperatures alone have the
+   !> iteration of a turn.
    pure integer function coupling_of(step) result(coupling)
       type(step_t), intent(in) :: step
 

@@ -22,7 +22,7 @@ module litz_turns
 
 contains
 
-   !> Forces and tangent for the next Newton step, of all unknowns where that is near enough to the solution. A part of a
+   !> Forces and tangent for the next Newton step, of all unknowns where that is near enough to a solution. A part of a
    !> conductor without a path to a prescribed value has no potentials yet.
    subroutine evaluate_for_step(problem, error)
       type(problem_t), intent(inout) :: problem
@@ -52,6 +52,7 @@ contains
       type(step_t), intent(in) :: step
       type(outcome_t), intent(inout) :: outcome
       type(error_t), allocatable, intent(out) :: solver_error, error
+      logical :: is_over
       integer :: group
 
       if (problem%coupled_step .and. .not. needs_turn(problem, outcome)) return
@@ -76,8 +77,8 @@ contains
          call measure_residual(problem, step, outcome%last, outcome%at_round_off)
          if (outcome%in_turn /= group) cycle
          call note_update(problem, outcome)
-         if (.not. (group_converged(outcome%last, group) .or. (problem%scheme%is_full .and. .not. problem%is_far))) &
-            cycle
+         is_over = group_converged(outcome%last, group) .or. (problem%scheme%is_full .and. .not. problem%is_far)
+         if (.not. is_over) cycle
          call outcome%end_turn(1)
          call hand_over(problem, step, outcome%last, outcome%at_round_off, error)
          if (allocated(error)) return

@@ -5,7 +5,8 @@ import pytest
 
 from litz import Results
 from run_of_deck import run_of_deck
-from test_coupled_temperatures import CRITICAL, RADIUS, deck as wire, motion_solves, voltage_for
+from test_coupled_temperatures import CRITICAL, RADIUS, motion_solves, voltage_for
+from test_coupled_temperatures import deck as wire
 
 FULL = "*SOLVER, NAME=BLOCK, COUPLING=FULL\n"
 COUPLED = "*COUPLED TEMPERATURE-DISPLACEMENT, STEADY STATE, ELECTRICAL"
@@ -20,9 +21,14 @@ def loop(*, solver=FULL, procedure=COUPLED, volts=0.1, increments=4):
             place = [0.0, 0.0, height + (-1e-3 if axis else 1e-3) * (1 - np.cos(np.pi * i / 4)) / 2]
             place[axis] = 0.01 * (i - 4) + 0.001
             nodes.append(f"{first + i}, " + ", ".join(f"{value:.17g}" for value in place))
-        members += [f"*ELEMENT, TYPE=B33, ELSET={'AB'[axis]}", *(f"{first + i}, {first + i}, {first + i + 1}" for i in range(8))]
+        members += [
+            f"*ELEMENT, TYPE=B33, ELSET={'AB'[axis]}",
+            *(f"{first + i}, {first + i}, {first + i + 1}" for i in range(8)),
+        ]
     heat = "*BOUNDARY\nENDS, 11, 11, 300\n" if procedure == COUPLED else ""
-    return "\n".join(["*NODE, NSET=ALL", *nodes, *members]) + f"""
+    return (
+        "\n".join(["*NODE, NSET=ALL", *nodes, *members])
+        + f"""
 *NSET, NSET=ENDS
 1, 9, 101, 109
 *NSET, NSET=PLUS
@@ -79,6 +85,7 @@ ALL, 300
 PLUS, MINUS
 *END STEP
 """
+    )
 
 
 @pytest.fixture
@@ -101,7 +108,11 @@ def test_it_converges_quadratically_in_the_factorisations_of_the_motions_alone(r
     assert (log["temperature"] > 1).any()
     for field in ("force", "current", "heat"):
         part = log[field][last] / log[f"{field}_allowed"][last]
-        rates = [np.log(c / b) / np.log(b / a) for a, b, c in zip(part, part[1:], part[2:], strict=False) if b > 10 and c < b < a]
+        rates = [
+            np.log(c / b) / np.log(b / a)
+            for a, b, c in zip(part, part[1:], part[2:], strict=False)
+            if b > 10 and c < b < a
+        ]
         assert max(rates) > 1.7, (field, part)
     assert full.contacts_at(-1)["temperature_max"][0] > 350
     turns = run(solver="")

@@ -544,7 +544,8 @@ contains
          '*BEAM SECTION, ELSET=B, MATERIAL=M, SECTION=CIRC'//nl//'1e-3'//nl// &
          '*PHYSICAL CONSTANTS, ABSOLUTE ZERO=0'//nl//'*SURFACE INTERACTION, NAME=I'//nl//hertz//laws// &
          '*CONTACT PAIR, INTERACTION=I'//nl//'A, B'//nl//'*INITIAL CONDITIONS, TYPE=TEMPERATURE'//nl//'ALL, 300'//nl// &
-         '*NSET, NSET=B, GENERATE'//nl//'11, 16, 1'//nl//'*BOUNDARY'//nl//'1, 1, 6'//nl//'4, 1, 6'//nl//'B, 1, 6'//nl// &
+         '*NSET, NSET=B, GENERATE'//nl//'11, 16, 1'//nl//'*BOUNDARY'//nl//'1, 1, 6'//nl//'4, 1, 6'//nl//'B, 1, 6' &
+         //nl// &
          '*STEP'//nl//'*STATIC'//nl//loads//'*END STEP'//nl//'*STEP'//nl//'*STATIC'//nl//loads//heating// &
          '*END STEP'//nl), problem)
       problem%coupled_step = .true.

@@ -2,7 +2,8 @@
 
 A layered mat of nichrome fibres has been pressed between two electrodes and is pressed further, with its currents alone
 (`*STATIC`) or with the heat that they make (`*COUPLED TEMPERATURE-DISPLACEMENT, ELECTRICAL, STEADY STATE`), which raises its
-temperatures and lengthens its fibres: motions and temperatures in turn, or in one Newton step (`COUPLING=FULL`). The time of the first step, of a run that ends with it, is taken off; that of reading,
+temperatures and lengthens its fibres: motions and temperatures in turn, or in one Newton step (`COUPLING=FULL`).
+The time of the first step, of a run that ends with it, is taken off; that of reading,
 preparation and output does not count. Runs alternate, medians.
 """
 
@@ -128,7 +129,9 @@ def aims(values):
 def draw(values, path):
     with figures.panels(path, columns=1, height=3.6) as axes:
         labels = [
-            f"{row['elements']}, {name.split()[0].lower()}" for row in values["sizes"] for name in (STATIC, COUPLED, FULL)
+            f"{row['elements']}, {name.split()[0].lower()}"
+            for row in values["sizes"]
+            for name in (STATIC, COUPLED, FULL)
         ]
         runs = [row[name] for row in values["sizes"] for name in (STATIC, COUPLED, FULL)]
         bottom = [0.0] * len(runs)
