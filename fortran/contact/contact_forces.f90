@@ -12,7 +12,7 @@ module litz_contact_forces
    use litz_errors, only: error_t
    use litz_fields, only: field_temperature, group_mechanical, motion_slots, potential_slots
    use litz_friction_forces, only: find_friction, increment_start_t
-   use litz_friction_iteration, only: predict_friction, forget_friction
+   use litz_friction_iteration, only: forget_friction
    use litz_friction_law, only: friction_law_t
    use litz_law_input, only: wire_pair_t
    use litz_model, only: model_t
@@ -32,7 +32,7 @@ module litz_contact_forces
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: assemble_contacts, share_currents, set_current, conductors_of, conducts_apart, predict_contacts
+   public :: assemble_contacts, share_currents, set_current, conductors_of, conducts_apart
 
 contains
 
@@ -133,8 +133,8 @@ contains
                   k_p = k_p + k_slide + k_turning
                   r_p = r_p + r_slide + r_turning
                end if
+               if (conducts) call keep_current(electricity, circuit, force%law%dforce_dgap, point)
             end associate
-            if (conducts) call keep_current(electricity, circuit, point)
             if (model%has_field(field_temperature)) call keep_temperatures(elements, point)
          end associate
       end subroutine evaluate
@@ -430,41 +430,5 @@ contains
       point%semi_major = 0
       point%semi_minor = 0
    end subroutine clear_flows
-
-   !> Take each point's force and gap along with the step `eta dq` of the unknowns.
-   subroutine predict_contacts(model, eta, step, points)
-      type(model_t), intent(in) :: model
-      !> Fraction of the step that is taken, and the step (n_slots, n_nodes)
-      real(dp), intent(in) :: eta, step(:, :)
-      type(contact_point_t), intent(inout) :: points(:)
-      real(dp) :: dq(n_motions), dgap, force
-      integer :: i, nodes(4)
-
-      do i = 1, size(points)
-         associate (point => points(i))
-            nodes = [model%connectivity(:, point%element_bar), model%connectivity(:, point%element)]
-            dq = reshape(step(motion_slots(1):motion_slots(2), nodes), [n_motions])
-            dgap = dot_product(point%kinematics%dgap, dq)
-            call predict_friction(eta*dq, point%friction_iteration)
-            if (point%line_place > 0) then
-               if (.not. point%predicted) point%predicted_gap = point%gap
-               point%predicted_gap = (1 - eta)*point%predicted_gap + eta*(point%gap + dgap)
-               point%predicted = .true.
-               cycle
-            end if
-            point%predicted = .true.
-            point%predicted_gap = point%gap + eta*dgap
-            if (.not. point%active) cycle
-            force = (1 - eta)*point%mixed_force + eta*(point%iteration_force - point%stiffness*dgap &
-               + point%turning%dforce*dot_product(point%kinematics%dangle, dq))
-            ! a contact that would have to pull opens, even if the linearised law leaves it an overlap
-            if (force <= 0) point%predicted_gap = max(point%predicted_gap, -point%dent_depth)
-            ! one that presses stays closed: the line of a loading that is steeper than the way back ends above the dent
-            if (force > 0 .and. point%dent_depth > 0) point%predicted_gap = min(point%predicted_gap, &
-               -(1 + 2*epsilon(force))*point%dent_depth)
-            point%mixed_force = max(force, 0.0_dp)
-         end associate
-      end do
-   end subroutine predict_contacts
 
 end module litz_contact_forces

@@ -3,6 +3,9 @@
 !> Differences of the equation of litz_heat_of_contacts and of that of the currents (litz_shared_conductors), with all
 !> properties that follow the temperatures. Source: theory sections 7 and 13.
 module litz_contact_heat_tangent
+   use litz_fields, only: potential_slots, temperature_slots
+   use litz_heat_by_motions, only: moved_t, move_contacts, voltage_by_motions, heat_by_motions, bulk_by_motions, &
+      add_moved_currents, add_moved_heats
    use litz_heat_of_contacts, only: contact_heat_t, bulk_map_t, followed_t, follow, change_between, solve_bulks, &
       inverse_of_own
    use litz_heated_elements, only: add_at_nodes, rise_by
@@ -59,26 +62,36 @@ contains
    end subroutine own_tangent
 
    !> The whole tangent times values, beyond what the matrix of the currents has: heat and currents that leave the
-   !> nodes.
-   subroutine multiply_heat(self, potential, temperature, heat, current)
+   !> nodes. Motions take part where they are in the same Newton step.
+   subroutine multiply_heat(self, value, heat, current)
       type(contact_heat_t), target, intent(in) :: self
-      !> Changes at the nodes (n_nodes) [V], [K]
-      real(dp), intent(in) :: potential(:), temperature(:)
+      !> Changes at the nodes (n_slots, n_nodes)
+      real(dp), intent(in) :: value(:, :)
       !> (n_nodes) [W], (n_nodes) [A]
       real(dp), intent(inout) :: heat(:), current(:)
       type(change_t) :: change
       type(followed_t) :: followed
       type(bulk_map_t) :: map
+      type(moved_t), allocatable :: moved
       real(dp), dimension(2, size(self%contacts)) :: dbulk
 
       map%heat => self
-      call change_currents(self, potential, temperature, change)
-      call change_heats(self, potential, temperature, change)
+      if (allocated(self%rows)) then
+         allocate (moved)
+         call move_contacts(self, value, moved)
+      end if
+      associate (potential => value(potential_slots(1), :), temperature => value(temperature_slots(1), :))
+         call change_currents(self, potential, temperature, moved, change)
+         call change_heats(self, potential, temperature, moved, change)
+      end associate
       call solve_bulks(map, change%base + rise_by(self%elements, self%ends, change%heat + change%between), dbulk)
       call follow(self, dbulk, followed)
       call add_entering(self, change%heat + followed%heat + change%between + followed%between, &
          change%at_nodes + followed%at_nodes, heat)
-      call add_beyond_linear(self, potential, change%current + followed%current, current)
+      call add_beyond_linear(self, value(potential_slots(1), :), change%current + followed%current, current)
+      if (.not. allocated(moved)) return
+      call add_moved_currents(self, moved, current)
+      call add_moved_heats(self, moved, heat)
    end subroutine multiply_heat
 
    !> Currents that leave the nodes beyond those that the matrix of the currents has, which are at fixed resistances of
@@ -98,10 +111,12 @@ contains
    end subroutine add_beyond_linear
 
    !> `(R + A) dI = N_V dV - dA I`
-   subroutine change_currents(self, potential, temperature, change)
+   subroutine change_currents(self, potential, temperature, moved, change)
       type(contact_heat_t), intent(in) :: self
       !> Changes at the nodes (n_nodes) [V], [K]
       real(dp), intent(in) :: potential(:), temperature(:)
+      !> Not allocated: none moves
+      type(moved_t), allocatable, intent(in) :: moved
       type(change_t), intent(inout) :: change
       real(dp), dimension(size(self%conductors%resistance)) :: voltage, unused
       real(dp) :: rise(2, size(self%conductors%resistance)), warmer(2)
@@ -115,6 +130,7 @@ contains
          warmer = mean_change(self, i, temperature)*self%elements(self%ends%place_of(:, i))%dresistivity
          voltage(i) = voltage(i) + self%potential_rise(1, i)*warmer(1) - self%potential_rise(2, i)*warmer(2)
       end do
+      if (allocated(moved)) voltage = voltage + voltage_by_motions(self, moved)
       call self%conductors%currents(voltage, change%current(:n), rise, unused)
    end subroutine change_currents
 
@@ -147,10 +163,12 @@ contains
    end function mean_change
 
    !> Heats at fixed bulks, and what of the bulks does not come from the heat of contacts.
-   subroutine change_heats(self, potential, temperature, change)
+   subroutine change_heats(self, potential, temperature, moved, change)
       type(contact_heat_t), intent(in) :: self
       !> Changes at the nodes (n_nodes) [V], [K]
       real(dp), intent(in) :: potential(:), temperature(:)
+      !> Not allocated: none moves
+      type(moved_t), allocatable, intent(in) :: moved
       type(change_t), intent(inout) :: change
       real(dp) :: at(2), of_others(2, size(self%contacts)), even(size(self%elements))
       integer :: i, k, n
@@ -161,7 +179,7 @@ contains
       allocate (change%heat(2, size(self%contacts)), change%between(2, size(self%contacts)), &
          change%base(2, size(self%contacts)), change%at_nodes(2, size(self%elements)), source=0.0_dp)
       do k = 1, size(self%elements)
-         call change_element(self, k, potential, temperature, change, even(k))
+         call change_element(self, k, potential, temperature, moved, change, even(k))
       end do
       do i = 1, size(self%contacts)
          at = change_at(self, i, temperature)
@@ -170,17 +188,21 @@ contains
                + change%current(i)*self%of_others(:, i) + current*of_others(:, i)
             change%base(:, i) = at - self%elements(place)%dconductivity*mean_change(self, i, temperature) &
                *self%rise(:, i) + self%elements(place)%heat_series*(1 - contact%xi**2)/2*even(place)
+            if (allocated(moved)) change%heat(:, i) = change%heat(:, i) + heat_by_motions(self, i, moved)
          end associate
       end do
+      if (allocated(moved)) change%base = change%base + bulk_by_motions(self, moved)
    end subroutine change_heats
 
    !> Heat that the currents make in an element: evenly, and beyond that between its contacts.
-   subroutine change_element(self, k, potential, temperature, change, even_heat)
+   subroutine change_element(self, k, potential, temperature, moved, change, even_heat)
       type(contact_heat_t), intent(in) :: self
       !> Number among the elements with contacts
       integer, intent(in) :: k
       !> Changes at the nodes (n_nodes) [V], [K]
       real(dp), intent(in) :: potential(:), temperature(:)
+      !> Not allocated: none moves
+      type(moved_t), allocatable, intent(in) :: moved
       type(change_t), intent(inout) :: change
       !> [W]
       real(dp), intent(out) :: even_heat
@@ -192,7 +214,12 @@ contains
          even = self%drop(k)/element%resistance
          dresistance = element%dresistivity*sum(temperature(element%nodes))/2
          deven = (potential(element%nodes(1)) - potential(element%nodes(2)))/element%resistance - even*dresistance
-         call change_between(self, k, deven, dresistance, change%current, change%between, change%at_nodes(:, k))
+         if (allocated(moved)) then
+            call change_between(self, k, deven, dresistance, change%current, change%between, change%at_nodes(:, k), &
+               moved%place)
+         else
+            call change_between(self, k, deven, dresistance, change%current, change%between, change%at_nodes(:, k))
+         end if
          even_heat = element%heat_fraction*element%resistance*(2*even*deven + even**2*dresistance)
       end associate
    end subroutine change_element

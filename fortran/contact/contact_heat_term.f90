@@ -12,7 +12,7 @@ module litz_contact_heat_term
    use litz_friction_heat, only: find_rubbing
    use litz_contact_heat_tangent, only: own_tangent, multiply_heat
    use litz_heat_of_contacts, only: contact_heat_t, collect_heat
-   use litz_heated_contacts, only: heated_contact_t, heated_contact, can_pass_heat, conducting_metals
+   use litz_heated_contacts, only: heated_contact_t, heated_contact, can_pass_heat, conducting_metals, contact_rows
    use litz_heat_within, only: slow_and_fast
    use litz_heated_elements, only: heated_element_t, add_at_nodes
    use litz_hot_places, only: melted, beyond_table, beyond_table_inside
@@ -160,6 +160,7 @@ contains
       end associate
       allocate (self%heat)
       call collect_heat(contacts, conductors, conducting_metals(domain%model), domain%model%absolute_zero, self%heat)
+      if (domain%coupled_step) call find_rows(self, domain)
       do k = 1, size(self%heat%elements)
          self%heat%elements(k) = heated_element(domain, self%heat%ends%element(k))
       end do
@@ -194,6 +195,25 @@ contains
       end subroutine choose
 
    end subroutine find_contacts
+
+   !> How the contacts change with motions and with temperatures that the mechanics sees.
+   subroutine find_rows(self, domain)
+      class(contact_heat_term_t), intent(inout) :: self
+      type(domain_t), intent(in) :: domain
+      integer :: i, number
+
+      associate (heat => self%heat, set => self%contact)
+         allocate (heat%rows(size(heat%contacts)))
+         do i = 1, size(self%points)
+            number = number_of_point(self, i)
+            heat%rows(number) = contact_rows(domain, set%points(self%points(i)), heat%contacts(number))
+         end do
+         do i = 1, size(self%line_points)
+            number = number_of_line_point(self, i)
+            heat%rows(number) = contact_rows(domain, set%line_points(self%line_points(i)), heat%contacts(number))
+         end do
+      end associate
+   end subroutine find_rows
 
    !> An element on which contacts are; what enters it within is a matter of their laws.
    type(heated_element_t) function heated_element(domain, e) result(element)
@@ -365,7 +385,7 @@ contains
       if (.not. self%has_mutual_tangent(group)) return
       heat = 0
       current = 0
-      call multiply_heat(self%heat, value(potential_slots(1), :), value(temperature_slots(1), :), heat, current)
+      call multiply_heat(self%heat, value, heat, current)
       do i = 1, size(self%heat%contacts)
          associate (nodes => self%heat%contacts(i)%nodes)
             heat(nodes(:2)) = heat(nodes(:2)) - own_heat(i, nodes, 1)

@@ -2,7 +2,7 @@
 module litz_contact_points
    use litz_kinds, only: dp
    use litz_contact_history, only: contact_history_t, left_dents_t
-   use litz_contact_kinematics, only: contact_kinematics_t
+   use litz_contact_kinematics, only: contact_kinematics_t, n_motions
    use litz_contact_turning, only: turning_t
    use litz_contact_side, only: crossing_t, crossing_of
    use litz_cut_lens, only: cut_lens_t
@@ -198,6 +198,9 @@ module litz_contact_points
       real(dp) :: traction_before(3) = 0
       !> It has left the spot of its largest force: by slip, or without friction by moving
       logical :: new_spot = .false.
+      !> How the gap, and where that stays the force, change with the temperatures of its nodes (4) [m/K, N/K], where
+      !> these are in the same Newton step as the motions
+      real(dp) :: dgap_dtemperature(4) = 0, dforce_dtemperature(4) = 0
       !> Traction at the present place
       type(friction_law_t) :: friction
       !> What ploughing has dissipated in this increment [J], and its part of the limit of friction in the next one [-]
@@ -208,6 +211,9 @@ module litz_contact_points
       real(dp) :: series_resistance(2) = 0, heat_inside(2) = 0
       !> Resistance of the constriction in one wire over its resistivity [1/m]; 0: the law of the spot knows none
       real(dp) :: constriction = 0
+      !> How the conductance of the spot changes with the motions of its nodes (24) [S/m, S/rad], with the gap [S/m],
+      !> and how much it would grow with ln(F) [S]
+      real(dp) :: dconductance(n_motions) = 0, dconductance_dgap = 0, dconductance_dln_force = 0
       !> What it has more heat than it would have if its strip were the only one on its wires [W]
       real(dp) :: heat_of_others = 0
    end type contact_point_t

@@ -265,9 +265,11 @@ contains
    end function slope_of
 
    !> What results show of a current.
-   pure subroutine keep_current(electricity, circuit, point)
+   pure subroutine keep_current(electricity, circuit, dforce_dgap, point)
       type(contact_electricity_t), intent(in) :: electricity
       type(spot_in_circuit_t), intent(in) :: circuit
+      !> Of the force that the spot follows [N/m]
+      real(dp), intent(in) :: dforce_dgap
       type(contact_point_t), intent(inout) :: point
 
       point%semi_major = circuit%spot%semi_major
@@ -275,6 +277,11 @@ contains
       point%conductance = circuit%spot%conductance
       if (point%conductance > 0) point%constriction = -sum(circuit%spot%dconductance_dresistivity) &
          /(2*point%conductance**2)
+      point%dconductance = electricity%dconductance
+      associate (by_force => circuit%spot%dconductance_dforce*circuit%follows)
+         point%dconductance_dgap = by_force*dforce_dgap
+         point%dconductance_dln_force = by_force*point%force
+      end associate
       point%current = electricity%current
       point%voltage_gap = electricity%voltage_gap
       point%series_resistance = circuit%series_resistance

@@ -5,11 +5,12 @@ module litz_contact_term
    use litz_contact_capture, only: capture_contacts
    use litz_contact_crossings, only: locate_points
    use litz_contact_energies, only: add_contact_energies, work_of_swelling, work_of_softening
-   use litz_contact_forces, only: assemble_contacts, share_currents, predict_contacts
+   use litz_contact_forces, only: assemble_contacts, share_currents
    use litz_contact_points, only: contact_set_t, contact_point_t
    use litz_contact_descent, only: descent_fraction
-   use litz_contact_step, only: contact_fraction => bearable_fraction
+   use litz_contact_step, only: contact_fraction => bearable_fraction, predict_contacts
    use litz_contact_tangents, only: follow_centre_line
+   use litz_contact_temperatures, only: find_temperature_slopes, add_temperatures
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
    use litz_fields, only: field_displacement, field_rotation, field_potential, first_slot, last_slot, group_transport, &
@@ -159,10 +160,16 @@ contains
       !> Data that a law cannot take
       type(error_t), allocatable, intent(out) :: error
 
+      if (.not. domain%motions_stand) then
+         call find_temperature_slopes(domain, self%contact%points)
+         call find_temperature_slopes(domain, self%contact%line_points)
+      end if
       call assemble_contacts(domain, self%contact, self%contact%points, error)
       if (allocated(error)) return
       call assemble_contacts(domain, self%contact, self%contact%line_points, error)
       if (allocated(error)) return
+      call add_temperatures(domain, self%contact%points)
+      call add_temperatures(domain, self%contact%line_points)
       call share_currents(domain%model, domain%wires, domain%elements, domain%iterate%value(potential_slots(1), :), &
          self%contact, domain%forces)
       call domain%timing%lap(phase_contact)

@@ -12,9 +12,9 @@
 module litz_heat_of_contacts
    use litz_element_ends, only: element_ends_t, collect_ends
    use litz_gmres, only: linear_map_t, gmres
-   use litz_heated_contacts, only: heated_contact_t
+   use litz_heated_contacts, only: heated_contact_t, contact_rows_t
    use litz_heat_within, only: slow_and_fast
-   use litz_heated_elements, only: heated_element_t, n_parts, currents_along, place_heat, rise_by
+   use litz_heated_elements, only: heated_element_t, n_parts, currents_along, move_parts, place_heat, rise_by
    use litz_hot_spot, only: hot_spot_t, hot_spot, hot_ok, by_volt
    use litz_kinds, only: dp
    use litz_passed_spots, only: passed_spot_t, cold_spot, warmed_spot
@@ -22,7 +22,8 @@ module litz_heat_of_contacts
    use litz_spot_metal, only: spot_metal_t
    implicit none
    private
-   public :: contact_heat_t, bulk_map_t, followed_t, collect_heat, follow, change_between, solve_bulks, inverse_of_own
+   public :: contact_heat_t, bulk_map_t, followed_t, collect_heat, follow, change_between, solve_bulks, &
+      inverse_of_own, left_of_settled
 
    !> Newton's method for (1) stops at this change over the largest temperature, from absolute zero; steps at most
    real(dp), parameter :: accurate = 1.0e-13_dp
@@ -64,6 +65,13 @@ module litz_heat_of_contacts
       !> Of contacts with a current: spots that it warms, their voltages [V], and resistances of all [ohm] (contacts)
       type(hot_spot_t), allocatable :: hot_spots(:)
       real(dp), allocatable :: spot_voltage(:), resistance(:)
+      !> How the contacts change with motions and with temperatures that the mechanics sees (contacts); not allocated:
+      !> these are not in the same Newton step
+      type(contact_rows_t), allocatable :: rows(:)
+      !> Between the wires at the contacts with a current, linear between the nodes (n) [V]
+      real(dp), allocatable :: voltage(:)
+      !> Of the nodes of each contact (4, contacts) [K]
+      real(dp), allocatable :: temperature(:, :)
       !> Voltages of the nodes of each element: first minus second (elements) [V]
       real(dp), allocatable :: drop(:)
       !> (1) has a solution
@@ -133,7 +141,9 @@ contains
          self%slope(2, 2, n), source=0.0_dp)
       allocate (self%drop, source=[(potential(self%elements(i)%nodes(1)) - potential(self%elements(i)%nodes(2)), &
          i=1, size(self%elements))])
-      call find_bulks(self, self%conductors%voltages(potential), temperature)
+      self%voltage = self%conductors%voltages(potential)
+      self%temperature = reshape([(temperature(self%contacts(i)%nodes), i=1, n)], [4, n])
+      call find_bulks(self, self%voltage, temperature)
    end subroutine solve
 
    !> All that belongs to the present temperatures of the bulks.
@@ -448,7 +458,7 @@ contains
    end subroutine follow
 
    !> How what the parts of an element make beyond that of the element without contacts changes with the currents.
-   subroutine change_between(self, k, deven, dresistance, dcurrent, between, at_nodes)
+   subroutine change_between(self, k, deven, dresistance, dcurrent, between, at_nodes, dplace)
       type(contact_heat_t), intent(in) :: self
       !> Number among the elements with contacts
       integer, intent(in) :: k
@@ -456,15 +466,19 @@ contains
       real(dp), intent(in) :: deven, dresistance, dcurrent(:)
       !> Changes of v: (2, contacts), set at those of this element, and (2) [W]
       real(dp), intent(inout) :: between(:, :), at_nodes(2)
-      real(dp), dimension(n_parts(self%ends, k)) :: length, along, dalong, dmade
+      !> How the places move (2, contacts); absent: they stay
+      real(dp), intent(in), optional :: dplace(:, :)
+      real(dp), dimension(n_parts(self%ends, k)) :: length, along, dlength, dalong, dmade
       real(dp) :: even
 
       associate (element => self%elements(k))
          even = self%drop(k)/element%resistance
          call currents_along(self%ends, k, even, self%current, length, along)
          call currents_along(self%ends, k, deven, dcurrent, length, dalong)
-         dmade = element%heat_fraction*2*element%series*length*(2*(along*dalong - even*deven) &
-            + (along**2 - even**2)*dresistance)
+         dlength = 0
+         if (present(dplace)) call move_parts(self%ends, k, self%current, dplace, dlength, dalong)
+         dmade = element%heat_fraction*2*element%series*(length*(2*(along*dalong - even*deven) &
+            + (along**2 - even**2)*dresistance) + dlength*(along**2 - even**2))
       end associate
       call place_heat(self%ends, k, dmade, between, at_nodes)
    end subroutine change_between

@@ -8,8 +8,11 @@
 module litz_heated_contacts
    use litz_kinds, only: dp, pi
    use litz_contact_blocks, only: spot_in_circuit_t
+   use litz_contact_electricity, only: conductance_row
+   use litz_contact_kinematics, only: n_motions
    use litz_contact_points, only: contact_point_t, pair_geometry
    use litz_contact_spots, only: find_spot
+   use litz_contact_temperatures, only: spot_by_temperature
    use litz_domain, only: domain_t
    use litz_fields, only: temperature_slots
    use litz_heat_law, only: heat_law_t, heat_metal_law
@@ -17,7 +20,7 @@ module litz_heated_contacts
    use litz_hot_spot, only: constrictions_t
    use litz_law_input, only: wire_pair_t
    use litz_model, only: model_t, interaction_t
-   use litz_normal_forces, only: wires_of, line_of_point
+   use litz_normal_forces, only: wires_of, line_of_point, law_of_spot
    use litz_property_table, only: property_at
    use litz_spot_heat, only: spot_path_t
    use litz_spot_laws, only: spot_law
@@ -25,6 +28,7 @@ module litz_heated_contacts
    implicit none
    private
    public :: heated_contact_t, heated_contact, can_pass_heat, conducting_metals
+   public :: contact_rows_t, contact_rows, n_rows
 
    type :: heated_contact_t
       !> Nodes of both elements, barred first, and their parts of the values at its places
@@ -71,6 +75,19 @@ module litz_heated_contacts
       procedure :: warm
       procedure :: series_resistance
    end type heated_contact_t
+
+   !> Motions of the four nodes of a contact, and the temperatures there that its mechanics sees
+   integer, parameter :: n_rows = n_motions + 4
+
+   !> How a contact changes with these.
+   type :: contact_rows_t
+      !> Its places (motions, 2)
+      real(dp) :: place(n_motions, 2) = 0
+      !> Resistance of the spot as the matrix has it, without what temperatures do to it [ohm]
+      real(dp) :: resistance(n_motions) = 0
+      !> Logarithms of the shape c of the constrictions for the current, and of the heat conductance of the spot
+      real(dp) :: shape(n_rows) = 0, heat_conductance(n_rows) = 0
+   end type contact_rows_t
 
 contains
 
@@ -282,41 +299,52 @@ contains
    end subroutine follow_wiedemann_franz
 
    !> c of the spot of elastic wires without a current: that of unit resistivities has 2 c [1/m].
-   real(dp) function elastic_shape(domain, law, point, pair) result(shape)
+   real(dp) function elastic_shape(domain, law, point, pair, row) result(shape)
       type(domain_t), intent(in) :: domain
       type(interaction_t), intent(in) :: law
       type(contact_point_t), intent(in) :: point
       type(wire_pair_t), intent(in) :: pair
+      !> How -ln(c) changes with motions and temperatures (n_rows)
+      real(dp), intent(out), optional :: row(:)
       type(interaction_t) :: elastic
       type(wire_pair_t) :: unit_pair
+      real(dp) :: conductance
 
       elastic = law
       elastic%spot = spot_law('HERTZ')
       elastic%spot_memory = .false.
       unit_pair = pair
       unit_pair%resistivity = 1
-      shape = 1/(2*spot_conductance(domain, elastic, point, unit_pair))
+      unit_pair%dresistivity = 0
+      conductance = spot_conductance(domain, elastic, point, unit_pair, row)
+      shape = 1/(2*conductance)
+      if (present(row)) row = row/conductance
    end function elastic_shape
 
    !> Heat conductance that is given [W/K].
-   real(dp) function given_conductance(domain, law, point, pair) result(conductance)
+   real(dp) function given_conductance(domain, law, point, pair, row) result(conductance)
       type(domain_t), intent(in) :: domain
       type(interaction_t), intent(in) :: law
       type(contact_point_t), intent(in) :: point
       type(wire_pair_t), intent(in) :: pair
+      !> How its logarithm changes with motions and temperatures (n_rows)
+      real(dp), intent(out), optional :: row(:)
       type(interaction_t) :: thermal
 
       thermal = law
       thermal%spot = law%heat%as_spot_law()
       thermal%spot_memory = .false.
-      conductance = spot_conductance(domain, thermal, point, pair)
+      conductance = spot_conductance(domain, thermal, point, pair, row)
+      if (present(row)) row = row/conductance
    end function given_conductance
 
-   real(dp) function spot_conductance(domain, law, point, pair) result(conductance)
+   real(dp) function spot_conductance(domain, law, point, pair, row) result(conductance)
       type(domain_t), intent(in) :: domain
       type(interaction_t), intent(in) :: law
       type(contact_point_t), intent(in) :: point
       type(wire_pair_t), intent(in) :: pair
+      !> How it changes with motions and temperatures (n_rows)
+      real(dp), intent(out), optional :: row(:)
       type(contact_point_t) :: looked_at
       type(spot_in_circuit_t) :: circuit
       real(dp) :: x(3, 4), t(3, 4), length(2)
@@ -328,6 +356,54 @@ contains
          domain%iterate%x, domain%iterate%rotation, x, t, length)
       call find_spot(law, domain%wires, pair, x, t, length, looked_at, circuit)
       conductance = circuit%spot%conductance
+      if (.not. present(row)) return
+      associate (spot => circuit%spot, by_force => circuit%spot%dconductance_dforce*circuit%follows)
+         associate (followed => law_of_spot(law%normal, looked_at))
+            row(:n_motions) = conductance_row(point%kinematics, by_force*followed%dforce_dgap, &
+               spot%dconductance_dangle + by_force*followed%dforce_dangle, circuit%dconductance)
+            row(n_motions + 1:) = spot_by_temperature(domain, law, point, by_force*followed%dforce_dgap, &
+               by_force*point%force)
+         end associate
+      end associate
    end function spot_conductance
+
+   !> How a contact changes with motions and with temperatures that its mechanics sees. A film conducts by its area, as
+   !> which goes the square of the shape.
+   type(contact_rows_t) function contact_rows(domain, point, heated) result(rows)
+      type(domain_t), intent(in) :: domain
+      type(contact_point_t), intent(in) :: point
+      type(heated_contact_t), intent(in) :: heated
+      type(wire_pair_t) :: pair
+      real(dp) :: conductance(n_rows), by_place(n_motions), unused
+      integer :: side
+
+      rows%place = reshape([point%kinematics%dxi_bar, point%kinematics%dxi], shape(rows%place))
+      if (.not. heated%is_passed) return
+      pair = wires_of(domain%model, domain%elements, point)
+      associate (law => domain%model%interactions(domain%model%contact_pairs(point%pair)%interaction))
+         if (point%conductance > 0) then
+            conductance(:n_motions) = point%dconductance
+            conductance(n_motions + 1:) = spot_by_temperature(domain, law, point, point%dconductance_dgap, &
+               point%dconductance_dln_force)
+            rows%resistance = -point%dconductance/point%conductance**2
+            by_place = 0
+            do side = 1, 2
+               by_place = by_place + heated%shape*pair%dresistivity(side)*pair%dtemperature(side)*rows%place(:, side)
+            end do
+            if (.not. heated%is_given) then
+               rows%shape = -conductance/point%conductance**2
+               rows%shape(:n_motions) = rows%shape(:n_motions) - by_place
+               rows%shape = rows%shape/(sum(heated%linear_resistance) + 2*heated%film_resistance)
+            end if
+         end if
+         if (law%heat%is_given()) then
+            unused = given_conductance(domain, law, point, pair, rows%heat_conductance)
+         else if (point%conductance > 0) then
+            rows%heat_conductance = -rows%shape
+         else
+            unused = elastic_shape(domain, law, point, pair, rows%heat_conductance)
+         end if
+      end associate
+   end function contact_rows
 
 end module litz_heated_contacts

@@ -6,10 +6,10 @@ module litz_heated_elements
    use litz_element_ends, only: element_ends_t
    use litz_kinds, only: dp
    use litz_parallel, only: worth_threads
-   use litz_potential_rise, only: potential_rise
+   use litz_potential_rise, only: potential_rise, moved_rise
    implicit none
    private
-   public :: heated_element_t, n_parts, currents_along, place_heat, add_at_nodes, rise_by
+   public :: heated_element_t, n_parts, currents_along, move_parts, place_heat, add_at_nodes, rise_by, moved_rise_by
 
    !> An element on which contacts are.
    type :: heated_element_t
@@ -59,6 +59,28 @@ contains
          along(part) = along(part - 1) + entering(part - 1)
       end do
    end subroutine currents_along
+
+   !> How these change as the places of the contacts move.
+   pure subroutine move_parts(ends, k, current, dplace, dlength, dalong)
+      type(element_ends_t), intent(in) :: ends
+      !> Number among the elements with contacts
+      integer, intent(in) :: k
+      !> As of `currents_along` [A], and how the places move (2, contacts)
+      real(dp), intent(in) :: current(:), dplace(:, :)
+      !> Of the parts: changes of their lengths in xi (parts)
+      real(dp), intent(out) :: dlength(:)
+      !> Changes of their currents, to which is added (parts) [A]
+      real(dp), intent(inout) :: dalong(:)
+      real(dp), dimension(size(dlength) - 1) :: dxi, entering
+      integer :: i
+
+      associate (first => ends%first(k), last => ends%first(k + 1) - 1)
+         dxi = [(dplace(ends%side(i), ends%contact(i)), i=first, last)]
+         entering = merge(-1, 1, ends%side(first:last) == 1)*current(ends%contact(first:last))
+      end associate
+      dlength = [dxi, 0.0_dp] - [0.0_dp, dxi]
+      dalong = dalong + sum(dxi*entering)/2
+   end subroutine move_parts
 
    !> Half of what a part of an element makes enters at either end of it.
    pure subroutine place_heat(ends, k, made, at_contacts, at_nodes)
@@ -136,5 +158,44 @@ contains
          end associate
       end do
    end subroutine add_at_nodes
+
+   !> How the rise changes as the places of the contacts move (2, contacts) [K].
+   pure function moved_rise_by(elements, ends, heat, dplace) result(rise)
+      !> Those on which contacts are (elements)
+      type(heated_element_t), intent(in) :: elements(:)
+      type(element_ends_t), intent(in) :: ends
+      !> (2, contacts) [W], and how the places move (2, contacts)
+      real(dp), intent(in) :: heat(:, :), dplace(:, :)
+      real(dp) :: rise(2, size(heat, 2))
+      integer :: k
+
+      rise = 0
+      do k = 1, size(elements)
+         call move_rise(elements(k)%heat_series, ends, k, heat, dplace, rise)
+      end do
+   end function moved_rise_by
+
+   !> The same in one element.
+   pure subroutine move_rise(scale, ends, k, entering, dplace, rise)
+      !> L0/(4 lambda A) of the element [K/W]
+      real(dp), intent(in) :: scale
+      type(element_ends_t), intent(in) :: ends
+      !> Number among the elements with contacts
+      integer, intent(in) :: k
+      !> What enters at the contacts (2, contacts) [W], and how the places move (2, contacts)
+      real(dp), intent(in) :: entering(:, :), dplace(:, :)
+      !> (2, contacts) [K]; set at the contacts of this element, on its side
+      real(dp), intent(inout) :: rise(:, :)
+      real(dp), dimension(ends%first(k + 1) - ends%first(k)) :: above
+      integer :: i
+
+      associate (first => ends%first(k), last => ends%first(k + 1) - 1)
+         call moved_rise(scale, ends%xi(first:last), [(dplace(ends%side(i), ends%contact(i)), i=first, last)], &
+            [(entering(ends%side(i), ends%contact(i)), i=first, last)], above)
+         do i = first, last
+            rise(ends%side(i), ends%contact(i)) = above(i - first + 1)
+         end do
+      end associate
+   end subroutine move_rise
 
 end module litz_heated_elements

@@ -16,6 +16,9 @@ module litz_passed_spots
       !> How the heats change with the temperatures of the wires at fixed current (2, 2) [W/K], and with the current (2)
       !> [W/A]; how the voltage does with the temperatures at fixed current (2) [V/K]
       real(dp) :: by_bulk(2, 2) = 0, by_current(2) = 0, dvoltage(2) = 0
+      !> How the heats change at fixed current and bulks with the logarithms of the shape of the constrictions, to which
+      !> their resistances are proportional, and of the heat conductance (2) [W]
+      real(dp) :: by_shape(2) = 0, by_heat_conductance(2) = 0
    end type passed_spot_t
 
 contains
@@ -43,6 +46,8 @@ contains
          spot%by_current = matmul(dheat(:, by_heat), 2*current*ohm)
          spot%by_bulk = dheat(:, by_temperature) + matmul(dheat(:, by_path), contact%dpath) &
             + matmul(dheat(:, by_heat), current**2*dohm)
+         spot%by_shape = matmul(dheat(:, by_heat), current**2*[1, 2, 1]*ohm)
+         spot%by_heat_conductance = sum(dheat(:, by_path), 2)
       end associate
       spot%dvoltage = current*contact%dseries
    end subroutine cold_spot
@@ -58,6 +63,8 @@ contains
       spot%by_current = hot%dheat(:, by_volt)/hot%dcurrent(by_volt)
       spot%by_bulk = hot%dheat(:, by_both) - spread(spot%by_current, 2, 2)*spread(hot%dcurrent(by_both), 1, 2)
       spot%dvoltage = -hot%dcurrent(by_both)/hot%dcurrent(by_volt)
+      ! heats over the size of the spot are functions of the current over it
+      spot%by_shape = hot%current*spot%by_current - hot%heat
    end function warmed_spot
 
 end module litz_passed_spots

@@ -2,7 +2,7 @@
 module litz_read_controls
    use litz_kinds, only: dp
    use litz_text, only: to_text
-   use litz_model, only: step_t, controls_t, coupling_monolithic, coupling_updated
+   use litz_model, only: step_t, controls_t, coupling_monolithic, coupling_updated, coupling_full
    use litz_solver_names, only: solver_block, solver_umfpack, solver_skyline, solver_mumps
    use litz_reader, only: reader_t, fail_at, choice_of, integer_parameter, parameter_of
    use litz_data_lines, only: read_line
@@ -110,6 +110,8 @@ contains
          step%coupling = coupling_monolithic
       case ('UPDATED')
          step%coupling = coupling_updated
+      case ('FULL')
+         step%coupling = coupling_full
       end select
    end subroutine read_solver
 

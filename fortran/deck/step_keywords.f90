@@ -333,9 +333,11 @@ contains
       call begin(k, 'SOLVER', place_step, &
          'Linear solver of this step and the later ones (litz extension). BLOCK, the default, takes Cholesky where'// &
          ' it can, else MUMPS or UMFPACK; MUMPS takes L D L^T or LU by MUMPS for every matrix. MONOLITHIC:'// &
-         ' voltages are solved in the same linear step as displacements. UPDATED: with the new displacements.')
+         ' voltages are solved in the same linear step as displacements. UPDATED: with the new displacements. FULL:'// &
+         ' temperatures, too, are in one Newton step with displacements (in *COUPLED TEMPERATURE-DISPLACEMENT;'// &
+         ' other steps have their default). Otherwise temperatures and displacements take turns.')
       call k%add(choice('NAME', 'BLOCK|UMFPACK|SKYLINE|MUMPS', 'the solver', required=.true.))
-      call k%add(choice('COUPLING', 'MONOLITHIC|UPDATED', 'when voltages are solved'))
+      call k%add(choice('COUPLING', 'MONOLITHIC|UPDATED|FULL', 'when voltages and temperatures are solved'))
       call finish(table, k)
       call begin(k, 'SOLUTION TECHNIQUE', place_step, &
          'How often this step and the later ones factorise the tangent, as in Abaqus. NEWTON, the default: in every'// &

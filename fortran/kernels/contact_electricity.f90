@@ -14,7 +14,8 @@ module litz_contact_electricity
    use litz_spot_law, only: contact_spot_t
    implicit none
    private
-   public :: contact_electricity_t, contact_electricity, current_of_spot, coupling_tangent, coupling_parts
+   public :: contact_electricity_t, contact_electricity, current_of_spot, coupling_tangent, coupling_parts, &
+      conductance_row
 
    type :: contact_electricity_t
       !> I [A], from the barred to the unbarred beam
@@ -28,6 +29,8 @@ module litz_contact_electricity
       !> Rows over the 24 mechanical unknowns that N_V multiplies in K_me1, K_me2, K_me4 and K_me5; along a line K_me2
       !> has what touches of a part of it, too
       real(dp) :: me1(24) = 0, me2(24) = 0, me4(24) = 0, me5(24) = 0
+      !> How the conductance changes with these unknowns [S/m, S/rad]
+      real(dp) :: dconductance(24) = 0
    end type contact_electricity_t
 
 contains
@@ -85,12 +88,23 @@ contains
          do j = 1, 4
             electricity%k_ee(:, j) = g*(n_v*n_v(j))                                         ! K_ee = G N_V N_V^T
          end do
+         electricity%dconductance = conductance_row(kinematics, dconductance_dgap, dconductance_dangle, dconductance)
          electricity%me1 = g*(slope_bar*kinematics%dxi_bar - slope*kinematics%dxi)          ! G (Vb' dxib - V' dxi)
          electricity%me2 = g_v*share**2*(dconductance_dgap*kinematics%dgap + dconductance)  ! (dI/dg) dg
          electricity%me4 = g_v*share**2*dconductance_dangle*kinematics%dangle               ! (dI/dangle) dangle
          electricity%me5 = 2*g*current*(s(1)*xi_bar*kinematics%dxi_bar + s(2)*xi*kinematics%dxi)
       end associate
    end subroutine contact_electricity
+
+   !> How the conductance of a spot changes with the 24 mechanical unknowns [S/m, S/rad].
+   pure function conductance_row(kinematics, dconductance_dgap, dconductance_dangle, dconductance) result(row)
+      type(contact_kinematics_t), intent(in) :: kinematics
+      !> As of `contact_electricity`
+      real(dp), intent(in) :: dconductance_dgap, dconductance_dangle, dconductance(24)
+      real(dp) :: row(24)
+
+      row = dconductance_dgap*kinematics%dgap + dconductance_dangle*kinematics%dangle + dconductance
+   end function conductance_row
 
    !> Of the voltage between the wires, what is across the spot.
    pure real(dp) function share_of_spot(kinematics, conductance, series_resistance) result(share)

@@ -7,7 +7,7 @@ module litz_potential_rise
    use litz_kinds, only: dp
    implicit none
    private
-   public :: potential_rise
+   public :: potential_rise, moved_rise
 
 contains
 
@@ -33,5 +33,32 @@ contains
          moment = moment + (1 - xi(i))*current(i)
       end do
    end subroutine potential_rise
+
+   !> How this rise changes as the places move.
+   pure subroutine moved_rise(scale, xi, dxi, current, rise)
+      !> s = rho L0/(4 A) [ohm]
+      real(dp), intent(in) :: scale
+      !> Places (n) in [-1, 1], ascending, and by how much they move (n); the currents that enter there (n) [A]
+      real(dp), intent(in) :: xi(:), dxi(:), current(:)
+      !> (n) [V]
+      real(dp), intent(out) :: rise(:)
+      real(dp) :: moment, moved
+      integer :: i
+
+      moment = 0
+      moved = 0
+      do i = 1, size(xi)
+         moment = moment + (1 + xi(i))*current(i)
+         moved = moved + dxi(i)*current(i)
+         rise(i) = scale*((1 - xi(i))*moved - dxi(i)*moment)
+      end do
+      moment = 0
+      moved = 0
+      do i = size(xi), 1, -1
+         rise(i) = rise(i) + scale*(dxi(i)*moment - (1 + xi(i))*moved)
+         moment = moment + (1 - xi(i))*current(i)
+         moved = moved + dxi(i)*current(i)
+      end do
+   end subroutine moved_rise
 
 end module litz_potential_rise

@@ -32,6 +32,8 @@ module litz_law_words
       logical :: has_table = .false.
       !> It acts on the Hertz ellipse of the contact
       logical :: uses_ellipse = .false.
+      !> Of a spot: at a given force it depends on Young's moduli
+      logical :: is_elastic = .false.
       !> The numbers of its data line, and those of its table (n_fields, n_lines), which only a law that has one has
       real(dp) :: data(max_fields) = 0
       real(dp), allocatable :: table(:, :)

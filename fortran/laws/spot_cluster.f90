@@ -20,6 +20,7 @@ contains
       law%name = 'CLUSTER'
       law%meaning = 'many plastic spots within the ellipse of HERTZ'
       law%uses_ellipse = .true.
+      law%is_elastic = .true.
       law%fields(1) = law_field_t('H', 'Pa', 'hardness')
       law%fields(2) = law_field_t('n', '1', 'number of spots', is_count=.true.)
       law%spot_of_force => cluster_spot

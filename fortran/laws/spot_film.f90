@@ -19,6 +19,7 @@ contains
       law%name = 'FILM'
       law%meaning = 'HERTZ with a film in series'
       law%uses_ellipse = .true.
+      law%is_elastic = .true.
       law%is_of_mechanics = .true.
       law%serves_lines = .true.
       law%film_number = 1

@@ -17,6 +17,7 @@ contains
       law%name = 'HERTZ'
       law%meaning = 'elliptic Hertz spot with Holm''s constriction resistance'
       law%uses_ellipse = .true.
+      law%is_elastic = .true.
       law%is_of_mechanics = .true.
       law%serves_lines = .true.
       law%spot_of_force => hertz_spot

@@ -18,6 +18,7 @@ contains
 
       law%name = 'PAPER'
       law%meaning = 'circular spot of the paper by Boso, Litewka, Schrefler and Wriggers'
+      law%is_elastic = .true.
       law%spot_of_force => paper_spot
    end function spot_paper
 

@@ -18,6 +18,7 @@ contains
       law%name = 'SHARVIN'
       law%meaning = 'HERTZ with Sharvin''s resistance of small spots, and a film if there is one'
       law%uses_ellipse = .true.
+      law%is_elastic = .true.
       law%is_of_mechanics = .true.
       law%path_number = 1
       law%film_number = 2

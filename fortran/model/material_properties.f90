@@ -11,7 +11,8 @@ module litz_material_properties
    use litz_property_table, only: property_at
    implicit none
    private
-   public :: has_thermal_mechanics, has_thermal_resistivity, elasticity_at, thermal_strain
+   public :: has_thermal_mechanics, has_thermal_resistivity, elasticity_at, elasticity_slope, thermal_strain, &
+      thermal_strain_slope
 
 contains
 
@@ -42,6 +43,32 @@ contains
       call property_at(material%elastic_table([1, 2], :), temperature, elasticity(1), slope)
       call property_at(material%elastic_table([1, 3], :), temperature, elasticity(2), slope)
    end function elasticity_at
+
+   !> How Young's modulus [Pa/K] and Poisson's ratio [1/K] change with the temperature.
+   pure function elasticity_slope(material, temperature) result(slope)
+      type(material_t), intent(in) :: material
+      !> [K]
+      real(dp), intent(in) :: temperature
+      real(dp) :: slope(2), unused
+
+      slope = 0
+      if (.not. allocated(material%elastic_table)) return
+      call property_at(material%elastic_table([1, 2], :), temperature, unused, slope(1))
+      call property_at(material%elastic_table([1, 3], :), temperature, unused, slope(2))
+   end function elasticity_slope
+
+   !> Derivative of (1) by T [1/K].
+   pure real(dp) function thermal_strain_slope(material, temperature) result(slope)
+      type(material_t), intent(in) :: material
+      !> [K]
+      real(dp), intent(in) :: temperature
+      real(dp) :: alpha, dalpha
+
+      slope = 0
+      if (.not. allocated(material%expansion_table)) return
+      call property_at(material%expansion_table, temperature, alpha, dalpha)
+      slope = alpha + dalpha*(temperature - material%expansion_zero)
+   end function thermal_strain_slope
 
    !> Source: (1).
    pure real(dp) function thermal_strain(material, temperature, initial) result(strain)

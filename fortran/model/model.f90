@@ -20,7 +20,7 @@ module litz_model
    public :: step_t, nodal_value_t, element_heat_t, output_request_t, controls_t, rigid_body_t
    public :: axis_linear, axis_hermite
    public :: solver_default, solver_block, solver_umfpack, solver_skyline, solver_mumps
-   public :: coupling_default, coupling_monolithic, coupling_updated, coupling_swept
+   public :: coupling_default, coupling_monolithic, coupling_updated, coupling_swept, coupling_full
    public :: request_node, request_element, request_contact, request_electrode, request_energy
    public :: shear_given, shear_round, shear_unreduced
    public :: dof_potential, dof_temperature, amplitude_factor, factor_at, ramp_at
@@ -38,7 +38,8 @@ module litz_model
 
    !> Groups of fields in one Newton step; each after those that it depends on; or one after the other again and again,
    !> because they act back on those before them
-   integer, parameter :: coupling_default = 0, coupling_monolithic = 1, coupling_updated = 2, coupling_swept = 3
+   integer, parameter :: coupling_default = 0, coupling_monolithic = 1, coupling_updated = 2, &
+      coupling_swept = 3, coupling_full = 4
 
    integer, parameter :: request_node = 1, request_element = 2, request_contact = 3, request_electrode = 4, &
       request_energy = 5

@@ -10,7 +10,7 @@ module litz_model_summary
    use litz_stick_laws, only: stick_laws
    use litz_model, only: model_t, step_t, interaction_t, output_request_t, named_set_t, nodal_value_t, &
       element_heat_t, &
-      coupling_default, coupling_monolithic, request_node, request_element, request_contact, &
+      coupling_default, coupling_monolithic, coupling_full, request_node, request_element, request_contact, &
       request_energy
    use litz_parts, only: parts_t, find_parts
    use litz_solver_names, only: solver_default, solver_keyword
@@ -349,8 +349,18 @@ contains
       if (step%reform_kernel > 0) words = words//', modified Newton, at most '//to_text(step%reform_kernel)// &
          ' iterations with a kept factor'
       if (step%coupling /= coupling_default) words = words//', coupling '// &
-         trim(merge('monolithic', 'updated   ', step%coupling == coupling_monolithic))
+         trim(coupling_words(step%coupling))
    end function describe_solver
+
+   pure function coupling_words(coupling) result(words)
+      !> As a deck asks for it
+      integer, intent(in) :: coupling
+      character(len=10) :: words
+
+      words = 'updated'
+      if (coupling == coupling_monolithic) words = 'monolithic'
+      if (coupling == coupling_full) words = 'full'
+   end function coupling_words
 
    !> How many values for each degree of freedom, and their range.
    pure function value_lines(items, kind) result(text)

@@ -4,7 +4,7 @@ module litz_section_stiffness
    use litz_model, only: section_t, shear_given, shear_round
    implicit none
    private
-   public :: section_stiffness, shear_stiffness
+   public :: section_stiffness, section_stiffness_slope, shear_stiffness
 
 contains
 
@@ -19,6 +19,22 @@ contains
          young*section%i2, young*section%i3]
       if (section%shear /= shear_given) stiffness(2:3) = shear_stiffness(section, young, poisson)
    end function section_stiffness
+
+   !> How these change with the elasticity (6).
+   pure function section_stiffness_slope(section, young, poisson, dyoung, dpoisson) result(slope)
+      type(section_t), intent(in) :: section
+      !> Young's modulus [Pa] and Poisson's ratio, and their changes
+      real(dp), intent(in) :: young, poisson, dyoung, dpoisson
+      real(dp) :: slope(6), shear, dshear
+
+      shear = young/(2*(1 + poisson))
+      dshear = shear*(dyoung/young - dpoisson/(1 + poisson))                       ! of G
+      slope = [dyoung*section%area, 0.0_dp, 0.0_dp, dshear*section%j, dyoung*section%i2, dyoung*section%i3]
+      if (section%shear == shear_given) return
+      slope(2:3) = dshear*section%area
+      if (section%shear == shear_round) slope(2:3) = shear_stiffness(section, young, poisson) &
+         *(dyoung/young - 6*dpoisson/(7 + 6*poisson))                              ! of 3 E A/(7 + 6 nu)
+   end function section_stiffness_slope
 
    !> Of sections whose shear stiffness is not given [N]. Source of the factor of round wires: Cowper, J. Appl. Mech. 33
    !> (1966) 335-340.

@@ -13,7 +13,7 @@ module litz_group_update
    use litz_timing, only: phase_factor, phase_solve, phase_update
    implicit none
    private
-   public :: update_group
+   public :: update_group, note_distance
 
    !> A correction of the temperatures of no more than this part of the largest one, from absolute zero, is near enough
    !> to the solution for a Newton step of potentials and temperatures together (0.5 is not)
@@ -41,11 +41,19 @@ contains
       else
          call update_fields(problem, group, 0, report, solver_error, error)
       end if
-      associate (temperature => problem%iterate%value(first_slot(field_temperature), :))
-         problem%is_far = report%correction(field_temperature) &
-            > near*maxval(abs(temperature - problem%model%absolute_zero))
-      end associate
+      call note_distance(problem, report%correction(field_temperature))
    end subroutine update_group
+
+   !> Whether the temperatures are far from their solution, by their correction.
+   subroutine note_distance(problem, correction)
+      type(problem_t), intent(inout) :: problem
+      !> The largest one [K]
+      real(dp), intent(in) :: correction
+
+      associate (temperature => problem%iterate%value(first_slot(field_temperature), :))
+         problem%is_far = correction > near*maxval(abs(temperature - problem%model%absolute_zero))
+      end associate
+   end subroutine note_distance
 
    subroutine update_fields(problem, group, free, report, solver_error, error)
       type(problem_t), intent(inout) :: problem

@@ -5,17 +5,16 @@
 module litz_newton
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use litz_kinds, only: dp
-   use litz_assembly, only: evaluate
    use litz_contact_findings, only: finding_none
-   use litz_convergence, only: measure_residual, has_converged, group_converged, &
-      part_of_allowed, corrections_small, worst_field
+   use litz_assembly, only: evaluate
+   use litz_convergence, only: measure_residual, has_converged, corrections_small, worst_field
    use litz_element_library, only: heat_elements
    use litz_errors, only: error_t
-   use litz_fields, only: field_displacement, n_fields, n_slots, n_groups, first_slot, last_slot, last_slot_of_group, &
-      temperature_slots
+   use litz_fields, only: field_displacement, n_fields, n_slots, first_slot, last_slot, last_slot_of_group, &
+      first_slot_of_group, group_transport, temperature_slots
+   use litz_full_step, only: factor_full, solve_full
    use litz_grounding, only: describe_fed_part
-   use litz_group_solution, only: has_mutual_tangent
-   use litz_group_update, only: update_group
+   use litz_group_update, only: note_distance
    use litz_loading, only: prescribed_increment
    use litz_lost_contacts, only: find_lost_contacts
    use litz_model, only: step_t
@@ -24,9 +23,9 @@ module litz_newton
    use litz_observer, only: observer_t
    use litz_problem, only: problem_t
    use litz_reports, only: iteration_report_t
-   use litz_sweep, only: hand_over
    use litz_term, only: status_t
    use litz_timing, only: phase_check, phase_factor, phase_solve, phase_update, phase_output
+   use litz_turns, only: update_groups, evaluate_for_step
    use litz_turned_ends, only: turned_ends_t, most_turned_ends
    implicit none
    private
@@ -34,9 +33,6 @@ module litz_newton
 
    !> Iterations at most, in multiples of I_C, where contacts open and close as predicted all the way
    integer, parameter :: max_iterations = 4
-
-   !> Residuals over the allowed ones with which a group of a sweep has no other turn
-   real(dp), parameter :: part_at_end = 0.1_dp
 
    !> Iterations to balance from where terms anticipate
    integer, parameter :: still_to_go = 2
@@ -74,7 +70,7 @@ contains
       do
          outcome%before = outcome%last
          if (outcome%in_turn == 1) then
-            call evaluate(problem, error)
+            call evaluate_for_step(problem, error)
             if (allocated(error)) return
             if (outcome%iterations == 0) outcome%fed_at_start = problem%fed_node > 0
             call measure_residual(problem, step, outcome%last, outcome%at_round_off)
@@ -121,7 +117,7 @@ contains
          end if
          if (outcome%in_turn > 1) cycle
          keep = keeps_factor(problem, step, outcome)
-         call solve_step(problem, keep, correction, solver_error)
+         call solve_step(problem, keep, outcome%last%allowed, correction, solver_error)
          if (allocated(solver_error)) then
             call give_up(outcome, cause_singular, solver_error%message)
             return
@@ -178,7 +174,8 @@ contains
          end where
       end associate
       call problem%iterate%warm_mechanics()
-      problem%is_far = .true.
+      ! where a step goes on, the first of an increment is tried with all unknowns, too
+      problem%is_far = .not. (problem%scheme%is_full .and. problem%state%increment > 0)
       call heat_elements(problem%model, problem%iterate%value(temperature_slots(1), :), &
          problem%mechanical_temperature(), problem%elements)
       do i = 1, size(problem%terms)
@@ -303,88 +300,13 @@ contains
          report%contacts_lost == 0
    end function only_contacts_changed
 
-   !> Groups that the Newton step leaves out, and those of which it does not have the whole tangent: each is solved for
-   !> at the values of those before it, once these have converged. That is exact where the group is linear.
-   subroutine update_groups(problem, step, outcome, solver_error, error)
-      type(problem_t), intent(inout) :: problem
-      type(step_t), intent(in) :: step
-      type(outcome_t), intent(inout) :: outcome
-      type(error_t), allocatable, intent(out) :: solver_error, error
-      integer :: group
-
-      do group = 2, n_groups
-         if (group <= problem%scheme%n_coupled) then
-            if (.not. has_mutual_tangent(problem, group)) cycle
-         end if
-         if (outcome%in_turn /= group) then
-            if (.not. (has_converged(outcome%last, group - 1) .or. takes_over(problem, outcome, group))) return
-            if (is_done(problem, outcome, group)) then
-               if (problem%scheme%is_swept .and. problem%iterate%mechanics_lags()) call hand_over(problem, step, &
-                  outcome%last, outcome%at_round_off, error)
-               if (allocated(error)) return
-               cycle
-            end if
-            if (problem%scheme%is_swept) call outcome%end_turn(group)
-         end if
-         call update_group(problem, group, outcome%last, solver_error, error)
-         if (allocated(solver_error) .or. allocated(error)) return
-         call measure_residual(problem, step, outcome%last, outcome%at_round_off)
-         if (outcome%in_turn /= group) cycle
-         call note_update(problem, outcome)
-         if (.not. group_converged(outcome%last, group)) cycle
-         call outcome%end_turn(1)
-         call hand_over(problem, step, outcome%last, outcome%at_round_off, error)
-         if (allocated(error)) return
-      end do
-   end subroutine update_groups
-
-   !> The temperatures take their turn before the motions balance. First of all in an increment, as they follow a
-   !> current that changes at once, and the motions, which take more iterations, need not be found twice; then whenever
-   !> these are nearer to their balance than to what the temperatures have still to do to them.
-   pure logical function takes_over(problem, outcome, group)
-      type(problem_t), intent(in) :: problem
-      type(outcome_t), intent(in) :: outcome
-      !> One of the groups of litz_fields
-      integer, intent(in) :: group
-
-      takes_over = .false.
-      if (.not. problem%scheme%is_swept .or. group_converged(outcome%last, group)) return
-      takes_over = outcome%motions_have_come_far()
-      if (outcome%sweeps == 0) takes_over = problem%fed_node == 0
-   end function takes_over
-
-   !> A group has nothing to do after those before it. In a sweep it has one more iteration where its residuals, which
-   !> the last turn of the motions has left, are within their tolerances but not far below: those of many nodes add up.
-   pure logical function is_done(problem, outcome, group)
-      type(problem_t), intent(in) :: problem
-      type(outcome_t), intent(in) :: outcome
-      !> One of the groups of litz_fields
-      integer, intent(in) :: group
-
-      if (problem%scheme%is_swept) then
-         is_done = part_of_allowed(outcome%last, group) <= part_at_end
-      else
-         is_done = group_converged(outcome%last, group)
-      end if
-   end function is_done
-
-   !> An iteration of a group that takes its turn.
-   pure subroutine note_update(problem, outcome)
-      type(problem_t), intent(in) :: problem
-      type(outcome_t), intent(inout) :: outcome
-
-      outcome%iterations = outcome%iterations + 1
-      outcome%factorisations = outcome%factorisations + 1
-      outcome%counted = outcome%counted + 1
-      outcome%last%iteration = outcome%iterations
-      outcome%last%factor_age = 0
-   end subroutine note_update
-
    !> Factor and solve for the correction of all unknowns (n_slots, n_nodes), prescribed ones included.
-   subroutine solve_step(problem, keep, correction, error)
+   subroutine solve_step(problem, keep, allowed, correction, error)
       type(problem_t), intent(inout) :: problem
       !> The factor of an earlier iteration will do
       logical, intent(in) :: keep
+      !> Residuals of the fields that are allowed (n_fields)
+      real(dp), intent(in) :: allowed(:)
       !> Linear step of all unknowns (n_slots, n_nodes)
       real(dp), intent(out) :: correction(:, :)
       type(error_t), allocatable, intent(out) :: error
@@ -395,8 +317,15 @@ contains
       call problem%timing%lap(phase_factor)
       if (allocated(error)) return
       correction = problem%iterate%prescribed
-      call problem%scheme%solve(problem%matrix, problem%equations, problem%loading%load - problem%forces%internal &
-         - problem%forces%iteration - problem%forces%prescribed, correction, error)
+      associate (forces => problem%forces, load => problem%loading%load)
+         if (problem%coupled_step) then
+            call solve_full(problem, allowed, load - forces%internal - forces%iteration - forces%prescribed, &
+               correction, error)
+         else
+            call problem%scheme%solve(problem%matrix, problem%equations, load - forces%internal - forces%iteration &
+               - forces%prescribed, correction, error)
+         end if
+      end associate
       call problem%iterate%bodies%carry(problem%iterate%x, correction)
       call problem%timing%lap(phase_solve)
    end subroutine solve_step
@@ -405,7 +334,11 @@ contains
       type(problem_t), intent(inout) :: problem
       type(error_t), allocatable, intent(out) :: error
 
-      call problem%scheme%factor(problem%matrix, error)
+      if (problem%coupled_step) then
+         call factor_full(problem, error)
+      else
+         call problem%scheme%factor(problem%matrix, error)
+      end if
       problem%has_factor = all(problem%matrix%symmetric) .and. .not. allocated(error)
    end subroutine factor_tangent
 
@@ -415,11 +348,12 @@ contains
       type(problem_t), intent(inout) :: problem
       type(step_t), intent(in) :: step
       !> Linear step of all unknowns (n_slots, n_nodes)
-      real(dp), intent(in) :: correction(:, :)
+      real(dp), intent(inout) :: correction(:, :)
       type(iteration_report_t), intent(inout) :: report
       real(dp) :: eta
       integer :: i, field
 
+      if (problem%coupled_step) call take_near(problem, correction)
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%foresee(problem%domain_t, correction)
       end do
@@ -441,6 +375,20 @@ contains
             report%correction_node(field))
       end do
    end subroutine update
+
+   !> A step to temperatures that are far leaves these, and potentials, where they are: it moves wires alone.
+   subroutine take_near(problem, correction)
+      type(problem_t), intent(inout) :: problem
+      !> Linear step of all unknowns (n_slots, n_nodes)
+      real(dp), intent(inout) :: correction(:, :)
+      integer :: i
+
+      do i = 1, size(problem%terms)
+         call problem%terms(i)%term%shorten(problem%domain_t, correction)
+      end do
+      call note_distance(problem, maxval(abs(correction(temperature_slots(1), :))))
+      if (problem%is_far) correction(first_slot_of_group(group_transport):, :) = 0
+   end subroutine take_near
 
    pure subroutine largest_column(values, largest_norm, column)
       !> Vectors (components, n)

@@ -3,7 +3,7 @@ module litz_outcome
    use litz_kinds, only: dp
    use litz_contact_findings, only: finding_t
    use litz_convergence, only: part_of_allowed
-   use litz_fields, only: group_mechanical
+   use litz_fields, only: group_mechanical, group_transport
    use litz_reports, only: iteration_report_t
    implicit none
    private
@@ -28,6 +28,10 @@ module litz_outcome
       integer :: in_turn = 1, counted = 0, longest_turn = 0, sweeps = 0
       !> The largest residual of the motions in their turn over the allowed one
       real(dp) :: largest_part = 0
+      !> The same of potentials and temperatures in the increment, from the second iteration on; and the last iteration
+      !> has left them far more than that
+      real(dp), private :: largest_of_transport = 0
+      logical :: is_astray = .false.
       !> Why it was given up, for the user
       character(len=:), allocatable :: reason
       !> One of the causes above; 0: it was not
@@ -59,6 +63,9 @@ module litz_outcome
    !> the temperatures change it by more
    real(dp), parameter :: part_left = 0.01_dp
 
+   !> Residuals of potentials and temperatures over the largest ones before, from where a step has led these astray
+   real(dp), parameter :: astray = 5
+
 contains
 
    !> How many iterations the size of the increment has cost.
@@ -81,11 +88,17 @@ contains
       self%largest_part = 0
    end subroutine end_turn
 
-   !> The residuals of the motions, whose turn it is.
+   !> The residuals at the beginning of an iteration of the motions, whose turn it is.
    pure subroutine note_residual(self)
       class(outcome_t), intent(inout) :: self
 
+      real(dp) :: part
+
       self%largest_part = max(self%largest_part, part_of_allowed(self%last, group_mechanical))
+      if (self%iterations == 0) return
+      part = part_of_allowed(self%last, group_transport)
+      self%is_astray = self%iterations > 1 .and. part > astray*max(1.0_dp, self%largest_of_transport)
+      self%largest_of_transport = max(self%largest_of_transport, part)
    end subroutine note_residual
 
    !> The residuals of the motions are a small part of the largest ones of their turn.

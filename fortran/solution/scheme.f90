@@ -11,10 +11,11 @@ module litz_scheme
    use litz_kinds, only: dp
    use litz_equations, only: equations_t, system_t
    use litz_equilibration, only: equilibrate, scaled_maximum, power_of_two_below
+   use litz_cholesky_or_lu, only: cholesky_or_lu_t
    use litz_errors, only: error_t
    use litz_fields, only: n_groups, group_mechanical, depends_on
    use litz_linear_solver, only: linear_solver_t, csr_matrix_t
-   use litz_model, only: coupling_default, coupling_updated, coupling_swept
+   use litz_model, only: coupling_default, coupling_updated, coupling_swept, coupling_full
    use litz_solver_factory, only: create_solver, resolved_solver
    use litz_solver_names, only: solver_default, solves_by_blocks
    use litz_sparse_pattern, only: csr_entries, csr_add_product
@@ -35,6 +36,8 @@ module litz_scheme
       logical :: is_whole = .false.
       !> Groups after those act back on them, and take more than one iteration
       logical :: is_swept = .false.
+      !> Near the solution these are in one Newton step with the first ones all the same
+      logical :: is_full = .false.
       !> Negative pivots of the first group in the last factorisation; -1: not known
       integer :: negative_pivots = -1
       !> Group and equation in it that the last call failed at; 0: none is to blame
@@ -52,6 +55,7 @@ module litz_scheme
       procedure :: solve => scheme_solve
       procedure :: solve_system
       procedure :: solve_group
+      procedure :: precondition_group
    end type scheme_t
 
 contains
@@ -66,7 +70,8 @@ contains
 
       self%kind = resolved_solver(kind)
       self%n_coupled = coupled_groups(self%kind, coupling)
-      self%is_swept = coupling == coupling_swept
+      self%is_swept = any(coupling == [coupling_swept, coupling_full])
+      self%is_full = coupling == coupling_full
       self%is_whole = self%n_coupled > 1 .and. .not. solves_by_blocks(self%kind)
       do i = 1, n_groups
          call create_solver(kind, self%group(i)%solver, error)
@@ -81,7 +86,7 @@ contains
       integer, intent(in) :: kind, coupling
       logical :: is_updated
 
-      is_updated = any(coupling == [coupling_updated, coupling_swept]) .or. &
+      is_updated = any(coupling == [coupling_updated, coupling_swept, coupling_full]) .or. &
          (coupling == coupling_default .and. solves_by_blocks(kind))
       n = merge(1, n_groups, is_updated)
    end function coupled_groups
@@ -100,7 +105,8 @@ contains
 
       is_same = self%is_created() .and. self%kind == resolved_solver(kind) .and. &
          self%n_coupled == coupled_groups(resolved_solver(kind), coupling) .and. &
-         (self%is_swept .eqv. coupling == coupling_swept)
+         (self%is_swept .eqv. any(coupling == [coupling_swept, coupling_full])) .and. &
+         (self%is_full .eqv. coupling == coupling_full)
    end function is_same
 
    !> Symbolic work; call again only when the pattern has changed.
@@ -240,6 +246,26 @@ contains
       call self%group(group)%solver%solve(matrix%block(group, group), b, x, error)
       call blame(self, group, self%group(group)%solver%failed_equation)
    end subroutine solve_group
+
+   !> The same as a step of an iteration that corrects itself: by the factor at hand alone where the solver can.
+   subroutine precondition_group(self, group, matrix, b, x, error)
+      class(scheme_t), intent(inout) :: self
+      !> One of the groups of litz_fields, for which `solve_group` has been called since it was factored
+      integer, intent(in) :: group
+      type(system_t), intent(in) :: matrix
+      !> Right-hand side (equations of the group)
+      real(dp), intent(in) :: b(:)
+      !> Nearly the solution (equations of the group)
+      real(dp), intent(out) :: x(:)
+      type(error_t), allocatable, intent(out) :: error
+
+      select type (solver => self%group(group)%solver)
+      class is (cholesky_or_lu_t)
+         if (size(b) > 0) call solver%solve_once(b, x, error)
+      class default
+         call self%solve_group(group, matrix, b, x, error)
+      end select
+   end subroutine precondition_group
 
    !> Which equation the last call failed at.
    pure subroutine blame(self, group, equation)

@@ -6,13 +6,14 @@ module litz_steps
    use litz_diagnosis, only: not_converged
    use litz_equations, only: number_equations
    use litz_errors, only: error_t, fail, exit_input, exit_not_converged
-   use litz_fields, only: fields, n_slots, field_temperature, field_of_dof, field_of_slot, slot_of_dof, &
-      temperature_slots
+   use litz_fields, only: fields, n_slots, field_displacement, field_temperature, field_of_dof, field_of_slot, &
+      slot_of_dof, temperature_slots
    use litz_increment_warnings, only: add_increment_warnings
    use litz_kinds, only: dp
    use litz_loading, only: loading_t, start_loading, load_targets, next_break_point
    use litz_line_contact, only: serves_lines
-   use litz_model, only: model_t, step_t, nodal_value_t, coupling_swept, ramp_at
+   use litz_model, only: model_t, step_t, nodal_value_t, coupling_default, coupling_swept, coupling_full, &
+      ramp_at
    use litz_negative_pivots, only: count_negative_pivots, begins_elsewhere
    use litz_newton, only: solve_increment
    use litz_outcome, only: outcome_t, cause_not_finite, cause_large_change, cause_lost_contact, &
@@ -105,17 +106,31 @@ contains
       if (problem%scheme%is_created()) number_before = problem%equations%number
       call number_equations(problem%loading%fixed, exists, problem%equations)
       kind = merge(solver, step%solver, solver > 0)
-      ! temperatures act on potentials and on motions, and need an iteration of their own
-      coupling = merge(coupling_swept, step%coupling, step%solves(field_temperature))
+      coupling = coupling_of(step)
       same_system = problem%scheme%is_same(kind, coupling)
       if (same_system) same_system = all(number_before == problem%equations%number)
       if (.not. same_system) then
          call problem%scheme%create(kind, coupling, error)
          if (allocated(error)) return
+         problem%matrix%is_two_way = problem%scheme%is_full
          problem%pattern_changed = .true.
       end if
       problem%has_factor = .false.
    end subroutine begin_step
+
+   !> Motions and temperatures take turns unless the deck asks for one Newton step; temperatures alone have the
+   !> iteration of a turn.
+   pure integer function coupling_of(step) result(coupling)
+      type(step_t), intent(in) :: step
+
+      coupling = step%coupling
+      if (step%solves(field_temperature)) then
+         coupling = coupling_swept
+         if (step%solves(field_displacement) .and. step%coupling == coupling_full) coupling = coupling_full
+      else if (coupling == coupling_full) then
+         coupling = coupling_default
+      end if
+   end function coupling_of
 
    !> Unknowns that the terms have in a step.
    subroutine request_slots(problem, solves, exists)

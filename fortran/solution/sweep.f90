@@ -27,11 +27,13 @@ contains
       type(error_t), allocatable, intent(out) :: error
       real(dp) :: extrapolated(problem%model%n_nodes)
 
+      problem%coupled_step = problem%scheme%is_full .and. .not. problem%is_far
       call problem%iterate%extrapolate(extrapolated)
       call problem%iterate%warm_mechanics()
       call evaluate(problem, error)
       if (allocated(error)) return
       call measure_residual(problem, step, report, at_round_off)
+      if (problem%coupled_step) return
       if (all(report%residual <= report%allowed)) return
       if (.not. any(abs(extrapolated - problem%iterate%mechanical_temperature) > 0)) return
       problem%iterate%mechanical_temperature = extrapolated

@@ -35,6 +35,7 @@ module litz_cholesky_or_lu
       procedure :: analyse => solver_analyse
       procedure :: factor => solver_factor
       procedure :: solve => solver_solve
+      procedure :: solve_once => solver_solve_once
       procedure :: release => solver_release
    end type cholesky_or_lu_t
 
@@ -193,6 +194,22 @@ contains
          self%failed_equation = self%cholesky%failed_equation
       end if
    end subroutine solver_solve
+
+   !> The factor at hand alone, for an iteration that corrects itself; `solve` has been called before.
+   subroutine solver_solve_once(self, b, x, error)
+      class(cholesky_or_lu_t), intent(inout) :: self
+      !> Right-hand side (n)
+      real(dp), intent(in) :: b(:)
+      !> Nearly the solution (n); of no use after an error
+      real(dp), intent(out) :: x(:)
+      type(error_t), allocatable, intent(out) :: error
+
+      if (self%lu_used) then
+         call self%lu%solve_once(b, x, error)
+      else
+         call self%cholesky%solve_once(b, x, error)
+      end if
+   end subroutine solver_solve_once
 
    !> `A x = b` by GMRES, which the factor of a matrix near `A` preconditions. Equations and unknowns are scaled as that
    !> is: forces and moments of soft and of stiff parts weigh the same.

@@ -5,9 +5,9 @@
 module litz_beam_term
    use litz_kinds, only: dp
    use litz_domain, only: domain_t
-   use litz_element_library, only: heated_beam_t, beam_at_temperature, evaluate_beam
+   use litz_element_library, only: heated_beam_t, beam_at_temperature, beam_by_temperature, evaluate_beam
    use litz_errors, only: error_t
-   use litz_fields, only: first_slot, last_slot, field_rotation, motion_slots
+   use litz_fields, only: first_slot, last_slot, field_rotation, motion_slots, temperature_slots
    use litz_model, only: step_t
    use litz_parallel, only: worth_threads
    use litz_scatter, only: chunk
@@ -97,6 +97,7 @@ contains
             r(:, :n))
          call domain%timing%lap(phase_assembly)
       end do
+      if (domain%coupled_step) call add_temperatures(self, domain)
       if (size(domain%iterate%bodies%dependents) > 0) call suppose_forces(self, domain)
       self%sigma_from_strain = .false.
 
@@ -129,6 +130,39 @@ contains
       end subroutine evaluate_element
 
    end subroutine evaluate
+
+   !> What temperatures do to the forces, `L B^T (C' e - C i_1 e_T')`, half of it by each node. Source: theory (14.2).
+   subroutine add_temperatures(self, domain)
+      class(beam_term_t), intent(in) :: self
+      type(domain_t), intent(inout) :: domain
+      real(dp), allocatable :: k(:, :, :)
+      integer :: i
+
+      associate (heated => domain%elements%heated)
+         allocate (k(size(self%b, 2), 2, size(heated)))
+         do i = 1, size(heated)
+            associate (e => heated(i))
+               k(:, :, i) = spread(domain%elements%length(e)*matmul(forces_by_temperature(self, domain, e), &
+                  self%b(:, :, e))/2, 2, 2)
+            end associate
+         end do
+         call domain%add_cells(domain%model%connectivity(:, heated), motion_slots, temperature_slots, k)
+      end associate
+   end subroutine add_temperatures
+
+   !> How the section forces of the strains change with the mean temperature of an element (6) [N/K, N m/K].
+   pure function forces_by_temperature(self, domain, e) result(slope)
+      class(beam_term_t), intent(in) :: self
+      type(domain_t), intent(in) :: domain
+      !> Element
+      integer, intent(in) :: e
+      real(dp) :: slope(6)
+      type(heated_beam_t) :: by_temperature
+
+      by_temperature = beam_by_temperature(domain%model, domain%elements, e)
+      slope = by_temperature%rigidity*self%strain(:, e)
+      slope(1) = slope(1) - domain%elements%rigidity(1, e)*by_temperature%thermal_strain
+   end function forces_by_temperature
 
    !> `L B^T (sigma - C e)` at the nodes: what belongs to the geometric stiffness of the arms of rigid bodies, too.
    subroutine suppose_forces(self, domain)
@@ -181,6 +215,14 @@ contains
             (self%strain(:, e) + matmul(self%b(:, :, e), dq))
       end do
       !$omp end parallel do
+      if (domain%coupled_step) then
+         do e = 1, size(domain%elements%heated)
+            associate (heated => domain%elements%heated(e))
+               self%sigma(:, heated) = self%sigma(:, heated) + eta*forces_by_temperature(self, domain, heated) &
+                  *sum(correction(temperature_slots(1), domain%model%connectivity(:, heated)))/2
+            end associate
+         end do
+      end if
       self%sigma_from_strain = any(abs(domain%iterate%prescribed(motion_slots(1):motion_slots(2), :)) > 0)
    end subroutine predict
 

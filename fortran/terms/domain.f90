@@ -4,7 +4,7 @@ module litz_domain
    use litz_dependent_cells, only: scatter_dependent
    use litz_element_library, only: elements_t
    use litz_equations, only: equations_t, system_t
-   use litz_fields, only: n_groups, depends_on, fields, field_displacement, field_of_slot, &
+   use litz_fields, only: n_groups, fields, field_displacement, field_of_slot, &
       group_mechanical, motion_slots, temperature_slots
    use litz_iterate, only: iterate_t
    use litz_loading, only: loading_t
@@ -40,6 +40,9 @@ module litz_domain
       !> Forces and tangent of the motions stay as they were evaluated last, as nothing that they depend on has changed:
       !> only rows of the groups after them are cleared and added
       logical :: motions_stand = .false.
+      !> Motions and temperatures are in one Newton step: what temperatures do to motions, and motions to heat, is part
+      !> of the tangent
+      logical :: coupled_step = .false.
       !> The pattern must be built and analysed before the next solve
       logical :: pattern_changed = .true.
       type(timing_t) :: timing
@@ -130,7 +133,7 @@ contains
       first_group = merge(group_mechanical + 1, 1, self%motions_stand)
       do column_group = 1, n_groups
          do row_group = first_group, n_groups
-            if (depends_on(row_group, column_group)) self%matrix%block(row_group, column_group)%value = 0
+            if (self%matrix%has_block(row_group, column_group)) self%matrix%block(row_group, column_group)%value = 0
          end do
       end do
       self%matrix%symmetric(first_group:) = .true.

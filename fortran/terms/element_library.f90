@@ -5,16 +5,16 @@ module litz_element_library
    use litz_beam_b33, only: beam_b33, beam_b33_reference, beam_b33_rigidities
    use litz_element_types, only: element_types, element_b31, element_b33
    use litz_material_properties, only: has_thermal_mechanics, has_thermal_resistivity, elasticity_at, &
-      thermal_strain
+      elasticity_slope, thermal_strain, thermal_strain_slope
    use litz_model, only: model_t
    use litz_property_table, only: property_at
-   use litz_section_stiffness, only: section_stiffness
+   use litz_section_stiffness, only: section_stiffness, section_stiffness_slope
    use litz_wires, only: wires_t
    implicit none
    private
    public :: along_element
-   public :: elements_t, heated_beam_t, prepare_elements, heat_elements, beam_at_temperature, end_swelling, &
-      material_at, material_place_t, evaluate_beam
+   public :: elements_t, heated_beam_t, prepare_elements, heat_elements, beam_at_temperature, beam_by_temperature, &
+      end_swelling, radius_by_temperature, modulus_by_temperature, material_at, material_place_t, evaluate_beam
 
    !> What stays the same for each element during a run, but for what depends on its temperature.
    type :: elements_t
@@ -284,6 +284,66 @@ contains
          heated%rigidity = beam%rigidities(heated%stiffness, elements%length(e))
       end associate
    end function beam_at_temperature
+
+   !> How the mechanics of an element changes with the mean temperature of its nodes [1/K].
+   pure type(heated_beam_t) function beam_by_temperature(model, elements, e) result(slope)
+      type(model_t), intent(in) :: model
+      type(elements_t), intent(in) :: elements
+      !> Element
+      integer, intent(in) :: e
+      type(beam_t) :: beam
+      real(dp) :: elasticity(2), change(2), mean
+
+      mean = sum(elements%mechanical_temperature(:, e))/2
+      associate (section => model%sections(model%element_section(e)))
+         associate (material => model%materials(section%material))
+            elasticity = elasticity_at(material, mean)
+            change = elasticity_slope(material, mean)
+            slope%stiffness = section_stiffness_slope(section, elasticity(1), elasticity(2), change(1), change(2))
+            slope%thermal_strain = thermal_strain_slope(material, mean)
+         end associate
+      end associate
+      ! linear in the stiffnesses
+      beam = beam_of(model%element_type(e))
+      slope%rigidity = beam%rigidities(slope%stiffness, elements%length(e))
+   end function beam_by_temperature
+
+   !> How the contact radius at a place of an element changes with the temperatures of its nodes (2) [m/K].
+   pure function radius_by_temperature(model, elements, e, xi) result(slope)
+      type(model_t), intent(in) :: model
+      type(elements_t), intent(in) :: elements
+      !> Element
+      integer, intent(in) :: e
+      !> Place in [-1, 1]
+      real(dp), intent(in) :: xi
+      real(dp) :: slope(2)
+      integer :: k
+
+      associate (section => model%sections(model%element_section(e)))
+         slope = section%contact_radius*[1 - xi, 1 + xi]/2*[(thermal_strain_slope(model%materials(section%material), &
+            elements%mechanical_temperature(k, e)), k=1, 2)]
+      end associate
+   end function radius_by_temperature
+
+   !> How `(1 - nu^2)/E` at a place of an element changes with the temperatures of its nodes (2) [1/(Pa K)].
+   pure function modulus_by_temperature(model, elements, e, xi) result(slope)
+      type(model_t), intent(in) :: model
+      type(elements_t), intent(in) :: elements
+      !> Element
+      integer, intent(in) :: e
+      !> Place in [-1, 1]
+      real(dp), intent(in) :: xi
+      real(dp) :: slope(2), elasticity(2), change(2), temperature
+
+      temperature = along_element(elements%mechanical_temperature(:, e), xi)
+      associate (material => model%materials(model%sections(model%element_section(e))%material))
+         elasticity = elasticity_at(material, temperature)
+         change = elasticity_slope(material, temperature)
+      end associate
+      associate (young => elasticity(1), poisson => elasticity(2))
+         slope = -(2*poisson*change(2) + (1 - poisson**2)*change(1)/young)/young*[1 - xi, 1 + xi]/2
+      end associate
+   end function modulus_by_temperature
 
    !> Tangent (Hessian form) and residual of one beam; arguments as in the kernels.
    pure subroutine evaluate_beam(element_type, elements, e, x, triads, sigma, k, r, energy, section_forces, strain, b)

@@ -39,6 +39,10 @@ module litz_equations
       !> friction: of rank one for each contact that slips, and far from symmetric. Rows and values only; no values
       !> where nothing slips
       type(csr_matrix_t) :: slip_coupling
+      !> The blocks of what groups do to those before them are there, too
+      logical :: is_two_way = .false.
+   contains
+      procedure :: has_block
    end type system_t
 
 contains
@@ -132,11 +136,20 @@ contains
       call place_blocks(equations)
       do column_group = 1, n_groups
          do row_group = 1, n_groups
-            if (depends_on(row_group, column_group)) call expand(equations, row_group, column_group, &
+            if (matrix%has_block(row_group, column_group)) call expand(equations, row_group, column_group, &
                matrix%block(row_group, column_group))
          end do
       end do
    end subroutine build_system
+
+   !> The equations of a group have the unknowns of another one in them.
+   pure logical function has_block(self, row_group, column_group)
+      class(system_t), intent(in) :: self
+      !> Groups of the equations and of the unknowns
+      integer, intent(in) :: row_group, column_group
+
+      has_block = depends_on(row_group, column_group) .or. self%is_two_way
+   end function has_block
 
    !> Where the columns of each neighbour begin in the rows of a node.
    pure subroutine place_blocks(equations)

@@ -12,7 +12,7 @@ ELEMENT_TYPES = {"B31": 1, "B33": 2}
 SPOT_LAWS = {"PAPER": 1, "HERTZ": 2, "PLASTIC": 3, "FILM": 4, "CONSTANT": 5, "TABLE": 6}
 AXES = {"LINEAR": 1, "HERMITE": 2}
 SOLVERS = {"BLOCK": 1, "UMFPACK": 2, "SKYLINE": 3, "MUMPS": 4}
-COUPLINGS = {"MONOLITHIC": 1, "UPDATED": 2}
+COUPLINGS = {"MONOLITHIC": 1, "UPDATED": 2, "FULL": 4}
 KINDS = {"NODEPRINT": 1, "ELPRINT": 2, "CONTACTPRINT": 3, "ELECTRODEPRINT": 4, "ENERGYPRINT": 5}
 LOADS = {"BOUNDARY": "boundary", "CLOAD": "load", "CECURRENT": "load", "CFLUX": "load", "TEMPERATURE": "given"}
 #: The one degree of freedom of a keyword whose lines name none

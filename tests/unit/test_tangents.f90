@@ -16,7 +16,8 @@ program test_tangents
    use litz_deck_reader, only: read_deck
    use litz_errors, only: error_t, error_list_t
    use litz_hertz, only: effective_modulus
-   use litz_fields, only: n_slots, n_groups, depends_on, field_rotation, first_slot, last_slot, fields, potential_slots
+   use litz_fields, only: n_slots, n_groups, field_rotation, first_slot, last_slot, fields, potential_slots, &
+      temperature_slots
    use litz_initial_contacts, only: find_initial_overlap
    use litz_loading, only: load_targets
    use litz_law_input, only: wire_pair_t
@@ -125,6 +126,7 @@ program test_tangents
       nl//'*GAP CONDUCTANCE, LAW=CONSTANT'//nl//'0.05'//nl)
    call check_heat_of_contacts('heat through contacts over time', spot, '')
    call check_heat_of_contacts('heat over force', '*GAP CONDUCTANCE, LAW=TABLE'//nl//'0.01, 0.02'//nl//'1000, 2'//nl)
+   call check_coupled_steps()
    call check_lines('line of a penalty', penalty_of_line//clean, 0.0_dp, 3.0e-5_dp, 0.02_dp)
    call check_lines('line of Hertz', hertz//clean, 0.0_dp, 4.0e-6_dp, 0.1_dp)
    call check_lines('line with a film', hertz//'*GAP ELECTRICAL CONDUCTANCE, LAW=FILM, VOLTAGE=LINEAR'//nl//'1e-12' &
@@ -500,6 +502,93 @@ contains
       if (place == 'behind both') held_of = 2
    end function held_of
 
+   !> Steps that solve for motions, potentials and temperatures at once: all blocks of the tangent.
+   subroutine check_coupled_steps()
+      character(len=*), parameter :: warm = '*CONDUCTIVITY'//nl//'430, 100'//nl//'350, 900'//nl
+      character(len=*), parameter :: sigma = '9e7, 100'//nl//'2e7, 900'//nl
+
+      expansion = warm//'*EXPANSION, ZERO=250'//nl//'17e-6, 100'//nl//'25e-6, 900'//nl
+      conductivity = sigma
+      call check_coupled('coupled, Hertz', 'B33', hertz//spot, exact)
+      call check_coupled('coupled, metal', 'B31', hertz//spot//'*GAP CONDUCTANCE, LAW=METAL'//nl, exact)
+      call check_coupled('coupled, film', 'B33', hertz//'*GAP ELECTRICAL CONDUCTANCE, LAW=FILM'//nl//'1e-13'//nl, exact)
+      call check_coupled('coupled, heat over force', 'B33', hertz//'*GAP CONDUCTANCE, LAW=TABLE'//nl//'0.01, 0.02'// &
+         nl//'1000, 2'//nl, exact)
+      call check_coupled('coupled, heat alone', 'B33', hertz//'*GAP CONDUCTANCE, LAW=CONDUCTIVITY'//nl, exact)
+      call check_coupled('coupled, friction that slips', 'B33', hertz//spot//'*FRICTION'//nl//'1e-4'//nl, exact)
+      call check_shared('coupled, contacts on one element', spot)
+      elasticity = '1.2e11, 0.3, 200'//nl//'0.8e11, 0.35, 600'//nl
+      call check_coupled('coupled, softening', 'B33', hertz//spot, exact)
+      call check_coupled('coupled, softening, B31', 'B31', penalty//spot, exact)
+      elasticity = '1.1e11, 0.3'//nl
+      conductivity = '5e7'//nl
+      expansion = ''
+   end subroutine check_coupled_steps
+
+   !> Two wires that press each other, one warmer than the other.
+   subroutine check_coupled(name, element_type, laws, tolerance)
+      character(len=*), intent(in) :: name, element_type, laws
+      !> Of the largest force that changes
+      real(dp), intent(in) :: tolerance
+      character(len=*), parameter :: start = '*NSET, NSET=ALL'//nl//'1, 2, 3, 4, 11, 12, 13, 14'//nl// &
+         '*INITIAL CONDITIONS, TYPE=TEMPERATURE'//nl//'ALL, 300'//nl//'*PHYSICAL CONSTANTS, ABSOLUTE ZERO=0'//nl
+      character(len=*), parameter :: heating = '*BOUNDARY'//nl//'1, 11, 11, 305'//nl//'4, 11, 11, 302'//nl// &
+         '11, 11, 11, 300'//nl//'*DFLUX'//nl//'A, BF, 1e4'//nl
+      type(problem_t) :: problem
+      integer :: trial
+
+      call solve_first_step(coupled(deck_of(element_type, 'B33', laws, '', heating, start)), problem)
+      problem%coupled_step = .true.
+      do trial = 1, 3
+         call compare(name, problem, tolerance, 0.1_dp, warmer=1.0_dp)
+      end do
+   end subroutine check_coupled
+
+   !> Three wires that cross one element of another one, which moves.
+   subroutine check_shared(name, laws)
+      character(len=*), intent(in) :: name, laws
+      character(len=*), parameter :: loads = '*BOUNDARY'//nl//'1, 9, 9, 0.1'//nl//'11, 9'//nl//'13, 9, 9, 0.01'//nl// &
+         '15, 9, 9, -0.02'//nl
+      character(len=*), parameter :: heating = '*BOUNDARY'//nl//'1, 11, 11, 305'//nl//'4, 11, 11, 302'//nl// &
+         '11, 11, 11, 301'//nl//'*DFLUX'//nl//'A, BF, 1e6'//nl
+      type(problem_t) :: problem
+      integer :: trial
+
+      call solve_first_step(coupled('*NODE, NSET=ALL'//nl//'1, -0.02, 0, 0'//nl//'2, -0.005, 0, 0'//nl// &
+         '3, 0.012, 0, 0'//nl//'4, 0.02, 0, 0'//nl//'11, -0.002, -0.004, 1.9998e-3'//nl// &
+         '12, -0.002, 0.016, 1.9998e-3'//nl//'13, 0.001, -0.014, 1.9997e-3'//nl//'14, 0.004, 0.006, 1.9997e-3'//nl// &
+         '15, 0.009, -0.004, 1.9996e-3'//nl//'16, 0.006, 0.006, 1.9996e-3'//nl//'*ELEMENT, TYPE=B33, ELSET=A'//nl// &
+         '1, 1, 2'//nl//'2, 2, 3'//nl//'3, 3, 4'//nl//'*ELEMENT, TYPE=B33, ELSET=B'//nl//'4, 11, 12'//nl// &
+         '5, 13, 14'//nl//'6, 15, 16'//nl//'*MATERIAL, NAME=M'//nl//'*ELASTIC'//nl//elasticity//expansion// &
+         '*ELECTRICAL CONDUCTIVITY'//nl//conductivity// &
+         '*BEAM SECTION, ELSET=A, MATERIAL=M, SECTION=CIRC'//nl//'1e-3'//nl// &
+         '*BEAM SECTION, ELSET=B, MATERIAL=M, SECTION=CIRC'//nl//'1e-3'//nl// &
+         '*PHYSICAL CONSTANTS, ABSOLUTE ZERO=0'//nl//'*SURFACE INTERACTION, NAME=I'//nl//hertz//laws// &
+         '*CONTACT PAIR, INTERACTION=I'//nl//'A, B'//nl//'*INITIAL CONDITIONS, TYPE=TEMPERATURE'//nl//'ALL, 300'//nl// &
+         '*NSET, NSET=B, GENERATE'//nl//'11, 16, 1'//nl//'*BOUNDARY'//nl//'1, 1, 6'//nl//'4, 1, 6'//nl//'B, 1, 6' &
+         //nl// &
+         '*STEP'//nl//'*STATIC'//nl//loads//'*END STEP'//nl//'*STEP'//nl//'*STATIC'//nl//loads//heating// &
+         '*END STEP'//nl), problem)
+      problem%coupled_step = .true.
+      do trial = 1, 3
+         call compare(name, problem, exact, 0.1_dp, warmer=1.0_dp)
+      end do
+   end subroutine check_shared
+
+   !> A deck whose last step solves for motions, potentials and temperatures at once.
+   function coupled(deck) result(cards)
+      character(len=*), intent(in) :: deck
+      character(len=:), allocatable :: cards
+      character(len=*), parameter :: static = '*STATIC'//nl
+      integer :: last
+
+      last = index(deck, static, back=.true.)
+      cards = deck(:last - 1)//'*COUPLED TEMPERATURE-DISPLACEMENT, ELECTRICAL, STEADY STATE'//nl// &
+         deck(last + len(static):)
+      last = index(cards, '*END STEP', back=.true.)
+      cards = cards(:last - 1)//'*SOLVER, NAME=BLOCK, COUPLING=FULL'//nl//cards(last:)
+   end function coupled
+
    !> Currents and heat in a wire with a branch that conducts heat alone.
    subroutine check_heat(name, sigma, lambda, steady)
       !> Data lines of *ELECTRICAL CONDUCTIVITY and *CONDUCTIVITY
@@ -665,13 +754,15 @@ contains
    end subroutine solve_first_step
 
    !> A random state near the converged one; then `K v` against the change of the forces along `v`.
-   subroutine compare(name, problem, tolerance, motion, steps)
+   subroutine compare(name, problem, tolerance, motion, steps, warmer)
       character(len=*), intent(in) :: name
       type(problem_t), intent(inout) :: problem
       real(dp), intent(in) :: tolerance, motion
       !> Of the differences, in these motions; absent: 1e-3. Where forces follow the places on the wires, which are
       !> found to fewer digits than the distance that is least there, it is more
       real(dp), intent(in), optional :: steps
+      !> Random temperatures [K]
+      real(dp), intent(in), optional :: warmer
       real(dp), dimension(n_slots, problem%model%n_nodes) :: there, v, product, differences, force
       real(dp), parameter :: weight(3) = [45.0_dp, -9.0_dp, 1.0_dp]/60
       real(dp) :: scale(n_slots), h
@@ -685,6 +776,7 @@ contains
          if (fields(field)%is_level) scale(first_slot(field)) = 1.0e-4_dp
       end do
       scale = motion*scale
+      if (present(warmer)) scale(temperature_slots(1)) = warmer
       there = random_values(problem, scale)
       v = random_values(problem, scale)
       call forces_at(problem, there, v, 0.0_dp, force)
@@ -733,6 +825,7 @@ contains
       call start_iterate(problem)
       call problem%iterate%move(problem%state, problem%model%x, there, 1)
       call problem%iterate%move(problem%state, problem%model%x, t*v, 1)
+      call problem%iterate%warm_mechanics()
       call evaluate(problem, error)
       call stop_on(error)
       ! again, about the forces of this very state
@@ -772,7 +865,7 @@ contains
       do i = 1, n_groups
          part = 0*problem%equations%gather(i, v)
          do j = 1, n_groups
-            if (depends_on(i, j)) part = part + times(problem, i, j, v)
+            if (problem%matrix%has_block(i, j)) part = part + times(problem, i, j, v)
          end do
          call problem%equations%spread_to_nodes(i, part, product)
       end do

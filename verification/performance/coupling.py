@@ -2,7 +2,8 @@
 
 A layered mat of nichrome fibres has been pressed between two electrodes and is pressed further, with its currents alone
 (`*STATIC`) or with the heat that they make (`*COUPLED TEMPERATURE-DISPLACEMENT, ELECTRICAL, STEADY STATE`), which raises its
-temperatures and lengthens its fibres. The time of the first step, of a run that ends with it, is taken off; that of reading,
+temperatures and lengthens its fibres: motions and temperatures in turn, or in one Newton step (`COUPLING=FULL`).
+The time of the first step, of a run that ends with it, is taken off; that of reading,
 preparation and output does not count. Runs alternate, medians.
 """
 
@@ -29,6 +30,7 @@ NICHROME = build.Material(
     "NICHROME", young=220e9, poisson=0.3, conductivity=0.9e6, thermal_conductivity=11.3, expansion=14e-6
 )
 STATIC, COUPLED = "STATIC", "COUPLED TEMPERATURE-DISPLACEMENT"
+FULL = "FULL COUPLING"
 
 
 def mat(per_layer, procedure):
@@ -51,9 +53,11 @@ def mat(per_layer, procedure):
     model.press(CLOSED, voltage=VOLTAGE, increment=1 / CLOSING_INCREMENTS)
     if procedure is None:
         return model
-    options = {"procedure": procedure, "steady_state": True} if procedure == COUPLED else {}
+    options = {} if procedure == STATIC else {"procedure": COUPLED, "steady_state": True}
     step = model.press(PRESSED, voltage=VOLTAGE, name="FURTHER", increment=1 / INCREMENTS, **options)
-    if procedure == COUPLED:
+    if procedure == FULL:
+        step.solver("BLOCK", coupling="FULL")
+    if procedure != STATIC:
         for electrode in ("PLATE_BOTTOM", "PLATE_TOP"):
             step.temperature(electrode, ROOM)
     return model
@@ -63,7 +67,7 @@ def measure(quick, directory):
     rows = []
     for per_layer in QUICK_SIZES if quick else SIZES:
         decks = {}
-        for name in (None, STATIC, COUPLED):
+        for name in (None, STATIC, COUPLED, FULL):
             model = mat(per_layer, name)
             decks[name] = model.write(directory / f"mat_{per_layer}_{(name or 'closed').split()[0].lower()}.inp")
         runs = {name: [] for name in decks}
@@ -71,9 +75,10 @@ def measure(quick, directory):
             for name, deck in decks.items():
                 runs[name].append(run_litz(deck, directory / deck.stem))
         row = {"fibres": per_layer * LAYERS, "elements": len(model.connectivity)}
-        for name in (STATIC, COUPLED):
+        for name in (STATIC, COUPLED, FULL):
             row[name] = beyond(runs[name], runs[None])
-        row["ratio"] = row[COUPLED]["seconds_per_increment"] / row[STATIC]["seconds_per_increment"]
+        alone = row[STATIC]["seconds_per_increment"]
+        row["ratio"] = {name: row[name]["seconds_per_increment"] / alone for name in (STATIC, COUPLED, FULL)}
         rows.append(row)
     return {"sizes": rows}
 
@@ -99,25 +104,24 @@ def tables(values):
     header = ["elements", "procedure", "increments", "iterations", "per increment [s]", "over STATIC"]
     lines, shares = [], []
     for row in values["sizes"]:
-        for name in (STATIC, COUPLED):
-            run = row[name]
-            ratio = row["ratio"] if name == COUPLED else 1
+        for name in (STATIC, COUPLED, FULL):
+            run, ratio = row[name], row["ratio"][name]
             lines.append(
                 [row["elements"], name, run["increments"], run["iterations"], run["seconds_per_increment"], ratio]
             )
         shares += [
-            [row["elements"], phase, *(row[name]["phases"][phase] for name in (STATIC, COUPLED))]
+            [row["elements"], phase, *(row[name]["phases"][phase] for name in (STATIC, COUPLED, FULL))]
             for phase in row[STATIC]["phases"]
         ]
     return [
         ("Time of an increment", header, lines),
-        ("Seconds of its phases", ["elements", "phase", STATIC, COUPLED], shares),
+        ("Seconds of its phases", ["elements", "phase", STATIC, COUPLED, FULL], shares),
     ]
 
 
 def aims(values):
     return [
-        (f"{row['elements']} elements: coupled increment over one without temperatures", row["ratio"], 1.5)
+        (f"{row['elements']} elements: coupled increment over one without temperatures", row["ratio"][FULL], 1.5)
         for row in values["sizes"]
     ]
 
@@ -125,9 +129,11 @@ def aims(values):
 def draw(values, path):
     with figures.panels(path, columns=1, height=3.6) as axes:
         labels = [
-            f"{row['elements']}, {name.split()[0].lower()}" for row in values["sizes"] for name in (STATIC, COUPLED)
+            f"{row['elements']}, {name.split()[0].lower()}"
+            for row in values["sizes"]
+            for name in (STATIC, COUPLED, FULL)
         ]
-        runs = [row[name] for row in values["sizes"] for name in (STATIC, COUPLED)]
+        runs = [row[name] for row in values["sizes"] for name in (STATIC, COUPLED, FULL)]
         bottom = [0.0] * len(runs)
         for phase in runs[0]["phases"]:
             part = [run["phases"][phase] for run in runs]

@@ -369,7 +369,7 @@ class Step:
         self.card("CONTROLS", {"PARAMETERS": parameters.upper()}, rows)
 
     def solver(self, name: str, coupling: str | None = None) -> None:
-        """Choose the linear solver: "BLOCK", "UMFPACK", "SKYLINE" or "MUMPS"; coupling "MONOLITHIC" or "UPDATED"."""
+        """Choose the solver ("BLOCK", "UMFPACK", "SKYLINE", "MUMPS") and coupling ("MONOLITHIC", "UPDATED", "FULL")."""
         parameters = {"NAME": name.upper()}
         if coupling is not None:
             parameters["COUPLING"] = coupling.upper()
