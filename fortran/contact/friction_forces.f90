@@ -8,7 +8,7 @@ module litz_friction_forces
       friction_slip
    use litz_law_input, only: wire_pair_t
    use litz_model, only: interaction_t
-   use litz_normal_forces, only: overlap_of_point
+   use litz_overlap_of_force, only: overlap_of_point
    use litz_ploughing, only: coefficient_of_friction, split_dissipation
    use litz_rotation_forms, only: spin_to_hessian
    use litz_stick_laws, only: stick_stiffness_at

@@ -7,7 +7,8 @@
 module litz_heat_by_motions
    use litz_contact_kinematics, only: n_motions
    use litz_fields, only: motion_slots, temperature_slots
-   use litz_heat_of_contacts, only: contact_heat_t, left_of_settled
+   use litz_heat_of_contacts, only: contact_heat_t
+   use litz_heated_contacts, only: left_of_settled
    use litz_heated_elements, only: heated_element_t, moved_rise_by
    use litz_kinds, only: dp
    implicit none

@@ -12,7 +12,7 @@
 module litz_heat_of_contacts
    use litz_element_ends, only: element_ends_t, collect_ends
    use litz_gmres, only: linear_map_t, gmres
-   use litz_heated_contacts, only: heated_contact_t, contact_rows_t
+   use litz_heated_contacts, only: heated_contact_t, contact_rows_t, left_of_settled
    use litz_heat_within, only: slow_and_fast
    use litz_heated_elements, only: heated_element_t, n_parts, currents_along, move_parts, place_heat, rise_by
    use litz_hot_spot, only: hot_spot_t, hot_spot, hot_ok, by_volt
@@ -20,10 +20,11 @@ module litz_heat_of_contacts
    use litz_passed_spots, only: passed_spot_t, cold_spot, warmed_spot
    use litz_shared_conductors, only: shared_conductors_t
    use litz_spot_metal, only: spot_metal_t
+   use litz_two_equations, only: solved
    implicit none
    private
    public :: contact_heat_t, bulk_map_t, followed_t, collect_heat, follow, change_between, solve_bulks, &
-      inverse_of_own, left_of_settled
+      inverse_of_own
 
    !> Newton's method for (1) stops at this change over the largest temperature, from absolute zero; steps at most
    real(dp), parameter :: accurate = 1.0e-13_dp
@@ -318,15 +319,6 @@ contains
 
    end subroutine find_bulks
 
-   !> Heat by which the temperature at a contact is above the linear one since before the increment [W].
-   pure real(dp) function left_of_settled(contact, side)
-      type(heated_contact_t), intent(in) :: contact
-      !> 1: barred, 2: unbarred
-      integer, intent(in) :: side
-
-      left_of_settled = sum(slow_and_fast*(1 - contact%reached(:, side))*contact%settled_heat(:, side))
-   end function left_of_settled
-
    !> Heat in whose steady state the temperatures at a contact are when the increment has ended, slow and fast part,
    !> barred and unbarred (2, 2) [W].
    pure function settled_heat(self, i) result(heat)
@@ -492,15 +484,6 @@ contains
 
       rise = self%elements(self%ends%place_of(:, i))%heat_series*(1 - self%contacts(i)%xi**2)
    end function own_rise
-
-   !> Solution of two equations (2).
-   pure function solved(k, b) result(x)
-      !> Matrix and right-hand side
-      real(dp), intent(in) :: k(2, 2), b(2)
-      real(dp) :: x(2)
-
-      x = [k(2, 2)*b(1) - k(1, 2)*b(2), k(1, 1)*b(2) - k(2, 1)*b(1)]/(k(1, 1)*k(2, 2) - k(1, 2)*k(2, 1))
-   end function solved
 
    !> `(1 - dq/dtau D)^-1` times heats of a contact: what they become as its own bulks follow (2) [W].
    pure function inverse_of_own(self, i, heat) result(found)

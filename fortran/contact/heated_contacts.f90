@@ -16,7 +16,7 @@ module litz_heated_contacts
    use litz_domain, only: domain_t
    use litz_fields, only: temperature_slots
    use litz_heat_law, only: heat_law_t, heat_metal_law
-   use litz_heat_within, only: part_reached
+   use litz_heat_within, only: part_reached, slow_and_fast
    use litz_hot_spot, only: constrictions_t
    use litz_law_input, only: wire_pair_t
    use litz_model, only: model_t, interaction_t
@@ -28,7 +28,7 @@ module litz_heated_contacts
    implicit none
    private
    public :: heated_contact_t, heated_contact, can_pass_heat, conducting_metals
-   public :: contact_rows_t, contact_rows, n_rows
+   public :: contact_rows_t, contact_rows, n_rows, left_of_settled
 
    type :: heated_contact_t
       !> Nodes of both elements, barred first, and their parts of the values at its places
@@ -405,5 +405,14 @@ contains
          end if
       end associate
    end function contact_rows
+
+   !> Heat by which the temperature at a contact is above the linear one since before the increment [W].
+   pure real(dp) function left_of_settled(contact, side)
+      type(heated_contact_t), intent(in) :: contact
+      !> 1: barred, 2: unbarred
+      integer, intent(in) :: side
+
+      left_of_settled = sum(slow_and_fast*(1 - contact%reached(:, side))*contact%settled_heat(:, side))
+   end function left_of_settled
 
 end module litz_heated_contacts

@@ -12,23 +12,21 @@ module litz_normal_forces
    use litz_hertz, only: hertz_ellipse, hertz_ok
    use litz_law_input, only: wire_pair_t
    use litz_lens_forces, only: law_of_lens, find_overlap_of_lens
-   use litz_lens_law, only: lens_t, lens_force
+   use litz_lens_law, only: lens_t, lens_force, lens_energy
    use litz_line_point, only: force_of_line
-   use litz_line_law, only: line_wires_t, line_wires, line_force_t, line_overlap_t, line_overlap
+   use litz_line_law, only: line_wires_t, line_wires, line_force_t
    use litz_model, only: model_t, interaction_t
-   use litz_normal_law, only: normal_law_t, force_of_gap_t, overlap_of_force_t, force_at_gap, overlap_at_force, &
-      linearise
+   use litz_normal_law, only: normal_law_t, force_of_gap_t, force_at_gap, linearise
    use litz_normal_yielding, only: dent_of_wires, state_of_wires
    use litz_parallel, only: worth_threads
-   use litz_yielding_lens, only: yielding_lens_t, lens_state_t, state_of_lens, lens_at_force, &
-      overlap_of_yielding_lens
-   use litz_yielding_place, only: place_state_t, state_of_place, place_force, overlap_of_place
+   use litz_yielding_lens, only: yielding_lens_t, lens_state_t, state_of_lens, overlap_of_yielding_lens
+   use litz_yielding_place, only: place_state_t, state_of_place, place_force
    use litz_yielding_spot, only: dent_t, yielding_state_t, widest_spot
    use litz_yielding_wires, only: lens_of_wires, place_of_wires, depth_of_lens
    implicit none
    private
    public :: apply_normal_law, wires_of, line_of_point, is_lens, law_of_spot, share_of_ellipse, weight_of_lens
-   public :: overlap_of_point, settle_ends
+   public :: settle_ends, first_overlap
 
    !> At first touch the Hertz law is linearised about the force of an overlap of at most this fraction of the radius
    real(dp), parameter :: first_overlap = 1.0e-3_dp
@@ -444,57 +442,6 @@ contains
       point%yielded = point%weight*state%dissipated
       point%yielding_force = state%strip%force
    end subroutine follow_place
-
-   !> The overlap of a point at a force, and its stiffness.
-   pure type(overlap_of_force_t) function overlap_of_point(law, pair, point, force, weight) result(found)
-      type(normal_law_t), intent(in) :: law
-      type(wire_pair_t), intent(in) :: pair
-      type(contact_point_t), intent(in) :: point
-      !> Greater than 0 [N], and the share of a crossing [-] or the length of a line [m] that carries it
-      real(dp), intent(in) :: force, weight
-      type(line_overlap_t) :: line
-      type(place_state_t) :: place
-      real(dp) :: share
-
-      if (point%line_place > 0 .and. law%yields()) then
-         call overlap_of_place(point%yielding_place, force/weight, found%overlap, place, found%delastic_dforce)
-         found%stiffness = place%stiffness
-         found%elastic_stiffness = place%elastic_stiffness
-      else if (point%line_place > 0) then
-         line = line_overlap(point%line, force/weight, law%line_penalty())
-         found = overlap_of_force_t(line%overlap, line%stiffness, line%dstiffness_dforce)
-      else if (is_lens(law, point)) then
-         share = weight*kept_part(point)
-         if (law%yields()) then
-            found = lens_at_force(lens_of_wires(law, pair, point), force/share)
-         else
-            found = overlap_of_lens(law, pair, point, force/share)
-         end if
-         found%stiffness = share*found%stiffness
-         found%elastic_stiffness = share*found%elastic_stiffness
-         return
-      else
-         found = overlap_at_force(law, force/weight, pair, point%ellipse, point%history%dent%felt_force())
-      end if
-      found%stiffness = weight*found%stiffness
-      found%elastic_stiffness = weight*found%elastic_stiffness
-   end function overlap_of_point
-
-   !> The force of a lens goes with a power of the overlap, which hardly changes: with the exponent `k delta/F` the
-   !> stiffness `k` changes by `(k - F/delta)/F`.
-   pure type(overlap_of_force_t) function overlap_of_lens(law, pair, point, force) result(found)
-      type(normal_law_t), intent(in) :: law
-      type(wire_pair_t), intent(in) :: pair
-      type(contact_point_t), intent(in) :: point
-      !> [N]
-      real(dp), intent(in) :: force
-      type(lens_t) :: lens
-
-      call find_overlap_of_lens(point%line, point%law_sine, law%line_penalty(), force, &
-         max(-point%gap, first_overlap*minval(pair%radius)), found%overlap, lens)
-      found%stiffness = -lens%dforce_dgap
-      found%dstiffness_dforce = (found%stiffness - force/found%overlap)/force
-   end function overlap_of_lens
 
    !> The law per length of a point, at the angle of the lens to which it belongs.
    pure type(line_wires_t) function line_of_point(pair, point) result(line)

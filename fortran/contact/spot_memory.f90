@@ -11,7 +11,8 @@ module litz_spot_memory
    use litz_lens_law, only: lens_t, lens_force
    use litz_line_law, only: line_spot_t
    use litz_model, only: model_t, interaction_t
-   use litz_normal_forces, only: apply_normal_law, is_lens, line_of_point, overlap_of_point, wires_of
+   use litz_normal_forces, only: apply_normal_law, is_lens, line_of_point, wires_of
+   use litz_overlap_of_force, only: overlap_of_point
    use litz_normal_law, only: overlap_of_force_t
    use litz_spot_law, only: contact_spot_t, contact_spot, spot_ok
    use litz_spots_of_places, only: strip_of

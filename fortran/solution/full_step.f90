@@ -185,7 +185,7 @@ contains
       type(error_t), allocatable, intent(out) :: error
 
       if (self%is_sound) then
-         call self%problem%scheme%precondition_group(group, self%problem%matrix, b, x, error)
+         call self%problem%scheme%precondition_group(group, b, x, error)
       else
          call self%problem%scheme%solve_group(group, self%problem%matrix, b, x, error)
       end if

@@ -11,7 +11,6 @@ module litz_scheme
    use litz_kinds, only: dp
    use litz_equations, only: equations_t, system_t
    use litz_equilibration, only: equilibrate, scaled_maximum, power_of_two_below
-   use litz_cholesky_or_lu, only: cholesky_or_lu_t
    use litz_errors, only: error_t
    use litz_fields, only: n_groups, group_mechanical, depends_on
    use litz_linear_solver, only: linear_solver_t, csr_matrix_t
@@ -247,24 +246,18 @@ contains
       call blame(self, group, self%group(group)%solver%failed_equation)
    end subroutine solve_group
 
-   !> The same as a step of an iteration that corrects itself: by the factor at hand alone where the solver can.
-   subroutine precondition_group(self, group, matrix, b, x, error)
+   !> The same as a step of an iteration that corrects itself: by the factor at hand alone.
+   subroutine precondition_group(self, group, b, x, error)
       class(scheme_t), intent(inout) :: self
       !> One of the groups of litz_fields, for which `solve_group` has been called since it was factored
       integer, intent(in) :: group
-      type(system_t), intent(in) :: matrix
       !> Right-hand side (equations of the group)
       real(dp), intent(in) :: b(:)
       !> Nearly the solution (equations of the group)
       real(dp), intent(out) :: x(:)
       type(error_t), allocatable, intent(out) :: error
 
-      select type (solver => self%group(group)%solver)
-      class is (cholesky_or_lu_t)
-         if (size(b) > 0) call solver%solve_once(b, x, error)
-      class default
-         call self%solve_group(group, matrix, b, x, error)
-      end select
+      if (size(b) > 0) call self%group(group)%solver%solve_once(b, x, error)
    end subroutine precondition_group
 
    !> Which equation the last call failed at.

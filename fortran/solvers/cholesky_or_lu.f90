@@ -195,7 +195,6 @@ contains
       end if
    end subroutine solver_solve
 
-   !> The factor at hand alone, for an iteration that corrects itself; `solve` has been called before.
    subroutine solver_solve_once(self, b, x, error)
       class(cholesky_or_lu_t), intent(inout) :: self
       !> Right-hand side (n)

@@ -37,6 +37,8 @@ module litz_linear_solver
       procedure(factor_interface), deferred :: factor
       !> `A x = b`
       procedure(solve_interface), deferred :: solve
+      !> The same by the factor at hand alone, for an iteration that corrects itself; `solve` has been called before
+      procedure(solve_once_interface), deferred :: solve_once
       !> Give back the memory of the last `factor`, keep the symbolic work
       procedure(release_interface), deferred :: release
       !> What the user writes after NAME=
@@ -80,6 +82,16 @@ module litz_linear_solver
          real(dp), intent(out) :: x(:)
          type(error_t), allocatable, intent(out) :: error
       end subroutine solve_interface
+      subroutine solve_once_interface(self, b, x, error)
+         import :: linear_solver_t, error_t, dp
+         implicit none
+         class(linear_solver_t), intent(inout) :: self
+         !> Right-hand side (n)
+         real(dp), intent(in) :: b(:)
+         !> Nearly the solution (n); of no use after an error
+         real(dp), intent(out) :: x(:)
+         type(error_t), allocatable, intent(out) :: error
+      end subroutine solve_once_interface
       subroutine release_interface(self)
          import :: linear_solver_t
          implicit none

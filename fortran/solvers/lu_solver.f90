@@ -30,6 +30,7 @@ module litz_lu_solver
       procedure :: analyse => lu_analyse
       procedure :: factor => lu_factor
       procedure :: solve => lu_solve
+      procedure :: solve_once => lu_solve_once
       procedure :: release => lu_release
    end type lu_solver_t
 
@@ -116,7 +117,7 @@ contains
             call factor%factor(matrix, scale, scale, error)
          end if
          self%failed_equation = factor%failed_equation
-         if (allocated(error) .or. .not. symmetric) return
+         if (allocated(error)) return
          self%negative_pivots = 0
          if (n_counted > 0) self%negative_pivots = factor%backend%negative_pivots(n_counted)
       end associate
@@ -138,6 +139,17 @@ contains
          self%failed_equation = factor%failed_equation
       end associate
    end subroutine lu_solve
+
+   subroutine lu_solve_once(self, b, x, error)
+      class(lu_solver_t), intent(inout) :: self
+      !> Right-hand side (n)
+      real(dp), intent(in) :: b(:)
+      !> Nearly the solution (n); of no use after an error
+      real(dp), intent(out) :: x(:)
+      type(error_t), allocatable, intent(out) :: error
+
+      call self%method(self%used)%factor%solve_once(b, x, error)
+   end subroutine lu_solve_once
 
    subroutine lu_release(self)
       class(lu_solver_t), intent(inout) :: self
