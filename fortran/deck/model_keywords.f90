@@ -273,9 +273,8 @@ contains
       call finish(table, k)
 
       call begin(k, 'FRICTION', place_model, &
-         'Coulomb friction, isotropic in the plane of contact. Where wires cross at a point it resists the slip of'// &
-         ' their axes; along lines that of their surfaces, so that wires roll, and each gets the moment about its'// &
-         ' axis. Before'// &
+         'Coulomb friction, isotropic in the plane of contact. It resists the slip of the surfaces of the wires, so'// &
+         ' that wires roll on each other, and each gets the moment about its axis. Before'// &
          ' slip, a contact deforms elastically: with Mindlin''s tangential stiffness, 2(1-nu)/(2-nu) of the'// &
          ' normal stiffness for equal materials, or as given by one of the parameters. Without this keyword the'// &
          ' wires slide freely. In the increment in which a contact closes, friction acts from the point of closing.', &
