@@ -83,7 +83,7 @@ def alone(shared_folder):
 
     @contextlib.contextmanager
     def lock(name):
-        with open(shared_folder / f"{name}.lock", "w", encoding="utf-8") as file:
+        with (shared_folder / f"{name}.lock").open("w", encoding="utf-8") as file:
             fcntl.flock(file, fcntl.LOCK_EX)
             yield
 

@@ -149,8 +149,8 @@ contains
          part = point%friction_iteration%part
       end if
       associate (elements => [point%element_bar, point%element])
-         slip = wire_slip(point%kinematics, x, t, length, axis, radius, directions(wires, point), before%turned, normal, &
-            wires%direction(elements)*arc_from_to(arc, [point%arc_bar, point%arc], &
+         slip = wire_slip(point%kinematics, x, t, length, axis, radius, directions(wires, point), before%turned, &
+            normal, wires%direction(elements)*arc_from_to(arc, [point%arc_bar, point%arc], &
             wires%circumference(wires%wire(elements))))
       end associate
       slip%slip = part*slip%slip
@@ -171,8 +171,8 @@ contains
       if (point%friction_iteration%reverses) directions(1) = -directions(1)
    end function directions
 
-   !> The first direction of the slip is between the one wire and the reverse of the other, for as long as the contact is
-   !> closed.
+   !> The first direction of the slip is between the one wire and the reverse of the other, for as long as the contact
+   !> is closed.
    pure logical function reverses(wires, point)
       type(wires_t), intent(in) :: wires
       type(contact_point_t), intent(in) :: point

@@ -338,7 +338,9 @@ contains
       point%mixed_force = lens%force
       point%stiffness = -lens%dforce_dgap
       point%iteration_force = point%mixed_force + point%stiffness*(-point%gap - overlap)
-      if (point%lens_share < 1) point%at_mixed = scaled(law_of_lens(point%line, lens, -overlap, point%law_sine, penalty), weight)
+      if (point%lens_share < 1) then
+         point%at_mixed = scaled(law_of_lens(point%line, lens, -overlap, point%law_sine, penalty), weight)
+      end if
       call follow_cut(weight, point)
    end subroutine press_lens
 

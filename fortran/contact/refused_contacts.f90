@@ -34,8 +34,8 @@ contains
             return
          case (law_yields_at_end)
             reason = 'wires touch at an end or a kink ('//elements_of(model, points(i))// &
-               '), where YIELD of *SURFACE BEHAVIOR is not modelled: give a contact pair of these elements a surface'// &
-               ' interaction without YIELD'
+               '), where YIELD of *SURFACE BEHAVIOR is not modelled: give a contact pair of these elements a'// &
+               ' surface interaction without YIELD'
             obstacle = line_obstacle(model%interactions(model%contact_pairs(points(i)%pair)%interaction))
             if (len(obstacle) > 0) reason = reason//'; along a line '//obstacle//' is not possible'
             return

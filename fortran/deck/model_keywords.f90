@@ -267,8 +267,8 @@ contains
       call k%add(number('YIELD', 'yield stress Y of the softer metal [Pa]: wires that follow HERTZ yield where they'// &
          ' cross and along lines, and keep the dent of the largest force; not at ends or kinks, or on rigid'// &
          ' surfaces (litz extension)', limit_positive))
-      call k%add(number('HARDNESS', 'hardness H, the mean pressure of the spot of crossed wires that has wholly yielded'// &
-         ' [Pa]; without it 2.8 Y (litz extension)', limit_positive))
+      call k%add(number('HARDNESS', 'hardness H, the mean pressure of the spot of crossed wires that has wholly'// &
+         ' yielded [Pa]; without it 2.8 Y (litz extension)', limit_positive))
       call add_law_data(k, 'PRESSURE-OVERCLOSURE', all_normal_laws())
       call finish(table, k)
 

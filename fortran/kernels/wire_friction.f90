@@ -1,5 +1,5 @@
-!> Friction of two wires at a contact, on their surfaces: slip since the increment began, residual and exact tangent over
-!> the 24 mechanical unknowns.
+!> Friction of two wires at a contact, on their surfaces: slip since the increment began, residual and exact tangent
+!> over the 24 mechanical unknowns.
 !>
 !> The contact has moved along either wire by `moved`, and around it by the angle between the normal `n` and the normal
 !> `n0` of the start that has turned with the section. In two directions `e1`, `e2 = n x e1` perpendicular to the normal
@@ -15,9 +15,9 @@
 !> the increment begins. Sections turn as the mean of their nodes: a cubic in its place would stick where the stretch is
 !> linear.
 !>
-!> The kernel serves a crossing, whose places move on both wires; a place of a line and its foot, and a contact at an end
-!> or a kink, where they move on one wire or on none. A contact that closes within the increment has a part of this slip
-!> only, which `dslip` of the tangent is to have, too.
+!> The kernel serves a crossing, whose places move on both wires; a place of a line and its foot, and a contact at an
+!> end or a kink, where they move on one wire or on none. A contact that closes within the increment has a part of this
+!> slip only, which `dslip` of the tangent is to have, too.
 !>
 !> Source: theory sections 5 and 10.
 module litz_wire_friction
@@ -40,7 +40,7 @@ module litz_wire_friction
    !> Axes that are nearer to each other than this part of the sum of the radii do not tell how the normal turns
    real(dp), parameter :: least_distance = 0.1_dp
 
-   !> The slip of a contact, and how it changes with the 24 mechanical unknowns. Of two wires the first is the barred one.
+   !> The slip of a contact, and how it changes with the 24 mechanical unknowns. The first wire is the barred one.
    type :: wire_slip_t
       !> D1, D2 [m]; derivatives (24, 2)
       real(dp) :: slip(2) = 0, dslip(24, 2) = 0
@@ -212,7 +212,8 @@ contains
          change = s%step
          size_of_normal = kinematics%distance
       else
-         change = matmul(skew(s%tangent(:, 2)), s%dtangent(:, :, 1)) - matmul(skew(s%tangent(:, 1)), s%dtangent(:, :, 2))
+         change = matmul(skew(s%tangent(:, 2)), s%dtangent(:, :, 1)) &
+            - matmul(skew(s%tangent(:, 1)), s%dtangent(:, :, 2))
          size_of_normal = dot_product(kinematics%normal, cross(s%tangent(:, 2), s%tangent(:, 1)))
       end if
       s%normal_turn = (change - outer(kinematics%normal, matmul(kinematics%normal, change)))/size_of_normal
@@ -311,6 +312,7 @@ contains
    pure subroutine angle_over_sine(s, c, ratio, dratio)
       !> Not negative, and of any sign
       real(dp), intent(in) :: s, c
+      !> [rad], and its derivatives
       real(dp), intent(out) :: ratio, dratio(2)
       real(dp) :: q
 

@@ -17,11 +17,11 @@ module litz_yielding_profile
    integer, parameter :: max_iterations = 60
    !> Gauss points in (-1, 1) and their weights, the positive half of them
    integer, parameter :: n_half = 8
-   real(dp), parameter :: half_places(n_half) = [0.09501250983763744_dp, 0.28160355077925892_dp, 0.45801677765722737_dp, &
-      0.61787624440264377_dp, 0.75540440835500300_dp, 0.86563120238783176_dp, &
+   real(dp), parameter :: half_places(n_half) = [0.09501250983763744_dp, 0.28160355077925892_dp, &
+      0.45801677765722737_dp, 0.61787624440264377_dp, 0.75540440835500300_dp, 0.86563120238783176_dp, &
       0.94457502307323260_dp, 0.98940093499164994_dp]
-   real(dp), parameter :: half_weights(n_half) = [0.18945061045506864_dp, 0.18260341504492364_dp, 0.16915651939500265_dp, &
-      0.14959598881657671_dp, 0.12462897125553407_dp, 0.09515851168249261_dp, &
+   real(dp), parameter :: half_weights(n_half) = [0.18945061045506864_dp, 0.18260341504492364_dp, &
+      0.16915651939500265_dp, 0.14959598881657671_dp, 0.12462897125553407_dp, 0.09515851168249261_dp, &
       0.06225352393864746_dp, 0.02715245941175418_dp]
    real(dp), parameter :: places(2*n_half) = [-half_places, half_places]
    real(dp), parameter :: weights(2*n_half) = [half_weights, half_weights]
@@ -38,8 +38,8 @@ module litz_yielding_profile
       real(dp) :: width = 0, dwidth = 0
    end type profile_t
 
-   !> Slopes of the crossing at an overlap `omega`, all of them over those at the onset: of the force, of the root of the
-   !> area and of the area, each with its own slope.
+   !> Slopes of the crossing at an overlap `omega`, all of them over those at the onset: of the force, of the root of
+   !> the area and of the area, each with its own slope.
    type :: slopes_t
       real(dp) :: force = 0, dforce = 0, root = 0, droot = 0, area = 0, darea = 0
    end type slopes_t

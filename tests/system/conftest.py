@@ -44,7 +44,9 @@ def run_of_input(litz_program, made_once, tmp_path_factory):
             assert done.returncode == 0, done.stdout + done.stderr
 
         if name not in directories:
-            directories[name] = shutil.copytree(made_once(name, make), tmp_path_factory.mktemp(name), dirs_exist_ok=True)
+            directories[name] = shutil.copytree(
+                made_once(name, make), tmp_path_factory.mktemp(name), dirs_exist_ok=True
+            )
         return directories[name]
 
     return run

@@ -209,17 +209,15 @@ class TestWiresThatRoll:
         psi, length = np.radians(degrees), np.array([2.0, 2.0])
         directions = np.array([[np.cos(psi), np.sin(psi), 0.0], [1, 0, 0]])
         t0 = directions[[0, 0, 1, 1]]
-        x0 = t0 * np.array([[-1], [1], [-1], [1]])
-        x0[:2, 2] = self.RADIUS.sum()
         turned = np.array([rotation(turns)] * 2 + [rotation(turns_of_fixed)] * 2)
         t = np.einsum("nij,nj->ni", turned, t0)
-        x = np.array([0, 0, self.RADIUS.sum()]) + x0
-        x[:2] = [0, 0, self.RADIUS.sum()] + np.asarray(shift) + (rotation(turns) @ (t0[:2] * [[-1], [1]]).T).T
+        x = np.empty((4, 3))
+        x[:2] = np.array([0, 0, self.RADIUS.sum()]) + shift + (rotation(turns) @ (t0[:2] * [[-1], [1]]).T).T
         x[2:] = t[2:] * [[-1], [1]]
         found = closest_points(x, t, length)
         xi = np.array([found.xi_bar, found.xi])
         # a traction of one times the slip
-        _, r, values, on_bar, info = _core.f2py_contact.contact_friction(
+        _, r, _, on_bar, info = _core.f2py_contact.contact_friction(
             x.T, t.T, length, AXES["hermite"], self.RADIUS, *xi, 0, [1, 1], np.moveaxis(turned, 0, -1), [0, 0, 1],
             length / 2 * xi, 1e6, [1.0, 0.0, 0.0], [1.0, 0.0], [0, 0]
         )  # fmt: skip
