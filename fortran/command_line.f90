@@ -333,7 +333,7 @@ contains
          '  litz run DECK.inp [-o DIR] [--solver S] [--threads N] [--quiet] [--timing]'//nl// &
          '           [--restart FILE[:STEP:INCREMENT]]'//nl// &
          '      run all steps; result files go to DIR, which is created if necessary,'//nl// &
-         '      or to the current directory; S is BLOCK, UMFPACK or SKYLINE;'//nl// &
+         '      or to the current directory; S is BLOCK, UMFPACK, MUMPS or SKYLINE;'//nl// &
          '      --restart continues from an increment saved by *RESTART, WRITE: the last one,'//nl// &
          '      or the one given;'//nl// &
          '      --timing prints a breakdown of time and memory at the end'//nl

@@ -99,6 +99,8 @@ def threshold(
     """
     if not ratio >= 1:
         raise ValueError(f"ratio must be 1 or more, not {ratio:g}")
+    if not 0 <= smallest_angle < math.pi / 2:
+        raise ValueError(f"smallest_angle must be at least 0 and less than a right angle [rad], not {smallest_angle:g}")
     chosen = range(seeds) if isinstance(seeds, int) else list(seeds)
     if len(chosen) < 2:
         raise ValueError("a threshold needs two squares at least")

@@ -22,6 +22,8 @@ _TRIES = 400
 _LARGEST_MOVE = 0.1
 #: Shortest reach [radii], attempts to lay wires without overlap, and pieces per element in which it is looked for
 _SHORTEST_REACH, _MAX_LAID, _PARTS = 10.0, 8, 2
+#: Longest reach [lengths of wires]: stiffer wires are level but for round-off
+_LONGEST_REACH = 1000.0
 #: Elements of level wires
 DEFAULT_ELEMENTS = 12
 #: Wires are drawn in batches of at least this many
@@ -235,11 +237,12 @@ def _nodes(ends: NDArray, heights: NDArray) -> NDArray[np.float64]:
     return nodes
 
 
-def check_reach(reach: float | None, radius: float) -> None:
-    """Refuse a length over which wires would bend too sharply for beams."""
-    if reach is not None and not reach >= _SHORTEST_REACH * radius:
+def check_reach(reach: float | None, radius: float, length: float) -> None:
+    """Refuse a length over which wires would bend too sharply for beams, or not at all."""
+    if reach is not None and not _SHORTEST_REACH * radius <= reach <= _LONGEST_REACH * length:
         raise ValueError(
-            f"reach must be at least {_SHORTEST_REACH:g} radii, {_SHORTEST_REACH * radius:g} m, not {reach:g} m"
+            f"reach must be at least {_SHORTEST_REACH:g} radii, {_SHORTEST_REACH * radius:g} m, and at most"
+            f" {_LONGEST_REACH:g} lengths, {_LONGEST_REACH * length:g} m, not {reach:g} m; without it wires are level"
         )
 
 

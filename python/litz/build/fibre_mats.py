@@ -144,7 +144,7 @@ def fibre_mat(
     elif orientation == "deposited":
         length = _checked_length(size, length, radius, overlap)
         reach = _REACH * radius if reach is None else reach
-        check_reach(reach, radius)
+        check_reach(reach, radius, length)
         rules = Rules(np.array(size, dtype=float), length, radius, smallest_angle, _MARGIN * radius)
         title = f"Deposited mat of {n_fibres} fibres, seed {seed}"
         model = _deposited(title, n_fibres, rules, reach, clearance, seed, n_elements, fibre, interaction)

@@ -94,7 +94,9 @@ def nanowire_film(
     clearance = radius / 100 if clearance is None else clearance
     if not clearance > 0:
         raise ValueError(f"clearance must be greater than 0, not {clearance:g}")
-    check_reach(reach, radius)
+    check_reach(reach, radius, length)
+    if not 0 <= smallest_angle < math.pi / 2:
+        raise ValueError(f"smallest_angle must be at least 0 and less than a right angle [rad], not {smallest_angle:g}")
     rules = Rules(np.array(size, dtype=float), length, radius, smallest_angle, _MARGIN * radius)
     layout = drop(np.random.default_rng(seed), n_wires, rules)
     return build(
