@@ -66,7 +66,15 @@ def test_whether_a_run_conducts(tmp_path):
         percolation.spans(litz.Results(tmp_path / "spot"), plus="TOP")
 
 
-@pytest.mark.parametrize(("arguments", "message"), [((1,), "two squares"), ((4, 0.5), "ratio must be 1 or more")])
-def test_arguments_that_make_no_sense(arguments, message):
+@pytest.mark.parametrize(
+    ("seeds", "options", "message"),
+    [
+        (1, {}, "two squares"),
+        (4, {"ratio": 0.5}, "ratio must be 1 or more"),
+        (4, {"smallest_angle": 1.6}, "less than a right angle"),
+        (4, {"smallest_angle": -0.1}, "at least 0"),
+    ],
+)
+def test_arguments_that_make_no_sense(seeds, options, message):
     with pytest.raises(ValueError, match=message):
-        percolation.threshold(arguments[0], **({"ratio": arguments[1]} if len(arguments) > 1 else {}))
+        percolation.threshold(seeds, **options)
