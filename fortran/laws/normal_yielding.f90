@@ -49,16 +49,15 @@ contains
          found%dforce_dangle = state%dforce(1)
          found%energy = state%energy
          found%denergy_dangle = state%torque
-         call add_torque_slopes(given, law, dent, state, found)
+         call add_torque_slopes(given, law, state, found)
       end if
    end function force_of_gap
 
    !> How the torque changes with the angle, and with the overlap where the dent grows: by central differences, whose
    !> error is some 1e-8 of what they give.
-   pure subroutine add_torque_slopes(given, law, dent, state, found)
+   pure subroutine add_torque_slopes(given, law, state, found)
       type(law_input_t), intent(in) :: given
       type(yielding_t), intent(in) :: law
-      type(dent_t), intent(in) :: dent
       !> At the gap
       type(yielding_state_t), intent(in) :: state
       type(force_of_gap_t), intent(inout) :: found
