@@ -176,6 +176,7 @@ contains
          before%closing = clearance_of(point%fit, contact%converged_clearance(point%pair)) &
             - clearance_of(point%fit, contact%clearance(point%pair))
          before%goes_on = domain%state%increment > 0
+         before%is_ahead = iterate%is_extrapolated
          if (point%line_place == 0 .and. .not. any(point%held)) return
          call pair_geometry(domain%model, domain%wires, domain%elements, point%element_bar, point%element, &
             iterate%x_start, start, before%x, before%t, length)

@@ -27,6 +27,8 @@ module litz_friction_forces
       real(dp) :: dq(n_motions) = 0, closing = 0
       !> The load goes on as in the increment before: not the first increment of a step
       logical :: goes_on = .false.
+      !> The iteration begins with the motions of the increment before, and not where that has ended
+      logical :: is_ahead = .false.
       !> Of a point of a line contact: nodal positions [m] and unit tangents (3, 4) of then, and the rotations of the
       !> nodes since (3, 3, 4)
       real(dp) :: x(3, 4) = 0, t(3, 4) = 0, turned(3, 3, 4) = 0
@@ -93,7 +95,7 @@ contains
       end if
 
       if (point%friction_iteration%status == friction_none) then
-         call suppose(law%friction, before%goes_on, start%traction, point)
+         call suppose(law%friction, before%goes_on, before%is_ahead, start%traction, point)
       end if
       associate (iteration => point%friction_iteration)
          iteration%difference = -r
@@ -122,19 +124,20 @@ contains
    !> sticks where a step begins, since there a motion is likely to turn back; a slip that turns back all the same is
    !> found by the first iteration. One that was open does what it would do here: a stick far beyond the limit would
    !> throw open again a contact that closes with a small force.
-   pure subroutine suppose(mu, goes_on, traction_before, point)
+   pure subroutine suppose(mu, goes_on, is_ahead, traction_before, point)
       !> Coefficient of friction
       real(dp), intent(in) :: mu
       !> As in `increment_start_t`
-      logical, intent(in) :: goes_on
+      logical, intent(in) :: goes_on, is_ahead
       !> When the increment began (2) [N]
       real(dp), intent(in) :: traction_before(2)
       type(contact_point_t), intent(inout) :: point
 
       associate (iteration => point%friction_iteration)
          iteration%status = friction_stick
-         if (point%predicted .or. .not. point%history%closed) then
+         if (point%predicted .or. is_ahead .or. .not. point%history%closed) then
             if (point%closed) iteration%status = point%friction%status
+            if (point%closed .and. is_ahead) iteration%mixed_traction = point%friction%traction
          else
             if (goes_on .and. norm2(traction_before) >= (1 - at_limit)*mu*point%history%force) then
                iteration%status = friction_slip

@@ -11,8 +11,9 @@ module litz_newton
       part_of_allowed, corrections_small, worst_field
    use litz_element_library, only: heat_elements
    use litz_errors, only: error_t
-   use litz_fields, only: field_displacement, n_fields, n_slots, n_groups, first_slot, last_slot, last_slot_of_group, &
-      temperature_slots
+   use litz_extrapolation, only: extrapolate, note_increment
+   use litz_fields, only: field_displacement, group_mechanical, n_fields, n_slots, n_groups, first_slot, last_slot, &
+      last_slot_of_group, temperature_slots
    use litz_grounding, only: describe_fed_part
    use litz_group_solution, only: has_mutual_tangent
    use litz_group_update, only: update_group
@@ -60,14 +61,15 @@ contains
       type(outcome_t), intent(out) :: outcome
       !> What the observer ends the run for, or an input error met on the way; not: an increment that failed
       type(error_t), allocatable, intent(out) :: error
-      real(dp) :: correction(n_slots, problem%model%n_nodes)
+      real(dp), dimension(n_slots, problem%model%n_nodes) :: correction, prescribed
       type(error_t), allocatable :: solver_error
       character(len=:), allocatable :: refusal
       integer, allocatable :: numbers(:)
       logical :: keep
 
       call start_iterate(problem)
-      call prescribe(problem)
+      call prescribe(problem, prescribed)
+      call extrapolate(problem, report%attempt, prescribed)
       outcome%last = report
       call count_status(problem, outcome%last)
       numbers = [outcome%last%contacts_active]
@@ -76,7 +78,8 @@ contains
          if (outcome%in_turn == 1) then
             call evaluate(problem, error)
             if (allocated(error)) return
-            if (outcome%iterations == 0) outcome%fed_at_start = problem%fed_node > 0
+            if (outcome%iterations == 0) outcome%fed_at_start = problem%fed_node > 0 .and. &
+               .not. problem%iterate%is_extrapolated
             call measure_residual(problem, step, outcome%last, outcome%at_round_off)
          end if
          if (outcome%in_turn == 1) call outcome%note_residual()
@@ -115,7 +118,7 @@ contains
             if (corrections_small(step, problem%iterate%change, outcome%last)) exit
          end if
          if ((max(outcome%counted, outcome%sweeps) > step%controls%i_c .and. .not. is_nearly_there(outcome)) .or. &
-            outcome%iterations >= max_iterations*step%controls%i_c) then
+            outcome%iterations >= max_iterations*step%controls%i_c .or. leads_nowhere(problem, step, outcome)) then
             call give_up(outcome, cause_iterations, worst_field(problem%model, problem%scheme%n_coupled, outcome%last))
             return
          end if
@@ -130,6 +133,7 @@ contains
          call update(problem, step, correction, outcome%last)
       end do
       outcome%converged = .true.
+      call note_increment(problem, outcome, step%controls%i_g, prescribed)
       call refuse_wrong_state(problem, outcome)
       call problem%timing%lap(phase_check)
    end subroutine solve_increment
@@ -188,12 +192,15 @@ contains
 
    !> What is prescribed of the increment is part of the first correction; groups that are updated after the others take
    !> theirs at once.
-   subroutine prescribe(problem)
+   subroutine prescribe(problem, increment)
       type(problem_t), intent(inout) :: problem
+      !> All that is prescribed (n_slots, n_nodes)
+      real(dp), intent(out) :: increment(:, :)
       integer :: first_updated
 
+      call prescribed_increment(problem%loading, problem%state, increment)
       associate (prescribed => problem%iterate%prescribed)
-         call prescribed_increment(problem%loading, problem%state, prescribed)
+         prescribed = increment
          call problem%iterate%bodies%carry(problem%iterate%x, prescribed)
          first_updated = last_slot_of_group(problem%scheme%n_coupled) + 1
          call problem%iterate%move(problem%state, problem%model%x, prescribed(first_updated:, :), first_updated)
@@ -290,6 +297,15 @@ contains
             fast_reduction*before%residual))
       end associate
    end function is_nearly_there
+
+   !> Where contacts slip, an iteration that has gone astray hardly comes back: a smaller increment is cheaper.
+   pure logical function leads_nowhere(problem, step, outcome)
+      type(problem_t), intent(in) :: problem
+      type(step_t), intent(in) :: step
+      type(outcome_t), intent(in) :: outcome
+
+      leads_nowhere = .not. (step%direct .or. problem%matrix%symmetric(group_mechanical)) .and. outcome%has_diverged()
+   end function leads_nowhere
 
    !> More or fewer contacts are closed than before, each one as the linear equations predicted: they hold for the whole
    !> increment, and one of any smaller size (at first touch) would go through the same changes. Not worth a cut. A

@@ -3,7 +3,7 @@ module litz_outcome
    use litz_kinds, only: dp
    use litz_contact_findings, only: finding_t
    use litz_convergence, only: part_of_allowed
-   use litz_fields, only: group_mechanical
+   use litz_fields, only: field_displacement, group_mechanical
    use litz_reports, only: iteration_report_t
    implicit none
    private
@@ -28,6 +28,8 @@ module litz_outcome
       integer :: in_turn = 1, counted = 0, longest_turn = 0, sweeps = 0
       !> The largest residual of the motions in their turn over the allowed one
       real(dp) :: largest_part = 0
+      !> The largest force that was left over after the first linear step [N]
+      real(dp) :: first_residual = 0
       !> Why it was given up, for the user
       character(len=:), allocatable :: reason
       !> One of the causes above; 0: it was not
@@ -53,11 +55,16 @@ module litz_outcome
       procedure :: end_turn
       procedure :: motions_have_come_far
       procedure :: note_residual
+      procedure :: has_diverged
    end type outcome_t
 
    !> The turn of the motions in a sweep ends before they balance when no more than this part of their residual is left:
    !> the temperatures change it by more
    real(dp), parameter :: part_left = 0.01_dp
+
+   !> Residual over the first one, and part of the contacts that have closed and opened against the prediction, from which
+   !> on an iteration has thrown the wires about
+   real(dp), parameter :: far_off = 1.0e3_dp, many_contacts = 0.02_dp
 
 contains
 
@@ -86,7 +93,19 @@ contains
       class(outcome_t), intent(inout) :: self
 
       self%largest_part = max(self%largest_part, part_of_allowed(self%last, group_mechanical))
+      if (self%iterations == 1) self%first_residual = self%last%residual(field_displacement)
    end subroutine note_residual
+
+   !> The forces are out of balance by orders of magnitude more than after the first linear step, and contacts come and go
+   !> by chance: more iterations do not lead back.
+   pure logical function has_diverged(self)
+      class(outcome_t), intent(in) :: self
+
+      associate (last => self%last)
+         has_diverged = last%residual(field_displacement) > far_off*self%first_residual .and. &
+            last%contacts_new + last%contacts_lost > many_contacts*last%contacts_active .and. self%first_residual > 0
+      end associate
+   end function has_diverged
 
    !> The residuals of the motions are a small part of the largest ones of their turn.
    pure logical function motions_have_come_far(self)

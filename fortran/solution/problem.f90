@@ -19,6 +19,16 @@ module litz_problem
    private
    public :: problem_t, prepare_problem
 
+   !> The last increment that has converged, over the motions of nodes (6, n_nodes).
+   type :: last_increment_t
+      !> It tells where the next one leads if that goes on in proportion
+      logical :: is_guide = .false.
+      !> Change of the motions [m], [rad], and what was prescribed of it
+      real(dp), allocatable :: change(:, :), prescribed(:, :)
+      !> Loads at its end and their change [N], [N m]
+      real(dp), allocatable :: load(:, :), dload(:, :)
+   end type last_increment_t
+
    !> Everything an increment works on.
    type, extends(domain_t) :: problem_t
       !> What adds to the equations, in this order
@@ -36,6 +46,7 @@ module litz_problem
       integer :: factor_age = 0
       !> Converged increments, and iterations with those of rejected increments, since the run began
       integer :: n_increments = 0, n_iterations = 0
+      type(last_increment_t) :: last_increment
       type(run_warnings_t) :: warnings
    contains
       final :: release

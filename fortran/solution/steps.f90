@@ -78,6 +78,7 @@ contains
             if (allocated(error)) return
             ! a run that continues from here has none either
             if (restart_taken) problem%has_factor = .false.
+            if (restart_taken) problem%last_increment%is_guide = .false.
          end do
       end associate
    end subroutine run_step

@@ -29,6 +29,8 @@ module litz_iterate
       real(dp), private :: taken_up = 1
       !> Positions when the increment began (3, n_nodes) [m]
       real(dp), allocatable :: x_start(:, :)
+      !> The increment began ahead of the last converged state, with the motions of the increment before
+      logical :: is_extrapolated = .false.
       !> Nodes that move with others
       type(rigid_bodies_t) :: bodies
    contains
@@ -49,6 +51,7 @@ contains
       real(dp), intent(in) :: x_reference(:, :)
 
       self%change = 0*state%value
+      self%is_extrapolated = .false.
       self%prescribed = self%change
       self%value = state%value
       self%rotation = state%rotation
