@@ -21,31 +21,37 @@ contains
 
    !> Force and energy with the share that a crossing or the contact of an end carries, and what stays within an
    !> iteration besides.
-   pure subroutine cut_force(law, pair, base, point)
+   !>
+   !> What yielding dissipates in an increment is work, too, which the ends cut as they cut the energy.
+   pure subroutine cut_force(law, pair, base, dissipated, point)
       type(normal_law_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair
       !> At the present gap, of two wires without ends
       type(force_of_gap_t), intent(in) :: base
+      !> By the contact of two wires without ends [J]
+      real(dp), intent(in) :: dissipated
       !> Out: with `at_gap`, and what is needed for the forces along the wires
       type(contact_point_t), intent(inout) :: point
       type(lens_part_t) :: part
-      real(dp) :: q_delta, stiffness
+      real(dp) :: q_delta, stiffness, work
 
       point%at_gap = force_of_gap_t()
       point%slide_force = 0
       if (.not. base%force > 0) return
       if (.not. point%lens%has_energies) call settle_cut(law, pair, point)
       part = part_of_lens(point)
+      work = base%energy + dissipated
       associate (q => part%whole, weight => point%weight)
          q_delta = q%first(1)
-         stiffness = -q%value*base%dforce_dgap + 2*q_delta*base%force + q%second(1, 1)*base%energy
+         stiffness = -q%value*base%dforce_dgap + 2*q_delta*base%force + q%second(1, 1)*work
          ! the angle stays, too
-         point%at_gap = force_of_gap_t(weight*(q%value*base%force + q_delta*base%energy), -weight*stiffness, 0.0_dp, &
+         point%at_gap = force_of_gap_t(weight*(q%value*base%force + q_delta*work), -weight*stiffness, 0.0_dp, &
             weight*q%value*base%energy)
-         point%slide_force = weight*q%first(2:3)*base%energy
-         point%slide_by_overlap = weight*(q%first(2:3)*base%force + q%second(1, 2:3)*base%energy)
-         point%slide_stiffness = weight*q%second(2:3, 2:3)*base%energy
-         point%cut = q%value + q_delta*base%energy/base%force
+         point%yielded = weight*q%value*dissipated
+         point%slide_force = weight*q%first(2:3)*work
+         point%slide_by_overlap = weight*(q%first(2:3)*base%force + q%second(1, 2:3)*work)
+         point%slide_stiffness = weight*q%second(2:3, 2:3)*work
+         point%cut = q%value + q_delta*work/base%force
          if (point%cut > 0) point%cut_stiffness = -stiffness/(point%cut*base%dforce_dgap)
       end associate
    end subroutine cut_force

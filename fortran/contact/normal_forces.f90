@@ -5,7 +5,7 @@
 !> independent force. The converged force is that of the law at the true gap.
 module litz_normal_forces
    use litz_kinds, only: dp
-   use litz_contact_points, only: contact_point_t, law_ok, law_parallel, law_too_curved, law_yields_at_end
+   use litz_contact_points, only: contact_point_t, law_ok, law_parallel, law_too_curved
    use litz_cut_forces, only: cut_force, ellipse_of_parts, kept_part, scaled
    use litz_cut_lens, only: is_cut
    use litz_element_library, only: elements_t, material_at, material_place_t
@@ -103,7 +103,6 @@ contains
          pair = wires_of(model, elements, point)
          if (needs_line) point%line = line_of_point(pair, point)
          if (.not. (point%active .or. point%closed)) return
-         if (law%normal%yields() .and. is_at_end(point)) point%law_status = law_yields_at_end
          if (point%line_place > 0) then
             call press_line(law%normal%line_penalty(), point)
          else if (is_lens(law%normal, point)) then
@@ -120,8 +119,8 @@ contains
                call find_ellipse(pair, point)
             end if
             if (point%law_status /= law_ok) return
-            call press_point(law%normal, pair, point)
             if (law%normal%yields()) call follow_yielding(law, pair, point)
+            call press_point(law%normal, pair, point)
          end if
          if (point%line_place == 0 .and. point%closed .and. is_shaped(law%normal, point)) then
             call ellipse_of_parts(pair, point, info)
@@ -169,13 +168,6 @@ contains
          point%dent_depth = dent%depth
       end associate
    end subroutine find_dent
-
-   !> A contact at a point next to an end or a joint.
-   pure logical function is_at_end(point)
-      type(contact_point_t), intent(in) :: point
-
-      is_at_end = point%line_place == 0 .and. (any(point%held) .or. is_cut(point%lens))
-   end function is_at_end
 
    !> What the contact of wires that yield is at the present gap.
    pure subroutine follow_yielding(law, pair, point)
@@ -271,7 +263,7 @@ contains
       type(contact_point_t), intent(inout) :: point
 
       if (is_shaped(law, point) .or. is_lens(law, point) .and. is_cut(point%lens)) then
-         call cut_force(law, pair, base, point)
+         call cut_force(law, pair, base, point%yielded/point%weight, point)
       else
          point%at_gap = scaled(base, point%weight)
          point%cut = 1
@@ -282,6 +274,8 @@ contains
          point%active = .false.
          point%closed = .false.
          point%at_gap = force_of_gap_t()
+         point%yielded = 0
+         point%yielding_force = 0
       end if
    end subroutine press
 
@@ -341,12 +335,12 @@ contains
       lens = lens_of_wires(normal, pair, point)
       state = state_of_lens(lens, -point%gap)
       if (state%has_yielded) call turn_lens(normal, pair, point, -point%gap, state%law)
-      call press(normal, pair, state%law, point)
       if (point%closed) then
          point%yielding = state%spot
          point%yielded = point%weight*state%dissipated
          point%yielding_force = state%law%force
       end if
+      call press(normal, pair, state%law, point)
       if (.not. point%active) return
       weight = point%weight*point%cut
       overlap = point%dent_depth + first_overlap*minval(pair%radius)

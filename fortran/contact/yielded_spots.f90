@@ -5,8 +5,10 @@ module litz_yielded_spots
    use litz_kinds, only: dp, pi
    use litz_contact_blocks, only: spot_in_circuit_t
    use litz_contact_points, only: contact_point_t
+   use litz_cut_lens, only: is_cut
    use litz_law_input, only: wire_pair_t
    use litz_model, only: interaction_t
+   use litz_normal_forces, only: weight_of_lens
    use litz_spot_resistance, only: spot_metal_t, set_conductance
    implicit none
    private
@@ -35,14 +37,17 @@ contains
       metal%resistivity = pair%resistivity
       if (law%spot%film_number > 0) metal%film = law%spot%data(law%spot%film_number)
       if (law%spot%path_number > 0) metal%resistivity_path = law%spot%data(law%spot%path_number)
-      associate (spot => circuit%spot, state => point%yielding, ratio => point%ellipse%ratio)
+      associate (spot => circuit%spot, state => point%yielding, ratio => point%ellipse%ratio, &
+         weight => weight_of_lens(point))
          spot%semi_major = sqrt(state%area/(pi*ratio))
          spot%semi_minor = ratio*spot%semi_major
          call set_conductance(metal, state%disc, state%ddisc(:2), state%area, state%darea(:2), spot)
-         circuit%dconductance = point%weight*(spot%dconductance_dangle*point%kinematics%dangle &
+         ! next to ends the angle stays
+         if (is_cut(point%lens)) spot%dconductance_dangle = 0
+         circuit%dconductance = weight*(spot%dconductance_dangle*point%kinematics%dangle &
             - spot%dconductance_dforce*point%kinematics%dgap)
-         spot%conductance = point%weight*spot%conductance
-         spot%dconductance_dresistivity = point%weight*spot%dconductance_dresistivity
+         spot%conductance = weight*spot%conductance
+         spot%dconductance_dresistivity = weight*spot%dconductance_dresistivity
          spot%dconductance_dforce = 0
          spot%dconductance_dangle = 0
       end associate

@@ -180,6 +180,9 @@ program test_tangents
    call check_ends('end next to another one', hertz//spot, 'behind one', 'A, B')
    call check_ends('end on an end next to both sides', penalty_of_line//clean, 'behind both', 'A, B')
    call check_ends('end next to the side of a straight axis', hertz, 'behind', 'A, B', ', AXIS=LINEAR')
+   call check_ends('end on a wire that yields', yielding//spot, 'end', 'A, B')
+   call check_ends('crossing that yields next to an end', yielding//spot, 'before', 'A, B')
+   call check_ends('end that yields next to the side of a wire', yielding//clean, 'behind', 'A, B')
    call check_ends('end on a rigid plane', surfaces('PLANE', '4.459e-4, 0, -8.918e-4, -0.5, 0, 1'), 'tips', 'A, B')
    do term = 1, size(has_added)
       if (has_added(term)) cycle
