@@ -153,9 +153,8 @@ contains
 
       do i = 1, size(members)
          associate (point => points(members(i)))
-            if (point%friction_iteration%limit > 0 .or. abs(point%turning%growth) > 0) then
-               domain%matrix%symmetric(group_mechanical) = .false.
-            end if
+            if (point%friction_iteration%limit > 0) call domain%take_friction()
+            if (abs(point%turning%growth) > 0) domain%matrix%symmetric(group_mechanical) = .false.
             call add_iteration_force(point, nodes(:, i), domain%forces)
             call add_supposed_force(point, nodes(:, i), domain%forces)
          end associate

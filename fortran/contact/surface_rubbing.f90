@@ -5,7 +5,7 @@ module litz_surface_rubbing
    use litz_kinds, only: dp
    use litz_domain, only: domain_t
    use litz_element_library, only: material_at
-   use litz_fields, only: group_mechanical, motion_slots
+   use litz_fields, only: motion_slots
    use litz_rigid_surface, only: rigid_surface_t
    use litz_rubbing, only: rubbing_t
    use litz_surface_cells, only: surface_cell_t, wire_axis_t
@@ -62,7 +62,7 @@ contains
             if (surface_node(domain, cell) > 0) call add_difference(surface_node(domain, cell), difference(13:18))
          end associate
       end associate
-      domain%matrix%symmetric(group_mechanical) = .false.
+      call domain%take_friction()
 
    contains
 

@@ -152,6 +152,9 @@ contains
          end do
          self%negative_pivots = self%group(1)%solver%negative_pivots
       end if
+      if (self%negative_pivots > 0 .and. .not. (matrix%symmetric(1) .or. matrix%unsymmetric_by_friction)) then
+         self%negative_pivots = -1
+      end if
    end subroutine scheme_factor
 
    !> Numeric factorisation of the block of one group with itself.

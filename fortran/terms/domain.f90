@@ -50,6 +50,7 @@ module litz_domain
       procedure :: clear_system
       procedure :: add_cells
       procedure :: add_slip_coupling
+      procedure :: take_friction
       procedure :: mark_nodes
       procedure :: conduction_length
       procedure :: mean_temperature
@@ -138,6 +139,7 @@ contains
       end do
       self%matrix%symmetric(first_group:) = .true.
       if (.not. self%motions_stand) then
+         self%matrix%unsymmetric_by_friction = .false.
          if (allocated(self%matrix%slip_coupling%value)) deallocate (self%matrix%slip_coupling%value)
       end if
       call clear_forces(first_group, self%iterate%x, self%iterate%value, self%iterate%change, self%forces)
@@ -164,6 +166,14 @@ contains
             self%iterate%x, nodes, rows, columns, k, self%matrix%block(row_group, column_group))
       end associate
    end subroutine add_cells
+
+   !> Note that friction makes the tangent of the motions unsymmetric.
+   subroutine take_friction(self)
+      class(domain_t), intent(inout) :: self
+
+      self%matrix%symmetric(group_mechanical) = .false.
+      self%matrix%unsymmetric_by_friction = .true.
+   end subroutine take_friction
 
    !> Note what a contact that slips adds to the tangent, which its cell has in it.
    subroutine add_slip_coupling(self, nodes, along, dlimit)

@@ -39,6 +39,7 @@ contains
             moment = merge(load(first:last, node), internal(first:last, node), free)
             if (.not. any(abs(moment) > 0)) cycle
             domain%matrix%symmetric(group_mechanical) = .false.
+            domain%matrix%unsymmetric_by_friction = .false.
             call scatter_tangent(domain%equations, [node], rotation_slots, rotation_slots, -skew(moment)/2, block)
          end do
       end associate

@@ -60,23 +60,10 @@ def test_a_snap_is_damped_and_ends_on_the_other_side(run):
     assert results.field("displacement")[10, 2] < -2 * RISE
 
 
-def turned_by_a_moment():
-    """A moment about an axis fixed in space makes the stiffness unsymmetric."""
-    load = f"*BOUNDARY\n 11, 1\n 11, 4\n*CLOAD\n 11, 3, {-1.5 * snap_load():.6g}\n 11, 6, 1e-6"
-    return arch(load, "0.05, 1, 1e-3, 0.05")
-
-
-def test_the_pivots_of_an_unsymmetric_stiffness_tell_a_snap(run):
-    process, _ = run(turned_by_a_moment())
-    assert process.returncode == 2
-    assert "negative pivots" in process.stderr
-    assert "PARAMETERS=STABILIZE" in process.stderr
-
-
-@pytest.mark.mumps
 def test_a_snap_without_pivots_to_tell_it_is_guessed_from_increments_that_fail_at_any_size(run):
-    """LU of MUMPS has no count of negative pivots."""
-    process, _ = run(turned_by_a_moment(), "--solver", "mumps")
+    """A moment about an axis fixed in space makes the stiffness unsymmetric: no count of negative pivots."""
+    load = f"*BOUNDARY\n 11, 1\n 11, 4\n*CLOAD\n 11, 3, {-1.5 * snap_load():.6g}\n 11, 6, 1e-6"
+    process, _ = run(arch(load, "0.05, 1, 1e-3, 0.05"))
     assert process.returncode == 2
     assert "Smaller increments did not help" in process.stderr
     assert "PARAMETERS=STABILIZE" in process.stderr

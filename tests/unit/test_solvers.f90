@@ -259,8 +259,7 @@ contains
       matrix%symmetric(1) = .false.
       call solver%factor(matrix, error)
       call stop_on(error)
-      call check(any(solver%negative_pivots == [-1, expected]), name_of(solver%kind)// &
-         ': as many or no count if its values need not be symmetric')
+      call check(solver%negative_pivots == -1, name_of(solver%kind)//': no count for an unstable unsymmetric matrix')
    end subroutine negative_pivots_are_negative_eigenvalues
 
    subroutine an_equation_without_entries_is_named(kind)
