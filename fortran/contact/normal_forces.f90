@@ -298,18 +298,17 @@ contains
       end if
    end subroutine press
 
-   !> What an iteration follows, from that of a whole contact without ends.
+   !> What an iteration follows, from that of a whole contact without ends: its force at the present gap, but for squares
+   !> of what the mixed force is off, and how it changes from there, which the ends may make much less.
    pure subroutine follow_cut(weight, point)
       !> Part of its force
       real(dp), intent(in) :: weight
       !> In: with these forces and the stiffness of the whole contact
       type(contact_point_t), intent(inout) :: point
-      real(dp) :: beyond
 
-      beyond = point%iteration_force - point%mixed_force
       point%mixed_force = weight*point%mixed_force
+      point%iteration_force = weight*point%iteration_force
       point%stiffness = weight*point%cut_stiffness*point%stiffness
-      point%iteration_force = point%mixed_force + weight*point%cut_stiffness*beyond
    end subroutine follow_cut
 
    !> A crossing whose lens is long beside the radii: the integral of the law per length over it.
