@@ -298,8 +298,8 @@ contains
       end if
    end subroutine press
 
-   !> What an iteration follows, from that of a whole contact without ends: its force at the present gap, but for squares
-   !> of what the mixed force is off, and how it changes from there, which the ends may make much less.
+   !> What an iteration follows, from that of a whole contact without ends: its force at the present gap, but for
+   !> squares of what the mixed force is off, and how it changes from there, which the ends may make much less.
    pure subroutine follow_cut(weight, point)
       !> Part of its force
       real(dp), intent(in) :: weight
