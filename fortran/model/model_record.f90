@@ -226,6 +226,12 @@ contains
             call record%list('direction', reshape(this%direction, [3, 1]))
             call record%value('radius', this%radius)
             call record%value('REF NODE', this%node)
+            if (this%radius_amplitude > 0) then
+               associate (amplitude => model%amplitudes(this%radius_amplitude))
+                  call record%list('RADIUS AMPLITUDE, times', reshape(amplitude%time, [1, size(amplitude%time)]))
+                  call record%list('RADIUS AMPLITUDE, factors', reshape(amplitude%factor, [1, size(amplitude%factor)]))
+               end associate
+            end if
          end associate
          call record_interaction(model%interactions(pair%interaction), which, record)
       end associate
