@@ -23,7 +23,7 @@ module litz_model
    public :: coupling_default, coupling_monolithic, coupling_updated, coupling_swept, coupling_full
    public :: request_node, request_element, request_contact, request_electrode, request_energy
    public :: shear_given, shear_round, shear_unreduced
-   public :: dof_potential, dof_temperature, amplitude_factor, factor_at, radius_at, ramp_at
+   public :: dof_potential, dof_temperature, amplitude_factor, factor_at, radius_at, radius_course, ramp_at
    public :: solved_by_static, solved_by_heat, solved_by_all, procedure_of
 
    !> Longest name of a set, material, ... (longer ones are refused)
@@ -358,6 +358,24 @@ contains
          radius_at = this%radius*factor_at(model, this%radius_amplitude, 0.0_dp, total_time)
       end associate
    end function radius_at
+
+   !> Between which times and radii the radius of a rigid surface changes linearly (2, n) [s], [m]; one that stays has one.
+   pure function radius_course(model, surface) result(course)
+      type(model_t), intent(in) :: model
+      !> Index of the surface
+      integer, intent(in) :: surface
+      real(dp), allocatable :: course(:, :), times(:)
+      integer :: i
+
+      times = [0.0_dp]
+      associate (amplitude => model%surfaces(surface)%radius_amplitude)
+         if (amplitude > 0) times = model%amplitudes(amplitude)%time
+      end associate
+      allocate (course(2, size(times)))
+      do i = 1, size(times)
+         course(:, i) = [times(i), radius_at(model, surface, times(i))]
+      end do
+   end function radius_course
 
    !> Piecewise linear value of an amplitude, constant beyond its ends.
    pure real(dp) function amplitude_factor(amplitude, time) result(factor)

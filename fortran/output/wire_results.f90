@@ -5,7 +5,7 @@
 module litz_wire_results
    use litz_kinds, only: dp, pi
    use litz_errors, only: error_t
-   use litz_model, only: model_t, section_t, named_set_t, radius_at
+   use litz_model, only: model_t, section_t, named_set_t, radius_course
    use litz_quantities, only: quantity_t, on_points, on_cells
    use litz_result_quantities, only: wire_quantity_t, list_wire_quantities
    use litz_state, only: state_t
@@ -193,7 +193,7 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       integer(hid_t) :: group
       type(hdf5_rows_t) :: rows
-      real(dp), allocatable :: times(:)
+      real(dp), allocatable :: course(:, :)
       integer :: i, k
 
       if (.not. allocated(model%surfaces)) return
@@ -202,31 +202,15 @@ contains
       do i = 1, size(model%surfaces)
          associate (this => model%surfaces(i))
             call rows%create(group, link_name(this%name), 8, hdf5_real, 1, error)
-            times = times_of(i)
-            do k = 1, size(times)
-               call rows%append(reshape([this%point, this%direction, radius_at(model, i, times(k)), times(k)], [8, 1]), &
-                  error)
+            course = radius_course(model, i)
+            do k = 1, size(course, 2)
+               call rows%append(reshape([this%point, this%direction, course(2, k), course(1, k)], [8, 1]), error)
             end do
             call hdf5_write_attribute(rows%dataset, 'type', trim(surface_shapes(this%shape)), error)
             ! 0: it is fixed in space
             call hdf5_write_attribute(rows%dataset, 'reference_node', number_of_node(model, this%node), error)
          end associate
       end do
-
-   contains
-
-      !> Of the corners of the amplitude of a radius (n) [s].
-      pure function times_of(surface) result(times)
-         !> Its index
-         integer, intent(in) :: surface
-         real(dp), allocatable :: times(:)
-
-         times = [0.0_dp]
-         associate (amplitude => model%surfaces(surface)%radius_amplitude)
-            if (amplitude > 0) times = model%amplitudes(amplitude)%time
-         end associate
-      end function times_of
-
    end subroutine write_surfaces
 
    !> The user's number of a node; 0 for none.

@@ -73,11 +73,16 @@ def test_a_wire_that_goes_with_the_wall_of_its_jacket_does_not_rub(run):
     start = straight(BORE - RADIUS + 1e-6) + jacket(BORE, (1, 1, shrink), laws=HERTZ + FRICTION)
     press = step("*BOUNDARY\n W, 3, 3, 0\n")
     forces = {}
-    for name, words in {"along": f" W, 3, 3, {way:.17g}\n", "around": f" W, 3, 3, {way:.17g}\n W, 2, 2, 1e-4\n"}.items():
+    for name, words in {
+        "along": f" W, 3, 3, {way:.17g}\n",
+        "around": f" W, 3, 3, {way:.17g}\n W, 2, 2, 1e-4\n",
+    }.items():
         process, results = run(start + press + step(f"*BOUNDARY\n{words}", "0.1, 1"), name=name)
         assert process.returncode == 0, process.stderr
         table = results.surface_contacts_at(-1)
-        on_wall, normal = (np.transpose([table[f"{what}_{axis}"] for axis in "xyz"]) for what in ("surface_force", "normal"))
+        on_wall, normal = (
+            np.transpose([table[f"{what}_{axis}"] for axis in "xyz"]) for what in ("surface_force", "normal")
+        )
         friction = on_wall - normal * (on_wall * normal).sum(axis=1, keepdims=True)
         forces[name] = np.linalg.norm(friction.sum(axis=0)) / table["force"].sum()
     assert forces["along"] < 1e-6
