@@ -359,7 +359,7 @@ contains
       end associate
    end function radius_at
 
-   !> Between which times and radii the radius of a rigid surface changes linearly (2, n) [s], [m]; one that stays has one.
+   !> Times and radii between which the radius of a rigid surface changes linearly (2, n) [s], [m]; one if it stays.
    pure function radius_course(model, surface) result(course)
       type(model_t), intent(in) :: model
       !> Index of the surface
