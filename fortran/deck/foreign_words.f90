@@ -71,7 +71,7 @@ module litz_foreign_words
       'leave it out; *CONTROLS, PARAMETERS=STABILIZE damps what only contacts can hold'), &
       foreign_word_t('CLEARANCE', '', '', 'leave it out: gaps follow from the nodes and radii'), &
       foreign_word_t('GAP RADIATION', '', '', 'wires radiate into their surroundings only: *RADIATE'), &
-      foreign_word_t('DLOAD|DSLOAD', '', '', 'distribute the load over the nodes: *CLOAD'), &
+      foreign_word_t('DSLOAD', '', '', 'beams have no surfaces: *DLOAD gives forces per length'), &
       foreign_word_t('DECURRENT|DSECURRENT', '', '', 'distribute the current over the nodes: *CECURRENT'), &
       foreign_word_t('OUTPUT|FILE OUTPUT', '', '', 'leave it out: fields are always written (*NODE FILE says how'// &
       ' often), and *NODE PRINT, *EL PRINT, *ELECTRODE PRINT request values over time'), &

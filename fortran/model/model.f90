@@ -3,6 +3,7 @@
 !> Node and element indices run from 1 without gaps; `node_id` and `element_id` hold the user's numbers.
 module litz_model
    use litz_kinds, only: dp
+   use litz_element_loads, only: element_load_t
    use litz_fields, only: fields, n_fields, field_potential, field_temperature, group_transport
    use litz_heat_law, only: heat_law_t
    use litz_unit_labels, only: unit_labels_t
@@ -256,6 +257,8 @@ module litz_model
       type(nodal_value_t), allocatable :: predefined(:)
       !> On the length of each element (n_elements), carried over as well
       type(element_heat_t), allocatable :: heat(:)
+      !> Forces on the length of elements, carried over as well; those that end in this step are zero
+      type(element_load_t), allocatable :: element_loads(:)
       !> Carried over, as Abaqus does, unless the step asks anew
       type(output_request_t), allocatable :: requests(:)
       !> Fields are written at every n-th increment, and at the last of the step

@@ -63,14 +63,16 @@ contains
    !> The undeformed model without voltages, at its initial temperatures.
    subroutine start_state(problem)
       type(problem_t), intent(inout) :: problem
-      integer :: n, m
+      integer :: n, m, step
 
       n = problem%model%n_nodes
       m = problem%model%n_elements
       associate (state => problem%state)
          allocate (state%reaction(n_slots, n), state%load(n_slots, n), &
             state%outer_force(n_slots, n), state%damping(n_slots, n), source=0.0_dp)
-         allocate (state%section_forces(6, m), source=0.0_dp)
+         allocate (state%section_forces(6, m), state%line_load(3, m), source=0.0_dp)
+         state%has_line_loads = any([(size(problem%model%steps(step)%element_loads) > 0, &
+            step=1, size(problem%model%steps))])
          allocate (state%element_current(m), state%current_density(m), state%joule_heat(m), state%heat_flux(m), &
             state%heat_made(m), state%surface_heat(m), state%heat_stored(m), state%temperature_before(n), &
             state%temperature_earlier(n), source=0.0_dp)

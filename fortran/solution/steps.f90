@@ -4,6 +4,7 @@ module litz_steps
    use litz_capture, only: capture_state
    use litz_convergence, only: measure_scales, nodal_residual
    use litz_diagnosis, only: not_converged
+   use litz_element_loads, only: load_lorentz
    use litz_equations, only: number_equations
    use litz_errors, only: error_t, fail, exit_input, exit_not_converged
    use litz_fields, only: fields, n_slots, field_displacement, field_temperature, field_of_dof, field_of_slot, &
@@ -118,13 +119,13 @@ contains
       problem%has_factor = .false.
    end subroutine begin_step
 
-   !> Motions and temperatures take turns unless the deck asks for one Newton step; temperatures alone have the
-   !> iteration of a turn.
+   !> Motions and temperatures take turns unless the deck asks for one Newton step, and so do motions and potentials
+   !> where currents move wires in a magnetic field; temperatures alone have the iteration of a turn.
    pure integer function coupling_of(step) result(coupling)
       type(step_t), intent(in) :: step
 
       coupling = step%coupling
-      if (step%solves(field_temperature)) then
+      if (step%solves(field_temperature) .or. any(step%element_loads%kind == load_lorentz)) then
          coupling = coupling_swept
          if (step%solves(field_displacement) .and. step%coupling == coupling_full) coupling = coupling_full
       else if (coupling == coupling_full) then

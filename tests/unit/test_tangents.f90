@@ -185,6 +185,7 @@ program test_tangents
    call check_ends('end on an end next to both sides', penalty_of_line//clean, 'behind both', 'A, B')
    call check_ends('end next to the side of a straight axis', hertz, 'behind', 'A, B', ', AXIS=LINEAR')
    call check_ends('end on a rigid plane', surfaces('PLANE', '4.459e-4, 0, -8.918e-4, -0.5, 0, 1'), 'tips', 'A, B')
+   call check_element_loads()
    do term = 1, size(has_added)
       if (has_added(term)) cycle
       failures = failures + 1
@@ -359,13 +360,15 @@ contains
       step = step//'1, 9, 9, 0.001'//nl//'11, 9, 9, 0'//nl//'*END STEP'//nl
    end function step_of
 
-   subroutine check_terms(name, type_1, type_2, laws, options, loads, tolerance, part, bodies)
+   subroutine check_terms(name, type_1, type_2, laws, options, loads, tolerance, part, bodies, coupled_step)
       character(len=*), intent(in) :: name, type_1, type_2, laws, options, loads
       real(dp), intent(in) :: tolerance
       !> Of the usual random motion
       real(dp), intent(in), optional :: part
       !> Cards of rigid bodies
       character(len=*), intent(in), optional :: bodies
+      !> Motions and potentials are in one Newton step; absent: they are not
+      logical, intent(in), optional :: coupled_step
       type(problem_t) :: problem
       character(len=:), allocatable :: cards
       real(dp) :: motion
@@ -376,6 +379,7 @@ contains
       cards = ''
       if (present(bodies)) cards = bodies
       call solve_first_step(deck_of(type_1, type_2, laws, options, loads, cards), problem)
+      if (present(coupled_step)) problem%coupled_step = coupled_step
       do trial = 1, 3
          call compare(name, problem, tolerance, motion)
       end do
@@ -530,19 +534,49 @@ contains
       expansion = ''
    end subroutine check_coupled_steps
 
+   !> Forces on the length of elements: of fixed direction, turning with the sections, and of a magnetic field on the
+   !> current, whose change with potentials and temperatures is part of the tangent where one step solves for them.
+   subroutine check_element_loads()
+      character(len=*), parameter :: fixed = '*DLOAD'//nl//'A, PX, 20'//nl//'A, PY, -30'//nl//'B, PZ, 40'//nl// &
+         ', GRAV, 9.81, 1, -2, -3'//nl, turning = '*DLOAD'//nl//'A, P1, 200'//nl//'2, P2, -300'//nl//'B, P1, 50'//nl
+      character(len=*), parameter :: magnet = '*LORENTZ'//nl// &
+         'A, 0.1, 0.2, -0.3, 10, 20, -30, 5, 8, -6, 7, 11, -18'//nl//'B, -0.1, 0.3, 0.2'//nl
+
+      call start_random_numbers()
+      expansion = '*DENSITY'//nl//'8960'//nl
+      call check_terms('forces per length', 'B33', 'B31', penalty, '', fixed, exact)
+      expansion = ''
+      call check_terms('forces that turn', 'B33', 'B31', penalty, '', turning, exact)
+      call check_terms('forces that turn on rigid bodies', 'B31', 'B33', penalty, '', turning, exact, &
+         bodies=bodies_of('TIE'))
+      call check_terms('currents in a field and potentials', 'B33', 'B31', hertz//spot, '', magnet// &
+         '*SOLVER, NAME=BLOCK, COUPLING=FULL'//nl, exact, coupled_step=.true.)
+      expansion = '*CONDUCTIVITY'//nl//'430, 100'//nl//'350, 900'//nl//'*EXPANSION, ZERO=250'//nl//'17e-6, 100'//nl// &
+         '25e-6, 900'//nl
+      conductivity = '9e7, 100'//nl//'2e7, 900'//nl
+      call check_coupled('currents in a field and temperatures', 'B31', hertz//spot, exact, magnet)
+      conductivity = '5e7'//nl
+      expansion = ''
+   end subroutine check_element_loads
+
    !> Two wires that press each other, one warmer than the other.
-   subroutine check_coupled(name, element_type, laws, tolerance)
+   subroutine check_coupled(name, element_type, laws, tolerance, loads)
       character(len=*), intent(in) :: name, element_type, laws
       !> Of the largest force that changes
       real(dp), intent(in) :: tolerance
+      !> Cards of the second step besides the heating
+      character(len=*), intent(in), optional :: loads
       character(len=*), parameter :: start = '*NSET, NSET=ALL'//nl//'1, 2, 3, 4, 11, 12, 13, 14'//nl// &
          '*INITIAL CONDITIONS, TYPE=TEMPERATURE'//nl//'ALL, 300'//nl//'*PHYSICAL CONSTANTS, ABSOLUTE ZERO=0'//nl
       character(len=*), parameter :: heating = '*BOUNDARY'//nl//'1, 11, 11, 305'//nl//'4, 11, 11, 302'//nl// &
          '11, 11, 11, 300'//nl//'*DFLUX'//nl//'A, BF, 1e4'//nl
       type(problem_t) :: problem
+      character(len=:), allocatable :: cards
       integer :: trial
 
-      call solve_first_step(coupled(deck_of(element_type, 'B33', laws, '', heating, start)), problem)
+      cards = heating
+      if (present(loads)) cards = heating//loads
+      call solve_first_step(coupled(deck_of(element_type, 'B33', laws, '', cards, start)), problem)
       problem%coupled_step = .true.
       do trial = 1, 3
          call compare(name, problem, tolerance, 0.1_dp, warmer=1.0_dp)
