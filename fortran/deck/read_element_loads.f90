@@ -41,8 +41,8 @@ contains
          + n_cards_of(self, 'LORENTZ') > 0)), source=0)
    end subroutine start_loads
 
-   !> Carry the list into a new step: what followed an amplitude in step time keeps the value of the step's end, and what
-   !> has come to nothing is left out.
+   !> Carry the list into a new step: what followed an amplitude in step time keeps the value of the step's end, and
+   !> what has come to nothing is left out.
    pure subroutine begin_loads(list, model, previous_total)
       type(load_list_t), intent(inout) :: list
       type(model_t), intent(in) :: model
@@ -153,13 +153,13 @@ contains
                call fail_at(self, values%token(4), load_label(load%kind)//' has one value, force per length; a'// &
                   ' direction belongs to GRAV')
             else if (values%token(1)%last < values%token(1)%first) then
-               call fail_at(self, values%token(1), 'value 1, element, is missing; GRAV alone acts on the whole model'// &
-                  ' without it')
+               call fail_at(self, values%token(1), 'value 1, element, is missing; GRAV alone acts on the whole'// &
+                  ' model without it')
             else
                load%value(1) = values%real(3)
                ok = .true.
             end if
-         else if (.not. norm2(values%real(4:6)) > 0) then
+         else if (.not. any(abs(values%real(4:6)) > 0)) then
             call fail_at(self, values%token(4), 'GRAV needs a direction, x, y, z, behind its magnitude, such as'// &
                ' 9.81, 0, 0, -1')
          else

@@ -37,7 +37,8 @@ module litz_read_steps
       type(name_map_t) :: names
       type(heat_cards_t) :: heat_cards
       type(load_list_t) :: element_loads
-      !> Number of the step; its *STEP, the last *CLOAD, *DLOAD or *LORENTZ, and the last of *DFLUX, *FILM, *RADIATE in it (0: none)
+      !> Number of the step; its *STEP, the last *CLOAD, *DLOAD or *LORENTZ, and the last of *DFLUX, *FILM, *RADIATE in
+      !> it (0: none)
       integer :: step = 0, step_card = 0, load_card = 0, heat_card = 0
       !> The step has a *STATIC or another procedure
       logical :: has_procedure = .false.

@@ -149,11 +149,11 @@ contains
       type(keyword_t) :: k
       type(field_spec_t) :: whole_model
 
-      call begin(k, 'DLOAD', place_step, 'Forces on the length of wires, per reference length. PX, PY, PZ: along the'// &
-         ' global axes, of fixed direction. P1, P2: along the first and second section axis (*BEAM SECTION), with'// &
-         ' which they turn. GRAV: weight, density (*DENSITY) times area times an acceleration, whose direction may'// &
-         ' have any length. Nodal moments that belong to them act on B33, none on B31. Lines of a step for the same'// &
-         ' element and label add up.')
+      call begin(k, 'DLOAD', place_step, 'Forces on the length of wires, per reference length. PX, PY, PZ: along'// &
+         ' the global axes, of fixed direction. P1, P2: along the first and second section axis (*BEAM SECTION),'// &
+         ' with which they turn. GRAV: weight, density (*DENSITY) times area times an acceleration, whose'// &
+         ' direction may have any length. Nodal moments that belong to them act on B33, none on B31. Lines of a'// &
+         ' step for the same element and label add up.')
       call add_op(k, 'loads')
       whole_model = item_field('element', 'number of an element or name of an element set; GRAV without it acts on all')
       whole_model%required = .false.
@@ -164,11 +164,12 @@ contains
          real_field('z', '', 'GRAV: its direction', required=.false.)], last=0, optional_with=new_alone)
       call finish(table, k)
 
-      call begin(k, 'LORENTZ', place_step, 'Force of a magnetic field on the currents in wires (litz extension): per'// &
-         ' length current times field, across both. The current is the one that is computed in the element, the field'// &
-         ' is given, B(x) = B0 + x dB/dx + y dB/dy + z dB/dz at the present place x, y, z of the wire, without the'// &
-         ' field of the wires themselves. 1 T = 1 N/(A m). Lines of a step for the same element add up. Motions and'// &
-         ' potentials are then solved for in turns, or in one Newton step with *SOLVER, COUPLING=FULL.')
+      call begin(k, 'LORENTZ', place_step, 'Force of a magnetic field on the currents in wires (litz extension):'// &
+         ' per length current times field, across both. The current is the one that is computed in the element,'// &
+         ' the field is given, B(x) = B0 + x dB/dx + y dB/dy + z dB/dz at the present place x, y, z of the wire,'// &
+         ' without the field of the wires themselves. 1 T = 1 N/(A m). Lines of a step for the same element add'// &
+         ' up. Motions and potentials are then solved for in turns, or in one Newton step with *SOLVER,'// &
+         ' COUPLING=FULL.')
       call add_op(k, 'fields')
       call k%add_data([item_field('element', 'number of an element or name of an element set'), &
          real_field('Bx', 'N/(A m)', 'field at the origin'), real_field('By', 'N/(A m)', 'field at the origin'), &

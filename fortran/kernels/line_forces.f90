@@ -3,14 +3,15 @@
 !> The axis between the nodes is that of litz_axis: straight, or Hermite's cubic through the nodes along their tangents
 !> `t`. A force `f` per reference length does the work `f . delta x` along it, which gives every node its share
 !>
-!>     F_a = L0 int h_a f,    M_a = L0 t_a x int g_a f,    `h` and `g` the weights of positions and tangents          (1)
+!>     F_a = L0 int h_a f,    M_a = L0 t_a x int g_a f,    `h` and `g` the weights of positions and tangents    (1)
 !>
-!> A force that turns with the sections, `f = p1 n1 + p2 n2`, is quadratic between its values at the nodes and in the mid
-!> triad of litz_beam_kinematics, and its derivatives follow from the spins of these three. A force in a magnetic field is
-!> `I x' x B(x)` per unit of the parameter of the axis, with the current `I` of the element.            (2)
+!> A force that turns with the sections, `f = p1 n1 + p2 n2`, is quadratic between its values at the nodes and in the
+!> middle, where the section is that of the mid triad of litz_beam_kinematics, turned by the shortest way so that it is
+!> normal to a cubic axis. A force in a magnetic field is `I x' x B(x)` per unit of the parameter of the axis, with the
+!> current `I` of the element.                                                                                     (2)
 !>
-!> Residuals are internal forces, minus those of the load. Tangents have the Hessian form: the derivative of the forces of
-!> spins, and half the skew matrix of each nodal moment (theory section 3). Source: theory section 16.
+!> Residuals are internal forces, minus those of the load. Tangents have the Hessian form: the derivative of the forces
+!> of spins, and half the skew matrix of each nodal moment (theory section 3). Source: theory section 16.
 module litz_line_forces
    use litz_kinds, only: dp
    use litz_axis, only: axis_shape, axis_row, on_axis
@@ -24,7 +25,8 @@ module litz_line_forces
    !> Integrals of the weights of positions times the parabolas that are one at the first node, in the middle and at the
    !> second node (3, node), over the reference length; straight axis and cubic one
    real(dp), parameter :: linear_weight(3, 2) = reshape([1.0_dp, 2.0_dp, 0.0_dp, 0.0_dp, 2.0_dp, 1.0_dp], [3, 2])/6
-   real(dp), parameter :: cubic_weight(3, 2) = reshape([11.0_dp, 20.0_dp, -1.0_dp, -1.0_dp, 20.0_dp, 11.0_dp], [3, 2])/60
+   real(dp), parameter :: cubic_weight(3, 2) = reshape([11.0_dp, 20.0_dp, -1.0_dp, -1.0_dp, 20.0_dp, 11.0_dp], &
+      [3, 2])/60
    !> The same of the weights of tangents, over the square of the reference length
    real(dp), parameter :: cubic_arm(3, 2) = reshape([1.0_dp, 4.0_dp, 0.0_dp, 0.0_dp, -4.0_dp, -1.0_dp], [3, 2])/60
 
@@ -54,9 +56,8 @@ contains
       !> Internal forces and moments (12) [N, N m]
       real(dp), intent(out) :: r(12)
       type(chord_rotation_t) :: q
-      real(dp) :: force(3, 3), by_spins(3, 6, 3), weight(3, 2), arm(3, 2), lever(3)
+      real(dp) :: force(3, 3), slopes(3, 12, 3), weight(3, 2), arm(3, 2), lever(3)
       integer :: node, place
-      integer, parameter :: spins(6) = [4, 5, 6, 10, 11, 12]
 
       weight = merge(cubic_weight, linear_weight, axis == axis_hermite)
       arm = merge(length*cubic_arm, 0.0_dp, axis == axis_hermite)
@@ -64,7 +65,8 @@ contains
       force(:, 1) = matmul(triads(:, 2:3, 1), turning)
       force(:, 2) = matmul(q%mid(:, 2:3), turning)
       force(:, 3) = matmul(triads(:, 2:3, 2), turning)
-      call derive_forces(q, force, by_spins)
+      slopes = forces_by_spins(q, force)
+      if (axis == axis_hermite) call turn_to_axis(x, triads(:, 1, :), q, force(:, 2), slopes(:, :, 2))
       force = force + spread(fixed, 2, 3)
 
       k = 0
@@ -74,10 +76,9 @@ contains
             r(first:first + 2) = -length*matmul(force, weight(:, node))
             r(first + 3:first + 5) = -length*cross(t, lever)
             do place = 1, 3
-               associate (slope => length*by_spins(:, :, place))
-                  k(first:first + 2, spins) = k(first:first + 2, spins) - weight(place, node)*slope
-                  k(first + 3:first + 5, spins) = k(first + 3:first + 5, spins) &
-                     - arm(place, node)*matmul(skew(t), slope)
+               associate (slope => length*slopes(:, :, place))
+                  k(first:first + 2, :) = k(first:first + 2, :) - weight(place, node)*slope
+                  k(first + 3:first + 5, :) = k(first + 3:first + 5, :) - arm(place, node)*matmul(skew(t), slope)
                end associate
             end do
             k(first + 3:first + 5, first + 3:first + 5) = k(first + 3:first + 5, first + 3:first + 5) &
@@ -88,21 +89,49 @@ contains
 
    !> How forces turn: `delta f = omega x f` with the spins of the nodes and of the mid triad, which is
    !> `(delta1 + delta2)/2 - (w/2) psi x (delta2 - delta1)`. Source: litz_beam_kinematics (5).
-   pure subroutine derive_forces(q, force, by_spins)
+   pure function forces_by_spins(q, force) result(slopes)
       type(chord_rotation_t), intent(in) :: q
-      !> At the first node, in the middle, and at the second node (3, place) [N/m]
+      !> At the first node, in the mid triad, and at the second node (3, place) [N/m]
       real(dp), intent(in) :: force(3, 3)
-      !> Derivatives by the spins of the first, then of the second node (3, 6, place)
-      real(dp), intent(out) :: by_spins(3, 6, 3)
+      !> Derivatives by displacements and spins of the nodes (3, 12, place)
+      real(dp) :: slopes(3, 12, 3)
       real(dp) :: half_turn(3, 3)
 
       half_turn = q%w/2*skew(q%turn)
-      by_spins = 0
-      by_spins(:, 1:3, 1) = -skew(force(:, 1))
-      by_spins(:, 1:3, 2) = -matmul(skew(force(:, 2)), identity3/2 + half_turn)
-      by_spins(:, 4:6, 2) = -matmul(skew(force(:, 2)), identity3/2 - half_turn)
-      by_spins(:, 4:6, 3) = -skew(force(:, 3))
-   end subroutine derive_forces
+      slopes = 0
+      slopes(:, 4:6, 1) = -skew(force(:, 1))
+      slopes(:, 4:6, 2) = -matmul(skew(force(:, 2)), identity3/2 + half_turn)
+      slopes(:, 10:12, 2) = -matmul(skew(force(:, 2)), identity3/2 - half_turn)
+      slopes(:, 10:12, 3) = -skew(force(:, 3))
+   end function forces_by_spins
+
+   !> Turn a force in the mid triad as its tangent `a` turns into the direction `e` of a cubic axis in the middle:
+   !> `f - c (a + e)`, `c = (e . f)/(1 + a . e)`. Source: theory (16.2).
+   pure subroutine turn_to_axis(x, t, q, force, slope)
+      !> Nodal positions [m] and unit tangents (3, node)
+      real(dp), intent(in) :: x(3, 2), t(3, 2)
+      type(chord_rotation_t), intent(in) :: q
+      !> Along the section axes of the mid triad; turned (3) [N/m]
+      real(dp), intent(inout) :: force(3)
+      !> Its derivatives by displacements and spins of the nodes (3, 12)
+      real(dp), intent(inout) :: slope(3, 12)
+      real(dp) :: h(4), h1(4), h2(4), e(3), along, c, dc(12), da(3, 12), de(3, 12), tangents(3, 12, 3)
+
+      call axis_shape(axis_hermite, q%length, 0.0_dp, h, h1, h2)
+      e = on_axis(h1, x, t)
+      along = norm2(e)
+      e = e/along
+      de = axis_matrix(h1, t)/along
+      de = de - spread(e, 2, 12)*spread(matmul(e, de), 1, 3)
+      associate (a => q%mid(:, 1))
+         tangents = forces_by_spins(q, spread(a, 2, 3))
+         da = tangents(:, :, 2)
+         c = dot_product(e, force)/(1 + dot_product(a, e))
+         dc = (matmul(force, de) + matmul(e, slope) - c*(matmul(e, da) + matmul(a, de)))/(1 + dot_product(a, e))
+         slope = slope - spread(a + e, 2, 12)*spread(dc, 1, 3) - c*(da + de)
+         force = force - c*(a + e)
+      end associate
+   end subroutine turn_to_axis
 
    !> Forces on a current in a magnetic field that is linear in the position. Source: (2).
    pure subroutine lorentz_force(axis, x, t, length, current, field, gradient, k, r, by_current)

@@ -148,8 +148,8 @@ contains
             if (allocated(this%heat_conductivity)) then
                call record%list('*CONDUCTIVITY', this%heat_conductivity)
                call record%value('*JOULE HEAT FRACTION', this%joule_fraction)
-               call record%value('*DENSITY', this%density)
             end if
+            if (this%density > 0) call record%value('*DENSITY', this%density)
             if (allocated(this%specific_heat)) call record%list('*SPECIFIC HEAT', this%specific_heat)
             if (allocated(this%latent_heat)) call record%list('*LATENT HEAT', this%latent_heat)
             if (allocated(this%elastic_table)) call record%list('elasticity over temperature', this%elastic_table)

@@ -111,11 +111,12 @@ contains
       logical :: has_line_loads
       integer :: i
 
-      ! forces on the length of elements follow from the loads
+      ! forces on the length of elements are there whether steps to come have any or not
       has_line_loads = state%has_line_loads
       state%has_line_loads = .false.
       call list_wire_quantities(state, list)
       state%has_line_loads = has_line_loads
+      call arrays%array('force_on_length', state%line_load, error)
       do i = 1, size(list)
          values = list(i)%values
          call arrays%array(trim(list(i)%name), values, error)

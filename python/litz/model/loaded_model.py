@@ -244,7 +244,7 @@ class LoadedModel(SurfaceModel):
             Largest error that an increment of a step over time may add to a temperature [K], which then chooses the increments.
         steady_rate : float
             A step over time ends as soon as no temperature changes faster [K/s].
-        boundary_op, cload_op, cecurrent_op : {"MOD", "NEW"}
+        boundary_op, cload_op, cecurrent_op, dload_op, lorentz_op : {"MOD", "NEW"}
             NEW removes what earlier steps have prescribed or loaded.
         """
         name = f"STEP{len(self.steps) + 1}" if name is None else name
