@@ -22,8 +22,10 @@ def test_the_program_states_the_version_of_meson_build(litz_program):
     assert shown.splitlines()[0] == f"litz {declared_version()}"
 
 
-def test_the_citation_and_the_change_log_state_the_version_of_meson_build():
+def test_citation_change_log_and_recipe_state_the_version_of_meson_build():
     assert f"\nversion: {declared_version()}\n" in (ROOT / "CITATION.cff").read_text(encoding="utf-8")
+    recipe = (ROOT / "packaging" / "conda" / "recipe.yaml").read_text(encoding="utf-8")
+    assert f'\n  version: "{declared_version()}"\n' in recipe
     assert f"\n## {declared_version()}" in (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
 
 

@@ -13,7 +13,7 @@ class WarningEntry:
     Attributes
     ----------
     kind : str
-        Identifier, such as "shallow_angle"; the README has a list.
+        Identifier, such as "shallow_angle"; docs/results.md has a list.
     message : str
         The message, as of the first increment with this warning.
     elements : tuple of int

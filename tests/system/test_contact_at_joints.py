@@ -343,5 +343,5 @@ def test_a_rod_is_dragged_on_to_a_kink_and_beyond_without_a_step(run, law, degre
     ("law", "yaw"), [(HERTZ, 15), (HERTZ, 30), (LAWS[1], 5)], ids=["hertz-15", "hertz-30", "linear-5"]
 )
 def test_a_rod_is_dragged_past_the_end_of_a_wire_without_a_step(run, law, yaw):
-    """The limits of the README say at which angles there is one."""
+    """docs/limits.md says at which angles there is one."""
     assert largest_step(run, leg(180, 0)[::-1], yaw, law, -3.0, 1.2) < 0.02

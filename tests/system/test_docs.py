@@ -275,8 +275,8 @@ def test_fortran_compiles_without_a_warning(block, contact_element, tmp_path):
     assert (done.returncode, done.stderr) == (0, ""), f"{block.place}: {done.stderr}"
 
 
-def test_the_deck_of_the_readme_runs(tmp_path, litz):
-    (block,) = [block for block in blocks(ROOT / "README.md") if block.language == "inp"]
+def test_the_deck_that_is_shown_runs(tmp_path, litz):
+    (block,) = [block for block in blocks(ROOT / "docs" / "decks.md") if block.language == "inp"]
     (tmp_path / "deck.inp").write_text(block.text)
     done = litz("run", "deck.inp", cwd=tmp_path)
     assert done.returncode == 0, done.stdout + done.stderr

@@ -1,5 +1,8 @@
 """The broad phase finds every pair of near elements, none twice, none that is far."""
 
+import sys
+from concurrent.futures import ThreadPoolExecutor
+
 import numpy as np
 import pytest
 
@@ -143,3 +146,21 @@ def test_more_pairs_than_can_be_counted_are_refused_in_words(monkeypatch):
     monkeypatch.setattr(kernels.search, "MAX_PAIRS", 9)
     with pytest.raises(ValueError, match="more than 9 pairs of elements"):
         kernels.contact_search(x, connectivity, [0.1] * 5)
+
+
+def test_searches_in_several_threads_keep_their_pairs_apart():
+    # threads change hands as often as they can
+    interval = sys.getswitchinterval()
+    sys.setswitchinterval(1e-6)
+    try:
+        with ThreadPoolExecutor(8) as threads:
+            found = list(threads.map(lambda n: len(row_of_parallel_elements(n)), [2, 50, 9, 200] * 500))
+    finally:
+        sys.setswitchinterval(interval)
+    assert found == [1, 49, 8, 199] * 500
+
+
+def row_of_parallel_elements(n):
+    """Pairs among elements side by side, each of which touches its neighbours."""
+    x = [[end, 2.0 * i, 0.0] for i in range(n) for end in (-1.0, 1.0)]
+    return kernels.contact_search(x, np.arange(2 * n).reshape(n, 2), np.full(n, 1.0), skin=0.1)

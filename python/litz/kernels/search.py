@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import threading
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -9,6 +11,8 @@ from .. import _core
 
 #: More pairs than this are refused; the core counts them in integers of 32 bits
 MAX_PAIRS = 2**29
+#: A search is two calls of the core, which keeps the pairs from one to the other: another thread must not search in between
+_ONE_SEARCH = threading.Lock()
 
 
 def contact_search(
@@ -72,12 +76,13 @@ def contact_search(
     if len(connectivity) < 2:
         return np.empty((0, 2), dtype=np.int64)
     first, last = x[connectivity[:, 0]], x[connectivity[:, 1]]
-    count = _core.f2py_search.find_near_segments(first.T, last.T, radius + skin / 2, MAX_PAIRS)
-    if count < 0:
-        raise ValueError(
-            f"more than {MAX_PAIRS} pairs of elements come within {skin} of each other; choose a smaller skin"
-        )
-    pairs = _core.f2py_search.take_near_segments(count).T.astype(np.int64) - 1
+    with _ONE_SEARCH:
+        count = _core.f2py_search.find_near_segments(first.T, last.T, radius + skin / 2, MAX_PAIRS)
+        if count < 0:
+            raise ValueError(
+                f"more than {MAX_PAIRS} pairs of elements come within {skin} of each other; choose a smaller skin"
+            )
+        pairs = _core.f2py_search.take_near_segments(count).T.astype(np.int64) - 1
     first, second = connectivity[pairs[:, 0]], connectivity[pairs[:, 1]]
     joined = (first[:, :, None] == second[:, None, :]).any(axis=(1, 2))
     return pairs[~joined]
