@@ -18,7 +18,7 @@ module litz_model
    public :: name_length
    public :: model_t, material_t, section_t, named_set_t, amplitude_t, interaction_t, contact_pair_t
    public :: rigid_body_surface_t, surface_pair_t
-   public :: step_t, nodal_value_t, element_heat_t, output_request_t, controls_t, rigid_body_t
+   public :: step_t, nodal_value_t, element_heat_t, output_request_t, controls_t, rigid_body_t, equation_t
    public :: axis_linear, axis_hermite
    public :: solver_default, solver_block, solver_umfpack, solver_skyline, solver_mumps
    public :: coupling_default, coupling_monolithic, coupling_updated, coupling_swept, coupling_full
@@ -153,6 +153,17 @@ module litz_model
       character(len=:), allocatable :: file
       integer :: line = 0
    end type rigid_body_t
+
+   !> `sum of coefficient times degree of freedom = 0`, which eliminates the first of them.
+   type :: equation_t
+      !> Of each term: node, degree of freedom in Abaqus's numbers, and coefficient (terms)
+      integer, allocatable :: node(:), dof(:)
+      real(dp), allocatable :: coefficient(:)
+      !> Where it stands in the deck, for messages
+      character(len=:), allocatable :: file
+      integer :: line = 0
+   end type equation_t
+
    !> A rigid surface in the reference configuration.
    type :: rigid_body_surface_t
       character(len=:), allocatable :: name
@@ -296,6 +307,7 @@ module litz_model
       integer, allocatable :: element_section(:)
       type(named_set_t), allocatable :: node_sets(:), element_sets(:)
       type(rigid_body_t), allocatable :: rigid_bodies(:)
+      type(equation_t), allocatable :: equations(:)
       type(material_t), allocatable :: materials(:)
       type(section_t), allocatable :: sections(:)
       type(amplitude_t), allocatable :: amplitudes(:)

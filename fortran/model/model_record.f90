@@ -35,6 +35,7 @@ contains
       do i = 1, size(model%rigid_bodies)
          call record_rigid_body(model, model%rigid_bodies(i), record)
       end do
+      call record_equations(model, record)
       do i = 1, size(model%contact_pairs)
          call record_contact_pair(model, i, record)
       end do
@@ -171,6 +172,25 @@ contains
       call record%value('number of pinned nodes', to_text(size(body%pinned)))
       call record%list('pinned nodes', reshape(body%pinned, [1, size(body%pinned)]))
    end subroutine record_rigid_body
+
+   !> All equations, in their order.
+   pure subroutine record_equations(model, record)
+      type(model_t), intent(in) :: model
+      type(record_t), intent(inout) :: record
+      integer(int64) :: sums(1, size(model%equations))
+      integer :: i
+
+      if (size(sums) == 0) return
+      do i = 1, size(model%equations)
+         associate (this => model%equations(i))
+            sums(1, i) = checksum(reshape([int(this%node, int64), int(this%dof, int64), bits(this%coefficient)], &
+               [3*size(this%node), 1]))
+         end associate
+      end do
+      call record%begin('the equations (*EQUATION)')
+      call record%value('number of them', to_text(size(model%equations)))
+      call record%add('terms', kind_sum, sum_text(checksum(sums)))
+   end subroutine record_equations
 
    !> A contact pair and the laws of its interaction.
    subroutine record_contact_pair(model, i, record)

@@ -6,6 +6,7 @@ module litz_problem
    use litz_element_library, only: prepare_elements
    use litz_fields, only: n_slots, temperature_slots
    use litz_kinds, only: dp
+   use litz_linear_constraints, only: new_linear_constraints
    use litz_loading, only: initial_values
    use litz_model, only: model_t
    use litz_rigid_bodies, only: new_rigid_bodies
@@ -57,6 +58,7 @@ contains
       call start_state(problem)
       call note_initial_temperatures(problem)
       problem%iterate%bodies = new_rigid_bodies(model)
+      problem%iterate%constraints = new_linear_constraints(model)
       call list_terms(problem%domain_t, problem%contact, problem%terms)
    end subroutine prepare_problem
 

@@ -91,7 +91,7 @@ contains
       !> One of the solver constants of the model; 0: as the step says
       integer, intent(in) :: solver
       type(error_t), allocatable, intent(out) :: error
-      logical, dimension(n_slots, problem%model%n_nodes) :: exists, stays
+      logical, dimension(n_slots, problem%model%n_nodes) :: exists, stays, is_there
       logical :: same_system
       integer, allocatable :: number_before(:, :)
       integer :: kind, coupling
@@ -99,10 +99,13 @@ contains
       call start_loading(step, problem%state, problem%loading)
       call request_slots(problem, step%has_solved, stays)
       call request_slots(problem, step%solves, exists)
-      problem%loading%stays = stays
+      associate (eliminated => problem%iterate%constraints%of > 0, n => problem%model%n_nodes)
+         problem%loading%stays = stays .or. (eliminated .and. spread(step%has_solved(field_of_slot), 2, n))
+         is_there = exists .or. (eliminated .and. spread(step%solves(field_of_slot), 2, n))
+      end associate
       call refuse_absent_unknowns(problem%model, step%boundary, exists, error)
-      call find_given_values(problem%model, step, exists, problem%loading, error)
-      call refuse_absent_unknowns(problem%model, step%load, exists, error)
+      call find_given_values(problem%model, step, is_there, problem%loading, error)
+      call refuse_absent_unknowns(problem%model, step%load, is_there, error)
       if (allocated(error)) return
       if (problem%scheme%is_created()) number_before = problem%equations%number
       call number_equations(problem%loading%fixed, exists, problem%equations)
@@ -172,7 +175,7 @@ contains
    pure subroutine find_given_values(model, step, exists, loading, error)
       type(model_t), intent(in) :: model
       type(step_t), intent(in) :: step
-      !> (n_slots, n_nodes)
+      !> Unknowns, and what equations eliminate (n_slots, n_nodes)
       logical, intent(in) :: exists(:, :)
       type(loading_t), intent(inout) :: loading
       type(error_t), allocatable, intent(inout) :: error

@@ -8,6 +8,7 @@ module litz_term_list
    use litz_contact_term, only: contact_term_t
    use litz_distributed_load_term, only: new_distributed_load_term
    use litz_domain, only: domain_t
+   use litz_equation_term, only: new_equation_term
    use litz_heat_term, only: new_heat_term
    use litz_lorentz_term, only: new_lorentz_term
    use litz_moment_term, only: moment_term_t
@@ -46,6 +47,8 @@ contains
       ! after all that makes moments
       call add(moment_term_t())
       call add(stabilization_term_t())
+      ! after all that makes forces
+      call add(new_equation_term(domain%iterate%constraints%n))
 
    contains
 

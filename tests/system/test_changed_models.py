@@ -93,6 +93,7 @@ def model():
         + "*NSET, NSET=HELD\n 901\n*NSET, NSET=HELD, GENERATE\n 101, 501, 100\n*NSET, NSET=SPARE\n 902\n"
         "*NSET, NSET=TIED\n 302\n*NSET, NSET=PINNED\n 304\n*NSET, NSET=TIED TOO\n 203\n*NSET, NSET=OTHER\n 204\n"
         "*RIGID BODY, REF NODE=303, TIE NSET=TIED, PIN NSET=PINNED\n*RIGID BODY, REF NODE=202, NSET=TIED TOO\n"
+        "*EQUATION\n 2\n 402, 1, 1.0, 403, 1, -1.0\n"
         "*ELSET, ELSET=UPS\n UP1, UP2, UP3, UP4\n*ELSET, ELSET=SOME\n 101, 102\n*ELSET, ELSET=SOME, GENERATE\n 201, 203, 1\n"
         + COPPER
         + BRASS
@@ -240,6 +241,7 @@ FREE_VALUES = {
     ("COUPLED TEMPERATURE-DISPLACEMENT", "largest"): "size of the increments",
     ("DFLUX", "label"): "one choice", ("FILM", "label"): "one choice", ("RADIATE", "label"): "one choice",
     ("CFLUX", "dof"): "11 or empty",
+    ("EQUATION", "terms"): "form of the data",
     ("DLOAD", "OP"): "none before", ("LORENTZ", "OP"): "none before",
     ("LORENTZ", "dBx/dx"): "a field has no divergence", ("LORENTZ", "dBy/dy"): "a field has no divergence",
     ("LORENTZ", "dBz/dz"): "a field has no divergence",

@@ -156,6 +156,7 @@ def test_the_program_accepts_all_that_can_be_said(litz_program, tmp_path):
         friction=litz.Friction(0.3, heat_fraction=0.5),
     )
     model.rigid_body((0.35, 1, 0), tie=more.middle, pin=more.end)
+    model.equation((side.end, "ry", 1), (side.start, "ry", -0.5), (lower.middle, 1, 2))
     model.contact(more, model.plane("TABLE", (0, 0, -0.1), (0, 0, 1)))
     ramp = model.amplitude("RAMP", np.linspace(0, 1, 7), np.linspace(0, 1, 7) ** 2)
     step.force(side.end, "x", 1.0)
