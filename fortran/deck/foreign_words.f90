@@ -46,7 +46,7 @@ module litz_foreign_words
       ' supports and loads lie along them'), &
       foreign_word_t('ORIENTATION|NORMAL', '', '', 'leave it out: the second data line of'// &
       ' *BEAM SECTION is the first axis of the section'), &
-      foreign_word_t('COUPLING|KINEMATIC|DISTRIBUTING|KINEMATIC COUPLING|DISTRIBUTING COUPLING|MPC|TIE|EQUATION|'// &
+      foreign_word_t('COUPLING|KINEMATIC|DISTRIBUTING|KINEMATIC COUPLING|DISTRIBUTING COUPLING|MPC|TIE|'// &
       'EMBEDDED ELEMENT', '', '', 'nodes that move with another one are a *RIGID BODY, REF NODE=..., TIE NSET=...'// &
       ' (or PIN NSET=...); wires that are joined share a node'), &
       foreign_word_t('SPRING|DASHPOT|CONNECTOR SECTION|CONNECTOR BEHAVIOR|GAP|MASS|ROTARY INERTIA', '', '', &

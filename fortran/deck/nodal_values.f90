@@ -385,8 +385,9 @@ contains
       associate (i => list%eliminated_by(slot_of_dof(value%dof), value%node))
          ok = i == 0
          if (.not. ok) call fail_at(self, self%values%token(1), 'degree of freedom '//to_text(value%dof)// &
-            ' of node '//to_text(model%node_id(value%node))//' is eliminated by the *EQUATION in '//model%equations(i)%file//':'// &
-            to_text(model%equations(i)%line)//'; prescribe another one of its terms, or begin it with another one')
+            ' of node '//to_text(model%node_id(value%node))//' is eliminated by the *EQUATION in '// &
+            model%equations(i)%file//':'//to_text(model%equations(i)%line)// &
+            '; prescribe another one of its terms, or begin it with another one')
       end associate
    end subroutine refuse_eliminated
 

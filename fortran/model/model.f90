@@ -25,6 +25,7 @@ module litz_model
    public :: request_node, request_element, request_contact, request_electrode, request_energy
    public :: shear_given, shear_round, shear_unreduced
    public :: dof_potential, dof_temperature, amplitude_factor, factor_at, ramp_at
+   public :: has_element_loads
    public :: solved_by_static, solved_by_heat, solved_by_all, procedure_of
 
    !> Longest name of a set, material, ... (longer ones are refused)
@@ -321,6 +322,19 @@ module litz_model
    end type model_t
 
 contains
+
+   !> Some step has forces on the length of elements.
+   pure logical function has_element_loads(model)
+      type(model_t), intent(in) :: model
+      integer :: i
+
+      has_element_loads = .false.
+      if (.not. allocated(model%steps)) return
+      do i = 1, size(model%steps)
+         if (.not. allocated(model%steps(i)%element_loads)) cycle
+         has_element_loads = has_element_loads .or. size(model%steps(i)%element_loads) > 0
+      end do
+   end function has_element_loads
 
    !> The keyword that says what a step solves for, with its star.
    pure function procedure_of(step) result(keyword)

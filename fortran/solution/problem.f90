@@ -8,7 +8,7 @@ module litz_problem
    use litz_kinds, only: dp
    use litz_linear_constraints, only: new_linear_constraints
    use litz_loading, only: initial_values
-   use litz_model, only: model_t
+   use litz_model, only: model_t, has_element_loads
    use litz_rigid_bodies, only: new_rigid_bodies
    use litz_rotations, only: identity3
    use litz_run_warnings, only: run_warnings_t
@@ -65,7 +65,7 @@ contains
    !> The undeformed model without voltages, at its initial temperatures.
    subroutine start_state(problem)
       type(problem_t), intent(inout) :: problem
-      integer :: n, m, step
+      integer :: n, m
 
       n = problem%model%n_nodes
       m = problem%model%n_elements
@@ -73,8 +73,7 @@ contains
          allocate (state%reaction(n_slots, n), state%load(n_slots, n), &
             state%outer_force(n_slots, n), state%damping(n_slots, n), source=0.0_dp)
          allocate (state%section_forces(6, m), state%line_load(3, m), source=0.0_dp)
-         state%has_line_loads = any([(size(problem%model%steps(step)%element_loads) > 0, &
-            step=1, size(problem%model%steps))])
+         state%has_line_loads = has_element_loads(problem%model)
          allocate (state%element_current(m), state%current_density(m), state%joule_heat(m), state%heat_flux(m), &
             state%heat_made(m), state%surface_heat(m), state%heat_stored(m), state%temperature_before(n), &
             state%temperature_earlier(n), source=0.0_dp)

@@ -219,7 +219,8 @@ contains
          if (self%iterate%constraints%n > 0) call scatter_constrained(self%equations, self%iterate%constraints, nodes, &
             motion_slots, motion_slots, k(:, :, 1), coupling)
          if (size(self%iterate%bodies%dependents) > 0) call scatter_dependent(self%equations, self%iterate%bodies, &
-            self%iterate%constraints, self%iterate%x, reshape(nodes, [size(nodes), 1]), motion_slots, motion_slots, k, coupling)
+            self%iterate%constraints, self%iterate%x, reshape(nodes, [size(nodes), 1]), motion_slots, &
+            motion_slots, k, coupling)
       end associate
    end subroutine add_slip_coupling
 

@@ -115,8 +115,9 @@ contains
          do i = 1, constraints%n
             if (constraints%slot(i) /= first_slot(field)) cycle
             associate (weights => constraints%weight(constraints%start(i):constraints%start(i + 1) - 1))
-               if (abs(1 - sum(weights)) > epsilon(1.0_dp)*size(weights)*maxval(abs(weights))) &
-                  held(constraints%node(i)) = .true.
+               if (abs(1 - sum(weights)) > epsilon(1.0_dp)*size(weights)*maxval(abs(weights))) then
+                 held(constraints%node(i)) = .true.
+               end if
             end associate
          end do
       end associate

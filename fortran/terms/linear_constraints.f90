@@ -70,8 +70,9 @@ contains
       if (.not. fields(field_of_slot(self%slot(i)))%is_rotation) then
          associate (terms => [(other, other=self%start(i), self%start(i + 1) - 1)])
             do other = 1, size(terms)
-               if (fields(field_of_slot(self%master_slot(terms(other))))%is_rotation) &
-                  self%turns_alone(self%master_node(terms(other))) = .true.
+               if (fields(field_of_slot(self%master_slot(terms(other))))%is_rotation) then
+                 self%turns_alone(self%master_node(terms(other))) = .true.
+               end if
             end do
          end associate
          return

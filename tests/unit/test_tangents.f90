@@ -541,8 +541,9 @@ contains
       character(len=*), parameter :: motions = '*EQUATION'//nl//'3'//nl//'3, 1, 2, 2, 1, -1'//nl//'2, 4, 0.001'//nl// &
          '2'//nl//'12, 3, 1, 13, 3, -0.5'//nl//'2'//nl//'2, 2, 1, 13, 2, 0.2'//nl
       character(len=*), parameter :: alike = '2'//nl//'13, 4, 1, 12, 4, -1'//nl//'2'//nl//'13, 5, 1, 12, 5, -1'//nl// &
-         '2'//nl//'13, 6, 1, 12, 6, -1'//nl, single = '2'//nl//'3, 5, 1, 2, 6, -0.4'//nl//'2'//nl//'13, 6, 1, 2, 6, -1' &
-         //nl, potentials = '2'//nl//'3, 9, 1, 2, 9, -0.6'//nl//'3'//nl//'13, 9, 1, 12, 9, -0.5, 2, 9, -0.5'//nl
+         '2'//nl//'13, 6, 1, 12, 6, -1'//nl, single = '2'//nl//'3, 5, 1, 2, 6, -0.4'//nl//'2'//nl// &
+         '13, 6, 1, 2, 6, -1'//nl, potentials = '2'//nl//'3, 9, 1, 2, 9, -0.6'//nl//'3'//nl// &
+         '13, 9, 1, 12, 9, -0.5, 2, 9, -0.5'//nl
       character(len=*), parameter :: loads = '*CLOAD'//nl//'3, 1, 0.5'//nl//'13, 5, 0.02'//nl//'3, 5, 0.01'//nl// &
          '2, 6, 0.03'//nl, cold = '2'//nl//'3, 11, 1, 2, 11, -1'//nl
 
@@ -651,7 +652,8 @@ contains
          '*BEAM SECTION, ELSET=B, MATERIAL=M, SECTION=CIRC'//nl//'1e-3'//nl// &
          '*PHYSICAL CONSTANTS, ABSOLUTE ZERO=0'//nl//'*SURFACE INTERACTION, NAME=I'//nl//hertz//laws// &
          '*CONTACT PAIR, INTERACTION=I'//nl//'A, B'//nl//'*INITIAL CONDITIONS, TYPE=TEMPERATURE'//nl//'ALL, 300'//nl// &
-         '*NSET, NSET=B, GENERATE'//nl//'11, 16, 1'//nl//cards//'*BOUNDARY'//nl//'1, 1, 6'//nl//'4, 1, 6'//nl//'B, 1, 6' &
+         '*NSET, NSET=B, GENERATE'//nl//'11, 16, 1'//nl//cards//'*BOUNDARY'//nl//'1, 1, 6'//nl//'4, 1, 6'//nl// &
+         'B, 1, 6' &
          //nl// &
          '*STEP'//nl//'*STATIC'//nl//loads//'*END STEP'//nl//'*STEP'//nl//'*STATIC'//nl//loads//heating// &
          '*END STEP'//nl), problem)
@@ -905,8 +907,8 @@ contains
       end do
    end subroutine compare
 
-   !> Between -scale and scale at the free unknowns, with these at those that are eliminated, 0 at others. Further fields take the draws of the potential, of
-   !> other nodes, so that the motions are the same whatever fields there are.
+   !> Between -scale and scale at the free unknowns, with these at those that are eliminated, 0 at others. Further
+   !> fields take the draws of the potential, of other nodes, so that the motions are the same with any fields.
    function random_values(problem, scale) result(values)
       type(problem_t), intent(in) :: problem
       real(dp), intent(in) :: scale(n_slots)
