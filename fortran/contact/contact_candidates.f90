@@ -36,6 +36,7 @@ contains
       integer :: p, e
 
       allocate (contact%points(0), contact%converged(0), contact%candidates(3, 0), contact%joined(3, 0))
+      allocate (contact%coupled(0))
       allocate (contact%line_points(0), contact%converged_line_points(0))
       allocate (contact%clearance(size(model%contact_pairs)), source=0.0_dp)
       contact%converged_clearance = contact%clearance
@@ -160,6 +161,7 @@ contains
       if (.not. changed) changed = any(contact%candidates /= found(:, :n_found))
       if (.not. changed) return
       contact%candidates = found(:, :n_found)
+      contact%coupled = spread(.false., 1, n_found)
       call contact%near%forget(n_found)
    end subroutine keep_candidates
 

@@ -32,7 +32,7 @@ module litz_contact_forces
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: assemble_contacts, share_currents, set_current, conductors_of, conducts_apart
+   public :: assemble_contacts, share_currents, set_current, conductors_of, conducts_apart, enters_system
 
 contains
 
@@ -48,7 +48,7 @@ contains
       integer, allocatable :: touching(:), nodes(:, :)
       integer :: first, n, i
 
-      touching = pack([(i, i=1, size(points))], points%active .or. points%closed .or. conducts_apart(points))
+      touching = pack([(i, i=1, size(points))], enters_system(points))
       n = min(chunk, size(touching))
       allocate (k(n_motions, n_motions, n), r(n_motions, n), k_ee(4, 4, n), r_e(4, n), k_me(4, n_motions, n))
       allocate (nodes(4, n))
@@ -195,6 +195,13 @@ contains
 
       conducts_apart = point%cell_touches .and. point%weight > 0
    end function conducts_apart
+
+   !> It has a force, or a current can pass.
+   elemental logical function enters_system(point)
+      type(contact_point_t), intent(in) :: point
+
+      enters_system = point%active .or. point%closed .or. conducts_apart(point)
+   end function enters_system
 
    !> How the conductance of a spot changes as the contact slides next to an end (24) [S]: by its force; that of a
    !> place of a line by the length; of a lens the ends keep what they have within an iteration.

@@ -228,6 +228,8 @@ module litz_contact_points
       integer, allocatable :: members(:)
       !> Barred element, unbarred element, contact pair (3, n_candidates); sorted by the smaller, then the larger one
       integer, allocatable :: candidates(:, :)
+      !> Candidates whose nodes the pattern of the matrix couples (n_candidates)
+      logical, allocatable :: coupled(:)
       !> Pairs that would be candidates, but are joined (3, n_joined)
       integer, allocatable :: joined(:, :)
       !> Positions of the nodes when the candidates were collected (3, n_nodes)

@@ -8,6 +8,7 @@ module litz_contact_term
    use litz_contact_forces, only: assemble_contacts, share_currents
    use litz_contact_points, only: contact_set_t, contact_point_t
    use litz_contact_descent, only: descent_fraction
+   use litz_coupled_pairs, only: couple_pairs, nodes_of_coupled
    use litz_contact_step, only: contact_fraction => bearable_fraction, predict_contacts
    use litz_contact_tangents, only: follow_centre_line
    use litz_contact_temperatures, only: find_temperature_slopes, add_temperatures
@@ -68,16 +69,10 @@ contains
    subroutine connect(self, domain, nodes)
       class(contact_term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain
-      !> Nodes of each pair of elements that may touch (4, candidates)
+      !> Nodes of each pair of elements that touch, or may soon (4, n)
       integer, allocatable, intent(out) :: nodes(:, :)
-      integer :: i
 
-      associate (candidates => self%contact%candidates)
-         allocate (nodes(4, size(candidates, 2)))
-         do i = 1, size(candidates, 2)
-            nodes(:, i) = reshape(domain%model%connectivity(:, candidates(1:2, i)), [4])
-         end do
-      end associate
+      nodes = nodes_of_coupled(self%contact, domain%model%connectivity)
    end subroutine connect
 
    !> Interference is resolved in the first step, in proportion to its time.
@@ -150,6 +145,8 @@ contains
          call find_left_dents(model, wires, elements, contact%left_dents, contact%line_points)
          call apply_normal_law(model, elements, contact%points)
          call apply_normal_law(model, elements, contact%line_points)
+         call couple_pairs(contact, changed)
+         domain%pattern_changed = domain%pattern_changed .or. changed
          call domain%timing%lap(phase_contact)
       end associate
    end subroutine locate

@@ -48,6 +48,7 @@ contains
          call exchange_slots(arrays, 'loading_load', loading%load, slots, error)
          call exchange_slots(arrays, 'loading_converged_value', loading%converged_value, slots, error)
          call arrays%array('candidates', contact%candidates, 3, error)
+         call exchange_coupled(arrays, contact%coupled, error)
          call arrays%array('positions_at_search', contact%x_collected, error, 3)
          call exchange_left_dents(arrays, contact%left_dents, error)
          if (arrays%mode == reading .and. .not. allocated(error)) then
@@ -60,6 +61,19 @@ contains
       end associate
       call exchange_warnings(arrays, problem%warnings, error)
    end subroutine exchange_all
+
+   !> Which candidates the pattern of the matrix couples: the order of elimination, and with it round-off, follows it.
+   subroutine exchange_coupled(arrays, coupled, error)
+      type(restart_arrays_t), intent(inout) :: arrays
+      !> (n_candidates)
+      logical, allocatable, intent(inout) :: coupled(:)
+      type(error_t), allocatable, intent(inout) :: error
+      logical, allocatable :: marks(:, :)
+
+      marks = reshape(coupled, [1, size(coupled)])
+      call arrays%array('coupled', marks, 1, error)
+      if (.not. allocated(error)) coupled = marks(1, :)
+   end subroutine exchange_coupled
 
    !> Values of the fields of the model.
    subroutine exchange_slots(arrays, name, values, slots, error)
