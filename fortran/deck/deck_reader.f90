@@ -14,6 +14,7 @@ module litz_deck_reader
    use litz_sets, only: read_sets
    use litz_read_properties, only: read_materials, read_sections, read_amplitudes, report_unused
    use litz_read_contact, only: read_interactions, read_contact_pairs
+   use litz_read_equations, only: read_equations
    use litz_read_rigid_bodies, only: read_rigid_bodies
    use litz_read_steps, only: read_steps
    use litz_read_surfaces, only: read_surfaces
@@ -70,6 +71,7 @@ contains
       call read_surfaces(self, model)
       call read_contact_pairs(self, model)
       call read_rigid_bodies(self, model)
+      call read_equations(self, model)
       if (self%errors%count == 0 .and. model%n_elements == 0) call fail_at(self, &
          self%deck%end_of_line(self%deck%n_lines), 'the deck has no *ELEMENT')
       call read_steps(self, model)
@@ -258,6 +260,9 @@ contains
          spare(model%connectivity(:, e)) = .false.
       end do
       spare(model%rigid_bodies%reference_node) = .false.
+      do first = 1, size(model%equations)
+         spare(model%equations(first)%node) = .false.
+      end do
       do first = 1, size(model%surfaces)
          if (model%surfaces(first)%node > 0) spare(model%surfaces(first)%node) = .false.
       end do

@@ -46,7 +46,7 @@ module litz_foreign_words
       ' supports and loads lie along them'), &
       foreign_word_t('ORIENTATION|NORMAL', '', '', 'leave it out: the second data line of'// &
       ' *BEAM SECTION is the first axis of the section'), &
-      foreign_word_t('COUPLING|KINEMATIC|DISTRIBUTING|KINEMATIC COUPLING|DISTRIBUTING COUPLING|MPC|TIE|EQUATION|'// &
+      foreign_word_t('COUPLING|KINEMATIC|DISTRIBUTING|KINEMATIC COUPLING|DISTRIBUTING COUPLING|MPC|TIE|'// &
       'EMBEDDED ELEMENT', '', '', 'nodes that move with another one are a *RIGID BODY, REF NODE=..., TIE NSET=...'// &
       ' (or PIN NSET=...); wires that are joined share a node'), &
       foreign_word_t('SPRING|DASHPOT|CONNECTOR SECTION|CONNECTOR BEHAVIOR|GAP|MASS|ROTARY INERTIA', '', '', &
@@ -71,7 +71,7 @@ module litz_foreign_words
       'leave it out; *CONTROLS, PARAMETERS=STABILIZE damps what only contacts can hold'), &
       foreign_word_t('CLEARANCE', '', '', 'leave it out: gaps follow from the nodes and radii'), &
       foreign_word_t('GAP RADIATION', '', '', 'wires radiate into their surroundings only: *RADIATE'), &
-      foreign_word_t('DLOAD|DSLOAD', '', '', 'distribute the load over the nodes: *CLOAD'), &
+      foreign_word_t('DSLOAD', '', '', 'beams have no surfaces: *DLOAD gives forces per length'), &
       foreign_word_t('DECURRENT|DSECURRENT', '', '', 'distribute the current over the nodes: *CECURRENT'), &
       foreign_word_t('OUTPUT|FILE OUTPUT', '', '', 'leave it out: fields are always written (*NODE FILE says how'// &
       ' often), and *NODE PRINT, *EL PRINT, *ELECTRODE PRINT request values over time'), &

@@ -5,7 +5,7 @@ module litz_keyword_table
    use litz_keywords, only: keyword_table_t
    use litz_model_keywords, only: add_general, add_mesh, add_constraints, add_initial_values, add_properties, &
       add_contact
-   use litz_step_keywords, only: add_step, add_loads, add_element_heat, &
+   use litz_step_keywords, only: add_step, add_loads, add_element_loads, add_element_heat, &
       add_given_values, add_output, add_solution
    implicit none
    private
@@ -26,6 +26,7 @@ contains
       call add_initial_values(table)
       call add_step(table)
       call add_loads(table)
+      call add_element_loads(table)
       call add_element_heat(table)
       call add_given_values(table)
       call add_output(table)

@@ -1,11 +1,11 @@
 !> The keywords that describe the model: mesh, materials, sections, amplitudes and contact.
 module litz_model_keywords
    use litz_element_types, only: element_type_choices, describe_element_types, list_element_types
-   use litz_fields, only: field_potential, field_temperature, dof_range
+   use litz_fields, only: field_potential, field_temperature, dof_range, n_fields
    use litz_keywords, only: keyword_t, keyword_table_t, field_spec_t, place_model, place_both, limit_none, &
       limit_positive, limit_not_negative, limit_poisson, limit_zero, limit_one
-   use litz_keyword_builders, only: begin, finish, integer_field, real_field, name_field, item_field, text_field, &
-      flag, choice, name, item, number, count_of, file
+   use litz_keyword_builders, only: begin, finish, integer_field, real_field, dofs_of, name_field, item_field, &
+      text_field, flag, choice, name, item, number, count_of, file
    use litz_law_words, only: law_words_t
    use litz_normal_laws, only: all_normal_laws
    use litz_heat_law, only: all_heat_laws
@@ -98,6 +98,7 @@ contains
    pure subroutine add_constraints(table)
       type(keyword_table_t), intent(inout) :: table
       type(keyword_t) :: k
+      integer :: i
 
       call begin(k, 'RIGID BODY', place_model, 'Nodes that move with a reference node as one rigid body, by'// &
          ' rotations of any size. Its displacements and rotations can be prescribed and loaded; forces on the'// &
@@ -107,6 +108,20 @@ contains
       call k%add(name('TIE NSET', 'node set whose displacements and rotations follow'))
       call k%add(name('PIN NSET', 'node set whose displacements follow; its rotations are free'))
       call k%add(name('NSET', 'the same as TIE NSET, as in CalculiX'))
+      call finish(table, k)
+
+      call begin(k, 'EQUATION', place_model, 'Linear equations between degrees of freedom: the sum of coefficient'// &
+         ' times value is zero. Each begins with the number of its terms, alone on a line; the terms follow, up to'// &
+         ' five on a line. The first term is eliminated: it can be loaded, but not prescribed, and is in no other'// &
+         ' equation. Node sets stand for an equation for each of their nodes, in the order of the numbers of these;'// &
+         ' all sets of an equation have the same number of nodes. A node may belong to no element: it then takes'// &
+         ' part in equations alone, and can be prescribed and loaded. Rotations are those about the fixed axes in'// &
+         ' each increment: with coefficients 1 and -1 for all three two nodes turn alike, by any angle.')
+      call k%add_data([integer_field('terms', 'number of terms of the first equation', limit_positive)], last=1)
+      call k%add_data([item_field('node', 'number of a node or name of a node set; alone on a line: the number of'// &
+         ' terms of the next equation'), &
+         dofs_of([(i, i=1, n_fields)], integer_field('dof', 'degree of freedom', limit_positive, required=.false.)), &
+         real_field('coefficient', '', 'its coefficient', required=.false.)], first=2, last=0, repeats=5)
       call finish(table, k)
    end subroutine add_constraints
 

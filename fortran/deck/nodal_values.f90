@@ -4,18 +4,19 @@ module litz_nodal_values
    use litz_text, only: to_text
    use litz_numbers, only: parse_integer, number_ok
    use litz_deck, only: token_t
-   use litz_fields, only: field_t, fields, n_fields, field_rotation, field_displacement, field_potential, &
-      field_temperature, last_dof, n_slots, slot_of_dof, field_of_dof, dof_range, describe_dofs
+   use litz_fields, only: field_t, fields, n_fields, field_rotation, field_displacement, last_dof, n_slots, &
+      slot_of_dof, field_of_dof, dof_range, describe_dofs
    use litz_model, only: model_t, nodal_value_t, rigid_body_t, amplitude_factor, dof_temperature
    use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, keyword_of, name_of
    use litz_value_checks, only: advice_about_value, behind_semicolon
    use litz_data_lines, only: read_line
    use litz_definitions, only: find_definition
    use litz_sets, only: find_item
+   use litz_unknown_nodes, only: nodes_with_unknown, reason_for_lack_of
    implicit none
    private
    public :: value_list_t, kind_boundary, kind_temperature, kind_initial, field_of_load, start_list, begin_step, &
-      read_nodal_values, nodes_with_unknown
+      read_nodal_values
 
    !> The kinds of prescribed values, of temperatures that are no unknowns, and of those before the first step; that of
    !> loads is the first field with their keyword
@@ -38,6 +39,8 @@ module litz_nodal_values
       logical, allocatable :: has_element(:)
       !> Nodes at which a field has an equation (n_nodes, n_fields)
       logical, allocatable :: has_unknown(:, :)
+      !> Equation that eliminates a degree of freedom, 0: none (n_slots, n_nodes)
+      integer, allocatable :: eliminated_by(:, :)
       !> Rigid body that each node moves with, 0: none; the last degree of freedom that is not its own (n_nodes)
       integer, allocatable :: body(:), last_moved(:)
    end type value_list_t
@@ -73,42 +76,21 @@ contains
             list%last_moved(body%pinned) = last_dof(field_displacement)
          end associate
       end do
+      allocate (list%eliminated_by(n_slots, model%n_nodes), source=0)
+      do k = 1, size(model%equations)
+         associate (this => model%equations(k))
+            list%eliminated_by(slot_of_dof(this%dof(1)), this%node(1)) = k
+            do e = 1, size(this%node)
+               ! one without elements has what equations ask for
+               list%has_element(this%node(e)) = .true.
+               list%has_unknown(this%node(e), field_of_dof(this%dof(e))) = .true.
+            end do
+         end associate
+      end do
       do k = 1, size(model%surfaces)
          if (model%surfaces(k)%node > 0) list%has_element(model%surfaces(k)%node) = .true.
       end do
    end subroutine start_list
-
-   !> Nodes of elements that conduct the flux of a field; all nodes for fields that need no conductor.
-   pure function nodes_with_unknown(model, field) result(has_unknown)
-      type(model_t), intent(in) :: model
-      !> One of litz_fields
-      integer, intent(in) :: field
-      logical :: has_unknown(model%n_nodes)
-      integer :: e, k
-
-      has_unknown = .not. any(field == [field_potential, field_temperature])
-      do e = 1, model%n_elements
-         if (.not. conducts(model, e, field)) cycle
-         do k = 1, 2
-            if (model%connectivity(k, e) > 0) has_unknown(model%connectivity(k, e)) = .true.
-         end do
-      end do
-   end function nodes_with_unknown
-
-   !> Elements whose section or material is in error count as conductors, so that no second error follows.
-   pure logical function conducts(model, element, field)
-      type(model_t), intent(in) :: model
-      !> Index of the element, and one of litz_fields
-      integer, intent(in) :: element, field
-
-      conducts = .true.
-      if (all(field /= [field_potential, field_temperature]) .or. model%element_section(element) == 0) return
-      associate (section => model%sections(model%element_section(element)))
-         if (section%material == 0) return
-         if (field == field_potential) conducts = model%materials(section%material)%conductivity > 0
-         if (field == field_temperature) conducts = allocated(model%materials(section%material)%heat_conductivity)
-      end associate
-   end function conducts
 
    !> Carry the list into a new step. What followed an amplitude in step time keeps the value of the step's end.
    !> Source: Abaqus's rules for conditions that a step does not name.
@@ -359,7 +341,8 @@ contains
       value%value = self%values%real(place_of_value(list%kind))
       do i = 1, size(nodes)
          value%node = nodes(i)
-         ok = list%has_element(nodes(i)) .or. self%broken_nodes .or. self%broken_elements .or. self%broken_bodies
+         ok = list%has_element(nodes(i)) .or. self%broken_nodes .or. self%broken_elements .or. self%broken_bodies &
+            .or. self%broken_equations
          if (.not. ok) then
             call fail_at(self, self%values%token(1), describe_node(self, model, nodes(i), nodes)// &
                ' belongs to no element')
@@ -382,25 +365,31 @@ contains
          end if
          do dof = first, last
             value%dof = dof
+            if (list%kind == kind_boundary) call refuse_eliminated(self, model, list, value, ok)
+            if (.not. ok) return
             call set_value(self, model, list, value, ok)
             if (.not. ok) return
          end do
       end do
    end subroutine set_values
 
-   !> Why a node does not have the unknown of a field, behind the name of the node.
-   pure function reason_for_lack_of(field) result(words)
-      !> One of litz_fields
-      integer, intent(in) :: field
-      character(len=:), allocatable :: words
+   !> What an equation eliminates follows from the others in it.
+   subroutine refuse_eliminated(self, model, list, value, ok)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      type(value_list_t), intent(in) :: list
+      type(nodal_value_t), intent(in) :: value
+      !> .false.: an error was reported
+      logical, intent(out) :: ok
 
-      if (field == field_temperature) then
-         words = ' has no temperature as an unknown, as no material of its elements conducts heat; temperatures are'// &
-            ' given by *TEMPERATURE'
-      else
-         words = ' has no electric potential: no material of its elements has *ELECTRICAL CONDUCTIVITY'
-      end if
-   end function reason_for_lack_of
+      associate (i => list%eliminated_by(slot_of_dof(value%dof), value%node))
+         ok = i == 0
+         if (.not. ok) call fail_at(self, self%values%token(1), 'degree of freedom '//to_text(value%dof)// &
+            ' of node '//to_text(model%node_id(value%node))//' is eliminated by the *EQUATION in '// &
+            model%equations(i)%file//':'//to_text(model%equations(i)%line)// &
+            '; prescribe another one of its terms, or begin it with another one')
+      end associate
+   end subroutine refuse_eliminated
 
    !> `node 5, the reference node of the *RIGID BODY in deck.inp:12`
    pure function describe_body(model, body) result(words)

@@ -10,7 +10,7 @@ module litz_read_requests
    use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, integer_parameter, keyword_of
    use litz_data_lines, only: read_line
    use litz_sets, only: find_set
-   use litz_nodal_values, only: nodes_with_unknown
+   use litz_unknown_nodes, only: nodes_with_unknown
    implicit none
    private
    public :: request_list_t, begin_requests, read_request

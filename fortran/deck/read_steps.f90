@@ -13,6 +13,7 @@ module litz_read_steps
    use litz_lookup, only: name_map_t
    use litz_nodal_values, only: value_list_t, kind_boundary, kind_temperature, kind_initial, field_of_load, &
       start_list, begin_step, read_nodal_values
+   use litz_read_element_loads, only: load_list_t, start_loads, begin_loads, read_element_loads
    use litz_read_element_heat, only: heat_cards_t, begin_heat, read_element_heat
    use litz_read_requests, only: request_list_t, begin_requests, read_request
    use litz_read_controls, only: read_controls, read_solver, read_solution_technique
@@ -35,7 +36,9 @@ module litz_read_steps
       type(request_list_t) :: requests
       type(name_map_t) :: names
       type(heat_cards_t) :: heat_cards
-      !> Number of the step; its *STEP, the last *CLOAD, and the last of *DFLUX, *FILM, *RADIATE in it (0: none)
+      type(load_list_t) :: element_loads
+      !> Number of the step; its *STEP, the last *CLOAD, *DLOAD or *LORENTZ, and the last of *DFLUX, *FILM, *RADIATE in
+      !> it (0: none)
       integer :: step = 0, step_card = 0, load_card = 0, heat_card = 0
       !> The step has a *STATIC or another procedure
       logical :: has_procedure = .false.
@@ -58,6 +61,7 @@ contains
       do field = 1, n_fields
          call start_list(so_far%load(field), field, model)
       end do
+      call start_loads(self, model, so_far%element_loads)
       do card = 1, self%deck%n_cards
          if (self%step(card) > so_far%step) then
             if (so_far%step > 0) call close_step(self, model, so_far)
@@ -110,6 +114,9 @@ contains
          case ('DFLUX', 'FILM', 'RADIATE')
             so_far%heat_card = card
             call read_element_heat(self, model, card, model%steps(step)%heat, so_far%heat_cards)
+         case ('DLOAD', 'LORENTZ')
+            so_far%load_card = card
+            call read_element_loads(self, model, card, so_far%element_loads)
          case ('CONTROLS')
             call refuse_second(self, so_far%step_card, card, 'PARAMETERS')
             call read_controls(self, card, model%steps(step)%controls)
@@ -181,6 +188,7 @@ contains
          do field = 1, n_fields
             call begin_step(so_far%load(field), model, previous_total)
          end do
+         call begin_loads(so_far%element_loads, model, previous_total)
          call begin_heat(model, step, so_far%heat_cards)
          call begin_requests(so_far%requests)
          call read_step_line(self, card, so_far%names, this)
@@ -208,6 +216,7 @@ contains
          if (so_far%step > 1) this%has_solved = this%solves .or. model%steps(so_far%step - 1)%has_solved
          this%boundary = boundary%items(:boundary%n)
          this%predefined = temperature%items(:temperature%n)
+         this%element_loads = so_far%element_loads%items(:so_far%element_loads%n)
          this%load = [(load(field)%items(:load(field)%n), field=1, n_fields)]
          if (.not. this%solves(field_temperature) .and. solves_temperatures(self)) call set_temperatures_aside(self, &
             this, boundary, load(field_temperature))
@@ -441,12 +450,13 @@ contains
    subroutine refuse_motions(self, boundary, load_card)
       type(reader_t), intent(inout) :: self
       type(value_list_t), intent(in) :: boundary
-      !> Index of a *CLOAD of the step; 0: it has none
+      !> Index of a card with forces in the step; 0: it has none
       integer, intent(in) :: load_card
       character(len=*), parameter :: held = 'motions are held in *COUPLED THERMAL-ELECTRICAL'
       integer :: i
 
-      if (load_card > 0) call fail_at(self, self%deck%cards(load_card)%name, held//'; put this *CLOAD into a *STATIC')
+      if (load_card > 0) call fail_at(self, self%deck%cards(load_card)%name, held// &
+         '; put this *'//keyword_of(self, load_card)//' into a *STATIC')
       do i = 1, boundary%n
          if (boundary%line(i) == 0 .or. fields(field_of_dof(boundary%items(i)%dof))%group /= group_mechanical) cycle
          call fail_at(self, self%deck%line_token(boundary%line(i)), held//'; prescribe them in a *STATIC')

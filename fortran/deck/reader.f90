@@ -70,6 +70,8 @@ module litz_reader
       logical :: broken_keywords = .false.
       !> Some rigid body could not be read: a node without elements may be its reference node
       logical :: broken_bodies = .false.
+      !> Some equation could not be read: a node without elements may be in it
+      logical :: broken_equations = .false.
       type(set_builder_t) :: node_sets, element_sets
       type(definitions_t) :: materials, amplitudes, interactions, surfaces
       !> Some *BEAM SECTION names no set that exists: elements without section are follow-up errors

@@ -1,5 +1,6 @@
 !> The keywords of steps: loads, output, and how the equations are solved.
 module litz_step_keywords
+   use litz_element_loads, only: load_choices
    use litz_fields, only: fields, n_fields, field_displacement, field_rotation, dof_range, describe_dofs, list_units
    use litz_keywords, only: keyword_t, keyword_table_t, field_spec_t, place_step, place_both, place_begins_step, &
       limit_positive, limit_not_negative
@@ -10,7 +11,7 @@ module litz_step_keywords
    use litz_text, only: join_words, words_of
    implicit none
    private
-   public :: add_step, add_loads, add_element_heat, add_given_values, add_output, add_solution
+   public :: add_step, add_loads, add_element_loads, add_element_heat, add_given_values, add_output, add_solution
 
    !> Nothing but the removal of what earlier steps prescribed
    character(len=*), parameter :: new_alone = 'OP=NEW'
@@ -141,6 +142,53 @@ contains
          call finish(table, k)
       end do
    end subroutine add_loads
+
+   !> Forces on the length of elements.
+   pure subroutine add_element_loads(table)
+      type(keyword_table_t), intent(inout) :: table
+      type(keyword_t) :: k
+      type(field_spec_t) :: whole_model
+
+      call begin(k, 'DLOAD', place_step, 'Forces on the length of wires, per reference length. PX, PY, PZ: along'// &
+         ' the global axes, of fixed direction. P1, P2: along the first and second section axis (*BEAM SECTION),'// &
+         ' with which they turn. GRAV: weight, density (*DENSITY) times area times an acceleration, whose'// &
+         ' direction may have any length. Nodal moments that belong to them act on B33, none on B31. Lines of a'// &
+         ' step for the same element and label add up.')
+      call add_op(k, 'loads')
+      whole_model = item_field('element', 'number of an element or name of an element set; GRAV without it acts on all')
+      whole_model%required = .false.
+      call k%add_data([whole_model, choice_field('label', load_choices(), 'PX, PY, PZ, P1, P2 or GRAV'), &
+         real_field('value', 'N/m', 'force per length; for GRAV the acceleration [m/s^2]'), &
+         real_field('x', '', 'GRAV: its direction', required=.false.), &
+         real_field('y', '', 'GRAV: its direction', required=.false.), &
+         real_field('z', '', 'GRAV: its direction', required=.false.)], last=0, optional_with=new_alone)
+      call finish(table, k)
+
+      call begin(k, 'LORENTZ', place_step, 'Force of a magnetic field on the currents in wires (litz extension):'// &
+         ' per length current times field, across both. The current is the one that is computed in the element,'// &
+         ' the field is given, B(x) = B0 + x dB/dx + y dB/dy + z dB/dz at the present place x, y, z of the wire,'// &
+         ' without the field of the wires themselves. 1 T = 1 N/(A m). Lines of a step for the same element add'// &
+         ' up. Motions and potentials are then solved for in turns, or in one Newton step with *SOLVER,'// &
+         ' COUPLING=FULL.')
+      call add_op(k, 'fields')
+      call k%add_data([item_field('element', 'number of an element or name of an element set'), &
+         real_field('Bx', 'N/(A m)', 'field at the origin'), real_field('By', 'N/(A m)', 'field at the origin'), &
+         real_field('Bz', 'N/(A m)', 'field at the origin'), derivative_of('x', 'x'), derivative_of('y', 'x'), &
+         derivative_of('z', 'x'), derivative_of('x', 'y'), derivative_of('y', 'y'), derivative_of('z', 'y'), &
+         derivative_of('x', 'z'), derivative_of('y', 'z'), derivative_of('z', 'z')], last=0, optional_with=new_alone)
+      call finish(table, k)
+
+   contains
+
+      pure type(field_spec_t) function derivative_of(component, coordinate) result(spec)
+         !> Of the field, and of the position
+         character(len=1), intent(in) :: component, coordinate
+
+         spec = real_field('dB'//component//'/d'//coordinate, 'N/(A m^2)', 'its derivative, 0 when left out', &
+            required=.false.)
+      end function derivative_of
+
+   end subroutine add_element_loads
 
    !> Heat on the length of elements.
    pure subroutine add_element_heat(table)

@@ -3,6 +3,7 @@
 !> Node and element indices run from 1 without gaps; `node_id` and `element_id` hold the user's numbers.
 module litz_model
    use litz_kinds, only: dp
+   use litz_element_loads, only: element_load_t
    use litz_fields, only: fields, n_fields, field_potential, field_temperature, group_transport
    use litz_heat_law, only: heat_law_t
    use litz_unit_labels, only: unit_labels_t
@@ -17,13 +18,14 @@ module litz_model
    public :: name_length
    public :: model_t, material_t, section_t, named_set_t, amplitude_t, interaction_t, contact_pair_t
    public :: rigid_body_surface_t, surface_pair_t
-   public :: step_t, nodal_value_t, element_heat_t, output_request_t, controls_t, rigid_body_t
+   public :: step_t, nodal_value_t, element_heat_t, output_request_t, controls_t, rigid_body_t, equation_t
    public :: axis_linear, axis_hermite
    public :: solver_default, solver_block, solver_umfpack, solver_skyline, solver_mumps
    public :: coupling_default, coupling_monolithic, coupling_updated, coupling_swept, coupling_full
    public :: request_node, request_element, request_contact, request_electrode, request_energy
    public :: shear_given, shear_round, shear_unreduced
    public :: dof_potential, dof_temperature, amplitude_factor, factor_at, radius_at, radius_course, ramp_at
+   public :: has_element_loads
    public :: solved_by_static, solved_by_heat, solved_by_all, procedure_of
 
    !> Longest name of a set, material, ... (longer ones are refused)
@@ -152,6 +154,17 @@ module litz_model
       character(len=:), allocatable :: file
       integer :: line = 0
    end type rigid_body_t
+
+   !> `sum of coefficient times degree of freedom = 0`, which eliminates the first of them.
+   type :: equation_t
+      !> Of each term: node, degree of freedom in Abaqus's numbers, and coefficient (terms)
+      integer, allocatable :: node(:), dof(:)
+      real(dp), allocatable :: coefficient(:)
+      !> Where it stands in the deck, for messages
+      character(len=:), allocatable :: file
+      integer :: line = 0
+   end type equation_t
+
    !> A rigid surface in the reference configuration.
    type :: rigid_body_surface_t
       character(len=:), allocatable :: name
@@ -257,6 +270,8 @@ module litz_model
       type(nodal_value_t), allocatable :: predefined(:)
       !> On the length of each element (n_elements), carried over as well
       type(element_heat_t), allocatable :: heat(:)
+      !> Forces on the length of elements, carried over as well; those that end in this step are zero
+      type(element_load_t), allocatable :: element_loads(:)
       !> Carried over, as Abaqus does, unless the step asks anew
       type(output_request_t), allocatable :: requests(:)
       !> Fields are written at every n-th increment, and at the last of the step
@@ -294,6 +309,7 @@ module litz_model
       integer, allocatable :: element_section(:)
       type(named_set_t), allocatable :: node_sets(:), element_sets(:)
       type(rigid_body_t), allocatable :: rigid_bodies(:)
+      type(equation_t), allocatable :: equations(:)
       type(material_t), allocatable :: materials(:)
       type(section_t), allocatable :: sections(:)
       type(amplitude_t), allocatable :: amplitudes(:)
@@ -307,6 +323,19 @@ module litz_model
    end type model_t
 
 contains
+
+   !> Some step has forces on the length of elements.
+   pure logical function has_element_loads(model)
+      type(model_t), intent(in) :: model
+      integer :: i
+
+      has_element_loads = .false.
+      if (.not. allocated(model%steps)) return
+      do i = 1, size(model%steps)
+         if (.not. allocated(model%steps(i)%element_loads)) cycle
+         has_element_loads = has_element_loads .or. size(model%steps(i)%element_loads) > 0
+      end do
+   end function has_element_loads
 
    !> The keyword that says what a step solves for, with its star.
    pure function procedure_of(step) result(keyword)

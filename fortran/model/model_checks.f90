@@ -3,9 +3,9 @@
 module litz_model_checks
    use litz_kinds, only: dp
    use litz_fields, only: fields, field_displacement, field_of_dof, group_mechanical
-   use litz_model, only: model_t, step_t, dof_potential
+   use litz_model, only: model_t, step_t, equation_t, dof_potential
    use litz_parts, only: parts_t, find_parts, describe_part, join, find_root
-   use litz_rigid_modes, only: add_support, free_modes, describe_modes
+   use litz_rigid_modes, only: add_support, support_row, free_modes, describe_modes
    use litz_text, only: to_text
    implicit none
    private
@@ -237,10 +237,67 @@ contains
          associate (item => step%boundary(i))
             part = parts%of_node(item%node)
             if (fields(field_of_dof(item%dof))%group /= group_mechanical .or. part == 0) cycle
-            call add_support(matrices(:, :, part), item%dof, (model%x(:, item%node) - centre(:, part))/length(part))
+            call add_support(matrices(:, :, part), support_row(item%dof, (model%x(:, item%node) - centre(:, part)) &
+               /length(part)))
          end associate
       end do
+      do i = 1, size(model%equations)
+         call add_equation(model, model%equations(i), parts, centre, length, matrices)
+      end do
    end function support_matrices
+
+   !> An equation as a condition on each part in it: it is taken to hold it as if the other parts, and nodes of no
+   !> element, did not move.
+   pure subroutine add_equation(model, equation, parts, centre, length, matrices)
+      type(model_t), intent(in) :: model
+      type(equation_t), intent(in) :: equation
+      type(parts_t), intent(in) :: parts
+      !> Centre of the nodes of each part (3, parts) [m], and its size (parts) [m]
+      real(dp), intent(in) :: centre(:, :), length(:)
+      !> Of supports (6, 6, parts)
+      real(dp), intent(inout) :: matrices(:, :, :)
+      real(dp) :: c(6)
+      integer :: i, k, part
+
+      if (fields(field_of_dof(equation%dof(1)))%group /= group_mechanical) return
+      associate (of_term => parts%of_node(equation%node))
+         do i = 1, size(of_term)
+            part = of_term(i)
+            if (part == 0 .or. any(of_term(:i - 1) == part)) cycle
+            c = 0
+            do k = 1, size(of_term)
+               if (of_term(k) == part) c = c + equation%coefficient(k)*support_row(equation%dof(k), &
+                  (model%x(:, equation%node(k)) - centre(:, part))/length(part))
+            end do
+            call add_support(matrices(:, :, part), c/maxval(abs(equation%coefficient)))
+         end do
+      end associate
+   end subroutine add_equation
+
+   !> Conductors that equations join to one that is held, or to a node of no element, are held.
+   pure subroutine hold_by_equations(model, parts, held)
+      type(model_t), intent(in) :: model
+      type(parts_t), intent(in) :: parts
+      !> A potential of the part is prescribed (parts)
+      logical, intent(inout) :: held(:)
+      logical :: has_changed
+      integer :: i
+
+      has_changed = .true.
+      do while (has_changed)
+         has_changed = .false.
+         do i = 1, size(model%equations)
+            associate (equation => model%equations(i))
+               if (equation%dof(1) /= dof_potential) cycle
+               associate (joined => parts%of_node(equation%node))
+                  if (.not. (any(joined == 0) .or. any(held(pack(joined, joined > 0))))) cycle
+                  has_changed = has_changed .or. .not. all(held(pack(joined, joined > 0)))
+                  held(pack(joined, joined > 0)) = .true.
+               end associate
+            end associate
+         end do
+      end do
+   end subroutine hold_by_equations
 
    !> Parts with an element in some contact pair.
    pure function parts_in_contact(model, parts) result(in_contact)
@@ -295,6 +352,7 @@ contains
                if (boundary(i)%dof == dof_potential .and. part > 0) held(part) = .true.
             end do
          end associate
+         call hold_by_equations(model, parts, held)
          do part = 1, parts%n
             if (held(part)) group_held(group(part)) = .true.
          end do

@@ -9,33 +9,15 @@
 module litz_model_record
    use litz_kinds, only: dp, int64
    use litz_checksum, only: checksum
+   use litz_element_loads, only: load_label, n_load_kinds
    use litz_fields, only: fields, n_fields, n_slots, field_displacement, field_temperature, field_of_dof, slot_of_dof
-   use litz_growing_text, only: growing_text_t
    use litz_law_words, only: law_words_t
    use litz_model, only: model_t, interaction_t, step_t, nodal_value_t, rigid_body_t, radius_course
+   use litz_record_lines, only: record_t, kind_real, kind_sum, sum_text, bits, checksum_of_text
    use litz_text, only: to_text
    implicit none
    private
    public :: model_record, kind_real, kind_sum
-
-   character(len=1), parameter :: nl = new_line('a'), tab = achar(9)
-
-   !> The record as it grows. A line is `step tab subject tab what tab kind value`; an empty `what` says that there is
-   !> such a subject.
-   type :: record_t
-      type(growing_text_t) :: lines
-      !> The step that the next lines belong to; 0: the model
-      integer :: step = 0
-      character(len=:), allocatable :: subject
-   contains
-      procedure :: begin
-      procedure, private :: add, add_real, add_reals, add_integer, add_integers, add_text
-      generic :: value => add_real, add_integer, add_text
-      generic :: list => add_reals, add_integers
-   end type record_t
-
-   !> What a value is: a number, a word, a number or sum that means nothing to a reader
-   character(len=1), parameter :: kind_real = 'r', kind_text = 't', kind_sum = 's'
 
 contains
 
@@ -53,6 +35,7 @@ contains
       do i = 1, size(model%rigid_bodies)
          call record_rigid_body(model, model%rigid_bodies(i), record)
       end do
+      call record_equations(model, record)
       do i = 1, size(model%contact_pairs)
          call record_contact_pair(model, i, record)
       end do
@@ -166,8 +149,8 @@ contains
             if (allocated(this%heat_conductivity)) then
                call record%list('*CONDUCTIVITY', this%heat_conductivity)
                call record%value('*JOULE HEAT FRACTION', this%joule_fraction)
-               call record%value('*DENSITY', this%density)
             end if
+            if (this%density > 0) call record%value('*DENSITY', this%density)
             if (allocated(this%specific_heat)) call record%list('*SPECIFIC HEAT', this%specific_heat)
             if (allocated(this%latent_heat)) call record%list('*LATENT HEAT', this%latent_heat)
             if (allocated(this%elastic_table)) call record%list('elasticity over temperature', this%elastic_table)
@@ -189,6 +172,25 @@ contains
       call record%value('number of pinned nodes', to_text(size(body%pinned)))
       call record%list('pinned nodes', reshape(body%pinned, [1, size(body%pinned)]))
    end subroutine record_rigid_body
+
+   !> All equations, in their order.
+   pure subroutine record_equations(model, record)
+      type(model_t), intent(in) :: model
+      type(record_t), intent(inout) :: record
+      integer(int64) :: sums(1, size(model%equations))
+      integer :: i
+
+      if (size(sums) == 0) return
+      do i = 1, size(model%equations)
+         associate (this => model%equations(i))
+            sums(1, i) = checksum(reshape([int(this%node, int64), int(this%dof, int64), bits(this%coefficient)], &
+               [3*size(this%node), 1]))
+         end associate
+      end do
+      call record%begin('the equations (*EQUATION)')
+      call record%value('number of them', to_text(size(model%equations)))
+      call record%add('terms', kind_sum, sum_text(checksum(sums)))
+   end subroutine record_equations
 
    !> A contact pair and the laws of its interaction.
    subroutine record_contact_pair(model, i, record)
@@ -319,6 +321,9 @@ contains
          call record_amplitudes('*FILM', [step%heat%sink_amplitude, step%heat%film_amplitude])
          call record_amplitudes('*RADIATE', step%heat%surroundings_amplitude)
       end if
+      do i = 1, n_load_kinds
+         call record_element_loads(i)
+      end do
       do i = 1, n_fields
          call record_values('*'//trim(fields(i)%load_keyword), pack(step%load, field_of_dof(step%load%dof) == i))
       end do
@@ -358,6 +363,27 @@ contains
          end do
       end subroutine record_values
 
+      !> A checksum for each kind of load on elements, element by element.
+      subroutine record_element_loads(kind)
+         !> One of `load_...`
+         integer, intent(in) :: kind
+         !> Checksums of the load on each element; 0: there is none
+         integer(int64) :: at_element(1, model%n_elements)
+         integer :: j
+
+         at_element = 0
+         do j = 1, size(step%element_loads)
+            associate (load => step%element_loads(j))
+               if (load%kind /= kind) cycle
+               at_element(1, load%element) = checksum(reshape([bits(load%value), bits(load%before), &
+                  amplitude_sum(load%amplitude), amplitude_sum(load%before_amplitude)], [26, 1]))
+               used(pack([load%amplitude, load%before_amplitude], [load%amplitude, load%before_amplitude] > 0)) = .true.
+            end associate
+         end do
+         if (any(at_element /= 0)) call record%add('loads '//load_label(kind)//' on elements', kind_sum, &
+            sum_text(checksum(at_element)))
+      end subroutine record_element_loads
+
       !> What values on the length of elements follow.
       subroutine record_amplitudes(keyword, amplitude)
          !> The keyword that gives such values
@@ -383,92 +409,6 @@ contains
 
    end subroutine record_step
 
-   !> Whether there is a thing at all is a line of its own: what is missing is then named once.
-   pure subroutine begin(self, subject)
-      class(record_t), intent(inout) :: self
-      !> What the lines to come belong to, as messages name it
-      character(len=*), intent(in) :: subject
-
-      self%subject = subject
-      call self%add('', kind_text, '')
-   end subroutine begin
-
-   pure subroutine add(self, what, kind, value)
-      class(record_t), intent(inout) :: self
-      !> Name of the quantity within the subject
-      character(len=*), intent(in) :: what
-      !> One letter that says how values are compared, one of `kind_...`
-      character(len=*), intent(in) :: kind
-      !> The value as text
-      character(len=*), intent(in) :: value
-
-      call self%lines%append(to_text(self%step)//tab//self%subject//tab//what//tab//kind//value//nl)
-   end subroutine add
-
-   pure subroutine add_real(self, what, value)
-      class(record_t), intent(inout) :: self
-      !> Name of the quantity within the subject
-      character(len=*), intent(in) :: what
-      !> Any finite number
-      real(dp), intent(in) :: value
-      character(len=32) :: buffer
-
-      ! 18 digits distinguish any two numbers; plus zero: there is one zero only
-      write (buffer, '(es25.17e3)') value + 0.0_dp
-      call self%add(what, kind_real, trim(adjustl(buffer)))
-   end subroutine add_real
-
-   !> One of several choices.
-   pure subroutine add_integer(self, what, value)
-      class(record_t), intent(inout) :: self
-      !> Name of the quantity within the subject
-      character(len=*), intent(in) :: what
-      !> Number of the choice
-      integer, intent(in) :: value
-
-      call self%add(what, kind_sum, to_text(value))
-   end subroutine add_integer
-
-   pure subroutine add_text(self, what, value)
-      class(record_t), intent(inout) :: self
-      !> Name of the quantity within the subject
-      character(len=*), intent(in) :: what
-      !> The value; may be empty
-      character(len=*), intent(in) :: value
-
-      call self%add(what, kind_text, value)
-   end subroutine add_text
-
-   pure subroutine add_reals(self, what, values)
-      class(record_t), intent(inout) :: self
-      !> Name of the quantity within the subject
-      character(len=*), intent(in) :: what
-      !> Numbers (components, items)
-      real(dp), intent(in) :: values(:, :)
-
-      call self%add(what, kind_sum, sum_text(checksum(values + 0.0_dp)))
-   end subroutine add_reals
-
-   pure subroutine add_integers(self, what, values)
-      class(record_t), intent(inout) :: self
-      !> Name of the quantity within the subject
-      character(len=*), intent(in) :: what
-      !> Numbers (components, items)
-      integer, intent(in) :: values(:, :)
-
-      call self%add(what, kind_sum, sum_text(checksum(int(values, int64))))
-   end subroutine add_integers
-
-   pure function sum_text(total) result(text)
-      !> A checksum
-      integer(int64), intent(in) :: total
-      character(len=:), allocatable :: text
-      character(len=24) :: buffer
-
-      write (buffer, '(i0)') total
-      text = trim(buffer)
-   end function sum_text
-
    pure function yes_or_no(yes) result(word)
       !> The answer
       logical, intent(in) :: yes
@@ -476,24 +416,5 @@ contains
 
       word = trim(merge('yes', 'no ', yes))
    end function yes_or_no
-
-   pure integer(int64) function bits(value)
-      !> The number whose bits are wanted; both zeros count as one
-      real(dp), intent(in) :: value
-
-      bits = transfer(value + 0.0_dp, bits)
-   end function bits
-
-   pure integer(int64) function checksum_of_text(text) result(total)
-      !> ASCII
-      character(len=*), intent(in) :: text
-      integer(int64) :: codes(len(text), 1)
-      integer :: i
-
-      do i = 1, len(text)
-         codes(i, 1) = iachar(text(i:i))
-      end do
-      total = checksum(codes)
-   end function checksum_of_text
 
 end module litz_model_record

@@ -1,5 +1,6 @@
 !> A summary of the resolved model, for `litz check`.
 module litz_model_summary
+   use litz_element_loads, only: load_label, n_load_kinds
    use litz_element_types, only: element_types
    use litz_fields, only: fields, field_of_dof, max_dof, field_displacement, field_temperature
    use litz_growing_text, only: growing_text_t
@@ -309,6 +310,20 @@ contains
       if (len(line) > 0) line = '  '//line(3:)//nl
    end function heat_line
 
+   !> How many elements each kind of force acts on.
+   pure function element_load_lines(step) result(text)
+      type(step_t), intent(in) :: step
+      character(len=:), allocatable :: text
+      integer :: kind, n, i
+
+      text = ''
+      do kind = 1, n_load_kinds
+         n = count([(step%element_loads(i)%kind == kind .and. any(abs(step%element_loads(i)%value) > 0), &
+            i=1, size(step%element_loads))])
+         if (n > 0) text = text//'  loads '//load_label(kind)//' on '//plural(n, 'element')//nl
+      end do
+   end function element_load_lines
+
    pure function step_lines(model, s) result(text)
       type(model_t), intent(in) :: model
       !> Number of the step
@@ -333,6 +348,7 @@ contains
          text = text//', at most '//to_text(step%max_increments)//describe_solver(step)//nl
          text = text//value_lines(step%boundary, 'prescribed')//value_lines(step%load, 'loads')// &
             value_lines(step%predefined, 'given')
+         text = text//element_load_lines(step)
          if (step%solves(field_temperature)) text = text//heat_line(step%heat)
          do i = 1, size(step%requests)
             text = text//request_line(model, step%requests(i))

@@ -55,6 +55,8 @@ contains
          'current per area of the cross-section, from the first to the second node', state%current_density)
       call add(list, on_cells, 'joule_heat', 'W', 'heat from the current in the element', state%joule_heat, 'JOULE', &
          is_sum=.true.)
+      if (state%has_line_loads) call add(list, on_cells, 'line_load', 'N/m', &
+         'force per reference length of *DLOAD and *LORENTZ', state%line_load, 1, 3, 'DLOAD')
       if (.not. state%has_field(field_temperature)) return
       call add(list, on_cells, 'heat_flux', 'W/m^2', &
          'heat flow along the wire per area of the cross-section, from the first to the second node', state%heat_flux, &

@@ -5,7 +5,7 @@ module litz_rigid_modes
    use litz_text, only: to_text
    implicit none
    private
-   public :: add_support, free_modes, describe_modes
+   public :: add_support, support_row, free_modes, describe_modes
 
    !> Supports restrain a motion when its eigenvalue is larger than this part of the largest
    real(dp), parameter :: rank_tolerance = 1.0e-10_dp
@@ -40,16 +40,25 @@ module litz_rigid_modes
 
 contains
 
-   !> Add one prescribed degree of freedom to the matrix of supports, `sum of c c^T` with `c . (t, L theta) = 0` the
-   !> condition on the translation `t` and the rotation `theta` of the body.
-   pure subroutine add_support(matrix, dof, arm)
+   !> Add a condition `c . (t, L theta) = 0` on the translation `t` and the rotation `theta` of the body to the matrix
+   !> of supports, `sum of c c^T`.
+   pure subroutine add_support(matrix, c)
       !> Matrix of supports (6, 6) in `(t, L theta)` [-]
       real(dp), intent(inout) :: matrix(6, 6)
+      !> Condition (6)
+      real(dp), intent(in) :: c(6)
+
+      matrix = matrix + spread(c, 2, 6)*spread(c, 1, 6)
+   end subroutine add_support
+
+   !> A degree of freedom of a node as `c . (t, L theta)`.
+   pure function support_row(dof, arm) result(c)
       !> 1-3 displacement, 4-6 rotation
       integer, intent(in) :: dof
       !> Position of the node from the centre of the body, over its size L [-]
       real(dp), intent(in) :: arm(3)
-      real(dp) :: c(6), axis(3)
+      real(dp) :: c(6)
+      real(dp) :: axis(3)
 
       c = 0
       c(dof) = 1
@@ -59,8 +68,7 @@ contains
          ! u_i = t_i + (theta x r) . e_i = t_i + theta . (r x e_i)
          c(4:6) = cross(arm, axis)
       end if
-      matrix = matrix + spread(c, 2, 6)*spread(c, 1, 6)
-   end subroutine add_support
+   end function support_row
 
    !> Basis of the motions that no support restrains.
    pure subroutine free_modes(matrix, n, modes)

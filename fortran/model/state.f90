@@ -127,6 +127,10 @@ module litz_state
       real(dp), allocatable :: heat_stored(:), temperature_before(:), temperature_earlier(:)
       !> Temperatures that the mechanics sees: those of the last increment that solved for motions (n_nodes) [K]
       real(dp), allocatable :: mechanical_temperature(:)
+      !> Some step has forces on the length of elements; the mean force per reference length of each (3, n_elements)
+      !> [N/m]
+      logical :: has_line_loads = .true.
+      real(dp), allocatable :: line_load(:, :)
       !> Current per area of the cross-section (n_elements) [A/m^2]
       real(dp), allocatable :: current_density(:)
       !> Forces on the nodes from what is neither in the model nor a support or load: damping (n_slots, n_nodes)

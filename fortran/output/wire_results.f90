@@ -5,7 +5,7 @@
 module litz_wire_results
    use litz_kinds, only: dp, pi
    use litz_errors, only: error_t
-   use litz_model, only: model_t, section_t, named_set_t, radius_course
+   use litz_model, only: has_element_loads, model_t, section_t, named_set_t, radius_course
    use litz_quantities, only: quantity_t, on_points, on_cells
    use litz_result_quantities, only: wire_quantity_t, list_wire_quantities
    use litz_state, only: state_t
@@ -86,6 +86,7 @@ contains
       integer :: i
 
       nothing%has_field = model%has_field
+      nothing%has_line_loads = has_element_loads(model)
       call list_wire_quantities(nothing, list)
       do i = 1, size(list)
          call file%add_field(list(i), merge(model%n_nodes, model%n_elements, list(i)%place == on_points), error)

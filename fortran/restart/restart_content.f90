@@ -122,9 +122,15 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       type(wire_quantity_t), allocatable :: list(:)
       real(dp), allocatable :: values(:, :)
+      logical :: has_line_loads
       integer :: i
 
+      ! forces on the length of elements are there whether steps to come have any or not
+      has_line_loads = state%has_line_loads
+      state%has_line_loads = .false.
       call list_wire_quantities(state, list)
+      state%has_line_loads = has_line_loads
+      call arrays%array('force_on_length', state%line_load, error)
       do i = 1, size(list)
          values = list(i)%values
          call arrays%array(trim(list(i)%name), values, error)

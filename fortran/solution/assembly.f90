@@ -68,6 +68,7 @@ contains
          call append(nodes, start, members)
       end do
       if (size(problem%iterate%bodies%dependents) > 0) call problem%iterate%bodies%extend_cliques(start, members)
+      if (problem%iterate%constraints%n > 0) call problem%iterate%constraints%extend_cliques(start, members)
       call build_system(start, members, problem%equations, problem%matrix, error)
       if (allocated(error)) return
       call problem%timing%lap(phase_assembly)

@@ -348,7 +348,7 @@ contains
       real(dp) :: left(model%n_nodes)
       integer :: i
 
-      left = state%reaction(current_slot, :) + state%load(current_slot, :)
+      left = state%reaction(current_slot, :) + state%load(current_slot, :) + state%outer_force(current_slot, :)
       do i = 1, model%n_elements
          associate (node => model%connectivity(:, i))
             left(node(1)) = left(node(1)) - state%element_current(i)
@@ -400,7 +400,8 @@ contains
    pure real(dp) function heat_imbalance(state) result(left)
       type(state_t), intent(in) :: state
 
-      left = sum(state%reaction(heat_slot, :) + state%load(heat_slot, :)) + sum(state%heat_made) &
+      left = sum(state%reaction(heat_slot, :) + state%load(heat_slot, :) + state%outer_force(heat_slot, :)) &
+         + sum(state%heat_made) &
          + sum(state%contacts%heat_bar + state%contacts%heat) - sum(state%surface_heat) - sum(state%heat_stored)
    end function heat_imbalance
 

@@ -124,7 +124,7 @@ contains
       value = 0
       force = 0
       call spread_all(self, x, value)
-      call self%problem%iterate%bodies%carry(self%problem%iterate%x, value)
+      call self%problem%iterate%carry(value)
       call add_beyond_blocks(self%problem, value, force)
       associate (y_t => y(self%start(group_transport) + 1:))
          y_t = y_t + self%problem%equations%gather(group_transport, force)
@@ -144,6 +144,7 @@ contains
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%add_mutual_tangent(group_transport, value, force)
       end do
+      call problem%iterate%constraints%collect(force, 1)
    end subroutine add_beyond_blocks
 
    subroutine substitute(self, x, y)

@@ -200,9 +200,11 @@ contains
       value = 0
       force = 0
       call problem%equations%spread_to_nodes(group, v, value)
+      call problem%iterate%constraints%carry(value)
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%add_mutual_tangent(group, value, force)
       end do
+      call problem%iterate%constraints%collect(force, 1)
       y = y + problem%equations%gather(group, force)
    end subroutine multiply
 

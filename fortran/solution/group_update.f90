@@ -76,6 +76,7 @@ contains
       if (allocated(solver_error)) return
       correction = 0
       call problem%equations%spread_to_nodes(group, x, correction)
+      call problem%iterate%constraints%carry(correction)
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%shorten(problem%domain_t, correction)
       end do

@@ -191,7 +191,7 @@ contains
 
       associate (prescribed => problem%iterate%prescribed)
          call prescribed_increment(problem%loading, problem%state, prescribed)
-         call problem%iterate%bodies%carry(problem%iterate%x, prescribed)
+         call problem%iterate%carry(prescribed)
          first_updated = last_slot_of_group(problem%scheme%n_coupled) + 1
          call problem%iterate%move(problem%state, problem%model%x, prescribed(first_updated:, :), first_updated)
          prescribed(first_updated:, :) = 0
@@ -326,7 +326,7 @@ contains
                - forces%prescribed, correction, error)
          end if
       end associate
-      call problem%iterate%bodies%carry(problem%iterate%x, correction)
+      call problem%iterate%carry(correction)
       call problem%timing%lap(phase_solve)
    end subroutine solve_step
 

@@ -6,8 +6,9 @@ module litz_problem
    use litz_element_library, only: prepare_elements
    use litz_fields, only: n_slots, temperature_slots
    use litz_kinds, only: dp
+   use litz_linear_constraints, only: new_linear_constraints
    use litz_loading, only: initial_values
-   use litz_model, only: model_t
+   use litz_model, only: model_t, has_element_loads
    use litz_rigid_bodies, only: new_rigid_bodies
    use litz_rotations, only: identity3
    use litz_run_warnings, only: run_warnings_t
@@ -57,6 +58,7 @@ contains
       call start_state(problem)
       call note_initial_temperatures(problem)
       problem%iterate%bodies = new_rigid_bodies(model)
+      problem%iterate%constraints = new_linear_constraints(model)
       call list_terms(problem%domain_t, problem%contact, problem%terms)
    end subroutine prepare_problem
 
@@ -70,7 +72,8 @@ contains
       associate (state => problem%state)
          allocate (state%reaction(n_slots, n), state%load(n_slots, n), &
             state%outer_force(n_slots, n), state%damping(n_slots, n), source=0.0_dp)
-         allocate (state%section_forces(6, m), source=0.0_dp)
+         allocate (state%section_forces(6, m), state%line_load(3, m), source=0.0_dp)
+         state%has_line_loads = has_element_loads(problem%model)
          allocate (state%element_current(m), state%current_density(m), state%joule_heat(m), state%heat_flux(m), &
             state%heat_made(m), state%surface_heat(m), state%heat_stored(m), state%temperature_before(n), &
             state%temperature_earlier(n), source=0.0_dp)

@@ -4,6 +4,7 @@ module litz_steps
    use litz_capture, only: capture_state
    use litz_convergence, only: measure_scales, nodal_residual
    use litz_diagnosis, only: not_converged
+   use litz_element_loads, only: load_lorentz
    use litz_equations, only: number_equations
    use litz_errors, only: error_t, fail, exit_input, exit_not_converged
    use litz_fields, only: fields, n_slots, field_displacement, field_temperature, field_of_dof, field_of_slot, &
@@ -92,7 +93,7 @@ contains
       !> One of the solver constants of the model; 0: as the step says
       integer, intent(in) :: solver
       type(error_t), allocatable, intent(out) :: error
-      logical, dimension(n_slots, problem%model%n_nodes) :: exists, stays
+      logical, dimension(n_slots, problem%model%n_nodes) :: exists, stays, is_there
       logical :: same_system
       integer, allocatable :: number_before(:, :)
       integer :: kind, coupling
@@ -100,10 +101,13 @@ contains
       call start_loading(step, problem%state, problem%loading)
       call request_slots(problem, step%has_solved, stays)
       call request_slots(problem, step%solves, exists)
-      problem%loading%stays = stays
+      associate (eliminated => problem%iterate%constraints%of > 0, n => problem%model%n_nodes)
+         problem%loading%stays = stays .or. (eliminated .and. spread(step%has_solved(field_of_slot), 2, n))
+         is_there = exists .or. (eliminated .and. spread(step%solves(field_of_slot), 2, n))
+      end associate
       call refuse_absent_unknowns(problem%model, step%boundary, exists, error)
-      call find_given_values(problem%model, step, exists, problem%loading, error)
-      call refuse_absent_unknowns(problem%model, step%load, exists, error)
+      call find_given_values(problem%model, step, is_there, problem%loading, error)
+      call refuse_absent_unknowns(problem%model, step%load, is_there, error)
       if (allocated(error)) return
       if (problem%scheme%is_created()) number_before = problem%equations%number
       call number_equations(problem%loading%fixed, exists, problem%equations)
@@ -120,13 +124,13 @@ contains
       problem%has_factor = .false.
    end subroutine begin_step
 
-   !> Motions and temperatures take turns unless the deck asks for one Newton step; temperatures alone have the
-   !> iteration of a turn.
+   !> Motions and temperatures take turns unless the deck asks for one Newton step, and so do motions and potentials
+   !> where currents move wires in a magnetic field; temperatures alone have the iteration of a turn.
    pure integer function coupling_of(step) result(coupling)
       type(step_t), intent(in) :: step
 
       coupling = step%coupling
-      if (step%solves(field_temperature)) then
+      if (step%solves(field_temperature) .or. any(step%element_loads%kind == load_lorentz)) then
          coupling = coupling_swept
          if (step%solves(field_displacement) .and. step%coupling == coupling_full) coupling = coupling_full
       else if (coupling == coupling_full) then
@@ -173,7 +177,7 @@ contains
    pure subroutine find_given_values(model, step, exists, loading, error)
       type(model_t), intent(in) :: model
       type(step_t), intent(in) :: step
-      !> (n_slots, n_nodes)
+      !> Unknowns, and what equations eliminate (n_slots, n_nodes)
       logical, intent(in) :: exists(:, :)
       type(loading_t), intent(inout) :: loading
       type(error_t), allocatable, intent(inout) :: error

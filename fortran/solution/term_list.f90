@@ -6,8 +6,11 @@ module litz_term_list
    use litz_contact_heat_term, only: new_contact_heat_term
    use litz_contact_points, only: contact_set_t
    use litz_contact_term, only: contact_term_t
+   use litz_distributed_load_term, only: new_distributed_load_term
    use litz_domain, only: domain_t
+   use litz_equation_term, only: new_equation_term
    use litz_heat_term, only: new_heat_term
+   use litz_lorentz_term, only: new_lorentz_term
    use litz_moment_term, only: moment_term_t
    use litz_radiation_term, only: radiation_term_t
    use litz_rigid_body_term, only: rigid_body_term_t
@@ -34,6 +37,8 @@ contains
       call add(radiation_term_t())
       call add(new_capacity_term(domain%model))
       call add(new_conductor_term(domain%elements%resistivity))
+      call add(new_distributed_load_term())
+      call add(new_lorentz_term())
       call add(surface_heat_term_t())
       if (contact%present) call add(contact_term_t(contact))
       if (contact%present) call add(new_contact_heat_term(contact))
@@ -42,6 +47,8 @@ contains
       ! after all that makes moments
       call add(moment_term_t())
       call add(stabilization_term_t())
+      ! after all that makes forces
+      call add(new_equation_term(domain%iterate%constraints%n))
 
    contains
 

@@ -4,8 +4,10 @@
 !> equations, those at reference nodes are those of a larger cell. Source: theory section 11.
 module litz_dependent_cells
    use litz_kinds, only: dp
+   use litz_constrained_cells, only: scatter_constrained
    use litz_equations, only: equations_t
    use litz_fields, only: motion_slots
+   use litz_linear_constraints, only: linear_constraints_t
    use litz_linear_solver, only: csr_matrix_t
    use litz_rigid_bodies, only: rigid_bodies_t
    use litz_scatter, only: scatter_tangent
@@ -16,9 +18,11 @@ module litz_dependent_cells
 contains
 
    !> Add what cells with dependent nodes give to the rows and columns of reference nodes.
-   subroutine scatter_dependent(equations, bodies, x, nodes, rows, columns, k, matrix)
+   subroutine scatter_dependent(equations, bodies, constraints, x, nodes, rows, columns, k, matrix)
       type(equations_t), intent(in) :: equations
       type(rigid_bodies_t), intent(in) :: bodies
+      !> Which unknowns of reference nodes are eliminated
+      type(linear_constraints_t), intent(in) :: constraints
       !> Present positions (3, n_nodes) [m]
       real(dp), intent(in) :: x(:, :)
       !> (nodes of a cell, cells)
@@ -33,15 +37,16 @@ contains
 
       do cell = 1, size(nodes, 2)
          if (.not. any(bodies%reference(nodes(:, cell)) > 0)) cycle
-         call scatter_one(equations, bodies, x, nodes(:, cell), rows, columns, k(:, :, cell), matrix)
+         call scatter_one(equations, bodies, constraints, x, nodes(:, cell), rows, columns, k(:, :, cell), matrix)
       end do
    end subroutine scatter_dependent
 
    !> The nodes of the larger cell are those of the cell and then, for each, its reference node; a node without one
    !> stands in its place, with nothing in its rows and columns.
-   subroutine scatter_one(equations, bodies, x, nodes, rows, columns, k, matrix)
+   subroutine scatter_one(equations, bodies, constraints, x, nodes, rows, columns, k, matrix)
       type(equations_t), intent(in) :: equations
       type(rigid_bodies_t), intent(in) :: bodies
+      type(linear_constraints_t), intent(in) :: constraints
       !> Present positions (3, n_nodes) [m]
       real(dp), intent(in) :: x(:, :)
       !> Nodes of the cell (nodes)
@@ -57,8 +62,11 @@ contains
       ! the cell itself has been added
       larger(:size(larger, 1)/2, :size(larger, 2)/2) = 0
       associate (reference => bodies%reference(nodes))
-         call scatter_tangent(equations, [nodes, merge(reference, nodes, reference > 0)], all_slots(rows), &
-            all_slots(columns), larger, matrix)
+         associate (all_nodes => [nodes, merge(reference, nodes, reference > 0)])
+            call scatter_tangent(equations, all_nodes, all_slots(rows), all_slots(columns), larger, matrix)
+            call scatter_constrained(equations, constraints, all_nodes, all_slots(rows), all_slots(columns), larger, &
+               matrix)
+         end associate
       end associate
    end subroutine scatter_one
 

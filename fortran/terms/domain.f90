@@ -1,11 +1,12 @@
 !> A model as the terms see it: what stays the same, the unknowns, and the system of equations that the terms fill.
 module litz_domain
    use litz_kinds, only: dp
+   use litz_constrained_cells, only: scatter_constrained
    use litz_dependent_cells, only: scatter_dependent
    use litz_element_library, only: elements_t
    use litz_equations, only: equations_t, system_t
    use litz_fields, only: n_groups, fields, field_displacement, field_of_slot, &
-      group_mechanical, motion_slots, temperature_slots
+      group_mechanical, motion_slots, rotation_slots, temperature_slots
    use litz_iterate, only: iterate_t
    use litz_loading, only: loading_t
    use litz_model, only: model_t
@@ -49,6 +50,7 @@ module litz_domain
    contains
       procedure :: clear_system
       procedure :: add_cells
+      procedure :: add_turning
       procedure :: add_slip_coupling
       procedure :: take_friction
       procedure :: mark_nodes
@@ -156,6 +158,7 @@ contains
       real(dp), intent(in) :: k(:, :, :)
       !> Internal forces (slots of rows x nodes, cells)
       real(dp), intent(in), optional :: r(:, :)
+      integer :: cell
 
       associate (row_group => fields(field_of_slot(rows(1)))%group, &
          column_group => fields(field_of_slot(columns(1)))%group)
@@ -163,9 +166,30 @@ contains
          call scatter(self%equations, nodes, rows, columns, k, self%iterate%prescribed, &
             self%matrix%block(row_group, column_group), self%forces, r)
          if (size(self%iterate%bodies%dependents) > 0) call scatter_dependent(self%equations, self%iterate%bodies, &
-            self%iterate%x, nodes, rows, columns, k, self%matrix%block(row_group, column_group))
+            self%iterate%constraints, self%iterate%x, nodes, rows, columns, k, &
+            self%matrix%block(row_group, column_group))
+         if (self%iterate%constraints%n == 0) return
+         do cell = 1, size(nodes, 2)
+            call scatter_constrained(self%equations, self%iterate%constraints, nodes(:, cell), rows, columns, &
+               k(:, :, cell), self%matrix%block(row_group, column_group))
+         end do
       end associate
    end subroutine add_cells
+
+   !> Add the tangent of the rotations of a node that moves with no rigid body, and nothing else.
+   subroutine add_turning(self, node, k)
+      class(domain_t), intent(inout) :: self
+      !> Node
+      integer, intent(in) :: node
+      !> [N m]
+      real(dp), intent(in) :: k(3, 3)
+
+      associate (block => self%matrix%block(group_mechanical, group_mechanical))
+         call scatter_tangent(self%equations, [node], rotation_slots, rotation_slots, k, block)
+         if (self%iterate%constraints%n > 0) call scatter_constrained(self%equations, self%iterate%constraints, &
+            [node], rotation_slots, rotation_slots, k, block)
+      end associate
+   end subroutine add_turning
 
    !> Note that friction makes the tangent of the motions unsymmetric.
    subroutine take_friction(self)
@@ -192,8 +216,11 @@ contains
          end if
          k(:, :, 1) = spread(along, 2, size(dlimit))*spread(dlimit, 1, size(along))
          call scatter_tangent(self%equations, nodes, motion_slots, motion_slots, k(:, :, 1), coupling)
+         if (self%iterate%constraints%n > 0) call scatter_constrained(self%equations, self%iterate%constraints, nodes, &
+            motion_slots, motion_slots, k(:, :, 1), coupling)
          if (size(self%iterate%bodies%dependents) > 0) call scatter_dependent(self%equations, self%iterate%bodies, &
-            self%iterate%x, reshape(nodes, [size(nodes), 1]), motion_slots, motion_slots, k, coupling)
+            self%iterate%constraints, self%iterate%x, reshape(nodes, [size(nodes), 1]), motion_slots, &
+            motion_slots, k, coupling)
       end associate
    end subroutine add_slip_coupling
 

@@ -2,6 +2,7 @@
 module litz_iterate
    use litz_kinds, only: dp
    use litz_fields, only: fields, n_fields, first_slot, last_slot, field_displacement, motion_slots, temperature_slots
+   use litz_linear_constraints, only: linear_constraints_t
    use litz_rigid_bodies, only: rigid_bodies_t
    use litz_rotations, only: rotation_exp
    use litz_state, only: state_t
@@ -31,9 +32,12 @@ module litz_iterate
       real(dp), allocatable :: x_start(:, :)
       !> Nodes that move with others
       type(rigid_bodies_t) :: bodies
+      !> Unknowns that linear equations eliminate
+      type(linear_constraints_t) :: constraints
    contains
       procedure :: start
       procedure :: move
+      procedure :: carry
       procedure :: warm_mechanics
       procedure :: extrapolate
       procedure :: mechanics_lags
@@ -89,6 +93,16 @@ contains
       self%mechanical_temperature = self%value(temperature_slots(1), :)
    end subroutine warm_mechanics
 
+   !> Set the changes of what is no unknown of its own: what equations eliminate, and what moves with rigid bodies.
+   pure subroutine carry(self, change)
+      class(iterate_t), intent(in) :: self
+      !> (n_slots, n_nodes) [m, rad, V, K]
+      real(dp), intent(inout) :: change(:, :)
+
+      call self%constraints%carry(change)
+      call self%bodies%carry(self%x, change)
+   end subroutine carry
+
    !> `q <- q + dq`: positions and potentials add up, rotations follow one another; what moves with other nodes is
    !> placed by these.
    pure subroutine move(self, state, x_reference, dq, first)
@@ -97,7 +111,7 @@ contains
       type(state_t), intent(in) :: state
       !> Positions in the reference configuration (3, n_nodes) [m]
       real(dp), intent(in) :: x_reference(:, :)
-      !> Corrections (slots, n_nodes)
+      !> Corrections, those of eliminated unknowns with those of the others (slots, n_nodes)
       real(dp), intent(in) :: dq(:, :)
       !> Slot of the first correction, which begins a field
       integer, intent(in) :: first
@@ -125,6 +139,7 @@ contains
             end associate
          end associate
       end do
+      call self%constraints%place(x_reference, state%value, self%x, self%value, self%change)
       if (first <= motion_slots(2)) call self%bodies%place(x_reference, state%value, self%x, self%rotation, &
          self%value, self%change)
    end subroutine move

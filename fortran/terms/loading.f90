@@ -8,13 +8,14 @@ module litz_loading
    use litz_kinds, only: dp
    use litz_fields, only: fields, n_fields, n_slots, first_slot, last_slot, field_rotation, field_of_dof, &
       field_of_slot, group_mechanical, slot_of_dof
+   use litz_element_loads, only: element_load_t
    use litz_model, only: model_t, step_t, nodal_value_t, element_heat_t, factor_at, ramp_at
    use litz_rotations, only: rotation_exp, nearest_rotation_vector
    use litz_state, only: state_t
    implicit none
    private
    public :: loading_t, start_loading, load_targets, prescribed_increment, next_break_point, initial_values, heat_at, &
-      amplitudes_are_over
+      element_loads_at, amplitudes_are_over
 
    type :: loading_t
       !> Fields that the step solves for (n_fields)
@@ -191,6 +192,30 @@ contains
       end do
    end function heat_at
 
+   !> Loads on the length of elements at a step time; when the step begins they are still those before it.
+   pure function element_loads_at(model, step, step_time, start_time) result(loads)
+      type(model_t), intent(in) :: model
+      type(step_t), intent(in) :: step
+      !> Time since the step began, and total time at which it began [s]
+      real(dp), intent(in) :: step_time, start_time
+      type(element_load_t) :: loads(size(step%element_loads))
+      integer :: i
+
+      loads = step%element_loads
+      do i = 1, size(loads)
+         associate (given => step%element_loads(i))
+            loads(i)%before = given%before*factor_at(model, given%before_amplitude, 0.0_dp, start_time)
+            if (.not. step_time > 0) then
+               loads(i)%value = loads(i)%before
+            else if (given%amplitude > 0) then
+               loads(i)%value = given%value*factor_at(model, given%amplitude, step_time, start_time + step_time)
+            else
+               loads(i)%value = loads(i)%before + ramp_at(step, step_time)*(given%value - loads(i)%before)
+            end if
+         end associate
+      end do
+   end function element_loads_at
+
    !> Values before the first step (n_slots, n_nodes).
    pure function initial_values(model) result(value)
       type(model_t), intent(in) :: model
@@ -281,7 +306,7 @@ contains
       end do
    end function amplitudes_are_over
 
-   !> What values, loads and heat of the step follow, and radii of rigid surfaces (amplitudes).
+   !> What values, loads, forces on elements and heat of the step follow, and radii of rigid surfaces (amplitudes).
    pure function used_amplitudes(model, step) result(used)
       type(model_t), intent(in) :: model
       type(step_t), intent(in) :: step
@@ -296,6 +321,7 @@ contains
          call mark_amplitudes([heat%source_amplitude, heat%film_amplitude, heat%sink_amplitude, &
             heat%surroundings_amplitude])
       end associate
+      call mark_amplitudes(step%element_loads%amplitude)
 
    contains
 

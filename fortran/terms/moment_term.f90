@@ -1,14 +1,14 @@
 !> Moments about fixed axes, which do not follow from a potential: what they take off the Hessian of the energy.
 !>
-!> The same holds for the reaction moment at a node of which one rotation is held and two are free: this term comes
-!> after those that make the forces. Source: theory section 3.
+!> The same holds for the reaction moment at a node of which one rotation is held and two are free, and for what an
+!> equation does to rotations about single axes: this term comes after those that make the forces. Source: theory
+!> sections 3 and 17.
 module litz_moment_term
    use litz_kinds, only: dp
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
    use litz_fields, only: group_mechanical, rotation_slots
    use litz_rotations, only: skew
-   use litz_scatter, only: scatter_tangent
    use litz_term, only: term_t
    implicit none
    private
@@ -32,15 +32,19 @@ contains
 
       if (domain%motions_stand) return
       associate (first => rotation_slots(1), last => rotation_slots(2), load => domain%loading%load, &
-         internal => domain%forces%internal, block => domain%matrix%block(group_mechanical, group_mechanical))
+         internal => domain%forces%internal, constraints => domain%iterate%constraints)
          do node = 1, size(load, 2)
-            free = domain%equations%number(first:last, node) > 0
-            if (count(free) < 2) cycle
-            moment = merge(load(first:last, node), internal(first:last, node), free)
+            free = domain%equations%number(first:last, node) > 0 .or. constraints%of(first:last, node) > 0
+            if (constraints%turns_alone(node)) then
+               moment = internal(first:last, node)
+            else
+               if (count(free) < 2) cycle
+               moment = merge(load(first:last, node), internal(first:last, node), free)
+            end if
             if (.not. any(abs(moment) > 0)) cycle
             domain%matrix%symmetric(group_mechanical) = .false.
             domain%matrix%unsymmetric_by_friction = .false.
-            call scatter_tangent(domain%equations, [node], rotation_slots, rotation_slots, -skew(moment)/2, block)
+            call domain%add_turning(node, -skew(moment)/2)
          end do
       end associate
    end subroutine evaluate

@@ -8,9 +8,8 @@ module litz_rigid_body_term
    use litz_kinds, only: dp
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
-   use litz_fields, only: first_slot, last_slot, field_displacement, group_mechanical, motion_slots, rotation_slots
+   use litz_fields, only: first_slot, last_slot, field_displacement, motion_slots, rotation_slots
    use litz_rotations, only: identity3
-   use litz_scatter, only: scatter_tangent
    use litz_term, only: term_t
    implicit none
    private
@@ -73,8 +72,7 @@ contains
             call move(forces%prescribed, j)
             call move(forces%sensitivity, abs(j))
             forces%prescribed(first:last, r) = forces%prescribed(first:last, r) + matmul(k, prescribed(first:last, r))
-            call scatter_tangent(domain%equations, [r], rotation_slots, rotation_slots, k, &
-               domain%matrix%block(group_mechanical, group_mechanical))
+            call domain%add_turning(r, k)
          end associate
       end associate
 

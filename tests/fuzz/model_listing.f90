@@ -132,6 +132,12 @@ contains
                merge(this%surroundings_amplitude, 0, this%emissivity > 0)])
          end associate
       end do
+      do i = 1, size(step%element_loads)
+         associate (this => step%element_loads(i))
+            write (unit, '(a, 24(1x, es17.9e3))') 'force'//show([model%element_id(this%element), this%kind, &
+               this%amplitude, this%before_amplitude]), this%value, this%before
+         end associate
+      end do
       do i = 1, size(step%requests)
          associate (this => step%requests(i))
             write (unit, '(a, *(1x, a))') 'request'//show([this%kind, this%set, this%set_2, &

@@ -19,6 +19,8 @@ LOADS = {"BOUNDARY": "boundary", "CLOAD": "load", "CECURRENT": "load", "CFLUX": 
 DOFS = {"CECURRENT": 9, "CFLUX": 11, "TEMPERATURE": 11, "INITIALCONDITIONS": 11}
 #: What a step solves for: motions and potentials, potentials and temperatures, all
 PROCEDURES = ("STATIC", "COUPLEDTHERMAL-ELECTRICAL", "COUPLEDTEMPERATURE-DISPLACEMENT")
+#: Loads on the length of elements: labels of *DLOAD, and *LORENTZ
+FORCES = ("PX", "PY", "PZ", "P1", "P2", "GRAV", "LORENTZ")
 #: Where the numbers of a keyword are: source before the step, source, sink and film, surroundings and emissivity
 HEAT = {"DFLUX": (1, 2), "FILM": (2, 4), "RADIATE": (4, 6)}
 #: Of the values on the length of an element, those that may follow an amplitude
@@ -293,16 +295,20 @@ class PlainReader:
     def steps(self):
         lines, in_force, requests = [], {kind: {} for kind in LOADS}, []
         earlier = {"frequency": 1, "solver": 0, "coupling": 0, "controls": CONTROLS, "total": 0.0}
-        step, fresh, heat = None, {}, {}
+        step, fresh, heat, forces = None, {}, {}, {}
         for keyword, parameters, data in self.cards:
             if keyword == "STEP":
                 heat = self.keep_heat(heat, earlier["total"])
+                forces = self.keep_forces(forces, earlier["total"])
                 step = {**earlier, "controls": dict(earlier["controls"]), "inc": int(parameters.get("INC", 100))}
                 fresh, asked = {kind: set() for kind in LOADS}, set()
                 for kind in LOADS:
                     self.freeze(in_force[kind], earlier["total"])
-            elif keyword in LOADS or keyword in HEAT:
-                read, given = (self.read_heat, heat) if keyword in HEAT else (self.read_values, in_force[keyword])
+            elif keyword in (*LOADS, *HEAT, "DLOAD", "LORENTZ"):
+                read, given = {
+                    **{name: (self.read_values, of_nodes) for name, of_nodes in in_force.items()},
+                    **dict.fromkeys(HEAT, (self.read_heat, heat)),
+                }.get(keyword, (self.read_forces, forces))
                 read(keyword, parameters, data, given, fresh.setdefault(keyword, set()))
             elif keyword in PROCEDURES:
                 step["heat"] = PROCEDURES.index(keyword)
@@ -331,11 +337,51 @@ class PlainReader:
                               if not (waits and word != "given" and key[1] == 11)]  # fmt: skip
                 lines += self.show_heat(heat)
                 lines += [
+                    f"force{show([*key, now[0], before[0]])} " + " ".join(map(rounded, now[1] + before[1]))
+                    for key, (now, before) in forces.items()
+                ]
+                lines += [
                     "".join([f"request{show(request[:4])}", *(f" {name:8}" for name in request[4])])
                     for request in requests
                 ]
                 earlier = step
         return lines
+
+    def read_forces(self, keyword, parameters, data, forces, fresh):
+        if squeezed(parameters.get("OP") or "") == "NEW" and not fresh:
+            for key, (_, before) in forces.items():
+                if (FORCES[key[1] - 1] == "LORENTZ") == (keyword == "LORENTZ"):
+                    forces[key] = ((0, [0.0] * 12), before)
+        fresh.add(None)
+        amplitude = self.amplitude(parameters.get("AMPLITUDE"))
+        order = {element: i for i, element in enumerate(self.elements)}
+        for line in data:
+            item, *rest = values(line)
+            label = keyword if keyword == "LORENTZ" else squeezed(rest.pop(0))
+            given = [number(text) if text else 0.0 for text in rest]
+            if label == "GRAV":
+                largest = max(map(abs, given[1:4]))
+                direction = [x / largest for x in given[1:4]]
+                length = math.hypot(*direction)
+                given = [given[0] * x / length for x in direction]
+            given += [0.0] * (12 - len(given))
+            for element in sorted(self.items("ELSET", item) if item else order, key=order.__getitem__):
+                key = (element, FORCES.index(label) + 1)
+                now, before = forces.get(key, ((0, [0.0] * 12), (0, [0.0] * 12)))
+                added = [a + b for a, b in zip(now[1], given, strict=True)] if key in fresh else given
+                forces[key] = ((amplitude, added), before)
+                fresh.add(key)
+
+    def keep_forces(self, forces, time):
+        """What the next step has, without what has come to nothing."""
+        kept = {}
+        for key, (now, _) in forces.items():
+            parts = {i: (now[0], value) for i, value in enumerate(now[1])}
+            self.freeze(parts, time)
+            amplitude, numbers = parts[0][0], [value for _, value in parts.values()]
+            if any(numbers):
+                kept[key] = ((amplitude, numbers), (amplitude, numbers))
+        return kept
 
     def read_heat(self, keyword, parameters, data, heat, fresh):
         first, last = HEAT[keyword]

@@ -33,7 +33,7 @@ LAWS = {
         "LAW=TABLE\n 0.1, 2e-3\n 1.0, 1e-3\n*GAP CONDUCTANCE, LAW=TABLE\n 0.1, 0.1\n 1.0, 0.2"),
 }  # fmt: skip
 
-COPPER = "*MATERIAL, NAME=COPPER\n*ELASTIC, TYPE=ISOTROPIC\n 120e9, 0.34\n*ELECTRICAL CONDUCTIVITY\n 5.88e7\n"
+COPPER = "*MATERIAL, NAME=COPPER\n*ELASTIC, TYPE=ISOTROPIC\n 120e9, 0.34\n*DENSITY\n 8960\n*ELECTRICAL CONDUCTIVITY\n 5.88e7\n"
 BRASS = (
     "*MATERIAL, NAME=BRASS\n*ELASTIC\n 100e9, 0.33, 20\n 90e9, 0.33, 120\n"
     "*EXPANSION, TYPE=ISO, ZERO=5\n 19e-6, 20\n 21e-6, 120\n"
@@ -50,6 +50,12 @@ STEP = """\
  906, 3, 1e-3
 *CECURRENT, AMPLITUDE=WAVE
  905, 9, 1e-3
+*DLOAD, AMPLITUDE=WAVE
+ 901, PX, 1e-3
+*DLOAD
+ 902, GRAV, 0.1, 0, 1, -1
+*LORENTZ, AMPLITUDE=WAVE
+ 901, 0.1, 0.2, 0.3, 1, 2, 3, 4, 5, 6, 7, 8, -6
 *TEMPERATURE, OP=MOD, AMPLITUDE=WAVE
  906, 40
 *RESTART, WRITE
@@ -87,6 +93,7 @@ def model():
         + "*NSET, NSET=HELD\n 901\n*NSET, NSET=HELD, GENERATE\n 101, 501, 100\n*NSET, NSET=SPARE\n 902\n"
         "*NSET, NSET=TIED\n 302\n*NSET, NSET=PINNED\n 304\n*NSET, NSET=TIED TOO\n 203\n*NSET, NSET=OTHER\n 204\n"
         "*RIGID BODY, REF NODE=303, TIE NSET=TIED, PIN NSET=PINNED\n*RIGID BODY, REF NODE=202, NSET=TIED TOO\n"
+        "*EQUATION\n 2\n 402, 1, 1.0, 403, 1, -1.0\n"
         "*ELSET, ELSET=UPS\n UP1, UP2, UP3, UP4\n*ELSET, ELSET=SOME\n 101, 102\n*ELSET, ELSET=SOME, GENERATE\n 201, 203, 1\n"
         + COPPER
         + BRASS
@@ -234,6 +241,10 @@ FREE_VALUES = {
     ("COUPLED TEMPERATURE-DISPLACEMENT", "largest"): "size of the increments",
     ("DFLUX", "label"): "one choice", ("FILM", "label"): "one choice", ("RADIATE", "label"): "one choice",
     ("CFLUX", "dof"): "11 or empty",
+    ("EQUATION", "terms"): "form of the data",
+    ("DLOAD", "OP"): "none before", ("LORENTZ", "OP"): "none before",
+    ("LORENTZ", "dBx/dx"): "a field has no divergence", ("LORENTZ", "dBy/dy"): "a field has no divergence",
+    ("LORENTZ", "dBz/dz"): "a field has no divergence",
     ("BEAM SECTION", "I12"): "must be 0", ("CECURRENT", "dof"): "9 or empty",
     ("RIGID SURFACE", "TYPE"): "tested with rigid surfaces",
     # names: the things that they name are the same
@@ -495,7 +506,7 @@ def test_files_of_an_earlier_format_are_refused_in_words(litz, kept, tmp_path):
         file.attrs["format_version"] = file.attrs["format_version"] - 1
     done = litz("run", kept / "deck.inp", "-o", tmp_path / "out", "--restart", tmp_path / "old.h5")
     assert done.returncode == 4
-    assert "another version of litz wrote it, in format 20 (this one reads format 21)" in done.stderr
+    assert "another version of litz wrote it, in format 21 (this one reads format 22)" in done.stderr
     assert not (tmp_path / "out").exists() or not list((tmp_path / "out").iterdir())
 
 

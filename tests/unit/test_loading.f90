@@ -347,7 +347,7 @@ contains
       type(step_t) :: step
 
       step%total = length
-      allocate (step%boundary(0), step%load(0), step%predefined(0), step%heat(0))
+      allocate (step%boundary(0), step%load(0), step%predefined(0), step%heat(0), step%element_loads(0))
       if (present(boundary)) step%boundary = boundary
       if (present(load)) step%load = load
       if (present(predefined)) step%predefined = predefined

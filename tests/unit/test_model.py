@@ -120,6 +120,8 @@ def test_elements_between_given_nodes_are_found_as_wires():
 
 #: Keywords that models do not write
 NOT_BUILT = {"INCLUDE", "MESH", "EL FILE", "JOULE HEAT FRACTION"}
+#: Those of forces on the length of wires
+OF_FORCES = {"DLOAD", "LORENTZ"}
 #: Those of models with temperatures
 OF_HEAT = {
     "INITIAL CONDITIONS", "TEMPERATURE", "CONDUCTIVITY", "EXPANSION", "PHYSICAL CONSTANTS", "COUPLED THERMAL-ELECTRICAL",
@@ -154,6 +156,7 @@ def test_the_program_accepts_all_that_can_be_said(litz_program, tmp_path):
         friction=litz.Friction(0.3, heat_fraction=0.5),
     )
     model.rigid_body((0.35, 1, 0), tie=more.middle, pin=more.end)
+    model.equation((side.end, "ry", 1), (side.start, "ry", -0.5), (lower.middle, 1, 2))
     model.contact(more, model.plane("TABLE", (0, 0, -0.1), (0, 0, 1)))
     ramp = model.amplitude("RAMP", np.linspace(0, 1, 7), np.linspace(0, 1, 7) ** 2)
     step.force(side.end, "x", 1.0)
@@ -185,7 +188,7 @@ def test_the_program_accepts_all_that_can_be_said(litz_program, tmp_path):
     assert done.returncode == 0, done.stdout + done.stderr
     assert "step 3" in done.stdout
     used = {card.name for card in litz.Deck.read(deck)}
-    assert set(litz.keywords()) - used == NOT_BUILT | OF_HEAT
+    assert set(litz.keywords()) - used == NOT_BUILT | OF_HEAT | OF_FORCES
 
 
 def warm_wire():
@@ -225,6 +228,32 @@ def test_the_program_accepts_all_that_can_be_said_of_heat(litz_program, tmp_path
     assert {card.name for card in read} >= OF_HEAT
     assert [read.find(name)[0]["AMPLITUDE"] for name in ("DFLUX", "FILM", "RADIATE")] == ["WAVE"] * 3
     assert read.find("FILM")[0]["FILM AMPLITUDE"] == "WAVE"
+
+
+def test_forces_on_the_length_of_wires_are_cards_of_their_steps():
+    model, wire = warm_wire()
+    wave = model.amplitude("WAVE", [0.0, 1.0], [1.0, 0.5])
+    first = model.step("FIRST")
+    first.dload(wire, "px", 2.0, amplitude=wave)
+    first.dload("W", "P1", -3.0)
+    first.lorentz(wire, (0.1, 0.2, 0.3), [[1, 2, 3], [4, 5, 6], [7, 8, -6]])
+    model.step("SECOND", dload_op="NEW", lorentz_op="NEW")
+    deck = deck_of(model)
+    assert [card.data for card in deck.find("DLOAD")] == [[["W", "PX", 2]], [["W", "P1", -3]], []]
+    assert [card.get("AMPLITUDE") for card in deck.find("DLOAD")] == ["WAVE", None, None]
+    assert deck.find("LORENTZ")[0].data == [["W", 0.1, 0.2, 0.3, 1, 4, 7, 2, 5, 8, 3, 6, -6]]
+    assert deck.find("LORENTZ")[1]["OP"] == "NEW"
+    with pytest.raises(ValueError, match="PX, PY, PZ, P1, P2 or GRAV"):
+        first.dload(wire, "PQ", 1.0)
+
+
+def test_weight_is_that_of_all_wires_unless_some_are_named():
+    model, wire = warm_wire()
+    step = model.step()
+    step.gravity()
+    step.gravity((0, 3, 4), wire)
+    lines = deck_of(model).find("DLOAD")[0].data
+    assert lines == [[None, "GRAV", 9.81, 0, 0, -9.81], ["W", "GRAV", 5, 0, 3, 4]]
 
 
 def test_the_increments_of_a_step_over_time_are_those_of_the_keyword():

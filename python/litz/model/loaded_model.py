@@ -10,7 +10,7 @@ from ..base.names import nearest_name
 from ..deck.keyword_table import check_card, keyword, squeezed
 from ..deck.lines import CardSpec
 from .laws import ContactPair, Friction, GapConductance, Hertz, Interaction, Linear, NamedBehaviour, _Spot
-from .loading import Amplitude, Direction, Prescribed, Target, ranges_of
+from .loading import Amplitude, Direction, Prescribed, Target, degree_of_freedom, ranges_of
 from .names import AnyNodes
 from .steps import Step
 from .surface_model import Reference, SurfaceModel
@@ -206,6 +206,34 @@ class LoadedModel(SurfaceModel):
         self.card("RIGID BODY", {"REF NODE": node, **named})
         return node
 
+    def equation(self, *terms: tuple[AnyNodes, Direction, float]) -> None:
+        """Let a sum of coefficient times degree of freedom be zero, as `*EQUATION` does.
+
+        Parameters
+        ----------
+        *terms : tuple of nodes, direction and coefficient
+            Node or nodes, degree of freedom as that of `Step.boundary`, and its coefficient. The first is eliminated: it can be
+            loaded, but not prescribed, and is in no other equation. Several nodes stand for an equation for each of them, in
+            the order of their numbers.
+
+        Examples
+        --------
+        >>> import litz
+        >>> model = litz.Model("both ends of a wire move and turn alike but for a stretch")
+        >>> wire = model.wire("WIRE", (0, 0, 0), (0.01, 0, 0), radius=1e-4, material=litz.STEEL, elements=4)
+        >>> stretch = model.nodes([(0, 0, 0)])
+        >>> model.equation((wire.end, "x", 1), (wire.start, "x", -1), (stretch, "x", -1))
+        >>> for direction in ("y", "z", "rx", "ry", "rz"):
+        ...     model.equation((wire.end, direction, 1), (wire.start, direction, -1))
+        >>> model.fix(wire.start, "pinned", "rx")
+        >>> model.step(increment=0.1).move(stretch, "x", 1e-4)
+        """
+        values: list[Any] = []
+        for nodes, direction, factor in terms:
+            values += [self.target(nodes), degree_of_freedom(direction), float(factor)]
+        rows = [values[i : i + 15] for i in range(0, len(values), 15)]
+        self.card("EQUATION", {}, [[len(terms)], *rows])
+
     def amplitude(self, name: str, t: Sequence[float], a: Sequence[float], time: str = "STEP TIME") -> Amplitude:
         """Define a factor `a` [-] over the times `t` [s] of the step, or with `time="TOTAL TIME"` of all steps."""
         if name in self.amplitudes:
@@ -244,7 +272,7 @@ class LoadedModel(SurfaceModel):
             Largest error that an increment of a step over time may add to a temperature [K], which then chooses the increments.
         steady_rate : float
             A step over time ends as soon as no temperature changes faster [K/s].
-        boundary_op, cload_op, cecurrent_op : {"MOD", "NEW"}
+        boundary_op, cload_op, cecurrent_op, dload_op, lorentz_op : {"MOD", "NEW"}
             NEW removes what earlier steps have prescribed or loaded.
         """
         name = f"STEP{len(self.steps) + 1}" if name is None else name

@@ -195,7 +195,23 @@ class Load:
         return [self.target, self.dof, self.value]
 
 
-def grouped(card: str, items: Sequence[Prescribed | Load | Temperature], op: str = "MOD") -> Iterator[CardSpec]:
+@dataclass(frozen=True)
+class ElementLoad:
+    """A line of `*DLOAD` or `*LORENTZ`; without a target it acts on all wires."""
+
+    card: str
+    target: str | None
+    values: tuple
+    amplitude: str | None = None
+
+    def row(self) -> list:
+        """The values of the line."""
+        return [self.target, *self.values]
+
+
+def grouped(
+    card: str, items: Sequence[Prescribed | Load | Temperature | ElementLoad], op: str = "MOD"
+) -> Iterator[CardSpec]:
     """Cards for prescribed values or loads: one for each run of lines with the same amplitude.
 
     With `OP=NEW` and no lines a card that removes what earlier steps prescribed.

@@ -1,7 +1,7 @@
 """Load steps: prescribed values, loads, output requests, solution controls."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from ..deck.keyword_table import check_card, keyword, squeezed
@@ -9,6 +9,7 @@ from ..deck.lines import CardSpec
 from .loading import (
     Amplitude,
     Direction,
+    ElementLoad,
     Load,
     Prescribed,
     Temperature,
@@ -44,6 +45,8 @@ class Step:
         Forces, moments, currents and heat.
     temperatures : list of Temperature
         Temperatures of a step in which they are no unknowns.
+    element_loads : list of ElementLoad
+        Forces on the length of wires.
     cards : list of tuple
         Controls, solver and requests: keyword, parameters, data lines.
     """
@@ -69,12 +72,15 @@ class Step:
         boundary_op: str = "MOD",
         cload_op: str = "MOD",
         cecurrent_op: str = "MOD",
+        dload_op: str = "MOD",
+        lorentz_op: str = "MOD",
     ):
         self._model = model
         self.name = name
         self.prescribed: list[Prescribed] = []
         self.loads: list[Load] = []
         self.temperatures: list[Temperature] = []
+        self.element_loads: list[ElementLoad] = []
         self.cards: list[CardSpec] = []
         first = (total if increment is None else increment) if first is None else first
         largest = (total if increment is None else increment) if largest is None else largest
@@ -112,7 +118,8 @@ class Step:
         check_card(*self._step)
         if needed > inc:
             raise ValueError(f"the step needs at least {needed} increments, but inc allows {inc}")
-        self._ops = {"BOUNDARY": boundary_op, "CLOAD": cload_op, "CECURRENT": cecurrent_op}
+        self._ops = {"BOUNDARY": boundary_op, "CLOAD": cload_op, "CECURRENT": cecurrent_op, "DLOAD": dload_op}
+        self._ops["LORENTZ"] = lorentz_op
         for op in self._ops.values():
             check_card("BOUNDARY", {"OP": op}, [[1, 1]])
 
@@ -274,6 +281,75 @@ class Step:
         about = f"r{direction}" if direction in ("x", "y", "z") else direction
         self.cload(nodes, degree_of_freedom(about, degrees_of_freedom("rotation")), value, amplitude)
 
+    def dload(
+        self,
+        elements: str | WireGroup | None,
+        label: str,
+        value: float,
+        direction: Sequence[float] | None = None,
+        amplitude: Amplitude | str | None = None,
+    ) -> None:
+        """A load on the length of wires, as `*DLOAD` gives it.
+
+        Parameters
+        ----------
+        elements : str, WireGroup or None
+            Where; None: weight of all wires.
+        label : {"PX", "PY", "PZ", "P1", "P2", "GRAV"}
+            Force per length along a global axis or along a section axis, with which it turns; or weight.
+        value : float
+            Force per reference length [N/m]; for GRAV the acceleration [m/s^2].
+        direction : (3) array, optional
+            That of GRAV, of any length.
+        amplitude : Amplitude or str, optional
+            Factor over time.
+        """
+        row: list = [label.upper(), float(value), *(float(x) for x in direction or ())]
+        self._element_load("DLOAD", elements, row, amplitude)
+
+    def gravity(
+        self,
+        acceleration: Sequence[float] = (0.0, 0.0, -9.81),
+        elements: str | WireGroup | None = None,
+        amplitude: Amplitude | str | None = None,
+    ) -> None:
+        """Weight of all wires, or of some, by an acceleration `(3)` [m/s^2]; materials need their density."""
+        self.dload(elements, "GRAV", math.hypot(*acceleration), acceleration, amplitude)
+
+    def lorentz(
+        self,
+        elements: str | WireGroup,
+        field: Sequence[float],
+        gradient: Sequence[Sequence[float]] | None = None,
+        amplitude: Amplitude | str | None = None,
+    ) -> None:
+        """Force of a magnetic field on the currents in wires, as `*LORENTZ` gives it.
+
+        Parameters
+        ----------
+        elements : str or WireGroup
+            Where.
+        field : (3) array
+            Flux density at the origin [T].
+        gradient : (3, 3) array, optional
+            Its derivatives [T/m]: row `i` holds those of component `i` by x, y and z. The trace must be zero.
+        amplitude : Amplitude or str, optional
+            Factor over time.
+        """
+        row: list = [float(x) for x in field]
+        if gradient is not None:
+            # the deck has the derivatives by x first
+            row += [float(gradient[i][j]) for j in range(3) for i in range(3)]
+        self._element_load("LORENTZ", elements, row, amplitude)
+
+    def _element_load(
+        self, card: str, elements: str | WireGroup | None, row: list, amplitude: Amplitude | str | None
+    ) -> None:
+        target = None if elements is None else self._model.element_set_of(elements)
+        load = ElementLoad(card, target, tuple(row), self._amplitude(amplitude))
+        check_card(card, {}, [load.row()])
+        self.element_loads.append(load)
+
     def current(self, nodes: AnyNodes, value: float, amplitude: Amplitude | str | None = None) -> None:
         """A current [A] into the body at each of the nodes."""
         self._load(
@@ -393,6 +469,8 @@ class Step:
         for name in ("CLOAD", "CECURRENT", "CFLUX"):
             loads = [load for load in self.loads if card_of.get(load.dof, "CLOAD") == name]
             yield from grouped(name, loads, self._ops.get(name, "MOD"))
+        for name in ("DLOAD", "LORENTZ"):
+            yield from grouped(name, [load for load in self.element_loads if load.card == name], self._ops[name])
         yield from self.cards
         yield "END STEP", {}, []
 

@@ -1,0 +1,57 @@
+!> At which nodes a field has an equation.
+module litz_unknown_nodes
+   use litz_fields, only: field_potential, field_temperature
+   use litz_model, only: model_t
+   implicit none
+   private
+   public :: nodes_with_unknown, reason_for_lack_of
+
+contains
+
+   !> Nodes of elements that conduct the flux of a field; all nodes for fields that need no conductor.
+   pure function nodes_with_unknown(model, field) result(has_unknown)
+      type(model_t), intent(in) :: model
+      !> One of litz_fields
+      integer, intent(in) :: field
+      logical :: has_unknown(model%n_nodes)
+      integer :: e, k
+
+      has_unknown = .not. any(field == [field_potential, field_temperature])
+      do e = 1, model%n_elements
+         if (.not. conducts(model, e, field)) cycle
+         do k = 1, 2
+            if (model%connectivity(k, e) > 0) has_unknown(model%connectivity(k, e)) = .true.
+         end do
+      end do
+   end function nodes_with_unknown
+
+   !> Elements whose section or material is in error count as conductors, so that no second error follows.
+   pure logical function conducts(model, element, field)
+      type(model_t), intent(in) :: model
+      !> Index of the element, and one of litz_fields
+      integer, intent(in) :: element, field
+
+      conducts = .true.
+      if (all(field /= [field_potential, field_temperature]) .or. model%element_section(element) == 0) return
+      associate (section => model%sections(model%element_section(element)))
+         if (section%material == 0) return
+         if (field == field_potential) conducts = model%materials(section%material)%conductivity > 0
+         if (field == field_temperature) conducts = allocated(model%materials(section%material)%heat_conductivity)
+      end associate
+   end function conducts
+
+   !> Why a node does not have the unknown of a field, behind the name of the node.
+   pure function reason_for_lack_of(field) result(words)
+      !> One of litz_fields
+      integer, intent(in) :: field
+      character(len=:), allocatable :: words
+
+      if (field == field_temperature) then
+         words = ' has no temperature as an unknown, as no material of its elements conducts heat; temperatures are'// &
+            ' given by *TEMPERATURE'
+      else
+         words = ' has no electric potential: no material of its elements has *ELECTRICAL CONDUCTIVITY'
+      end if
+   end function reason_for_lack_of
+
+end module litz_unknown_nodes
