@@ -1,6 +1,6 @@
-!> Which candidates the pattern of the matrix couples: those that touch or have touched since candidates were collected,
-!> and those that are about to. Most pairs of elements that are near never touch: in a mat the pattern of all of them has
-!> twice the entries, and its factor takes twice the time.
+!> Which candidates the pattern of the matrix couples: those that touch or have touched since candidates were
+!> collected, and those that are about to. Most pairs of elements that are near never touch: in a mat the pattern of all
+!> of them has twice the entries, and its factor takes twice the time.
 module litz_coupled_pairs
    use litz_kinds, only: dp
    use litz_contact_forces, only: enters_system
@@ -47,8 +47,8 @@ contains
 
       do i = 1, size(points)
          associate (point => points(i))
-            if (enters_system(point) .or. point%gap < about_to_close*sum(point%radius)/2) &
-               coupled(point%candidate) = .true.
+            coupled(point%candidate) = coupled(point%candidate) .or. enters_system(point) .or. &
+               point%gap < about_to_close*sum(point%radius)/2
          end associate
       end do
    end subroutine couple

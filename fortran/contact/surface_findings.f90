@@ -13,7 +13,7 @@ module litz_surface_findings
    use litz_rigid_surface, only: rigid_surface_t
    use litz_surface_cells, only: surface_cell_t, wire_axis_t, survey_cell
    use litz_surface_choices, only: surface_cylinder
-   use litz_surface_poses, only: present_surface, surface_moved_by, element_axis, axis_moved_by
+   use litz_surface_poses, only: present_surface, surface_at_start, element_axis, axis_moved_by
    implicit none
    private
    public :: inspect_surfaces, overlaps_of_surfaces
@@ -77,7 +77,7 @@ contains
       integer :: i, n
       real(dp) :: xi
 
-      before = surface_moved_by(domain%model, pair, domain%iterate%x_start, domain%state%rotation)
+      before = surface_at_start(domain, pair)
       now = present_surface(domain, pair)
       axis_before = axis_moved_by(domain, element, pair, domain%iterate%x_start, domain%state%rotation)
       axis_now = element_axis(domain, element, pair)

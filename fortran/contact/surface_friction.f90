@@ -16,6 +16,7 @@ module litz_surface_friction
    use litz_rotations, only: cross, skew
    use litz_stick_laws, only: stick_stiffness_at
    use litz_surface_cells, only: surface_cell_t, wire_axis_t, centre_of_force
+   use litz_surface_choices, only: surface_bore
    use litz_surface_overlap, only: gap_at
    implicit none
    private
@@ -70,7 +71,9 @@ contains
       share = [1 - xi, 1 + xi]/2
       x0 = on_axis(w, axis_before%x, axis_before%t)
       call surface_distance(before, x0, distance, n0)
-      y = matmul(now%rotation, matmul(x0 - axis%radius*n0 - before%centre, before%rotation))
+      ! the surface that was touched then has moved with it, and where its radius has changed across its axis
+      y = x0 - axis%radius*n0 - before%centre + n0*radial_motion(before, now)
+      y = matmul(now%rotation, matmul(y, before%rotation))
       x = on_axis(w, axis%x, axis%t)
       x1 = on_axis(w1, axis%x, axis%t)
       call surface_distance(now, x, distance, s%normal, hessian)
@@ -106,6 +109,15 @@ contains
       s%tangent_weight = w([2, 4])
       s%tangent = axis%t
    end function surface_slip
+
+   !> How far a change of the radius has moved the surface along its normal [m].
+   pure real(dp) function radial_motion(before, now)
+      !> When the increment began, and now
+      type(rigid_surface_t), intent(in) :: before, now
+
+      radial_motion = now%radius - before%radius
+      if (now%shape == surface_bore) radial_motion = -radial_motion
+   end function radial_motion
 
    !> Where friction acts in an increment in which a contact closes, and the part of the slip that follows the first
    !> touch, in proportional motion; see (5.10).

@@ -3,12 +3,12 @@ module litz_surface_poses
    use litz_kinds, only: dp
    use litz_axis, only: axis_polynomial
    use litz_domain, only: domain_t
-   use litz_model, only: model_t
+   use litz_model, only: model_t, radius_at
    use litz_rigid_surface, only: rigid_surface_t, moved_surface
    use litz_surface_cells, only: surface_cell_t, wire_axis_t
    implicit none
    private
-   public :: present_surface, surface_moved_by, element_axis, axis_moved_by, surface_node
+   public :: present_surface, surface_at_start, radius_change, element_axis, axis_moved_by, surface_node
 
 contains
 
@@ -18,19 +18,44 @@ contains
       !> Index of the pair
       integer, intent(in) :: pair
 
-      surface = surface_moved_by(domain%model, pair, domain%iterate%x, domain%iterate%rotation)
+      surface = surface_moved_by(domain%model, pair, domain%iterate%x, domain%iterate%rotation, domain%loading%time)
    end function present_surface
 
+   !> The surface of a pair as it was when the increment began.
+   pure type(rigid_surface_t) function surface_at_start(domain, pair) result(surface)
+      type(domain_t), intent(in) :: domain
+      !> Index of the pair
+      integer, intent(in) :: pair
+
+      surface = surface_moved_by(domain%model, pair, domain%iterate%x_start, domain%state%rotation, &
+         domain%loading%converged_time)
+   end function surface_at_start
+
+   !> By how much the radius of the surface of a pair has grown since the increment began [m].
+   pure real(dp) function radius_change(domain, pair)
+      type(domain_t), intent(in) :: domain
+      !> Index of the pair
+      integer, intent(in) :: pair
+
+      associate (surface => domain%model%surface_pairs(pair)%surface, loading => domain%loading)
+         radius_change = radius_at(domain%model, surface, loading%time) &
+            - radius_at(domain%model, surface, loading%converged_time)
+      end associate
+   end function radius_change
+
    !> The surface of a pair at given positions and rotations of the nodes.
-   pure type(rigid_surface_t) function surface_moved_by(model, pair, x, rotation) result(surface)
+   pure type(rigid_surface_t) function surface_moved_by(model, pair, x, rotation, time) result(surface)
       type(model_t), intent(in) :: model
       !> Index of the pair
       integer, intent(in) :: pair
       !> Positions (3, n_nodes) [m] and rotations from the reference (3, 3, n_nodes)
       real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      !> Since the analysis began [s]
+      real(dp), intent(in) :: time
 
       associate (this => model%surfaces(model%surface_pairs(pair)%surface))
-         surface = rigid_surface_t(this%shape, this%point, this%direction, this%radius)
+         surface = rigid_surface_t(this%shape, this%point, this%direction, &
+            radius_at(model, model%surface_pairs(pair)%surface, time))
          if (this%node == 0) return
          surface%centre = model%x(:, this%node)
          surface = moved_surface(surface, rotation(:, :, this%node), x(:, this%node))

@@ -12,7 +12,7 @@ module litz_surface_rubbing
    use litz_surface_friction, only: surface_slip_t, surface_slip, sticking_t, rub_cell, stick_stiffness_of, &
       place_friction
    use litz_surface_overlap, only: gap_at
-   use litz_surface_poses, only: present_surface, surface_moved_by, element_axis, axis_moved_by, surface_node
+   use litz_surface_poses, only: present_surface, surface_at_start, element_axis, axis_moved_by, surface_node
    use litz_wires, only: arc_from_to
    implicit none
    private
@@ -88,7 +88,7 @@ contains
       type(rigid_surface_t) :: before
 
       associate (x => domain%iterate%x_start, rotation => domain%state%rotation)
-         before = surface_moved_by(domain%model, cell%pair, x, rotation)
+         before = surface_at_start(domain, cell%pair)
          call place_friction(before, axis_moved_by(domain, cell%element, cell%pair, x, rotation), &
             present_surface(domain, cell%pair), element_axis(domain, cell%element, cell%pair), cell)
       end associate
@@ -110,7 +110,7 @@ contains
                turned(:, :, side) = matmul(domain%iterate%rotation(:, :, node), transpose(start(:, :, node)))
             end associate
          end do
-         slip = surface_slip(surface_moved_by(domain%model, cell%pair, x_start, start), &
+         slip = surface_slip(surface_at_start(domain, cell%pair), &
             axis_moved_by(domain, cell%element, cell%pair, x_start, start), present_surface(domain, cell%pair), &
             element_axis(domain, cell%element, cell%pair), turned, cell%xi)
       end associate

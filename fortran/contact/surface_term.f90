@@ -19,8 +19,9 @@ module litz_surface_term
    use litz_surface_cells, only: surface_cell_t, surface_memory_t, wire_axis_t, survey_cell, law_of_cell, &
       laws_of_ends, bends_at_ends, press_cell, cell_forces, predicted_force, contact_of_cell, centre_of_force, &
       advanced_memory
+   use litz_surface_choices, only: surface_bore
    use litz_surface_friction, only: stick_stiffness_of
-   use litz_surface_poses, only: present_surface, element_axis, surface_node
+   use litz_surface_poses, only: present_surface, radius_change, element_axis, surface_node
    use litz_surface_rubbing, only: touched_t, sticking_of, rub, work_of_friction, rubbing_of_cells
    use litz_term, only: term_t, status_t
    use litz_timing, only: phase_contact, phase_update
@@ -412,7 +413,7 @@ contains
             > 0, i=1, size(cells))]
          energies%contact = energies%contact + sum(cells%energy) + sum(cells%memory%start%elastic_energy &
             + cells%friction%elastic_work, mask=cells%force > 0)
-         energies%work = energies%work + sum(cells%friction%work_beyond_mean)
+         energies%work = energies%work + sum(cells%friction%work_beyond_mean) + work_of_radii(self, domain)
          energies%friction = energies%friction + sum(cells%friction_work)
          energies%thermal = energies%thermal + work_on_surfaces(domain%model, domain%elements, &
             domain%state%mechanical_temperature, domain%mechanical_temperature(), cells%element, &
@@ -423,6 +424,23 @@ contains
             pack(cells%energy, is_elastic))
       end associate
    end subroutine add_energies
+
+   !> What surfaces do as their radii change, with the mean of the forces when the increment began and now [J].
+   pure real(dp) function work_of_radii(self, domain) result(work)
+      class(surface_term_t), intent(in) :: self
+      type(domain_t), intent(in) :: domain
+      integer :: i
+
+      work = 0
+      do i = 1, size(self%cells)
+         associate (cell => self%cells(i), pair => domain%model%surface_pairs(self%cells(i)%pair))
+            associate (is_bore => domain%model%surfaces(pair%surface)%shape == surface_bore)
+               work = work + radius_change(domain, cell%pair)*merge(-1, 1, is_bore) &
+                  *(cell%force + merge(cell%memory%start%force, 0.0_dp, cell%memory%closed))/2
+            end associate
+         end associate
+      end do
+   end function work_of_radii
 
    !> Contacts for the results; surfaces that are fixed in space push from outside.
    subroutine accept(self, domain)

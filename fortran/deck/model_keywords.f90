@@ -387,6 +387,8 @@ contains
       call k%add(choice('TYPE', 'PLANE|CYLINDER|BORE', 'its shape (litz extension)', required=.true.))
       call k%add(count_of('REF NODE', 'node with which the surface moves and turns, and on which the forces of the'// &
          ' contacts act; without it the surface is fixed in space', ''))
+      call k%add(name('RADIUS AMPLITUDE', '*AMPLITUDE with TIME=TOTAL TIME that multiplies the radius: a jacket'// &
+         ' that shrinks, a mandrel that grows; of a cylinder or a bore; without it the radius stays'))
       place = [(real_field(axis_names(i), 'm', 'a point of the plane or of the axis'), i=1, 3)]
       direction = [(real_field('d'//axis_names(i), '-', 'normal of the plane, towards the wires; or direction of'// &
          ' the axis'), i=1, 3)]

@@ -5,7 +5,7 @@ module litz_read_surfaces
    use litz_deck, only: token_t
    use litz_data_lines, only: read_line
    use litz_definitions, only: add_definition, find_definition
-   use litz_model, only: model_t, rigid_body_surface_t, surface_pair_t
+   use litz_model, only: model_t, rigid_body_surface_t, surface_pair_t, radius_at
    use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, has_flag, keyword_of, n_cards_of, &
       integer_parameter, name_of
    use litz_sets, only: find_set
@@ -67,12 +67,38 @@ contains
       surface%point = self%values%real(1:3)
       surface%direction = self%values%real(4:6)
       if (surface%shape /= surface_plane) surface%radius = self%values%real(7)
+      call read_radius_amplitude(self, card, model, surface)
       if (norm2(surface%direction) > 0) then
          surface%direction = surface%direction/norm2(surface%direction)
       else
          call fail_at(self, self%values%token(4), 'the direction of a surface cannot be 0 0 0')
       end if
    end subroutine read_surface
+
+   !> What the radius follows: an amplitude over total time, positive everywhere.
+   subroutine read_radius_amplitude(self, card, model, surface)
+      type(reader_t), intent(inout) :: self
+      !> Index of the card
+      integer, intent(in) :: card
+      type(model_t), intent(in) :: model
+      type(rigid_body_surface_t), intent(inout) :: surface
+      type(token_t) :: token
+
+      token = parameter_of(self, card, 'RADIUS AMPLITUDE')
+      if (token%last < token%first) return
+      if (surface%shape == surface_plane) then
+         call fail_at(self, token, 'a plane has no radius; its reference node moves it')
+         return
+      end if
+      call find_definition(self, self%amplitudes, 'amplitude', token, surface%radius_amplitude)
+      if (surface%radius_amplitude == 0) return
+      associate (amplitude => model%amplitudes(surface%radius_amplitude))
+         if (.not. amplitude%total_time) call fail_at(self, token, 'a radius goes on from step to step: the'// &
+            ' amplitude '//amplitude%name//' needs TIME=TOTAL TIME')
+         if (any(.not. amplitude%factor > 0)) call fail_at(self, token, 'the factors of the amplitude '// &
+            amplitude%name//' must be positive for a radius')
+      end associate
+   end subroutine read_radius_amplitude
 
    !> The second name on the data line of a *CONTACT PAIR is that of a surface.
    logical function names_surface(self)
@@ -130,7 +156,8 @@ contains
                   call fail_at(self, self%values%token(1), element//' can touch a surface here, but its'// &
                      ' *BEAM SECTION of '//section%element_set//' has no CONTACT RADIUS')
                   return
-               else if (surface%shape == surface_bore .and. section%contact_radius >= surface%radius) then
+               else if (surface%shape == surface_bore .and. section%contact_radius >= radius_at(model, pair%surface, &
+                  0.0_dp)) then
                   call fail_at(self, self%values%token(1), element//' does not fit into the bore '//surface%name)
                   return
                end if

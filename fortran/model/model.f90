@@ -24,7 +24,7 @@ module litz_model
    public :: coupling_default, coupling_monolithic, coupling_updated, coupling_swept, coupling_full
    public :: request_node, request_element, request_contact, request_electrode, request_energy
    public :: shear_given, shear_round, shear_unreduced
-   public :: dof_potential, dof_temperature, amplitude_factor, factor_at, ramp_at
+   public :: dof_potential, dof_temperature, amplitude_factor, factor_at, radius_at, radius_course, ramp_at
    public :: has_element_loads
    public :: solved_by_static, solved_by_heat, solved_by_all, procedure_of
 
@@ -172,8 +172,9 @@ module litz_model
       integer :: shape = surface_plane
       !> A point of the plane or of the axis [m]; unit normal towards the wires, or unit vector along the axis
       real(dp) :: point(3) = 0, direction(3) = 0
-      !> Of a cylinder or bore [m]
+      !> Of a cylinder or bore [m], and index of the amplitude over total time that multiplies it; 0: none
       real(dp) :: radius = 0
+      integer :: radius_amplitude = 0
       !> The node that it moves with; 0: it is fixed in space
       integer :: node = 0
    end type rigid_body_surface_t
@@ -373,6 +374,37 @@ contains
          factor = amplitude_factor(this, merge(total_time, step_time, this%total_time))
       end associate
    end function factor_at
+
+   !> Radius of a rigid surface [m].
+   pure real(dp) function radius_at(model, surface, total_time)
+      type(model_t), intent(in) :: model
+      !> Index of the surface
+      integer, intent(in) :: surface
+      !> Since the analysis began [s]
+      real(dp), intent(in) :: total_time
+
+      associate (this => model%surfaces(surface))
+         radius_at = this%radius*factor_at(model, this%radius_amplitude, 0.0_dp, total_time)
+      end associate
+   end function radius_at
+
+   !> Times and radii between which the radius of a rigid surface changes linearly (2, n) [s], [m]; one if it stays.
+   pure function radius_course(model, surface) result(course)
+      type(model_t), intent(in) :: model
+      !> Index of the surface
+      integer, intent(in) :: surface
+      real(dp), allocatable :: course(:, :), times(:)
+      integer :: i
+
+      times = [0.0_dp]
+      associate (amplitude => model%surfaces(surface)%radius_amplitude)
+         if (amplitude > 0) times = model%amplitudes(amplitude)%time
+      end associate
+      allocate (course(2, size(times)))
+      do i = 1, size(times)
+         course(:, i) = [times(i), radius_at(model, surface, times(i))]
+      end do
+   end function radius_course
 
    !> Piecewise linear value of an amplitude, constant beyond its ends.
    pure real(dp) function amplitude_factor(amplitude, time) result(factor)

@@ -158,6 +158,8 @@ contains
             if (reported(part)) cycle
             call free_modes(supports(:, :, part), n_free, modes)
             if (n_free == 0) cycle
+            ! damped, as the warning says
+            if (in_contact(part) .and. model%steps(step)%controls%stabilize > 0) cycle
             reported(part) = .true.
             if (in_contact(part)) then
                n_alike = n_alike + 1

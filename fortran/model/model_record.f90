@@ -12,7 +12,7 @@ module litz_model_record
    use litz_element_loads, only: load_label, n_load_kinds
    use litz_fields, only: fields, n_fields, n_slots, field_displacement, field_temperature, field_of_dof, slot_of_dof
    use litz_law_words, only: law_words_t
-   use litz_model, only: model_t, interaction_t, step_t, nodal_value_t, rigid_body_t
+   use litz_model, only: model_t, interaction_t, step_t, nodal_value_t, rigid_body_t, radius_course
    use litz_record_lines, only: record_t, kind_real, kind_sum, sum_text, bits, checksum_of_text
    use litz_text, only: to_text
    implicit none
@@ -226,7 +226,7 @@ contains
             call record%value('TYPE', this%shape)
             call record%list('point', reshape(this%point, [3, 1]))
             call record%list('direction', reshape(this%direction, [3, 1]))
-            call record%value('radius', this%radius)
+            call record%list('radius over time', radius_course(model, pair%surface))
             call record%value('REF NODE', this%node)
          end associate
          call record_interaction(model%interactions(pair%interaction), which, record)

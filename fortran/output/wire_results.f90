@@ -5,7 +5,7 @@
 module litz_wire_results
    use litz_kinds, only: dp, pi
    use litz_errors, only: error_t
-   use litz_model, only: has_element_loads, model_t, section_t, named_set_t
+   use litz_model, only: model_t, section_t, named_set_t, has_element_loads, radius_course
    use litz_quantities, only: quantity_t, on_points, on_cells
    use litz_result_quantities, only: wire_quantity_t, list_wire_quantities
    use litz_state, only: state_t
@@ -186,7 +186,7 @@ contains
    end subroutine write_sets
 
    !> The rigid surfaces by their names, where there are some: point, direction and radius before any deformation, with
-   !> shape and reference node.
+   !> shape and reference node; a row for each corner of the amplitude of the radius, and its total time.
    subroutine write_surfaces(parent, model, error)
       !> Identifier of the group that they are written into
       integer(hid_t), intent(in) :: parent
@@ -194,15 +194,19 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       integer(hid_t) :: group
       type(hdf5_rows_t) :: rows
-      integer :: i
+      real(dp), allocatable :: course(:, :)
+      integer :: i, k
 
       if (.not. allocated(model%surfaces)) return
       if (size(model%surfaces) == 0) return
       call hdf5_create_group(parent, 'rigid_surfaces', group, error)
       do i = 1, size(model%surfaces)
          associate (this => model%surfaces(i))
-            call rows%create(group, link_name(this%name), 7, hdf5_real, 1, error)
-            call rows%append(reshape([this%point, this%direction, this%radius], [7, 1]), error)
+            call rows%create(group, link_name(this%name), 8, hdf5_real, 1, error)
+            course = radius_course(model, i)
+            do k = 1, size(course, 2)
+               call rows%append(reshape([this%point, this%direction, course(2, k), course(1, k)], [8, 1]), error)
+            end do
             call hdf5_write_attribute(rows%dataset, 'type', trim(surface_shapes(this%shape)), error)
             ! 0: it is fixed in space
             call hdf5_write_attribute(rows%dataset, 'reference_node', number_of_node(model, this%node), error)

@@ -40,6 +40,7 @@ contains
          state%line_load = 0
          loading%converged_value = loading%value
          loading%converged_ramp = loading%ramp
+         loading%converged_time = loading%time
       end associate
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%accept(problem%domain_t)

@@ -55,6 +55,8 @@ contains
             restored%given = problem%loading%given
             restored%prescribed = problem%loading%prescribed
             restored%converged_ramp = ramp_at(step, state%step_time)
+            restored%time = state%time
+            restored%converged_time = state%time
             restored%solves = problem%loading%solves
             restored%stays = problem%loading%stays
             problem%loading = restored

@@ -37,6 +37,8 @@ module litz_loading
       !> The part of what ramps over the step that is reached, at the time last asked for and at the last converged
       !> increment
       real(dp) :: ramp = 0, converged_ramp = 0
+      !> Time since the analysis began: the time last asked for, and that of the last converged increment [s]
+      real(dp) :: time = 0, converged_time = 0
    contains
       procedure :: lag_left
    end type loading_t
@@ -66,6 +68,8 @@ contains
       loading%start_load = loading%load
       loading%start_value = state%value
       loading%converged_ramp = 0
+      loading%time = state%time
+      loading%converged_time = state%time
       call move_alloc(loading%prescribed, kept)
       allocate (loading%prescribed(n_slots, n), source=.false.)
       do i = 1, size(step%boundary)
@@ -99,6 +103,7 @@ contains
 
       ramp = ramp_at(step, step_time)
       loading%ramp = ramp
+      loading%time = total_time
       call set_given_values()
       do i = 1, size(step%boundary)
          associate (item => step%boundary(i))
@@ -301,7 +306,7 @@ contains
       end do
    end function amplitudes_are_over
 
-   !> What values, loads, forces on elements and heat of the step follow (amplitudes).
+   !> What values, loads, forces on elements and heat of the step follow, and radii of rigid surfaces (amplitudes).
    pure function used_amplitudes(model, step) result(used)
       type(model_t), intent(in) :: model
       type(step_t), intent(in) :: step
@@ -311,6 +316,7 @@ contains
       call mark(step%boundary)
       call mark(step%load)
       call mark(step%predefined)
+      call mark_amplitudes(model%surfaces%radius_amplitude)
       associate (heat => step%heat)
          call mark_amplitudes([heat%source_amplitude, heat%film_amplitude, heat%sink_amplitude, &
             heat%surroundings_amplitude])

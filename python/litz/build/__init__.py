@@ -10,6 +10,7 @@ from .fabrics import wire_grid, woven_fabric
 from .fibre_mats import fibre_mat
 from .films import nanowire_film
 from .geometry import smallest_gap
+from .jackets import compact
 from .plates import press_plates
 
 __all__ = [
@@ -21,6 +22,7 @@ __all__ = [
     "Material",
     "Model",
     "cable",
+    "compact",
     "fibre_mat",
     "nanowire_film",
     "press_plates",

@@ -42,6 +42,7 @@ def strand(
     material: Material | Sequence[Material] = COPPER,
     interaction: Interaction = HERTZ_AND_HOLM,
     element: str = "B33",
+    ends: str = "clamped",
 ) -> Model:
     """Helical strand along z: a straight core wire, if the first layer has one wire, and layers of helices around it.
 
@@ -78,6 +79,9 @@ def strand(
         What the wires are made of, all or each layer.
     interaction, element
         The laws of their contacts, type of the elements.
+    ends : {"clamped", "sliding"}
+        Whether the ends of the wires are held across the strand, as in terminations, or only along it and in their directions,
+        so that a jacket can press them together (`compact`).
 
     Returns
     -------
@@ -111,7 +115,7 @@ def strand(
     name = f"Strand of {'+'.join(map(str, layers))} wires"
     return _Plan(
         name, [layers], [lays], radius, length, clearance, enlarge, element_length, elements_per_lay, material
-    ).model(interaction, element)
+    ).model(interaction, element, ends)
 
 
 def cable(
@@ -127,6 +131,7 @@ def cable(
     material: Material | Sequence[Material] = COPPER,
     interaction: Interaction = HERTZ_AND_HOLM,
     element: str = "B33",
+    ends: str = "clamped",
 ) -> Model:
     """Cable of several stages along z: wires are laid to strands, strands to ropes, and so on.
 
@@ -150,7 +155,7 @@ def cable(
         Smallest gap between the surfaces of wires [m]; 0: some just touch.
     enlarge : bool
         Layers whose members would overlap each other get a larger radius; False: that is an error.
-    element_length, elements_per_lay, material, interaction, element
+    element_length, elements_per_lay, material, interaction, element, ends
         As those of `strand`; elements per turn of the shortest lay of all.
 
     Returns
@@ -179,7 +184,7 @@ def cable(
     name = f"Cable of {' x '.join('+'.join(map(str, layers)) for layers in reversed(stages))} wires"
     return _Plan(
         name, stages, lays, radius, length, clearance, enlarge, element_length, elements_per_lay, material
-    ).model(interaction, element)
+    ).model(interaction, element, ends)
 
 
 @dataclass(frozen=True)
@@ -221,8 +226,10 @@ class _Plan:
         core = self.lays[0][0] is None
         return ["CORE"] * core + [f"LAYER{number + 1}" for number in range(len(self.stages[0]) - core)]
 
-    def model(self, interaction: Interaction, element: str) -> Model:
+    def model(self, interaction: Interaction, element: str, ends: str) -> Model:
         """The model, with gaps that are enlarged until no wires overlap."""
+        if ends not in ("clamped", "sliding"):
+            raise ValueError(f'ends must be "clamped" or "sliding", not {ends!r}')
         room, allowed = self.clearance, OVERLAP * min(self.radii)
         remarks = [layer.remark for stage in self._laid(room, self.enlarge) for layer in stage if layer.remark]
         for _ in range(_TRIES):
@@ -235,7 +242,7 @@ class _Plan:
         else:
             raise ValueError("the wires overlap for any gap: the lay is too short")
         model.comments += remarks
-        _hold_ends(model)
+        _hold_ends(model, ends)
         model.contact("WIRES", interaction=interaction)
         return model
 
@@ -340,13 +347,17 @@ def _each(what: str, value: Any, count: int) -> list[Any]:
     return values
 
 
-def _hold_ends(model: Model) -> None:
-    """Clamp the lower ends; leave the upper ends free along z only."""
+def _hold_ends(model: Model, ends: str) -> None:
+    """Hold the lower ends, and the upper ones but for their motion along z, which is guided; sliding ones move across, too."""
     wires = [wire for group in model.groups.values() for wire in group.wires]
     model.node_set("MINUS", [wire.nodes[0] for wire in wires])
     model.node_set("PLUS", [wire.nodes[-1] for wire in wires])
-    model.fix("MINUS")
-    model.fix("PLUS", "x", "y", "rotations")
+    if ends == "clamped":
+        model.fix("MINUS")
+        model.fix("PLUS", "x", "y", "rotations")
+    else:
+        model.fix("MINUS", "z", "rotations")
+        model.fix("PLUS", "rotations")
     model.guides["PLUS"] = 1.0
 
 

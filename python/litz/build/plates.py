@@ -65,7 +65,7 @@ def press_plates(
         raise ValueError("the model has no wires that plates could press")
     chosen = list(model.groups.values()) if wires is None else wires
     along = np.eye(3)["xyz".index(axis)]
-    points, radius = _axes_of(model, chosen)
+    points, radius = axes_of(model, chosen)
     heights = points @ along
     low, high = float((heights - radius).min()) - clearance, float((heights + radius).max()) + clearance
     middle = (points.min(axis=0) + points.max(axis=0)) / 2
@@ -78,7 +78,7 @@ def press_plates(
     return lower, upper
 
 
-def _axes_of(model: Model, wires: WireGroup | str | Sequence[WireGroup | str]) -> tuple[np.ndarray, np.ndarray]:
+def axes_of(model: Model, wires: WireGroup | str | Sequence[WireGroup | str]) -> tuple[np.ndarray, np.ndarray]:
     """Points along the axes of wires (n, 3) and the radius there (n) [m]."""
     names = [wires] if isinstance(wires, str | WireGroup) else list(wires)
     rows = np.unique([number - 1 for name in names for number in model.elements_of(name)])

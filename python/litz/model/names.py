@@ -57,6 +57,16 @@ class Names:
         if squeezed(name) in map(squeezed, self.surfaces):
             raise ValueError(f"there is a rigid surface {name} already")
 
+    def amplitude_name(self, amplitude: Amplitude | str | None) -> str | None:
+        """The name of an amplitude of the model, given itself or by its name; None stays None."""
+        if amplitude is None:
+            return None
+        name = amplitude.name if isinstance(amplitude, Amplitude) else amplitude
+        if name not in self.amplitudes:
+            known = list(self.amplitudes)
+            raise ValueError(f"there is no amplitude {name!r}{nearest_name(name, known)}; there are: {known or 'none'}")
+        return name
+
     def node_set(self, name: str, nodes: Any) -> Nodes:
         """Name nodes.
 

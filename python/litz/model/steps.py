@@ -4,7 +4,6 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from ..base.names import nearest_name
 from ..deck.keyword_table import check_card, keyword, squeezed
 from ..deck.lines import CardSpec
 from .loading import (
@@ -365,13 +364,7 @@ class Step:
         self.loads.append(load)
 
     def _amplitude(self, amplitude: Amplitude | str | None) -> str | None:
-        if amplitude is None:
-            return None
-        name = amplitude.name if isinstance(amplitude, Amplitude) else amplitude
-        if name not in self._model.amplitudes:
-            known = list(self._model.amplitudes)
-            raise ValueError(f"there is no amplitude {name!r}{nearest_name(name, known)}; there are: {known or 'none'}")
-        return name
+        return self._model.amplitude_name(amplitude)
 
     # Requests
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from numbers import Integral
 
+from .loading import Amplitude
 from .surfaces import RigidSurface
 from .wire_model import WireModel
 from .wires import Nodes
@@ -71,6 +73,7 @@ class SurfaceModel(WireModel):
         radius: float,
         *,
         reference: Reference | None = None,
+        radius_amplitude: Amplitude | str | None = None,
     ) -> RigidSurface:
         """Add a rigid cylinder that wires touch from outside, such as a drum.
 
@@ -86,8 +89,11 @@ class SurfaceModel(WireModel):
             Radius of the cylinder [m].
         reference : int, Nodes or (3) array, optional
             As that of `plane`.
+        radius_amplitude : Amplitude or str, optional
+            Amplitude over total time (`model.amplitude(..., time="TOTAL TIME")`) that multiplies the radius, which
+            makes a jacket shrink; without it the radius stays.
         """
-        return self._add_surface(RigidSurface(name, "CYLINDER", _vector(point), _vector(axis), radius), reference)
+        return self._add_surface(self._round("CYLINDER", name, point, axis, radius, radius_amplitude), reference)
 
     def bore(
         self,
@@ -97,21 +103,47 @@ class SurfaceModel(WireModel):
         radius: float,
         *,
         reference: Reference | None = None,
+        radius_amplitude: Amplitude | str | None = None,
     ) -> RigidSurface:
         """Add a rigid cylinder that wires touch from inside, such as a jacket or a die.
 
         Parameters
         ----------
-        name, point, axis, radius, reference
+        name, point, axis, radius, reference, radius_amplitude
             As those of `cylinder`.
+
+        Examples
+        --------
+        A jacket shrinks by a tenth around two wires:
+
+        >>> import litz
+        >>> model = litz.Model("two wires in a jacket")
+        >>> places = [[(x, 0, 2.5e-3 * i) for i in range(9)] for x in (-1e-3, 1e-3)]
+        >>> pair = model.wires("PAIR", places, radius=1e-3, material=litz.COPPER)
+        >>> shrink = model.amplitude("SHRINK", [0, 1], [1, 0.9], time="TOTAL TIME")
+        >>> jacket = model.bore("JACKET", (0, 0, 0), (0, 0, 1), 2.2e-3, radius_amplitude=shrink)
+        >>> jacket.radius_amplitude
+        'SHRINK'
         """
-        return self._add_surface(RigidSurface(name, "BORE", _vector(point), _vector(axis), radius), reference)
+        return self._add_surface(self._round("BORE", name, point, axis, radius, radius_amplitude), reference)
+
+    def _round(
+        self,
+        shape: str,
+        name: str,
+        point: Sequence[float],
+        axis: Sequence[float],
+        radius: float,
+        radius_amplitude: Amplitude | str | None,
+    ) -> RigidSurface:
+        amplitude = self.amplitude_name(radius_amplitude)
+        return RigidSurface(name, shape, _vector(point), _vector(axis), radius, radius_amplitude=amplitude)
 
     def _add_surface(self, surface: RigidSurface, reference: Reference | None) -> RigidSurface:
         self._claim(surface.name)
         if reference is not None:
             node = self._reference_node(reference, "a rigid surface")
-            surface = RigidSurface(surface.name, surface.shape, surface.point, surface.direction, surface.radius, node)
+            surface = replace(surface, node=node)
         self.surfaces[surface.name] = surface
         return surface
 

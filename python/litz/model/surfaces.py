@@ -31,6 +31,8 @@ class RigidSurface:
         Radius of a cylinder or bore [m].
     node : int, optional
         Number of the reference node, with which the surface moves; None: it is fixed in space.
+    radius_amplitude : str, optional
+        Name of the amplitude over total time that multiplies the radius; None: it stays.
     """
 
     name: str
@@ -39,6 +41,7 @@ class RigidSurface:
     direction: tuple[float, ...]
     radius: float | None = None
     node: int | None = None
+    radius_amplitude: str | None = None
 
     def __post_init__(self) -> None:
         """Checks the values."""
@@ -63,6 +66,8 @@ class RigidSurface:
         parameters: dict = {"NAME": self.name, "TYPE": self.shape}
         if self.node is not None:
             parameters["REF NODE"] = self.node
+        if self.radius_amplitude is not None:
+            parameters["RADIUS AMPLITUDE"] = self.radius_amplitude
         radius = [] if self.radius is None else [self.radius]
         yield "RIGID SURFACE", parameters, [[*self.point, *self.direction, *radius]]
 
