@@ -274,6 +274,8 @@ module litz_model
       type(element_load_t), allocatable :: element_loads(:)
       !> Carried over, as Abaqus does, unless the step asks anew
       type(output_request_t), allocatable :: requests(:)
+      !> Results hold section forces at nodes, strains and stresses, for which the step asks
+      logical :: has_section_results = .false.
       !> Fields are written at every n-th increment, and at the last of the step
       integer :: output_frequency = 1
       !> A run can go on from every n-th increment, and from the last of the step; 0: from none

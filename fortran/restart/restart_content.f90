@@ -122,14 +122,19 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       type(wire_quantity_t), allocatable :: list(:)
       real(dp), allocatable :: values(:, :)
-      logical :: has_line_loads
+      logical :: has_line_loads, has_section_results
       integer :: i
 
-      ! forces on the length of elements are there whether steps to come have any or not
+      ! what output asks for, and steps to come have, may be another in the run that goes on
       has_line_loads = state%has_line_loads
       state%has_line_loads = .false.
+      has_section_results = state%has_section_results
+      state%has_section_results = .false.
       call list_wire_quantities(state, list)
       state%has_line_loads = has_line_loads
+      state%has_section_results = has_section_results
+      call arrays%array('section_ends', state%section_ends, error)
+      call arrays%array('section_strains', state%section_strains, error)
       call arrays%array('force_on_length', state%line_load, error)
       do i = 1, size(list)
          values = list(i)%values
