@@ -76,13 +76,14 @@ contains
       type(state_t), intent(in), target :: state
       type(wire_quantity_t), allocatable, intent(inout) :: list(:)
 
-      call add(list, on_cells, 'end_force_1', 'N', 'N, Q2, Q3 at the first node', state%section_ends, 1, 3, 'SFN', 'SFI')
+      call add(list, on_cells, 'end_force_1', 'N', 'N, Q2, Q3 at the first node', state%section_ends, 1, 3, 'SFN', &
+         'SFI')
       call add(list, on_cells, 'end_moment_1', 'N m', 'T, M2, M3 at the first node', state%section_ends, 4, 3, 'SFN', &
          'SMI')
       call add(list, on_cells, 'end_force_2', 'N', 'N, Q2, Q3 at the second node', state%section_ends, 7, 3, 'SFN', &
          'SFJ')
-      call add(list, on_cells, 'end_moment_2', 'N m', 'T, M2, M3 at the second node', state%section_ends, 10, 3, 'SFN', &
-         'SMJ')
+      call add(list, on_cells, 'end_moment_2', 'N m', 'T, M2, M3 at the second node', state%section_ends, 10, 3, &
+         'SFN', 'SMJ')
       call add(list, on_cells, 'axial_strain', '1', 'axial strain at mid length, without that of temperature', &
          state%section_strains, 1, 1, 'SE', 'SE1')
       call add(list, on_cells, 'twist', '1/m', 'change of the twist', state%section_strains, 2, 1, 'SK', 'SK1')
@@ -92,8 +93,8 @@ contains
          ' length', state%section_strains, 4, 1, 'SK', 'SK3')
       call add(list, on_cells, 'strain_max', '1', 'largest axial strain of a fibre, at either node or mid length', &
          state%section_strains, 5, 1, 'E11', 'E11MAX')
-      call add(list, on_cells, 'strain_min', '1', 'smallest axial strain of a fibre', state%section_strains, 6, 1, 'E11', &
-         'E11MIN')
+      call add(list, on_cells, 'strain_min', '1', 'smallest axial strain of a fibre', state%section_strains, 6, 1, &
+         'E11', 'E11MIN')
       call add(list, on_cells, 'stress_max', 'Pa', 'largest axial stress of a fibre, at either node or mid length', &
          state%section_strains, 7, 1, 'S11', 'S11MAX')
       call add(list, on_cells, 'stress_min', 'Pa', 'smallest axial stress of a fibre', state%section_strains, 8, 1, &

@@ -19,7 +19,8 @@ contains
       associate (state => problem%state, elements => problem%elements)
          do e = 1, problem%model%n_elements
             associate (c => elements%stiffness(:, e), mid => state%section_forces(:, e), &
-               first => state%section_ends(:6, e), last => state%section_ends(7:, e), found => state%section_strains(:, e))
+               first => state%section_ends(:6, e), last => state%section_ends(7:, e), &
+               found => state%section_strains(:, e))
                found(1) = mid(1)/c(1)
                found(2:4) = mid(4:6)/c(4:6)
                stretch = [first(1), mid(1), last(1)]/c(1)
