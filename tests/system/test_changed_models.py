@@ -391,6 +391,7 @@ FREE_FIELDS = {
     "step_t": {
         # text, size of the increments, output, how it is solved
         "title", "nlgeom", "max_increments", "first", "smallest", "largest", "direct", "requests", "output_frequency",
+        "has_section_results",
         "restart_frequency", "largest_change", "largest_error", "steady_rate", "controls", "solver", "coupling", "reform_kernel",
         # follows from what the steps solve for
         "has_solved",

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from decks import cantilever, wire
+from litz import Results
 from same_results import KEEP_ALL
 from test_restart import assert_goes_on_from_everywhere
 
@@ -111,3 +112,22 @@ def test_a_curved_wire_shows_what_bends_it(run):
     height = points[-1, 1] - points[:, 1]
     expected = SMALL * np.stack([height[:-1], height[1:]], axis=1)
     np.testing.assert_allclose(moments, expected, atol=1e-6 * SMALL * radius)
+
+
+def test_a_run_that_goes_on_may_ask_for_them_anew(run, litz, tmp_path):
+    """The file to go on from holds none; the increments after it do, and a step that is added has loads."""
+    plain = cantilever(f"*CLOAD\n 5, 3, 1\n{KEEP_ALL}", n=4, static="0.25, 1, 1e-3, 0.25")
+    finished(run, plain)
+    longer = cantilever(
+        f"*CLOAD\n 5, 3, 1\n{KEEP_ALL}{ASK}", "*DLOAD\n WIRE, PZ, 1\n", n=4, static="0.25, 1, 1e-3, 0.25"
+    )
+    (tmp_path / "longer.inp").write_text(longer)
+    place = f"{tmp_path}/deck/deck.restart.h5:1:2"
+    done = litz("run", tmp_path / "longer.inp", "-o", tmp_path / "longer", "--restart", place)
+    assert done.returncode == 0, done.stderr
+    results = Results(tmp_path / "longer")
+    moments = np.linalg.norm(results.field("end_moment_1", None)[:, 0, 1:], axis=1)
+    # not known where the run begins again; then P L at three quarters and at the end, and with q L^2/2
+    assert moments[0] == 0
+    expected = np.array([0.75, 1, 1 + LENGTH / 8, 1 + LENGTH / 4, 1 + 3 * LENGTH / 8, 1 + LENGTH / 2]) * LENGTH
+    np.testing.assert_allclose(moments[1:], expected, rtol=5e-3)
