@@ -398,9 +398,12 @@ contains
       real(dp), allocatable :: course(:, :), times(:)
       integer :: i
 
-      times = [0.0_dp]
       associate (amplitude => model%surfaces(surface)%radius_amplitude)
-         if (amplitude > 0) times = model%amplitudes(amplitude)%time
+         if (amplitude > 0) then
+            allocate (times, source=model%amplitudes(amplitude)%time)
+         else
+            allocate (times(1), source=0.0_dp)
+         end if
       end associate
       allocate (course(2, size(times)))
       do i = 1, size(times)
