@@ -7,7 +7,8 @@ module litz_read_requests
    use litz_deck, only: token_t
    use litz_model, only: model_t, step_t, output_request_t, request_node, request_element, request_contact, &
       request_electrode, request_energy
-   use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, integer_parameter, keyword_of
+   use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, integer_parameter, keyword_of, name_of
+   use litz_result_quantities, only: asks_for_sections
    use litz_data_lines, only: read_line
    use litz_sets, only: find_set
    use litz_unknown_nodes, only: nodes_with_unknown
@@ -39,6 +40,7 @@ contains
       type(request_list_t), intent(inout) :: list
       type(step_t), intent(inout) :: step
       type(output_request_t) :: request
+      integer :: i
 
       allocate (request%quantities(0))
       select case (keyword_of(self, card))
@@ -48,6 +50,9 @@ contains
       case ('EL PRINT')
          request%kind = request_element
          call read_print(self, model, card, 'ELSET', list, request)
+         do i = 1, size(request%quantities)
+            step%has_section_results = step%has_section_results .or. asks_for_sections(request%quantities(i))
+         end do
       case ('CONTACT PRINT')
          request%kind = request_contact
          call add_request(list, request)
@@ -59,7 +64,7 @@ contains
          call read_electrodes(self, model, card, list, request)
       case default
          step%output_frequency = integer_parameter(self, card, 'FREQUENCY', step%output_frequency)
-         call check_quantities(self, card)
+         call check_quantities(self, card, step)
       end select
    end subroutine read_request
 
@@ -156,16 +161,21 @@ contains
          .or. fields%load_word == quantity))
    end function belongs_to_absent_field
 
-   !> The quantities of *NODE FILE and *EL FILE only have to exist.
-   subroutine check_quantities(self, card)
+   !> The quantities of *NODE FILE and *EL FILE have to exist; some are in files that ask for them alone.
+   subroutine check_quantities(self, card, step)
       type(reader_t), intent(inout) :: self
       !> Index of the card
       integer, intent(in) :: card
-      integer :: line
+      type(step_t), intent(inout) :: step
+      integer :: line, i
       logical :: ok
 
       do line = self%deck%cards(card)%first_data, self%deck%cards(card)%last_data
          call read_line(self, card, line, ok)
+         do i = 1, self%values%n
+            step%has_section_results = step%has_section_results .or. &
+               asks_for_sections(name_of(self, self%values%token(i)))
+         end do
       end do
    end subroutine check_quantities
 

@@ -327,7 +327,8 @@ contains
 
       call begin(k, 'EL FILE', place_step, 'As *NODE FILE.')
       call k%add(count_of('FREQUENCY', 'every n-th increment, and the last of the step', '1'))
-      call k%add_data([choice_field('quantity', requested_names(on_cells), 'accepted, but all are always written')], &
+      call k%add_data([choice_field('quantity', requested_names(on_cells), 'accepted, but all are always written;'// &
+         ' SFN, SE, SK, E11 and S11 where a step asks for one of them')], &
          required=.false., last=0, repeats=0)
       call finish(table, k)
    end subroutine add_output

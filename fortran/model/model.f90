@@ -274,6 +274,8 @@ module litz_model
       type(element_load_t), allocatable :: element_loads(:)
       !> Carried over, as Abaqus does, unless the step asks anew
       type(output_request_t), allocatable :: requests(:)
+      !> Results hold section forces at nodes, strains and stresses, for which the step asks
+      logical :: has_section_results = .false.
       !> Fields are written at every n-th increment, and at the last of the step
       integer :: output_frequency = 1
       !> A run can go on from every n-th increment, and from the last of the step; 0: from none
@@ -396,9 +398,12 @@ contains
       real(dp), allocatable :: course(:, :), times(:)
       integer :: i
 
-      times = [0.0_dp]
       associate (amplitude => model%surfaces(surface)%radius_amplitude)
-         if (amplitude > 0) times = model%amplitudes(amplitude)%time
+         if (amplitude > 0) then
+            allocate (times, source=model%amplitudes(amplitude)%time)
+         else
+            allocate (times(1), source=0.0_dp)
+         end if
       end associate
       allocate (course(2, size(times)))
       do i = 1, size(times)

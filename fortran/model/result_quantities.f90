@@ -9,7 +9,8 @@ module litz_result_quantities
    use litz_state, only: state_t, contact_t, surface_contact_t
    implicit none
    private
-   public :: wire_quantity_t, list_wire_quantities, requested_names, described_requests
+   public :: wire_quantity_t, list_wire_quantities, requested_names, described_requests, &
+      asks_for_sections
    public :: contact_table, contacts_of_table, surface_contact_table, surface_contacts_of_table
 
    !> A quantity of nodes or elements.
@@ -55,6 +56,7 @@ contains
          'current per area of the cross-section, from the first to the second node', state%current_density)
       call add(list, on_cells, 'joule_heat', 'W', 'heat from the current in the element', state%joule_heat, 'JOULE', &
          is_sum=.true.)
+      if (state%has_section_results) call list_section_results(state, list)
       if (state%has_line_loads) call add(list, on_cells, 'line_load', 'N/m', &
          'force per reference length of *DLOAD and *LORENTZ', state%line_load, 1, 3, 'DLOAD')
       if (.not. state%has_field(field_temperature)) return
@@ -68,6 +70,44 @@ contains
          'heat that the element takes up in a step over time, also by melting', state%heat_stored, 'QSTORE', &
          is_sum=.true.)
    end subroutine list_wire_quantities
+
+   !> What is made of the section forces, where a step asks for it.
+   subroutine list_section_results(state, list)
+      type(state_t), intent(in), target :: state
+      type(wire_quantity_t), allocatable, intent(inout) :: list(:)
+
+      call add(list, on_cells, 'end_force_1', 'N', 'N, Q2, Q3 at the first node', state%section_ends, 1, 3, 'SFN', &
+         'SFI')
+      call add(list, on_cells, 'end_moment_1', 'N m', 'T, M2, M3 at the first node', state%section_ends, 4, 3, 'SFN', &
+         'SMI')
+      call add(list, on_cells, 'end_force_2', 'N', 'N, Q2, Q3 at the second node', state%section_ends, 7, 3, 'SFN', &
+         'SFJ')
+      call add(list, on_cells, 'end_moment_2', 'N m', 'T, M2, M3 at the second node', state%section_ends, 10, 3, &
+         'SFN', 'SMJ')
+      call add(list, on_cells, 'axial_strain', '1', 'axial strain at mid length, without that of temperature', &
+         state%section_strains, 1, 1, 'SE', 'SE1')
+      call add(list, on_cells, 'twist', '1/m', 'change of the twist', state%section_strains, 2, 1, 'SK', 'SK1')
+      call add(list, on_cells, 'curvature_2', '1/m', 'change of the curvature about the first section axis, at mid'// &
+         ' length', state%section_strains, 3, 1, 'SK', 'SK2')
+      call add(list, on_cells, 'curvature_3', '1/m', 'change of the curvature about the second section axis, at mid'// &
+         ' length', state%section_strains, 4, 1, 'SK', 'SK3')
+      call add(list, on_cells, 'strain_max', '1', 'largest axial strain of a fibre, at either node or mid length', &
+         state%section_strains, 5, 1, 'E11', 'E11MAX')
+      call add(list, on_cells, 'strain_min', '1', 'smallest axial strain of a fibre', state%section_strains, 6, 1, &
+         'E11', 'E11MIN')
+      call add(list, on_cells, 'stress_max', 'Pa', 'largest axial stress of a fibre, at either node or mid length', &
+         state%section_strains, 7, 1, 'S11', 'S11MAX')
+      call add(list, on_cells, 'stress_min', 'Pa', 'smallest axial stress of a fibre', state%section_strains, 8, 1, &
+         'S11', 'S11MIN')
+   end subroutine list_section_results
+
+   !> A word by which decks ask for these.
+   pure logical function asks_for_sections(request)
+      !> Such as `SFN`
+      character(len=*), intent(in) :: request
+
+      asks_for_sections = any(request == [character(len=8) :: 'SFN', 'SE', 'SK', 'E11', 'S11'])
+   end function asks_for_sections
 
    !> Values, reactions and loads of the fields of the model, group by group.
    subroutine list_unknowns(state, list)

@@ -131,6 +131,11 @@ module litz_state
       !> [N/m]
       logical :: has_line_loads = .true.
       real(dp), allocatable :: line_load(:, :)
+      !> Some step asks for section forces at the nodes, or for strains: N, Q2, Q3, T, M2, M3 of each element at its
+      !> first node and at its second (12, n_elements) [N, N m]; axial strain, twist, both curvatures at mid length,
+      !> largest and smallest axial strain and stress of any fibre (8, n_elements) [-, 1/m, Pa]
+      logical :: has_section_results = .true.
+      real(dp), allocatable :: section_ends(:, :), section_strains(:, :)
       !> Current per area of the cross-section (n_elements) [A/m^2]
       real(dp), allocatable :: current_density(:)
       !> Forces on the nodes from what is neither in the model nor a support or load: damping (n_slots, n_nodes)

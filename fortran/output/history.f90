@@ -63,6 +63,8 @@ contains
       if (allocated(error)) return
       nothing%has_field = model%has_field
       nothing%has_line_loads = has_element_loads(model)
+      nothing%has_section_results = .false.
+      if (allocated(model%steps)) nothing%has_section_results = any(model%steps%has_section_results)
       call list_wire_quantities(nothing, self%quantities)
       allocate (self%columns(16))
       self%n_columns = 0

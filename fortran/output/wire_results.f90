@@ -87,6 +87,8 @@ contains
 
       nothing%has_field = model%has_field
       nothing%has_line_loads = has_element_loads(model)
+      nothing%has_section_results = .false.
+      if (allocated(model%steps)) nothing%has_section_results = any(model%steps%has_section_results)
       call list_wire_quantities(nothing, list)
       do i = 1, size(list)
          call file%add_field(list(i), merge(model%n_nodes, model%n_elements, list(i)%place == on_points), error)

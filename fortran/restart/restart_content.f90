@@ -122,15 +122,20 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       type(wire_quantity_t), allocatable :: list(:)
       real(dp), allocatable :: values(:, :)
-      logical :: has_line_loads
+      logical :: has_line_loads, has_section_results
       integer :: i
 
-      ! forces on the length of elements are there whether steps to come have any or not
+      ! what output asks for, and steps to come have, may be another in the run that goes on
       has_line_loads = state%has_line_loads
       state%has_line_loads = .false.
+      has_section_results = state%has_section_results
+      state%has_section_results = .false.
       call list_wire_quantities(state, list)
       state%has_line_loads = has_line_loads
-      call arrays%array('force_on_length', state%line_load, error)
+      state%has_section_results = has_section_results
+      call exchange_asked(arrays, 'force_on_length', state%has_line_loads, state%line_load, error)
+      call exchange_asked(arrays, 'section_ends', state%has_section_results, state%section_ends, error)
+      call exchange_asked(arrays, 'section_strains', state%has_section_results, state%section_strains, error)
       do i = 1, size(list)
          values = list(i)%values
          call arrays%array(trim(list(i)%name), values, error)
@@ -140,6 +145,24 @@ contains
          if (arrays%fits_mesh) list(i)%values = values
       end do
    end subroutine exchange_wires
+
+   !> What results show of elements where the run that writes asks for it; one that goes on may ask for something else.
+   subroutine exchange_asked(arrays, name, is_asked, values, error)
+      type(restart_arrays_t), intent(inout) :: arrays
+      !> Name of the dataset
+      character(len=*), intent(in) :: name
+      !> It has rows
+      logical, intent(in) :: is_asked
+      !> (components, n_elements)
+      real(dp), allocatable, intent(inout) :: values(:, :)
+      type(error_t), allocatable, intent(inout) :: error
+      real(dp), allocatable :: rows(:, :)
+
+      rows = values(:, :merge(size(values, 2), 0, is_asked))
+      call arrays%array(name, rows, error)
+      if (allocated(error) .or. arrays%mode /= reading) return
+      if (size(rows, 2) == size(values, 2)) values = rows
+   end subroutine exchange_asked
 
    !> Where the run stands: numbers of the state and of the control of increments.
    subroutine exchange_course(arrays, problem, course, error)

@@ -4,6 +4,7 @@ module litz_capture
    use litz_kinds, only: dp
    use litz_problem, only: problem_t
    use litz_rotations, only: nearest_rotation_vector
+   use litz_section_strains, only: find_section_strains
    use litz_state, only: energies_t
    implicit none
    private
@@ -45,6 +46,7 @@ contains
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%accept(problem%domain_t)
       end do
+      if (problem%state%has_section_results) call find_section_strains(problem)
    end subroutine capture_state
 
    !> What supports and loads have done: mean force times displacement, mean moment times rotation.

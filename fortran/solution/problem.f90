@@ -72,7 +72,9 @@ contains
       associate (state => problem%state)
          allocate (state%reaction(n_slots, n), state%load(n_slots, n), &
             state%outer_force(n_slots, n), state%damping(n_slots, n), source=0.0_dp)
-         allocate (state%section_forces(6, m), state%line_load(3, m), source=0.0_dp)
+         allocate (state%section_forces(6, m), state%line_load(3, m), state%section_ends(12, m), &
+            state%section_strains(8, m), source=0.0_dp)
+         state%has_section_results = any(problem%model%steps%has_section_results)
          state%has_line_loads = has_element_loads(problem%model)
          allocate (state%element_current(m), state%current_density(m), state%joule_heat(m), state%heat_flux(m), &
             state%heat_made(m), state%surface_heat(m), state%heat_stored(m), state%temperature_before(n), &

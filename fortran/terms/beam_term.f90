@@ -6,6 +6,7 @@ module litz_beam_term
    use litz_kinds, only: dp
    use litz_domain, only: domain_t
    use litz_element_library, only: heated_beam_t, beam_at_temperature, beam_by_temperature, evaluate_beam
+   use litz_end_forces, only: forces_at_ends
    use litz_errors, only: error_t
    use litz_fields, only: first_slot, last_slot, field_rotation, motion_slots, temperature_slots
    use litz_model, only: step_t
@@ -290,7 +291,14 @@ contains
       class(beam_term_t), intent(inout) :: self
       type(domain_t), intent(inout) :: domain
 
+      integer :: e
+
       domain%state%section_forces = self%section_forces
+      if (.not. domain%state%has_section_results) return
+      do e = 1, domain%model%n_elements
+         domain%state%section_ends(:, e) = forces_at_ends(domain, e, domain%elements%length(e) &
+            *matmul(self%section_forces(:, e), self%b(:, :, e)))
+      end do
    end subroutine accept
 
 end module litz_beam_term

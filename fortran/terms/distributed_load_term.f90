@@ -3,10 +3,11 @@ module litz_distributed_load_term
    use litz_kinds, only: dp
    use litz_domain, only: domain_t
    use litz_element_loads, only: element_load_t, load_px, load_pz, load_p1, load_p2, load_grav
+   use litz_end_forces, only: nodal_state
    use litz_errors, only: error_t
    use litz_fields, only: group_mechanical, motion_slots
    use litz_line_forces, only: distributed_force
-   use litz_loaded_elements, only: loaded_elements_t, loaded_elements, nodal_state, load_axis
+   use litz_loaded_elements, only: loaded_elements_t, loaded_elements, load_axis
    use litz_loading, only: element_loads_at
    use litz_model, only: step_t
    use litz_parallel, only: worth_threads

@@ -4,13 +4,14 @@ module litz_loaded_elements
    use litz_kinds, only: dp
    use litz_axis_choices, only: axis_linear, axis_hermite
    use litz_domain, only: domain_t
+   use litz_end_forces, only: forces_at_ends, nodal_state
    use litz_element_loads, only: element_load_t
    use litz_fields, only: motion_slots
    use litz_term, only: term_t
    use litz_state, only: energies_t
    implicit none
    private
-   public :: loaded_elements_t, loaded_elements, nodal_state, load_axis
+   public :: loaded_elements_t, loaded_elements, load_axis
 
    type, abstract, extends(term_t) :: loaded_elements_t
       !> Elements with such loads, ascending (n)
@@ -50,24 +51,6 @@ contains
       axis = merge(axis_linear, axis_hermite, domain%elements%shear_flexible(element))
    end function load_axis
 
-   !> Positions and triads of the nodes of an element at the present iterate.
-   pure subroutine nodal_state(domain, element, x, triads)
-      type(domain_t), intent(in) :: domain
-      !> Index of the element
-      integer, intent(in) :: element
-      !> Positions (3, node) [m], and triads (3, axis, node): tangent, first, second section axis
-      real(dp), intent(out) :: x(3, 2), triads(3, 3, 2)
-      integer :: side
-
-      associate (node => domain%model%connectivity(:, element))
-         do side = 1, 2
-            x(:, side) = domain%iterate%x(:, node(side))
-            triads(:, :, side) = matmul(domain%iterate%rotation(:, :, node(side)), &
-               domain%wires%triads0(:, :, side, element))
-         end do
-      end associate
-   end subroutine nodal_state
-
    !> The work of the loads: mean nodal force times displacement, mean moment times rotation.
    subroutine add_energies(self, domain, energies)
       class(loaded_elements_t), intent(in) :: self
@@ -96,6 +79,8 @@ contains
                      outer = outer + force((side - 1)*last + 1:side*last)
                   end associate
                end do
+               if (state%has_section_results) state%section_ends(:, e) = state%section_ends(:, e) &
+                  + forces_at_ends(domain, e, self%force(:, i))
                state%line_load(:, e) = state%line_load(:, e) + (force(:3) + force(last + 1:last + 3)) &
                   /domain%elements%length(e)
             end associate

@@ -7,10 +7,11 @@ module litz_lorentz_term
    use litz_conductor, only: conductor
    use litz_domain, only: domain_t
    use litz_element_loads, only: element_load_t, load_lorentz
+   use litz_end_forces, only: nodal_state
    use litz_errors, only: error_t
    use litz_fields, only: field_temperature, group_mechanical, motion_slots, potential_slots, temperature_slots
    use litz_line_forces, only: lorentz_force
-   use litz_loaded_elements, only: loaded_elements_t, loaded_elements, nodal_state, load_axis
+   use litz_loaded_elements, only: loaded_elements_t, loaded_elements, load_axis
    use litz_loading, only: element_loads_at
    use litz_model, only: step_t
    use litz_parallel, only: worth_threads

@@ -391,6 +391,7 @@ FREE_FIELDS = {
     "step_t": {
         # text, size of the increments, output, how it is solved
         "title", "nlgeom", "max_increments", "first", "smallest", "largest", "direct", "requests", "output_frequency",
+        "has_section_results",
         "restart_frequency", "largest_change", "largest_error", "steady_rate", "controls", "solver", "coupling", "reform_kernel",
         # follows from what the steps solve for
         "has_solved",
@@ -506,7 +507,7 @@ def test_files_of_an_earlier_format_are_refused_in_words(litz, kept, tmp_path):
         file.attrs["format_version"] = file.attrs["format_version"] - 1
     done = litz("run", kept / "deck.inp", "-o", tmp_path / "out", "--restart", tmp_path / "old.h5")
     assert done.returncode == 4
-    assert "another version of litz wrote it, in format 21 (this one reads format 22)" in done.stderr
+    assert "another version of litz wrote it, in format 22 (this one reads format 23)" in done.stderr
     assert not (tmp_path / "out").exists() or not list((tmp_path / "out").iterdir())
 
 

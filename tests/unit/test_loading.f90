@@ -337,7 +337,7 @@ contains
       model%n_nodes = 3
       allocate (model%initial(2))
       model%initial = [nodal_value_t(1, dof_temperature, 20.0_dp), nodal_value_t(2, dof_temperature, 20.0_dp)]
-      allocate (model%amplitudes(2))
+      allocate (model%amplitudes(2), model%surfaces(0))
       model%amplitudes(triangle) = amplitude_t('', [0.0_dp, 0.5_dp, 1.0_dp]*length, [0.0_dp, 1.0_dp, -1.0_dp])
       model%amplitudes(wave) = amplitude_t('', [0.0_dp, 1.5_dp, 2.5_dp]*length, [0.0_dp, 1.0_dp, 0.0_dp], .true.)
    end function new_model

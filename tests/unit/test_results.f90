@@ -159,6 +159,7 @@ contains
       state%load(7, 5) = -state%reaction(7, 5) + 1.0e-14_dp
       state%section_forces = increment*reshape([((i + 10.0_dp*j, i=1, 6), j=1, 4)], [6, 4])
       state%has_line_loads = .false.
+      state%has_section_results = .false.
       state%element_current = [(increment*3.0_dp*j, j=1, 4)]
       state%current_density = state%element_current/4.0e-4_dp
       state%joule_heat = [(increment*4.0_dp*j, j=1, 4)]

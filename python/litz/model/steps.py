@@ -386,7 +386,7 @@ class Step:
         self.card("NODE PRINT", parameters, [list(quantities)] if quantities else [])
 
     def el_print(self, elements: str | WireGroup, *quantities: str, totals: str = "NO") -> None:
-        """Request quantities of elements in the history: SF, EPG, JOULE; arguments as those of `node_print`."""
+        """Request quantities of elements in the history (`litz keywords "EL PRINT"`); arguments as those of `node_print`."""
         parameters = {"ELSET": self._model.element_set_of(elements)}
         if totals != "NO":
             parameters["TOTALS"] = totals
