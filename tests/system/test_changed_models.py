@@ -247,6 +247,7 @@ FREE_VALUES = {
     ("LORENTZ", "dBz/dz"): "a field has no divergence",
     ("BEAM SECTION", "I12"): "must be 0", ("CECURRENT", "dof"): "9 or empty",
     ("RIGID SURFACE", "TYPE"): "tested with rigid surfaces",
+    ("RIGID SURFACE", "RADIUS AMPLITUDE"): "tested with surfaces that shrink",
     # names: the things that they name are the same
     ("MATERIAL", "NAME"): "a name", ("AMPLITUDE", "NAME"): "a name", ("SURFACE INTERACTION", "NAME"): "a name",
     ("RIGID SURFACE", "NAME"): "a name",

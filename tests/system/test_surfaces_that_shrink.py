@@ -95,6 +95,18 @@ def test_a_run_with_a_jacket_that_shrinks_goes_on_from_everywhere(litz, tmp_path
     assert_goes_on_from_everywhere(litz, tmp_path, deck + steps)
 
 
+@pytest.mark.parametrize("other", [(1, 0.9995, 0.9991), None])
+def test_a_run_goes_on_with_the_same_radii_only(litz, tmp_path, other):
+    rest = step(f"*BOUNDARY\n W, 3, 3, 0\n{KEEP_ALL}") + HELD
+    (tmp_path / "deck.inp").write_text(straight(BORE - RADIUS) + jacket(BORE, (1, 0.9995, 0.999)) + rest)
+    done = litz("run", "deck.inp", "-o", "kept", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    (tmp_path / "other.inp").write_text(straight(BORE - RADIUS) + jacket(BORE, other) + rest)
+    done = litz("run", "other.inp", "-o", "other", "--restart", "kept/deck.restart.h5:1:1", cwd=tmp_path)
+    assert done.returncode == 1
+    assert "the deck differs from that of the run that wrote it" in done.stderr
+
+
 def test_wires_fill_a_jacket_that_is_shrunk_to_a_void_fraction(tmp_path):
     """Three wires in a bore touch each other and the wall; by symmetry each has the same force on the wall."""
     model = litz.Model("three wires in a jacket")
