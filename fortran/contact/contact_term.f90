@@ -32,10 +32,8 @@ module litz_contact_term
    private
    public :: contact_term_t
 
-   !> A traction above this part of the contact force is remembered
-   real(dp), parameter :: least_traction = 1.0e-6_dp
    !> How often an increment settles what is carried along lines at most, and the change of a share that is left alone
-   integer, parameter :: max_settlings = 1
+   integer, parameter :: max_settlings = 2
    real(dp), parameter :: settled_change = 0.02_dp
    !> Overlaps are known when no linear step has missed one by more than this part of the largest, and no force is left
    !> over that is more than this part of the largest contact force: the next step then changes them by its square
@@ -340,8 +338,7 @@ contains
    !> What is carried along lines and what at crossings is settled for the present lengths of contact, a few times at
    !> most: what then is left of a change is a matter of quadrature. Shares and forces belong together: where a change
    !> is too small for another iteration, the shares of the increment stay, too, and the next one begins with the new
-   !> ones. So it is where contacts remember a traction: that belongs to the shares with which the increment began, and
-   !> what a crossing takes over from its places would stick or slip anew, with the slip of the whole increment.
+   !> ones.
    subroutine settle_shares(domain, contact, has_moved)
       type(domain_t), intent(in) :: domain
       type(contact_set_t), intent(inout) :: contact
@@ -352,9 +349,6 @@ contains
 
       if (contact%n_settled >= max_settlings) return
       contact%n_settled = contact%n_settled + 1
-      contact%shares_wait = any(remembers_traction(contact%converged)) .or. &
-         any(remembers_traction(contact%converged_line_points))
-      if (contact%shares_wait) return
       points = contact%points
       line_points = contact%line_points
       call renew_shares(domain%model, domain%wires, domain%elements, domain%iterate%x, domain%iterate%rotation, &
@@ -367,15 +361,6 @@ contains
          contact%shares_wait = .true.
       end if
    end subroutine settle_shares
-
-   !> Round-off of a traction is none.
-   elemental logical function remembers_traction(point)
-      type(contact_point_t), intent(in) :: point
-
-      associate (history => point%history)
-         remembers_traction = history%closed .and. any(abs(history%traction) > least_traction*history%force)
-      end associate
-   end function remembers_traction
 
    subroutine add_energies(self, domain, energies)
       class(contact_term_t), intent(in) :: self

@@ -345,3 +345,22 @@ def test_a_rod_is_dragged_on_to_a_kink_and_beyond_without_a_step(run, law, degre
 def test_a_rod_is_dragged_past_the_end_of_a_wire_without_a_step(run, law, yaw):
     """docs/limits.md says at which angles there is one."""
     assert largest_step(run, leg(180, 0)[::-1], yaw, law, -3.0, 1.2) < 0.02
+
+
+@pytest.mark.parametrize(("degrees", "yaw"), [(60, 40), (90, 60), (15, 20)])
+def test_friction_leaves_the_force_of_a_rod_that_is_dragged_over_a_kink_as_it_is(run, degrees, yaw):
+    """What legs, joint and places have of the force changes from increment to increment, with friction as without."""
+    turn, direction = degrees / 2, np.array([math.cos(math.radians(yaw)), math.sin(math.radians(yaw)), 0])
+    lower = wire("LOWER", np.concatenate([leg(180 + turn, 0)[::-1], leg(-turn, 0)[1:]]), 1, element="B33")
+    rod = np.array([-2.5 * R, 0, 2 * R]) + np.linspace(-11.93 * R, 12.07 * R, 25)[:, None] * direction
+    upper = wire("UPPER", rod, UPPER, element="B33")
+    down = f" UPPER, 3, 3, {-0.02 * R:.17g}\n"
+    held = HELD.replace("UPPER, ENCASTRE", "UPPER, 4, 6")
+    press = step(static="0.2, 1., 1e-3, 0.2", boundary=f" UPPER, 1, 2\n{down}")
+    drag = step(static="0.02, 1., 1e-3, 0.02", boundary=f" UPPER, 1, 1, {5 * R:.17g}\n UPPER, 2, 2\n{down}")
+    forces = []
+    for name, law in {"smooth": HERTZ, "rough": f"{HERTZ}*FRICTION\n 0.1\n"}.items():
+        process, results = run(two_wires(lower, upper, held, press + drag, law=law), name=name)
+        assert process.returncode == 0, process.stderr
+        forces.append([results.contacts_at(i)["force"].sum() for i in range(len(results.times))])
+    assert forces[1] == pytest.approx(forces[0], rel=1e-3, abs=1e-9)

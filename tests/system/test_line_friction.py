@@ -174,3 +174,19 @@ def test_what_wires_remember_turns_with_them(run):
     results = solved(run(deck))
     before, after = (on_the_upper_wire(results.contacts_at(i)) for i in (-2, -1))
     assert after[:2] == pytest.approx(before[0] * np.array([math.cos(turn), math.sin(turn)]), rel=1e-6)
+
+
+@pytest.mark.parametrize("degrees", [3, 6])
+@pytest.mark.parametrize("increments", [2, 4])
+def test_friction_leaves_the_force_of_wires_that_become_a_line_as_it_is(run, degrees, increments):
+    """As wires are pressed together at a small angle, places take over from the crossing: as fast as without friction."""
+    lower = along(LENGTH, 24, start=-LENGTH / 2)
+    upper = along(LENGTH, 24, start=-LENGTH / 2, degrees=degrees, height=2 * COPPER.radius)
+    push = f" UPPER, 1, 2, 0.\n UPPER, 3, 3, {-3e-3 * COPPER.radius:.17g}\n"
+    words = step(static=f"{1 / increments}, 1., 1e-3, {1 / increments}", boundary=push)
+    held = "*BOUNDARY\n LOWER, 1, 6\n UPPER, 4, 6\n" + NO_FIELD
+    forces = [
+        solved(run(two_wires(lower, upper, held, words, law=law), name=name)).contacts_at(-1)["force"].sum()
+        for name, law in {"smooth": HERTZ, "rough": rubbing(0.3)}.items()
+    ]
+    assert forces[1] == pytest.approx(forces[0], rel=2e-3)

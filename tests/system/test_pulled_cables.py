@@ -55,11 +55,8 @@ def test_shares_of_places_and_crossings_that_change_with_the_load_take_no_iterat
 
 @pytest.mark.parametrize("layers", [[1, 6], [1, 6, 12]], ids=("1+6", "1+6+12"))
 def test_a_strand_with_friction_lets_go_as_it_was_gripped_without_a_cut(layers, litz, tmp_path):
-    """As the wires come off each other the overlaps become short, and crossings take over from the places of lines.
-
-    What remembers a traction takes over between increments. Within one the iteration did not come back from it: a third
-    of a lay of 1+6 wires took 141 iterations and three cuts.
-    """
+    """As the wires come off each other the overlaps become short, and crossings take over from the places of lines: twice
+    in an increment, which costs a few iterations each time."""
     length, pull = 15e-3, 1e-3
     by_increment = {}
     for increment in (0.5, 0.05):
@@ -88,10 +85,12 @@ def test_a_strand_with_friction_lets_go_as_it_was_gripped_without_a_cut(layers, 
         assert "cut:" not in process.stdout
         by_increment[increment] = Results(folder / f"strand_{increment}.vtkhdf")
     coarse, fine = by_increment.values()
-    assert max(coarse.status["iterations"]) <= 10
+    assert max(coarse.status["iterations"]) <= 15
     for time in (0.5, 1.0, 1.5):
-        # shares that follow an increment later: a lens has the force of the places in it to 2 %, and few wires have one
+        # a lens has the force of the places in it to 2 %, and few wires have one
         assert force_at(coarse, time) == pytest.approx(force_at(fine, time), rel=5e-3)
+    # where hardly any force is left, most contacts are lenses
+    assert force_at(coarse, 2.0) == pytest.approx(force_at(fine, 2.0), rel=0.05)
 
 
 def force_at(results: Results, time: float) -> float:
