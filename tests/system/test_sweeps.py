@@ -170,9 +170,9 @@ def test_places_and_parameters_of_a_template_must_fit(template, tmp_path):
 
 
 def slow_if_deep(push):
-    """A model that takes a minute and more if it is pushed by 2e-6 m."""
+    """A model that takes a minute and more if it is pushed by 2e-6 or 4e-6 m."""
     made = model(push)
-    if push == 2e-6:
+    if push in (2e-6, 4e-6):
         made.steps.clear()
         step = made.step(total=1.0, increment=1e-6, inc=1000000, direct=True)
         step.move("UPPER", "z", -push)

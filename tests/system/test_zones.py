@@ -150,7 +150,8 @@ class TestStrand:
         last = strand.contacts["increment"] == strand.increments[-1]
         n_crossings = (alone & last & (strand.contacts["step"] == strand.steps[-1])).sum()
         text = " ".join(strand.summary().split())
-        assert f"crossings {n_crossings} contact forces" in text
+        # they have a line where there are any
+        assert (f"crossings {n_crossings} contact forces" in text) == (n_crossings > 0)
         assert f"zones of line contact {zones.n_rows} " in text
         assert "line contact by pairs of wires" in text
         rows = [line.split() for line in history_table(strand).splitlines()]
