@@ -10,7 +10,7 @@ module litz_contact_forces
    use litz_domain, only: domain_t
    use litz_element_library, only: elements_t, along_element
    use litz_errors, only: error_t
-   use litz_fields, only: field_temperature, group_mechanical, motion_slots, potential_slots
+   use litz_fields, only: field_temperature, motion_slots, potential_slots
    use litz_friction_forces, only: find_friction, increment_start_t
    use litz_friction_iteration, only: forget_friction
    use litz_friction_law, only: friction_law_t
@@ -154,7 +154,7 @@ contains
       do i = 1, size(members)
          associate (point => points(members(i)))
             if (point%friction_iteration%limit > 0) call domain%take_friction()
-            if (abs(point%turning%growth) > 0) domain%matrix%symmetric(group_mechanical) = .false.
+            if (abs(point%turning%growth) > 0) call domain%lose_symmetry()
             call add_iteration_force(point, nodes(:, i), domain%forces)
             call add_supposed_force(point, nodes(:, i), domain%forces)
          end associate

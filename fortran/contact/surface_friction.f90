@@ -12,11 +12,10 @@ module litz_surface_friction
    use litz_friction_law, only: friction_law_t, friction_law, friction_none
    use litz_law_input, only: wire_pair_t
    use litz_normal_law, only: overlap_of_force_t
-   use litz_rigid_surface, only: rigid_surface_t, surface_distance, axis_motion, turn_twice
+   use litz_rigid_surface, only: rigid_surface_t, radial_motion, surface_distance, axis_motion, turn_twice
    use litz_rotations, only: cross, skew
    use litz_stick_laws, only: stick_stiffness_at
    use litz_surface_cells, only: surface_cell_t, wire_axis_t, centre_of_force
-   use litz_surface_choices, only: surface_bore
    use litz_surface_overlap, only: gap_at
    implicit none
    private
@@ -109,15 +108,6 @@ contains
       s%tangent_weight = w([2, 4])
       s%tangent = axis%t
    end function surface_slip
-
-   !> How far a change of the radius has moved the surface along its normal [m].
-   pure real(dp) function radial_motion(before, now)
-      !> When the increment began, and now
-      type(rigid_surface_t), intent(in) :: before, now
-
-      radial_motion = now%radius - before%radius
-      if (now%shape == surface_bore) radial_motion = -radial_motion
-   end function radial_motion
 
    !> Where friction acts in an increment in which a contact closes, and the part of the slip that follows the first
    !> touch, in proportional motion; see (5.10).

@@ -8,7 +8,7 @@ module litz_surface_poses
    use litz_surface_cells, only: surface_cell_t, wire_axis_t
    implicit none
    private
-   public :: present_surface, surface_at_start, radius_change, element_axis, axis_moved_by, surface_node
+   public :: present_surface, surface_at_start, element_axis, axis_moved_by, surface_node
 
 contains
 
@@ -30,18 +30,6 @@ contains
       surface = surface_moved_by(domain%model, pair, domain%iterate%x_start, domain%state%rotation, &
          domain%loading%converged_time)
    end function surface_at_start
-
-   !> By how much the radius of the surface of a pair has grown since the increment began [m].
-   pure real(dp) function radius_change(domain, pair)
-      type(domain_t), intent(in) :: domain
-      !> Index of the pair
-      integer, intent(in) :: pair
-
-      associate (surface => domain%model%surface_pairs(pair)%surface, loading => domain%loading)
-         radius_change = radius_at(domain%model, surface, loading%time) &
-            - radius_at(domain%model, surface, loading%converged_time)
-      end associate
-   end function radius_change
 
    !> The surface of a pair at given positions and rotations of the nodes.
    pure type(rigid_surface_t) function surface_moved_by(model, pair, x, rotation, time) result(surface)

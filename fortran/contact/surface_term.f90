@@ -15,13 +15,13 @@ module litz_surface_term
    use litz_friction_iteration, only: friction_iteration_t, predict_friction, forget_friction
    use litz_friction_law, only: friction_law_t, friction_start_t
    use litz_line_law, only: line_wires_t
+   use litz_rigid_surface, only: radial_motion
    use litz_state, only: energies_t
    use litz_surface_cells, only: surface_cell_t, surface_memory_t, wire_axis_t, survey_cell, law_of_cell, &
       laws_of_ends, bends_at_ends, press_cell, cell_forces, predicted_force, contact_of_cell, centre_of_force, &
       advanced_memory
-   use litz_surface_choices, only: surface_bore
    use litz_surface_friction, only: stick_stiffness_of
-   use litz_surface_poses, only: present_surface, radius_change, element_axis, surface_node
+   use litz_surface_poses, only: present_surface, surface_at_start, element_axis, surface_node
    use litz_surface_rubbing, only: touched_t, sticking_of, rub, work_of_friction, rubbing_of_cells
    use litz_term, only: term_t, status_t
    use litz_timing, only: phase_contact, phase_update
@@ -433,11 +433,9 @@ contains
 
       work = 0
       do i = 1, size(self%cells)
-         associate (cell => self%cells(i), pair => domain%model%surface_pairs(self%cells(i)%pair))
-            associate (is_bore => domain%model%surfaces(pair%surface)%shape == surface_bore)
-               work = work + radius_change(domain, cell%pair)*merge(-1, 1, is_bore) &
-                  *(cell%force + merge(cell%memory%start%force, 0.0_dp, cell%memory%closed))/2
-            end associate
+         associate (cell => self%cells(i))
+            work = work + radial_motion(surface_at_start(domain, cell%pair), present_surface(domain, cell%pair)) &
+               *(cell%force + merge(cell%memory%start%force, 0.0_dp, cell%memory%closed))/2
          end associate
       end do
    end function work_of_radii

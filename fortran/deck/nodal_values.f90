@@ -6,13 +6,13 @@ module litz_nodal_values
    use litz_deck, only: token_t
    use litz_fields, only: field_t, fields, n_fields, field_rotation, field_displacement, last_dof, n_slots, &
       slot_of_dof, field_of_dof, dof_range, describe_dofs
-   use litz_model, only: model_t, nodal_value_t, rigid_body_t, amplitude_factor, dof_temperature
+   use litz_model, only: model_t, nodal_value_t, rigid_body_t, dof_temperature, leave_step
    use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, keyword_of, name_of
    use litz_value_checks, only: advice_about_value, behind_semicolon
    use litz_data_lines, only: read_line
    use litz_definitions, only: find_definition
    use litz_sets, only: find_item
-   use litz_unknown_nodes, only: nodes_with_unknown, reason_for_lack_of
+   use litz_unknown_nodes, only: node_unknowns_t, find_unknowns, reason_for_lack_of
    implicit none
    private
    public :: value_list_t, kind_boundary, kind_temperature, kind_initial, field_of_load, start_list, begin_step, &
@@ -23,7 +23,8 @@ module litz_nodal_values
    integer, parameter :: kind_boundary = 0, kind_temperature = -1, kind_initial = -2
 
    !> The list of one kind as it stands while the deck is read.
-   type :: value_list_t
+   !> Nodes of rigid surfaces and reference nodes of rigid bodies count as those of elements.
+   type, extends(node_unknowns_t) :: value_list_t
       integer :: kind = kind_boundary
       type(nodal_value_t), allocatable :: items(:)
       integer :: n = 0
@@ -35,10 +36,6 @@ module litz_nodal_values
       integer :: op = 0
       !> .true. before the first step
       logical :: model_part = .true.
-      !> Nodes of some element or rigid surface or the reference node of a rigid body (n_nodes)
-      logical, allocatable :: has_element(:)
-      !> Nodes at which a field has an equation (n_nodes, n_fields)
-      logical, allocatable :: has_unknown(:, :)
       !> Equation that eliminates a degree of freedom, 0: none (n_slots, n_nodes)
       integer, allocatable :: eliminated_by(:, :)
       !> Rigid body that each node moves with, 0: none; the last degree of freedom that is not its own (n_nodes)
@@ -57,16 +54,7 @@ contains
       list%kind = kind
       allocate (list%items(16), list%line(16))
       allocate (list%item(n_slots, model%n_nodes), source=0)
-      allocate (list%has_unknown(model%n_nodes, n_fields))
-      do k = 1, n_fields
-         list%has_unknown(:, k) = nodes_with_unknown(model, k)
-      end do
-      allocate (list%has_element(model%n_nodes), source=.false.)
-      do e = 1, model%n_elements
-         do k = 1, 2
-            if (model%connectivity(k, e) > 0) list%has_element(model%connectivity(k, e)) = .true.
-         end do
-      end do
+      call find_unknowns(model, list)
       allocate (list%body(model%n_nodes), list%last_moved(model%n_nodes), source=0)
       do k = 1, size(model%rigid_bodies)
          associate (body => model%rigid_bodies(k))
@@ -92,13 +80,13 @@ contains
       end do
    end subroutine start_list
 
-   !> Carry the list into a new step. What followed an amplitude in step time keeps the value of the step's end.
-   !> Source: Abaqus's rules for conditions that a step does not name.
+   !> Carry the list into a new step.
    pure subroutine begin_step(list, model, previous_total)
       type(value_list_t), intent(inout) :: list
       type(model_t), intent(in) :: model
       !> Time of the previous step [s]
       real(dp), intent(in) :: previous_total
+      real(dp) :: factor
       integer :: i
 
       list%model_part = .false.
@@ -106,12 +94,8 @@ contains
       list%line(:list%n) = 0
       do i = 1, list%n
          associate (item => list%items(i))
-            if (item%amplitude == 0) cycle
-            associate (amplitude => model%amplitudes(item%amplitude))
-               if (amplitude%total_time .or. size(amplitude%time) == 0) cycle
-               item%value = item%value*amplitude_factor(amplitude, previous_total)
-            end associate
-            item%amplitude = 0
+            call leave_step(model, previous_total, item%amplitude, factor)
+            item%value = factor*item%value
          end associate
       end do
    end subroutine begin_step

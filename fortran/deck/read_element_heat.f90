@@ -4,7 +4,7 @@ module litz_read_element_heat
    use litz_data_lines, only: read_line
    use litz_definitions, only: find_definition
    use litz_deck, only: token_t
-   use litz_model, only: model_t, element_heat_t, amplitude_factor
+   use litz_model, only: model_t, element_heat_t, leave_step
    use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, keyword_of
    use litz_sets, only: find_item
    use litz_text, only: to_text
@@ -54,13 +54,10 @@ contains
          real(dp), intent(inout) :: value
          !> Index of what it has followed; 0: none, from now on
          integer, intent(inout) :: amplitude
+         real(dp) :: factor
 
-         if (amplitude == 0) return
-         associate (this => model%amplitudes(amplitude))
-            if (this%total_time .or. size(this%time) == 0) return
-            value = value*amplitude_factor(this, model%steps(step - 1)%total)
-         end associate
-         amplitude = 0
+         call leave_step(model, model%steps(step - 1)%total, amplitude, factor)
+         value = factor*value
       end subroutine settle
 
    end subroutine begin_heat

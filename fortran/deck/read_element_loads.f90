@@ -6,7 +6,7 @@ module litz_read_element_loads
    use litz_definitions, only: find_definition
    use litz_element_loads, only: element_load_t, load_kind_named, load_label, load_grav, load_lorentz, n_load_kinds, &
       n_dload_kinds
-   use litz_model, only: model_t, amplitude_factor
+   use litz_model, only: model_t, leave_step
    use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, keyword_of, n_cards_of, name_of
    use litz_sets, only: find_item
    use litz_text, only: to_text
@@ -41,27 +41,21 @@ contains
          + n_cards_of(self, 'LORENTZ') > 0)), source=0)
    end subroutine start_loads
 
-   !> Carry the list into a new step: what followed an amplitude in step time keeps the value of the step's end, and
-   !> what has come to nothing is left out.
+   !> Carry the list into a new step; what has come to nothing is left out.
    pure subroutine begin_loads(list, model, previous_total)
       type(load_list_t), intent(inout) :: list
       type(model_t), intent(in) :: model
       !> Time of the previous step [s]
       real(dp), intent(in) :: previous_total
+      real(dp) :: factor
       integer :: i, n
 
       n = 0
       list%op = 0
       do i = 1, list%n
          associate (load => list%items(i))
-            if (load%amplitude > 0) then
-               associate (amplitude => model%amplitudes(load%amplitude))
-                  if (.not. amplitude%total_time .and. size(amplitude%time) > 0) then
-                     load%value = load%value*amplitude_factor(amplitude, previous_total)
-                     load%amplitude = 0
-                  end if
-               end associate
-            end if
+            call leave_step(model, previous_total, load%amplitude, factor)
+            load%value = factor*load%value
             load%before = load%value
             load%before_amplitude = load%amplitude
             list%item(load%kind, load%element) = 0

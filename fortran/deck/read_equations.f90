@@ -7,11 +7,11 @@ module litz_read_equations
       field_rotation, n_slots, slot_of_dof
    use litz_model, only: model_t, equation_t
    use litz_numbers, only: parse_integer, number_ok
-   use litz_reader, only: reader_t, fail_at, keyword_of
+   use litz_reader, only: reader_t, fail_at, keyword_of, n_cards_of
    use litz_sets, only: find_item
    use litz_sorting, only: sort_integers
    use litz_text, only: to_text
-   use litz_unknown_nodes, only: nodes_with_unknown, reason_for_lack_of
+   use litz_unknown_nodes, only: node_unknowns_t, find_unknowns, reason_for_lack_of
    implicit none
    private
    public :: read_equations
@@ -24,26 +24,36 @@ module litz_read_equations
       real(dp) :: coefficient = 0
    end type term_t
 
+   !> The equations as they stand while the deck is read, and what nodes have as unknowns.
+   type, extends(node_unknowns_t) :: equation_list_t
+      type(equation_t), allocatable :: items(:)
+      integer :: n = 0
+   end type equation_list_t
+
 contains
 
    subroutine read_equations(self, model)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(inout) :: model
+      type(equation_list_t) :: list
       integer :: card
 
-      allocate (model%equations(0))
+      allocate (list%items(0))
+      if (n_cards_of(self, 'EQUATION') > 0) call find_unknowns(model, list)
       do card = 1, self%deck%n_cards
-         if (keyword_of(self, card) == 'EQUATION') call read_card(self, model, card)
+         if (keyword_of(self, card) == 'EQUATION') call read_card(self, model, card, list)
       end do
+      model%equations = list%items(:list%n)
       call check_chains(self, model)
    end subroutine read_equations
 
    !> The equations of a card: for each the number of its terms on a line, and then the terms.
-   subroutine read_card(self, model, card)
+   subroutine read_card(self, model, card, list)
       type(reader_t), intent(inout) :: self
-      type(model_t), intent(inout) :: model
+      type(model_t), intent(in) :: model
       !> Index of the card
       integer, intent(in) :: card
+      type(equation_list_t), intent(inout) :: list
       type(term_t), allocatable :: terms(:)
       integer :: line, first_line, n_terms, found
       logical :: ok, all_ok
@@ -66,7 +76,7 @@ contains
          all_ok = all_ok .and. ok
          if (.not. ok) exit
          if (found < n_terms) cycle
-         call add_equations(self, model, terms, first_line)
+         call add_equations(self, model, terms, first_line, list)
          deallocate (terms)
       end do
       if (.not. ok) self%broken_equations = .true.
@@ -177,25 +187,24 @@ contains
    end function by_number
 
    !> One equation for each node of the sets, in the order of their numbers.
-   subroutine add_equations(self, model, terms, line)
+   subroutine add_equations(self, model, terms, line, list)
       type(reader_t), intent(inout) :: self
-      type(model_t), intent(inout) :: model
+      type(model_t), intent(in) :: model
       type(term_t), intent(in) :: terms(:)
       !> Line of the deck on which it begins
       integer, intent(in) :: line
-      type(equation_t), allocatable :: grown(:)
+      type(equation_list_t), intent(inout) :: list
       type(equation_t) :: equation
       integer :: i, k, n
       logical :: ok
 
-      call check_terms(self, model, terms, ok)
+      call check_terms(self, model, terms, list, ok)
       if (.not. ok) then
          self%broken_equations = .true.
          return
       end if
       n = maxval([(size(terms(k)%nodes), k=1, size(terms))])
-      allocate (grown(size(model%equations) + n))
-      grown(:size(model%equations)) = model%equations
+      call make_room(list, n)
       associate (at => self%deck%lines(line))
          equation%line = at%number
          equation%file = self%deck%sources(at%source)%path
@@ -204,16 +213,30 @@ contains
          equation%node = [(terms(k)%nodes(min(i, size(terms(k)%nodes))), k=1, size(terms))]
          equation%dof = terms%dof
          equation%coefficient = terms%coefficient
-         grown(size(model%equations) + i) = equation
+         list%items(list%n + i) = equation
       end do
-      call move_alloc(grown, model%equations)
+      list%n = list%n + n
    end subroutine add_equations
 
+   !> Room for some more equations.
+   subroutine make_room(list, n)
+      type(equation_list_t), intent(inout) :: list
+      !> How many
+      integer, intent(in) :: n
+      type(equation_t), allocatable :: longer(:)
+
+      if (list%n + n <= size(list%items)) return
+      allocate (longer(max(list%n + n, 2*size(list%items))))
+      longer(:list%n) = list%items(:list%n)
+      call move_alloc(longer, list%items)
+   end subroutine make_room
+
    !> What an equation may have as terms.
-   subroutine check_terms(self, model, terms, ok)
+   subroutine check_terms(self, model, terms, unknowns, ok)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(in) :: model
       type(term_t), intent(in) :: terms(:)
+      class(node_unknowns_t), intent(in) :: unknowns
       !> .false.: an error was reported
       logical, intent(out) :: ok
       integer :: k, other
@@ -238,7 +261,7 @@ contains
             end do
          end associate
          if (.not. ok) return
-         call check_nodes(self, model, terms(k), ok)
+         call check_nodes(self, model, terms(k), unknowns, ok)
          if (.not. ok) return
       end do
 
@@ -276,24 +299,20 @@ contains
    end subroutine check_terms
 
    !> Nodes that have the degree of freedom, which belongs to them alone.
-   subroutine check_nodes(self, model, term, ok)
+   subroutine check_nodes(self, model, term, unknowns, ok)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(in) :: model
       type(term_t), intent(in) :: term
+      class(node_unknowns_t), intent(in) :: unknowns
       !> .false.: an error was reported
       logical, intent(out) :: ok
-      logical :: has_unknown(model%n_nodes), has_element(model%n_nodes)
       integer :: i, b, last
 
       ok = self%broken_elements .or. self%broken_nodes .or. self%broken_keywords
       if (.not. ok) then
-         has_unknown = nodes_with_unknown(model, field_of_dof(term%dof))
-         has_element = .false.
-         do i = 1, model%n_elements
-            has_element(model%connectivity(:, i)) = .true.
-         end do
          ! a node without elements takes part in equations alone
-         i = findloc(has_unknown(term%nodes) .or. .not. has_element(term%nodes), .false., 1)
+         i = findloc(unknowns%has_unknown(term%nodes, field_of_dof(term%dof)) .or. .not. &
+            unknowns%has_element(term%nodes), .false., 1)
          ok = i == 0
          if (.not. ok) then
             call fail_at(self, term%token, 'node '//to_text(model%node_id(term%nodes(i)))// &

@@ -1,12 +1,37 @@
 !> At which nodes a field has an equation.
 module litz_unknown_nodes
-   use litz_fields, only: field_potential, field_temperature
+   use litz_fields, only: field_potential, field_temperature, n_fields
    use litz_model, only: model_t
    implicit none
    private
-   public :: nodes_with_unknown, reason_for_lack_of
+   public :: node_unknowns_t, find_unknowns, nodes_with_unknown, reason_for_lack_of
+
+   !> What the elements of a model, and those that extend this, give its nodes.
+   type :: node_unknowns_t
+      !> The node belongs to an element (n_nodes)
+      logical, allocatable :: has_element(:)
+      !> A field has an equation there (n_nodes, n_fields)
+      logical, allocatable :: has_unknown(:, :)
+   end type node_unknowns_t
 
 contains
+
+   pure subroutine find_unknowns(model, unknowns)
+      type(model_t), intent(in) :: model
+      class(node_unknowns_t), intent(inout) :: unknowns
+      integer :: e, k
+
+      allocate (unknowns%has_unknown(model%n_nodes, n_fields))
+      do k = 1, n_fields
+         unknowns%has_unknown(:, k) = nodes_with_unknown(model, k)
+      end do
+      allocate (unknowns%has_element(model%n_nodes), source=.false.)
+      do e = 1, model%n_elements
+         do k = 1, 2
+            if (model%connectivity(k, e) > 0) unknowns%has_element(model%connectivity(k, e)) = .true.
+         end do
+      end do
+   end subroutine find_unknowns
 
    !> Nodes of elements that conduct the flux of a field; all nodes for fields that need no conductor.
    pure function nodes_with_unknown(model, field) result(has_unknown)

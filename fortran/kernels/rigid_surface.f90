@@ -14,7 +14,8 @@ module litz_rigid_surface
    use litz_surface_choices, only: surface_plane, surface_bore
    implicit none
    private
-   public :: rigid_surface_t, moved_surface, surface_distance, distance_row, distance_hessian, axis_motion, turn_twice
+   public :: rigid_surface_t, moved_surface, radial_motion, surface_distance, distance_row, distance_hessian, &
+      axis_motion, turn_twice
 
    !> A surface where it is now.
    type :: rigid_surface_t
@@ -47,6 +48,15 @@ contains
       moved%point = centre + matmul(rotation, surface%point - surface%centre)
       moved%direction = matmul(rotation, surface%direction)
    end function moved_surface
+
+   !> How far a change of the radius has moved the surface along its normal [m].
+   pure real(dp) function radial_motion(before, now)
+      !> When the increment began, and now
+      type(rigid_surface_t), intent(in) :: before, now
+
+      radial_motion = now%radius - before%radius
+      if (now%shape == surface_bore) radial_motion = -radial_motion
+   end function radial_motion
 
    !> Distance, gradient and second derivative at a point; on the axis of a cylinder the gradient is any perpendicular.
    pure subroutine surface_distance(surface, x, distance, normal, hessian)

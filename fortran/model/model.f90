@@ -24,7 +24,7 @@ module litz_model
    public :: coupling_default, coupling_monolithic, coupling_updated, coupling_swept, coupling_full
    public :: request_node, request_element, request_contact, request_electrode, request_energy
    public :: shear_given, shear_round, shear_unreduced
-   public :: dof_potential, dof_temperature, amplitude_factor, factor_at, radius_at, radius_course, ramp_at
+   public :: dof_potential, dof_temperature, factor_at, leave_step, radius_at, radius_course, ramp_at
    public :: has_element_loads
    public :: solved_by_static, solved_by_heat, solved_by_all, procedure_of
 
@@ -376,6 +376,26 @@ contains
          factor = amplitude_factor(this, merge(total_time, step_time, this%total_time))
       end associate
    end function factor_at
+
+   !> What a value that may follow an amplitude becomes as its step ends: one in step time stays what it is then, and
+   !> follows none from then on; one in total time goes on. Source: Abaqus on conditions that a step does not name.
+   pure subroutine leave_step(model, total, amplitude, factor)
+      type(model_t), intent(in) :: model
+      !> Time of the step [s]
+      real(dp), intent(in) :: total
+      !> Index of the amplitude; 0: none
+      integer, intent(inout) :: amplitude
+      !> By which the value changes
+      real(dp), intent(out) :: factor
+
+      factor = 1
+      if (amplitude == 0) return
+      associate (this => model%amplitudes(amplitude))
+         if (this%total_time .or. size(this%time) == 0) return
+         factor = amplitude_factor(this, total)
+      end associate
+      amplitude = 0
+   end subroutine leave_step
 
    !> Radius of a rigid surface [m].
    pure real(dp) function radius_at(model, surface, total_time)

@@ -11,7 +11,7 @@ module litz_constrained_cells
    use litz_scatter, only: scatter_tangent
    implicit none
    private
-   public :: scatter_constrained
+   public :: all_slots, scatter_constrained
 
 contains
 
@@ -91,7 +91,8 @@ contains
 
    end subroutine scatter_constrained
 
-   !> Equations of motions may have all motions in them.
+   !> Slots of the nodes that motions depend on: equations may have all motions in them, and a displacement takes the
+   !> rotations of a reference node along.
    pure function all_slots(slots) result(wide)
       !> First and last slot (2)
       integer, intent(in) :: slots(2)

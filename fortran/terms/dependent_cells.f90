@@ -4,7 +4,7 @@
 !> equations, those at reference nodes are those of a larger cell. Source: theory section 11.
 module litz_dependent_cells
    use litz_kinds, only: dp
-   use litz_constrained_cells, only: scatter_constrained
+   use litz_constrained_cells, only: all_slots, scatter_constrained
    use litz_equations, only: equations_t
    use litz_fields, only: motion_slots
    use litz_linear_constraints, only: linear_constraints_t
@@ -97,16 +97,6 @@ contains
          c((a - 1)*n + 1:a*n, (size(nodes) + a - 1)*width + 1:(size(nodes) + a)*width) = j(slots(1):slots(2), :)
       end do
    end function chain
-
-   !> A displacement takes the rotations of the reference node along.
-   pure function all_slots(slots) result(wide)
-      !> First and last slot (2)
-      integer, intent(in) :: slots(2)
-      integer :: wide(2)
-
-      wide = slots
-      if (is_motion(slots)) wide = motion_slots
-   end function all_slots
 
    pure logical function is_motion(slots)
       !> First and last slot, both of one group of fields (2)

@@ -5,9 +5,9 @@ module litz_distributed_load_term
    use litz_element_loads, only: element_load_t, load_px, load_pz, load_p1, load_p2, load_grav
    use litz_end_forces, only: nodal_state
    use litz_errors, only: error_t
-   use litz_fields, only: group_mechanical, motion_slots
+   use litz_fields, only: motion_slots
    use litz_line_forces, only: distributed_force
-   use litz_loaded_elements, only: loaded_elements_t, loaded_elements, load_axis
+   use litz_loaded_elements, only: loaded_elements_t, load_axis
    use litz_loading, only: element_loads_at
    use litz_model, only: step_t
    use litz_parallel, only: worth_threads
@@ -40,14 +40,12 @@ contains
       !> Time of the step at the end of the increment, and the increment [s]
       real(dp), intent(in) :: step_time, increment
 
-      self%members = loaded_elements(step%element_loads, load_px, load_grav, domain%model%n_elements)
+      call self%take_loaded(step%element_loads, load_px, load_grav, domain%model%n_elements)
       associate (state => domain%state, n => size(self%members))
          self%fixed = spread([0.0_dp, 0.0_dp, 0.0_dp], 2, n)
          self%turning = self%fixed(:2, :)
          self%start_fixed = self%fixed
          self%start_turning = self%turning
-         self%force = spread(spread(0.0_dp, 1, 12), 2, n)
-         self%start_force = self%force
          if (n == 0) return
          call collect(self, domain, element_loads_at(domain%model, step, step_time, state%time - state%step_time), &
             self%fixed, self%turning)
@@ -112,10 +110,7 @@ contains
       integer :: first, last, i
 
       if (domain%motions_stand .or. size(self%members) == 0) return
-      if (any(abs(self%turning) > 0)) then
-         domain%matrix%symmetric(group_mechanical) = .false.
-         domain%matrix%unsymmetric_by_friction = .false.
-      end if
+      if (any(abs(self%turning) > 0)) call domain%lose_symmetry()
       allocate (k(12, 12, min(chunk, size(self%members))))
       do first = 1, size(self%members), chunk
          last = min(size(self%members), first + chunk - 1)

@@ -53,6 +53,7 @@ module litz_domain
       procedure :: add_turning
       procedure :: add_slip_coupling
       procedure :: take_friction
+      procedure :: lose_symmetry
       procedure :: mark_nodes
       procedure :: conduction_length
       procedure :: mean_temperature
@@ -195,9 +196,17 @@ contains
    subroutine take_friction(self)
       class(domain_t), intent(inout) :: self
 
+      if (self%matrix%symmetric(group_mechanical)) self%matrix%unsymmetric_by_friction = .true.
       self%matrix%symmetric(group_mechanical) = .false.
-      self%matrix%unsymmetric_by_friction = .true.
    end subroutine take_friction
+
+   !> Note that something else does, whether there is friction or not.
+   subroutine lose_symmetry(self)
+      class(domain_t), intent(inout) :: self
+
+      self%matrix%unsymmetric_by_friction = .false.
+      self%matrix%symmetric(group_mechanical) = .false.
+   end subroutine lose_symmetry
 
    !> Note what a contact that slips adds to the tangent, which its cell has in it.
    subroutine add_slip_coupling(self, nodes, along, dlimit)

@@ -35,8 +35,8 @@ module litz_equations
       type(csr_matrix_t) :: block(n_groups, n_groups)
       !> The values of the block of a group with itself are symmetric
       logical :: symmetric(n_groups) = .true.
-      !> Where the block of motions is not symmetric, friction makes it so, and no moment about a fixed axis: its pivots
-      !> count negative eigenvalues all the same
+      !> Friction alone makes the block of motions unsymmetric, and no moment about a fixed axis or load that turns: its
+      !> pivots count negative eigenvalues all the same
       logical :: unsymmetric_by_friction = .false.
       !> The part of the block of motions that couples the slip of contacts to their normal forces, by the limit of
       !> friction: of rank one for each contact that slips, and far from symmetric. Rows and values only; no values

@@ -11,7 +11,7 @@ module litz_loaded_elements
    use litz_state, only: energies_t
    implicit none
    private
-   public :: loaded_elements_t, loaded_elements, load_axis
+   public :: loaded_elements_t, load_axis
 
    type, abstract, extends(term_t) :: loaded_elements_t
       !> Elements with such loads, ascending (n)
@@ -19,19 +19,19 @@ module litz_loaded_elements
       !> Internal forces of their nodes, when the increment began and as last evaluated (12, n) [N, N m]
       real(dp), allocatable :: start_force(:, :), force(:, :)
    contains
+      procedure :: take_loaded
       procedure :: add_energies
       procedure :: accept
    end type loaded_elements_t
 
 contains
 
-   !> Elements with a load of some kinds.
-   pure function loaded_elements(loads, first_kind, last_kind, n_elements) result(members)
+   !> Take the elements with a load of some kinds, on which no forces act yet.
+   pure subroutine take_loaded(self, loads, first_kind, last_kind, n_elements)
+      class(loaded_elements_t), intent(inout) :: self
       type(element_load_t), intent(in) :: loads(:)
       !> Range of `load_...`, and number of elements of the model
       integer, intent(in) :: first_kind, last_kind, n_elements
-      !> Ascending (n)
-      integer, allocatable :: members(:)
       logical :: is_loaded(n_elements)
       integer :: i
 
@@ -39,8 +39,10 @@ contains
       do i = 1, size(loads)
          if (loads(i)%kind >= first_kind .and. loads(i)%kind <= last_kind) is_loaded(loads(i)%element) = .true.
       end do
-      members = pack([(i, i=1, n_elements)], is_loaded)
-   end function loaded_elements
+      self%members = pack([(i, i=1, n_elements)], is_loaded)
+      self%force = spread(spread(0.0_dp, 1, 12), 2, size(self%members))
+      self%start_force = self%force
+   end subroutine take_loaded
 
    !> Interpolation of the axis that carries the load: that of the displacements of the element.
    pure integer function load_axis(domain, element) result(axis)

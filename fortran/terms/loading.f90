@@ -178,12 +178,9 @@ contains
       heat = step%heat
       do i = 1, size(heat)
          associate (given => step%heat(i), total_time => start_time + step_time)
-            if (given%source_amplitude > 0) then
-               heat(i)%source = given%source*factor_at(model, given%source_amplitude, step_time, total_time)
-            else
-               heat(i)%source_before = given%source_before*factor_at(model, given%before_amplitude, 0.0_dp, start_time)
-               heat(i)%source = heat(i)%source_before + ramp_at(step, step_time)*(given%source - heat(i)%source_before)
-            end if
+            heat(i)%source_before = given%source_before*factor_at(model, given%before_amplitude, 0.0_dp, start_time)
+            heat(i)%source = value_from(model, step, step_time, start_time, heat(i)%source_before, given%source, &
+               given%source_amplitude)
             heat(i)%film = given%film*factor_at(model, given%film_amplitude, step_time, total_time)
             heat(i)%sink = given%sink*factor_at(model, given%sink_amplitude, step_time, total_time)
             heat(i)%surroundings = given%surroundings*factor_at(model, given%surroundings_amplitude, step_time, &
@@ -191,6 +188,24 @@ contains
          end associate
       end do
    end function heat_at
+
+   !> A value that ramps over the step from what was there before, or follows an amplitude.
+   elemental real(dp) function value_from(model, step, step_time, start_time, before, value, amplitude)
+      type(model_t), intent(in) :: model
+      type(step_t), intent(in) :: step
+      !> Time since the step began, and total time at which it began [s]
+      real(dp), intent(in) :: step_time, start_time
+      !> When the step begins, and at its end or where the factor is one
+      real(dp), intent(in) :: before, value
+      !> Index of the amplitude; 0: none
+      integer, intent(in) :: amplitude
+
+      if (amplitude > 0) then
+         value_from = value*factor_at(model, amplitude, step_time, start_time + step_time)
+      else
+         value_from = before + ramp_at(step, step_time)*(value - before)
+      end if
+   end function value_from
 
    !> Loads on the length of elements at a step time; when the step begins they are still those before it.
    pure function element_loads_at(model, step, step_time, start_time) result(loads)
@@ -207,10 +222,9 @@ contains
             loads(i)%before = given%before*factor_at(model, given%before_amplitude, 0.0_dp, start_time)
             if (.not. step_time > 0) then
                loads(i)%value = loads(i)%before
-            else if (given%amplitude > 0) then
-               loads(i)%value = given%value*factor_at(model, given%amplitude, step_time, start_time + step_time)
             else
-               loads(i)%value = loads(i)%before + ramp_at(step, step_time)*(given%value - loads(i)%before)
+               loads(i)%value = value_from(model, step, step_time, start_time, loads(i)%before, given%value, &
+                  given%amplitude)
             end if
          end associate
       end do

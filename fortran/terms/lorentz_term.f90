@@ -9,9 +9,9 @@ module litz_lorentz_term
    use litz_element_loads, only: element_load_t, load_lorentz
    use litz_end_forces, only: nodal_state
    use litz_errors, only: error_t
-   use litz_fields, only: field_temperature, group_mechanical, motion_slots, potential_slots, temperature_slots
+   use litz_fields, only: field_temperature, motion_slots, potential_slots, temperature_slots
    use litz_line_forces, only: lorentz_force
-   use litz_loaded_elements, only: loaded_elements_t, loaded_elements, load_axis
+   use litz_loaded_elements, only: loaded_elements_t, load_axis
    use litz_loading, only: element_loads_at
    use litz_model, only: step_t
    use litz_parallel, only: worth_threads
@@ -46,10 +46,8 @@ contains
       !> Time of the step at the end of the increment, and the increment [s]
       real(dp), intent(in) :: step_time, increment
 
-      self%members = loaded_elements(step%element_loads, load_lorentz, load_lorentz, domain%model%n_elements)
+      call self%take_loaded(step%element_loads, load_lorentz, load_lorentz, domain%model%n_elements)
       associate (state => domain%state, n => size(self%members))
-         self%force = spread(spread(0.0_dp, 1, 12), 2, n)
-         self%start_force = self%force
          self%field = self%force
          self%start_field = self%force
          if (n == 0) return
@@ -97,8 +95,7 @@ contains
       integer :: first, last, i
 
       if (domain%motions_stand .or. size(self%members) == 0) return
-      domain%matrix%symmetric(group_mechanical) = .false.
-      domain%matrix%unsymmetric_by_friction = .false.
+      call domain%lose_symmetry()
       allocate (k(12, 12, min(chunk, size(self%members))), by_flow(12, 4, min(chunk, size(self%members))))
       do first = 1, size(self%members), chunk
          last = min(size(self%members), first + chunk - 1)

@@ -7,7 +7,7 @@ module litz_moment_term
    use litz_kinds, only: dp
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
-   use litz_fields, only: group_mechanical, rotation_slots
+   use litz_fields, only: rotation_slots
    use litz_rotations, only: skew
    use litz_term, only: term_t
    implicit none
@@ -42,8 +42,7 @@ contains
                moment = merge(load(first:last, node), internal(first:last, node), free)
             end if
             if (.not. any(abs(moment) > 0)) cycle
-            domain%matrix%symmetric(group_mechanical) = .false.
-            domain%matrix%unsymmetric_by_friction = .false.
+            call domain%lose_symmetry()
             call domain%add_turning(node, -skew(moment)/2)
          end do
       end associate

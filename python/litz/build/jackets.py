@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from ..model import Friction, Hertz, Linear, Model, NamedBehaviour, Step
+from ..model.surfaces import RigidSurface
 from .plates import axes_of
 
 #: Contact force over penetration
@@ -92,7 +93,13 @@ def compact(
             f"(that of the jacket around the wires as they are laid), not {void_fraction:g}"
         )
     shrunk = math.sqrt((1 - loosest) / (1 - void_fraction))
-    step = (_round if shape == "round" else _square)(model, size, shrunk, behaviour, friction, increments, total)
+    surfaces = [_bore(model, size, shrunk, total)] if shape == "round" else _planes(model, size)
+    for surface in surfaces:
+        model.contact(list(model.groups.values()), surface, behaviour=behaviour, friction=friction)
+    step = model.step("COMPACT", increment=total / increments, total=total)
+    if shape == "square":
+        for surface, (x, y) in zip(surfaces, _SIDES.values(), strict=True):
+            step.move(surface, "x" if x else "y", size * (1 - shrunk) * (x + y))
     step.controls("STABILIZE", factor=damping)
     if "MINUS" in model.node_sets:
         model.ground = "MINUS"
@@ -106,39 +113,17 @@ def _section_of_metal(model: Model, length: float) -> float:
     return float((math.pi * radii**2 * lengths).sum()) / length
 
 
-def _round(
-    model: Model,
-    size: float,
-    shrunk: float,
-    behaviour: Behaviour | None,
-    friction: Friction | float | None,
-    increments: int,
-    total: float,
-) -> Step:
+def _bore(model: Model, size: float, shrunk: float, total: float) -> RigidSurface:
     """A bore whose radius shrinks by a factor."""
     amplitude = model.amplitude("JACKET", [0, total], [1, shrunk], time="TOTAL TIME")
-    jacket = model.bore("JACKET", (0, 0, 0), (0, 0, 1), size, radius_amplitude=amplitude)
-    model.contact(list(model.groups.values()), jacket, behaviour=behaviour, friction=friction)
-    return model.step("COMPACT", increment=total / increments, total=total)
+    return model.bore("JACKET", (0, 0, 0), (0, 0, 1), size, radius_amplitude=amplitude)
 
 
-def _square(
-    model: Model,
-    size: float,
-    shrunk: float,
-    behaviour: Behaviour | None,
-    friction: Friction | float | None,
-    increments: int,
-    total: float,
-) -> Step:
-    """Four planes that move inwards."""
-    sides = {}
-    for name, normal in _SIDES.items():
-        place = [-size * component for component in (*normal, 0)]
-        sides[name] = model.plane(name, place, (*normal, 0), reference=place)
-        model.contact(list(model.groups.values()), sides[name], behaviour=behaviour, friction=friction)
-        model.fix(sides[name], *("yz" if normal[0] else "xz"), "rotations")
-    step = model.step("COMPACT", increment=total / increments, total=total)
-    for name, normal in _SIDES.items():
-        step.move(sides[name], "x" if normal[0] else "y", size * (1 - shrunk) * sum(normal))
-    return step
+def _planes(model: Model, size: float) -> list[RigidSurface]:
+    """Four planes that can move inwards, and in no other way."""
+    planes = []
+    for name, (x, y) in _SIDES.items():
+        place = (-size * x, -size * y, 0.0)
+        planes.append(model.plane(name, place, (x, y, 0), reference=place))
+        model.fix(planes[-1], *("yz" if x else "xz"), "rotations")
+    return planes
