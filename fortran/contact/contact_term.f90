@@ -33,8 +33,9 @@ module litz_contact_term
    public :: contact_term_t
 
    !> How often an increment settles what is carried along lines at most, and the change of a share that is left alone
+   !> each time
    integer, parameter :: max_settlings = 2
-   real(dp), parameter :: settled_change = 0.02_dp
+   real(dp), parameter :: settled_change(max_settlings) = [0.02_dp, 0.1_dp]
    !> Overlaps are known when no linear step has missed one by more than this part of the largest, and no force is left
    !> over that is more than this part of the largest contact force: the next step then changes them by its square
    real(dp), parameter :: missed_overlap = 0.02_dp, nearly_balanced = 0.1_dp
@@ -353,7 +354,7 @@ contains
       line_points = contact%line_points
       call renew_shares(domain%model, domain%wires, domain%elements, domain%iterate%x, domain%iterate%rotation, &
          contact, largest_change)
-      if (largest_change > settled_change) then
+      if (largest_change > settled_change(contact%n_settled)) then
          has_moved = .true.
       else
          call move_alloc(points, contact%points)
