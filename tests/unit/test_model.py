@@ -256,6 +256,12 @@ def test_weight_is_that_of_all_wires_unless_some_are_named():
     assert lines == [[None, "GRAV", 9.81, 0, 0, -9.81], ["W", "GRAV", 5, 0, 3, 4]]
 
 
+def test_a_material_that_a_model_defines_has_all_properties_of_one():
+    model = litz.Model("heavy")
+    heavy = model.material("LEAD", young=16e9, poisson=0.44, density=11340, expansion=29e-6)
+    assert heavy == litz.Material("LEAD", 16e9, 0.44, density=11340, expansion=29e-6)
+
+
 def test_the_increments_of_a_step_over_time_are_those_of_the_keyword():
     model, _ = warm_wire()
     model.step(procedure="COUPLED THERMAL-ELECTRICAL", first=0.1, total=2.0)

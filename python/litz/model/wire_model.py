@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from numbers import Integral
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -374,7 +375,9 @@ class WireModel(Names):
             raise ValueError(f"there is another material of the name {material.name}")
         return section, material
 
-    def material(self, name: str, *, young: float, poisson: float, conductivity: float | None = None) -> Material:
+    def material(
+        self, name: str, *, young: float, poisson: float, conductivity: float | None = None, **properties: Any
+    ) -> Material:
         """Define a material.
 
         Parameters
@@ -387,8 +390,10 @@ class WireModel(Names):
             Poisson's ratio [-].
         conductivity : float, optional
             Electrical conductivity [S/m]; without it the wires are insulators.
+        **properties
+            More of those of `Material`, such as `density`.
         """
-        material = Material(name, young, poisson, conductivity)
+        material = Material(name, young, poisson, conductivity, **properties)
         if self._materials.setdefault(name, material) != material:
             raise ValueError(f"there is another material of the name {name}")
         return material
