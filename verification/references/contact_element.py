@@ -57,7 +57,9 @@ class State:
     def mechanical(self):
         """R_m (24): minus the force times the change of the gap, and what resists turning, by displacements and spins."""
         f = -self.force * np.outer(self.weights, self.normal) + self.turning
-        return np.concatenate([part for node in range(4) for part in (f[2 * node], np.cross(self.t[node], f[2 * node + 1]))])
+        return np.concatenate(
+            [part for node in range(4) for part in (f[2 * node], np.cross(self.t[node], f[2 * node + 1]))]
+        )
 
     def electric(self):
         """R_e (4): the current, at the nodes it leaves."""
