@@ -37,7 +37,9 @@ def fed(node, current=CURRENT):
 
 
 COUPLINGS = pytest.mark.parametrize(
-    "solver", ["*SOLVER, NAME=BLOCK, COUPLING=UPDATED\n", "", "*SOLVER, NAME=UMFPACK\n"], ids=["turns", "full", "UMFPACK"]
+    "solver",
+    ["*SOLVER, NAME=BLOCK, COUPLING=UPDATED\n", "", "*SOLVER, NAME=UMFPACK\n"],
+    ids=["turns", "full", "UMFPACK"],
 )
 
 
