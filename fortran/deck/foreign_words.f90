@@ -5,7 +5,7 @@ module litz_foreign_words
    use litz_text, only: squeezed, words_of, word_length
    implicit none
    private
-   public :: foreign_word_t, foreign_words, foreign_keyword, advice_about
+   public :: foreign_word_t, foreign_words, foreign_keyword, advice_about, advice_about_more
 
    !> Lists are separated by bars.
    type :: foreign_word_t
@@ -13,7 +13,8 @@ module litz_foreign_words
       character(len=200) :: keywords
       !> Parameters that litz lacks, or the one whose values it lacks
       character(len=120) :: parameters
-      !> Values of the parameter, or of a data line; `+`: more values than a data line takes
+      !> Values of the parameter, or of a data line; `+`: more values than a data line takes, `VALUE+`: than it takes
+      !> with this value of the parameter
       character(len=160) :: values
       !> What to do in litz, as the end of a sentence
       character(len=200) :: advice
@@ -147,6 +148,8 @@ module litz_foreign_words
       foreign_word_t('ELEMENT', 'TYPE', 'T3D2|T3D3|T2D2|SPRINGA|SPRING1|SPRING2|CONN3D2', 'use a thin beam'), &
       foreign_word_t('BEAM SECTION', 'SECTION', 'PIPE|RECT|BOX|I|L|HEX|TRAPEZOID|THICK PIPE|ARBITRARY|ELBOW', &
       'use GENERAL with A, I11, I12, I22, J, and CONTACT RADIUS where it touches'), &
+      foreign_word_t('BEAM SECTION', 'SECTION', 'CIRC+', 'as in Abaqus it is the radius: two values are diameters,'// &
+      ' as in CalculiX; write half of them as the radius, or `litz convert THIS.inp NEW.inp --dialect ccx`'), &
       foreign_word_t('ELASTIC', 'TYPE', 'ENGINEERING CONSTANTS|ORTHOTROPIC|ANISOTROPIC|ORTHO|ANISO|LAMINA', &
       'give E along the wire, and Poisson''s ratio'), &
       foreign_word_t('SURFACE BEHAVIOR', 'PRESSURE-OVERCLOSURE', 'HARD|EXPONENTIAL|TABULAR|TIED|SCALE FACTOR', &
@@ -214,6 +217,21 @@ contains
       end subroutine look_in
 
    end function advice_about
+
+   !> What to do about more values than a data line takes, or an empty string.
+   pure function advice_about_more(keyword, choice) result(advice)
+      !> The keyword in any case
+      character(len=*), intent(in) :: keyword
+      !> `PARAMETER=VALUE` with which the line takes that many, or empty
+      character(len=*), intent(in) :: choice
+      character(len=:), allocatable :: advice
+      integer :: equals
+
+      equals = index(choice, '=')
+      advice = ''
+      if (equals > 0) advice = advice_about(keyword, choice(:equals - 1), trim(choice(equals + 1:))//'+')
+      if (len(advice) == 0) advice = advice_about(keyword, value='+')
+   end function advice_about_more
 
    !> A keyword that litz lacks, as the table spells it; empty when it is none.
    pure function foreign_keyword(name) result(keyword)

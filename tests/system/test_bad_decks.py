@@ -106,6 +106,13 @@ def case(name, old, new, message, marked, at=None):
 # values and what they mean
 VALUES = [
     case(
+        "two diameters, as in CalculiX",
+        "0.0005\n0.,",
+        "0.001, 0.001\n0.,",
+        "*BEAM SECTION takes 1 on this line: radius; as in Abaqus it is the radius: two values are diameters, as in CalculiX",
+        "0.001",
+    ),
+    case(
         "number of a node",
         "1, 0., -0.01",
         "one, 0., -0.01",
