@@ -21,7 +21,7 @@ contains
    ! rotation_vectors are looked at when has_rotation_vectors /= 0.
    subroutine contact_em(n, n_sets, n_normal_data, n_spot_data, x, t, length, v, radius, young, poisson, resistivity, &
       side, series_resistance, ends, largest_force, rotation_vectors, normal_law, normal_data, yielding, keeps_spot, &
-      spot_law, spot_data, axis, has_rotation_vectors, n_k, n_parts, k, r, numbers, normal, k_me, info)
+      spot_law, spot_data, axis, has_rotation_vectors, n_k, k, wants_k, n_parts, r, numbers, normal, k_me, info)
       !f2py threadsafe
       !> Number of pairs; of sets of data of the laws: n, or 1 for all
       integer(c_int), intent(in) :: n, n_sets
@@ -63,10 +63,12 @@ contains
       integer(c_int), intent(in) :: axis
       !> Not 0: `rotation_vectors` count
       integer(c_int), intent(in) :: has_rotation_vectors
-      !> Number of tangents, and of coupling blocks in parts: n, or 0 where they are not wanted
+      !> Number of tangents: n, or 1 where they are not wanted; of coupling blocks in parts: n, or 0
       integer(c_int), intent(in) :: n_k, n_parts
-      !> Tangents (28, 28, n_k)
-      real(c_double), intent(out) :: k(28, 28, n_k)
+      !> Tangents (28, 28, n_k): the only large result; Python makes room for it without filling it first
+      real(c_double), intent(inout) :: k(28, 28, n_k)
+      !> Not 0: the tangents are wanted
+      integer(c_int), intent(in) :: wants_k
       !> Residuals (28, n) [N, N m, A]
       real(c_double), intent(out) :: r(28, n)
       !> xi_bar, xi, gap [m], angle [rad], force [N], semi-axes [m], resistance [ohm], current [A], voltage across the
@@ -78,20 +80,21 @@ contains
       real(c_double), intent(out) :: k_me(4, 24, 5, n_parts)
       !> 0: all is well; else one of the constants of the kernel (n)
       integer(c_int), intent(out) :: info(n)
-      integer :: first, last, first_set, last_set
+      integer :: first, last, first_set, last_set, last_k
 
-      !$omp parallel do schedule(dynamic) private(last, first_set, last_set) if (n > chunk)
+      !$omp parallel do schedule(dynamic) private(last, first_set, last_set, last_k) if (n > chunk)
       do first = 1, n, chunk
          last = min(first + chunk - 1, n)
          first_set = min(first, n_sets)
          last_set = min(last, n_sets)
+         last_k = merge(last, 0, wants_k /= 0)
          call chunk_of_pairs(last - first + 1, last_set - first_set + 1, n_normal_data, n_spot_data, &
             x(:, :, first:last), t(:, :, first:last), length(:, first:last), v(:, first:last), radius(:, first:last), &
             young(:, first:last), poisson(:, first:last), resistivity(:, first:last), side(first:last), &
             series_resistance(:, first:last), ends(:, first:last), largest_force(first:last), &
             rotation_vectors(:, :, first:last), normal_law, normal_data(:, first_set:last_set), &
             yielding(:, first_set:last_set), keeps_spot, spot_law, spot_data(:, first_set:last_set), axis, &
-            has_rotation_vectors, k(:, :, first:min(last, n_k)), r(:, first:last), numbers(:, first:last), &
+            has_rotation_vectors, k(:, :, first:last_k), r(:, first:last), numbers(:, first:last), &
             normal(:, first:last), k_me(:, :, :, first:min(last, n_parts)), info(first:last))
       end do
    end subroutine contact_em

@@ -243,7 +243,7 @@ contains
    ! quality, at_end. start and rotation_vectors are looked at when has_start, has_rotation_vectors /= 0.
    subroutine line_points(n, x, t, length, v, xi, weight, radius, young, poisson, resistivity, angle, penalty, film, &
       hardness, ends, normal_before, start, series_resistance, rotation_vectors, axis, has_start, &
-      has_rotation_vectors, n_k, k, r, numbers, normal, info)
+      has_rotation_vectors, n_k, k, wants_k, r, numbers, normal, info)
       !f2py threadsafe
       !> Number of points
       integer(c_int), intent(in) :: n
@@ -291,10 +291,12 @@ contains
       integer(c_int), intent(in) :: has_rotation_vectors
       !> Rotation vectors of the nodes (3, 4, n) [rad]
       real(c_double), intent(in) :: rotation_vectors(3, 4, n)
-      !> Number of tangents: n, or 0 where they are not wanted
+      !> Number of tangents: n, or 1 where they are not wanted
       integer(c_int), intent(in) :: n_k
-      !> Tangents (28, 28, n_k)
-      real(c_double), intent(out) :: k(28, 28, n_k)
+      !> Tangents (28, 28, n_k): the only large result; Python makes room for it without filling it first
+      real(c_double), intent(inout) :: k(28, 28, n_k)
+      !> Not 0: the tangents are wanted
+      integer(c_int), intent(in) :: wants_k
       !> Residuals (28, n) [N, N m, A]
       real(c_double), intent(out) :: r(28, n)
       !> See above (12, n)
@@ -315,7 +317,8 @@ contains
                series_resistance(:, i))
             place = line_place_t(xi(i), weight(i), ends(:, i) /= 0, normal_before(:, i), has_start /= 0, start(i))
             call one_point(x(:, :, i), t(:, :, i), length(:, i), v(:, i), place, laws, has_rotation_vectors /= 0, &
-               rotation_vectors(:, :, i), k(:, :, i:min(i, n_k)), r(:, i), numbers(:, i), normal(:, i), info(i))
+               rotation_vectors(:, :, i), k(:, :, i:merge(i, 0, wants_k /= 0)), r(:, i), numbers(:, i), normal(:, i), &
+               info(i))
          end do
       end do
    end subroutine line_points

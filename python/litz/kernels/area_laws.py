@@ -88,7 +88,7 @@ def _spot_numbers(law: str, data: dict[str, ArrayLike]) -> Floats:
     table = checks.leading("table", data["table"], (2, shape[-1] if len(shape) > 1 else 1))
     if not ((table > 0).all() and (np.diff(table[..., 0, :]) > 0).all()):
         raise ValueError("table must have ascending pressures and positive resistances")
-    return np.swapaxes(table, -1, -2).reshape(*shape[:-2], -1)
+    return np.swapaxes(table, -1, -2).reshape(*shape[:-2], 2 * shape[-1])
 
 
 def _bodies(data: dict[str, ArrayLike]) -> Floats:

@@ -74,9 +74,10 @@ def closest_points(
     of = Batch()
     take_geometry(of, x, t, length)
     of.array("start", (0.0, 0.0) if start is None else start, (2,))
-    xi_bar, xi, status = _core.f2py_contact.closest_points(
-        *of.columns(), checks.choice("axis", axis, AXES), start is not None
-    )
+    xi_bar, xi, status = of.call(
+        [(), (), ()], _core.f2py_contact.closest_points,
+        *of.columns(), checks.choice("axis", axis, AXES), start is not None,
+    )  # fmt: skip
     names = [_STATUS[int(number)] for number in status]
     words = names[0] if not of.shape else np.array(names, dtype="U13").reshape(of.shape)
     return ClosestPoints(of.result(xi_bar), of.result(xi), words)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -105,11 +106,29 @@ class Batch:
             value = np.broadcast_to(value, leading + core)
         return value.reshape(int(np.prod(leading, dtype=int)), *core).T
 
+    def call(
+        self, shapes: list[tuple[int, ...]], kernel: Callable[..., tuple[NDArray[Any], ...]], *arguments: Any
+    ) -> Any:
+        """Call a kernel whose results have these shapes before the last axis n; of no calls these are empty."""
+        if self.n == 0:
+            return tuple(np.empty((*shape, 0)) for shape in shapes)
+        return kernel(*arguments)
+
+    def call_for_one(
+        self, shape: tuple[int, ...], kernel: Callable[..., NDArray[Any]], *arguments: Any
+    ) -> NDArray[Any]:
+        """Call a kernel that returns one array."""
+        return np.empty((*shape, 0)) if self.n == 0 else kernel(*arguments)
+
+    def room(self, shape: tuple[int, ...], wanted: bool) -> Floats:
+        """Room for a large result of all calls, or of one where it is not wanted; it is not filled."""
+        return np.empty((*shape, self.n if wanted else 1), order="F")
+
     def result(self, value: NDArray[Any]) -> Any:
         """What the kernel returned, its last axis n as leading axes; numbers of a single call are plain numbers."""
         if not self.shape:
             return value[..., 0] if value.ndim > 1 else value[0].item()
-        return np.moveaxis(value, -1, 0).reshape(*self.shape, *value.shape[:-1])
+        return np.moveaxis(value, -1, 0).reshape(self.shape + value.shape[:-1])
 
     def results(self, values: NDArray[Any]) -> list[Any]:
         """The numbers (m, n) that the kernel returned, one by one."""

@@ -14,6 +14,8 @@ from .batch import Batch, Floats
 from .wire_pair import Numbers
 
 Form = Literal["spin", "hessian"]
+#: What the kernels of beams return: K, R, energy, section forces, strains, their derivatives, length
+_BEAM_SHAPES: list[tuple[int, ...]] = [(12, 12), (12,), (), (6,), (6,), (6, 12), ()]
 #: Which of the strains is the axial one
 _AXIAL = np.array([1.0, 0.0, 0.0, 0.0, 0.0, 0.0])
 
@@ -243,7 +245,7 @@ def beam_forces_by_temperature(
     of.take("strain and stress_free_strain", strain - free[..., np.newaxis] * _AXIAL, 1)
     of.array("dstress_free_strain", dstress_free_strain)
     of.take("B", np.swapaxes(checks.leading("B", strains.B, (6, 12)), -1, -2), 2)
-    return of.result(_core.f2py_beams.forces_by_temperature(*of.columns()))
+    return of.result(of.call_for_one((12,), _core.f2py_beams.forces_by_temperature, *of.columns()))
 
 
 def conductor(
@@ -288,7 +290,12 @@ def conductor(
     of.positive("length", length)
     of.positive("area", area)
     of.positive("resistivity", resistivity)
-    return Conductor(*map(of.result, _core.f2py_beams.conductor(*of.columns(), bool(current_length))))
+    return Conductor(
+        *map(
+            of.result,
+            of.call([(2, 2), (2,), (2, 6), (), ()], _core.f2py_beams.conductor, *of.columns(), bool(current_length)),
+        )
+    )
 
 
 def potential_rise(
@@ -330,7 +337,7 @@ def potential_rise(
         raise ValueError("xi must ascend within [-1, 1]")
     if n == 0:
         return of.empty(0)
-    return of.result(_core.f2py_beams.potential_rise(*of.columns()))
+    return of.result(of.call_for_one((n,), _core.f2py_beams.potential_rise, *of.columns()))
 
 
 def _take_stiffness(of: Batch, **values: Numbers) -> None:
@@ -355,7 +362,9 @@ def _beam(
         raise ValueError(f"form must be 'spin' or 'hessian', not {form!r}")
     of.array("stress_free_strain", stress_free_strain)
     of.array("sigma", np.zeros(6) if sigma is None else sigma, (6,))
-    k, *others = kernel(*of.columns(), sigma is not None, form == "spin", of.n if tangent else 0, 0)
+    k, *others = of.call(
+        _BEAM_SHAPES, kernel, *of.columns(), sigma is not None, form == "spin", of.n if tangent else 0, 0
+    )
     return Beam(of.result(k) if tangent else of.empty(0, 0), *map(of.result, others[:3]))
 
 
@@ -366,7 +375,7 @@ def _strains(
     _take_stiffness(of, **dict.fromkeys(("ea", "ga2", "ga3", "gj", "ei2", "ei3"), 1.0))
     of.array("stress_free_strain", 0.0)
     of.array("sigma", np.zeros(6), (6,))
-    return BeamStrains(*map(of.result, kernel(*of.columns(), False, False, 0, of.n)[4:]))
+    return BeamStrains(*map(of.result, of.call(_BEAM_SHAPES, kernel, *of.columns(), False, False, 0, of.n)[4:]))
 
 
 def _geometry(x: ArrayLike, triads: ArrayLike, x0: ArrayLike, triads0: ArrayLike) -> Batch:

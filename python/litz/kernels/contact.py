@@ -355,12 +355,14 @@ def _contact_em(
     of.share("yield_stress and hardness", of_yielding, 1)
     of.share("data of the spot law", spot_data, 1)
     normal_column, yield_column, spot_column = of.shared_columns()
-    result = _core.f2py_contact_em.contact_em(
+    k = of.room((28, 28), tangent)
+    result = of.call(
+        [(28,), (13,), (3,), (4, 24, 5), ()], _core.f2py_contact_em.contact_em,
         *of.columns(), normal_number, normal_column, yield_column, keeps_spot, spot_number, spot_column,
-        checks.choice("axis", axis, AXES), rotation_vectors is not None, of.n if tangent else 0, of.n if parts else 0,
+        checks.choice("axis", axis, AXES), rotation_vectors is not None, k, tangent, of.n if parts else 0,
     )  # fmt: skip
     of.raise_failures(result[-1], _FAILURES, "pair")
-    return of, result
+    return of, (k, *result)
 
 
 def _signs(name: str, value: ArrayLike, own_axes: int) -> NDArray[np.int32]:

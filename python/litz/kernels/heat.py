@@ -161,7 +161,9 @@ def spot_heat(
         limit = 1 / np.broadcast_to(g, too_large.shape)[too_large][0]
         raise ValueError(f"film_resistance must be less than V/I, {limit:g} ohm, of which it is a part")
     take_film(of, film_heat_conductance)
-    heat, hottest, dheat, dhottest, info = _core.f2py_heat.spot_heat(*of.columns())
+    heat, hottest, dheat, dhottest, info = of.call(
+        [(2,), (), (2, 4), (4,), ()], _core.f2py_heat.spot_heat, *of.columns()
+    )
     if (info != 0).any():
         raise ValueError(
             of.named(info != 0, "spot") + "these numbers are too large or too small for the heat of a spot"
@@ -198,7 +200,7 @@ def hot_conductance(voltage: Numbers, temperature: ArrayLike, *, lorenz: Numbers
     of.array("voltage", voltage)
     _take_temperatures_above_zero(of, temperature)
     of.positive("lorenz", lorenz)
-    return HotConductance(*map(of.result, _core.f2py_heat.hot_conductance(*of.columns())))
+    return HotConductance(*map(of.result, of.call([(), (3,)], _core.f2py_heat.hot_conductance, *of.columns())))
 
 
 def conductor_heat(
@@ -268,7 +270,7 @@ def conductor_heat(
     of.array("sink", sink)
     share_table(of, "resistivity", resistivity)
     share_table(of, "conductivity", conductivity)
-    k, r, flows = _core.f2py_heat.conductor_heat(*of.columns(), *of.shared_columns())
+    k, r, flows = of.call([(4, 4), (4,), (3,)], _core.f2py_heat.conductor_heat, *of.columns(), *of.shared_columns())
     return ConductorHeat(of.result(k), of.result(r), *of.results(flows))
 
 
@@ -322,7 +324,7 @@ def wire_radiation(
     if (around < zero).any():
         raise ValueError(f"surroundings must not be below absolute zero, {np.max(zero):g}, but is {np.min(around):g}")
     of.take("absolute_zero", zero, 0)
-    k, r, _ = _core.f2py_heat.wire_radiation(*of.columns())
+    k, r, _ = of.call([(2, 2), (2,), ()], _core.f2py_heat.wire_radiation, *of.columns())
     return WireRadiation(of.result(k), of.result(r))
 
 
@@ -383,7 +385,7 @@ def heat_capacity(
             "latent_heat must have shape (m, 3), not be negative, and the liquidus must be above the solidus"
         )
     of.share("latent_heat", latent, 2)
-    k, r = _core.f2py_heat.heat_capacity(*of.columns(), *of.shared_columns())
+    k, r = of.call([(2, 2), (2,)], _core.f2py_heat.heat_capacity, *of.columns(), *of.shared_columns())
     return HeatCapacity(of.result(k), of.result(r))
 
 

@@ -166,7 +166,7 @@ def line_law(
             raise ValueError("largest_force_per_length needs yield_stress: elastic wires remember none")
         if hardness is not None:
             raise ValueError("hardness needs yield_stress")
-        values, too_wide = _core.f2py_line.line_laws(*of.columns())
+        values, too_wide = of.call([(5,), ()], _core.f2py_line.line_laws, *of.columns())
         values = np.vstack([values, np.zeros(of.n)])
     else:
         of.positive_pair("yield_stress", yield_stress)
@@ -174,7 +174,9 @@ def line_law(
         of.take("hardness", given, 0)
         of.take("largest_force_per_length", largest, 0)
         force, *others, largest = of.columns()
-        found, onset, too_wide = _core.f2py_yielding.line_law_of_points(force, 0, largest, *others)
+        found, onset, too_wide = of.call(
+            [(7,), (3,), ()], _core.f2py_yielding.line_law_of_points, force, 0, largest, *others
+        )
         soft = (others[-1] > 0) & (others[-1] <= onset[0])
         if soft.any():
             first = int(np.argmax(soft))
@@ -309,9 +311,10 @@ def line_point(
     of.not_negative("series_resistance", series_resistance, (2,))
     of.array("rotation_vectors", np.zeros((4, 3)) if rotation_vectors is None else rotation_vectors, (4, 3))
     columns = of.columns()
-    k, r, numbers, normal, info = _core.f2py_line.line_points(
-        *columns, checks.choice("axis", axis, AXES), start is not None, rotation_vectors is not None,
-        of.n if tangent else 0,
+    k = of.room((28, 28), tangent)
+    r, numbers, normal, info = of.call(
+        [(28,), (12,), (3,), ()], _core.f2py_line.line_points,
+        *columns, checks.choice("axis", axis, AXES), start is not None, rotation_vectors is not None, k, tangent,
     )  # fmt: skip
     of.raise_failures(info, _FAILURES, "point")
     places, weights = columns[4:6]

@@ -154,7 +154,9 @@ def contact_spot(
         if np.any(checks.leading("largest_force", largest_force, ())):
             raise ValueError("largest_force needs yield_stress: elastic wires remember none")
         of.share("data of the law", data, 1)
-        values, info = _core.f2py_contact.contact_spots(law_number, *of.shared_columns(), *of.columns())
+        values, info = of.call(
+            [(6,), ()], _core.f2py_contact.contact_spots, law_number, *of.shared_columns(), *of.columns()
+        )
         refuse(of, info)
         return ContactSpot(*of.results(values))
     if law not in _ELASTIC_SPOTS:
@@ -166,7 +168,9 @@ def contact_spot(
     of.not_negative("film_resistivity", 0.0 if film_resistivity is None else film_resistivity)
     of.not_negative("largest_force", largest_force)
     *most, largest = of.columns()
-    values, widest, yield_pressure, info = _core.f2py_yielding.spots_of_forces(most[0], largest, *most[1:])
+    values, widest, yield_pressure, info = of.call(
+        [(6,), (), (), ()], _core.f2py_yielding.spots_of_forces, most[0], largest, *most[1:]
+    )
     refuse(of, info, yield_pressure)
     refuse_wide(of, widest, radii)
     return ContactSpot(*of.results(values))
@@ -202,4 +206,4 @@ def _table(table: ArrayLike | None) -> Floats:
         raise ValueError("table must hold positive forces and resistances only")
     if (np.diff(values[..., 0, :]) <= 0).any():
         raise ValueError("the forces of table must ascend")
-    return np.swapaxes(values, -1, -2).reshape(*shape[:-2], -1)
+    return np.swapaxes(values, -1, -2).reshape(*shape[:-2], 2 * shape[-1])

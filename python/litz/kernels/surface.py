@@ -167,7 +167,7 @@ def node_to_segment_em(
     areas = of.positive("area", area)
     of.not_negative("reach", reach, (2,))
     k, r, numbers, normal, info = _call(
-        _core.f2py_surface.node_to_segment, of, normal_law, spot_law, data, augmentation
+        [(9, 9), (9,), (6,), (2,), ()], _core.f2py_surface.node_to_segment, of, normal_law, spot_law, data, augmentation
     )
     xi_bar, gap, pressure, per_area, current, voltage_gap = numbers
     areas = np.broadcast_to(areas, of.shape).ravel()
@@ -237,7 +237,13 @@ def segment_to_segment_em(
     widths = of.pair("width", width)
     checks.refuse("width", widths, widths < 0, 1, "must not be negative, but holds {value:g}")
     k, r, numbers, normal, info = _call(
-        _core.f2py_surface.segment_to_segment, of, normal_law, spot_law, data, augmentation
+        [(12, 12), (12,), (8, 2), (2,), ()],
+        _core.f2py_surface.segment_to_segment,
+        of,
+        normal_law,
+        spot_law,
+        data,
+        augmentation,
     )
     xi_bar, xi, gap, area, pressure, per_area, current, voltage_gap = numbers
     fields: list[NDArray[Any]] = [
@@ -248,6 +254,7 @@ def segment_to_segment_em(
 
 
 def _call(
+    shapes: list[tuple[int, ...]],
     kernel: Callable[..., Any],
     of: Batch,
     normal_law: str,
@@ -264,6 +271,8 @@ def _call(
     of.share("data of the conductance law", laws.spot_data, 1)
     of.share("young, poisson and resistivity", laws.bodies, 2)
     normal_data, spot_data, bodies = of.shared_columns()
-    result: tuple[NDArray[Any], ...] = kernel(*of.columns(), laws.normal, normal_data, laws.spot, spot_data, bodies)
+    result: tuple[NDArray[Any], ...] = of.call(
+        shapes, kernel, *of.columns(), laws.normal, normal_data, laws.spot, spot_data, bodies
+    )
     of.raise_failures(result[-1], _FAILURES, "pair")
     return result

@@ -106,7 +106,10 @@ def hot_spot(
     take_film(of, film_heat_conductance)
     _share_pair_of_tables(of, "resistivity", resistivity)
     _share_pair_of_tables(of, "conductivity", 1.0 if conductivity is None else conductivity)
-    *found, info = _core.f2py_heat.hot_spot(*of.columns(), *of.shared_columns(), int(lorenz is not None))
+    *found, info = of.call(
+        [(), (2,), (2,), (3,), (2, 3), (2, 3), ()], _core.f2py_heat.hot_spot,
+        *of.columns(), *of.shared_columns(), int(lorenz is not None),
+    )  # fmt: skip
     if (info != 0).any():
         raise ValueError(
             of.named(info != 0, "spot") + "these numbers give no steady current and temperatures of a spot"

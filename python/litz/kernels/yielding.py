@@ -121,7 +121,9 @@ def normal_law(
     for name, value, own in crossing.taken():
         of.share(name, value, own)
     overlaps, largest = of.columns()
-    values, onset, info = _core.f2py_yielding.normal_law_of_points(overlaps, 0, largest, *of.shared_columns())
+    values, onset, info = of.call(
+        [(19,), (5,), ()], _core.f2py_yielding.normal_law_of_points, overlaps, 0, largest, *of.shared_columns()
+    )
     refuse(of, info, onset[0])
     _, force, stiffness, _, by_angle, by_largest, major, minor, disc, dent, energy, dissipation, *_ = values
     if yield_stress is not None:
