@@ -21,6 +21,7 @@ DICTATED = {
     "interfaces/abaqus_uel.f90": "Abaqus calls it",
     "interfaces/f2py_beams.f90": "f2py takes no derived types",
     "interfaces/f2py_contact.f90": "f2py takes no derived types",
+    "interfaces/f2py_contact_em.f90": "f2py takes no derived types",
     "interfaces/f2py_heat.f90": "f2py takes no derived types",
     "interfaces/f2py_line.f90": "f2py takes no derived types",
     "interfaces/f2py_surface.f90": "f2py takes no derived types",
