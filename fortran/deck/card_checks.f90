@@ -120,6 +120,7 @@ contains
       associate (keyword => self%table%keywords(self%spec(card)))
          if (len_trim(keyword%after) == 0) then
             parent = trim(keyword%name)
+            if (len_trim(keyword%counts_as) > 0) parent = trim(keyword%counts_as)
          else if (parent /= trim(keyword%after)) then
             call fail_at(self, self%deck%cards(card)%name, '*'//trim(keyword%name)//' must follow the *'// &
                trim(keyword%after)//' it belongs to, before any other keyword')

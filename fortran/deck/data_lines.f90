@@ -10,7 +10,7 @@ module litz_data_lines
    use litz_value_checks, only: check_value, behind_semicolon, hint_about_blanks
    implicit none
    private
-   public :: read_line, describe_form
+   public :: read_line, read_only_line, describe_form
 
 contains
 
@@ -50,6 +50,18 @@ contains
          if (mod(n, n_fields) /= 0 .or. n == 0) call check_missing(self, form, line, ok)
       end associate
    end subroutine read_line
+
+   !> The first data line of a card; `ok` is .false. when there is none.
+   subroutine read_only_line(self, card, ok)
+      type(reader_t), intent(inout) :: self
+      !> Index of the card
+      integer, intent(in) :: card
+      !> .false.: there is no line, or something about it was reported
+      logical, intent(out) :: ok
+
+      ok = self%deck%cards(card)%last_data >= self%deck%cards(card)%first_data
+      if (ok) call read_line(self, card, self%deck%cards(card)%first_data, ok)
+   end subroutine read_only_line
 
    !> The form that the table gives for this line of the card.
    pure subroutine find_form(self, card, line)

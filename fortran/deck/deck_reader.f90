@@ -12,7 +12,8 @@ module litz_deck_reader
    use litz_card_checks, only: check_cards
    use litz_read_mesh, only: read_mesh
    use litz_sets, only: read_sets
-   use litz_read_properties, only: read_materials, read_sections, read_amplitudes, report_unused
+   use litz_read_properties, only: read_materials, read_amplitudes, report_unused
+   use litz_read_sections, only: read_sections
    use litz_read_contact, only: read_interactions, read_contact_pairs
    use litz_read_equations, only: read_equations
    use litz_read_rigid_bodies, only: read_rigid_bodies

@@ -68,9 +68,7 @@ module litz_foreign_words
       foreign_word_t('SPRING|DASHPOT|CONNECTOR SECTION|CONNECTOR BEHAVIOR|GAP|MASS|ROTARY INERTIA', '', '', &
       'only beams are available: a spring is a thin beam, of stiffness EA/L'), &
       foreign_word_t('SOLID SECTION|SHELL SECTION|MEMBRANE SECTION|FRAME SECTION', '', '', &
-      'only beams are available: use *BEAM SECTION, ELSET=..., MATERIAL=..., SECTION=CIRC'), &
-      foreign_word_t('BEAM GENERAL SECTION', '', '', 'use *BEAM SECTION, SECTION=GENERAL with a MATERIAL; the data'// &
-      ' are A, I11, I12, I22, J')]
+      'only beams are available: use *BEAM SECTION, ELSET=..., MATERIAL=..., SECTION=CIRC')]
 
    !> Keywords about materials, contact, loads and results
    type(foreign_word_t), parameter :: of_laws(*) = [ &
@@ -126,10 +124,13 @@ module litz_foreign_words
       foreign_word_t('NSET|ELSET', 'INSTANCE', '', 'a deck is flat: `litz convert THIS.inp NEW.inp` places the'// &
       ' instances'), &
       foreign_word_t('NSET|ELSET', 'UNSORTED', '', 'leave it out: members of sets are in the order of their numbers'), &
-      foreign_word_t('BEAM SECTION', 'TEMPERATURE|ROTARY INERTIA', '', &
+      foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'TEMPERATURE|ROTARY INERTIA', '', &
       'leave it out: temperatures are the same over a section, and there is no inertia', role_idle), &
-      foreign_word_t('BEAM SECTION', 'POISSON', '', 'leave it out: sections do not change as wires are stretched', &
+      foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'POISSON|LUMPED', '', 'leave it out: sections do not'// &
+      ' change as wires are stretched', &
       role_idle), &
+      foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'OFFSET1|OFFSET2|ORIENTATION|NODAL THICKNESS', '', &
+      'the axis of a wire passes through its nodes: move these'), &
       foreign_word_t('ELASTIC|EXPANSION|ELECTRICAL CONDUCTIVITY', 'DEPENDENCIES|MODULI|USER', '', 'leave it out:'// &
       ' material data may depend on temperature alone'), &
       foreign_word_t('AMPLITUDE', 'DEFINITION|VALUE|SMOOTH', '', 'leave it out: an amplitude is a table of'// &
@@ -173,9 +174,14 @@ module litz_foreign_words
       foreign_word_t('ELEMENT', 'TYPE', 'B21|B21H|B22|B22H|B23|B23H', 'models are three-dimensional: use B31 or'// &
       ' B33, and prescribe 3, 4 and 5 to keep the model in its plane'), &
       foreign_word_t('ELEMENT', 'TYPE', 'T3D2|T3D3|T2D2|SPRINGA|SPRING1|SPRING2|CONN3D2', 'use a thin beam'), &
-      foreign_word_t('BEAM SECTION', 'SECTION', 'PIPE|RECT|BOX|I|L|HEX|TRAPEZOID|THICK PIPE|ARBITRARY|ELBOW', &
+      foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'SECTION', 'HEX|TRAPEZOID|THICK PIPE|ARBITRARY|ELBOW'// &
+      '|MESHED|NONLINEAR GENERAL', &
       'use GENERAL with A, I11, I12, I22, J, and CONTACT RADIUS where it touches'), &
-      foreign_word_t('BEAM SECTION', 'SECTION', 'CIRC+', 'as in Abaqus it is the radius: two values are diameters,'// &
+      foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'SECTION', 'L|ANGLE', 'n1 and n2 are not its principal'// &
+      ' axes,'// &
+      ' and its shear centre is beside its centroid, where beams of litz have it'), &
+      foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'SECTION', 'CIRC+', 'as in Abaqus it is the radius: two'// &
+      ' values are diameters,'// &
       ' as in CalculiX; write half of them as the radius, or `litz convert THIS.inp NEW.inp --dialect ccx`'), &
       foreign_word_t('ELASTIC', 'TYPE', 'ENGINEERING CONSTANTS|ORTHOTROPIC|ANISOTROPIC|ORTHO|ANISO|LAMINA', &
       'give E along the wire, and Poisson''s ratio'), &
