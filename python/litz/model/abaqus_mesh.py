@@ -26,11 +26,11 @@ _TRUSSES = {"T3D2": 2, "T3D3": 3}
 _Key = tuple[str, int]
 
 
-def _cards(deck: Deck) -> Iterator[Card]:
+def deck_cards(deck: Deck) -> Iterator[Card]:
     """The cards of a deck and of those that it includes."""
     for card in deck:
         if card.is_a("INCLUDE"):
-            yield from _cards(deck.included(card))
+            yield from deck_cards(deck.included(card))
         else:
             yield card
 
@@ -226,12 +226,31 @@ def _rotated(places: NDArray, a: NDArray, b: NDArray, degrees: float) -> NDArray
 
 def read_deck(path: Path) -> Mesh:
     """The beams, sets and sections of a deck."""
+    return _reader_of(path).mesh()
+
+
+def read_numbered_deck(path: Path) -> tuple[Mesh, NDArray[np.int64], NDArray[np.int64]]:
+    """The same, with the numbers of the nodes and of the elements in the deck."""
+    reader = _reader_of(path)
+    mesh = reader.mesh()
+    elements = {row: number for (_, number), rows in reader.elements.items() for row in rows}
+    nodes = [number for _, number in reader.row_of]
+    if len(set(nodes)) < len(nodes) or len(set(elements.values())) < len(mesh.connectivity):
+        raise FileError(f"{path}: a number stands for several nodes or elements: litz numbers instances of parts alike")
+    return (
+        mesh,
+        np.array(nodes, dtype=np.int64),
+        np.array([elements[row] for row in range(len(elements))], dtype=np.int64),
+    )
+
+
+def _reader_of(path: Path) -> _DeckReader:
     reader = _DeckReader(path)
-    for card in _cards(Deck.read(path)):
+    for card in deck_cards(Deck.read(path)):
         if card.is_a("STEP"):
             break
         reader.read(card)
-    return reader.mesh()
+    return reader
 
 
 def _sections_of(cards: list[tuple[str, Card]], materials: dict[str, list[float]], path: Path) -> Iterator[tuple]:
