@@ -3,7 +3,7 @@ module litz_data_lines
    use litz_kinds, only: dp
    use litz_text, only: to_text
    use litz_numbers, only: parse_integer, parse_real, number_ok, number_not_one
-   use litz_foreign_words, only: advice_about
+   use litz_foreign_words, only: advice_about_more
    use litz_keywords, only: data_spec_t, field_spec_t, kind_integer, kind_real, kind_text, within_limit
    use litz_deck, only: token_t
    use litz_reader, only: reader_t, values_t, fail_at, applies, keyword_of
@@ -39,7 +39,7 @@ contains
          if (n > n_allowed .and. n_allowed > 0) then
             call fail_at(self, self%values%token(n_allowed + 1), 'too many values: *'//keyword_of(self, card)// &
                ' takes '//to_text(n_allowed)//' on this line: '//describe_form(form)// &
-               behind_semicolon(advice_about(keyword_of(self, card), value='+')))
+               behind_semicolon(advice_about_more(keyword_of(self, card), form%when)))
             ok = .false.
             n = n_allowed
          end if

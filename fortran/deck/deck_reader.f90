@@ -40,12 +40,14 @@ contains
          allocate (self%line_read(self%deck%n_lines), source=.false.)
          call read_cards(self, model)
          call check_unread_lines(self)
+         warnings = self%warnings
          if (self%errors%count == 0) call report_findings(self, model, warnings)
          call warn_about_spare_nodes(self, model, warnings)
          call warn_about_temperatures(self, model, warnings)
       end if
       errors = self%errors
       call errors%sort()
+      call warnings%sort()
    end subroutine read_deck
 
    !> In the order in which one part needs another, whatever their order in the deck.

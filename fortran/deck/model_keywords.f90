@@ -84,13 +84,13 @@ contains
          'Defines a node set, or adds members to it. A set must be defined before it is used in'// &
          ' another set.')
       call k%add(name('NSET', 'name of the set', required=.true.))
-      call k%add(flag('GENERATE', 'data lines are ranges: first, last, step'))
+      call add_set_flags(k)
       call add_set_data(k, 'node')
       call finish(table, k)
 
       call begin(k, 'ELSET', place_model, 'Defines an element set, or adds members to it.')
       call k%add(name('ELSET', 'name of the set', required=.true.))
-      call k%add(flag('GENERATE', 'data lines are ranges: first, last, step'))
+      call add_set_flags(k)
       call add_set_data(k, 'element')
       call finish(table, k)
    end subroutine add_mesh
@@ -136,6 +136,13 @@ contains
          real_field('value', 'K', 'temperature')], last=0)
       call finish(table, k)
    end subroutine add_initial_values
+
+   pure subroutine add_set_flags(k)
+      type(keyword_t), intent(inout) :: k
+
+      call k%add(flag('GENERATE', 'data lines are ranges: first, last, step'))
+      call k%add(flag('INTERNAL', 'accepted: Abaqus/CAE marks sets of its own by it'))
+   end subroutine add_set_flags
 
    pure subroutine add_set_data(k, what)
       type(keyword_t), intent(inout) :: k
@@ -271,6 +278,8 @@ contains
       call k%add(choice('AXIS', 'HERMITE|LINEAR', 'interpolation of the wire axes for contact (litz extension);'// &
          ' LINEAR has a kink at each node of a bent wire', &
          default='HERMITE'))
+      call k%add_data([real_field('thickness', 'm', 'accepted: Abaqus asks for it in two dimensions', limit_positive, &
+         required=.false.)], required=.false.)
       call finish(table, k)
 
       call begin(k, 'SURFACE BEHAVIOR', place_model, 'Contact force over penetration.'// &

@@ -6,7 +6,7 @@ module litz_read_properties
    use litz_model, only: model_t, section_t, shear_given, shear_round, shear_unreduced
    use litz_section_stiffness, only: shear_stiffness
    use litz_reader, only: reader_t, definitions_t, fail_at, parameter_of, choice_of, has_flag, keyword_of, &
-      real_parameter, n_cards_of
+      real_parameter, n_cards_of, may_be_used
    use litz_data_lines, only: read_line
    use litz_definitions, only: add_definition, find_definition
    use litz_rotations, only: cross
@@ -471,7 +471,7 @@ contains
 
       if (definitions%missed) return
       do i = 1, definitions%names%n
-         if (definitions%used(i)) cycle
+         if (definitions%used(i) .or. may_be_used(self, definitions%names%name(i))) cycle
          call fail_at(self, definitions%token(i), 'the '//what//' '//definitions%names%name(i)// &
             ' is defined but never used; use it or remove it')
       end do

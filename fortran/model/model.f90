@@ -258,7 +258,8 @@ module litz_model
       real(dp) :: largest_change = 0, largest_error = 0
       !> The step ends as soon as no temperature changes faster [K/s]; 0: at its time
       real(dp) :: steady_rate = 0
-      logical :: nlgeom = .true.
+      !> The deck says that displacements are large, as they are in every step
+      logical :: nlgeom = .false.
       integer :: max_increments = 100
       !> First, total, smallest and largest increment of time
       real(dp) :: first = 1, total = 1, smallest = 1.0e-5_dp, largest = 1

@@ -175,7 +175,7 @@ class TestAbaqus:
         path.write_text(abaqus_input(crossed))
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # user elements are no beams
-            mesh = read_mesh(path)
+            mesh = read_mesh(path, dialect="abaqus")
         assert mesh.x == pytest.approx(crossed.x)
         assert np.array_equal(mesh.connectivity, crossed.connectivity)
         assert set(mesh.kinds) == {"B33"}

@@ -51,7 +51,10 @@ def _export_model(arguments: list[str]) -> int:
         parser.error(f"--reach must be greater than 0, not {options.reach:g}")
     write, ending = _HOSTS[options.program]
     deck = Path(options.deck)
-    model = read_host_model(deck, options.reach)
+    try:
+        model = read_host_model(deck, options.reach)
+    except ValueError as error:
+        parser.error(str(error))
     path = options.output or deck.with_name(deck.stem + ending)
     if path.exists():
         raise FileError(f"{path} exists already and is not overwritten; choose another name with -o")

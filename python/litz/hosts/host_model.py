@@ -177,7 +177,7 @@ def read_host_model(path: str | os.PathLike[str], reach: float | None = None) ->
     """
     path = Path(path)
     check(path)
-    mesh, node_numbers, element_numbers = read_numbered_deck(path)
+    mesh, node_numbers, element_numbers = read_numbered_deck(path, "abaqus")
     if not len(mesh.connectivity):
         raise FileError(f"{path} has no beams")
     sections, section_of = _sections(mesh, path)
