@@ -83,6 +83,13 @@ class TestReading:
         with pytest.warns(UserWarning, match=r"not exported: \*FRICTION, YIELD of \*SURFACE BEHAVIOR"):
             read_host_model(deck)
 
+    def test_crossings_at_nodes_are_told(self):
+        with pytest.warns(UserWarning, match=r"elements 102 and 502 cross at a node \(64 pairs of elements do\)"):
+            read_host_model(INPUTS / "04_wire_grid.inp")
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            read_host_model(CROSSED)
+
     def test_a_deck_with_an_error_is_refused_with_the_message_of_the_program(self, tmp_path):
         with pytest.raises(InputError, match="Poisson's ratio"):
             read_host_model(changed(tmp_path, ("120.e9, 0.34", "120.e9, 0.64")))
@@ -199,7 +206,8 @@ class TestAbaqus:
         assert " 201, 11, 11, 0\n" in text
         assert not re.search(r"^ \d+, 9,", text, re.MULTILINE)
 
-    def test_all_numbers_of_elements_differ(self, tmp_path):
+    @pytest.mark.filterwarnings("ignore:.*cross at a node")
+    def test_all_numbers_of_elements_differ(self):
         model = read_host_model(INPUTS / "04_wire_grid.inp")
         text = abaqus_input(model)
         blocks = re.findall(r"\*ELEMENT, [^\n]*\n([^*]*)", text)
@@ -207,6 +215,7 @@ class TestAbaqus:
         assert len(numbers) == 2 * len(model.connectivity) + len(model.pairs)
         assert len(set(numbers)) == len(numbers)
 
+    @pytest.mark.filterwarnings("ignore:.*cross at a node")
     def test_the_direction_of_the_sections_is_not_along_the_wires(self):
         model = read_host_model(INPUTS / "04_wire_grid.inp")
         for place in range(len(model.sections)):

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ..deck import Card, Deck
 from ..errors import FileError
-from ..kernels import contact_search
+from ..kernels import closest_points, contact_search
 from ..kernels.laws import NORMAL_LAWS, SPOT_FIELDS, SPOT_LAWS
 from ..model.abaqus_mesh import deck_cards, read_numbered_deck
 from ..model.materials import Circular, Material
@@ -43,6 +43,8 @@ _KNOWN_PARAMETERS = {
 }
 #: Powers of the length in numbers of spot laws: hardness, film resistance times area, resistivity times free path
 _POWER_OF_LENGTH = {"H": -2, "sigma_f": 2, "rho_l": 2}
+#: How near to a node a crossing is at it, in half lengths of the element
+_AT_NODE = 1e-6
 #: Elements of one wire that enclose a smaller angle are no candidates: they go on in each other [cosine]
 _PARALLEL = np.cos(np.deg2rad(5.0))
 
@@ -201,7 +203,28 @@ def read_host_model(path: str | os.PathLike[str], reach: float | None = None) ->
         laws=laws,
     )
     _read_conditions(model, cards, mesh.node_sets)
+    _warn_of_crossings_at_nodes(path, model)
     return model
+
+
+def _warn_of_crossings_at_nodes(path: Path, model: HostModel) -> None:
+    """The elements that end there would all count the contact."""
+    x = model.x[model.connectivity[model.pairs]].reshape(-1, 4, 3)
+    if not len(x):
+        return
+    along = x[:, 1::2] - x[:, ::2]
+    length = np.linalg.norm(along, axis=2)
+    tangents = np.repeat(along / length[..., None], 2, axis=1)
+    places = closest_points(x, tangents, length, axis="linear")
+    far = np.maximum(np.abs(places.xi_bar), np.abs(places.xi))
+    at_node = (np.abs(far - 1) < _AT_NODE) & np.isin(places.status, ("inside", "beyond"))
+    if at_node.any():
+        first, second = model.element_numbers[model.pairs[int(np.argmax(at_node))]]
+        warnings.warn(
+            f"{path}: elements {first} and {second} cross at a node ({at_node.sum()} pairs of elements do): all elements that "
+            "end there count the contact in another program; move the nodes",
+            stacklevel=3,
+        )
 
 
 def _heading(cards: list[Card], path: Path) -> str:
