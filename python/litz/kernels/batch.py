@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import Any
 
@@ -88,7 +89,7 @@ class Batch:
     @property
     def n(self) -> int:
         """Number of calls."""
-        return int(np.prod(self.shape, dtype=int)) if self.shape else 1
+        return math.prod(self.shape)
 
     def columns(self) -> list[NDArray[Any]]:
         """What each call has of its own, with axes in the order of Fortran: those of one call reversed, then n."""
@@ -104,7 +105,7 @@ class Batch:
         core = value.shape[value.ndim - own :]
         if value.shape != leading + core:
             value = np.broadcast_to(value, leading + core)
-        return value.reshape(int(np.prod(leading, dtype=int)), *core).T
+        return value.reshape(math.prod(leading), *core).T
 
     def call(
         self, shapes: list[tuple[int, ...]], kernel: Callable[..., tuple[NDArray[Any], ...]], *arguments: Any

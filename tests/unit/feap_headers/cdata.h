@@ -1,2 +1,2 @@
-      integer         numnp,numel,nummat,nen,neq,ipr, netyp
-      common /cdata/  numnp,numel,nummat,nen,neq,ipr, netyp
+   integer :: numnp, numel, nummat, nen, neq, ipr, netyp
+   common /cdata/ numnp, numel, nummat, nen, neq, ipr, netyp

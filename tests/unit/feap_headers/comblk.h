@@ -1,3 +1,3 @@
-      real*8          hr
-      integer                  mr
-      common /comblk/ hr(1024),mr(1024)
+   double precision :: hr
+   integer :: mr
+   common /comblk/ hr(1024), mr(1024)

@@ -1,5 +1,3 @@
-      integer         ior,iow
-      common /iofile/ ior,iow
-
-      logical         keepfl,fmt_long
-      common /iofile/ keepfl,fmt_long
+   integer :: ior, iow
+   logical :: keepfl, fmt_long
+   common /iofile/ ior, iow, keepfl, fmt_long

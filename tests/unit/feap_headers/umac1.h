@@ -1,2 +1,3 @@
-      character      uct*4,utx(2)*15
-      common /umac1/ uct  ,utx
+   character(len=4) :: uct
+   character(len=15) :: utx(2)
+   common /umac1/ uct, utx
