@@ -40,7 +40,8 @@ contains
       error = fail(exit_not_converged, 'step '//to_text(outcome%last%step)//', increment '// &
          to_text(outcome%last%increment)//failure//to_text(step_time)// &
          ' with an increment of '//to_text(increment)//': '//outcome%reason//'. '//contact// &
-         describe_cause(problem, step, outcome, attempts > 1 .or. increment < cut_often*step%first)//describe_limit(step, outcome, attempts))
+         describe_cause(problem, step, outcome, attempts > 1 .or. increment < cut_often*step%first)// &
+         describe_limit(step, outcome, attempts))
    end function not_converged
 
    !> The contact whose force the iteration was least sure of; empty: there is none.
