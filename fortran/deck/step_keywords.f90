@@ -171,8 +171,7 @@ contains
          ' per length current times field, across both. The current is the one that is computed in the element,'// &
          ' the field is given, B(x) = B0 + x dB/dx + y dB/dy + z dB/dz at the present place x, y, z of the wire,'// &
          ' without the field of the wires themselves. 1 T = 1 N/(A m). Lines of a step for the same element add'// &
-         ' up. Motions and potentials are then solved for in turns, or in one Newton step with *SOLVER,'// &
-         ' COUPLING=FULL.')
+         ' up. Motions and potentials are then in one Newton step, or take turns with *SOLVER, COUPLING=UPDATED.')
       call add_op(k, 'fields')
       call k%add_data([item_field('element', 'number of an element or name of an element set'), &
          real_field('Bx', 'N/(A m)', 'field at the origin'), real_field('By', 'N/(A m)', 'field at the origin'), &
@@ -389,11 +388,11 @@ contains
       call begin(k, 'SOLVER', place_step, &
          'Linear solver of this step and the later ones (litz extension). BLOCK, the default, takes Cholesky where'// &
          ' it can, else MUMPS or UMFPACK; MUMPS takes L D L^T or LU by MUMPS for every matrix. MONOLITHIC:'// &
-         ' voltages are solved in the same linear step as displacements. UPDATED: with the new displacements. FULL:'// &
-         ' temperatures, too, are in one Newton step with displacements (in *COUPLED TEMPERATURE-DISPLACEMENT;'// &
-         ' other steps have their default). Otherwise temperatures and displacements take turns.')
+         ' voltages are solved in the same linear step as displacements. UPDATED: with the new displacements. Where'// &
+         ' temperatures or magnetic forces act back on displacements, in *COUPLED TEMPERATURE-DISPLACEMENT and with'// &
+         ' *LORENTZ, all are in one Newton step (FULL, the default there), or take turns with UPDATED.')
       call k%add(choice('NAME', 'BLOCK|UMFPACK|SKYLINE|MUMPS', 'the solver', required=.true.))
-      call k%add(choice('COUPLING', 'MONOLITHIC|UPDATED|FULL', 'when voltages and temperatures are solved'))
+      call k%add(choice('COUPLING', 'MONOLITHIC|UPDATED|FULL', 'when voltages and temperatures are solved for'))
       call finish(table, k)
       call begin(k, 'SOLUTION TECHNIQUE', place_step, &
          'How often this step and the later ones factorise the tangent, as in Abaqus. NEWTON, the default: in every'// &

@@ -21,11 +21,11 @@ _TRUSSES = {"T3D2": 2, "T3D3": 3}
 _Key = tuple[str, int]
 
 
-def _cards(deck: Deck) -> Iterator[Card]:
+def deck_cards(deck: Deck) -> Iterator[Card]:
     """The cards of a deck and of those that it includes."""
     for card in deck:
         if card.is_a("INCLUDE"):
-            yield from _cards(deck.included(card))
+            yield from deck_cards(deck.included(card))
         else:
             yield card
 
@@ -222,14 +222,33 @@ def _rotated(places: NDArray, a: NDArray, b: NDArray, degrees: float) -> NDArray
 
 def read_deck(path: Path, dialect: str | None = None) -> Mesh:
     """The beams, sets and sections of a deck; `dialect` is one of `DIALECTS`, needed where it has round sections."""
+    return _reader_of(path, dialect).mesh()
+
+
+def read_numbered_deck(path: Path, dialect: str) -> tuple[Mesh, NDArray[np.int64], NDArray[np.int64]]:
+    """The same, with the numbers of the nodes and of the elements in the deck."""
+    reader = _reader_of(path, dialect)
+    mesh = reader.mesh()
+    elements = {row: number for (_, number), rows in reader.elements.items() for row in rows}
+    nodes = [number for _, number in reader.row_of]
+    if len(set(nodes)) < len(nodes) or len(set(elements.values())) < len(mesh.connectivity):
+        raise FileError(f"{path}: a number stands for several nodes or elements: litz numbers instances of parts alike")
+    return (
+        mesh,
+        np.array(nodes, dtype=np.int64),
+        np.array([elements[row] for row in range(len(elements))], dtype=np.int64),
+    )
+
+
+def _reader_of(path: Path, dialect: str | None) -> _DeckReader:
     if dialect not in (None, *DIALECTS):
         raise ValueError(f"dialect must be {' or '.join(map(repr, DIALECTS))}, not {dialect!r}")
     reader = _DeckReader(path, dialect)
-    for card in _cards(Deck.read(path)):
+    for card in deck_cards(Deck.read(path)):
         if card.is_a("STEP"):
             break
         reader.read(card)
-    return reader.mesh()
+    return reader
 
 
 def _sections_of(reader: _DeckReader) -> Iterator[tuple]:
