@@ -111,16 +111,21 @@ def _young(options: argparse.Namespace) -> float:
 
 
 def _convert_whole_deck(options: argparse.Namespace) -> int:
-    """A deck with steps keeps all that litz has."""
+    """A deck with steps keeps all that litz has; exit code 1: something that changes results is missing."""
     units = {} if options.length is None else {"LENGTH": options.length}
     converted = convert_deck(Path(options.mesh), options.dialect, units)
     Path(options.deck).write_text(converted.text, encoding="utf-8", errors="surrogateescape")
     print(f"wrote {options.deck}; check it: litz check {options.deck}")
-    if converted.left_out:
-        print(f"left out, as comments in {options.deck}:", file=sys.stderr)
-        for one in converted.left_out:
-            print(f"  {one}", file=sys.stderr)
-    return 0
+    for title, reasons in (
+        ("comments, without which the results are the same", converted.ignored),
+        ("comments, WITHOUT WHICH THE RESULTS ARE OTHERS", converted.left_out),
+    ):
+        if reasons:
+            print(f"{title}:", file=sys.stderr)
+        for reason in dict.fromkeys(reasons):
+            print(f"  {reason}", file=sys.stderr)
+    # what is missing must not go unnoticed in scripts
+    return 1 if converted.left_out else 0
 
 
 def _write_with_outline(model: Model, path: Path) -> None:

@@ -265,6 +265,7 @@ def _reader_of(path: Path, dialect: str | None) -> _DeckReader:
     reader = _DeckReader(path, dialect)
     for card in deck_cards(Deck.read(path)):
         if card.is_a("STEP"):
+            reader.dropped["STEP"] = None
             break
         reader.read(card)
     return reader

@@ -32,11 +32,14 @@ class ConvertedDeck:
     text : str
         The deck.
     left_out : list of str
-        What became a comment, and why.
+        What became a comment, and why, and changes results.
+    ignored : list of str
+        What became a comment and changes no result, such as output.
     """
 
     text: str
     left_out: list[str] = field(default_factory=list)
+    ignored: list[str] = field(default_factory=list)
 
 
 def has_steps(path: Path) -> bool:
@@ -76,14 +79,16 @@ def convert_deck(path: Path, dialect: str | None = None, units: dict[str, str] |
         reason = _reason_to_leave_out(cards[first : last + 1])
         if reason:
             name = cards[first].get("NAME", "")
-            converted.left_out.append(f"*STEP{f', NAME={name}' if name else ''}: {reason}")
+            told = converted.ignored if _keeps_state(cards[first : last + 1]) else converted.left_out
+            told.append(f"*STEP{f', NAME={name}' if name else ''}: {reason}")
             for i in range(first, last + 1):
                 chunks[i] = _commented(cards[i], reason if i == first else "")
             commented |= set(range(first, last + 1))
     for i, card in enumerate(cards):
         if i not in commented and not _known(card.name):
             reason = _advice(card.name)
-            converted.left_out.append(reason)
+            # the program ignores cards that change no result, too
+            (converted.ignored if reason.endswith("; ignored") else converted.left_out).append(reason)
             chunks[i] = _commented(card, reason)
     if units and not any(card.is_a("UNITS") for card in cards):
         at = 1 if cards and cards[0].is_a("HEADING") else 0
@@ -127,6 +132,11 @@ def _reason_to_leave_out(step: list[Card]) -> str:
         return ""
     other = next((card.name for card in step[1:] if not _known(card.name)), None)
     return "" if other is None else _advice(other)
+
+
+def _keeps_state(step: list[Card]) -> bool:
+    """Whether the steps that follow are the same without this one: it only looks for eigenvalues."""
+    return any(card.is_a(one) for card in step for one in ("FREQUENCY", "BUCKLE", "COMPLEX FREQUENCY"))
 
 
 def _materials(cards: list[Card]) -> dict[str, Material]:
