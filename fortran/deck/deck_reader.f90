@@ -5,6 +5,8 @@ module litz_deck_reader
    use litz_growing_text, only: growing_text_t
    use litz_keyword_table, only: keyword_table
    use litz_deck, only: token_t
+   use litz_foreign_words, only: advice_about
+   use litz_text, only: squeezed
    use litz_material_properties, only: has_thermal_mechanics, has_thermal_resistivity
    use litz_model, only: model_t, material_t
    use litz_reader, only: reader_t, fail_at, keyword_of, parameter_of, real_parameter
@@ -56,6 +58,7 @@ contains
       type(reader_t), intent(inout) :: self
       type(model_t), intent(inout) :: model
 
+      if (has_parts(self)) return
       call check_cards(self)
       if (self%deck%n_lines == 0) then
          call report_empty_deck(self)
@@ -83,6 +86,24 @@ contains
       call report_unused(self, self%interactions, 'surface interaction')
       call report_unused(self, self%surfaces, 'rigid surface')
    end subroutine read_cards
+
+   !> Instances of parts have numbers and names of their own, so that all else that is wrong would be a follow-up error.
+   logical function has_parts(self)
+      type(reader_t), intent(inout) :: self
+      integer :: card
+
+      has_parts = .false.
+      allocate (self%spec(self%deck%n_cards), source=0)
+      do card = 1, self%deck%n_cards
+         if (squeezed(self%deck%text(self%deck%cards(card)%name)) /= 'PART') cycle
+         has_parts = .true.
+         call fail_at(self, self%deck%cards(card)%name, 'litz has no *PART: '//advice_about('PART')// &
+            '; nothing else in'// &
+            ' this deck was checked')
+         return
+      end do
+      deallocate (self%spec)
+   end function has_parts
 
    !> Data lines behind something that was wrong, such as a name that does not exist: their errors are reported
    !> in the same pass.

@@ -241,6 +241,17 @@ def test_no_error_follows_from_another(check, old, new, message):
     assert message in told.stderr
 
 
+def test_parts_are_one_error(check):
+    """Two parts with the same numbers, instances, and sets of them."""
+    part = CAE[CAE.index("*Node") : CAE.index("*Nset, nset=Set-1")]
+    parts = f"*Part, name=A\n{part}*End Part\n*Part, name=B\n{part}*End Part\n*Assembly, name=Assembly\n"
+    parts += "".join(f"*Instance, name={one}-1, part={one}\n*End Instance\n" for one in "AB")
+    told = check(CAE.replace(part, parts).replace("nset=Set-1", "nset=Set-1, instance=A-1"))
+    assert told.returncode == 1
+    (told_once,) = errors_in(told.stderr)
+    assert "litz has no *PART: a deck is flat: `litz convert THIS.inp NEW.inp` places the instances" in told_once
+
+
 @pytest.mark.parametrize(("foreign", "own"), [("B31R", "B31"), ("B31H", "B31"), ("B33H", "B33")])
 def test_types_of_abaqus_that_litz_has_under_another_name(run, foreign, own):
     results = [run(CAE.replace("type=B33", f"type={name}"), name)[1] for name in (foreign, own)]
