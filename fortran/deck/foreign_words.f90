@@ -167,10 +167,15 @@ module litz_foreign_words
 
    !> Values of parameters and of data lines
    type(foreign_word_t), parameter :: of_values(*) = [ &
-      foreign_word_t('ELEMENT', 'TYPE', 'B32|B32H|B32R|B32OS|B32OSH', 'its elements have two nodes:'// &
-      ' `litz convert THIS.inp NEW.inp` makes two of each'), &
-      foreign_word_t('ELEMENT', 'TYPE', 'B31H|B31R|B31OS|B31OSH|PIPE31|PIPE31H', 'use B31'), &
-      foreign_word_t('ELEMENT', 'TYPE', 'B33H', 'use B33'), &
+      foreign_word_t('ELEMENT', 'TYPE', 'B31OS|B31OSH|B32OS|B32OSH', 'warping of open sections is free: use B31'// &
+      ' or B33'), &
+      foreign_word_t('ELEMENT', 'TYPE', 'PIPE31|PIPE31H|PIPE32|PIPE32H', 'use B31 with SECTION=PIPE'), &
+      foreign_word_t('ELEMENT', 'TYPE', 'U1', 'use B31; the fifth value of its section is a shear factor in'// &
+      ' CalculiX,'// &
+      ' the torsion constant in litz'), &
+      foreign_word_t('ELEMENT', '', '+', 'a node that gives the first axis of the section is not read: its'// &
+      ' direction is'// &
+      ' the second line of *BEAM SECTION'), &
       foreign_word_t('ELEMENT', 'TYPE', 'B21|B21H|B22|B22H|B23|B23H', 'models are three-dimensional: use B31 or'// &
       ' B33, and prescribe 3, 4 and 5 to keep the model in its plane'), &
       foreign_word_t('ELEMENT', 'TYPE', 'T3D2|T3D3|T2D2|SPRINGA|SPRING1|SPRING2|CONN3D2', 'use a thin beam'), &

@@ -1,6 +1,7 @@
 !> The keywords that describe the model: mesh, materials, sections, amplitudes and contact.
 module litz_model_keywords
-   use litz_element_types, only: element_type_choices, describe_element_types, list_element_types
+   use litz_element_types, only: element_type_choices, describe_element_types, list_element_types, &
+      foreign_types
    use litz_fields, only: field_potential, field_temperature, dof_range, n_fields
    use litz_keywords, only: keyword_t, keyword_table_t, field_spec_t, place_model, place_both, limit_none, &
       limit_positive, limit_not_negative, limit_poisson, limit_one
@@ -57,6 +58,7 @@ contains
    pure subroutine add_mesh(table)
       type(keyword_table_t), intent(inout) :: table
       type(keyword_t) :: k
+      integer :: i
 
       call begin(k, 'NODE', place_model, 'Nodes. Numbers may have gaps and come in any order.')
       call k%add(name('NSET', 'node set that these nodes are added to'))
@@ -65,11 +67,18 @@ contains
       call finish(table, k)
 
       call begin(k, 'ELEMENT', place_model, 'Straight beam elements of two nodes.'// &
-         describe_element_types()//' Elements of a material with conductivity conduct.')
+         describe_element_types()//' B31R and B31H: taken as B31. B33H: as B33. B32, B32R and B32H: two B31 each,'// &
+         ' from'// &
+         ' the first node to the middle one and on to the last; the second one has a number above all others,'// &
+         ' and is in'// &
+         ' all sets and loads of the first. Elements of a material with conductivity conduct.')
       call k%add(choice('TYPE', element_type_choices(), 'kind of beam', required=.true.))
       call k%add(name('ELSET', 'element set that these elements are added to'))
-      call k%add_data([integer_field('id', 'number of the element', limit_positive), integer_field('n1', 'first node', &
-         limit_positive), integer_field('n2', 'second node', limit_positive)], last=0)
+      do i = 1, size(foreign_types)
+         if (foreign_types(i)%has_middle) call k%add_data([number_of('element'), node('n1', 'first node'), &
+            node('n2', 'middle node'), node('n3', 'last node')], when='TYPE='//trim(foreign_types(i)%name), last=0)
+      end do
+      call k%add_data([number_of('element'), node('n1', 'first node'), node('n2', 'second node')], last=0)
       call finish(table, k)
 
       call begin(k, 'MESH', place_model, 'Nodes, elements and sets from an HDF5 file, as if given here by'// &
@@ -94,6 +103,23 @@ contains
       call add_set_flags(k)
       call add_set_data(k, 'element')
       call finish(table, k)
+
+   contains
+
+      pure type(field_spec_t) function number_of(what)
+         !> What has the number
+         character(len=*), intent(in) :: what
+
+         number_of = integer_field('id', 'number of the '//what, limit_positive)
+      end function number_of
+
+      pure type(field_spec_t) function node(name, help)
+         !> Name in the reference, and what it means
+         character(len=*), intent(in) :: name, help
+
+         node = integer_field(name, help, limit_positive)
+      end function node
+
    end subroutine add_mesh
 
    pure subroutine add_constraints(table)

@@ -7,7 +7,7 @@ module litz_read_element_loads
    use litz_element_loads, only: element_load_t, load_kind_named, load_label, load_grav, load_lorentz, n_load_kinds, &
       n_dload_kinds
    use litz_model, only: model_t, leave_step
-   use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, keyword_of, n_cards_of, name_of
+   use litz_reader, only: halves_of, reader_t, fail_at, parameter_of, choice_of, keyword_of, n_cards_of, name_of
    use litz_sets, only: find_item
    use litz_text, only: to_text
    implicit none
@@ -99,7 +99,7 @@ contains
             end if
          end associate
          call find_item(self, 'element', self%element_sets, self%elements, 1, element, set)
-         if (element > 0) call set_loads(self, model, [element], load, list)
+         if (element > 0) call set_loads(self, model, halves_of(self, element), load, list)
          if (set > 0) call set_loads(self, model, model%element_sets(set)%members, load, list)
       end do
    end subroutine read_element_loads

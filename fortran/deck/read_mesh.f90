@@ -3,7 +3,7 @@ module litz_read_mesh
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use litz_kinds, only: dp
    use litz_deck, only: token_t
-   use litz_element_types, only: element_type_named, element_b31
+   use litz_element_types, only: element_type_named, element_b31, foreign_type_t, foreign_type_named
    use litz_source_files, only: relative_to
    use litz_errors, only: error_t
    use litz_keywords, only: largest_number
@@ -11,7 +11,7 @@ module litz_read_mesh
    use litz_mesh_file, only: mesh_file_t, mesh_set_t, read_mesh_file
    use litz_text, only: to_text, shown
    use litz_model, only: model_t
-   use litz_reader, only: reader_t, set_builder_t, fail_at, parameter_of, choice_of, keyword_of
+   use litz_reader, only: reader_t, set_builder_t, fail_at, warn_at, parameter_of, choice_of, keyword_of
    use litz_data_lines, only: read_line
    use litz_sets, only: open_set, open_named_set, continue_set, add_member, add_once
    implicit none
@@ -49,6 +49,9 @@ contains
       end do
       do i = 1, size(files)
          call take_elements(self, card_of_file(i), files(i), model)
+      end do
+      call number_halves(self, model)
+      do i = 1, size(files)
          call take_sets(self, card_of_file(i), 'node', files(i)%node_sets, self%node_sets, self%nodes, model%n_nodes)
          call take_sets(self, card_of_file(i), 'element', files(i)%element_sets, self%element_sets, self%elements, &
             model%n_elements)
@@ -86,8 +89,8 @@ contains
       type(model_t), intent(inout) :: model
       integer :: n_nodes, n_elements, i
 
-      n_nodes = n_data_lines('NODE')
-      n_elements = n_data_lines('ELEMENT')
+      n_nodes = n_data_lines('NODE', 1)
+      n_elements = n_data_lines('ELEMENT', 2)
       do i = 1, size(files)
          n_nodes = n_nodes + size(files(i)%node_id)
          n_elements = n_elements + size(files(i)%element_id)
@@ -95,19 +98,26 @@ contains
       allocate (model%node_id(n_nodes), self%node_line(n_nodes), self%node_ok(n_nodes))
       allocate (model%x(3, n_nodes), source=0.0_dp)
       allocate (model%element_id(n_elements), self%element_line(n_elements))
+      allocate (self%has_half(n_elements), source=.false.)
       allocate (model%connectivity(2, n_elements), model%element_type(n_elements), source=0)
 
    contains
 
-      integer function n_data_lines(keyword) result(n)
+      integer function n_data_lines(keyword, most) result(n)
          !> The keyword as the table has it
          character(len=*), intent(in) :: keyword
-         integer :: card
+         !> Most items that come of a line
+         integer, intent(in) :: most
+         type(foreign_type_t) :: foreign
+         integer :: card, lines
 
          n = 0
          do card = 1, self%deck%n_cards
-            if (keyword_of(self, card) == keyword) n = n + self%deck%cards(card)%last_data - &
-               self%deck%cards(card)%first_data + 1
+            if (keyword_of(self, card) /= keyword) cycle
+            lines = self%deck%cards(card)%last_data - self%deck%cards(card)%first_data + 1
+            if (most > 1) foreign = foreign_type_named(choice_of(self, card, 'TYPE'))
+            if (most > 1 .and. foreign%has_middle) lines = most*lines
+            n = n + lines
          end do
       end function n_data_lines
 
@@ -196,20 +206,72 @@ contains
       !> Index of the card
       integer, intent(in) :: card
       type(model_t), intent(inout) :: model
+      type(foreign_type_t) :: foreign
       integer :: line, set, kind, element
       logical :: ok
 
       call open_set(self, self%element_sets, parameter_of(self, card, 'ELSET'), set)
+      foreign = foreign_type_named(choice_of(self, card, 'TYPE'))
       ! without a type, which is an error, any will do
-      kind = max(element_b31, element_type_named(choice_of(self, card, 'TYPE')))
+      kind = max(element_b31, foreign%element_type, element_type_named(choice_of(self, card, 'TYPE')))
+      if (foreign%has_middle) call warn_at(self, parameter_of(self, card, 'TYPE'), 'split_elements', 'each '// &
+         trim(foreign%name)//' is taken as two B31, which are straight and linear between their nodes: compare'// &
+         ' with a'// &
+         ' finer mesh')
       do line = self%deck%cards(card)%first_data, self%deck%cards(card)%last_data
          call read_line(self, card, line, ok)
          self%broken_elements = self%broken_elements .or. .not. ok
          if (.not. self%values%given(1)) cycle
-         call add_element(self, model, self%values%token(1), self%values%whole(1), kind, set, element)
-         if (ok .and. element > 0) call join_nodes(self, model, element, self%values%token(2:3), self%values%whole(2:3))
+         associate (token => self%values%token, id => self%values%whole)
+            call add_element(self, model, token(1), id(1), kind, set, element)
+            if (.not. ok .or. element == 0) cycle
+            call join_nodes(self, model, element, token(2:3), id(2:3))
+            if (foreign%has_middle) call add_half(self, model, element, token(3:4), id(3:4), set)
+         end associate
       end do
    end subroutine read_elements
+
+   !> The second half of an element with a node in the middle; it gets its number when all others are known.
+   subroutine add_half(self, model, element, tokens, ids, set)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(inout) :: model
+      !> Index of the first half, the last element so far
+      integer, intent(in) :: element
+      !> Where the middle and the last node are named
+      type(token_t), intent(in) :: tokens(2)
+      !> Their numbers, and the set that the element is put into (0: none)
+      integer, intent(in) :: ids(2), set
+
+      model%n_elements = element + 1
+      self%has_half(element) = .true.
+      model%element_id(element + 1) = model%element_id(element)
+      model%element_type(element + 1) = model%element_type(element)
+      self%element_line(element + 1) = self%element_line(element)
+      call add_member(self%element_sets, set, element + 1)
+      call join_nodes(self, model, element + 1, tokens, ids)
+   end subroutine add_half
+
+   !> Second halves are numbered above all elements of the deck, which does not know these numbers: ranges do not have
+   !> them.
+   subroutine number_halves(self, model)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(inout) :: model
+      integer :: e, number
+
+      if (.not. any(self%has_half)) return
+      number = maxval(model%element_id(:model%n_elements))
+      do e = 1, model%n_elements - 1
+         if (.not. self%has_half(e)) cycle
+         if (number == huge(number)) then
+            call fail_at(self, self%deck%line_token(self%element_line(e)), 'there are no numbers left for the'// &
+               ' second'// &
+               ' half of this element, which are above those of all elements')
+            return
+         end if
+         number = number + 1
+         model%element_id(e + 1) = number
+      end do
+   end subroutine number_halves
 
    subroutine take_elements(self, card, mesh, model)
       type(reader_t), intent(inout) :: self

@@ -12,7 +12,7 @@ module litz_reader
    private
    public :: reader_t, values_t, set_builder_t, definitions_t
    public :: fail_at, warn_at, warn_of_idle, applies, has_choice, names_hint, name_of, parameter_of, has_flag, &
-      choice_of, real_parameter, integer_parameter, keyword_of, n_cards_of, may_be_defined, may_be_used
+      choice_of, real_parameter, integer_parameter, keyword_of, n_cards_of, may_be_defined, may_be_used, halves_of
 
    !> After this many errors no more hints are searched for
    integer, parameter :: max_hints = 100
@@ -64,6 +64,8 @@ module litz_reader
       type(id_map_t) :: nodes, elements
       !> Line of the deck that defines each node and element
       integer, allocatable :: node_line(:), element_line(:)
+      !> The next element is the second half of this one, which has a node in the middle (n_elements)
+      logical, allocatable :: has_half(:)
       !> The position of the node could be read
       logical, allocatable :: node_ok(:)
       !> A mesh file could not be read: all else that is wrong may be a follow-up error
@@ -229,6 +231,17 @@ contains
          end associate
       end do
    end function may_be_used
+
+   !> An element of the deck, with its second half where it has one.
+   pure function halves_of(self, element) result(elements)
+      type(reader_t), intent(in) :: self
+      !> Index of the element
+      integer, intent(in) :: element
+      integer, allocatable :: elements(:)
+
+      elements = [element]
+      if (self%has_half(element)) elements = [element, element + 1]
+   end function halves_of
 
    pure logical function has_flag(self, card, name)
       type(reader_t), intent(in) :: self

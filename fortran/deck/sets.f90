@@ -172,6 +172,20 @@ contains
       end associate
    end subroutine read_set
 
+   !> A node, or an element with its second half where it has one.
+   subroutine add_item(self, what, builder, set, index)
+      type(reader_t), intent(in) :: self
+      !> `node` or `element`
+      character(len=*), intent(in) :: what
+      type(set_builder_t), intent(inout) :: builder
+      !> Index of the set, and of the node or element
+      integer, intent(in) :: set, index
+
+      call add_once(builder, set, index)
+      if (what == 'node') return
+      if (self%has_half(index)) call add_once(builder, set, index + 1)
+   end subroutine add_item
+
    !> A line of numbers and names of other sets.
    subroutine list_members(self, what, builder, set, map)
       type(reader_t), intent(inout) :: self
@@ -187,7 +201,7 @@ contains
          if (.not. self%values%given(i)) cycle
          call find_item(self, what, builder, map, i, index, other, is_member=.true.)
          if (set == 0) cycle
-         if (index > 0) call add_once(builder, set, index)
+         if (index > 0) call add_item(self, what, builder, set, index)
          if (other == 0 .or. other == set) cycle
          entry = builder%head(other)
          do while (entry > 0)
@@ -228,7 +242,7 @@ contains
          end do
       else
          do i = 1, size(ids)
-            if (ids(i) >= first .and. ids(i) <= last) then
+            if (map%get(ids(i)) == i .and. ids(i) >= first .and. ids(i) <= last) then
                if (mod(ids(i) - first, step) == 0) call take(i)
             end if
          end do
@@ -243,7 +257,7 @@ contains
          integer, intent(in) :: member
 
          found = .true.
-         call add_once(builder, set, member)
+         call add_item(self, what, builder, set, member)
       end subroutine take
 
    end subroutine generate_members

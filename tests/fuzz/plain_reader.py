@@ -8,7 +8,7 @@ import re
 import struct
 import sys
 
-ELEMENT_TYPES = {"B31": 1, "B33": 2}
+ELEMENT_TYPES = {"B31": 1, "B31R": 1, "B31H": 1, "B33": 2, "B33H": 2}
 SPOT_LAWS = {"PAPER": 1, "HERTZ": 2, "PLASTIC": 3, "FILM": 4, "CONSTANT": 5, "TABLE": 6}
 AXES = {"LINEAR": 1, "HERMITE": 2}
 SOLVERS = {"BLOCK": 1, "UMFPACK": 2, "SKYLINE": 3, "MUMPS": 4}
@@ -207,7 +207,11 @@ class PlainReader:
                         members |= self.items(kind, item)
 
     def items(self, kind, item):
-        return {int(item)} if re.fullmatch("[+-]?[0-9]+", item) else set(self.sets[kind][capitals(item)])
+        if re.fullmatch("[+-]?[0-9]+", item):
+            known = self.nodes if kind == "NSET" else self.elements
+            if int(item) in known or capitals(item) not in self.sets[kind]:
+                return {int(item)}
+        return set(self.sets[kind][capitals(item)])
 
     def materials(self):
         found = []

@@ -237,3 +237,103 @@ def test_no_error_follows_from_another(check, old, new, message):
     # the loads of both cards have different amplitudes: the second one is in another direction
     assert len(errors_in(told.stderr)) == 1, told.stderr
     assert message in told.stderr
+
+
+@pytest.mark.parametrize(("foreign", "own"), [("B31R", "B31"), ("B31H", "B31"), ("B33H", "B33")])
+def test_types_of_abaqus_that_litz_has_under_another_name(run, foreign, own):
+    results = [run(CAE.replace("type=B33", f"type={name}"), name)[1] for name in (foreign, own)]
+    np.testing.assert_array_equal(results[0].field("displacement"), results[1].field("displacement"))
+
+
+#: Two beams with nodes in the middle, and one without, in elements and sets of all kinds
+QUADRATIC = """\
+*NODE, NSET=ALL
+ 1, 0., 0., 0.
+ 2, 10., 0., 0.
+ 3, 20., 0., 0.
+ 4, 30., 0., 0.
+ 5, 40., 0., 0.
+ 6, 50., 0., 0.
+*ELEMENT, TYPE=B32, ELSET=FIRST
+ 7, 1, 2, 3
+*ELEMENT, TYPE=B32R
+ 3, 3, 4, 5
+*ELEMENT, TYPE=B31, ELSET=LAST
+ 9, 5, 6
+*ELSET, ELSET=SECOND
+ 3
+*ELSET, ELSET=WHOLE, GENERATE
+ 3, 9
+*ELSET, ELSET=OF SETS
+ FIRST, SECOND
+*MATERIAL, NAME=STEEL
+*ELASTIC
+ 210000., 0.3
+*BEAM SECTION, ELSET=WHOLE, MATERIAL=STEEL, SECTION=CIRC
+ 1.
+*BOUNDARY
+ 1, ENCASTRE
+*STEP, NLGEOM
+*STATIC
+*DLOAD
+ 3, PZ, 1e-3
+*END STEP
+"""
+
+#: The same, written with two elements for each
+SPLIT = (
+    QUADRATIC.replace("TYPE=B32, ELSET=FIRST\n 7, 1, 2, 3", "TYPE=B31, ELSET=FIRST\n 7, 1, 2\n 10, 2, 3")
+    .replace("TYPE=B32R\n 3, 3, 4, 5", "TYPE=B31\n 3, 3, 4\n 11, 4, 5")
+    .replace("ELSET=SECOND\n 3", "ELSET=SECOND\n 3, 11")
+    .replace(" 3, 9\n", " 3, 11\n")
+    .replace(" 3, PZ, 1e-3", " 3, PZ, 1e-3\n 11, PZ, 1e-3")
+)
+
+
+def test_a_node_in_the_middle_joins_two_elements(check):
+    quadratic, split = check(QUADRATIC), check(SPLIT)
+    assert quadratic.returncode == 0, quadratic.stderr
+    assert quadratic.stdout == split.stdout
+    for line in ("FIRST: 2", "SECOND: 2", "WHOLE: 5", "OF SETS: 4", "LAST: 1"):
+        assert f"element set {line} member" in quadratic.stdout
+    told = warnings_in(quadratic.stderr)
+    assert [one[:32] for one in told] == ["each B32 is taken as two B31, wh", "each B32R is taken as two B31, w"]
+
+
+def test_a_range_has_no_second_half_of_an_element_outside_of_it(check):
+    for last in (99, 2147483647):
+        told = check(
+            QUADRATIC.replace(
+                "*ELSET, ELSET=OF SETS", f"*ELSET, ELSET=END, GENERATE\n 8, {last}\n*ELSET, ELSET=OF SETS"
+            )
+        )
+        assert told.returncode == 0, told.stderr
+        assert "element set END: 1 member\n" in told.stdout
+
+
+def test_a_run_with_nodes_in_the_middle_is_that_of_twice_as_many_elements(run):
+    (done, quadratic), (_, split) = run(QUADRATIC, "quadratic"), run(SPLIT, "split")
+    assert done.returncode == 0, done.stderr
+    np.testing.assert_array_equal(quadratic.field("displacement"), split.field("displacement"))
+    np.testing.assert_array_equal(np.sort(quadratic.field("element_id")), [3, 7, 9, 10, 11])
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        (" 7, 1, 2, 3\n", " 7, 1, 2\n", "value 4, n3 (last node), is missing"),
+        (" 7, 1, 2, 3\n", " 7, 1, 2, 8\n", "element 7 has node 8, which is not defined"),
+        (" 7, 1, 2, 3\n", " 7, 1, 2, 2\n", "element 7 has no length: its nodes 2 and 2"),
+        (" 7, 1, 2, 3\n", " 7, 1, 2, 3, 6\n", "a node that gives the first axis of the section is not read"),
+        (" 9, 5, 6\n", " 9, 5, 6, 1\n", "a node that gives the first axis of the section is not read"),
+        (" 9, 5, 6\n", " 2147483647, 5, 6\n", "there are no numbers left"),
+        ("TYPE=B31, ELSET=LAST", "TYPE=B31OS, ELSET=LAST", "warping of open sections is free"),
+        ("TYPE=B31, ELSET=LAST", "TYPE=U1, ELSET=LAST", "a shear factor in CalculiX"),
+    ],
+)
+def test_elements_of_three_nodes_that_are_wrong(check, old, new, message):
+    assert QUADRATIC.count(old) == 1
+    told = check(QUADRATIC.replace(old, new).replace(" 3, 9\n", " 3, 2147483647\n"))
+    assert told.returncode == 1
+    assert len(errors_in(told.stderr)) == 1, told.stderr
+    assert message in told.stderr

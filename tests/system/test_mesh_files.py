@@ -106,7 +106,6 @@ def test_mesh_file_and_cards_together(check):
         ({"elements/B33/nodes": [[3, 3]]}, "element 11 has no length"),
         ({"node_sets/root": [3, 8]}, 'the node set "root" of the mesh file has node 8, which is not defined'),
         ({"element_sets/Beam": [1]}, "has element 1, which is not defined"),
-        ({"node_sets/12": [3]}, "the name of a set must not be a number"),
         ({"elements/B32/id": [1]}, 'has elements of a type "B32"; allowed are B31 and B33'),
         ({"knots/id": [1]}, 'has a member "knots"; allowed are nodes, elements, node_sets and element_sets'),
         ({"node_sets/root": None}, 'there is no node set "ROOT"'),

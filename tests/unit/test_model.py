@@ -119,7 +119,7 @@ def test_elements_between_given_nodes_are_found_as_wires():
 
 
 #: Keywords that models do not write
-NOT_BUILT = {"INCLUDE", "MESH", "EL FILE", "JOULE HEAT FRACTION"}
+NOT_BUILT = {"INCLUDE", "MESH", "EL FILE", "JOULE HEAT FRACTION", "BEAM GENERAL SECTION"}
 #: Those of forces on the length of wires
 OF_FORCES = {"DLOAD", "LORENTZ"}
 #: Those of models with temperatures

@@ -11,15 +11,8 @@ from numpy.typing import NDArray
 from ..deck import Card, Deck
 from ..errors import FileError
 from .materials import Circular, General, Material, Section
-from .mesh import Mesh, element_types, unique_rows
+from .mesh import FOREIGN_BEAMS, Mesh, element_types, unique_rows
 
-#: Elements of Abaqus that litz has under another name; the number of nodes along the beam
-_BEAMS = {
-    "B31H": ("B31", 2),
-    "B33H": ("B33", 2),
-    "B32": ("B31", 3),
-    "B32H": ("B31", 3),
-}
 #: Whose decks are read
 DIALECTS = ("abaqus", "ccx")
 #: Trusses, as which gmsh writes its lines: wires in a deck that has no beams
@@ -163,10 +156,10 @@ class _DeckReader:
 
     def _elements(self, card: Card) -> None:
         kind = str(card.get("TYPE", "")).upper()
-        if kind not in _BEAMS and kind not in _TRUSSES and kind not in element_types():
+        if kind not in FOREIGN_BEAMS and kind not in _TRUSSES and kind not in element_types():
             self.left_out[kind] = self.left_out.get(kind, 0) + len(card.data)
             return
-        ours, n_nodes = _BEAMS.get(kind) or ((None, _TRUSSES[kind]) if kind in _TRUSSES else (kind, 2))
+        ours, n_nodes = FOREIGN_BEAMS.get(kind) or ((None, _TRUSSES[kind]) if kind in _TRUSSES else (kind, 2))
         numbers = []
         for row in card.data:
             number, *nodes = (self._key(value, card) for value in row)

@@ -10,11 +10,22 @@ from numpy.typing import NDArray
 from ..deck.keyword_table import keyword
 from .materials import Material, Section
 
+#: Elements of Abaqus and CalculiX that litz takes as others; the number of nodes along the beam
+FOREIGN_BEAMS = {
+    "B31R": ("B31", 2),
+    "B31H": ("B31", 2),
+    "B33H": ("B33", 2),
+    "B32": ("B31", 3),
+    "B32R": ("B31", 3),
+    "B32H": ("B31", 3),
+}
+
 
 def element_types() -> list[str]:
-    """The types of beam elements."""
+    """The types of beam elements that litz has itself."""
     parameters = keyword("ELEMENT")["parameters"]
-    return next(parameter["choices"] for parameter in parameters if parameter["name"] == "TYPE")
+    choices = next(parameter["choices"] for parameter in parameters if parameter["name"] == "TYPE")
+    return [choice for choice in choices if choice not in FOREIGN_BEAMS]
 
 
 @dataclass

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..base.names import nearest_name, unknown_name
-from ..deck.keyword_table import check_card, squeezed
+from ..deck.keyword_table import squeezed
 from .curves import along_curve, along_polyline, along_spline, check_elements, check_points, straight
 from .materials import Circular, General, Material, Section
-from .mesh import Mesh
+from .mesh import Mesh, element_types
 from .names import Names, span_name
 from .wires import Nodes, Wire, WireGroup
 
@@ -362,7 +362,8 @@ class WireModel(Names):
             section = Circular(radius)
         if not isinstance(section, Circular | General):
             raise ValueError(f"section must be Circular(radius) or General(area, i11, i22, j), not {section!r}")
-        check_card("ELEMENT", {"TYPE": element}, [[1, 1, 2]])
+        if squeezed(element) not in element_types():
+            raise ValueError(f"TYPE of *ELEMENT must be {' or '.join(element_types())}, not {element!r}")
         if isinstance(material, str):
             if material not in self._materials:
                 hint = nearest_name(material, self._materials)
