@@ -15,7 +15,7 @@ from ..base.names import unknown_name
 from ..base.table import Table
 from ..errors import FileError, WarningEntry
 from ..wires import Wire, WireArcs, find_wires, numbered_wires, wire_arcs
-from .ledger_columns import read_ledger
+from .ledger import read_ledger
 from .rigid_surfaces import SurfaceShape, read_surfaces
 from .run_warnings import read_warnings
 from .text_tables import read_aligned, read_csv, read_units
