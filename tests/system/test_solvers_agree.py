@@ -40,9 +40,10 @@ def nearly_converged(rows, key):
 #: Round-off of a field that is zero: rotations of wires that jaws press [rad]
 NOTHING = 1e-15
 #: Decks that magnify round-off, with a force or current that they must agree on: without friction the wires of the strand
-#: turn about the core almost freely; strands of the knot slide along each other; on the drum parts of the arc open and slip in the middle
-#: of an iteration; the stick and slip of one contact leaves residuals next to what is allowed, where an iteration more decides;
-#: motions and currents that act on each other through temperatures are solved to a ten-thousandth in each iteration
+#: turn about the core almost freely; strands of the knot slide along each other; on the drum parts of the arc open and slip in
+#: the middle of an iteration; the stick and slip of one contact leaves residuals next to what is allowed, where an iteration
+#: more decides; motions and currents that act on each other through temperatures are solved to a ten-thousandth in each
+#: iteration
 SENSITIVE = {
     "13_stick_slip": "RF1 node 201",
     "14_strand": "RF3 node 149",
