@@ -214,6 +214,8 @@ FREE = {
     "NODE PRINT": "output", "EL PRINT": "output", "CONTACT PRINT": "output", "ENERGY PRINT": "output",
     "ELECTRODE PRINT": "output", "NODE FILE": "output", "EL FILE": "output", "RESTART": "output",
 }  # fmt: skip
+#: Dimensions of the shapes of cross-sections
+SIDES = ("a", "b", "b1", "b2", "h", "l", "r", "t", "t1", "t2", "t3", "t4")
 #: Values that a user may change, and why
 FREE_VALUES = {
     ("STATIC", "DIRECT"): "size of the increments", ("STATIC", "first"): "size of the increments",
@@ -260,6 +262,10 @@ FREE_VALUES = {
     ("BOUNDARY", "first"): "tested by its last one",
     ("NSET", "GENERATE"): "form of the data", ("ELSET", "GENERATE"): "form of the data",
     ("SURFACE BEHAVIOR", "PRESSURE-OVERCLOSURE"): "tested by itself, with its data",
+    **{("BEAM SECTION", side): "area, stiffnesses and corners that follow from it count" for side in SIDES},
+    ("ELEMENT", "n3"): "of quadratic beams: the nodes of their two elements count",
+    ("ELSET", "INTERNAL"): "of a CAE", ("NSET", "INTERNAL"): "of a CAE",
+    ("SURFACE INTERACTION", "thickness"): "of contact in two dimensions",
     ("BEAM SECTION", "SECTION"): "form of the data", ("BEAM SECTION", "ELSET"): "every element has one section",
 }  # fmt: skip
 
