@@ -229,7 +229,7 @@ contains
          call property_at(material%heat_conductivity, domain%mean_temperature(e), value, slope)
          element%dconductivity = slope/value
          call domain%resistivity(e, value, slope)
-         if (value > 0) then
+         if (value > 0 .and. .not. domain%elements%superconducting(e)) then
             element%resistance = value*domain%conduction_length(e)/domain%elements%area(e)
             element%dresistivity = slope/value
          end if

@@ -98,6 +98,10 @@ contains
             r(:, :n))
          call domain%timing%lap(phase_assembly)
       end do
+      associate (superconductors => domain%superconductors)
+         superconductors%strain = self%strain(1, superconductors%members)
+         superconductors%strain_by_motion = self%b(1, :, superconductors%members)
+      end associate
       if (domain%coupled_step) call add_temperatures(self, domain)
       if (size(domain%iterate%bodies%dependents) > 0) call suppose_forces(self, domain)
       self%sigma_from_strain = .false.

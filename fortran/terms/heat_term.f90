@@ -5,7 +5,7 @@
 module litz_heat_term
    use litz_kinds, only: dp, pi
    use litz_conductor_heat, only: conductor_heat, heated_wire_t, heat_flows_t
-   use litz_domain, only: domain_t
+   use litz_domain, only: domain_t, element_flow_t
    use litz_errors, only: error_t
    use litz_fields, only: field_temperature, group_transport, potential_slots, temperature_slots
    use litz_loading, only: heat_at
@@ -133,6 +133,7 @@ contains
       real(dp), intent(out) :: k(4, 4), r(4)
       type(heated_wire_t) :: wire
       type(heat_flows_t) :: flows
+      type(element_flow_t) :: flow
 
       associate (model => domain%model, node => domain%model%connectivity(:, e), value => domain%iterate%value)
          associate (section => model%sections(model%element_section(e)))
@@ -140,6 +141,13 @@ contains
                wire%length = domain%conduction_length(e)
                wire%area = section%area
                call domain%resistivity(e, wire%resistivity, wire%dresistivity)
+               wire%has_current = domain%superconductors%place(e) > 0
+               if (wire%has_current) then
+                  flow = domain%flow_in(e)
+                  wire%current = flow%current
+                  wire%by_voltage = flow%by_voltage
+                  wire%by_temperature = flow%by_temperature
+               end if
                call property_at(material%heat_conductivity, domain%mean_temperature(e), wire%conductivity, &
                   wire%dconductivity)
                wire%heat_fraction = material%joule_fraction
