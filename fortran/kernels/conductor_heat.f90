@@ -43,6 +43,8 @@ module litz_conductor_heat
       real(dp) :: current = 0, joule_heat = 0
       !> Through the film [W]
       real(dp) :: to_surroundings = 0
+      !> t
+      real(dp) :: nodal_share = 1
    end type heat_flows_t
 
    !> Below this `w^2` the slope of t comes from its series
@@ -96,6 +98,7 @@ contains
       k(4, :) = -k(3, :)
       k(3:4, 3:4) = k(3:4, 3:4) + across + dacross*excess
       k(3:4, :) = k(3:4, :) - spread(dsource, 1, 2)
+      flows%nodal_share = t
       flows%to_surroundings = 2*across*excess + made*(1 - t)
    end subroutine conductor_heat
 

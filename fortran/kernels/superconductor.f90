@@ -15,12 +15,16 @@ module litz_superconductor
    use litz_parallel_law, only: parallel_law_t, parallel_field_t, field_of_current, current_of_field
    implicit none
    private
-   public :: superconductor_flow_t, superconductor_wire_t, superconductor, moved_current, series_part
+   public :: superconductor_flow_t, superconductor_wire_t, superconductor, current_at, moved_current, &
+      series_part
 
    !> rho_0 over the resistivity of the metal
    real(dp), parameter :: series_part = 1.0e-9_dp
    !> Above this part of the critical current, more than the linear step is checked with the law
    real(dp), parameter :: beyond = 1.5_dp
+   !> Newton's steps to a current, from above; each goes down by a part of 1/n at least until `rho_0` counts no more
+   integer, parameter :: max_steps = 1000
+   real(dp), parameter :: accurate = 8*epsilon(1.0_dp)
 
    !> An element, and its material at its temperature, flux density and strain.
    type :: superconductor_wire_t
@@ -69,6 +73,23 @@ contains
       flow%by_conductivity = -flow%by_voltage*wire%length*field%by_conductivity
       flow%by_critical = -flow%by_voltage*wire%length*field%by_critical
    end function superconductor
+
+   !> The current at a voltage: the inverse of (1), by Newton's method from the law without `rho_0`.
+   pure real(dp) function current_at(wire, voltage) result(current)
+      type(superconductor_wire_t), intent(in) :: wire
+      !> V1 - V2 [V]
+      real(dp), intent(in) :: voltage
+      type(superconductor_flow_t) :: flow
+      integer :: i
+
+      ! U is convex and odd: the steps descend from there
+      current = wire%area*current_of_field(wire%law, voltage/wire%length)
+      do i = 1, max_steps
+         flow = superconductor(wire, current, voltage, 0.0_dp)
+         if (abs(flow%current - current) <= accurate*abs(current)) return
+         current = flow%current
+      end do
+   end function current_at
 
    !> The current with which the next iteration begins.
    !>

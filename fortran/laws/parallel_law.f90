@@ -74,8 +74,8 @@ contains
       call logarithm_of_current(law, log_field, change, share, slope)
       field%value = law%criterion*exp(log_field)
       field%by_current = field%value/j/slope
-      field%by_conductivity = sign(-field%value*share/law%conductivity/slope, current)
-      field%by_critical = sign(-field%value*(1 - share)/law%critical/slope, current)
+      field%by_conductivity = -sign(field%value*share/law%conductivity/slope, current)
+      field%by_critical = -sign(field%value*(1 - share)/law%critical/slope, current)
       field%value = sign(field%value, current)
    end function field_of_current
 

@@ -136,13 +136,14 @@ contains
 
    end subroutine evaluate
 
-   !> Currents in superconducting filaments follow a step of all unknowns. Prescribed ones are taken whole.
+   !> Currents in superconducting filaments follow a step that has potentials in it. Prescribed ones are taken whole.
    subroutine predict(self, domain, eta, correction)
       class(conductor_term_t), intent(inout) :: self
       type(domain_t), intent(inout) :: domain
       !> Fraction of the step that is taken, and the step (n_slots, n_nodes)
       real(dp), intent(in) :: eta, correction(:, :)
 
+      if (.not. any(abs(correction(potential_slots(1):potential_slots(2), :)) > 0)) return
       if (size(domain%superconductors%members) > 0) call follow(self, domain, &
          merge(correction, eta*correction, domain%loading%fixed))
    end subroutine predict

@@ -29,6 +29,8 @@ module litz_domain
    type :: element_flow_t
       !> From the first to the second node [A], and V1 - V2 [V]
       real(dp) :: current = 0, voltage = 0
+      !> The current that the iterate has, where it is an unknown of its own: that above is linear about it [A]
+      real(dp) :: own = 0
       !> Derivatives of the current by V1 - V2 [S], by the temperature of either node [A/K], where temperatures are
       !> unknowns, and by the motions (12) [A/m, A]
       real(dp) :: by_voltage = 0, by_temperature = 0, by_motion(12) = 0
@@ -157,8 +159,8 @@ contains
       associate (i => self%superconductors%place(element), node => self%model%connectivity(:, element))
          if (i > 0) then
             associate (there => self%superconductors)
-               flow = element_flow_t(there%flows(i)%current, there%voltage(i), there%flows(i)%by_voltage, &
-                  there%by_temperature(i), there%by_motion(:, i))
+               flow = element_flow_t(there%flows(i)%current, there%voltage(i), there%current(i), &
+                  there%flows(i)%by_voltage, there%by_temperature(i), there%by_motion(:, i))
             end associate
             return
          end if
@@ -168,6 +170,7 @@ contains
          call conductor(self%iterate%x(:, node), self%iterate%value(potential_slots(1), node), &
             self%elements%length(element), self%elements%area(element), rho, &
             self%model%sections(self%model%element_section(element))%current_length, k, r, k_me, flow%current, heat)
+         flow%own = flow%current
          flow%by_voltage = k(1, 1)
          flow%by_temperature = -flow%current*drho/(2*rho)
          flow%by_motion(1:3) = k_me(1, 1:3)
@@ -195,6 +198,7 @@ contains
                call self%resistivity(e, now%resistivity, now%dresistivity)
                now%temperature = self%mean_temperature(e) - self%model%absolute_zero
                now%voltage = v(node(1)) - v(node(2))
+               now%is_led = all(self%loading%fixed(potential_slots(1), node))
                now%round_off = uncertainty*self%forces%magnitude(potential_slots(1), node(1))
             end associate
          end associate

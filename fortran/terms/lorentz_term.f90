@@ -121,7 +121,8 @@ contains
       type(element_flow_t) :: flow
 
       flow = domain%flow_in(self%members(i))
-      call force_on(domain, self%members(i), flow%current, self%field(:, i), k, self%force(:, i), by_current)
+      call force_on(domain, self%members(i), flow%own, self%field(:, i), k, self%force(:, i), by_current)
+      if (domain%coupled_step) self%force(:, i) = self%force(:, i) + by_current*(flow%current - flow%own)
       k = k + spread(by_current, 2, 12)*spread(flow%by_motion, 1, 12)
       by_flow(:, 1) = by_current*flow%by_voltage
       by_flow(:, 3) = -by_flow(:, 1)

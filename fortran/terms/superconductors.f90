@@ -7,7 +7,7 @@ module litz_superconductors
    use litz_critical_law, only: critical_density, critical_density_t
    use litz_model, only: model_t
    use litz_parallel_law, only: parallel_law_t
-   use litz_superconductor, only: superconductor, superconductor_flow_t, superconductor_wire_t, moved_current
+   use litz_superconductor, only: superconductor, superconductor_flow_t, superconductor_wire_t, current_at, moved_current
    implicit none
    private
    public :: superconductors_t, superconducting_state_t, new_superconductors
@@ -26,6 +26,8 @@ module litz_superconductors
       real(dp) :: temperature = 0
       !> V1 - V2, and its round-off [V]
       real(dp) :: voltage = 0, round_off = 0
+      !> Both potentials are prescribed: no equation is left, and the current is that of the law
+      logical :: is_led = .false.
    end type superconducting_state_t
 
    type :: superconductors_t
@@ -33,6 +35,8 @@ module litz_superconductors
       integer, allocatable :: members(:), place(:)
       !> Axial strain of the beam (n), and its derivative by the motions (12, n) [1/m, -]
       real(dp), allocatable :: strain(:), strain_by_motion(:, :)
+      !> Its derivative by the mean temperature (n) [1/K], where motions see the temperatures of the iterate
+      real(dp), allocatable :: strain_by_temperature(:)
       !> Flux density at the origin and its derivatives by x, y and z (12, n) [T, T/m]; of its norm in the middle of an
       !> element the law is asked
       real(dp), allocatable :: flux_density(:, :)
@@ -59,8 +63,8 @@ contains
       n = size(self%members)
       allocate (self%place(model%n_elements), source=0)
       self%place(self%members) = [(e, e=1, n)]
-      allocate (self%strain(n), self%strain_by_motion(12, n), self%flux_density(12, n), self%current(n), &
-         self%voltage(n), self%by_temperature(n), self%by_motion(12, n), source=0.0_dp)
+      allocate (self%strain(n), self%strain_by_temperature(n), self%strain_by_motion(12, n), &
+         self%flux_density(12, n), self%current(n), self%voltage(n), self%by_temperature(n), self%by_motion(12, n), source=0.0_dp)
       allocate (self%wires(n), self%flows(n))
    end function new_superconductors
 
@@ -86,8 +90,10 @@ contains
          wire%law = parallel_law_t((1 - material%fraction)/now%resistivity, material%fraction*critical%value, &
             material%criterion, material%exponent)
          self%voltage(i) = now%voltage
+         if (now%is_led) self%current(i) = current_at(wire, now%voltage)
          flow = superconductor(wire, self%current(i), now%voltage, now%round_off)
-         self%by_temperature(i) = (flow%by_critical*material%fraction*critical%by_temperature + now%dresistivity &
+         self%by_temperature(i) = (flow%by_critical*material%fraction*(critical%by_temperature &
+            + critical%by_strain*self%strain_by_temperature(i)) + now%dresistivity &
             *(flow%by_resistivity - flow%by_conductivity*wire%law%conductivity/now%resistivity))/2
          by_place = 0
          if (norm > 0) by_place = flow%by_critical*material%fraction*critical%by_field*matmul(flux/norm, gradient)/2
